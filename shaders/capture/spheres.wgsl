@@ -1,0 +1,33 @@
+// Rays inside a sphere and moving inwards are captured. For a Schwarzschild hole the sphere is the horizon, or wider, up to
+// the photon sphere r = 3M, where nothing of the scene lies between: what moves inwards there never comes back.
+
+struct CaptureSphere {
+    center: vec3f,
+    radius: f32,
+}
+
+@group(0) @binding(55) var<storage, read> capture_spheres: array<CaptureSphere>;
+
+fn law_captured(x: vec3f, v: vec3f) -> bool {
+    var captured = false;
+    for (var i = 0u; i < arrayLength(&capture_spheres); i++) {
+        work += 1u;
+        let d = x - capture_spheres[i].center;
+        captured = captured || (dot(d, d) < capture_spheres[i].radius * capture_spheres[i].radius && dot(d, v) < 0.0);
+    }
+    return captured;
+}
+
+// The outward normal and the signed distance of the nearest of the spheres.
+fn capture_gap(x: vec3f) -> vec4f {
+    var nearest = vec4f(0.0, 0.0, 0.0, 1e30);
+    for (var i = 0u; i < arrayLength(&capture_spheres); i++) {
+        work += 1u;
+        let d = x - capture_spheres[i].center;
+        let gap = length(d) - capture_spheres[i].radius;
+        if gap < nearest.w {
+            nearest = vec4f(normalize(d), gap);
+        }
+    }
+    return nearest;
+}

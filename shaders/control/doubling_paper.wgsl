@@ -1,0 +1,13 @@
+// The paper's rule (W04 §4.2): the difference changes only the next step, by two thresholds; no step is rejected.
+
+fn accepted_step(ray: Ray) -> Ray {
+    let h = capped_step(ray);
+    let step = doubled_step(ray.phase, h);
+    var next = ray;
+    next.phase = opaque_phase(law_settled(step.end));
+    next.tau += h;
+    next.taken = opaque(h);
+    next.steps += 1u;
+    next.h = h * select(select(1.0, 2.0, step.error < control.grow_below), 0.5, step.error > control.tolerance);
+    return next;
+}

@@ -1,0 +1,34 @@
+// Step doubling that keeps its promise: a step whose difference exceeds the tolerance is tried again, shorter. The next size
+// is the one whose leading error term would just meet the tolerance, with a safety factor and limits on its change (Hairer,
+// Nørsett, Wanner, Solving ODEs I, §II.4). A ray that no try moves is stalled.
+
+const MAX_TRIES: u32 = 16u;
+const SAFETY: f32 = 0.9;
+const MIN_FACTOR: f32 = 0.2;
+const MAX_FACTOR: f32 = 5.0;
+
+fn step_factor(error: f32) -> f32 {
+    let wanted = SAFETY * pow(control.tolerance / max(error, 1e-30), 1.0 / (STEP_ORDER + 1.0));
+    return clamp(wanted, MIN_FACTOR, MAX_FACTOR);
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    var next = ray;
+    var h = capped_step(ray);
+    next.taken = 0.0;
+    for (var tries = 0u; tries < MAX_TRIES; tries++) {
+        work += 1u;
+        let step = doubled_step(ray.phase, h);
+        if step.error <= control.tolerance {
+            next.phase = opaque_phase(law_settled(step.end));
+            next.tau += h;
+            next.taken = opaque(h);
+            next.h = h * step_factor(step.error);
+            next.steps += 1u;
+            break;
+        }
+        next.rejected += 1u;
+        h *= select(MIN_FACTOR, min(step_factor(step.error), 0.9), step.error < 1e30);
+    }
+    return next;
+}

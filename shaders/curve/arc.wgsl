@@ -1,0 +1,33 @@
+// A segment is a cubic Hermite arc through its ends, cut into chords that stay within a tolerance of it.
+
+struct Arc {
+    // In scene units.
+    tolerance: f32,
+    // The box of everything that can be hit.
+    lo: vec3f,
+    hi: vec3f,
+}
+
+@group(0) @binding(62) var<uniform> arc: Arc;
+
+const MAX_PIECES: f32 = 16.0;
+
+// None where the box of the arc's Bézier points misses the scene's.
+fn segment_pieces(s: Segment) -> u32 {
+    let b1 = s.x0 + (s.h / 3.0) * s.v0;
+    let b2 = s.x1 - (s.h / 3.0) * s.v1;
+    let lo = min(min(s.x0, s.x1), min(b1, b2));
+    let hi = max(max(s.x0, s.x1), max(b1, b2));
+    let near = all(lo <= arc.hi) && all(hi >= arc.lo);
+    // A bound on the distance between chord and curve; it falls with the square of the number of pieces.
+    let c = s.x1 - s.x0;
+    let sag = 0.25 * max(length(s.h * s.v0 - c), length(c - s.h * s.v1));
+    let pieces = clamp(ceil(sqrt(sag / arc.tolerance)), 1.0, MAX_PIECES);
+    return select(0u, u32(pieces), near);
+}
+
+fn segment_point(s: Segment, t: f32) -> vec3f {
+    let c = s.x1 - s.x0;
+    let u = 1.0 - t;
+    return s.x0 + t * (c + u * (u * (s.h * s.v0 - c) + t * (c - s.h * s.v1)));
+}

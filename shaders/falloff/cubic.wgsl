@@ -1,0 +1,33 @@
+// Centres with the local fall-off d(r) = 2r³/R³ − 3r²/R² + 1 inside R, else 0 (G95 after Wyvill, W04 §5.2). d(0) = 1, so
+// the force turns at once from one side of the centre to the other: the scale stops shrinking at R/50, past which a step
+// sees the jump as the law has it.
+
+struct Cubic {
+    position: vec3f,
+    strength: f32,
+    radius: f32,
+}
+
+@group(0) @binding(52) var<storage, read> cubic: array<Cubic>;
+
+fn cubic_acceleration(x: vec3f) -> vec3f {
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < arrayLength(&cubic); i++) {
+        work += 1u;
+        let d = x - cubic[i].position;
+        let r = length(d);
+        let q = min(r / cubic[i].radius, 1.0);
+        let unit = select(d / r, vec3f(0.0), r == 0.0);
+        sum -= (cubic[i].strength * (q * q * (2.0 * q - 3.0) + 1.0)) * unit;
+    }
+    return sum;
+}
+
+fn cubic_distance(x: vec3f) -> f32 {
+    var nearest = FAR_AWAY;
+    for (var i = 0u; i < arrayLength(&cubic); i++) {
+        work += 1u;
+        nearest = min(nearest, max(distance(x, cubic[i].position), 0.02 * cubic[i].radius));
+    }
+    return nearest;
+}

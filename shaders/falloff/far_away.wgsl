@@ -1,0 +1,2 @@
+// Further than any scene reaches.
+const FAR_AWAY: f32 = 1e30;

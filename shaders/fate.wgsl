@@ -1,0 +1,28 @@
+// How a path ends, and where exactly.
+
+// The path needs no further step: it left the bound, was captured, reached its length or is not finite.
+fn path_over(ray: Ray) -> bool {
+    let x = ray.phase[0].xyz;
+    let v = ray.phase[1].xyz;
+    return !finite(x) || !finite(v) || left_bound(x, v) || law_captured(x, v) || length_reached(ray.tau);
+}
+
+// The ray's status after a segment in which it met nothing (W04 §4.1's tests for termination): index segments lie before it.
+fn open_fate(s: Segment, tau: f32, index: u32) -> u32 {
+    if !finite(s.x1) || !finite(s.v1) {
+        return FAILED;
+    }
+    if left_bound(s.x1, s.v1) {
+        return ESCAPED;
+    }
+    if law_captured(s.x1, s.v1) {
+        return CAPTURED;
+    }
+    if length_reached(tau) {
+        return ENDED;
+    }
+    if all(s.x1 == s.x0) {
+        return STALLED;
+    }
+    return select(ALIVE, EXHAUSTED, index + 1u >= schedule.max_segments);
+}

@@ -1,0 +1,13 @@
+// A segment is one accepted step.
+
+fn follow_segment(ray: ptr<function, Ray>) -> Segment {
+    let start = (*ray).phase;
+    *ray = accepted_step(*ray);
+    let end = (*ray).phase;
+    return Segment(start[0].xyz, start[1].xyz, end[0].xyz, end[1].xyz, (*ray).taken);
+}
+
+fn last_step(ray: Ray) -> LastStep {
+    let next = accepted_step(ray);
+    return LastStep(ray.phase, ray.tau, next.taken, next.phase, next.tau);
+}

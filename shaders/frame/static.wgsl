@@ -1,0 +1,9 @@
+// The camera's directions are those of an observer at rest outside a Schwarzschild hole: lengths along the radius are
+// shorter in coordinates by √(1 − 2M/r).
+
+fn frame_velocity(x: vec3f, d: vec3f) -> vec3f {
+    let r = length(x - law.center);
+    let n = (x - law.center) / r;
+    let radial = dot(d, n);
+    return d + (sqrt(1.0 - 2.0 * law.mass / r) - 1.0) * radial * n;
+}

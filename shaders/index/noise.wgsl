@@ -1,0 +1,84 @@
+// The disturbed air of W04's Fig. 4(d), a noise-based index after an explosion:
+// n(x) = 1 + amplitude · ξ(r/R) · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)), ξ(q) = 2q³ − 3q² + 1, so that n = 1 outside R.
+//
+// The lattice noise is blended by the quintic 6t⁵ − 15t⁴ + 10t³, whose second derivative has no jumps: with the thesis'
+// Catmull–Rom blend ∇n has kinks at every cell's face, where RK4 would lose its order. ∇n is its analytic derivative.
+
+struct Medium {
+    center: vec3f,
+    radius: f32,
+    amplitude: f32,
+    frequency: f32,
+    octaves: u32,
+    seed: u32,
+}
+
+@group(0) @binding(50) var<uniform> medium: Medium;
+
+// In [-1, 1]: a hash of a lattice point (PCG's output function on mixed coordinates).
+fn lattice(cell: vec3i) -> f32 {
+    let c = bitcast<vec3u>(cell);
+    let seed = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u) ^ (c.z * 0xcb1ab31fu) ^ (medium.seed * 0x9e3779b1u);
+    let state = seed * 747796405u + 2891336453u;
+    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return f32(((word >> 22u) ^ word) >> 8u) / 8388607.5 - 1.0;
+}
+
+// Gradient and value of the noise.
+fn lattice_noise(p: vec3f) -> vec4f {
+    let base = floor(p);
+    let f = p - base;
+    let i = vec3i(base);
+    let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    let du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
+    let a = lattice(i);
+    let b = lattice(i + vec3i(1, 0, 0));
+    let c = lattice(i + vec3i(0, 1, 0));
+    let d = lattice(i + vec3i(1, 1, 0));
+    let e = lattice(i + vec3i(0, 0, 1));
+    let g = lattice(i + vec3i(1, 0, 1));
+    let h = lattice(i + vec3i(0, 1, 1));
+    let k = lattice(i + vec3i(1, 1, 1));
+    // The trilinear form as a polynomial in u, so that its derivatives can be read off.
+    let x = b - a;
+    let y = c - a;
+    let z = e - a;
+    let xy = a - b - c + d;
+    let yz = a - c - e + h;
+    let zx = a - b - e + g;
+    let xyz = b + c + e + k - a - d - g - h;
+    let value = a + x * u.x + y * u.y + z * u.z + xy * u.x * u.y + yz * u.y * u.z + zx * u.z * u.x + xyz * u.x * u.y * u.z;
+    let slope = vec3f(
+        x + xy * u.y + zx * u.z + xyz * u.y * u.z,
+        y + yz * u.z + xy * u.x + xyz * u.z * u.x,
+        z + zx * u.x + yz * u.y + xyz * u.x * u.y,
+    );
+    return vec4f(du * slope, value);
+}
+
+// ∇n and n.
+fn medium_index(x: vec3f) -> vec4f {
+    let d = x - medium.center;
+    var sum = vec4f(0.0);
+    var frequency = medium.frequency;
+    var weight = 1.0;
+    for (var j = 0u; j < medium.octaves; j++) {
+        work += 1u;
+        let noise = lattice_noise(frequency * d);
+        sum += weight * vec4f(frequency * noise.xyz, noise.w);
+        frequency *= 2.0;
+        weight *= 0.5;
+    }
+    let r = length(d);
+    let q = min(r / medium.radius, 1.0);
+    let xi = q * q * (2.0 * q - 3.0) + 1.0;
+    // ξ′(q) n̂/R = 6 (q − 1) d/R²: no division by r is left.
+    let slope = (6.0 * (q - 1.0) / (medium.radius * medium.radius)) * d;
+    return vec4f(medium.amplitude * (xi * sum.xyz + sum.w * slope), 1.0 + medium.amplitude * xi * sum.w);
+}
+
+// The length over which the index changes: a cell of the finest octave inside, the way to the disturbed region outside.
+fn medium_length(x: vec3f) -> f32 {
+    let cell = exp2(1.0 - f32(medium.octaves)) / medium.frequency;
+    return max(min(cell, medium.radius), distance(x, medium.center) - medium.radius);
+}

@@ -1,0 +1,13 @@
+// Every pixel in every pass, ended or not: the 2004 paper without its early termination (masks off).
+
+fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
+    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
+    return Place(pixel, all(pixel < frame.size));
+}
+
+fn ray_wanted(code: u32) -> bool {
+    return true;
+}
+
+fn keep_living(alive: bool, pixel: vec2u, lane: u32) {
+}

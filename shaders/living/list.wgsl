@@ -1,0 +1,53 @@
+// A list of the pixels whose rays still live: passes run over it by indirect dispatch, so that ended rays cost nothing. Each
+// group counts its own living rays and takes room for all of them at once; the leader raises the next pass's group count.
+
+struct LivingRead {
+    x: u32,
+    y: u32,
+    z: u32,
+    count: u32,
+}
+
+@group(0) @binding(100) var<storage, read> living_in: LivingRead;
+@group(0) @binding(101) var<storage, read_write> living_out: Living;
+@group(0) @binding(102) var<storage, read> list_in: array<u32>;
+@group(0) @binding(103) var<storage, read_write> list_out: array<u32>;
+
+// Groups in one row of a dispatch: under the limit of 65,535 for any number of pixels.
+const ROW: u32 = 32768u;
+
+var<workgroup> group_living: atomic<u32>;
+var<workgroup> group_first: u32;
+
+fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
+    let i = (group.y * groups.x + group.x) * 64u + lane;
+    let packed = list_in[min(i, arrayLength(&list_in) - 1u)];
+    return Place(vec2u(packed & 0xffffu, packed >> 16u), i < living_in.count);
+}
+
+fn ray_wanted(code: u32) -> bool {
+    return code == ALIVE;
+}
+
+fn keep_living(alive: bool, pixel: vec2u, lane: u32) {
+    var mine = 0u;
+    if alive {
+        mine = atomicAdd(&group_living, 1u);
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        let count = atomicLoad(&group_living);
+        if count > 0u {
+            let first = atomicAdd(&living_out.count, count);
+            let needed = (first + count + 63u) / 64u;
+            atomicMax(&living_out.x, min(needed, ROW));
+            atomicMax(&living_out.y, (needed + ROW - 1u) / ROW);
+            atomicMax(&living_out.z, 1u);
+            group_first = first;
+        }
+    }
+    workgroupBarrier();
+    if alive {
+        list_out[group_first + mine] = pixel.x | (pixel.y << 16u);
+    }
+}

@@ -1,0 +1,7 @@
+// Ambient, diffuse and Blinn–Phong specular light from straight connections to the lights (W04 §3.4, "fake" illumination).
+
+const PHONG: u32 = 1u;
+
+fn radiance_phong(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
+    return material.emission + material.ambient * color + lit_radiance(material, color, x, normal, view);
+}

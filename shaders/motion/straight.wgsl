@@ -1,0 +1,30 @@
+// Straight lines need no solver: one step to just outside the bounding sphere.
+
+fn law_start(x: vec3f, v: vec3f) -> Phase {
+    return Phase(x, v);
+}
+
+fn first_step(p: Phase) -> f32 {
+    return 0.0;
+}
+
+fn retaken_step(p: Phase, h: f32) -> Phase {
+    return Phase(p[0] + h * p[1], p[1]);
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    let v = ray.phase[1];
+    let d = ray.phase[0] - bound.center;
+    let vv = dot(v, v);
+    let b = dot(d, v) / vv;
+    let miss = d - b * v;
+    let inside = max(bound.radius * bound.radius - dot(miss, miss), 0.0);
+    let exit = -b + sqrt(inside / vv) + 1e-3 * bound.radius * inverseSqrt(vv);
+    let h = limited_step(exit, ray.tau);
+    var next = ray;
+    next.phase = opaque_phase(retaken_step(ray.phase, h));
+    next.tau += h;
+    next.taken = opaque(h);
+    next.steps += 1u;
+    return next;
+}

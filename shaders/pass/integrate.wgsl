@@ -1,0 +1,23 @@
+// One segment of every ray (`segment`): N steps inside.
+
+@compute @workgroup_size(8, 8)
+fn integrate(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let place = living_pixel(group, groups, lane);
+    let word = load_status(place.pixel);
+    let alive = place.valid && status_code(word) == ALIVE;
+    let ray = load_ray(place.pixel, word);
+    var next = ray;
+    if ray_wanted(status_code(word)) {
+        let segment = follow_segment(&next);
+    }
+    if alive {
+        store_ray(place.pixel, next);
+        store_counts(place.pixel, next);
+        store_taken(place.pixel, next.taken);
+    }
+    tally_steps(select(0u, next.steps - ray.steps, alive), 0u, select(0u, next.rejected - ray.rejected, alive), lane);
+}

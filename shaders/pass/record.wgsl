@@ -1,0 +1,37 @@
+// Where each ray is, as numbers, for `trace`: ended rays at their end, the others at the end of their segments so far.
+
+struct Record {
+    x: vec3f,
+    tau: f32,
+    v: vec3f,
+    depth: f32,
+    status: u32,
+    steps: u32,
+    rejected: u32,
+    // 0 for none, else the object's place in the scene file, from 1.
+    object: u32,
+}
+
+@group(0) @binding(115) var<storage, read_write> records: array<Record>;
+
+@compute @workgroup_size(8, 8)
+fn record(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
+    let valid = all(pixel < frame.size);
+    var code = ALIVE;
+    if valid {
+        let ray = load_ended(pixel);
+        let seen = recorded_at(ray, pixel);
+        code = ray.status;
+        let depth = f32(ray.index) + seen.end.fraction;
+        let i = pixel.y * frame.size.x + pixel.x;
+        records[i] = Record(
+            seen.end.x, seen.end.tau, seen.end.v, depth, code, ray.steps, ray.rejected, seen.object,
+        );
+    }
+    tally_fate(valid, code, lane);
+}

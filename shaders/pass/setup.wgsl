@@ -1,0 +1,30 @@
+// Ray setup (W04 §3.1): the camera's rays into the first slot of the state.
+
+@compute @workgroup_size(8, 8)
+fn setup(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
+    let valid = all(pixel < frame.size);
+    let start = camera_ray(image_plane(sample_point(frame.origin + pixel)));
+    let phase = law_start(start.x, frame_velocity(start.x, start.d));
+    var ray = Ray(phase, 0.0, first_step(phase), 0.0, 0u, 0u, 0u, ALIVE);
+    if law_captured(phase[0].xyz, phase[1].xyz) {
+        ray.status = CAPTURED;
+    }
+    if start.missed {
+        ray.status = MISSED;
+    }
+    if !finite(phase[0].xyz) || !finite(phase[1].xyz) {
+        ray.status = FAILED;
+    }
+    if valid {
+        store_ray(pixel, ray);
+        store_counts(pixel, ray);
+        store_status(pixel, status_word(ray.status, 0u, 0u));
+        clear_hit(pixel);
+    }
+    keep_living(valid && ray.status == ALIVE, pixel, lane);
+}

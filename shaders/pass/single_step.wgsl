@@ -1,0 +1,23 @@
+// One integration step of every ray (`paper`: W04 §3.2 has one pass for each).
+
+@compute @workgroup_size(8, 8)
+fn single_step(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let place = living_pixel(group, groups, lane);
+    let word = load_status(place.pixel);
+    let alive = place.valid && status_code(word) == ALIVE;
+    let ray = load_ray(place.pixel, word);
+    var next = ray;
+    if ray_wanted(status_code(word)) && !path_over(ray) {
+        next = accepted_step(ray);
+    }
+    if alive {
+        store_ray(place.pixel, next);
+        store_counts(place.pixel, next);
+        store_taken(place.pixel, next.taken);
+    }
+    tally_steps(select(0u, next.steps - ray.steps, alive), 0u, select(0u, next.rejected - ray.rejected, alive), lane);
+}

@@ -1,0 +1,21 @@
+// Which rays ended with this segment (W04 §4.1). An ended ray stays at the segment's start; the others go on from its end.
+
+@compute @workgroup_size(8, 8)
+fn terminate(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let place = living_pixel(group, groups, lane);
+    let word = load_status(place.pixel);
+    let alive = place.valid && status_code(word) == ALIVE;
+    let index = status_index(word);
+    let fate = segment_fate(load_segment(place.pixel), load_tau(place.pixel), index, load_hit(place.pixel));
+    let lives = alive && fate == ALIVE;
+    if alive {
+        let next = status_word(ALIVE, turn.end, index + 1u);
+        store_status(place.pixel, select(status_word(fate, turn.start, index), next, lives));
+    }
+    tally_steps(0u, u32(alive), 0u, lane);
+    keep_living(lives, place.pixel, lane);
+}

@@ -1,0 +1,66 @@
+// Where a path ends, found once per ray after all segments: on the surface, on the bounding sphere, at the horizon.
+
+// The last step of a path's last segment.
+struct LastStep {
+    phase: Phase,
+    tau: f32,
+    h: f32,
+    end: Phase,
+    end_tau: f32,
+}
+
+// A point of a path, and the fraction of its segment that leads to it.
+struct PathPoint {
+    x: vec3f,
+    v: vec3f,
+    tau: f32,
+    fraction: f32,
+}
+
+const STOP_STEPS: u32 = 4u;
+
+// The outward normal and the signed distance of the sphere at which a ray that met nothing stops.
+fn open_gap(code: u32, x: vec3f) -> vec4f {
+    let d = x - bound.center;
+    let r = length(d);
+    return select(capture_gap(x), vec4f(d / r, r - bound.radius), code == ESCAPED);
+}
+
+// The step retaken so that it ends where the ray stops, by Newton's method. The curve's own point and direction would be off
+// by up to 3e-4.
+fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
+    var h = first_guess(code, hit, step);
+    var p = step.end;
+    for (var i = 0u; i <= STOP_STEPS; i++) {
+        work += 1u;
+        p = retaken_step(step.phase, h);
+        let gap = stop_gap(code, hit, p[0].xyz);
+        let slope = dot(gap.xyz, p[1].xyz);
+        let steep = abs(slope) > 1e-3 * length(p[1].xyz);
+        let correction = select(0.0, gap.w / slope, steep && i < STOP_STEPS);
+        h = clamp(h - correction, 0.0, step.h);
+    }
+    return PathPoint(p[0].xyz, p[1].xyz, step.tau + h, h / step.h);
+}
+
+// Where the gap vanishes if it is linear along the step; the step's end where it does not change its sign.
+fn secant_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+    let g0 = stop_gap(code, hit, step.phase[0].xyz).w;
+    let g1 = stop_gap(code, hit, step.end[0].xyz).w;
+    return select(step.h, step.h * g0 / (g0 - g1), (g0 < 0.0) != (g1 < 0.0));
+}
+
+// ray: the state at the start of its last segment, which is followed again, to its very end.
+fn path_end(ray: Ray, hit: Hit) -> PathPoint {
+    let x = ray.phase[0].xyz;
+    let v = ray.phase[1].xyz;
+    let nowhere = ray.status == ALIVE || ray.status == MISSED || (ray.status == CAPTURED && law_captured(x, v));
+    if nowhere {
+        return PathPoint(x, v, ray.tau, 0.0);
+    }
+    let step = last_step(ray);
+    if stops_inside(ray.status) {
+        return stop_point(ray.status, hit, step);
+    }
+    return segment_end(ray, hit, step);
+}

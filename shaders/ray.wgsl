@@ -1,0 +1,78 @@
+// The state of a ray, one segment of its path, what it hit, and how it can end.
+
+// A ray under way. `phase` is the point in ray phase space (W04 §3.1), in the scene's coordinates.
+struct Ray {
+    phase: Phase,
+    // The path's parameter so far.
+    tau: f32,
+    // The control's memory: the size of the step to try next.
+    h: f32,
+    // The size of the step taken last.
+    taken: f32,
+    // Whole segments so far.
+    index: u32,
+    steps: u32,
+    rejected: u32,
+    status: u32,
+}
+
+// One segment: positions and velocities at its ends, and its extent in tau.
+struct Segment {
+    x0: vec3f,
+    v0: vec3f,
+    x1: vec3f,
+    v1: vec3f,
+    h: f32,
+}
+
+// The first thing met along a segment: a fraction t in [0, 1) of it, and a primitive or NOTHING.
+struct Hit {
+    t: f32,
+    primitive: u32,
+}
+
+// A primitive is its shape's kind in the upper four bits, and its place in that kind's list.
+const PRIMITIVE_INDEX: u32 = 0x0fffffffu;
+const NOTHING: u32 = 0xffffffffu;
+
+// Hits that rounding puts just outside a piece still count, so that none falls between two pieces.
+const OVERLAP: f32 = 1e-5;
+
+// Status codes.
+const ALIVE: u32 = 0u;
+const HIT: u32 = 1u;
+// Left the bounding sphere outwards.
+const ESCAPED: u32 = 2u;
+const CAPTURED: u32 = 3u;
+// Reached rays.length.
+const ENDED: u32 = 4u;
+// Used rays.max_segments.
+const EXHAUSTED: u32 = 5u;
+// The step fell under what moves the ray.
+const STALLED: u32 = 6u;
+// Not finite any more.
+const FAILED: u32 = 7u;
+// Never entered the bounding sphere: escaped where it started.
+const MISSED: u32 = 8u;
+
+// The status texture's word: code, the slot of the state pair where the ray's state lies, and its segment index.
+fn status_word(code: u32, slot: u32, index: u32) -> u32 {
+    return code | (slot << 4u) | (index << 6u);
+}
+
+fn status_code(word: u32) -> u32 {
+    return word & 15u;
+}
+
+fn status_slot(word: u32) -> u32 {
+    return (word >> 4u) & 3u;
+}
+
+fn status_index(word: u32) -> u32 {
+    return word >> 6u;
+}
+
+// Comparisons with NaN may be assumed away by a compiler; bits may not.
+fn finite(a: vec3f) -> bool {
+    return all((bitcast<vec3u>(a) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
+}

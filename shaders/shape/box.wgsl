@@ -1,0 +1,42 @@
+// Boxes, by slabs in their own space.
+
+const BOX: u32 = 0x20000000u;
+
+@group(0) @binding(82) var<storage, read> boxes: array<Placed>;
+
+fn hit_box(a: vec3f, b: vec3f, best: Hit) -> Hit {
+    var hit = best;
+    for (var i = 0u; i < arrayLength(&boxes); i++) {
+        work += 1u;
+        let p = own_point(boxes[i], a);
+        let d = own_vector(boxes[i], b - a);
+        // A component that is 0 gets a slab that is entered at −∞ and left at +∞, or never.
+        let inverse = 1.0 / select(d, vec3f(1e-30), d == vec3f(0.0));
+        let near = -p * inverse - abs(inverse);
+        let far = -p * inverse + abs(inverse);
+        let enters = max(max(near.x, near.y), near.z);
+        let leaves = min(min(far.x, far.y), far.z);
+        let t = select(leaves, enters, enters >= -OVERLAP);
+        if enters <= leaves && t >= -OVERLAP && t <= 1.0 + OVERLAP && t < hit.t {
+            hit = Hit(t, BOX | i);
+        }
+    }
+    return hit;
+}
+
+// The face is that of the largest coordinate.
+fn surface_box(i: u32, x: vec3f) -> Surface {
+    let p = own_point(boxes[i], x);
+    let size = abs(p);
+    var axis = select(vec3f(0.0, 1.0, 0.0), vec3f(1.0, 0.0, 0.0), size.x > size.y);
+    axis = select(axis, vec3f(0.0, 0.0, 1.0), size.z > max(size.x, size.y));
+    let side = sign(dot(p, axis));
+    let g = scene_gradient(boxes[i], side * axis);
+    let steep = length(g);
+    let n = g / steep;
+    // Each face upright and unmirrored as seen from outside.
+    var uv = vec2f(side * p.z * -1.0, p.y);
+    uv = select(uv, vec2f(p.x, -side * p.z), axis.y > 0.0);
+    uv = select(uv, vec2f(side * p.x, p.y), axis.z > 0.0);
+    return Surface((side * dot(p, axis) - 1.0) / steep, n, n, 0.5 + 0.5 * uv, boxes[i].material, boxes[i].object);
+}

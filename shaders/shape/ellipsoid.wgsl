@@ -1,0 +1,26 @@
+// Ellipsoids: spheres scaled differently along their axes, tested in their own space.
+
+const ELLIPSOID: u32 = 0x10000000u;
+
+@group(0) @binding(81) var<storage, read> ellipsoids: array<Placed>;
+
+fn hit_ellipsoid(a: vec3f, b: vec3f, best: Hit) -> Hit {
+    var hit = best;
+    for (var i = 0u; i < arrayLength(&ellipsoids); i++) {
+        work += 1u;
+        let t = ball_fraction(own_point(ellipsoids[i], a), own_vector(ellipsoids[i], b - a), 1.0);
+        if t < hit.t {
+            hit = Hit(t, ELLIPSOID | i);
+        }
+    }
+    return hit;
+}
+
+fn surface_ellipsoid(i: u32, x: vec3f) -> Surface {
+    let p = own_point(ellipsoids[i], x);
+    let r = length(p);
+    let g = scene_gradient(ellipsoids[i], p / r);
+    let steep = length(g);
+    let n = g / steep;
+    return Surface((r - 1.0) / steep, n, n, sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
+}

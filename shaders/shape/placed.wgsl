@@ -1,0 +1,60 @@
+// What sphere, ellipsoid, box and plane have in common: a place, and what is known of a point on them.
+
+// A shape in its own space (unit sphere, cube |x|, |y|, |z| ≤ 1, square |x|, |z| ≤ 1) and where that is.
+struct Placed {
+    // Spheres only.
+    center: vec3f,
+    radius: f32,
+    // The rows of the affine map from the scene's space to the shape's own.
+    row_x: vec4f,
+    row_y: vec4f,
+    row_z: vec4f,
+    material: u32,
+    object: u32,
+}
+
+// A surface near a point.
+struct Surface {
+    // Signed distance of the point from it, to first order.
+    gap: f32,
+    // The geometric unit normal there, outward.
+    across: vec3f,
+    // The unit normal to shade with.
+    normal: vec3f,
+    uv: vec2f,
+    material: u32,
+    object: u32,
+}
+
+fn own_point(p: Placed, x: vec3f) -> vec3f {
+    let h = vec4f(x, 1.0);
+    return vec3f(dot(p.row_x, h), dot(p.row_y, h), dot(p.row_z, h));
+}
+
+fn own_vector(p: Placed, v: vec3f) -> vec3f {
+    return vec3f(dot(p.row_x.xyz, v), dot(p.row_y.xyz, v), dot(p.row_z.xyz, v));
+}
+
+// A gradient in the shape's own space, in the scene's.
+fn scene_gradient(p: Placed, g: vec3f) -> vec3f {
+    return g.x * p.row_x.xyz + g.y * p.row_y.xyz + g.z * p.row_z.xyz;
+}
+
+// Where a ball of squared radius r2 about 0 first meets the piece from a along d: the fraction, or 2. The nearest point's
+// own distance is used, for the difference b² − a c loses all digits far away.
+fn ball_fraction(a: vec3f, d: vec3f, r2: f32) -> f32 {
+    let dd = dot(d, d);
+    let nearest = -dot(a, d) / dd;
+    let miss = a + nearest * d;
+    let inside = r2 - dot(miss, miss);
+    let half = sqrt(max(inside, 0.0) / dd);
+    let first = nearest - half;
+    let t = select(nearest + half, first, first >= -OVERLAP);
+    return select(2.0, t, inside >= 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP);
+}
+
+// Round y, from the south to the north pole.
+fn sphere_uv(p: vec3f) -> vec2f {
+    let u = 0.5 + arc_tangent(p.x, p.z) / (2.0 * PI);
+    return vec2f(u, 0.5 + arc_tangent(p.y, length(p.xz)) / PI);
+}

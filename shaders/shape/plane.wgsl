@@ -1,0 +1,29 @@
+// Flat rectangles: the square |x|, |z| ≤ 1 of y = 0 in their own space.
+
+const PLANE: u32 = 0x30000000u;
+
+@group(0) @binding(83) var<storage, read> planes: array<Placed>;
+
+fn hit_plane(a: vec3f, b: vec3f, best: Hit) -> Hit {
+    var hit = best;
+    for (var i = 0u; i < arrayLength(&planes); i++) {
+        work += 1u;
+        let p = own_point(planes[i], a);
+        let d = own_vector(planes[i], b - a);
+        let t = -p.y / d.y;
+        let q = abs(p.xz + t * d.xz);
+        if d.y != 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP && max(q.x, q.y) <= 1.0 && t < hit.t {
+            hit = Hit(t, PLANE | i);
+        }
+    }
+    return hit;
+}
+
+fn surface_plane(i: u32, x: vec3f) -> Surface {
+    let p = own_point(planes[i], x);
+    let g = planes[i].row_y.xyz;
+    let steep = length(g);
+    let n = g / steep;
+    let uv = vec2f(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z);
+    return Surface(p.y / steep, n, n, uv, planes[i].material, planes[i].object);
+}

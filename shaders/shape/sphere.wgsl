@@ -1,0 +1,25 @@
+// Spheres (W04 §3.3, with the finite extent of a piece).
+
+const SPHERE: u32 = 0x00000000u;
+
+@group(0) @binding(80) var<storage, read> spheres: array<Placed>;
+
+fn hit_sphere(a: vec3f, b: vec3f, best: Hit) -> Hit {
+    var hit = best;
+    for (var i = 0u; i < arrayLength(&spheres); i++) {
+        work += 1u;
+        let r = spheres[i].radius;
+        let t = ball_fraction(a - spheres[i].center, b - a, r * r);
+        if t < hit.t {
+            hit = Hit(t, SPHERE | i);
+        }
+    }
+    return hit;
+}
+
+fn surface_sphere(i: u32, x: vec3f) -> Surface {
+    let d = x - spheres[i].center;
+    let r = length(d);
+    let uv = sphere_uv(own_vector(spheres[i], d));
+    return Surface(r - spheres[i].radius, d / r, d / r, uv, spheres[i].material, spheres[i].object);
+}

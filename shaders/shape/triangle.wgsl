@@ -1,0 +1,113 @@
+// Triangles in a bounding volume hierarchy: nodes in depth-first order, each with the node to go on with when it is missed,
+// so that the walk needs no stack and may stop and go on anywhere.
+
+const TRIANGLE: u32 = 0x40000000u;
+
+struct Node {
+    lo: vec3f,
+    // The node after this one's whole subtree.
+    skip: u32,
+    hi: vec3f,
+    // 0 inside the tree; in a leaf the number of triangles in the upper eight bits, the first of them in the others.
+    leaf: u32,
+}
+
+struct Triangle {
+    a: u32,
+    b: u32,
+    c: u32,
+    object: u32,
+}
+
+struct Vertex {
+    position: vec3f,
+    u: f32,
+    normal: vec3f,
+    v: f32,
+}
+
+@group(0) @binding(84) var<storage, read> nodes: array<Node>;
+@group(0) @binding(85) var<storage, read> triangles: array<Triangle>;
+@group(0) @binding(86) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(87) var<storage, read> object_materials: array<u32>;
+
+const LEAF_FIRST: u32 = 0x00ffffffu;
+
+// Which side of the line along d through the origin the edge p → q passes, as a volume. Both triangles at an edge get the
+// same number with opposite signs, whatever the rounding, because it is always computed from the lesser end: so no ray
+// slips through between them (after Woop, Benthin and Wald 2013).
+fn edge_side(d: vec3f, p: vec3f, q: vec3f) -> f32 {
+    let swapped = q.x < p.x || (q.x == p.x && (q.y < p.y || (q.y == p.y && q.z < p.z)));
+    let side = dot(d, cross(select(p, q, swapped), select(q, p, swapped)));
+    return select(side, -side, swapped);
+}
+
+// The fraction of the piece from a along d, or 2.
+fn triangle_fraction(i: u32, a: vec3f, d: vec3f) -> f32 {
+    let triangle = triangles[i];
+    let p = vertices[triangle.a].position - a;
+    let q = vertices[triangle.b].position - a;
+    let r = vertices[triangle.c].position - a;
+    let u = edge_side(d, p, q);
+    let v = edge_side(d, q, r);
+    let w = edge_side(d, r, p);
+    let inside = min(u, min(v, w)) >= 0.0 || max(u, max(v, w)) <= 0.0;
+    let n = cross(q - p, r - p);
+    let through = dot(n, d);
+    let t = dot(n, p) / through;
+    return select(2.0, t, inside && through != 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP);
+}
+
+// Does the piece from a, with 1/d given, meet the box before the fraction limit? The box is grown by what rounding may hide.
+fn meets_box(node: Node, a: vec3f, inverse: vec3f, limit: f32) -> bool {
+    let grown = 2e-6 * (max(abs(node.lo), abs(node.hi)) + abs(a));
+    let t0 = (node.lo - grown - a) * inverse;
+    let t1 = (node.hi + grown - a) * inverse;
+    let near = min(t0, t1);
+    let far = max(t0, t1);
+    let enters = max(max(near.x, near.y), max(near.z, -OVERLAP));
+    let leaves = min(min(far.x, far.y), min(far.z, min(limit, 1.0 + OVERLAP)));
+    return enters <= leaves;
+}
+
+fn hit_triangle(a: vec3f, b: vec3f, best: Hit) -> Hit {
+    var hit = best;
+    let d = b - a;
+    let inverse = 1.0 / select(d, vec3f(1e-30), abs(d) < vec3f(1e-30));
+    let count = arrayLength(&nodes);
+    var node = walk_begin();
+    while node < count && walk_may_go_on() {
+        work += 1u;
+        let box = nodes[node];
+        let met = meets_box(box, a, inverse, hit.t);
+        let triangles_here = select(0u, box.leaf >> 24u, met);
+        for (var i = 0u; i < triangles_here; i++) {
+            work += 1u;
+            let t = triangle_fraction((box.leaf & LEAF_FIRST) + i, a, d);
+            if t < hit.t {
+                hit = Hit(t, TRIANGLE | ((box.leaf & LEAF_FIRST) + i));
+            }
+        }
+        node = select(box.skip, node + 1u, met && box.leaf == 0u);
+    }
+    walk_stop(node, count);
+    return hit;
+}
+
+fn surface_triangle(i: u32, x: vec3f) -> Surface {
+    let triangle = triangles[i];
+    let p = vertices[triangle.a];
+    let q = vertices[triangle.b];
+    let r = vertices[triangle.c];
+    let n = cross(q.position - p.position, r.position - p.position);
+    let across = normalize(n);
+    // Barycentric coordinates of x in the triangle's plane.
+    let nn = dot(n, n);
+    let v = clamp(dot(n, cross(r.position - x, p.position - x)) / nn, 0.0, 1.0);
+    let w = clamp(dot(n, cross(p.position - x, q.position - x)) / nn, 0.0, 1.0 - v);
+    let u = 1.0 - v - w;
+    let normal = normalize(u * p.normal + v * q.normal + w * r.normal);
+    let uv = u * vec2f(p.u, p.v) + v * vec2f(q.u, q.v) + w * vec2f(r.u, r.v);
+    let gap = dot(across, x - p.position);
+    return Surface(gap, across, normal, uv, object_materials[triangle.object], triangle.object);
+}

@@ -1,0 +1,21 @@
+// Where rays stop when a segment is one step: hits too come from retaking it.
+
+fn stops_inside(code: u32) -> bool {
+    return code == HIT || code == ESCAPED || code == CAPTURED;
+}
+
+fn stop_gap(code: u32, hit: Hit, x: vec3f) -> vec4f {
+    if code == HIT {
+        let surface = hit_surface(hit.primitive, x);
+        return vec4f(surface.across, surface.gap);
+    }
+    return open_gap(code, x);
+}
+
+fn first_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+    return select(secant_guess(code, hit, step), hit.t * step.h, code == HIT);
+}
+
+fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {
+    return PathPoint(step.end[0].xyz, step.end[1].xyz, step.end_tau, 1.0);
+}

@@ -1,0 +1,17 @@
+// Where rays stop in a scene without objects.
+
+fn stops_inside(code: u32) -> bool {
+    return code == ESCAPED || code == CAPTURED;
+}
+
+fn stop_gap(code: u32, hit: Hit, x: vec3f) -> vec4f {
+    return open_gap(code, x);
+}
+
+fn first_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+    return secant_guess(code, hit, step);
+}
+
+fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {
+    return PathPoint(step.end[0].xyz, step.end[1].xyz, step.end_tau, 1.0);
+}

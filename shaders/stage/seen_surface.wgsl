@@ -1,0 +1,15 @@
+// The surface that a ray hit, and the light it sends back. Normals face the viewer.
+
+fn seen_at(ray: Ray, pixel: vec2u) -> Seen {
+    let hit = load_hit(pixel);
+    let end = path_end(ray, hit);
+    if ray.status != HIT {
+        return Seen(end, vec3f(0.0), vec3f(0.0), 0u);
+    }
+    let surface = hit_surface(hit.primitive, end.x);
+    let view = -normalize(end.v);
+    let normal = select(-surface.normal, surface.normal, dot(surface.across, view) >= 0.0);
+    let material = materials[surface.material];
+    let color = surface_radiance(material, pattern_color(material, surface.uv), end.x, normal, view);
+    return Seen(end, color, normal, surface.object + 1u);
+}

@@ -1,0 +1,68 @@
+//! `bentray check`: is a scene right, and what will be modelled?
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Args;
+
+use super::options::{Schedule, SceneOptions, choice};
+use crate::error::Error;
+use crate::gpu::{Geometry, memory};
+use crate::program::{Choice, Program};
+use crate::scene::{Scene, reference_markdown};
+
+/// Validate scenes, and say what will be modelled: parts, passes, bytes per pixel
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// The scene files
+    #[arg(required_unless_present = "reference")]
+    scenes: Vec<PathBuf>,
+    /// Print every key of the scene format instead
+    #[arg(long)]
+    reference: bool,
+    #[command(flatten)]
+    changes: SceneOptions,
+    /// The schedule to count passes and memory for
+    #[arg(long, value_enum, default_value_t = Schedule::Fused)]
+    schedule: Schedule,
+}
+
+/// Every scene is checked, and every mistake reported, before the exit code says whether there were any.
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    if arguments.reference {
+        print!("{}", reference_markdown());
+        return Ok(ExitCode::SUCCESS);
+    }
+    let mut code = ExitCode::SUCCESS;
+    for path in &arguments.scenes {
+        if let Err(error) = check(path, arguments) {
+            eprintln!("error: {error}");
+            code = ExitCode::FAILURE;
+        }
+    }
+    Ok(code)
+}
+
+fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
+    let scene = Scene::load(path, &arguments.changes.overrides())?;
+    let geometry = Geometry::new(&scene);
+    let choice = choice(arguments.schedule);
+    let program = Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len())?;
+    let [width, height] = scene.image.size;
+    println!("{}: {width}×{height}, {} samples, {} objects", path.display(), scene.image.samples, scene.objects.len());
+    if !geometry.triangles.is_empty() {
+        println!("  {} triangles in {} nodes", geometry.triangles.len(), geometry.nodes.len());
+    }
+    for (pass, linked, reflection) in &program.passes {
+        let lines = linked.source.lines().count();
+        println!("  pass {:<10} {lines:>4} lines, {:>2} bindings: {}", pass.entry(), reflection.bindings.len(), linked.parts().join(" "));
+    }
+    print_memory(&scene, &program, &choice);
+    Ok(())
+}
+
+fn print_memory(scene: &Scene, program: &Program, choice: &Choice) {
+    let memory = memory(program, choice.slots(scene));
+    let items: Vec<_> = memory.items.iter().map(|(name, bytes)| format!("{name} {bytes}")).collect();
+    println!("  {} bytes per pixel: {}", memory.bytes_per_pixel(), items.join(", "));
+}

@@ -1,0 +1,51 @@
+//! The command line: one file a subcommand.
+//!
+//! Results go to stdout or the named files, messages to stderr, a progress bar only to a terminal. Exit codes: 0 done, 1 failed,
+//! 2 usage.
+
+
+mod check;
+mod devices;
+mod new;
+mod options;
+mod render;
+mod trace;
+mod wgsl;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::error::Error;
+
+/// A renderer for light that does not travel straight.
+#[derive(Debug, Parser)]
+#[command(name = "bentray", version, about, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Render(render::Arguments),
+    Check(check::Arguments),
+    Trace(trace::Arguments),
+    Devices(devices::Arguments),
+    Wgsl(wgsl::Arguments),
+
+    New(new::Arguments),
+}
+
+/// Runs the command that the process was called with.
+pub fn run() -> Result<ExitCode, Error> {
+    match Cli::parse().command {
+        Command::Render(arguments) => render::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Trace(arguments) => trace::run(&arguments),
+        Command::Devices(arguments) => devices::run(&arguments),
+        Command::Wgsl(arguments) => wgsl::run(&arguments),
+
+        Command::New(arguments) => new::run(&arguments),
+    }
+}

@@ -1,0 +1,93 @@
+//! Options that several commands share.
+
+use clap::{Args, ValueEnum};
+
+use crate::gpu::{Gpu, GpuError};
+use crate::program::{Choice, Layer, Purpose};
+use crate::render::Settings;
+use crate::scene::Override;
+
+/// Changes to the scene's values.
+#[derive(Debug, Args)]
+pub(super) struct SceneOptions {
+    /// Set a key of the scene, such as `rays.scaled_step=0.05` or `objects.0.radius=2` (repeatable)
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    set: Vec<Override>,
+    /// The picture's size, instead of the scene's
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<[u32; 2]>,
+    /// Rays per pixel, instead of the scene's
+    #[arg(long, value_name = "N")]
+    samples: Option<u32>,
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    parsed.ok_or_else(|| format!("`{text}` is not a size such as 800x600"))
+}
+
+impl SceneOptions {
+    /// All changes, as the scene reader takes them.
+    pub(super) fn overrides(&self) -> Vec<Override> {
+        let size = self.size.map(|[w, h]| format!("image.size=[{w}, {h}]"));
+        let samples = self.samples.map(|n| format!("image.samples={n}"));
+        let own = size.into_iter().chain(samples).filter_map(|text| text.parse().ok());
+        self.set.iter().cloned().chain(own).collect()
+    }
+}
+
+/// The device and how its passes are cut.
+#[derive(Debug, Args)]
+pub(super) struct DeviceOptions {
+    /// The device whose name contains this; without it the first discrete GPU, else integrated, else CPU
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
+    /// How the stages of a segment are cut into passes: all give the same picture
+    #[arg(long, value_enum, default_value_t = Schedule::Fused)]
+    schedule: Schedule,
+    /// Run ended rays along too, as without the 2004 paper's early termination
+    #[arg(long)]
+    no_masks: bool,
+    /// K: segments of one fused pass
+    #[arg(long, value_name = "K", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    segments_per_pass: u32,
+}
+
+/// The schedules by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Schedule {
+    /// One pass for every integration step, as in 2004
+    Paper,
+    /// One pass a stage a segment
+    Segment,
+    /// K segments with all their stages in one pass
+    Fused,
+}
+
+impl DeviceOptions {
+    /// Opens the device, and says which.
+    pub(super) fn open(&self) -> Result<Gpu, GpuError> {
+        let gpu = Gpu::open(self.device.as_deref())?;
+        eprintln!("device: {} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.backend);
+        Ok(gpu)
+    }
+
+    /// Settings for pictures with these layers.
+    pub(super) fn settings(&self, layers: Vec<Layer>) -> Settings {
+        Settings {
+            choice: Choice { masks: !self.no_masks, layers, ..choice(self.schedule) },
+            segments: self.segments_per_pass,
+            ..Settings::default()
+        }
+    }
+}
+
+/// A schedule with masks, for pictures without layers.
+pub(super) fn choice(schedule: Schedule) -> Choice {
+    let schedule = match schedule {
+        Schedule::Paper => crate::program::Schedule::Paper,
+        Schedule::Segment => crate::program::Schedule::Segment,
+        Schedule::Fused => crate::program::Schedule::Fused,
+    };
+    Choice { schedule, masks: true, purpose: Purpose::Picture, layers: Vec::new() }
+}

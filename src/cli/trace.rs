@@ -1,0 +1,99 @@
+//! `bentray trace`: given rays to where they end.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+
+use super::options::{DeviceOptions, SceneOptions};
+use crate::error::Error;
+use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
+use crate::output::plot::{PathLine, plot_paths};
+use crate::render::{PathPoint, Status, Traced, trace, trace_paths};
+use crate::scene::Scene;
+
+/// Follow given rays through the same passes as a picture's, and write where they end
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// The scene file; its camera is not used
+    scene: PathBuf,
+    /// A CSV file with the header x,y,z,vx,vy,vz: each ray's start, its velocity taken as it is
+    #[arg(long, value_name = "FILE")]
+    rays: PathBuf,
+    /// Where to write the results as CSV; `-` is standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Write every segment's end instead of the path's
+    #[arg(long)]
+    path: bool,
+    /// Draw the paths as SVG, on the two axes along which they extend most
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    #[command(flatten)]
+    changes: SceneOptions,
+    #[command(flatten)]
+    device: DeviceOptions,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
+    let rays = read_rays(&arguments.rays)?;
+    let mut table = if arguments.path {
+        Table::create::<PathRow>(&arguments.output)?
+    } else {
+        Table::create::<ResultRow>(&arguments.output)?
+    };
+    let gpu = arguments.device.open()?;
+    let settings = arguments.device.settings(Vec::new());
+    if !arguments.path {
+        let (traced, totals) = trace(&gpu, &scene, &settings, &rays)?;
+        for (i, ray) in traced.iter().enumerate() {
+            table.write(&result_row(i, ray))?;
+        }
+        eprintln!("{totals}");
+    }
+    if arguments.path || arguments.plot.is_some() {
+        let paths = trace_paths(&gpu, &scene, &settings, &rays)?;
+        if arguments.path {
+            for (i, (_, points)) in paths.iter().enumerate() {
+                for (index, point) in points.iter().enumerate() {
+                    table.write(&path_row(i, index, point))?;
+                }
+            }
+        }
+        if let Some(plot) = &arguments.plot {
+            let bound = (scene.rays.bound.center.to_array(), scene.rays.bound.radius);
+            plot_paths(plot, &paths.iter().map(path_line).collect::<Vec<_>>(), Some(bound))?;
+        }
+    }
+    table.finish()?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn result_row(ray: usize, end: &Traced) -> ResultRow<'static> {
+    ResultRow {
+        ray,
+        status: end.status.name(),
+        position: end.x,
+        velocity: end.v,
+        tau: end.tau,
+        depth: end.depth,
+        steps: end.steps,
+        rejected: end.rejected,
+        object: end.object,
+    }
+}
+
+fn path_row(ray: usize, index: usize, point: &PathPoint) -> PathRow {
+    PathRow {
+        ray,
+        index,
+        position: point.x,
+        velocity: point.v,
+        tau: point.tau,
+    }
+}
+
+fn path_line((status, points): &(Status, Vec<PathPoint>)) -> PathLine<'static> {
+    PathLine { points: points.iter().map(|p| p.x.map(f64::from)).collect(), status: status.name() }
+}

@@ -1,0 +1,39 @@
+//! `bentray wgsl`: what a scene really runs.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+
+use super::options::{Schedule, SceneOptions, choice};
+use crate::error::Error;
+use crate::gpu::Geometry;
+use crate::program::Program;
+use crate::scene::Scene;
+
+/// Print the linked program of a scene, pass by pass, with the part's file over each piece
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// The scene file
+    scene: PathBuf,
+    /// Only this pass (setup, advance, shade, …)
+    #[arg(long)]
+    pass: Option<String>,
+    #[command(flatten)]
+    changes: SceneOptions,
+    /// The schedule to link for
+    #[arg(long, value_enum, default_value_t = Schedule::Fused)]
+    schedule: Schedule,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
+    let geometry = Geometry::new(&scene);
+    let program = Program::new(&scene, &choice(arguments.schedule), geometry.nodes.len(), geometry.triangles.len())?;
+    for (pass, linked, _) in &program.passes {
+        if arguments.pass.as_deref().is_none_or(|wanted| wanted == pass.entry()) {
+            println!("// ==== pass {}\n\n{}", pass.entry(), linked.source);
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,29 @@
+//! Every stage's errors, as one.
+
+use thiserror::Error;
+
+use crate::gpu::GpuError;
+use crate::output::OutputError;
+use crate::program::ProgramError;
+use crate::render::RenderError;
+use crate::scene::SceneError;
+
+/// What a command can fail with.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// The scene file is wrong.
+    #[error("{0}")]
+    Scene(#[from] SceneError),
+    /// The scene's program cannot be made.
+    #[error("{0}")]
+    Program(#[from] ProgramError),
+    /// The device is missing or too small.
+    #[error("{0}")]
+    Gpu(#[from] GpuError),
+    /// The render failed.
+    #[error("{0}")]
+    Render(#[from] RenderError),
+    /// A file could not be written, or a table not read.
+    #[error("{0}")]
+    Output(#[from] OutputError),
+}

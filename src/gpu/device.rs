@@ -1,0 +1,117 @@
+//! Choosing and opening a device.
+
+use wgpu::{
+    Adapter, AdapterInfo, Backends, Device, DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor,
+    InstanceFlags, Limits, Queue,
+};
+
+use super::GpuError;
+
+/// An open device.
+#[derive(Debug)]
+pub struct Gpu {
+    /// wgpu's device.
+    pub device: Device,
+    /// Its only queue.
+    pub queue: Queue,
+    /// What it is.
+    pub info: AdapterInfo,
+    /// All that it can do: the device is opened with the adapter's own limits, and programs are checked against them.
+    pub limits: Limits,
+    /// Can passes be timed?
+    pub timestamps: bool,
+}
+
+/// One line of `bentray devices`.
+#[derive(Debug, Clone)]
+pub struct AdapterReport {
+    /// Name, kind, driver and backend.
+    pub info: AdapterInfo,
+    /// Can passes be timed?
+    pub timestamps: bool,
+    /// Does WGSL have f64 there?
+    pub f64: bool,
+    /// The largest side of a texture.
+    pub texture_side: u32,
+    /// The largest storage buffer, in bytes.
+    pub storage_buffer: u64,
+    /// Storage textures that one pass may bind.
+    pub storage_textures: u32,
+}
+
+fn instance() -> Instance {
+    // wgpu would validate every indirect dispatch by a pass of its own, which doubles the cost of a small one; our shaders
+    // clamp their own counts.
+    let flags = InstanceFlags::empty().with_env();
+    let backends = Backends::VULKAN | Backends::METAL | Backends::DX12;
+    Instance::new(InstanceDescriptor { flags, backends, ..InstanceDescriptor::new_without_display_handle() })
+}
+
+/// What the machine has, best first: discrete GPUs, integrated ones, virtual ones, CPUs.
+fn found() -> Vec<Adapter> {
+    let mut all = pollster::block_on(instance().enumerate_adapters(Backends::all()));
+    all.sort_by_key(|adapter| match adapter.get_info().device_type {
+        DeviceType::DiscreteGpu => 0,
+        DeviceType::IntegratedGpu => 1,
+        DeviceType::VirtualGpu => 2,
+        DeviceType::Other => 3,
+        DeviceType::Cpu => 4,
+    });
+    all
+}
+
+/// Every adapter and what it can do, in the order in which they would be chosen.
+#[must_use]
+pub fn adapters() -> Vec<AdapterReport> {
+    let report = |adapter: &Adapter| {
+        let (features, limits) = (adapter.features(), adapter.limits());
+        AdapterReport {
+            info: adapter.get_info(),
+            timestamps: features.contains(Features::TIMESTAMP_QUERY),
+            f64: features.contains(Features::SHADER_F64),
+            texture_side: limits.max_texture_dimension_2d,
+            storage_buffer: limits.max_storage_buffer_binding_size,
+            storage_textures: limits.max_storage_textures_per_shader_stage,
+        }
+    };
+    found().iter().map(report).collect()
+}
+
+impl Gpu {
+    /// The best device, or the first whose name contains `name` (in any case).
+    pub fn open(name: Option<&str>) -> Result<Self, GpuError> {
+        let all = found();
+        let wanted = name.map(str::to_lowercase);
+        let matches = |adapter: &&Adapter| {
+            wanted.as_ref().is_none_or(|wanted| adapter.get_info().name.to_lowercase().contains(wanted))
+        };
+        let adapter = all.iter().find(matches).ok_or_else(|| match name {
+            Some(wanted) if !all.is_empty() => GpuError::NoSuchDevice {
+                wanted: wanted.to_owned(),
+                there: all.iter().map(|adapter| adapter.get_info().name).collect(),
+            },
+            _ => GpuError::NoDevice,
+        })?;
+        let info = adapter.get_info();
+        let limits = adapter.limits();
+        let features = adapter.features() & Features::TIMESTAMP_QUERY;
+        let descriptor = DeviceDescriptor {
+            label: Some("bentray"),
+            required_features: features,
+            required_limits: limits.clone(),
+            ..DeviceDescriptor::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|error| GpuError::Refused { device: info.name.clone(), reason: error.to_string() })?;
+        let timestamps = features.contains(Features::TIMESTAMP_QUERY);
+        Ok(Self { device, queue, info, limits, timestamps })
+    }
+
+    /// An error if `needed` is more than the device allows.
+    pub fn check(&self, limit: &'static str, what: &str, allowed: u64, needed: u64) -> Result<(), GpuError> {
+        if needed <= allowed {
+            return Ok(());
+        }
+        Err(GpuError::Limit { device: self.info.name.clone(), limit, what: what.to_owned(), allowed, needed })
+    }
+}

@@ -1,0 +1,63 @@
+//! What can go wrong on the way to a device and on it.
+
+use thiserror::Error;
+
+/// A device that is missing, too small, or failed.
+#[derive(Debug, Error)]
+pub enum GpuError {
+    /// No adapter at all.
+    #[error(
+        "no Vulkan, Metal or DX12 device found; for one in software, install lavapipe: `apt-get install \
+         mesa-vulkan-drivers` (Debian, Ubuntu), `dnf install mesa-vulkan-drivers` (Fedora), `pacman -S vulkan-swrast` (Arch)"
+    )]
+    NoDevice,
+    /// No adapter of that name.
+    #[error("no device named `{wanted}`; there are: {}", .there.join(", "))]
+    NoSuchDevice {
+        /// What was asked for.
+        wanted: String,
+        /// What there is.
+        there: Vec<String>,
+    },
+    /// The driver refused.
+    #[error("{device} could not be opened: {reason}")]
+    Refused {
+        /// The adapter's name.
+        device: String,
+        /// The driver's words.
+        reason: String,
+    },
+    /// A limit of the device is too low for the scene.
+    #[error("{device} allows {allowed} {what}, and this scene needs {needed} ({limit})")]
+    Limit {
+        /// The adapter's name.
+        device: String,
+        /// wgpu's name of the limit.
+        limit: &'static str,
+        /// What it counts.
+        what: String,
+        /// Its value.
+        allowed: u64,
+        /// What would be enough.
+        needed: u64,
+    },
+    /// The host's values do not fit the WGSL's layout: a slip in the program, found before anything runs.
+    #[error("`{binding}`: {problem}")]
+    Layout {
+        /// The binding.
+        binding: String,
+        /// What does not fit.
+        problem: String,
+    },
+    /// The driver refused a pass.
+    #[error("the driver refused the pass `{pass}`: {reason}")]
+    Pass {
+        /// Its entry point.
+        pass: String,
+        /// The driver's words.
+        reason: String,
+    },
+    /// The device stopped answering.
+    #[error("the device stopped answering: {0}")]
+    Lost(String),
+}

@@ -1,0 +1,21 @@
+//! The device, and a scene as what lies on it: pipelines, buffers, textures.
+//!
+//! *Practice.* [`Gpu`] lives as long as the process; a [`Pipelines`] as long as one linked program; [`SceneBuffers`] as long as
+//! one scene; [`Tile`] as long as one tile of a picture. Every binding is found by its name in the WGSL, and every layout is
+//! that which naga reflected: nothing is repeated here.
+
+mod contents;
+mod device;
+mod error;
+mod geometry;
+mod pipeline;
+mod records;
+mod tile;
+
+pub use contents::SceneBuffers;
+pub use device::{AdapterReport, Gpu, adapters};
+pub use error::GpuError;
+pub use geometry::Geometry;
+pub use pipeline::{Pipeline, Pipelines};
+pub use records::{Value, pack};
+pub use tile::{Memory, Slots, TURN_STRIDE, Tile, memory};

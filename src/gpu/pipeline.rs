@@ -1,0 +1,146 @@
+//! Linked programs as pipelines; their bind group layouts are what naga reflected.
+
+use std::num::NonZeroU64;
+
+use wgpu::{
+    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
+    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModuleDescriptor,
+    ShaderSource, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
+};
+
+use super::{Gpu, GpuError};
+use crate::program::{Binding, BindingKind, Linked, Pass, Program, Reflection};
+
+/// A pass that can be dispatched.
+#[derive(Debug)]
+pub struct Pipeline {
+    /// wgpu's pipeline.
+    pub pipeline: ComputePipeline,
+    /// The layout of its only group.
+    pub layout: BindGroupLayout,
+    /// What it binds, in order of number.
+    pub bindings: Vec<Binding>,
+}
+
+/// Every pass of a program.
+#[derive(Debug)]
+pub struct Pipelines(Vec<(Pass, Pipeline)>);
+
+/// Buffers of which each pass sees its own part.
+pub(super) const PER_PASS: [&str; 3] = ["turn", "living_in", "living_out"];
+
+impl Pipelines {
+    /// Compiles the program for the device; refuses what exceeds its limits.
+    pub fn new(gpu: &Gpu, program: &Program) -> Result<Self, GpuError> {
+        let all = program.passes.iter().map(|(pass, linked, reflection)| Ok((*pass, Pipeline::new(gpu, linked, reflection)?)));
+        all.collect::<Result<_, GpuError>>().map(Self)
+    }
+
+    /// The pipeline of `pass`, if the program has it.
+    #[must_use]
+    pub fn get(&self, pass: Pass) -> Option<&Pipeline> {
+        self.0.iter().find(|(p, _)| *p == pass).map(|(_, pipeline)| pipeline)
+    }
+
+    /// All passes.
+    pub fn iter(&self) -> impl Iterator<Item = &(Pass, Pipeline)> {
+        self.0.iter()
+    }
+}
+
+impl Pipeline {
+    /// Compiles one linked program.
+    pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
+        check_limits(gpu, reflection)?;
+        let entries: Vec<_> = reflection.bindings.iter().map(|binding| entry(binding)).collect::<Result<_, _>>()?;
+        let label = Some(linked.entry.as_str());
+        let scope = gpu.device.push_error_scope(ErrorFilter::Validation);
+        let layout = gpu.device.create_bind_group_layout(&BindGroupLayoutDescriptor { label, entries: &entries });
+        let source = ShaderSource::Wgsl(linked.source.as_str().into());
+        let module = gpu.device.create_shader_module(ShaderModuleDescriptor { label, source });
+        let pipeline_layout = gpu.device.create_pipeline_layout(&PipelineLayoutDescriptor {
+            label,
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let pipeline = gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
+            label,
+            layout: Some(&pipeline_layout),
+            module: &module,
+            entry_point: label,
+            compilation_options: PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            return Err(GpuError::Pass { pass: linked.entry.clone(), reason: error.to_string() });
+        }
+        Ok(Self { pipeline, layout, bindings: reflection.bindings.clone() })
+    }
+}
+
+fn check_limits(gpu: &Gpu, reflection: &Reflection) -> Result<(), GpuError> {
+    let count = |is: fn(&BindingKind) -> bool| reflection.bindings.iter().filter(|b| is(&b.kind)).count() as u64;
+    let pass = &reflection.entry;
+    let limits = &gpu.limits;
+    gpu.check(
+        "max_storage_textures_per_shader_stage",
+        &format!("storage textures in one pass (`{pass}`)"),
+        u64::from(limits.max_storage_textures_per_shader_stage),
+        count(|kind| matches!(kind, BindingKind::StorageTexture { .. })),
+    )?;
+    gpu.check(
+        "max_storage_buffers_per_shader_stage",
+        &format!("storage buffers in one pass (`{pass}`)"),
+        u64::from(limits.max_storage_buffers_per_shader_stage),
+        count(|kind| matches!(kind, BindingKind::Storage { .. })),
+    )?;
+    gpu.check(
+        "max_sampled_textures_per_shader_stage",
+        &format!("textures in one pass (`{pass}`)"),
+        u64::from(limits.max_sampled_textures_per_shader_stage),
+        count(|kind| matches!(kind, BindingKind::Texture(_))),
+    )
+}
+
+fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
+    let unknown = |what: &dyn std::fmt::Debug| GpuError::Layout {
+        binding: binding.name.clone(),
+        problem: format!("the driver does not know {what:?}"),
+    };
+    let buffer = |ty, span: u32| BindingType::Buffer {
+        ty,
+        has_dynamic_offset: PER_PASS.contains(&binding.name.as_str()),
+        min_binding_size: NonZeroU64::new(u64::from(span)),
+    };
+    let ty = match &binding.kind {
+        BindingKind::Uniform(layout) => buffer(BufferBindingType::Uniform, layout.span),
+        BindingKind::Storage { layout, read_only } => {
+            buffer(BufferBindingType::Storage { read_only: *read_only }, layout.span)
+        }
+        BindingKind::Texture(kind) => BindingType::Texture {
+            sample_type: match kind {
+                naga::ScalarKind::Float => TextureSampleType::Float { filterable: false },
+                naga::ScalarKind::Uint => TextureSampleType::Uint,
+                other => return Err(unknown(other)),
+            },
+            view_dimension: TextureViewDimension::D2,
+            multisampled: false,
+        },
+        BindingKind::StorageTexture { format, reads } => BindingType::StorageTexture {
+            access: if *reads { StorageTextureAccess::ReadWrite } else { StorageTextureAccess::WriteOnly },
+            format: texture_format(*format).ok_or_else(|| unknown(format))?,
+            view_dimension: TextureViewDimension::D2,
+        },
+    };
+    Ok(BindGroupLayoutEntry { binding: binding.number, visibility: ShaderStages::COMPUTE, ty, count: None })
+}
+
+/// The texture that a storage binding of this format is of.
+pub(super) fn texture_format(format: naga::StorageFormat) -> Option<TextureFormat> {
+    Some(match format {
+        naga::StorageFormat::R32Uint => TextureFormat::R32Uint,
+        naga::StorageFormat::R32Float => TextureFormat::R32Float,
+        naga::StorageFormat::Rgba32Float => TextureFormat::Rgba32Float,
+        _ => return None,
+    })
+}

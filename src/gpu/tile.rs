@@ -1,0 +1,206 @@
+//! What lives as long as one tile of a picture: the state of its rays in slots that ping-pong, and what passes hand to the next.
+
+use std::collections::BTreeMap;
+
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferBinding, BufferDescriptor, BufferUsages,
+    Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureViewDescriptor,
+};
+
+use super::pipeline::{PER_PASS, Pipeline, Pipelines, texture_format};
+use super::{Gpu, GpuError, SceneBuffers};
+use crate::program::{BindingKind, Program};
+
+/// Bytes between the parts that passes see of a buffer: any device's alignment.
+pub const TURN_STRIDE: u64 = 256;
+
+/// Which slots of the state a pass reads and writes, and which of the two lists of the living.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Slots {
+    /// Read as `x_in`, `v_in`.
+    pub input: usize,
+    /// Written as `x_out`, `v_out`.
+    pub output: usize,
+    /// Read as `x_start`.
+    pub start: usize,
+    /// Read as `x_end`.
+    pub end: usize,
+    /// The list of the living that is read; the other is written.
+    pub list: usize,
+}
+
+/// Where a pass finds a binding: names of the state's slots depend on the pass, all others are their own.
+fn resource_name(name: &str, slots: Slots) -> String {
+    let Some((base, role)) = name.rsplit_once('_') else {
+        return name.to_owned();
+    };
+    match (base, role) {
+        ("x" | "v" | "clock", "in") => format!("{base}_{}", slots.input),
+        ("x" | "v" | "clock", "out") => format!("{base}_{}", slots.output),
+        ("x" | "v", "start") => format!("{base}_{}", slots.start),
+        ("x" | "v", "end") => format!("{base}_{}", slots.end),
+        ("list" | "living", "in") => format!("{base}_{}", slots.list),
+        ("list" | "living", "out") => format!("{base}_{}", 1 - slots.list),
+        _ => name.to_owned(),
+    }
+}
+
+/// What one pixel costs on the device.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Memory {
+    /// Each texture and list of the state, with its bytes a pixel.
+    pub items: Vec<(String, u64)>,
+}
+
+impl Memory {
+    /// Bytes a pixel, all together.
+    #[must_use]
+    pub fn bytes_per_pixel(&self) -> u64 {
+        self.items.iter().map(|(_, bytes)| bytes).sum()
+    }
+}
+
+/// Everything that `program` allocates for each pixel, whatever the number of segments.
+#[must_use]
+pub fn memory(program: &Program, slots: usize) -> Memory {
+    let textures = textures(program, slots).into_iter().map(|(name, format)| (name, texel_bytes(format)));
+    let lists = lists(program).into_iter().map(|name| (name, 4));
+    Memory { items: textures.chain(lists).collect() }
+}
+
+fn texel_bytes(format: TextureFormat) -> u64 {
+    u64::from(format.block_copy_size(None).unwrap_or(0))
+}
+
+/// The textures that passes write, by name.
+fn textures(program: &Program, slots: usize) -> BTreeMap<String, TextureFormat> {
+    let mut all = BTreeMap::new();
+    for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
+        let BindingKind::StorageTexture { format, .. } = binding.kind else { continue };
+        let Some(format) = texture_format(format) else { continue };
+        for output in 0..slots {
+            let roles = Slots { input: 0, output, start: 0, end: 0, list: 0 };
+            all.insert(resource_name(&binding.name, roles), format);
+        }
+    }
+    all
+}
+
+fn lists(program: &Program) -> Vec<String> {
+    let bindings = || program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings);
+    let listed = bindings().any(|binding| binding.name == "list_out");
+    if listed { vec!["list_0".to_owned(), "list_1".to_owned()] } else { Vec::new() }
+}
+
+/// A tile's textures and buffers.
+#[derive(Debug)]
+pub struct Tile {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    textures: BTreeMap<String, Texture>,
+    buffers: BTreeMap<String, Buffer>,
+}
+
+impl Tile {
+    /// Allocates a tile of `size` pixels for `program`, with so many slots of state, for up to `passes` passes.
+    pub fn new(gpu: &Gpu, program: &Program, size: [u32; 2], slots: usize, passes: u64) -> Result<Self, GpuError> {
+        let side = u64::from(size[0].max(size[1]));
+        let allowed = u64::from(gpu.limits.max_texture_dimension_2d);
+        gpu.check("max_texture_dimension_2d", "pixels along one side of a tile", allowed, side)?;
+        let mut tile = Self { size, textures: BTreeMap::new(), buffers: BTreeMap::new() };
+        for (name, format) in textures(program, slots) {
+            let texture = gpu.device.create_texture(&TextureDescriptor {
+                label: Some(&name),
+                size: Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: TextureDimension::D2,
+                format,
+                usage: TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC,
+                view_formats: &[],
+            });
+            tile.textures.insert(name, texture);
+        }
+        let pixels = u64::from(size[0]) * u64::from(size[1]);
+        for name in lists(program) {
+            tile.add_buffer(gpu, &name, 4 * pixels, BufferUsages::STORAGE)?;
+        }
+        for name in ["living_0", "living_1"] {
+            tile.add_buffer(gpu, name, TURN_STRIDE * (passes + 1), BufferUsages::STORAGE | BufferUsages::INDIRECT)?;
+        }
+        tile.add_buffer(gpu, "turn", TURN_STRIDE * (passes + 1), BufferUsages::UNIFORM)?;
+        tile.add_buffer(gpu, "frame", 64, BufferUsages::UNIFORM)?;
+        tile.add_buffer(gpu, "tally", 64, BufferUsages::STORAGE)?;
+        Ok(tile)
+    }
+
+    /// Adds a buffer that passes find by `name`.
+    pub fn add_buffer(&mut self, gpu: &Gpu, name: &str, size: u64, usage: BufferUsages) -> Result<(), GpuError> {
+        if usage.contains(BufferUsages::STORAGE) {
+            let allowed = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
+            gpu.check("max_storage_buffer_binding_size", &format!("bytes in one buffer (`{name}`)"), allowed, size)?;
+        }
+        let usage = usage | BufferUsages::COPY_DST | BufferUsages::COPY_SRC;
+        let buffer =
+            gpu.device.create_buffer(&BufferDescriptor { label: Some(name), size, usage, mapped_at_creation: false });
+        self.buffers.insert(name.to_owned(), buffer);
+        Ok(())
+    }
+
+    /// A buffer of the tile.
+    #[must_use]
+    pub fn buffer(&self, name: &str) -> Option<&Buffer> {
+        self.buffers.get(name)
+    }
+
+    /// A texture of the tile.
+    #[must_use]
+    pub fn texture(&self, name: &str) -> Option<&Texture> {
+        self.textures.get(name)
+    }
+
+    /// The bind group of a pass that uses these slots.
+    pub fn bind_group(
+        &self,
+        gpu: &Gpu,
+        pipeline: &Pipeline,
+        scene: &SceneBuffers,
+        slots: Slots,
+    ) -> Result<BindGroup, GpuError> {
+        let missing = |binding: &str| GpuError::Layout {
+            binding: binding.to_owned(),
+            problem: "no resource of this name was made".to_owned(),
+        };
+        let mut views = Vec::new();
+        for binding in &pipeline.bindings {
+            let name = resource_name(&binding.name, slots);
+            let texture = self.textures.get(&name).or_else(|| scene.textures.get(&name));
+            views.push((name, texture.map(|texture| texture.create_view(&TextureViewDescriptor::default()))));
+        }
+        let entries = pipeline.bindings.iter().zip(&views).map(|(binding, (name, view))| {
+            let resource = match view {
+                Some(view) => BindingResource::TextureView(view),
+                None => {
+                    let buffer = self.buffers.get(name).or_else(|| scene.buffers.get(name)).ok_or_else(|| missing(name))?;
+                    let part = PER_PASS.contains(&binding.name.as_str());
+                    let size = if part { std::num::NonZeroU64::new(16) } else { None };
+                    BindingResource::Buffer(BufferBinding { buffer, offset: 0, size })
+                }
+            };
+            Ok(BindGroupEntry { binding: binding.number, resource })
+        });
+        let entries = entries.collect::<Result<Vec<_>, GpuError>>()?;
+        let descriptor = BindGroupDescriptor { label: None, layout: &pipeline.layout, entries: &entries };
+        Ok(gpu.device.create_bind_group(&descriptor))
+    }
+
+    /// How many of a pass's bindings are parts of per-pass buffers, each wanting an offset.
+    #[must_use]
+    pub fn offsets(pipelines: &Pipelines, pass: crate::program::Pass) -> Vec<&'static str> {
+        let bindings = pipelines.get(pass).map_or(&[][..], |pipeline| &pipeline.bindings);
+        bindings
+            .iter()
+            .filter_map(|binding| PER_PASS.iter().copied().find(|name| *name == binding.name))
+            .collect()
+    }
+}

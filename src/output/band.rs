@@ -1,0 +1,119 @@
+//! Bands of rows: their layers' channels, and the check that they come whole and in order.
+
+use std::path::PathBuf;
+
+use super::OutputError;
+use crate::program::Layer;
+use crate::render::{Band, Plane};
+
+/// The names of a layer's channels in an EXR file, in component order.
+#[must_use]
+pub const fn channels(layer: Layer) -> &'static [&'static str] {
+    match layer {
+        Layer::Depth => &["Z"],
+        Layer::Position => &["position.X", "position.Y", "position.Z"],
+        Layer::Normal => &["normal.X", "normal.Y", "normal.Z"],
+        Layer::Object => &["id.object"],
+        Layer::Status => &["id.status"],
+        Layer::Steps => &["steps"],
+    }
+}
+
+/// Whether a layer's samples are unsigned integers rather than floats.
+#[must_use]
+pub const fn is_id(layer: Layer) -> bool {
+    matches!(layer, Layer::Object | Layer::Status | Layer::Steps)
+}
+
+/// The bytes of each component, in the machine's byte order.
+pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
+    match plane {
+        Plane::Scalar(plane) => vec![bytemuck::cast_slice(plane)],
+        Plane::Vector(planes) => planes.iter().map(|p| bytemuck::cast_slice(p)).collect(),
+        Plane::Id(plane) => vec![bytemuck::cast_slice(plane)],
+    }
+}
+
+fn suits(plane: &Plane, layer: Layer) -> bool {
+    match plane {
+        Plane::Scalar(_) => layer == Layer::Depth,
+        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal),
+        Plane::Id(_) => is_id(layer),
+    }
+}
+
+/// What keeps `band` from being the one at row `next` of a picture of `size` with `layers`, if anything.
+fn problem(band: &Band, next: u32, [width, height]: [u32; 2], layers: &[Layer]) -> Option<String> {
+    if band.first_row != next {
+        return Some(format!("the next row is {next}; write bands in order"));
+    }
+    if band.width != width || band.rows == 0 || band.rows > height - next {
+        return Some(format!(
+            "it is {} by {} pixels, where {width} by 1 to {} remain",
+            band.width,
+            band.rows,
+            height - next
+        ));
+    }
+    let bytes = width as usize * band.rows as usize * size_of::<f32>();
+    if band.color.iter().any(|c| size_of_val(c.as_slice()) != bytes) {
+        return Some("a colour plane does not have one value per pixel".into());
+    }
+    layers.iter().find_map(|&layer| {
+        let Some(plane) = band.layer(layer) else {
+            return Some(format!("the {layer:?} plane is missing"));
+        };
+        let whole = suits(plane, layer) && components(plane).iter().all(|c| c.len() == bytes);
+        (!whole).then(|| format!("the {layer:?} plane is of the wrong kind or length"))
+    })
+}
+
+/// Keeps count of the rows of a picture.
+#[derive(Debug)]
+pub(super) struct Rows {
+    pub path: PathBuf,
+    pub size: [u32; 2],
+    pub layers: Vec<Layer>,
+    next: u32,
+}
+
+impl Rows {
+    pub fn new(path: PathBuf, size: [u32; 2], layers: Vec<Layer>) -> Self {
+        Self {
+            path,
+            size,
+            layers,
+            next: 0,
+        }
+    }
+
+    /// Counts a band, if it is the next one and has what the picture carries.
+    pub fn accept(&mut self, band: &Band) -> Result<(), OutputError> {
+        if let Some(problem) = problem(band, self.next, self.size, &self.layers) {
+            return Err(OutputError::Band {
+                path: self.path.clone(),
+                row: band.first_row,
+                problem,
+            });
+        }
+        self.next += band.rows;
+        Ok(())
+    }
+
+    /// Whether the last row has been counted.
+    pub fn is_complete(&self) -> bool {
+        self.next == self.size[1]
+    }
+
+    /// Refuses a picture with rows missing.
+    pub fn complete(&self) -> Result<(), OutputError> {
+        if self.is_complete() {
+            return Ok(());
+        }
+        Err(OutputError::Incomplete {
+            path: self.path.clone(),
+            rows: self.next,
+            height: self.size[1],
+        })
+    }
+}

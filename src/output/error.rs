@@ -1,0 +1,122 @@
+//! What can go wrong on the way out: every message names the path and what to do.
+
+use std::{io, path::PathBuf};
+
+/// Why something was not written, or a table not read.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// The folder that would hold the file is not there.
+    #[error("{path}: the folder {folder} does not exist; create it, or write elsewhere")]
+    MissingFolder {
+        /// The file asked for.
+        path: PathBuf,
+        /// Its folder.
+        folder: PathBuf,
+    },
+    /// The path is taken by something that is not a file.
+    #[error("{path}: this is {what}, and only a regular file can be replaced; name another file")]
+    NotAFile {
+        /// The file asked for.
+        path: PathBuf,
+        /// What stands there, with its article.
+        what: &'static str,
+    },
+    /// The file is there and marked read-only.
+    #[error("{path}: the file is read-only; make it writable, or name another file")]
+    ReadOnly {
+        /// The file asked for.
+        path: PathBuf,
+    },
+    /// No file can be made in the folder.
+    #[error(
+        "{path}: cannot create a file in {folder}: {cause}; check the folder's permissions, or write elsewhere"
+    )]
+    Create {
+        /// The file asked for.
+        path: PathBuf,
+        /// Its folder.
+        folder: PathBuf,
+        /// What the system said.
+        cause: io::Error,
+    },
+    /// Writing broke off.
+    #[error(
+        "{path}: writing failed: {cause}; check the space left on the disk (an older file of this name is untouched)"
+    )]
+    Write {
+        /// The file being written.
+        path: PathBuf,
+        /// What the system said.
+        cause: io::Error,
+    },
+    /// The extension names no format that can be written.
+    #[error("{path}: the name must end in .png (colour to look at) or .exr (every plane, exact)")]
+    Format {
+        /// The file asked for.
+        path: PathBuf,
+    },
+    /// The settings do not suit the format.
+    #[error("{path}: {problem}")]
+    Setting {
+        /// The file asked for.
+        path: PathBuf,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
+    /// A band is not the next one, or not shaped as promised.
+    #[error("{path}: the band of rows from {row} does not fit: {problem}")]
+    Band {
+        /// The picture being written.
+        path: PathBuf,
+        /// The first row of the band.
+        row: u32,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
+    /// The picture was finished before its last row.
+    #[error(
+        "{path}: only {rows} of {height} rows were written; write the rest before finishing (no file was made)"
+    )]
+    Incomplete {
+        /// The picture being written.
+        path: PathBuf,
+        /// Rows written.
+        rows: u32,
+        /// Rows the picture has.
+        height: u32,
+    },
+    /// The encoder refused, for a reason of its own.
+    #[error("{path}: the picture could not be encoded: {problem}")]
+    Encode {
+        /// The picture being written.
+        path: PathBuf,
+        /// What the encoder said.
+        problem: String,
+    },
+    /// A file could not be read.
+    #[error("{path}: cannot read the file: {cause}; check its name and permissions")]
+    Read {
+        /// The file asked for.
+        path: PathBuf,
+        /// What the system said.
+        cause: io::Error,
+    },
+    /// A table does not say what it should.
+    #[error("{path}: line {line}: {problem}")]
+    Table {
+        /// The file being read.
+        path: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// The column if it matters, the offending text, and what would be right.
+        problem: String,
+    },
+    /// A plot could not be drawn.
+    #[error("{path}: the plot could not be drawn: {problem}")]
+    Plot {
+        /// The plot being written.
+        path: PathBuf,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
+}

@@ -1,0 +1,233 @@
+//! Pictures to compute with: every plane bit for bit, in a single-part scanline EXR.
+//!
+//! Rows are compressed losslessly in blocks of sixteen (ZIP), on all cores, in the order they come. The `exr` crate
+//! owns the loop over blocks in its own writers, so this one lays out the file itself from the crate's public parts:
+//! header, a table of where each block lies (filled in at the end), blocks. Attributes are sorted by name, since the
+//! crate keeps them in a map without an order. Host memory: one band as bytes, and its compressed blocks.
+//!
+//! Channels: `R`, `G`, `B` and those of [`Layer::channels`](super::Layer::channels); floats are 32 bit, ids are
+//! unsigned integers.
+
+use std::{
+    io::{Seek, SeekFrom, Write},
+    path::Path,
+    thread,
+};
+
+use ::exr::{
+    block::{BlockIndex, UncompressedBlock, chunk::Chunk},
+    error::Error as ExrError,
+    math::Vec2,
+    meta::{
+        BlockDescription, MetaData,
+        attribute::{self, AttributeValue, ChannelDescription, LineOrder, SampleType, Text},
+        header::{Header, ImageAttributes, LayerAttributes},
+        magic_number, sequence_end,
+    },
+    prelude::{Compression, SmallVec},
+};
+
+use super::band::{Rows, channels as channels_of, components, is_id};
+use super::{AtomicFile, ImageWriter, OutputError, Settings};
+use crate::render::Band;
+
+/// Rows per block of ZIP compression.
+const BLOCK_ROWS: usize = 16;
+
+/// An EXR being written.
+pub struct ExrWriter {
+    rows: Rows,
+    header: Header,
+    file: AtomicFile,
+    table_at: u64,
+    /// Where each block written so far lies in the file.
+    offsets: Vec<u64>,
+    /// Rows not yet in a block: for each row, for each channel by name, its samples.
+    pending: Vec<u8>,
+}
+
+impl ExrWriter {
+    /// Begins an EXR at `path`; exposure, tone map and bits are not used.
+    pub fn create(path: &Path, settings: &Settings) -> Result<Self, OutputError> {
+        let mut layers = settings.layers.clone();
+        layers.sort_unstable();
+        layers.dedup();
+        let rows = Rows::new(path.to_owned(), settings.size, layers);
+        let header = header(&rows, &settings.metadata);
+        let mut file = AtomicFile::create(path)?;
+        let table_at = write_head(&header, &mut file).map_err(|e| encode_error(&file, e))?;
+        Ok(Self {
+            rows,
+            header,
+            file,
+            table_at,
+            offsets: Vec::new(),
+            pending: Vec::new(),
+        })
+    }
+
+    fn row_bytes(&self) -> usize {
+        self.header.layer_size.0 * self.header.channels.bytes_per_pixel
+    }
+
+    /// Appends the rows of a band to the pending ones.
+    fn gather(&mut self, band: &Band) {
+        let mut channels: Vec<(&str, &[u8])> = ["R", "G", "B"]
+            .into_iter()
+            .zip(band.color.iter().map(|c| bytemuck::cast_slice(c)))
+            .collect();
+        for &layer in &self.rows.layers {
+            let planes = band.layer(layer).map_or_else(Vec::new, components);
+            channels.extend(channels_of(layer).iter().copied().zip(planes));
+        }
+        channels.sort_unstable_by_key(|(name, _)| *name);
+        let bytes = band.width as usize * size_of::<f32>();
+        for y in 0..band.rows as usize {
+            for (_, plane) in &channels {
+                self.pending.extend(&plane[y * bytes..(y + 1) * bytes]);
+            }
+        }
+    }
+
+    /// Compresses and writes the pending blocks that are whole, or all of them at the end.
+    fn write_blocks(&mut self) -> Result<(), ExrError> {
+        let block_bytes = BLOCK_ROWS * self.row_bytes();
+        let ready = if self.rows.is_complete() {
+            self.pending.len()
+        } else {
+            self.pending.len() / block_bytes * block_bytes
+        };
+        let first = self.offsets.len();
+        for chunk in compress_all(&self.header, first, &self.pending[..ready])? {
+            self.offsets.push(self.file.stream_position()?);
+            chunk.write(&mut self.file, 1)?;
+        }
+        self.pending.drain(..ready);
+        Ok(())
+    }
+}
+
+impl ImageWriter for ExrWriter {
+    fn write_band(&mut self, band: &Band) -> Result<(), OutputError> {
+        self.rows.accept(band)?;
+        self.gather(band);
+        self.write_blocks().map_err(|e| encode_error(&self.file, e))
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), OutputError> {
+        let mut this = *self;
+        this.rows.complete()?;
+        let table: Vec<u8> = this.offsets.iter().flat_map(|o| o.to_le_bytes()).collect();
+        this.file
+            .seek(SeekFrom::Start(this.table_at))
+            .and_then(|_| this.file.write_all(&table))
+            .map_err(|e| this.file.failed(e))?;
+        this.file.finish()
+    }
+}
+
+/// Compresses rows of whole blocks, the first of which is block `first` of the picture, on all cores.
+fn compress_all(header: &Header, first: usize, bytes: &[u8]) -> Result<Vec<Chunk>, ExrError> {
+    let row_bytes = header.layer_size.0 * header.channels.bytes_per_pixel;
+    let blocks: Vec<(usize, &[u8])> = (first..)
+        .zip(bytes.chunks(BLOCK_ROWS * row_bytes))
+        .collect();
+    let workers = thread::available_parallelism().map_or(1, usize::from);
+    let share = blocks.len().div_ceil(workers).max(1);
+    thread::scope(|scope| {
+        let tasks: Vec<_> = blocks
+            .chunks(share)
+            .map(|part| {
+                scope.spawn(move || {
+                    part.iter()
+                        .map(|(index, data)| compress(header, *index, data.len() / row_bytes, data))
+                        .collect::<Result<Vec<_>, _>>()
+                })
+            })
+            .collect();
+        let mut chunks = Vec::with_capacity(blocks.len());
+        for task in tasks {
+            // A worker that panicked has met a fault of the encoder: it goes on here.
+            let part = task.join().unwrap_or_else(|e| std::panic::resume_unwind(e));
+            chunks.extend(part?);
+        }
+        Ok(chunks)
+    })
+}
+
+fn compress(header: &Header, index: usize, rows: usize, data: &[u8]) -> Result<Chunk, ExrError> {
+    let block = UncompressedBlock {
+        index: BlockIndex {
+            layer: 0,
+            pixel_position: Vec2(0, index * BLOCK_ROWS),
+            pixel_size: Vec2(header.layer_size.0, rows),
+            level: Vec2(0, 0),
+        },
+        data: data.to_vec(),
+    };
+    block.compress_to_chunk(std::slice::from_ref(header))
+}
+
+fn header(rows: &Rows, metadata: &[(String, String)]) -> Header {
+    let size = Vec2(rows.size[0] as usize, rows.size[1] as usize);
+    let mut names: Vec<(&str, SampleType)> = ["R", "G", "B"].map(|c| (c, SampleType::F32)).into();
+    for layer in &rows.layers {
+        let kind = if is_id(*layer) {
+            SampleType::U32
+        } else {
+            SampleType::F32
+        };
+        names.extend(channels_of(*layer).iter().map(|name| (*name, kind)));
+    }
+    names.sort_unstable_by_key(|(name, _)| *name);
+    let channels: SmallVec<_> = names
+        .into_iter()
+        .map(|(name, kind)| ChannelDescription::new(name, kind, false))
+        .collect();
+    let other = metadata
+        .iter()
+        .map(|(key, text)| (utf8(key), AttributeValue::Text(utf8(text))))
+        .collect();
+    Header::new(Text::from(""), size, channels)
+        .with_encoding(
+            Compression::ZIP16,
+            BlockDescription::ScanLines,
+            LineOrder::Increasing,
+        )
+        .with_attributes(LayerAttributes::default())
+        .with_shared_attributes(ImageAttributes {
+            other,
+            ..ImageAttributes::with_size(size)
+        })
+}
+
+/// EXR text is UTF-8, which the crate's own constructor would turn into Latin-1.
+fn utf8(text: &str) -> Text {
+    Text::from_slice_unchecked(text.as_bytes())
+}
+
+/// Writes what stands before the blocks, and says where the table of blocks is, which is left empty.
+fn write_head(header: &Header, file: &mut AtomicFile) -> Result<u64, ExrError> {
+    let requirements = MetaData::validate(std::slice::from_ref(header), true)?;
+    magic_number::write(file)?;
+    requirements.write(file)?;
+    let mut attributes: Vec<_> = header.all_named_attributes().collect();
+    attributes.sort_unstable_by_key(|(name, _)| *name);
+    for (name, value) in attributes {
+        attribute::write(name, &value, file)?;
+    }
+    sequence_end::write(file)?;
+    let table_at = file.stream_position()?;
+    file.write_all(&vec![0; header.chunk_count * size_of::<u64>()])?;
+    Ok(table_at)
+}
+
+fn encode_error(file: &AtomicFile, error: ExrError) -> OutputError {
+    match error {
+        ExrError::Io(cause) => file.failed(cause),
+        other => OutputError::Encode {
+            path: file.path().to_owned(),
+            problem: other.to_string(),
+        },
+    }
+}

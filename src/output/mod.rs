@@ -1,0 +1,120 @@
+//! What leaves the program: pictures, tables and plots.
+//!
+//! Every file is written whole or not at all ([`AtomicFile`]), and can be opened before the work whose result it
+//! will hold, so that a path that cannot be written is found first. Pictures are fed in bands of full-width rows, from
+//! the top down ([`open`], [`ImageWriter`]): a writer holds one band of its own and a compressed tail, so that the
+//! memory grows with the band and not with the picture. A PNG holds colour as it is to be looked at ([`png`]); an
+//! EXR holds every plane bit for bit ([`exr`]). Rays and results are CSV ([`csv`]), and plots are SVG ([`plot`]).
+//! The same input gives the same bytes.
+
+pub mod atomic;
+pub mod band;
+pub mod color;
+pub mod csv;
+pub mod error;
+pub mod exr;
+pub mod plot;
+pub mod png;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+pub use atomic::AtomicFile;
+pub use error::OutputError;
+
+use crate::program::Layer;
+use crate::render::Band;
+use crate::scene::Tonemap;
+
+/// How a picture is to be written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Width and height in pixels, neither zero.
+    pub size: [u32; 2],
+    /// Stops of light: colours are multiplied by two to this power (PNG only).
+    pub exposure: f64,
+    /// How bright colours are brought into range (PNG only).
+    pub tonemap: Tonemap,
+    /// Bits per channel, 8 or 16 (PNG only).
+    pub bits: u8,
+    /// The planes to write besides colour (EXR only).
+    pub layers: Vec<Layer>,
+    /// Pairs of key and text stored in the file: PNG text chunks, EXR text attributes.
+    /// Keys are 1 to 79 printable ASCII characters, each used once; text is any UTF-8 without NUL.
+    pub metadata: Vec<(String, String)>,
+}
+
+impl Settings {
+    /// Eight bits of plain colour: no exposure, tone map, layers or metadata.
+    #[must_use]
+    pub fn new(size: [u32; 2]) -> Self {
+        Self {
+            size,
+            exposure: 0.0,
+            tonemap: Tonemap::None,
+            bits: 8,
+            layers: Vec::new(),
+            metadata: Vec::new(),
+        }
+    }
+
+    /// What is wrong with these settings whatever the format, if anything.
+    fn problem(&self) -> Option<String> {
+        let [width, height] = self.size;
+        let side = 1..=i32::MAX as u32;
+        if !side.contains(&width) || !side.contains(&height) {
+            return Some(format!(
+                "a picture of {width} by {height} pixels cannot be stored; each side must be 1 to {}",
+                i32::MAX
+            ));
+        }
+        self.metadata
+            .iter()
+            .enumerate()
+            .find_map(|(i, (key, text))| {
+                let printable = key.bytes().all(|b| (b' '..=b'~').contains(&b));
+                if !(1..=79).contains(&key.len()) || !printable || key.trim() != key {
+                    Some(format!("the metadata key {key:?} must be 1 to 79 printable ASCII characters, without outer spaces"))
+                } else if self.metadata[..i].iter().any(|(other, _)| other == key) {
+                    Some(format!("the metadata key {key:?} is given twice; keep one"))
+                } else if text.contains('\0') {
+                    Some(format!("the metadata text of {key:?} holds a NUL character; remove it"))
+                } else {
+                    None
+                }
+            })
+    }
+}
+
+/// A picture being written, fed with bands from the top down.
+///
+/// A writer dropped before [`finish`](Self::finish) leaves whatever stood at its path untouched.
+pub trait ImageWriter: Send {
+    /// Appends a band, which must begin at the row after the last one written.
+    fn write_band(&mut self, band: &Band) -> Result<(), OutputError>;
+
+    /// Completes the file and puts it in place; refused while rows are missing.
+    fn finish(self: Box<Self>) -> Result<(), OutputError>;
+}
+
+/// Starts a picture at `path`, in the format its extension names: `.png` or `.exr`.
+pub fn open(path: &Path, settings: &Settings) -> Result<Box<dyn ImageWriter>, OutputError> {
+    let extension = path
+        .extension()
+        .map(|e| e.to_string_lossy().to_ascii_lowercase());
+    let setting = |problem| OutputError::Setting {
+        path: path.to_owned(),
+        problem,
+    };
+    if let Some(problem) = settings.problem() {
+        return Err(setting(problem));
+    }
+    match extension.as_deref() {
+        Some("png") => Ok(Box::new(png::PngWriter::create(path, settings)?)),
+        Some("exr") => Ok(Box::new(exr::ExrWriter::create(path, settings)?)),
+        _ => Err(OutputError::Format {
+            path: path.to_owned(),
+        }),
+    }
+}

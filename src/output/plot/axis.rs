@@ -1,0 +1,137 @@
+//! Axes: the range shown, where the ticks are, what stands beside them.
+//!
+//! A logarithmic axis is a linear one of decimal logarithms, whose ticks are labelled with the numbers themselves.
+
+use std::ops::Range;
+
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+
+/// Ticks that an axis has about.
+const TICKS: f64 = 7.0;
+/// How far the range goes beyond the data, in parts of its width.
+const PADDING: f64 = 0.04;
+
+/// An axis in plot coordinates: the data's own, or their decimal logarithms.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Axis {
+    pub label: String,
+    pub range: Range<f64>,
+    log: bool,
+}
+
+impl Axis {
+    /// An axis for data between the least and greatest of `values`, which are in plot coordinates.
+    pub fn around(label: &str, log: bool, values: impl Iterator<Item = f64>) -> Self {
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+            (low.min(v), high.max(v))
+        });
+        let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
+        // A single value gets a range of its own size around it.
+        let least = 1e-9 * low.abs().max(high.abs());
+        let padding = if high - low <= least {
+            if low == 0.0 { 1.0 } else { 0.5 * low.abs() }
+        } else {
+            PADDING * (high - low)
+        };
+        Self {
+            label: label.to_owned(),
+            range: low - padding..high + padding,
+            log,
+        }
+    }
+
+    /// The extent in plot coordinates.
+    pub fn span(&self) -> f64 {
+        self.range.end - self.range.start
+    }
+
+    /// Widens the range to `span` about its middle.
+    pub fn widen(&mut self, span: f64) {
+        let middle = f64::midpoint(self.range.start, self.range.end);
+        self.range = middle - span / 2.0..middle + span / 2.0;
+    }
+
+    fn ticks(&self) -> Vec<f64> {
+        if !self.log {
+            return linear_ticks(&self.range);
+        }
+        let ticks = log_ticks(&self.range);
+        if ticks.len() >= 2 {
+            return ticks;
+        }
+        let values = 10f64.powf(self.range.start)..10f64.powf(self.range.end);
+        linear_ticks(&values).into_iter().map(f64::log10).collect()
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, pixels: (i32, i32)) -> i32 {
+        let part = (value - self.range.start) / self.span();
+        pixels.0 + (part * f64::from(pixels.1 - pixels.0)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.ticks()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range.clone()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, at: &f64) -> String {
+        number(if self.log { 10f64.powf(*at) } else { *at })
+    }
+}
+
+/// Where a value is on a linear or logarithmic axis, if it is anywhere.
+pub(super) fn place(value: f64, log: bool) -> Option<f64> {
+    let at = if log { value.log10() } else { value };
+    at.is_finite().then_some(at)
+}
+
+/// Multiples of 1, 2 or 5 times a power of ten.
+fn linear_ticks(range: &Range<f64>) -> Vec<f64> {
+    let rough = (range.end - range.start) / TICKS;
+    let decade = 10f64.powf(rough.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .map(|m| m * decade)
+        .find(|step| *step >= rough)
+        .unwrap_or(10.0 * decade);
+    let first = (range.start / step).ceil() as i64;
+    let last = (range.end / step).floor() as i64;
+    (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// Powers of ten; of a few decades also their doubles and fives, of many only some.
+fn log_ticks(range: &Range<f64>) -> Vec<f64> {
+    let decades = range.end - range.start;
+    let every = (decades / TICKS).ceil().max(1.0) as i64;
+    let within: &[f64] = if decades <= 3.0 {
+        &[1.0, 2.0, 5.0]
+    } else {
+        &[1.0]
+    };
+    (range.start.floor() as i64..=range.end.ceil() as i64)
+        .filter(|decade| decade.rem_euclid(every) == 0)
+        .flat_map(|decade| within.iter().map(move |m| decade as f64 + m.log10()))
+        .filter(|tick| range.contains(tick))
+        .collect()
+}
+
+/// A number to twelve digits, with an exponent where that is shorter to read.
+fn number(value: f64) -> String {
+    let tidy: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    if tidy == 0.0 {
+        "0".into()
+    } else if (1e-3..1e6).contains(&tidy.abs()) {
+        format!("{tidy}")
+    } else {
+        format!("{tidy:e}")
+    }
+}

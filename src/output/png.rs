@@ -1,0 +1,165 @@
+//! Pictures to look at: 8 or 16 bit sRGB, written row by row.
+//!
+//! The encoder is handed a channel for its output, from which the bytes are moved to the file after every band: so an
+//! error of the disk is always met where it can be reported, also for the encoder's last bytes, which it writes when
+//! it is dropped. Host memory: the rows of one band as integers, plus their compressed bytes.
+
+use std::{
+    io::{self, Write},
+    path::Path,
+    sync::mpsc::{Receiver, Sender, channel},
+};
+
+use ::png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, StreamWriter};
+
+use super::{AtomicFile, ImageWriter, OutputError, Settings, band::Rows, color::display};
+use crate::render::Band;
+use crate::scene::Tonemap;
+
+/// Exposures beyond this many stops turn every `f32` black or white.
+const MAX_STOPS: f64 = 300.0;
+
+/// A PNG being written.
+pub struct PngWriter {
+    rows: Rows,
+    gain: f64,
+    tonemap: Tonemap,
+    wide: bool,
+    encoder: StreamWriter<'static, Outbox>,
+    encoded: Receiver<Vec<u8>>,
+    file: AtomicFile,
+}
+
+/// The encoder's end of the channel.
+struct Outbox(Sender<Vec<u8>>);
+
+impl Write for Outbox {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0
+            .send(bytes.to_vec())
+            .map_err(|_| io::ErrorKind::BrokenPipe)?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+impl PngWriter {
+    /// Begins a PNG at `path`; layers are refused, since it has no place for them.
+    pub fn create(path: &Path, settings: &Settings) -> Result<Self, OutputError> {
+        if let Some(problem) = problem(settings) {
+            return Err(OutputError::Setting {
+                path: path.to_owned(),
+                problem,
+            });
+        }
+        let file = AtomicFile::create(path)?;
+        let (sender, encoded) = channel();
+        let encoder = encoder(Outbox(sender), settings).map_err(|e| encode_error(path, &e))?;
+        Ok(Self {
+            rows: Rows::new(path.to_owned(), settings.size, Vec::new()),
+            gain: settings.exposure.exp2(),
+            tonemap: settings.tonemap,
+            wide: settings.bits == 16,
+            encoder,
+            encoded,
+            file,
+        })
+    }
+
+    /// The bytes of one row of a band, from pixel `start` of its planes.
+    fn row_bytes(&self, band: &Band, start: usize, out: &mut Vec<u8>) {
+        out.clear();
+        for i in start..start + band.width as usize {
+            let color = [band.color[0][i], band.color[1][i], band.color[2][i]];
+            for value in display(color, self.gain, self.tonemap) {
+                if self.wide {
+                    out.extend(((value * 65535.0).round() as u16).to_be_bytes());
+                } else {
+                    out.push((value * 255.0).round() as u8);
+                }
+            }
+        }
+    }
+}
+
+impl ImageWriter for PngWriter {
+    fn write_band(&mut self, band: &Band) -> Result<(), OutputError> {
+        self.rows.accept(band)?;
+        let mut row = Vec::new();
+        for y in 0..band.rows as usize {
+            self.row_bytes(band, y * band.width as usize, &mut row);
+            self.encoder
+                .write_all(&row)
+                .map_err(|e| encode_error(&self.rows.path, &e.into()))?;
+        }
+        drain(&self.encoded, &mut self.file)
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), OutputError> {
+        let mut this = *self;
+        this.rows.complete()?;
+        this.encoder
+            .finish()
+            .map_err(|e| encode_error(&this.rows.path, &e))?;
+        drain(&this.encoded, &mut this.file)?;
+        this.file.finish()
+    }
+}
+
+/// Moves what the encoder has made to the file.
+fn drain(encoded: &Receiver<Vec<u8>>, file: &mut AtomicFile) -> Result<(), OutputError> {
+    encoded
+        .try_iter()
+        .try_for_each(|bytes| file.write_all(&bytes))
+        .map_err(|e| file.failed(e))
+}
+
+fn problem(settings: &Settings) -> Option<String> {
+    if !matches!(settings.bits, 8 | 16) {
+        return Some(format!(
+            "a PNG has 8 or 16 bits per channel, not {}",
+            settings.bits
+        ));
+    }
+    if !(-MAX_STOPS..=MAX_STOPS).contains(&settings.exposure) {
+        return Some(format!(
+            "the exposure is {} stops; it must be from -{MAX_STOPS} to {MAX_STOPS}",
+            settings.exposure
+        ));
+    }
+    (!settings.layers.is_empty())
+        .then(|| "a PNG holds only colour; write an .exr for the layers, or leave them out".into())
+}
+
+fn encoder(
+    outbox: Outbox,
+    settings: &Settings,
+) -> Result<StreamWriter<'static, Outbox>, EncodingError> {
+    let [width, height] = settings.size;
+    let mut encoder = Encoder::new(outbox, width, height);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(if settings.bits == 16 {
+        BitDepth::Sixteen
+    } else {
+        BitDepth::Eight
+    });
+    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    for (key, text) in &settings.metadata {
+        if text.is_ascii() {
+            encoder.add_text_chunk(key.clone(), text.clone())?;
+        } else {
+            encoder.add_itxt_chunk(key.clone(), text.clone())?;
+        }
+    }
+    encoder.write_header()?.into_stream_writer()
+}
+
+fn encode_error(path: &Path, error: &EncodingError) -> OutputError {
+    OutputError::Encode {
+        path: path.to_owned(),
+        problem: error.to_string(),
+    }
+}

@@ -1,0 +1,302 @@
+//! Pictures read back.
+
+use std::{collections::BTreeMap, fs, io::BufReader, path::Path};
+
+use ::exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
+
+use super::{folder, names};
+use crate::output::{
+    OutputError, Settings,
+    color::{display, srgb_from_linear, tonemapped},
+    open,
+};
+use crate::program::Layer;
+use crate::render::{Band, Plane};
+use crate::scene::Tonemap;
+
+/// A picture with a different value everywhere, as bands of these heights.
+fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
+    let mut first_row = 0;
+    let mut bands = Vec::new();
+    for &rows in heights {
+        let pixels = first_row * width..(first_row + rows) * width;
+        let plane = |seed: u32| -> Vec<f32> {
+            let value = |i: u32| f32::from_bits(0x3f80_0000 ^ (i * 77_777 + seed * 1_234_567));
+            pixels.clone().map(value).collect()
+        };
+        let id = |seed: u32| Plane::Id(pixels.clone().map(|i| i.wrapping_mul(seed)).collect());
+        bands.push(Band {
+            first_row,
+            rows,
+            width,
+            color: [plane(1), plane(2), plane(3)],
+            layers: vec![
+                (Layer::Steps, id(u32::MAX)),
+                (Layer::Depth, Plane::Scalar(plane(4))),
+                (Layer::Position, Plane::Vector([5, 6, 7].map(plane))),
+                (Layer::Normal, Plane::Vector([8, 9, 10].map(plane))),
+                (Layer::Object, id(1)),
+                (Layer::Status, id(3)),
+            ],
+        });
+        first_row += rows;
+    }
+    bands
+}
+
+fn write(path: &Path, settings: &Settings, bands: &[Band]) {
+    let mut writer = open(path, settings).unwrap();
+    for band in bands {
+        writer.write_band(band).unwrap();
+    }
+    writer.finish().unwrap();
+}
+
+/// The bits of every channel of an EXR, by name.
+fn exr_bits(path: &Path) -> BTreeMap<String, Vec<u32>> {
+    let image = read_first_flat_layer_from_file(path).unwrap();
+    let channels = image.layer_data.channel_data.list;
+    channels
+        .into_iter()
+        .map(|channel| {
+            let bits = match channel.sample_data {
+                FlatSamples::F32(v) => v.into_iter().map(f32::to_bits).collect(),
+                FlatSamples::U32(v) => v,
+                FlatSamples::F16(_) => panic!("no half floats are written"),
+            };
+            (channel.name.to_string(), bits)
+        })
+        .collect()
+}
+
+/// The bits of every channel of some bands, by name.
+fn band_bits(bands: &[Band]) -> BTreeMap<String, Vec<u32>> {
+    let mut all = BTreeMap::<String, Vec<u32>>::new();
+    for band in bands {
+        let colors = ["R", "G", "B"].into_iter().zip(&band.color);
+        for (name, plane) in colors {
+            let bits = plane.iter().map(|v| v.to_bits());
+            all.entry(name.into()).or_default().extend(bits);
+        }
+        for (layer, plane) in &band.layers {
+            for (name, bytes) in layer.channels().iter().zip(plane.components()) {
+                let bits = bytes
+                    .chunks_exact(4)
+                    .map(|b| u32::from_ne_bytes(b.try_into().unwrap()));
+                all.entry((*name).into()).or_default().extend(bits);
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn exr_keeps_every_bit_however_the_bands_fall() {
+    let folder = folder();
+    let path = folder.path().join("a.exr");
+    let settings = Settings {
+        layers: Layer::ALL.to_vec(),
+        metadata: vec![
+            ("scene".into(), "två hål".into()),
+            ("a".into(), String::new()),
+        ],
+        ..Settings::new([13, 61])
+    };
+    let mut seen: Option<Vec<u8>> = None;
+    for heights in [vec![61], vec![1; 61], vec![16, 16, 16, 13], vec![3, 40, 18]] {
+        let bands = bands(13, &heights);
+        write(&path, &settings, &bands);
+        assert_eq!(exr_bits(&path), band_bits(&bands));
+        let bytes = fs::read(&path).unwrap();
+        assert_eq!(*seen.get_or_insert(bytes.clone()), bytes);
+    }
+    let image = read_first_flat_layer_from_file(&path).unwrap();
+    let value = &image.layer_data.attributes.other[b"scene".as_slice()];
+    let ::exr::meta::attribute::AttributeValue::Text(text) = value else {
+        panic!("{value:?}");
+    };
+    assert_eq!(text.as_slice(), "två hål".as_bytes());
+}
+
+#[test]
+fn exr_carries_only_the_layers_asked_for() {
+    let folder = folder();
+    let path = folder.path().join("a.EXR");
+    let settings = Settings {
+        layers: vec![Layer::Steps, Layer::Depth, Layer::Depth],
+        ..Settings::new([5, 4])
+    };
+    write(&path, &settings, &bands(5, &[4]));
+    let names: Vec<_> = exr_bits(&path).into_keys().collect();
+    assert_eq!(names, ["B", "G", "R", "Z", "steps"]);
+}
+
+#[test]
+fn srgb_has_its_known_values() {
+    for (linear, expected) in [
+        (0.0, 0.0),
+        (0.003_130_8, 0.040_449_936),
+        (0.001, 0.012_92),
+        (0.214_041_14, 0.5),
+        (0.18, 0.461_356),
+        (0.5, 0.735_357),
+        (1.0, 1.0),
+    ] {
+        assert!(
+            (srgb_from_linear(linear) - expected).abs() < 1e-6,
+            "{linear}"
+        );
+    }
+}
+
+#[test]
+fn faults_show_and_large_values_saturate() {
+    let magenta = [1.0, 0.0, 1.0];
+    for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1e-3] {
+        assert_eq!(display([0.5, bad, 0.5], 1.0, Tonemap::Filmic), magenta);
+    }
+    for map in [Tonemap::None, Tonemap::Filmic] {
+        assert_eq!(display([f32::MAX; 3], 1e90, map), [1.0; 3]);
+        assert_eq!(display([0.0, -0.0, 0.0], 1e90, map), [0.0; 3]);
+        assert!(map.apply(0.2) < map.apply(0.21));
+    }
+    assert!((tonemapped(Tonemap::Filmic, 1.0) - 2.54 / 3.16).abs() < 1e-12);
+}
+
+/// One row of greys.
+fn grey_row(values: &[f32]) -> Band {
+    Band {
+        first_row: 0,
+        rows: 1,
+        width: values.len() as u32,
+        color: [(); 3].map(|()| values.to_vec()),
+        layers: Vec::new(),
+    }
+}
+
+#[test]
+fn png_holds_srgb() {
+    let folder = folder();
+    let path = folder.path().join("a.png");
+    let mut settings = Settings {
+        metadata: vec![
+            ("Software".into(), "bentray".into()),
+            ("Title".into(), "två".into()),
+        ],
+        ..Settings::new([5, 1])
+    };
+    let band = grey_row(&[0.0, 0.25, 0.5, 7.0, f32::NAN]);
+    write(&path, &settings, std::slice::from_ref(&band));
+    let picture = image::open(&path).unwrap().into_rgb8();
+    let pixels: Vec<_> = picture.pixels().map(|p| p.0).collect();
+    assert_eq!(
+        pixels,
+        [[0; 3], [137; 3], [188; 3], [255; 3], [255, 0, 255]]
+    );
+
+    settings.bits = 16;
+    settings.exposure = 1.0;
+    write(&path, &settings, &[band]);
+    let picture = image::open(&path).unwrap().into_rgb16();
+    assert_eq!(picture.get_pixel(1, 0).0, [48_192; 3]);
+    let file = BufReader::new(fs::File::open(&path).unwrap());
+    let reader = ::png::Decoder::new(file).read_info().unwrap();
+    assert!(reader.info().srgb.is_some());
+    let text = &reader.info().uncompressed_latin1_text[0];
+    assert_eq!(
+        (text.keyword.as_str(), text.text.as_str()),
+        ("Software", "bentray")
+    );
+    assert_eq!(reader.info().utf8_text[0].get_text().unwrap(), "två");
+}
+
+#[test]
+fn png_rows_come_in_order_whatever_the_bands() {
+    let folder = folder();
+    let [one, many] = ["one.png", "many.png"].map(|name| folder.path().join(name));
+    let settings = Settings::new([200, 90]);
+    write(&one, &settings, &bands(200, &[90]));
+    write(&many, &settings, &bands(200, &[1, 30, 7, 52]));
+    assert_eq!(fs::read(&one).unwrap(), fs::read(&many).unwrap());
+    image::open(&one).unwrap();
+}
+
+#[test]
+fn bands_must_come_whole_and_in_order() {
+    let folder = folder();
+    for name in ["a.png", "a.exr"] {
+        let path = folder.path().join(name);
+        fs::write(&path, "old").unwrap();
+        let good = bands(4, &[2, 2, 1]);
+        let mut writer = open(&path, &Settings::new([4, 4])).unwrap();
+        let mut refused = |band: &Band| {
+            let error = writer.write_band(band).unwrap_err();
+            assert!(matches!(error, OutputError::Band { .. }), "{error}");
+        };
+        refused(&good[1]);
+        refused(&bands(3, &[2])[0]);
+        let mut short = good[0].clone();
+        short.color[2].pop();
+        refused(&short);
+        writer.write_band(&good[0]).unwrap();
+        let mut refused = |band: &Band| assert!(writer.write_band(band).is_err());
+        refused(&good[0]);
+        refused(&bands(4, &[2, 3])[1]);
+        let error = writer.finish().unwrap_err();
+        assert!(
+            matches!(error, OutputError::Incomplete { rows: 2, .. }),
+            "{error}"
+        );
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        drop(open(&path, &Settings::new([4, 4])).unwrap());
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+    }
+    assert_eq!(names(folder.path()).len(), 2);
+}
+
+#[test]
+fn exr_layers_must_be_there_and_of_their_kind() {
+    let folder = folder();
+    let settings = Settings {
+        layers: vec![Layer::Depth],
+        ..Settings::new([4, 4])
+    };
+    let mut writer = open(&folder.path().join("a.exr"), &settings).unwrap();
+    let mut band = bands(4, &[4]).remove(0);
+    band.layers.clear();
+    assert!(writer.write_band(&band).is_err());
+    band.layers = vec![(Layer::Depth, Plane::Id(vec![0; 16]))];
+    assert!(writer.write_band(&band).is_err());
+    band.layers = vec![(Layer::Depth, Plane::Scalar(vec![0.0; 15]))];
+    assert!(writer.write_band(&band).is_err());
+    band.layers = vec![(Layer::Depth, Plane::Scalar(vec![0.0; 16]))];
+    writer.write_band(&band).unwrap();
+    writer.finish().unwrap();
+}
+
+#[test]
+fn settings_are_checked_at_the_start() {
+    let folder = folder();
+    let refused = |name: &str, change: &dyn Fn(&mut Settings)| {
+        let mut settings = Settings::new([4, 4]);
+        change(&mut settings);
+        let path = folder.path().join(name);
+        let error = open(&path, &settings).map(|_| ()).unwrap_err().to_string();
+        assert!(error.starts_with(&path.display().to_string()), "{error}");
+    };
+    refused("a.jpg", &|_| ());
+    refused("a", &|_| ());
+    refused("no/a.png", &|_| ());
+    refused("a.png", &|s| s.size = [0, 4]);
+    refused("a.exr", &|s| s.size = [4, u32::MAX]);
+    refused("a.png", &|s| s.bits = 12);
+    refused("a.png", &|s| s.exposure = f64::NAN);
+    refused("a.png", &|s| s.layers = vec![Layer::Depth]);
+    refused("a.png", &|s| s.metadata = vec![(String::new(), "b".into())]);
+    refused("a.exr", &|s| s.metadata = vec![("a".into(), "b\0".into())]);
+    refused("a.exr", &|s| s.metadata = vec![("a".into(), "b".into()); 2]);
+    refused("a.exr", &|s| {
+        s.metadata = vec![("channels".into(), "b".into())]
+    });
+    assert!(names(folder.path()).is_empty());
+}

@@ -1,0 +1,120 @@
+//! Tables in and out.
+
+use std::fs;
+
+use super::folder;
+use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
+
+/// Reads a rays file of this text; an error as its message without the path.
+fn rays(text: &str) -> Result<Vec<[f64; 6]>, String> {
+    let folder = folder();
+    let path = folder.path().join("rays.csv");
+    fs::write(&path, text).unwrap();
+    read_rays(&path).map_err(|error| {
+        let message = error.to_string();
+        let prefix = format!("{}: ", path.display());
+        message.strip_prefix(&prefix).unwrap().to_owned()
+    })
+}
+
+#[test]
+fn reads_rays_in_any_order_of_columns() {
+    let expected = [
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
+        [-0.5, 1e-3, 0.0, 1.0, 0.0, 0.0],
+    ];
+    let plain = "x,y,z,vx,vy,vz\n1,2,3,4,5,6\n-.5,1e-3,0,1,0,0";
+    assert_eq!(rays(plain).unwrap(), expected);
+    let odd = "\u{feff}\r\n vx, vy ,vz,z,y,x \r\n4,5,6,3,2,1\r\n\r\n1,0,0, 0 ,0.001,-0.5\r\n";
+    assert_eq!(rays(odd).unwrap(), expected);
+}
+
+#[test]
+fn says_what_is_wrong_and_where() {
+    let header = "x,y,z,vx,vy,vz\n";
+    for (text, parts) in [
+        (String::new(), vec!["line 1", "empty", "x,y,z,vx,vy,vz"]),
+        (header.into(), vec!["line 1", "no rays"]),
+        (
+            "x,y,z,vx,vy,w\n".into(),
+            vec!["line 1", "column 6", "`w`", "vz"],
+        ),
+        (
+            "x,y,z,vx,vy,x\n".into(),
+            vec!["line 1", "column 6", "twice"],
+        ),
+        ("x,y,z,vx,vy\n".into(), vec!["line 1", "`vz` is missing"]),
+        ("1,2,3,4,5,6\n".into(), vec!["line 1", "column 1", "`1`"]),
+        (format!("{header}1,2,3\n"), vec!["line 2", "3 fields", "6"]),
+        (
+            format!("{header}1,2,3,4,5,6,7\n"),
+            vec!["line 2", "7 fields"],
+        ),
+        (
+            format!("{header}\n1,2,abc,4,5,6\n"),
+            vec!["line 3", "column 3 (z)", "`abc`"],
+        ),
+        (format!("{header}1,2,,4,5,6\n"), vec!["column 3 (z)", "``"]),
+        (
+            format!("{header}1,2,3,nan,5,6\n"),
+            vec!["column 4 (vx)", "`nan`", "finite"],
+        ),
+        (
+            format!("{header}1,2,3,4,5,1e999\n"),
+            vec!["column 6 (vz)", "`1e999`"],
+        ),
+    ] {
+        let message = rays(&text).unwrap_err();
+        for part in parts {
+            assert!(message.contains(part), "{text:?}: {message}");
+        }
+    }
+    let missing = folder().path().join("none.csv");
+    assert!(
+        read_rays(&missing)
+            .unwrap_err()
+            .to_string()
+            .contains("none.csv")
+    );
+}
+
+#[test]
+fn rows_are_written_to_the_last_bit() {
+    let folder = folder();
+    let path = folder.path().join("out.csv");
+    let mut table = Table::create::<ResultRow>(&path).unwrap();
+    table
+        .write(&ResultRow {
+            ray: 7,
+            status: "hit",
+            position: [0.1 + 0.2, -0.0, 1e30],
+            velocity: [1.0, 1e-45, f32::NAN],
+            tau: 2.5,
+            depth: f32::INFINITY,
+            steps: 10,
+            rejected: 1,
+            object: Some(3),
+        })
+        .unwrap();
+    table.finish().unwrap();
+    assert_eq!(
+        fs::read_to_string(&path).unwrap(),
+        "ray,status,x,y,z,vx,vy,vz,tau,depth,steps,rejected,object\n\
+         7,hit,0.3,-0.0,1e30,1.0,1e-45,NaN,2.5,inf,10,1,3\n"
+    );
+
+    let mut table = Table::create::<PathRow>(&path).unwrap();
+    let row = PathRow {
+        ray: 0,
+        index: 3,
+        position: [1.0, 2.0, 3.0],
+        velocity: [4.0, 5.0, 6.0],
+        tau: 0.5,
+    };
+    table.write(&row).unwrap();
+    table.finish().unwrap();
+    assert_eq!(
+        fs::read_to_string(&path).unwrap(),
+        "ray,index,x,y,z,vx,vy,vz,tau\n0,3,1.0,2.0,3.0,4.0,5.0,6.0,0.5\n"
+    );
+}

@@ -1,0 +1,152 @@
+//! What a program is for: its schedule, and what it is asked to put out.
+
+use crate::scene::Scene;
+
+/// How the stages of a segment are spread over passes. All schedules give the same picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Schedule {
+    /// The 2004 architecture: one pass for every integration step, one to intersect and one to terminate each segment.
+    Paper,
+    /// One pass a stage a segment, N steps inside.
+    Segment,
+    /// K segments with all their stages in one pass.
+    Fused,
+}
+
+/// The passes, each with the name of its entry point and file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Pass {
+    /// The camera's rays.
+    Setup,
+    /// K segments.
+    Advance,
+    /// One step.
+    SingleStep,
+    /// One segment's steps.
+    Integrate,
+    /// A segment against the scene.
+    Intersect,
+    /// Which rays ended.
+    Terminate,
+    /// Local illumination.
+    Shade,
+    /// Rays as numbers.
+    Record,
+}
+
+impl Pass {
+    /// The entry point's name, which is also the file's in `shaders/pass/`.
+    #[must_use]
+    pub fn entry(self) -> &'static str {
+        match self {
+            Self::Setup => "setup",
+            Self::Advance => "advance",
+            Self::SingleStep => "single_step",
+            Self::Integrate => "integrate",
+            Self::Intersect => "intersect",
+            Self::Terminate => "terminate",
+            Self::Shade => "shade",
+            Self::Record => "record",
+        }
+    }
+}
+
+/// Where rays come from and what becomes of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Purpose {
+    /// A camera's rays, to be shaded.
+    Picture,
+    /// Given rays, to be recorded.
+    Trace,
+}
+
+/// What a picture carries besides colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Layer {
+    /// Segments along the path, whole ones and a fraction.
+    Depth,
+    /// Where the ray ended.
+    Position,
+    /// The surface's normal.
+    Normal,
+    /// The object that was hit, from 1; 0 for none.
+    Object,
+    /// How the ray ended.
+    Status,
+    /// Integration steps.
+    Steps,
+}
+
+impl Layer {
+    /// Every layer.
+    pub const ALL: [Self; 6] = [Self::Depth, Self::Position, Self::Normal, Self::Object, Self::Status, Self::Steps];
+
+    /// The name of its file in `shaders/layer/`; its texture is `layer_` and this.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Position => "position",
+            Self::Normal => "normal",
+            Self::Object => "object",
+            Self::Status => "status",
+            Self::Steps => "steps",
+        }
+    }
+}
+
+/// Everything besides the scene that decides what is in its program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Choice {
+    /// How passes are cut.
+    pub schedule: Schedule,
+    /// Are ended rays skipped?
+    pub masks: bool,
+    /// Picture or trace.
+    pub purpose: Purpose,
+    /// Layers to keep, each once.
+    pub layers: Vec<Layer>,
+}
+
+impl Default for Choice {
+    fn default() -> Self {
+        Self { schedule: Schedule::Fused, masks: true, purpose: Purpose::Picture, layers: Vec::new() }
+    }
+}
+
+impl Choice {
+    /// The passes that the schedule has for this scene, in the order in which they first run.
+    #[must_use]
+    pub fn passes(&self, scene: &Scene) -> Vec<Pass> {
+        let mut passes = vec![Pass::Setup];
+        match self.schedule {
+            Schedule::Fused => passes.push(Pass::Advance),
+            Schedule::Segment => passes.push(Pass::Integrate),
+            Schedule::Paper => passes.push(Pass::SingleStep),
+        }
+        if self.schedule != Schedule::Fused {
+            if !scene.objects.is_empty() {
+                passes.push(Pass::Intersect);
+            }
+            passes.push(Pass::Terminate);
+        }
+        passes.push(match self.purpose {
+            Purpose::Picture => Pass::Shade,
+            Purpose::Trace => Pass::Record,
+        });
+        passes
+    }
+
+    /// Slots of the state pair: `paper` keeps a chord's start while two more ping-pong under its steps.
+    #[must_use]
+    pub fn slots(&self, scene: &Scene) -> usize {
+        let many_steps = matches!(scene.rays.segment, crate::scene::Segment::Chord { steps } if steps > 1);
+        if self.schedule == Schedule::Paper && many_steps { 3 } else { 2 }
+    }
+
+    /// Does the program keep each ray's step counts?
+    #[must_use]
+    pub fn keeps_counts(&self) -> bool {
+        self.purpose == Purpose::Trace || self.layers.contains(&Layer::Steps)
+    }
+}

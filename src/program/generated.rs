@@ -1,0 +1,121 @@
+//! The few lines of WGSL that a scene's own list of shapes, materials, falloffs, pictures and layers needs.
+
+use std::fmt::Write as _;
+
+use super::link::Unit;
+
+pub(super) fn unit(file: &'static str, text: String) -> Unit {
+    Unit { file: file.into(), text: text.into() }
+}
+
+/// `signature` as a function that returns `call(kind)` for the kind that `selector` names: `kinds` are (constant, name). A single
+/// kind needs no switch.
+pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]) -> String {
+    let mut text = format!("{signature} {{\n");
+    let Some(((_, last), rest)) = kinds.split_last() else {
+        return text + "}\n";
+    };
+    if rest.is_empty() {
+        let _ = writeln!(text, "    return {last};\n}}");
+        return text;
+    }
+    let _ = writeln!(text, "    switch {selector} {{");
+    for (constant, call) in rest {
+        let _ = writeln!(text, "        case {constant}: {{\n            return {call};\n        }}");
+    }
+    let _ = writeln!(text, "        default: {{\n            return {last};\n        }}\n    }}\n}}");
+    text
+}
+
+/// The first hit of a straight piece among all shapes, and the surface of a primitive.
+pub(super) fn shapes(kinds: &[&str]) -> Unit {
+    let mut text = String::from("fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit {\n    var hit = best;\n");
+    for kind in kinds {
+        let _ = writeln!(text, "    hit = hit_{kind}(a, b, hit);");
+    }
+    text += "    return hit;\n}\n\n";
+    let surfaces: Vec<_> = kinds
+        .iter()
+        .map(|kind| (kind.to_uppercase(), format!("surface_{kind}(primitive & PRIMITIVE_INDEX, x)")))
+        .collect();
+    text += &switch(
+        "fn hit_surface(primitive: u32, x: vec3f) -> Surface",
+        "primitive & ~PRIMITIVE_INDEX",
+        &surfaces,
+    );
+    unit("generated/shapes.wgsl", text)
+}
+
+/// The sum of the falloffs' accelerations, and the distance of the nearest centre.
+pub(super) fn sources(falloffs: &[&str]) -> Unit {
+    let sum: Vec<_> = falloffs.iter().map(|f| format!("{f}_acceleration(x)")).collect();
+    let nearest = falloffs
+        .iter()
+        .map(|f| format!("{f}_distance(x)"))
+        .reduce(|all, one| format!("min({all}, {one})"))
+        .unwrap_or_default();
+    unit(
+        "generated/sources.wgsl",
+        format!(
+            "fn source_acceleration(x: vec3f) -> vec3f {{\n    return {};\n}}\n\n\
+             fn source_distance(x: vec3f) -> f32 {{\n    return {nearest};\n}}\n",
+            sum.join(" + ")
+        ),
+    )
+}
+
+/// What surfaces send back: the scene's kinds of material, pattern and light.
+pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str]) -> Unit {
+    let radiance: Vec<_> = kinds
+        .iter()
+        .map(|kind| (kind.to_uppercase(), format!("radiance_{kind}(material, color, x, normal, view)")))
+        .collect();
+    let colors: Vec<_> =
+        patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
+    let mut text = switch(
+        "fn surface_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f",
+        "material.kind",
+        &radiance,
+    );
+    text += "\n";
+    text += &switch("fn pattern_color(material: Material, uv: vec2f) -> vec3f", "material.pattern", &colors);
+    if !lights.is_empty() {
+        let sum: Vec<_> =
+            lights.iter().map(|l| format!("lit_by_{l}(material, color, x, normal, view)")).collect();
+        let _ = write!(
+            text,
+            "\nfn lit_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {{\n    \
+             return {};\n}}\n",
+            sum.join("\n        + ")
+        );
+    }
+    unit("generated/materials.wgsl", text)
+}
+
+/// The first of the picture textures' bindings; `image_K` is at this and K.
+const FIRST_IMAGE: usize = 300;
+
+/// One texture for each picture.
+pub(super) fn images(count: usize) -> Unit {
+    let mut text = String::new();
+    for k in 0..count {
+        let _ = writeln!(text, "@group(0) @binding({}) var image_{k}: texture_2d<f32>;", FIRST_IMAGE + k);
+    }
+    let sizes: Vec<_> = (0..count).map(|k| (format!("{k}u"), format!("textureDimensions(image_{k})"))).collect();
+    let texels: Vec<_> = (0..count).map(|k| (format!("{k}u"), format!("textureLoad(image_{k}, p, 0).xyz"))).collect();
+    text += "\n";
+    text += &switch("fn image_size(image: u32) -> vec2u", "image", &sizes);
+    text += "\n";
+    text += &switch("fn image_texel(image: u32, p: vec2u) -> vec3f", "image", &texels);
+    unit("generated/images.wgsl", text)
+}
+
+/// The layers to keep.
+pub(super) fn layers(names: &[&str]) -> Unit {
+    let mut text = String::from("fn keep_layers(pixel: vec2u, ray: Ray, seen: Seen) {\n    if layers_wanted() {\n");
+    for name in names {
+        let _ = writeln!(text, "        keep_{name}(pixel, ray, seen);");
+    }
+    text += "    }\n}\n";
+    unit("generated/layers.wgsl", text)
+}

@@ -1,0 +1,65 @@
+//! The WGSL parts, embedded in the binary.
+
+use include_dir::{Dir, include_dir};
+
+use super::declarations::declarations;
+
+static SHADERS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
+
+/// A part: a WGSL file of `shaders/` that promises one contract.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Part {
+    /// The path below `shaders/`, such as `law/sources.wgsl`.
+    pub file: &'static str,
+    /// Its text.
+    pub text: &'static str,
+}
+
+/// The part `name`, a path below `shaders/` without its extension.
+#[must_use]
+pub fn part(name: &str) -> Option<Part> {
+    let file = SHADERS.get_file(format!("{name}.wgsl"))?;
+    Some(Part {
+        file: file.path().to_str()?,
+        text: file.contents_utf8()?,
+    })
+}
+
+/// Every part, by path.
+#[must_use]
+pub fn all_parts() -> Vec<Part> {
+    let mut parts: Vec<Part> = SHADERS
+        .dirs()
+        .flat_map(Dir::files)
+        .chain(SHADERS.files())
+        .filter_map(|file| {
+            Some(Part {
+                file: file.path().to_str()?,
+                text: file.contents_utf8()?,
+            })
+        })
+        .collect();
+    parts.sort_by_key(|part| part.file);
+    parts
+}
+
+/// The number that the constant `name` of a part is set to: WGSL is the one place where it is written.
+///
+/// # Panics
+///
+/// Where there is no such part or constant: parts are embedded, and a test asks for every one that the host uses.
+#[must_use]
+pub fn constant(part_name: &str, name: &str) -> f64 {
+    let part = part(part_name).unwrap_or_else(|| panic!("no part {part_name}"));
+    let declared = declarations(part.text).into_iter().find(|d| d.keyword == "const" && d.name == name);
+    let value = declared.and_then(|d| number(d.text.split_once('=')?.1));
+    value.unwrap_or_else(|| panic!("{part_name} has no constant {name} with a plain number"))
+}
+
+fn number(text: &str) -> Option<f64> {
+    let text = text.trim().trim_end_matches(';').trim_end_matches(['u', 'f']);
+    match text.strip_prefix("0x") {
+        Some(hex) => u32::from_str_radix(hex, 16).ok().map(f64::from),
+        None => text.parse().ok(),
+    }
+}

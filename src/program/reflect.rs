@@ -1,0 +1,158 @@
+//! What a linked program says of itself: naga's validation, and the bindings and layouts that the host would otherwise repeat.
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAccess, TypeInner};
+
+use super::{Linked, ProgramError};
+
+/// A validated program and its interface.
+#[derive(Debug, Clone)]
+pub struct Reflection {
+    /// The entry point.
+    pub entry: String,
+    /// In order of their numbers.
+    pub bindings: Vec<Binding>,
+}
+
+/// One resource that a program binds, in group 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Binding {
+    /// The variable's name: what the host knows it by.
+    pub name: String,
+    /// `@binding`.
+    pub number: u32,
+    /// What it is.
+    pub kind: BindingKind,
+}
+
+/// The kinds of resource.
+#[derive(Debug, Clone, PartialEq)]
+pub enum BindingKind {
+    /// A uniform buffer.
+    Uniform(Layout),
+    /// A storage buffer.
+    Storage {
+        /// Of what.
+        layout: Layout,
+        /// Is it only read?
+        read_only: bool,
+    },
+    /// A texture read with `textureLoad`.
+    Texture(naga::ScalarKind),
+    /// A storage texture.
+    StorageTexture {
+        /// Its texels.
+        format: naga::StorageFormat,
+        /// May it be read too?
+        reads: bool,
+    },
+}
+
+/// How a buffer's values lie: a struct, or an array of structs or scalars.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layout {
+    /// The struct's members; none for an array of scalars.
+    pub fields: Vec<Field>,
+    /// Bytes of one element.
+    pub span: u32,
+    /// Does the buffer hold any number of elements?
+    pub array: bool,
+}
+
+/// A member of a struct.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// Its name.
+    pub name: String,
+    /// Its offset in bytes.
+    pub offset: u32,
+    /// Of scalars.
+    pub scalar: ScalarKind,
+    /// How many.
+    pub components: u32,
+}
+
+/// Checks the program and reads its interface; errors name the part's own file and line.
+pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
+    let module = validated(linked)?;
+    let mut bindings = Vec::new();
+    for (_, variable) in module.global_variables.iter() {
+        let (Some(place), Some(name)) = (variable.binding, &variable.name) else {
+            continue;
+        };
+        let kind = binding_kind(&module, variable).ok_or_else(|| ProgramError::UnknownBinding(name.clone()))?;
+        bindings.push(Binding { name: name.clone(), number: place.binding, kind });
+    }
+    bindings.sort_by_key(|binding| binding.number);
+    Ok(Reflection { entry: linked.entry.clone(), bindings })
+}
+
+/// The program as naga sees it, valid in every respect.
+pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
+    let at = |line: usize, column: usize, message: String| {
+        let (file, line) = linked.origin(line);
+        ProgramError::Invalid { file: format!("shaders/{file}"), line, column, message }
+    };
+    let module = naga::front::wgsl::parse_str(&linked.source).map_err(|error| {
+        let (line, column) = error
+            .location(&linked.source)
+            .map_or((0, 0), |place| (place.line_number as usize, place.line_position as usize));
+        at(line, column, error.message().to_owned())
+    })?;
+    Validator::new(ValidationFlags::all(), Capabilities::default()).validate(&module).map_err(|error| {
+        let (line, column) = error
+            .location(&linked.source)
+            .map_or((0, 0), |place| (place.line_number as usize, place.line_position as usize));
+        at(line, column, error.emit_to_string(&linked.source))
+    })?;
+    Ok(module)
+}
+
+fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<BindingKind> {
+    let inner = &module.types[variable.ty].inner;
+    Some(match (variable.space, inner) {
+        (AddressSpace::Uniform, _) => BindingKind::Uniform(layout(module, inner)?),
+        (AddressSpace::Storage { access }, _) => BindingKind::Storage {
+            layout: layout(module, inner)?,
+            read_only: !access.contains(StorageAccess::STORE),
+        },
+        (AddressSpace::Handle, TypeInner::Image { class: ImageClass::Sampled { kind, .. }, .. }) => {
+            BindingKind::Texture(*kind)
+        }
+        (AddressSpace::Handle, TypeInner::Image { class: ImageClass::Storage { format, access }, .. }) => {
+            BindingKind::StorageTexture { format: *format, reads: access.contains(StorageAccess::LOAD) }
+        }
+        _ => return None,
+    })
+}
+
+fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
+    match inner {
+        TypeInner::Array { base, size: ArraySize::Dynamic, stride } => {
+            let element = layout(module, &module.types[*base].inner)?;
+            Some(Layout { span: *stride, array: true, ..element })
+        }
+        TypeInner::Struct { members, span } => {
+            let fields = members.iter().filter_map(|member| field(module, member)).collect();
+            Some(Layout { fields, span: *span, array: false })
+        }
+        TypeInner::Scalar(scalar) => {
+            Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), array: false })
+        }
+        _ => None,
+    }
+}
+
+/// Members that the host writes are scalars and vectors; others (a tally's atomics) are left out.
+fn field(module: &Module, member: &naga::StructMember) -> Option<Field> {
+    let (scalar, components) = match module.types[member.ty].inner {
+        TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar.kind, 1),
+        TypeInner::Vector { size, scalar } => (scalar.kind, u32::from(u8::from(size))),
+        TypeInner::Array { base, size: ArraySize::Constant(count), .. } => match module.types[base].inner {
+            TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar.kind, count.get()),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    Some(Field { name: member.name.clone()?, offset: member.offset, scalar, components })
+}

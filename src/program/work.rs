@@ -1,0 +1,93 @@
+//! How much looping one segment may be.
+//!
+//! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
+//! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
+
+use super::{ProgramError, constant};
+use crate::scene::{Control, Law, Method, Scene, Segment, Shape};
+
+fn work_limit() -> u64 {
+    constant("work", "WORK_LIMIT") as u64
+}
+
+/// A segment up to this size is walked whole: so many fit into a pass that no batch of segments is cut short.
+const WHOLE: u64 = 4_000;
+/// What integration and the analytic shapes may take of one invocation: the end of a path is found by following its last
+/// segment again, a few times over.
+const LARGEST: u64 = 20_000;
+
+/// Bounds on the loop iterations of a segment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Work {
+    /// Iterations that a segment may need in one invocation.
+    pub segment: u64,
+    /// May a segment's walk over the meshes be suspended and gone on with in a later pass?
+    pub resumed: bool,
+    /// Passes over which one segment's walk may be spread.
+    pub passes_per_segment: u64,
+}
+
+impl Work {
+    /// The bounds for `scene`, whose meshes have a hierarchy of so many nodes and triangles.
+    pub fn of(scene: &Scene, nodes: usize, triangles: usize) -> Result<Self, ProgramError> {
+        let (rate, scale) = law_loops(&scene.law);
+        let captures = match &scene.law {
+            Law::Schwarzschild { .. } => 1,
+            Law::Sources(sources) => sources.iter().filter(|s| s.capture > 0.0).count() as u64,
+            _ => 0,
+        };
+        let step = step_loops(scene, rate, scale) + captures + 1;
+        let (steps, pieces) = match scene.rays.segment {
+            Segment::Chord { steps } => (u64::from(steps), 1),
+            Segment::Arc { .. } if scene.rays.method == Method::Exact => (1, 1),
+            Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
+        };
+        let analytic = scene.objects.iter().filter(|o| !matches!(o.shape, Shape::Mesh(_))).count() as u64;
+        let segment = steps * step + pieces * (analytic + 1) + captures + 2;
+        if segment > LARGEST {
+            let integration = steps * step > pieces * analytic;
+            return Err(ProgramError::TooMuchWork {
+                needed: segment,
+                limit: LARGEST,
+                what: if integration { "force centres" } else { "spheres, boxes and planes" },
+            });
+        }
+        let walk = pieces * (nodes + triangles) as u64;
+        let resumed = segment + walk > WHOLE;
+        Ok(Self {
+            segment: if resumed { segment } else { segment + walk },
+            resumed,
+            passes_per_segment: if resumed { 1 + walk / (work_limit() - LARGEST) } else { 1 },
+        })
+    }
+
+    /// Segments that one pass is sure to complete, of `wanted`.
+    #[must_use]
+    pub fn segments_per_pass(&self, wanted: u32) -> u32 {
+        let sure = (work_limit() / (self.segment + 1)).max(1);
+        wanted.min(u32::try_from(sure).unwrap_or(u32::MAX)).max(1)
+    }
+}
+
+/// Iterations of one evaluation of the law's rate, and of its scale.
+fn law_loops(law: &Law) -> (u64, u64) {
+    match law {
+        Law::Straight | Law::Schwarzschild { .. } | Law::Flow { .. } => (0, 0),
+        Law::Sources(sources) => (sources.len() as u64, sources.len() as u64),
+        Law::Medium(noise) => (u64::from(noise.octaves), 0),
+    }
+}
+
+fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
+    let evaluations = match scene.rays.method {
+        Method::Exact => 0,
+        Method::Euler | Method::Snell { .. } => 1,
+        Method::Rk4 => 4,
+    };
+    match scene.rays.control {
+        Control::Exact => 0,
+        Control::Fixed { .. } => evaluations * rate,
+        Control::Scaled { .. } => evaluations * rate + scale,
+        Control::Doubling { .. } => scale + constant("control/doubling_rejecting", "MAX_TRIES") as u64 * (4 + 3 * evaluations * rate + scale),
+    }
+}

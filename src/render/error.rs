@@ -1,0 +1,23 @@
+//! What can go wrong in a render.
+
+use thiserror::Error;
+
+use crate::gpu::GpuError;
+use crate::program::ProgramError;
+
+/// A picture or a trace that could not be made.
+#[derive(Debug, Error)]
+pub enum RenderError {
+    /// The program could not be linked.
+    #[error(transparent)]
+    Program(#[from] ProgramError),
+    /// The device refused or failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// There is nothing to look through.
+    #[error("the scene has no [camera]: add one, such as\n    [camera]\n    position = [0, 2, 15]\n    look_at = [0, 0, 0]")]
+    NoCamera,
+    /// The consumer of finished rows failed.
+    #[error("{0}")]
+    Output(Box<dyn std::error::Error + Send + Sync>),
+}

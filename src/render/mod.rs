@@ -1,0 +1,24 @@
+//! The driver: passes as data, recorded and submitted, and one readback at the end.
+//!
+//! *Theory.* The 2004 paper's Figure 1: ray setup, then for every segment ray integration, ray–object intersection and the test
+//! for termination, then local illumination. A [`Step`] is one dispatch of that; a *schedule* cuts the same stages into
+//! different passes.
+//!
+//! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
+//! dispatch drops what no longer lives. Submissions are kept short, because drivers kill long ones.
+
+mod clock;
+mod error;
+mod picture;
+mod readback;
+mod renderer;
+mod schedule;
+mod totals;
+mod trace;
+
+pub use error::RenderError;
+pub use picture::{Picture, Plane, Band};
+pub use renderer::{Renderer, Settings};
+pub use schedule::{Dispatch, Step, steps};
+pub use totals::{Status, Totals};
+pub use trace::{PathPoint, Traced, trace, trace_paths};

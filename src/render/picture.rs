@@ -1,0 +1,207 @@
+//! Rendering a picture: tiles, samples, and rows given out as they are finished.
+
+use std::time::Instant;
+
+use super::clock::Clock;
+use super::readback::read_texture;
+use super::renderer::Frame;
+use super::{RenderError, Renderer, Totals};
+use crate::gpu::Tile;
+use crate::program::Layer;
+
+/// Values of a layer, row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Plane {
+    /// One number a pixel.
+    Scalar(Vec<f32>),
+    /// Three numbers a pixel, by component.
+    Vector([Vec<f32>; 3]),
+    /// One whole number a pixel.
+    Id(Vec<u32>),
+}
+
+/// Some full rows of the picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// The first row, from the top.
+    pub first_row: u32,
+    /// How many.
+    pub rows: u32,
+    /// The picture's width.
+    pub width: u32,
+    /// Linear red, green and blue, the mean of the samples.
+    pub color: [Vec<f32>; 3],
+    /// The layers that the settings ask for, in their order.
+    pub layers: Vec<(Layer, Plane)>,
+}
+
+/// A whole picture in memory, for tests and comparisons.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// All its rows in one band.
+    pub band: Band,
+    /// What rendering it took.
+    pub totals: Totals,
+}
+
+impl Renderer<'_> {
+    /// Renders the picture tile by tile; `rows` is given bands of full rows from top to bottom, `progress` the fraction that
+    /// is done.
+    pub fn render(
+        &self,
+        rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
+        progress: &dyn Fn(f64),
+    ) -> Result<Totals, RenderError> {
+        if self.scene.camera.is_none() {
+            return Err(RenderError::NoCamera);
+        }
+        let started = Instant::now();
+        let [width, height] = self.scene.image.size;
+        let [tile_width, tile_height] = self.tile_size();
+        let mut clock = Clock::new(self.gpu);
+        let mut totals = Totals::default();
+        let mut tile: Option<Tile> = None;
+        let all = f64::from(width) * f64::from(height);
+        let mut pixels_done = 0.0;
+        for first_row in (0..height).step_by(tile_height as usize) {
+            let tile_rows = tile_height.min(height - first_row);
+            let mut band = Band::new(first_row, tile_rows, width);
+            for left in (0..width).step_by(tile_width as usize) {
+                let size = [tile_width.min(width - left), tile_rows];
+                let tile = match &tile {
+                    Some(made) if made.size == size => made,
+                    _ => tile.insert(self.tile(size)?),
+                };
+                let part = f64::from(size[0]) * f64::from(size[1]) / all;
+                self.render_tile(tile, [left, first_row], &mut clock, &|done| progress(pixels_done + done * part))?;
+                pixels_done += part;
+                self.read_tally(tile, &mut totals)?;
+                self.read_tile(tile, left, &mut band)?;
+            }
+            rows(band)?;
+        }
+        self.finish_totals(&mut totals, &clock, started)?;
+        Ok(totals)
+    }
+
+    /// The whole picture at once.
+    pub fn picture(&self) -> Result<Picture, RenderError> {
+        let mut whole: Option<Band> = None;
+        let mut append = |band: Band| {
+            match &mut whole {
+                Some(all) => all.append(band),
+                None => whole = Some(band),
+            }
+            Ok(())
+        };
+        let totals = self.render(&mut append, &|_| {})?;
+        let band = whole.unwrap_or_else(|| Band::new(0, 0, self.scene.image.size[0]));
+        Ok(Picture { band, totals })
+    }
+
+    /// As wide as the device allows, and as high as the memory for a tile.
+    fn tile_size(&self) -> [u32; 2] {
+        let [width, height] = self.scene.image.size;
+        let side = self.gpu.limits.max_texture_dimension_2d.min(1 << 16);
+        let list = self.gpu.limits.max_storage_buffer_binding_size.min(self.gpu.limits.max_buffer_size) / 4;
+        let pixels = self.settings.tile_pixels.min(list).max(64);
+        let tile_width = width.min(side).min(u32::try_from(pixels).unwrap_or(u32::MAX));
+        let rows = (pixels / u64::from(tile_width)).clamp(1, u64::from(side.min(height)));
+        [tile_width, rows as u32]
+    }
+
+    fn render_tile(
+        &self,
+        tile: &Tile,
+        origin: [u32; 2],
+        clock: &mut Clock,
+        progress: &dyn Fn(f64),
+    ) -> Result<(), RenderError> {
+        let samples = self.scene.image.samples;
+        for sample in 0..samples {
+            let frame = Frame { origin, image: self.scene.image.size, sample };
+            let part = |done: f64| progress((f64::from(sample) + done) / f64::from(samples));
+            self.run_sample(tile, frame, clock, &part)?;
+        }
+        Ok(())
+    }
+
+    fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band) -> Result<(), RenderError> {
+        let weight = 1.0 / self.scene.image.samples as f32;
+        for (channel, name) in band.color.iter_mut().zip(["red", "green", "blue"]) {
+            if let Some(texture) = tile.texture(name) {
+                let sums = read_texture(self.gpu, texture)?;
+                let means = sums.iter().map(|bits| f32::from_bits(*bits) * weight);
+                place(channel, band.width, left, tile.size[0], means);
+            }
+        }
+        for &layer in &self.settings.choice.layers {
+            let Some(texture) = tile.texture(&format!("layer_{}", layer.name())) else { continue };
+            let words = read_texture(self.gpu, texture)?;
+            let at = match band.layers.iter().position(|(l, _)| *l == layer) {
+                Some(at) => at,
+                None => {
+                    band.layers.push((layer, empty_plane(layer, band.width as usize * band.rows as usize)));
+                    band.layers.len() - 1
+                }
+            };
+            let floats = |step: usize, k: usize| words.iter().skip(k).step_by(step).map(|bits| f32::from_bits(*bits));
+            match &mut band.layers[at].1 {
+                Plane::Scalar(values) => place(values, band.width, left, tile.size[0], floats(1, 0)),
+                Plane::Id(values) => place(values, band.width, left, tile.size[0], words.iter().copied()),
+                Plane::Vector(values) => {
+                    for (k, values) in values.iter_mut().enumerate() {
+                        place(values, band.width, left, tile.size[0], floats(4, k));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn empty_plane(layer: Layer, pixels: usize) -> Plane {
+    match layer {
+        Layer::Depth => Plane::Scalar(vec![0.0; pixels]),
+        Layer::Position | Layer::Normal => Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]]),
+        Layer::Object | Layer::Status | Layer::Steps => Plane::Id(vec![0; pixels]),
+    }
+}
+
+/// A tile's values, row by row, into full rows of the picture.
+fn place<T: Copy>(rows: &mut [T], width: u32, left: u32, tile_width: u32, values: impl Iterator<Item = T>) {
+    for (i, value) in values.enumerate() {
+        let (row, column) = (i / tile_width as usize, i % tile_width as usize);
+        rows[row * width as usize + left as usize + column] = value;
+    }
+}
+
+impl Band {
+    /// The plane of a layer, if the band has one.
+    #[must_use]
+    pub fn layer(&self, layer: Layer) -> Option<&Plane> {
+        self.layers.iter().find_map(|(l, plane)| (*l == layer).then_some(plane))
+    }
+
+    fn new(first_row: u32, rows: u32, width: u32) -> Self {
+        let black = || vec![0.0; rows as usize * width as usize];
+        Self { first_row, rows, width, color: [black(), black(), black()], layers: Vec::new() }
+    }
+
+    fn append(&mut self, below: Self) {
+        self.rows += below.rows;
+        for (channel, more) in self.color.iter_mut().zip(below.color) {
+            channel.extend(more);
+        }
+        for ((_, plane), (_, more)) in self.layers.iter_mut().zip(below.layers) {
+            match (plane, more) {
+                (Plane::Scalar(values), Plane::Scalar(more)) => values.extend(more),
+                (Plane::Id(values), Plane::Id(more)) => values.extend(more),
+                (Plane::Vector(values), Plane::Vector(more)) => {
+                    values.iter_mut().zip(more).for_each(|(values, more)| values.extend(more));
+                }
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Schedules: the same stages, cut into different passes.
+
+use crate::gpu::Slots;
+use crate::program::{Choice, Pass, Schedule, Work};
+use crate::scene::{Scene, Segment};
+
+/// What a pass runs over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dispatch {
+    /// Every pixel of the tile.
+    Grid,
+    /// What still lived before this round of the loop, by indirect dispatch.
+    Living,
+}
+
+/// One dispatch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Step {
+    /// Which pass.
+    pub pass: Pass,
+    /// Which slots of the state it reads and writes.
+    pub slots: Slots,
+    /// Over what.
+    pub dispatch: Dispatch,
+    /// The round of the loop over segments that it belongs to.
+    pub round: u64,
+    /// Does it go on with a walk that was suspended?
+    pub again: bool,
+    /// Integration steps of one ray in it, at most: its weight when the work is split into submissions.
+    pub weight: u64,
+}
+
+/// Every dispatch of one sample, in order; `segments` is K of a fused pass.
+#[must_use]
+pub fn steps(scene: &Scene, choice: &Choice, work: &Work, segments: u32) -> Vec<Step> {
+    let mut recorded = Recorder { choice, steps: Vec::new() };
+    recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: 1 }, 0, 1);
+    let n = match scene.rays.segment {
+        Segment::Chord { steps } => u64::from(steps),
+        Segment::Arc { .. } => 1,
+    };
+    match choice.schedule {
+        Schedule::Fused => recorded.fused(scene, work, segments, n),
+        Schedule::Segment => recorded.by_segment(scene, work, n),
+        Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
+    }
+    let last = *choice.passes(scene).last().unwrap_or(&Pass::Shade);
+    recorded.push(last, Slots { input: 0, output: 0, start: 0, end: 0, list: 0 }, 0, n);
+    recorded.steps
+}
+
+struct Recorder<'a> {
+    choice: &'a Choice,
+    steps: Vec<Step>,
+}
+
+impl Recorder<'_> {
+    fn push(&mut self, pass: Pass, slots: Slots, round: u64, weight: u64) {
+        let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record);
+        let dispatch = if once || !self.choice.masks { Dispatch::Grid } else { Dispatch::Living };
+        self.steps.push(Step { pass, slots, dispatch, round, again: false, weight });
+    }
+
+    /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing.
+    fn fused(&mut self, scene: &Scene, work: &Work, segments: u32, n: u64) {
+        let sure = work.segments_per_pass(segments);
+        let rounds = u64::from(scene.rays.max_segments.div_ceil(sure)) * work.passes_per_segment;
+        for round in 0..rounds {
+            let input = (round % 2) as usize;
+            let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list: input };
+            self.push(Pass::Advance, slots, round, u64::from(segments) * n);
+        }
+    }
+
+    fn by_segment(&mut self, scene: &Scene, work: &Work, n: u64) {
+        for round in 0..u64::from(scene.rays.max_segments) {
+            let start = (round % 2) as usize;
+            let slots = Slots { input: start, output: 1 - start, start, end: 1 - start, list: start };
+            self.push(Pass::Integrate, slots, round, n);
+            self.finish_segment(scene, work, slots, round);
+        }
+    }
+
+    /// Within a segment of many steps two slots ping-pong while a third keeps the segment's start.
+    fn by_step(&mut self, scene: &Scene, work: &Work, n: u64, slots: usize) {
+        let mut start = 0;
+        for round in 0..u64::from(scene.rays.max_segments) {
+            let list = (round % 2) as usize;
+            let mut at = start;
+            for _ in 0..n {
+                let next = (0..slots).find(|&slot| slot != at && (slot != start || slots == 2)).unwrap_or(start);
+                let moved = Slots { input: at, output: next, start, end: next, list };
+                self.push(Pass::SingleStep, moved, round, 1);
+                at = next;
+            }
+            let whole = Slots { input: start, output: at, start, end: at, list };
+            self.finish_segment(scene, work, whole, round);
+            start = at;
+        }
+    }
+
+    fn finish_segment(&mut self, scene: &Scene, work: &Work, slots: Slots, round: u64) {
+        if !scene.objects.is_empty() {
+            for walk in 0..work.passes_per_segment {
+                self.push(Pass::Intersect, slots, round, 1);
+                if let Some(step) = self.steps.last_mut() {
+                    step.again = walk > 0;
+                }
+            }
+        }
+        self.push(Pass::Terminate, slots, round, 1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Purpose;
+
+    fn scene(segment: &str) -> Scene {
+        let text = format!(
+            "[law]\nkind = \"schwarzschild\"\n[rays]\nmax_segments = 6\n{segment}\nbound = {{ radius = 50 }}\n\
+             [materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
+             [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [9, 0, 0]\n"
+        );
+        Scene::parse(&text, std::path::Path::new("test.toml"), &[]).unwrap()
+    }
+
+    fn recorded(schedule: Schedule, segment: &str) -> Vec<Step> {
+        let scene = scene(segment);
+        let choice = Choice { schedule, masks: true, purpose: Purpose::Picture, layers: Vec::new() };
+        let work = Work::of(&scene, 0, 0).unwrap();
+        steps(&scene, &choice, &work, 4)
+    }
+
+    #[test]
+    fn every_pass_reads_what_the_one_before_wrote() {
+        for segment in ["", "segment = \"chord\"\nsteps_per_segment = 3", "segment = \"chord\"\nsteps_per_segment = 4"] {
+            for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
+                let mut written = 0;
+                for step in recorded(schedule, segment) {
+                    if matches!(step.pass, Pass::SingleStep | Pass::Integrate | Pass::Advance) {
+                        assert_eq!(step.slots.input, written, "{schedule:?} {segment}: {step:?}");
+                        assert_ne!(step.slots.output, step.slots.input);
+                        written = step.slots.output;
+                    }
+                    if step.pass == Pass::Terminate {
+                        assert_eq!(step.slots.end, written);
+                        assert_ne!(step.slots.start, written, "a segment's start is still there at its end");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn paper_has_one_pass_a_step() {
+        let steps = recorded(Schedule::Paper, "segment = \"chord\"\nsteps_per_segment = 3");
+        let count = |pass| steps.iter().filter(|step| step.pass == pass).count();
+        assert_eq!((count(Pass::SingleStep), count(Pass::Intersect), count(Pass::Terminate)), (18, 6, 6));
+    }
+}

@@ -1,0 +1,129 @@
+//! What a render did, summed over all rays on the device.
+
+use std::fmt;
+use std::time::Duration;
+
+use crate::program::constant;
+
+/// How a ray ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Status {
+    /// Still under way.
+    Alive,
+    /// Met an object.
+    Hit,
+    /// Left the bounding sphere outwards.
+    Escaped,
+    /// Fell into a hole or a source.
+    Captured,
+    /// Reached `rays.length`.
+    Ended,
+    /// Used `rays.max_segments`.
+    Exhausted,
+    /// The step fell under what moves the ray.
+    Stalled,
+    /// Not finite any more.
+    Failed,
+}
+
+impl Status {
+    /// Every status but those of rays under way.
+    pub const ENDS: [Self; 7] =
+        [Self::Hit, Self::Escaped, Self::Captured, Self::Ended, Self::Exhausted, Self::Stalled, Self::Failed];
+
+    /// The status of a code of `shaders/ray.wgsl`.
+    #[must_use]
+    pub fn from_code(code: u32) -> Self {
+        let missed = constant("ray", "MISSED") as u32;
+        let is = |status: &Self| status.code() == code;
+        if code == missed { Self::Escaped } else { Self::ENDS.into_iter().find(is).unwrap_or(Self::Alive) }
+    }
+
+    /// Its code in `shaders/ray.wgsl`, which outputs carry too.
+    #[must_use]
+    pub fn code(self) -> u32 {
+        constant("ray", &self.name().to_uppercase()) as u32
+    }
+
+    /// Its name in outputs.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Alive => "alive",
+            Self::Hit => "hit",
+            Self::Escaped => "escaped",
+            Self::Captured => "captured",
+            Self::Ended => "ended",
+            Self::Exhausted => "exhausted",
+            Self::Stalled => "stalled",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+/// Sums over all rays.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Totals {
+    /// Rays set up.
+    pub rays: u64,
+    /// Accepted integration steps.
+    pub steps: u64,
+    /// Rejected tries.
+    pub rejected: u64,
+    /// Segments tested.
+    pub segments: u64,
+    /// Rays by how they ended.
+    pub fates: Vec<(Status, u64)>,
+    /// Time on the device by stage (setup, advance, shade); none without timestamp queries.
+    pub device: Option<[Duration; 3]>,
+    /// Time from start to end.
+    pub wall: Duration,
+}
+
+impl Totals {
+    /// Rays that ended so.
+    #[must_use]
+    pub fn count(&self, status: Status) -> u64 {
+        self.fates.iter().filter(|(s, _)| *s == status).map(|(_, n)| n).sum()
+    }
+
+    /// Rays that could not be followed to an end.
+    #[must_use]
+    pub fn unfollowed(&self) -> u64 {
+        [Status::Alive, Status::Exhausted, Status::Stalled, Status::Failed].into_iter().map(|s| self.count(s)).sum()
+    }
+
+    /// Adds a tile's tally, the words of `Tally` in `shaders/tally.wgsl`.
+    pub(super) fn add_tally(&mut self, words: &[u32]) {
+        let wide = |i: usize| u64::from(words[i]) + (u64::from(words[i + 1]) << 32);
+        self.steps += wide(0);
+        self.segments += wide(2);
+        self.rejected += wide(4);
+        for (code, &n) in words[6..].iter().take(9).enumerate() {
+            self.rays += u64::from(n);
+            let status = Status::from_code(code as u32);
+            match self.fates.iter_mut().find(|(s, _)| *s == status) {
+                Some((_, count)) => *count += u64::from(n),
+                None => self.fates.push((status, u64::from(n))),
+            }
+        }
+    }
+}
+
+impl fmt::Display for Totals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} rays, {} steps", self.rays, self.steps)?;
+        if self.rejected > 0 {
+            write!(f, " ({} rejected)", self.rejected)?;
+        }
+        write!(f, ", {} segments", self.segments)?;
+        if let Some(device) = self.device {
+            write!(f, ", {:.3} s on the device", device.iter().sum::<Duration>().as_secs_f64())?;
+        }
+        write!(f, ", {:.3} s in all;", self.wall.as_secs_f64())?;
+        for (status, count) in self.fates.iter().filter(|(_, count)| *count > 0) {
+            write!(f, " {} {count}", status.name())?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,175 @@
+//! Following given rays, one by one, through the same passes.
+
+use glam::DVec3;
+use wgpu::BufferUsages;
+
+use super::readback::read_buffer;
+use super::renderer::{Frame, RECORDS};
+use super::schedule::Step;
+use super::{RenderError, Renderer, Settings, Status, Totals};
+use crate::gpu::Value::Vec3;
+use crate::gpu::{Gpu, GpuError, Tile, pack};
+use crate::program::{Choice, Field, Layout, Pass, Purpose, Schedule};
+use crate::scene::Scene;
+
+/// Where a ray ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Traced {
+    /// How.
+    pub status: Status,
+    /// Position.
+    pub x: [f32; 3],
+    /// Velocity.
+    pub v: [f32; 3],
+    /// The path's parameter.
+    pub tau: f32,
+    /// Segments, whole ones and a fraction.
+    pub depth: f32,
+    /// Accepted steps.
+    pub steps: u32,
+    /// Rejected tries.
+    pub rejected: u32,
+    /// Index into the scene's objects, if one was hit.
+    pub object: Option<u32>,
+}
+
+/// A segment's end along a path; the first is the path's start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathPoint {
+    /// Position.
+    pub x: [f32; 3],
+    /// Velocity.
+    pub v: [f32; 3],
+    /// The path's parameter.
+    pub tau: f32,
+}
+
+/// Rays of one batch.
+const BATCH: usize = 1 << 18;
+/// Records of one batch of paths, over all segments.
+const PATH_RECORDS: usize = 1 << 22;
+/// Rays in one row of the state's textures.
+const ROW: u32 = 1024;
+
+/// Follows `rays` (x and v) to their ends.
+pub fn trace(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &Settings,
+    rays: &[[f64; 6]],
+) -> Result<(Vec<Traced>, Totals), RenderError> {
+    let choice = Choice { purpose: Purpose::Trace, layers: Vec::new(), ..settings.choice.clone() };
+    let renderer = Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?;
+    let mut totals = Totals::default();
+    let mut clock = super::clock::Clock::new(gpu);
+    let started = std::time::Instant::now();
+    let mut traced = Vec::with_capacity(rays.len());
+    for batch in rays.chunks(BATCH) {
+        let (tile, frame) = ray_tile(&renderer, batch)?;
+        renderer.run_sample(&tile, frame, &mut clock, &|_| {})?;
+        traced.extend(read_records(&renderer, &tile, batch.len())?);
+        renderer.read_tally(&tile, &mut totals)?;
+    }
+    renderer.finish_totals(&mut totals, &clock, started)?;
+    // The last row of the state is filled up with copies of the last ray, which do not count.
+    totals.rays = rays.len() as u64;
+    totals.fates = count_fates(&traced);
+    Ok((traced, totals))
+}
+
+fn count_fates(traced: &[Traced]) -> Vec<(Status, u64)> {
+    let count = |status: Status| traced.iter().filter(|ray| ray.status == status).count() as u64;
+    std::iter::once(Status::Alive).chain(Status::ENDS).map(|s| (s, count(s))).filter(|(_, n)| *n > 0).collect()
+}
+
+/// Follows `rays` and keeps the end of every segment.
+pub fn trace_paths(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &Settings,
+    rays: &[[f64; 6]],
+) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
+    let choice = Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: true };
+    let renderer = Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?;
+    let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
+    let mut paths = Vec::with_capacity(rays.len());
+    for batch in rays.chunks(batch) {
+        paths.extend(trace_batch_paths(&renderer, batch)?);
+    }
+    Ok(paths)
+}
+
+fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
+    let (tile, frame) = ray_tile(renderer, batch)?;
+    let mut paths = vec![(Status::Alive, Vec::new()); batch.len()];
+    let Some((record, rest)) = renderer.steps().split_last() else { return Ok(paths) };
+    let mut rounds = rest.chunk_by(|a, b| a.round == b.round && b.pass != Pass::Setup && a.pass != Pass::Setup);
+    // Setup, then round by round until nothing lives.
+    while let Some(round) = rounds.next() {
+        let steps: Vec<Step> = round.iter().copied().chain([*record]).collect();
+        renderer.run_steps(&tile, frame, &steps)?;
+        let mut living = false;
+        for ((status, points), ray) in paths.iter_mut().zip(read_records(renderer, &tile, batch.len())?) {
+            let started = round[0].pass == Pass::Setup;
+            if *status == Status::Alive && (started || !points.is_empty()) {
+                points.push(PathPoint { x: ray.x, v: ray.v, tau: ray.tau });
+                *status = ray.status;
+            }
+            living |= *status == Status::Alive;
+        }
+        if !living {
+            break;
+        }
+    }
+    Ok(paths)
+}
+
+/// A tile with one pixel a ray.
+fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), RenderError> {
+    let width = ROW.min(batch.len() as u32).max(1);
+    let size = [width, (batch.len() as u32).div_ceil(width).max(1)];
+    let mut tile = renderer.tile(size)?;
+    let given = layout(renderer, "given")?;
+    let row = |ray: &[f64; 6]| {
+        [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
+    };
+    let bytes = pack("given", given, batch.iter().map(row))?;
+    tile.add_buffer(renderer.gpu, "given", bytes.len() as u64, BufferUsages::STORAGE)?;
+    if let Some(buffer) = tile.buffer("given") {
+        renderer.gpu.queue.write_buffer(buffer, 0, &bytes);
+    }
+    let records = u64::from(layout(renderer, "records")?.span) * u64::from(size[0]) * u64::from(size[1]);
+    tile.add_buffer(renderer.gpu, "records", records, RECORDS)?;
+    Ok((tile, Frame { origin: [0, 0], image: size, sample: 0 }))
+}
+
+fn layout<'r>(renderer: &'r Renderer, name: &str) -> Result<&'r Layout, GpuError> {
+    renderer.binding_layout(name).ok_or_else(|| GpuError::Layout {
+        binding: name.to_owned(),
+        problem: "the program does not bind it".to_owned(),
+    })
+}
+
+fn read_records(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<Traced>, RenderError> {
+    let layout = layout(renderer, "records")?;
+    let Some(buffer) = tile.buffer("records") else { return Ok(Vec::new()) };
+    let bytes = read_buffer(renderer.gpu, buffer, |_| {})?;
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+    let at = |name: &str| layout.fields.iter().find(|f: &&Field| f.name == name).map_or(0, |f| f.offset as usize / 4);
+    let (x, v, tau, depth) = (at("x"), at("v"), at("tau"), at("depth"));
+    let (status, steps, rejected, object) = (at("status"), at("steps"), at("rejected"), at("object"));
+    let vector = |row: &[u32], at: usize| [0, 1, 2].map(|k| f32::from_bits(row[at + k]));
+    let records = words.chunks_exact(layout.span as usize / 4).take(count);
+    Ok(records
+        .map(|row| Traced {
+            status: Status::from_code(row[status]),
+            x: vector(row, x),
+            v: vector(row, v),
+            tau: f32::from_bits(row[tau]),
+            depth: f32::from_bits(row[depth]),
+            steps: row[steps],
+            rejected: row[rejected],
+            object: row[object].checked_sub(1),
+        })
+        .collect())
+}

@@ -1,0 +1,69 @@
+//! How far objects reach, to compare with the bounding sphere.
+
+use crate::scene::{Shape, Transform};
+use glam::{DAffine3, DVec3};
+
+/// The greatest distance from `center` to a point of the object; none for planes, which may reach beyond the bound.
+pub fn reach(shape: &Shape, transform: Transform, center: DVec3) -> Option<f64> {
+    let map = transform.0;
+    let distance = |p: DVec3| map.transform_point3(p).distance(center);
+    match shape {
+        Shape::Plane => None,
+        Shape::Sphere => Some(ellipsoid(&map, center)),
+        Shape::Box => {
+            let corner = |i: u32| {
+                DVec3::from_array([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -1.0 } else { 1.0 }))
+            };
+            Some((0..8).map(corner).map(distance).fold(0.0, f64::max))
+        }
+        Shape::Mesh(mesh) => {
+            let points = mesh.vertices.iter().map(|v| v.position.as_dvec3());
+            Some(points.map(distance).fold(0.0, f64::max))
+        }
+    }
+}
+
+/// The greatest |A u + d| over unit vectors u, for A a rotation after scales σ along the axes.
+///
+/// There the gradient is along u: Aᵀ(A u + d) = λu with λ ≥ σ², so that uᵢ = gᵢ / (λ − σᵢ²), g = Aᵀd, and |u| = 1 sets λ.
+/// If |u| stays below 1 down to λ = max σ², the longest axis takes what is left of it.
+fn ellipsoid(map: &DAffine3, center: DVec3) -> f64 {
+    let (a, d) = (map.matrix3, map.translation - center);
+    let squares = DVec3::from_array(
+        a.to_cols_array_2d()
+            .map(|axis| DVec3::from(axis).length_squared()),
+    );
+    let g = a.transpose() * d;
+    let u = |lambda: f64| {
+        let part = |i: usize| {
+            if g[i] == 0.0 {
+                0.0
+            } else {
+                g[i] / (lambda - squares[i])
+            }
+        };
+        DVec3::new(part(0), part(1), part(2))
+    };
+    let (mut low, mut high) = (squares.max_element(), squares.max_element() + g.length());
+    for _ in 0..100 {
+        let middle = f64::midpoint(low, high);
+        if u(middle).length_squared() > 1.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let mut top = u(high);
+    let longest = squares.max_position();
+    let rest = (1.0 - top.length_squared()).max(0.0);
+    top[longest] = (top[longest].powi(2) + rest).sqrt().copysign(top[longest]);
+    (a * top + d).length()
+}
+
+/// Three digits, rounded up.
+pub fn round_up(x: f64) -> f64 {
+    let digit = 10_f64.powf(x.log10().floor() - 2.0);
+    let rounded = (x / digit).ceil() * digit;
+    // Printed and read again, to lose the tail that the multiplication leaves.
+    format!("{rounded:.2e}").parse().unwrap_or(rounded)
+}

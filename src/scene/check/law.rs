@@ -1,0 +1,173 @@
+//! `[law]`: how light travels.
+
+use crate::scene::document::reader::TableReader;
+use crate::scene::document::values::{
+    not_negative, number, number_where, positive, text, vector, whole, word,
+};
+use crate::scene::document::{Node, Value};
+use crate::scene::{Falloff, FlowField, FlowOrder, Law, NoiseIndex, SchwarzschildForm, Source};
+use glam::DVec3;
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Straight,
+    Schwarzschild,
+    Sources,
+    Lorenz,
+    Rossler,
+    Medium,
+}
+
+const KINDS: &[(&str, Kind)] = &[
+    ("straight", Kind::Straight),
+    ("schwarzschild", Kind::Schwarzschild),
+    ("sources", Kind::Sources),
+    ("lorenz", Kind::Lorenz),
+    ("rossler", Kind::Rossler),
+    ("medium", Kind::Medium),
+];
+
+/// None if the law cannot be used; straight lines if there is none.
+pub fn read(root: &TableReader) -> Option<Law> {
+    if root.node("law").is_none() {
+        return Some(Law::Straight);
+    }
+    let table = root.subtable("law", "law")?;
+    let kind = table.decide("kind", Kind::Straight, word(KINDS, &["parametric", "wgsl"]));
+    let law = kind.and_then(|kind| match kind {
+        Kind::Straight => Some(Law::Straight),
+        Kind::Schwarzschild => Some(schwarzschild(&table)),
+        Kind::Sources => sources(&table),
+        Kind::Lorenz => Some(lorenz(&table)),
+        Kind::Rossler => Some(rossler(&table)),
+        Kind::Medium => medium(&table),
+    });
+    table.finish();
+    law
+}
+
+fn schwarzschild(table: &TableReader) -> Law {
+    let forms = &[
+        ("path", SchwarzschildForm::Path),
+        ("geodesic", SchwarzschildForm::Geodesic),
+    ];
+    Law::Schwarzschild {
+        mass: table.or("mass", 1.0, positive),
+        center: table.or("center", DVec3::ZERO, vector),
+        form: table.or("form", SchwarzschildForm::Path, word(forms, &[])),
+    }
+}
+
+fn lorenz(table: &TableReader) -> Law {
+    Law::Flow {
+        field: FlowField::Lorenz {
+            sigma: table.or("sigma", 10.0, number),
+            rho: table.or("rho", 28.0, number),
+            beta: table.or("beta", 8.0 / 3.0, number),
+        },
+        order: order(table),
+    }
+}
+
+fn rossler(table: &TableReader) -> Law {
+    Law::Flow {
+        field: FlowField::Rossler {
+            alpha: table.or("alpha", 0.375, number),
+            beta: table.or("beta", 2.0, number),
+            gamma: table.or("gamma", 4.0, number),
+        },
+        order: order(table),
+    }
+}
+
+fn order(table: &TableReader) -> FlowOrder {
+    match table.or("order", 1, whole(1..=2)) {
+        1 => FlowOrder::Velocity,
+        _ => FlowOrder::Acceleration,
+    }
+}
+
+fn sources(table: &TableReader) -> Option<Law> {
+    let tables = table.subtables("sources", "law.sources");
+    if tables.is_empty() {
+        let help = "add [[law.sources]] with position = [0, 0, 0] and strength = 1";
+        table.fault(
+            &["sources", "kind"],
+            "a law of sources needs at least one",
+            help,
+        );
+        return None;
+    }
+    // All are read before any is missed.
+    let sources: Vec<Option<Source>> = tables.into_iter().map(source).collect();
+    sources.into_iter().collect::<Option<_>>().map(Law::Sources)
+}
+
+fn source(table: TableReader) -> Option<Source> {
+    table.or("kind", (), |node| match text(node)? {
+        "line" => Err(node.fault("gravity lines are not supported yet", "available: center")),
+        _ => word(&[("center", ())], &[])(node),
+    });
+    let position = table.required("position", "[0, 0, 0]", vector);
+    let other_than_zero = number_where("a number other than 0", |x| x != 0.0);
+    let strength = table.required("strength", "1", other_than_zero);
+    let capture = table.or("capture", 0.0, not_negative);
+    let falloff = match table.node("falloff") {
+        Some(node) => falloff(&table, node),
+        None => Some(Falloff::InverseSquare),
+    };
+    table.finish();
+    Some(Source {
+        position: position?,
+        strength: strength?,
+        falloff: falloff?,
+        capture,
+    })
+}
+
+fn falloff(table: &TableReader, node: &Node) -> Option<Falloff> {
+    const CHOICES: &str = "\"inverse-square\", { cubic = R } or { yukawa = mu }";
+    match &node.value {
+        Value::Text(word) if word == "inverse-square" => return Some(Falloff::InverseSquare),
+        Value::Table(_) => {}
+        _ => {
+            table.reader.fault(node.expected(CHOICES));
+            return None;
+        }
+    }
+    let table = table.reader.open("law.sources.falloff", node)?;
+    let given = table.required_one_of(&["cubic", "yukawa"], CHOICES);
+    let value = given.and_then(|(key, node)| Some((key, table.reader.accept(positive(node))?)));
+    table.finish();
+    let (key, value) = value?;
+    Some(match key {
+        "cubic" => Falloff::Cubic { radius: value },
+        _ => Falloff::Yukawa { mu: value },
+    })
+}
+
+fn medium(table: &TableReader) -> Option<Law> {
+    const NOISE: &str = "{ radius = 3, amplitude = 0.1, frequency = 1 }";
+    let node = table.required_node("index", &format!("{{ noise = {NOISE} }}"))?;
+    let index = table.reader.open("law.index", node)?;
+    let noise = index.required_node("noise", NOISE);
+    let noise = noise.and_then(|node| index.reader.open("law.index.noise", node));
+    index.finish();
+    let noise = noise?;
+    let amplitude = number_where("a number between -0.5 and 0.5", |x| x.abs() < 0.5);
+    let center = noise.or("center", DVec3::ZERO, vector);
+    let radius = noise.required("radius", "3", positive);
+    let amplitude = noise.required("amplitude", "0.1", amplitude);
+    let frequency = noise.required("frequency", "1", positive);
+    let octaves = noise.or("octaves", 1, whole(1..=8));
+    let seed = noise.or("seed", 0, whole(0..=u32::MAX));
+    noise.finish();
+    Some(Law::Medium(NoiseIndex {
+        center,
+        radius: radius?,
+        amplitude: amplitude?,
+        frequency: frequency?,
+        octaves,
+        seed,
+    }))
+}

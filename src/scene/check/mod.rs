@@ -1,0 +1,138 @@
+//! From documents to scenes: every value read and checked, all mistakes found in one run.
+//!
+//! Each file here reads one table. What depends on another table is read after it (rays after the law, the camera
+//! after both, objects after materials and the bound). A value that is wrong is recorded and replaced, or the whole
+//! left out, so that the reading goes on; a scene is handed out only if nothing was recorded.
+
+pub(super) mod bounds;
+mod camera;
+mod files;
+mod law;
+mod materials;
+mod objects;
+mod rays;
+
+use super::document::reader::{Reader, TableReader};
+use super::document::values::{array, color, direction, number_where, vector, whole, word};
+use super::document::{Document, Override};
+use super::{Image, Light, Output, Scene, SceneError, Tonemap};
+use files::Files;
+use glam::DVec3;
+use std::path::Path;
+
+impl Scene {
+    /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file.
+    pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
+        let text = std::fs::read_to_string(path).map_err(|source| SceneError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+        Self::parse(&text, path, overrides)
+    }
+
+    /// As [`Scene::load`], with the file's text given; `path` names it, and files are found relative to its folder.
+    pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
+        let document = Document::parse(text, path, overrides)?;
+        let reader = Reader::new(&document);
+        let scene = scene(&reader, path.parent().unwrap_or(Path::new("")));
+        let mut mistakes = reader.into_mistakes();
+        // The scene's first, from the top; those of other files stay together, as they were found.
+        mistakes.sort_by_key(|m| {
+            if m.file == path {
+                (m.line, m.column)
+            } else {
+                (usize::MAX, 0)
+            }
+        });
+        match scene {
+            Some(scene) if mistakes.is_empty() => Ok(scene),
+            _ => Err(SceneError::Mistakes(mistakes)),
+        }
+    }
+}
+
+/// The scene, as far as it can be made; faults are left with the reader.
+pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
+    let root = reader.root();
+    let mut files = Files::new(folder);
+    let image = image(&root);
+    let law = law::read(&root);
+    let rays = rays::read(&root, law.as_ref());
+    let camera = camera::read(&root, law.as_ref());
+    let sky = materials::sky(&root, &mut files);
+    let output = output(&root);
+    let (names, materials) = materials::read(&root, &mut files);
+    let bound = rays.as_ref().map(|rays| rays.bound);
+    let objects = objects::read(&root, &names, bound, &mut files);
+    let lights = lights(&root);
+    root.finish();
+    Some(Scene {
+        image,
+        camera,
+        law: law?,
+        rays: rays?,
+        sky,
+        output,
+        materials,
+        objects,
+        lights,
+        pictures: files.into_pictures(),
+    })
+}
+
+fn image(root: &TableReader) -> Image {
+    let mut image = Image {
+        size: [800, 600],
+        samples: 1,
+    };
+    if let Some(table) = root.subtable("image", "image") {
+        let size = array("two whole numbers, [width, height]", whole(1..=65_536));
+        image.size = table.or("size", image.size, size);
+        image.samples = table.or("samples", image.samples, whole(1..=4096));
+        table.finish();
+    }
+    image
+}
+
+fn output(root: &TableReader) -> Output {
+    let mut output = Output {
+        exposure: 0.0,
+        tonemap: Tonemap::None,
+        bits: 8,
+    };
+    if let Some(table) = root.subtable("output", "output") {
+        let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
+        output.exposure = table.or("exposure", 0.0, stops);
+        let tonemaps = word(&[("none", Tonemap::None), ("filmic", Tonemap::Filmic)], &[]);
+        output.tonemap = table.or("tonemap", Tonemap::None, tonemaps);
+        output.bits = table.or("bits", 8, |node| match whole(8..=16)(node)? {
+            8 => Ok(8),
+            16 => Ok(16),
+            other => Err(node.fault(format!("expected 8 or 16 bits, found {other}"), "")),
+        });
+        table.finish();
+    }
+    output
+}
+
+fn lights(root: &TableReader) -> Vec<Light> {
+    let tables = root.subtables("lights", "lights");
+    tables.into_iter().filter_map(light).collect()
+}
+
+fn light(table: TableReader) -> Option<Light> {
+    let kinds = word(&[("point", true), ("directional", false)], &[]);
+    let point = table.decide_required("kind", "\"point\"", kinds);
+    let color = table.or("color", DVec3::ONE, color);
+    let light = point.and_then(|point| {
+        Some(if point {
+            let position = table.required("position", "[10, 10, 10]", vector)?;
+            Light::Point { position, color }
+        } else {
+            let direction = table.required("direction", "[0, -1, 0]", direction)?;
+            Light::Directional { direction, color }
+        })
+    });
+    table.finish();
+    light
+}

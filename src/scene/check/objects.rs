@@ -1,0 +1,166 @@
+//! `[[objects]]`: shapes, where they are and what they are made of.
+
+use super::bounds;
+use super::files::Files;
+use crate::scene::document::Value;
+use crate::scene::document::reader::TableReader;
+use crate::scene::document::values::{
+    array, direction, extents, positive, suggest, text, vector, word,
+};
+use crate::scene::{Bound, Object, Shape, Transform};
+use glam::{DAffine3, DQuat, DVec2, DVec3};
+
+#[derive(Clone, Copy)]
+enum Name {
+    Sphere,
+    Plane,
+    Box,
+    Mesh,
+}
+
+const NAMES: &[(&str, Name)] = &[
+    ("sphere", Name::Sphere),
+    ("plane", Name::Plane),
+    ("box", Name::Box),
+    ("mesh", Name::Mesh),
+];
+
+/// All objects that can be used, in the order of the file; `materials` are the names of the materials.
+pub fn read(
+    root: &TableReader,
+    materials: &[&str],
+    bound: Option<Bound>,
+    files: &mut Files,
+) -> Vec<Object> {
+    let tables = root.subtables("objects", "objects").into_iter();
+    tables
+        .filter_map(|table| {
+            let object = object(&table, materials, bound, files);
+            table.finish();
+            object
+        })
+        .collect()
+}
+
+fn object(
+    table: &TableReader,
+    materials: &[&str],
+    bound: Option<Bound>,
+    files: &mut Files,
+) -> Option<Object> {
+    let name = table.decide_required("shape", "\"sphere\"", word(NAMES, &["cylinder", "disk"]));
+    let shape = name.and_then(|name| shape(table, name, bound, files));
+    let translate = table.or("translate", DVec3::ZERO, vector);
+    let rotate = table.or("rotate", DVec3::ZERO, vector);
+    let scale = table.or("scale", DVec3::ONE, |node| match node.value {
+        Value::Array(_) => extents(node),
+        _ => positive(node).map(DVec3::splat),
+    });
+    let material = table.required("material", "\"red\"", |node| {
+        let name = text(node)?;
+        let unknown = || match materials {
+            [] => node.fault(
+                format!("there is no material `{name}`"),
+                format!("add [materials.{name}]"),
+            ),
+            _ => node.fault(
+                format!("there is no material `{name}`"),
+                suggest(name, materials, "materials"),
+            ),
+        };
+        let index = materials.iter().position(|known| *known == name);
+        index.ok_or_else(unknown)
+    });
+    let (shape, own) = shape?;
+    let transform = Transform(Transform::new(scale, rotate, translate).0 * own);
+    if let Some(bound) = bound {
+        check_inside(table, &shape, transform, bound);
+    }
+    Some(Object {
+        shape,
+        transform,
+        material: material?,
+    })
+}
+
+/// The shape in its own space, and the map from there that its own keys make.
+fn shape(
+    table: &TableReader,
+    name: Name,
+    bound: Option<Bound>,
+    files: &mut Files,
+) -> Option<(Shape, DAffine3)> {
+    match name {
+        Name::Sphere => {
+            let center = table.or("center", DVec3::ZERO, vector);
+            let radius = DVec3::splat(table.or("radius", 1.0, positive));
+            let own = DAffine3::from_scale_rotation_translation(radius, DQuat::IDENTITY, center);
+            Some((Shape::Sphere, own))
+        }
+        Name::Plane => Some((Shape::Plane, plane(table, bound))),
+        Name::Box => Some((Shape::Box, cuboid(table)?)),
+        Name::Mesh => {
+            let file = table.required_node("file", "\"teapot.obj\"")?;
+            let mesh = files.mesh(table.reader, file)?;
+            Some((Shape::Mesh(mesh), DAffine3::IDENTITY))
+        }
+    }
+}
+
+fn plane(table: &TableReader, bound: Option<Bound>) -> DAffine3 {
+    let center = table.or("center", DVec3::ZERO, vector);
+    let normal = table.or("normal", DVec3::Y, direction);
+    let across = DVec2::splat(2.0 * bound.map_or(1.0, |bound| bound.radius));
+    let size = table.or("size", across, |node| {
+        array("two numbers above 0, [width, depth]", positive)(node).map(DVec2::from_array)
+    });
+    let scale = DVec3::new(size.x / 2.0, 1.0, size.y / 2.0);
+    let rotation = DQuat::from_rotation_arc(DVec3::Y, normal);
+    DAffine3::from_scale_rotation_translation(scale, rotation, center)
+}
+
+/// From center and size, or from min and max.
+fn cuboid(table: &TableReader) -> Option<DAffine3> {
+    let corners = (table.optional("min", vector), table.optional("max", vector));
+    let center = table.optional("center", vector);
+    let size = table.optional("size", extents);
+    let (center, size) = match (corners, center.is_some() || size.is_some()) {
+        ((None, None), _) => (center.unwrap_or(DVec3::ZERO), size.unwrap_or(DVec3::ONE)),
+        (_, true) => {
+            let problem = "a box has `center` and `size`, or `min` and `max`, not both";
+            table.fault(&["min", "max"], problem, "");
+            return None;
+        }
+        ((Some(min), Some(max)), _) if min.cmplt(max).all() => ((min + max) / 2.0, max - min),
+        ((Some(_), Some(_)), _) => {
+            let problem = "`max` must be above `min` in x, y and z";
+            table.fault(&["max"], problem, "");
+            return None;
+        }
+        _ => {
+            let problem = "`min` and `max` go together";
+            table.fault(&["min", "max"], problem, "");
+            return None;
+        }
+    };
+    let half = size / 2.0;
+    Some(DAffine3::from_scale_rotation_translation(
+        half,
+        DQuat::IDENTITY,
+        center,
+    ))
+}
+
+fn check_inside(table: &TableReader, shape: &Shape, transform: Transform, bound: Bound) {
+    let Some(reach) = bounds::reach(shape, transform, bound.center) else {
+        return;
+    };
+    if reach > bound.radius * (1.0 + 1e-9) {
+        let beyond = bounds::round_up(reach - bound.radius);
+        let problem =
+            format!("the object reaches {beyond} beyond the bound, where rays do not come");
+        let enough = bounds::round_up(reach);
+        let help = format!("a radius of {enough} would do in rays.bound");
+        table.fault(&["shape"], problem, help);
+    }
+}

@@ -1,0 +1,109 @@
+//! What can be wrong with a scene: each mistake with its place in the file, and what would be right.
+
+use std::fmt;
+use std::path::PathBuf;
+
+/// Why a scene could not be loaded.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// A file that cannot be read at all.
+    #[error("cannot read `{}`: {source}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// A picture that can be read but not understood or not used.
+    #[error("cannot use the picture `{}`: {problem}", path.display())]
+    Picture {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A `--set` argument that is not `KEY=VALUE`.
+    #[error("{0}")]
+    Override(String),
+    /// Everything that is wrong in the scene and its meshes, in the order of the file.
+    #[error("{}", list(.0))]
+    Mistakes(Vec<Mistake>),
+}
+
+/// One thing that is wrong at one place of a text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mistake {
+    /// The scene, a mesh it names, or `--set KEY=VALUE` as it was given.
+    pub file: PathBuf,
+    /// From 1.
+    pub line: usize,
+    /// From 1, in characters.
+    pub column: usize,
+    /// The offending text, from the column on; empty where something is missing.
+    pub excerpt: String,
+    /// The whole line it stands in.
+    pub context: String,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right; empty where the problem says it.
+    pub help: String,
+}
+
+impl Mistake {
+    /// The mistake in bytes `start..end` of `text`; a span of several lines is cut at the end of its first.
+    #[must_use]
+    pub fn locate(
+        file: PathBuf,
+        text: &str,
+        start: usize,
+        end: usize,
+        problem: String,
+        help: String,
+    ) -> Self {
+        let start = char_boundary(text, start);
+        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let end = char_boundary(text, end).clamp(start, line_end);
+        Self {
+            file,
+            line: text[..line_start].matches('\n').count() + 1,
+            column: text[line_start..start].chars().count() + 1,
+            excerpt: text[start..end].trim_end().to_owned(),
+            context: text[line_start..line_end].trim_end().to_owned(),
+            problem,
+            help,
+        }
+    }
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let (file, line, column) = (self.file.display(), self.line, self.column);
+        write!(f, "{file}:{line}:{column}: {}", self.problem)?;
+        let shown = self.context.trim_start();
+        if !shown.is_empty() {
+            let indent = self.context.chars().count() - shown.chars().count();
+            let pad = " ".repeat((column - 1).saturating_sub(indent));
+            let carets = "^".repeat(self.excerpt.chars().count().max(1));
+            let shown = shown.replace('\t', " ");
+            write!(f, "\n    {shown}\n    {pad}{carets}")?;
+        }
+        if !self.help.is_empty() {
+            write!(f, "\n    help: {}", self.help)?;
+        }
+        Ok(())
+    }
+}
+
+/// The last boundary of characters that is not beyond byte `at`.
+fn char_boundary(text: &str, at: usize) -> usize {
+    let boundary = |&i: &usize| text.is_char_boundary(i);
+    (0..=at.min(text.len())).rfind(boundary).unwrap_or(0)
+}
+
+fn list(mistakes: &[Mistake]) -> String {
+    let mut parts: Vec<String> = mistakes.iter().map(Mistake::to_string).collect();
+    let plural = if mistakes.len() == 1 { "" } else { "s" };
+    parts.push(format!("{} mistake{plural} found", mistakes.len()));
+    parts.join("\n\n")
+}

@@ -1,0 +1,436 @@
+//! Scenes as plain values: what a TOML file says, checked, with its meshes and pictures loaded.
+//!
+//! *Theory.* A scene is a law of light, a way to follow it, a camera, things to hit and a sky to escape to. Lengths
+//! are in scene units, angles in degrees, colours linear, G = c = 1.
+//!
+//! *Practice.* [`Scene::load`] reads a file in three steps: `document` (the TOML as written, every value with its place in
+//! the file), then `check` (documents to the values below, all mistakes found in one run), with `mesh` and
+//! `picture` loading what the file names. Nothing here knows of a GPU.
+
+mod check;
+mod document;
+mod error;
+mod mesh;
+mod picture;
+mod reference;
+mod transform;
+
+#[cfg(test)]
+mod tests;
+
+pub use document::Override;
+pub use error::{Mistake, SceneError};
+pub use mesh::{Mesh, Vertex};
+pub use picture::Picture;
+pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
+pub use transform::Transform;
+
+use glam::{DVec2, DVec3};
+
+/// A whole scene: the values of one TOML file, complete and consistent.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// What the picture is.
+    pub image: Image,
+    /// Where rays start; a scene made only for `trace` may have none.
+    pub camera: Option<Camera>,
+    /// How light travels.
+    pub law: Law,
+    /// How light is followed.
+    pub rays: Rays,
+    /// What an escaped ray sees.
+    pub sky: Sky,
+    /// How radiance becomes a picture file.
+    pub output: Output,
+    /// In the order of the file; [`Object::material`] indexes it.
+    pub materials: Vec<Material>,
+    /// In the order of the file; the object id of every output is the index here.
+    pub objects: Vec<Object>,
+    /// In the order of the file.
+    pub lights: Vec<Light>,
+    /// Every picture that a material or the sky uses, each loaded once.
+    pub pictures: Vec<Picture>,
+}
+
+/// `[image]`: size and sampling.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Rays per pixel; more than one are multi-jittered.
+    pub samples: u32,
+}
+
+/// `[camera]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Camera {
+    /// Position, in scene units.
+    pub position: DVec3,
+    /// Unit vector into the picture.
+    pub forward: DVec3,
+    /// Unit vector to the picture's right.
+    pub right: DVec3,
+    /// Unit vector to the picture's top.
+    pub up: DVec3,
+    /// How a point of the picture becomes a ray.
+    pub kind: CameraKind,
+    /// Whose directions the camera's are.
+    pub frame: Frame,
+}
+
+/// The projections.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CameraKind {
+    /// All rays start at the position; `fov` is the vertical opening angle in degrees.
+    Pinhole {
+        /// Degrees, in (0, 180).
+        fov: f64,
+    },
+    /// Rays start on a plane through the position, all in the direction `forward` (a flow takes its own direction).
+    Plane {
+        /// The plane's height in scene units; its width follows from the picture's shape.
+        height: f64,
+    },
+}
+
+/// Whose unit directions the camera's are (Schwarzschild only; elsewhere both are the same).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Frame {
+    /// Directions are coordinate directions (W04 §5.4).
+    Coordinate,
+    /// Directions are those that an observer at rest measures.
+    Static,
+}
+
+/// `[law]`: how light travels.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Law {
+    /// Straight lines.
+    Straight,
+    /// A Schwarzschild black hole (W04 §5.4).
+    Schwarzschild {
+        /// Mass M: the horizon is at r = 2M.
+        mass: f64,
+        /// The hole's place.
+        center: DVec3,
+        /// Which equation is integrated.
+        form: SchwarzschildForm,
+    },
+    /// Any number of force centres, whose accelerations add (G95 §2.1, W04 §5.2).
+    Sources(Vec<Source>),
+    /// A dynamical system's vector field F (G95 §2.2, W04 §5.1).
+    Flow {
+        /// Which field.
+        field: FlowField,
+        /// What the field is to the ray.
+        order: FlowOrder,
+    },
+    /// A medium whose index of refraction varies with place (W04 §5.3).
+    Medium(NoiseIndex),
+}
+
+/// The two equations of light round a Schwarzschild hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SchwarzschildForm {
+    /// x″ = −3M h² x/r⁵, h = |x × v|: the geodesic with the null condition put in.
+    Path,
+    /// The geodesic equation as the 2004 paper integrates it, ṫ carried along.
+    Geodesic,
+}
+
+/// One force centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Source {
+    /// The centre.
+    pub position: DVec3,
+    /// Positive attracts, negative repels.
+    pub strength: f64,
+    /// How the force falls off.
+    pub falloff: Falloff,
+    /// A ray that comes this near moving inwards is captured; zero for none.
+    pub capture: f64,
+}
+
+/// A force's fall-off with distance r from its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Falloff {
+    /// 1/r².
+    InverseSquare,
+    /// 2r³/R³ − 3r²/R² + 1 inside R, else 0.
+    Cubic {
+        /// R.
+        radius: f64,
+    },
+    /// e^(−μr)(1 + μr)/r².
+    Yukawa {
+        /// μ.
+        mu: f64,
+    },
+}
+
+/// The dynamical systems.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FlowField {
+    /// (σ(y−x), ρx − y − xz, xy − βz).
+    Lorenz {
+        /// σ, by default 10.
+        sigma: f64,
+        /// ρ, by default 28.
+        rho: f64,
+        /// β, by default 8/3.
+        beta: f64,
+    },
+    /// (−(y+z), x + αy, β + z(x−γ)).
+    Rossler {
+        /// α, by default 3/8.
+        alpha: f64,
+        /// β, by default 2.
+        beta: f64,
+        /// γ, by default 4.
+        gamma: f64,
+    },
+}
+
+/// What a vector field F is to the ray.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FlowOrder {
+    /// dx/dτ = F(x): the ray is an orbit (G95 §2.2).
+    Velocity,
+    /// d²x/dτ² = F(x): W04's Eq. 1 read literally.
+    Acceleration,
+}
+
+/// The noise-based index of W04's Fig. 4(d): n = 1 + amplitude · ξ(r/R) · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoiseIndex {
+    /// Centre c of the disturbed region.
+    pub center: DVec3,
+    /// Its radius R: outside n = 1.
+    pub radius: f64,
+    /// In (−0.5, 0.5), so that n stays positive.
+    pub amplitude: f64,
+    /// Lattice cells a unit length.
+    pub frequency: f64,
+    /// Terms of the sum, 1 to 8.
+    pub octaves: u32,
+    /// Chooses the lattice's values.
+    pub seed: u32,
+}
+
+/// `[rays]`: how rays are followed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rays {
+    /// The integrator.
+    pub method: Method,
+    /// How long its steps are.
+    pub control: Control,
+    /// What is tested against the scene.
+    pub segment: Segment,
+    /// A ray that has this many segments and is still under way is exhausted.
+    pub max_segments: u32,
+    /// Rays that leave this sphere have escaped.
+    pub bound: Bound,
+    /// Rays end at this τ.
+    pub length: Option<f64>,
+}
+
+/// The integrators.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// Closed form; the straight law only.
+    Exact,
+    /// p ← p + h F(p) (W04 Eq. 2).
+    Euler,
+    /// The classical fourth-order Runge–Kutta method.
+    Rk4,
+    /// Straight until the index has changed by more than the threshold, then Snell's law (W04 §5.3); media only.
+    Snell {
+        /// The change of index that refracts.
+        threshold: f64,
+    },
+}
+
+/// Step-size rules. Every length here is a τ; η is a fraction of the law's own scale.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// Not applicable: one closed-form arc to the end.
+    Exact,
+    /// h is constant.
+    Fixed {
+        /// h.
+        step: f64,
+    },
+    /// h = η · scale.
+    Scaled {
+        /// η.
+        eta: f64,
+    },
+    /// One step h against two of h/2 (W04 §4.2).
+    Doubling {
+        /// The paper's rule or a rejecting one.
+        rule: DoublingRule,
+        /// h shrinks above this relative difference.
+        tolerance: f64,
+        /// h grows below this relative difference.
+        grow_below: f64,
+        /// The cap: h ≤ η · scale.
+        eta: f64,
+    },
+}
+
+/// The two step-doubling rules.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DoublingRule {
+    /// Two thresholds; only the next step changes (W04 §4.2).
+    Paper,
+    /// A step over the tolerance is tried again, shorter.
+    Rejecting,
+}
+
+/// What of a path is tested against the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Segment {
+    /// One accepted step as a cubic Hermite arc, cut into chords that stay within `tolerance` of it.
+    Arc {
+        /// Scene units.
+        tolerance: f64,
+    },
+    /// The paper's polygon: one chord over N steps.
+    Chord {
+        /// N.
+        steps: u32,
+    },
+}
+
+/// The bounding sphere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bound {
+    /// Its centre.
+    pub center: DVec3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+/// `[sky]`.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Sky {
+    /// One colour; black unless the scene says otherwise.
+    Color(DVec3),
+    /// An equirectangular picture: index into [`Scene::pictures`], and a factor on its radiance.
+    Equirectangular(usize, f64),
+    /// Six faces +x −x +y −y +z −z, seen from inside: indices into [`Scene::pictures`], and a factor.
+    Faces([usize; 6], f64),
+}
+
+/// `[output]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Output {
+    /// Stops: radiance is multiplied by 2^exposure for PNG.
+    pub exposure: f64,
+    /// The curve for PNG.
+    pub tonemap: Tonemap,
+    /// Bits per channel of a PNG, 8 or 16.
+    pub bits: u8,
+}
+
+/// Tone curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tonemap {
+    /// Clip.
+    None,
+    /// A filmic shoulder.
+    Filmic,
+}
+
+/// `[materials.NAME]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// The name in the file.
+    pub name: String,
+    /// The colour that its kind uses, over the surface.
+    pub color: Pattern,
+    /// How it answers light.
+    pub kind: MaterialKind,
+}
+
+/// How a material answers light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MaterialKind {
+    /// Radiates its colour.
+    Emissive,
+    /// Ambient, diffuse and Blinn–Phong specular terms (W04 §3.4), with its colour as the diffuse one.
+    Phong {
+        /// Fraction of the colour that is always there.
+        ambient: f64,
+        /// Colour of the highlight.
+        specular: DVec3,
+        /// Blinn's exponent.
+        shininess: f64,
+        /// Radiance of its own, added.
+        emission: DVec3,
+    },
+}
+
+/// A colour over a surface's (u, v).
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pattern {
+    /// The same everywhere.
+    Constant(DVec3),
+    /// Two colours in turn.
+    Checker {
+        /// The two colours.
+        colors: [DVec3; 2],
+        /// Cells along u and v.
+        repeat: DVec2,
+    },
+    /// A picture: index into [`Scene::pictures`].
+    Picture {
+        /// Which.
+        picture: usize,
+        /// How often it repeats along u and v.
+        repeat: DVec2,
+    },
+}
+
+/// `[[objects]]`: a shape in its own space, where it is, and what it is made of.
+#[derive(Debug, Clone)]
+pub struct Object {
+    /// The shape.
+    pub shape: Shape,
+    /// From the shape's own space to the scene's.
+    pub transform: Transform,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+}
+
+/// Shapes, each in its own space; `Object::transform` holds the file's center, radius, size and so on.
+#[derive(Debug, Clone)]
+pub enum Shape {
+    /// The unit sphere. u runs round y, v from the south to the north pole.
+    Sphere,
+    /// The square |x| ≤ 1, |z| ≤ 1 in y = 0, its normal +y. (u, v) = ((x+1)/2, (1−z)/2).
+    Plane,
+    /// The cube |x|, |y|, |z| ≤ 1; each face has (u, v) in [0, 1].
+    Box,
+    /// Triangles.
+    Mesh(std::sync::Arc<Mesh>),
+}
+
+/// `[[lights]]`, shining in straight lines without fall-off (W04 §3.4: "fake" illumination, for testing).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Light {
+    /// At a place.
+    Point {
+        /// Where.
+        position: DVec3,
+        /// Radiance.
+        color: DVec3,
+    },
+    /// From far away.
+    Directional {
+        /// Unit vector the light travels along.
+        direction: DVec3,
+        /// Radiance.
+        color: DVec3,
+    },
+}

@@ -1,0 +1,178 @@
+//! Every table and key of the format, as the user reads them.
+//!
+//! `TABLE { key if WHEN: VALUE = DEFAULT, MEANING; }`: WHEN says beside what a key is read, where it is not always.
+
+use super::KeyReference;
+
+macro_rules! keys {
+    ($($table:literal {
+        $($key:ident $(if $when:literal)?: $value:literal = $default:literal, $meaning:literal;)*
+    })*) => {
+        &[$($(KeyReference {
+            table: $table,
+            key: stringify!($key),
+            when: concat!($($when)?),
+            value: $value,
+            default: $default,
+            meaning: $meaning,
+        },)*)*]
+    };
+}
+
+/// Every key: a test holds it to what the reading of scenes asks for.
+pub const REFERENCE: &[KeyReference] = keys! {
+    "" {
+        image: "table" = "{}", "size and sampling of the picture";
+        camera: "table" = "none", "where rays start; `trace` needs none";
+        law: "table" = "{}", "how light travels";
+        rays: "table" = "required", "how light is followed";
+        sky: "table" = "{}", "what a ray that escapes sees";
+        output: "table" = "{}", "how radiance becomes a PNG";
+        materials: "table of tables" = "{}", "materials by name";
+        objects: "array of tables" = "[]", "things to hit";
+        lights: "array of tables" = "[]",
+            "lights for phong materials; they shine in straight lines, without shadows or fall-off";
+    }
+    "image" {
+        size: "[width, height], 1 to 65536" = "[800, 600]", "pixels";
+        samples: "whole number, 1 to 4096" = "1", "rays a pixel";
+    }
+    "camera" {
+        kind: "pinhole | plane" = "pinhole", "rays from one point, or parallel rays from a plane";
+        position: "[x, y, z]" = "required", "the point, or the centre of the plane; scene units";
+        look_at: "[x, y, z]" = "[0, 0, 0]", "the point in the middle of the picture; differs from position";
+        up: "[x, y, z]" = "[0, 1, 0]", "what is up in the picture; not parallel to the view";
+        fov if r#"kind = "pinhole""#: "number between 0 and 180" = "50", "vertical opening angle, degrees";
+        height if r#"kind = "plane""#: "number above 0" = "required", "height of the plane, scene units";
+        frame: "coordinate | static" = "coordinate",
+            "whose directions the camera sees: the coordinates', or those of an observer at rest (schwarzschild only)";
+    }
+    "law" {
+        kind: "straight | schwarzschild | sources | lorenz | rossler | medium" = "straight",
+            "straight lines, a black hole, force centres, an orbit of a flow, or a medium of varying index";
+        mass if r#"kind = "schwarzschild""#: "number above 0" = "1",
+            "M, scene units (G = c = 1): the horizon is at r = 2M";
+        center if r#"kind = "schwarzschild""#: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
+        form if r#"kind = "schwarzschild""#: "path | geodesic" = "path",
+            "the equation that is integrated: of the path alone, or the full geodesic with its time";
+        sources if r#"kind = "sources""#: "array of tables" = "required", "the force centres, at least one";
+        sigma if r#"kind = "lorenz""#: "number" = "10", "σ";
+        rho if r#"kind = "lorenz""#: "number" = "28", "ρ";
+        beta if r#"kind = "lorenz""#: "number" = "8/3", "β";
+        alpha if r#"kind = "rossler""#: "number" = "0.375", "α";
+        beta if r#"kind = "rossler""#: "number" = "2", "β";
+        gamma if r#"kind = "rossler""#: "number" = "4", "γ";
+        order if r#"kind = "lorenz" or "rossler""#: "1, 2" = "1",
+            "the field is the ray's velocity (1) or its acceleration (2)";
+        index if r#"kind = "medium""#: "{ noise = { .. } }" = "required", "the index of refraction";
+    }
+    "law.sources" {
+        kind: "center" = "center", "the kind of source";
+        position: "[x, y, z]" = "required", "the centre, scene units";
+        strength: "number other than 0" = "required", "above 0 attracts, below 0 repels";
+        falloff: r#""inverse-square", { cubic = R }, { yukawa = mu }"# = "inverse-square",
+            "how the force falls with distance";
+        capture: "number, 0 or above" = "0",
+            "a ray that comes this near moving inwards is captured, scene units; 0 for never";
+    }
+    "law.sources.falloff" {
+        cubic if "no yukawa": "number above 0" = "none",
+            "R: the force is 2r³/R³ − 3r²/R² + 1 inside this radius and nothing outside; scene units";
+        yukawa if "no cubic": "number above 0" = "none", "μ: the force is e^(−μr)(1 + μr)/r²; per scene unit";
+    }
+    "law.index" {
+        noise: "table" = "required", "index 1 plus noise within a sphere";
+    }
+    "law.index.noise" {
+        center: "[x, y, z]" = "[0, 0, 0]", "centre of the disturbed sphere, scene units";
+        radius: "number above 0" = "required", "its radius: outside the index is 1";
+        amplitude: "number between -0.5 and 0.5" = "required", "how far the index departs from 1";
+        frequency: "number above 0" = "required", "lattice cells a scene unit";
+        octaves: "whole number, 1 to 8" = "1", "terms of noise, each of twice the frequency and half the amplitude";
+        seed: "whole number, 0 to 4294967295" = "0", "chooses the noise";
+    }
+    "rays" {
+        method: "exact | euler | rk4 | euler-doubling | rk4-doubling | snell" = "exact for straight lines, else rk4",
+            "the integrator; exact is for the straight law, snell for the medium";
+        bound: "{ center, radius }" = "required", "the sphere that rays escape from and that holds all objects";
+        step if r#"method = "euler", "rk4" or "snell" (doubling methods choose their steps)"#: "number above 0" = "none",
+            "length of a step, in τ; excludes scaled_step";
+        scaled_step if r#"any method but "exact""#: "number above 0" = "0.1; doubling methods 0.3",
+            "η: a step is η times the law's own scale at its place; doubling methods: the cap";
+        doubling if r#"method = "euler-doubling" or "rk4-doubling""#: "rejecting | paper" = "rejecting",
+            "a step over the tolerance is tried again, or only the next is shorter";
+        tolerance if r#"method = "euler-doubling" or "rk4-doubling""#: "number above 0" = "1e-5",
+            "steps shrink above this relative difference";
+        grow_below if r#"method = "euler-doubling" or "rk4-doubling""#: "number above 0, below tolerance" = "tolerance / 10",
+            "steps grow below this relative difference";
+        threshold if r#"method = "snell""#: "number above 0" = "0.001",
+            "the change of index at which the ray is refracted";
+        segment: "arc | chord" = "arc",
+            "what is tested against the objects: each step's arc, or one chord over several steps";
+        arc_tolerance if r#"segment = "arc""#: "number above 0" = "1e-4 of the bound's radius",
+            "how far an arc's chords may depart from it, scene units";
+        steps_per_segment if r#"segment = "chord""#: "whole number, 1 to 1000" = "10", "steps a chord";
+        max_segments: "whole number, 1 to 1000000" = "1000", "a ray is given up after so many segments";
+        length: "number above 0" = "none", "rays end at this τ";
+    }
+    "rays.bound" {
+        center: "[x, y, z]" = "[0, 0, 0]", "scene units";
+        radius: "number above 0" = "required", "scene units";
+    }
+    "sky" {
+        color if "no image and no faces": "[red, green, blue]" = "[0, 0, 0]", "one colour, linear";
+        image if "no color and no faces": "file" = "none", "an equirectangular picture: PNG, EXR or HDR";
+        faces if "no color and no image": "six files" = "none",
+            "the faces +x, -x, +y, -y, +z, -z of a cube, seen from inside";
+        intensity if "image or faces": "number, 0 or above" = "1", "factor on the picture's radiance";
+    }
+    "output" {
+        exposure: "number, -64 to 64" = "0", "stops; PNG only";
+        tonemap: "none | filmic" = "none", "the tone curve; PNG only";
+        bits: "8, 16" = "8", "bits a channel; PNG only";
+    }
+    "materials.NAME" {
+        kind: "phong | emissive" = "phong", "lit by the lights, or shining itself";
+        diffuse if r#"kind = "phong""#: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[0.8, 0.8, 0.8]",
+            "the surface's colour, linear";
+        ambient if r#"kind = "phong""#: "number from 0 to 1" = "0.1", "fraction of the colour that needs no light";
+        specular if r#"kind = "phong""#: "[red, green, blue]" = "[0, 0, 0]", "colour of the highlight";
+        shininess if r#"kind = "phong""#: "number above 0" = "32", "the highlight's exponent";
+        emission if r#"kind = "phong""#: "[red, green, blue]" = "[0, 0, 0]", "radiance added";
+        color if r#"kind = "emissive""#: "[red, green, blue], { checker, repeat }, { image, repeat }" = "required",
+            "radiance, linear";
+    }
+    "materials.NAME.diffuse" {
+        checker if "no image": "[color, color]" = "none", "two colours in turn";
+        image if "no checker": "file" = "none", "PNG, EXR or HDR";
+        repeat if "checker or image": "[u, v], above 0" = "[8, 8] for checker, [1, 1] for image",
+            "cells, or pictures, along u and v";
+    }
+    "materials.NAME.color" {
+        checker if "no image": "[color, color]" = "none", "two colours in turn";
+        image if "no checker": "file" = "none", "PNG, EXR or HDR";
+        repeat if "checker or image": "[u, v], above 0" = "[8, 8] for checker, [1, 1] for image",
+            "cells, or pictures, along u and v";
+    }
+    "objects" {
+        shape: "sphere | plane | box | mesh" = "required", "what it is";
+        material: "name" = "required", "what it is made of: one of [materials]";
+        center if r#"shape = "sphere", "plane" or "box""#: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units";
+        radius if r#"shape = "sphere""#: "number above 0" = "1", "scene units";
+        normal if r#"shape = "plane""#: "[x, y, z]" = "[0, 1, 0]", "where the plane faces";
+        size if r#"shape = "plane""#: "[width, depth], above 0" = "twice the bound's radius", "edges, scene units";
+        size if r#"shape = "box""#: "[x, y, z], above 0" = "[1, 1, 1]", "edges, scene units";
+        min if r#"shape = "box""#: "[x, y, z]" = "none", "its lowest corner; with max in place of center and size";
+        max if r#"shape = "box""#: "[x, y, z]" = "none", "its highest corner";
+        file if r#"shape = "mesh""#: "file" = "required", "an OBJ file";
+        scale: "number or [x, y, z], above 0" = "1", "done first, about the origin";
+        rotate: "[x, y, z]" = "[0, 0, 0]", "degrees about the x, then y, then z axis, about the origin";
+        translate: "[x, y, z]" = "[0, 0, 0]", "done last, scene units";
+    }
+    "lights" {
+        kind: "point | directional" = "required", "from a place, or from far away";
+        color: "[red, green, blue]" = "[1, 1, 1]", "radiance, linear";
+        position if r#"kind = "point""#: "[x, y, z]" = "required", "scene units";
+        direction if r#"kind = "directional""#: "[x, y, z]" = "required", "where the light travels to";
+    }
+};

@@ -1,0 +1,46 @@
+//! Scenes as a user writes them, right and wrong.
+
+mod files;
+mod mistakes;
+mod overrides;
+mod properties;
+mod scenes;
+
+use super::{Mistake, Override, Scene, SceneError};
+use std::path::Path;
+
+/// The least that every scene needs.
+const RAYS: &str = "[rays]\nbound = { radius = 10 }\n";
+
+fn parse(text: &str) -> Result<Scene, SceneError> {
+    Scene::parse(text, Path::new("scene.toml"), &[])
+}
+
+fn good(text: &str) -> Scene {
+    parse(text).unwrap_or_else(|e| panic!("{text}\n{e}"))
+}
+
+fn mistakes_of(result: Result<Scene, SceneError>) -> Vec<Mistake> {
+    match result {
+        Err(SceneError::Mistakes(mistakes)) => mistakes,
+        Err(other) => panic!("{other}"),
+        Ok(_) => panic!("no mistake found"),
+    }
+}
+
+/// The only mistake of a text in which «» stand round the words that it should be found at.
+fn marked(text: &str) -> Mistake {
+    let start = text.find('«').expect("a mark");
+    let end = text.find('»').expect("a mark") - '«'.len_utf8();
+    let text = text.replace(['«', '»'], "");
+    let mistakes = mistakes_of(parse(&text));
+    let [mistake] = &mistakes[..] else {
+        panic!("{text}\n{}", SceneError::Mistakes(mistakes));
+    };
+    let above = &text[..start];
+    assert_eq!(mistake.line, above.split('\n').count(), "{mistake}");
+    let line = above.rsplit('\n').next().unwrap_or("");
+    assert_eq!(mistake.column, line.chars().count() + 1, "{mistake}");
+    assert_eq!(mistake.excerpt, text[start..end], "{mistake}");
+    mistake.clone()
+}

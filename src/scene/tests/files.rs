@@ -1,0 +1,228 @@
+//! Meshes and pictures, and scenes that name them.
+
+use super::{Scene, mistakes_of};
+use crate::scene::{Mesh, Mistake, Pattern, Picture, SceneError, Sky};
+use glam::{Vec2, Vec3};
+use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, Rgb32FImage, RgbImage};
+use std::fs;
+use std::path::Path;
+
+fn mesh(text: &str) -> Mesh {
+    Mesh::parse(text, Path::new("a.obj")).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn wrong(text: &str) -> Vec<Mistake> {
+    match Mesh::parse(text, Path::new("a.obj")) {
+        Err(SceneError::Mistakes(mistakes)) => mistakes,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn area(mesh: &Mesh) -> Vec3 {
+    let corner = |i: u32| mesh.vertices[i as usize].position;
+    let halves = mesh.triangles.iter().map(|t| {
+        let [a, b, c] = t.map(corner);
+        (b - a).cross(c - a) / 2.0
+    });
+    halves.sum()
+}
+
+#[test]
+fn a_concave_polygon_keeps_its_area_and_sense() {
+    // An L of area 3, in the plane z = 1, in both senses.
+    let l = "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n";
+    let one = mesh(&format!("{l}f 1 2 3 4 5 6\n"));
+    assert_eq!(one.triangles.len(), 4);
+    assert!(area(&one).abs_diff_eq(3.0 * Vec3::Z, 1e-6));
+    let other = mesh(&format!("{l}f -1 -2 -3 -4 -5 -6\n"));
+    assert!(area(&other).abs_diff_eq(-3.0 * Vec3::Z, 1e-6));
+    // No triangle turns the other way.
+    for t in &one.triangles {
+        let single = Mesh {
+            triangles: vec![*t],
+            ..one.clone()
+        };
+        assert!(area(&single).z > 0.0);
+    }
+}
+
+#[test]
+fn normals_come_from_the_file_or_the_face() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 3 4\nvt 0.5 0.25 0\nvt 0.75\nf 1/1/1 2/2 3\n";
+    let m = mesh(text);
+    assert_eq!(m.vertices[0].normal, Vec3::new(0.0, 0.6, 0.8));
+    assert_eq!(m.vertices[1].normal, Vec3::Z);
+    assert_eq!(m.vertices[0].uv, Vec2::new(0.5, 0.25));
+    assert_eq!(m.vertices[1].uv, Vec2::new(0.75, 0.0));
+    assert_eq!(m.vertices[2].uv, Vec2::ZERO);
+}
+
+#[test]
+fn other_statements_are_passed_over() {
+    let text = "mtllib none.mtl\r\no a # name\r\nv 0 0 0 1 0 0\r\nv 1 0 0 # x\r\nv 0 \\\r\n 1 0\r\nusemtl m\r\ns off\r\n\
+                l 1 2 3\r\np 1\r\nf 1 2\r\nf 1 2 3\r\nf 1 1 2\r\n# f 7 8 9 \\\r\nf 3 2 1\r\n";
+    assert_eq!(mesh(text).triangles.len(), 2);
+}
+
+#[test]
+fn mistakes_in_a_mesh_have_its_lines() {
+    let v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (text, line, column, excerpt, problem) in [
+        ("f 1 2 4", 4, 7, "4", "there is no vertex `4`"),
+        ("f 1 2 0", 4, 7, "0", "there is no vertex `0`"),
+        ("f 1 -4 2", 4, 5, "-4", "there is no vertex `-4`"),
+        (
+            "f 1 2 99999999999999999999",
+            4,
+            7,
+            "99999999999999999999",
+            "there is no vertex `99999999999999999999`",
+        ),
+        (
+            "f 1/1 2 3",
+            4,
+            3,
+            "1/1",
+            "there is no texture coordinate `1`",
+        ),
+        ("f 1 2 3//9", 4, 7, "3//9", "there is no normal `9`"),
+        ("f 1 2 //", 4, 7, "//", "a corner needs a vertex"),
+        ("v 1 nan 2", 4, 5, "nan", "expected a number, found `nan`"),
+        (
+            "v 1 2 1e39",
+            4,
+            7,
+            "1e39",
+            "expected a number, found `1e39`",
+        ),
+        ("\n  vn 1 2", 5, 3, "vn", "`vn` needs 3 numbers, found 2"),
+        ("", 1, 1, "", "the mesh has no triangles with an area"),
+        (
+            "f 1 2 2",
+            1,
+            1,
+            "",
+            "the mesh has no triangles with an area",
+        ),
+    ] {
+        let mistakes = wrong(&format!("{v}{text}"));
+        assert_eq!(mistakes.len(), 1);
+        let m = &mistakes[0];
+        assert_eq!(
+            (m.line, m.column, m.excerpt.as_str(), m.problem.as_str()),
+            (line, column, excerpt, problem)
+        );
+    }
+    assert_eq!(wrong(&"f 1 2 3\n".repeat(20)).len(), 10);
+}
+
+#[test]
+fn the_shared_meshes_load() {
+    for (name, triangles, smooth) in [("teapot.obj", 992, true), ("bunny.obj", 3674, true)] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/data").join(name);
+        let m = Mesh::load(&path).unwrap_or_else(|e| panic!("{e}"));
+        assert!(m.triangles.len() <= triangles && m.triangles.len() > triangles * 9 / 10);
+        assert_eq!(m.vertices.len() < 2 * triangles, smooth);
+    }
+}
+
+#[test]
+fn pictures_become_linear() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    let rgb = RgbImage::from_fn(2, 1, |x, _| Rgb([0, 188, 255 * x as u8]));
+    rgb.save(path("8.png")).expect("saved");
+    let picture = Picture::load(&path("8.png")).expect("a PNG");
+    assert_eq!(picture.size, [2, 1]);
+    // sRGB 188 is 0.5029 (IEC 61966-2-1).
+    let [r, g, b] = picture.pixels[1];
+    assert_eq!((r, b), (0.0, 1.0));
+    assert!((g - 0.502_886).abs() < 1e-5, "{g}");
+    // 16 bits, grey; the content tells the format.
+    let grey = image::ImageBuffer::<Luma<u16>, _>::from_pixel(1, 1, Luma([188 * 257]));
+    let grey = DynamicImage::ImageLuma16(grey);
+    grey.save_with_format(path("grey.exr"), ImageFormat::Png)
+        .expect("saved");
+    assert_eq!(
+        Picture::load(&path("grey.exr")).expect("a PNG").pixels,
+        [[g; 3]]
+    );
+    let grey = GrayImage::from_pixel(1, 1, Luma([188]));
+    grey.save(path("grey8.png")).expect("saved");
+    assert_eq!(
+        Picture::load(&path("grey8.png")).expect("a PNG").pixels,
+        [[g; 3]]
+    );
+    for name in ["f.exr", "f.hdr"] {
+        let float = Rgb32FImage::from_pixel(3, 2, Rgb([0.5, 2.0, 8.0]));
+        float.save(path(name)).expect("saved");
+        let picture = Picture::load(&path(name)).expect("a float picture");
+        assert_eq!((picture.size, picture.pixels[5]), ([3, 2], [0.5, 2.0, 8.0]));
+    }
+}
+
+#[test]
+fn bad_pictures_are_refused_with_their_path() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    let nan = Rgb32FImage::from_fn(2, 2, |x, y| {
+        Rgb([if (x, y) == (1, 0) { f32::NAN } else { 0.0 }; 3])
+    });
+    nan.save(path("nan.exr")).expect("saved");
+    RgbImage::new(64, 64).save(path("cut.png")).expect("saved");
+    let bytes = fs::read(path("cut.png")).expect("read");
+    fs::write(path("cut.png"), &bytes[..bytes.len() / 2]).expect("written");
+    fs::write(path("text.png"), "not a picture").expect("written");
+    fs::write(path("empty.png"), "").expect("written");
+    for (name, problem) in [
+        (
+            "nan.exr",
+            "the pixel in column 1, row 0 (from 0, top left) is not finite",
+        ),
+        ("cut.png", "cannot use the picture"),
+        ("text.png", "cannot use the picture"),
+        ("empty.png", "cannot use the picture"),
+        ("none.png", "cannot read"),
+    ] {
+        let error = Picture::load(&path(name)).expect_err(name).to_string();
+        assert!(error.contains(problem) && error.contains(name), "{error}");
+    }
+}
+
+#[test]
+fn a_scene_loads_each_file_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    RgbImage::new(2, 2).save(path("a.png")).expect("saved");
+    RgbImage::new(2, 2).save(path("b.png")).expect("saved");
+    fs::write(path("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
+    let text = "[rays]\nbound = { radius = 9 }\n[sky]\nfaces = [\"a.png\", \"b.png\", \"./a.png\", \"a.png\", \"b.png\", \
+                \"a.png\"]\nintensity = 2\n[materials.m]\ndiffuse = { image = \"b.png\" }\n[[objects]]\nshape = \"mesh\"\n\
+                file = \"m.obj\"\nmaterial = \"m\"\n[[objects]]\nshape = \"mesh\"\nfile = \"m.obj\"\nmaterial = \"m\"\n";
+    fs::write(path("scene.toml"), text).expect("written");
+    let scene = Scene::load(&path("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(scene.pictures.len(), 2);
+    assert_eq!(scene.sky, Sky::Faces([0, 1, 0, 0, 1, 0], 2.0));
+    assert!(matches!(
+        scene.materials[0].color,
+        Pattern::Picture { picture: 1, .. }
+    ));
+
+    // What is wrong with a file is said once: in the file if it has lines, else where it is named first.
+    fs::write(path("m.obj"), "v 0 0 0\nf 1 2 3\n").expect("written");
+    fs::write(path("b.png"), "").expect("written");
+    let mistakes = mistakes_of(Scene::load(&path("scene.toml"), &[]));
+    assert_eq!(mistakes.len(), 2, "{mistakes:?}");
+    assert_eq!(
+        (
+            mistakes[0].line,
+            mistakes[0].column,
+            mistakes[0].excerpt.as_str()
+        ),
+        (4, 19, "\"b.png\"")
+    );
+    assert_eq!(
+        (mistakes[1].file.clone(), mistakes[1].line),
+        (path("m.obj"), 2)
+    );
+}

@@ -1,0 +1,73 @@
+//! What must hold for any input: nothing panics, and reaches are what sampling finds.
+
+use super::{Override, Scene};
+use crate::scene::check::bounds::{reach, round_up};
+use crate::scene::{Mesh, Shape, TEMPLATE, Transform};
+use glam::DVec3;
+use proptest::prelude::*;
+use std::path::Path;
+
+const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nvt 0 1\nvn 0 0 1\nf 1/1/1 2 3 -1 \\\n# é\nf 1//1 2//1 3//1\n";
+
+/// `text` with a few of its characters replaced by others.
+fn damaged(text: &'static str) -> impl Strategy<Value = String> {
+    let place = 0..text.chars().count();
+    let edits = prop::collection::vec((place, "[-a0.=\\[\\]{}\"#/\\\\\n é]{0,2}"), 1..4);
+    edits.prop_map(move |edits| {
+        let mut pieces: Vec<String> = text.chars().map(String::from).collect();
+        for (place, piece) in edits {
+            pieces[place] = piece;
+        }
+        pieces.concat()
+    })
+}
+
+fn vector(range: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
+    prop::array::uniform3(range).prop_map(DVec3::from_array)
+}
+
+proptest! {
+    #[test]
+    fn damaged_scenes_do_not_panic(text in damaged(TEMPLATE), set in damaged("rays.bound.radius=[3, \"a\"]")) {
+        let sets: Vec<Override> = set.parse().into_iter().collect();
+        if let Err(error) = Scene::parse(&text, Path::new("scene.toml"), &sets) {
+            prop_assert!(!error.to_string().is_empty());
+        }
+    }
+
+    #[test]
+    fn damaged_meshes_do_not_panic(text in damaged(OBJ)) {
+        match Mesh::parse(&text, Path::new("a.obj")) {
+            Err(error) => prop_assert!(!error.to_string().is_empty()),
+            Ok(mesh) => {
+                let count = mesh.vertices.len() as u32;
+                prop_assert!(mesh.triangles.iter().flatten().all(|i| *i < count));
+                prop_assert!(mesh.vertices.iter().all(|v| (v.normal.length() - 1.0).abs() < 1e-5));
+            }
+        }
+    }
+
+    #[test]
+    fn an_ellipsoid_reaches_as_far_as_its_points(
+        scale in vector(0.1..5.0), rotate in vector(-180.0..180.0), translate in vector(-3.0..3.0),
+        center in vector(-3.0..3.0),
+    ) {
+        let transform = Transform::new(scale, rotate, translate);
+        let far = reach(&Shape::Sphere, transform, center).expect("a reach");
+        // A spiral of points, about 0.03 apart.
+        let sampled = (0..16_000).map(|i| {
+            let z = 1.0 - (2.0 * f64::from(i) + 1.0) / 16_000.0;
+            let (y, x) = (f64::from(i) * 2.399_963).sin_cos();
+            let s = (1.0 - z * z).sqrt();
+            transform.0.transform_point3(DVec3::new(s * x, s * y, z)).distance(center)
+        }).fold(0.0, f64::max);
+        prop_assert!(sampled <= far * (1.0 + 1e-9), "{sampled} {far}");
+        prop_assert!(far <= sampled * 1.003, "{sampled} {far}");
+    }
+
+    #[test]
+    fn rounding_up_is_up_but_little(x in 1e-6..1e6_f64) {
+        let up = round_up(x);
+        prop_assert!(up >= x * (1.0 - 1e-12) && up <= x * 1.0101, "{x} {up}");
+    }
+}

@@ -1,0 +1,219 @@
+//! Good scenes: defaults, every kind, the template, and the reference against what is asked for.
+
+use super::{RAYS, good};
+use crate::scene::check::scene;
+use crate::scene::document::Document;
+use crate::scene::document::reader::Reader;
+use crate::scene::{
+    CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light,
+    MaterialKind, Method, Pattern, REFERENCE, Scene, SceneError, Segment, Shape, Sky, TEMPLATE,
+    reference_markdown,
+};
+use glam::{DVec2, DVec3};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Between them these ask for every key.
+const KINDS: &[&str] = &[
+    "[camera]\nkind = \"plane\"\nposition = [1, 2, 3]\nheight = 4\n[law]\nkind = \"lorenz\"\norder = 2\n[rays]\n\
+     method = \"rk4-doubling\"\ndoubling = \"paper\"\nbound = { radius = 1 }\nsegment = \"chord\"\nlength = 7\n",
+    "[law]\nkind = \"rossler\"\n[rays]\nmethod = \"euler\"\nstep = 1\nbound = { radius = 1, center = [1, 2, 3] }\n",
+    "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = -1\nfalloff = { cubic = 2 }\n\
+     [[law.sources]]\nposition = [0, 0, 1]\nstrength = 1\nfalloff = { yukawa = 3 }\ncapture = 1\n[[law.sources]]\n\
+     position = [0, 0, 0]\nstrength = 1\nfalloff = \"inverse-square\"\n[rays]\nbound = { radius = 1 }\n",
+    "[law]\nkind = \"medium\"\nindex = { noise = { radius = 1, amplitude = 0.2, frequency = 3 } }\n[rays]\n\
+     method = \"snell\"\nbound = { radius = 1 }\n",
+    "[camera]\nposition = [0, 0, 9]\nframe = \"static\"\n[law]\nkind = \"schwarzschild\"\nmass = 2\n\
+     [rays]\nbound = { radius = 20 }\nmethod = \"euler-doubling\"\n",
+    "[rays]\nbound = { radius = 10 }\n[sky]\nimage = \"sky.png\"\n[materials.a]\ndiffuse = { image = \"sky.png\" }\n\
+     [materials.b]\nkind = \"emissive\"\ncolor = { checker = [[1, 1, 1], [0, 0, 0]] }\n[[objects]]\nshape = \"box\"\n\
+     material = \"b\"\nmin = [0, 0, 0]\nmax = [1, 2, 3]\n[[objects]]\nshape = \"plane\"\nmaterial = \"a\"\n\
+     [[objects]]\nshape = \"mesh\"\nmaterial = \"a\"\nfile = \"mesh.obj\"\n[[lights]]\nkind = \"directional\"\n\
+     direction = [0, -2, 0]\n",
+];
+
+#[test]
+fn the_reference_lists_the_keys_that_are_asked_for() {
+    let mut asked = BTreeSet::new();
+    for text in KINDS.iter().chain([&TEMPLATE]) {
+        let document = Document::parse(text, Path::new("scene.toml"), &[]).expect("TOML");
+        let reader = Reader::new(&document);
+        scene(&reader, Path::new("no folder"));
+        asked.extend(reader.asked());
+    }
+    let listed = REFERENCE.iter().map(|r| (r.table, r.key)).collect();
+    assert_eq!(asked, listed);
+}
+
+#[test]
+fn the_reference_is_a_table_for_each_table() {
+    let text = reference_markdown();
+    assert!(
+        text.starts_with("### Top level\n\n| key | value |"),
+        "{text}"
+    );
+    assert!(text.contains("\n\n### `[[objects]]`\n\n| key"), "{text}");
+    assert!(
+        text.contains("| `radius` | number above 0 | 1 | With shape = \"sphere\": scene units |"),
+        "{text}"
+    );
+}
+
+#[test]
+fn the_template_parses() {
+    let scene = good(TEMPLATE);
+    assert_eq!(scene.objects.len(), 1);
+    assert_eq!(scene.lights.len(), 1);
+    assert!(matches!(scene.law, Law::Schwarzschild { .. }));
+    for line in TEMPLATE
+        .lines()
+        .filter(|l| !l.is_empty() && !l.starts_with('['))
+    {
+        assert!(line.contains('#'), "no comment: {line}");
+    }
+}
+
+#[test]
+fn little_is_needed() {
+    let scene = good(RAYS);
+    assert_eq!((scene.image.size, scene.image.samples), ([800, 600], 1));
+    assert_eq!(scene.camera, None);
+    assert_eq!(scene.law, Law::Straight);
+    assert_eq!(
+        (scene.rays.method, scene.rays.control),
+        (Method::Exact, Control::Exact)
+    );
+    assert_eq!(scene.rays.segment, Segment::Arc { tolerance: 1e-3 });
+    assert_eq!((scene.rays.max_segments, scene.rays.length), (1000, None));
+    assert_eq!(scene.sky, Sky::Color(DVec3::ZERO));
+    assert_eq!(scene.output.bits, 8);
+}
+
+#[test]
+fn a_camera_has_orthonormal_axes() {
+    let scene = good(&format!(
+        "{RAYS}[camera]\nposition = [0, 3, 4]\nlook_at = [0, 3, 0]"
+    ));
+    let camera = scene.camera.expect("a camera");
+    assert_eq!(camera.forward, -DVec3::Z);
+    assert_eq!(camera.right, DVec3::X);
+    assert_eq!(camera.up, DVec3::Y);
+    assert_eq!(camera.kind, CameraKind::Pinhole { fov: 50.0 });
+    assert_eq!(camera.frame, Frame::Coordinate);
+    let scene = good(&format!(
+        "{RAYS}[camera]\nposition = [1, 3, 4]\nup = [3, 1, 0]"
+    ));
+    let camera = scene.camera.expect("a camera");
+    let axes = glam::DMat3::from_cols(camera.right, camera.up, -camera.forward);
+    assert!((axes.transpose() * axes).abs_diff_eq(glam::DMat3::IDENTITY, 1e-12));
+    assert!(axes.determinant() > 0.0);
+}
+
+#[test]
+fn laws_and_methods_become_values() {
+    let scene = good(KINDS[0]);
+    let Law::Flow { field, order } = scene.law else {
+        panic!()
+    };
+    assert_eq!(
+        field,
+        FlowField::Lorenz {
+            sigma: 10.0,
+            rho: 28.0,
+            beta: 8.0 / 3.0
+        }
+    );
+    assert_eq!(order, FlowOrder::Acceleration);
+    assert_eq!(scene.rays.method, Method::Rk4);
+    let Control::Doubling {
+        rule,
+        tolerance,
+        grow_below,
+        eta,
+    } = scene.rays.control
+    else {
+        panic!()
+    };
+    assert_eq!((rule, tolerance, eta), (DoublingRule::Paper, 1e-5, 0.3));
+    assert!((grow_below - 1e-6).abs() < 1e-18);
+    assert_eq!(scene.rays.segment, Segment::Chord { steps: 10 });
+    assert_eq!(scene.rays.length, Some(7.0));
+    let scene = good(KINDS[1]);
+    assert_eq!(scene.rays.control, Control::Fixed { step: 1.0 });
+    assert_eq!(scene.rays.bound.center, DVec3::new(1.0, 2.0, 3.0));
+    let Law::Sources(sources) = good(KINDS[2]).law else {
+        panic!()
+    };
+    assert_eq!(sources[0].falloff, Falloff::Cubic { radius: 2.0 });
+    assert_eq!(sources[1].falloff, Falloff::Yukawa { mu: 3.0 });
+    assert_eq!(sources[2].falloff, Falloff::InverseSquare);
+    assert_eq!(
+        (sources[0].strength, sources[1].capture, sources[2].capture),
+        (-1.0, 1.0, 0.0)
+    );
+    let scene = good(KINDS[3]);
+    assert_eq!(scene.rays.method, Method::Snell { threshold: 0.001 });
+    assert_eq!(scene.rays.control, Control::Scaled { eta: 0.1 });
+    assert_eq!(
+        good(KINDS[4]).camera.expect("a camera").frame,
+        Frame::Static
+    );
+}
+
+#[test]
+fn shapes_go_where_their_keys_say() {
+    let scene = good(
+        "[rays]\nbound = { radius = 100 }\n[materials.a]\n[materials.b]\ndiffuse = { checker = [[1, 1, 1], [0, 0, 0]] }\n\
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"b\"\ncenter = [1, 0, 0]\nradius = 2\nscale = 3\nrotate = [0, 0, 90]\n\
+         translate = [0, 0, 5]\n[[objects]]\nshape = \"box\"\nmaterial = \"a\"\nmin = [1, 2, 3]\nmax = [2, 4, 6]\n\
+         [[objects]]\nshape = \"plane\"\nmaterial = \"a\"\nnormal = [0, 0, -3]\nsize = [2, 4]\ncenter = [0, 0, 1]\n\
+         [[objects]]\nshape = \"plane\"\nmaterial = \"a\"\n[[lights]]\nkind = \"directional\"\ndirection = [0, -2, 0]\n",
+    );
+    let map = |i: usize, p: [f64; 3]| scene.objects[i].transform.0.transform_point3(p.into());
+    let near = |a: DVec3, b: [f64; 3]| assert!(a.abs_diff_eq(b.into(), 1e-12), "{a} {b:?}");
+    near(map(0, [0.0; 3]), [0.0, 3.0, 5.0]);
+    near(map(0, [1.0, 0.0, 0.0]), [0.0, 9.0, 5.0]);
+    near(map(1, [-1.0; 3]), [1.0, 2.0, 3.0]);
+    near(map(1, [1.0; 3]), [2.0, 4.0, 6.0]);
+    near(map(2, [0.0, 1.0, 0.0]), [0.0, 0.0, 0.0]);
+    near(map(3, [1.0, 0.0, -1.0]), [100.0, 0.0, -100.0]);
+    assert!(matches!(scene.objects[2].shape, Shape::Plane));
+    assert_eq!(
+        (scene.objects[0].material, scene.objects[1].material),
+        (1, 0)
+    );
+    assert_eq!(
+        scene.materials[0].color,
+        Pattern::Constant(DVec3::splat(0.8))
+    );
+    let colors = [DVec3::ONE, DVec3::ZERO];
+    assert_eq!(
+        scene.materials[1].color,
+        Pattern::Checker {
+            colors,
+            repeat: DVec2::splat(8.0)
+        }
+    );
+    assert!(matches!(
+        scene.materials[0].kind,
+        MaterialKind::Phong { ambient: 0.1, .. }
+    ));
+    assert_eq!(
+        scene.lights[0],
+        Light::Directional {
+            direction: -DVec3::Y,
+            color: DVec3::ONE
+        }
+    );
+}
+
+#[test]
+fn a_scene_that_cannot_be_read_is_an_error() {
+    let error = Scene::load(Path::new("nowhere/scene.toml"), &[]).expect_err("no such file");
+    assert!(matches!(error, SceneError::Read { .. }));
+    assert!(
+        error
+            .to_string()
+            .starts_with("cannot read `nowhere/scene.toml`: ")
+    );
+}

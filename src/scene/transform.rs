@@ -1,0 +1,32 @@
+//! Where an object is: scale, then rotate, then translate.
+
+use glam::{DAffine3, DMat3, DVec3, EulerRot};
+
+/// An affine map from a shape's own space to the scene's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Transform(pub DAffine3);
+
+impl Transform {
+    /// `scale` along the shape's own axes, then `rotate` (degrees, about x, then y, then z of the scene), then `translate`.
+    #[must_use]
+    pub fn new(scale: DVec3, rotate: DVec3, translate: DVec3) -> Self {
+        let turn = rotate * (std::f64::consts::PI / 180.0);
+        // Intrinsic z·y·x is extrinsic x, y, z: the point is turned about x first.
+        let rotation = DMat3::from_euler(EulerRot::ZYX, turn.z, turn.y, turn.x);
+        Self(DAffine3 {
+            matrix3: rotation * DMat3::from_diagonal(scale),
+            translation: translate,
+        })
+    }
+
+    /// If spheres stay spheres: the one factor by which lengths grow.
+    #[must_use]
+    pub fn uniform_scale(&self) -> Option<f64> {
+        let m = self.0.matrix3;
+        let lengths = [m.x_axis.length(), m.y_axis.length(), m.z_axis.length()];
+        lengths
+            .iter()
+            .all(|l| (l - lengths[0]).abs() <= 1e-12 * lengths[0])
+            .then_some(lengths[0])
+    }
+}
