@@ -1,5 +1,6 @@
 //! Bentray renders scenes in which light does not travel straight.
 
+pub mod chart;
 pub mod cli;
 pub mod error;
 pub mod gpu;

@@ -1,0 +1,12 @@
+//! All integration tests, as one program: wgpu is linked once.
+
+mod support;
+
+mod cli;
+mod exactness;
+mod meshes;
+mod oracle;
+mod pictures;
+mod schedules;
+mod shaders;
+mod structure;

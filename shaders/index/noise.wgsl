@@ -15,6 +15,15 @@ struct Medium {
 
 @group(0) @binding(50) var<uniform> medium: Medium;
 
+// The lattice is turned and shifted against the scene's axes: value noise has no slope across its cells' faces, and a camera
+// in such a plane would see it.
+const LATTICE_TURN = mat3x3f(
+    vec3f(0.36, 0.48, -0.8),
+    vec3f(-0.8, 0.6, 0.0),
+    vec3f(0.48, 0.64, 0.6),
+);
+const LATTICE_SHIFT = vec3f(0.317, 0.731, 0.523);
+
 // In [-1, 1]: a hash of a lattice point (PCG's output function on mixed coordinates).
 fn lattice(cell: vec3i) -> f32 {
     let c = bitcast<vec3u>(cell);
@@ -64,8 +73,8 @@ fn medium_index(x: vec3f) -> vec4f {
     var weight = 1.0;
     for (var j = 0u; j < medium.octaves; j++) {
         work += 1u;
-        let noise = lattice_noise(frequency * d);
-        sum += weight * vec4f(frequency * noise.xyz, noise.w);
+        let noise = lattice_noise(LATTICE_TURN * (frequency * d) + LATTICE_SHIFT);
+        sum += weight * vec4f(frequency * (noise.xyz * LATTICE_TURN), noise.w);
         frequency *= 2.0;
         weight *= 0.5;
     }

@@ -4,6 +4,7 @@
 //! 2 usage.
 
 
+mod bench;
 mod check;
 mod devices;
 mod new;
@@ -34,6 +35,7 @@ enum Command {
     Devices(devices::Arguments),
     Wgsl(wgsl::Arguments),
 
+    Bench(bench::Arguments),
     New(new::Arguments),
 }
 
@@ -46,6 +48,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Devices(arguments) => devices::run(&arguments),
         Command::Wgsl(arguments) => wgsl::run(&arguments),
 
+        Command::Bench(arguments) => bench::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
     }
 }

@@ -21,7 +21,7 @@ pub(super) struct SceneOptions {
     samples: Option<u32>,
 }
 
-fn parse_size(text: &str) -> Result<[u32; 2], String> {
+pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     parsed.ok_or_else(|| format!("`{text}` is not a size such as 800x600"))
 }

@@ -1,6 +1,7 @@
 //! Linked programs as pipelines; their bind group layouts are what naga reflected.
 
 use std::num::NonZeroU64;
+use std::sync::Mutex;
 
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
@@ -74,7 +75,17 @@ impl Pipeline {
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(GpuError::Pass { pass: linked.entry.clone(), reason: error.to_string() });
         }
+        keep(&pipeline);
         Ok(Self { pipeline, layout, bindings: reflection.bindings.clone() })
+    }
+}
+
+/// Pipelines live as long as the process: lavapipe (Mesa 22.3) crashes now and then, some dispatches later, when one is
+/// destroyed.
+fn keep(pipeline: &ComputePipeline) {
+    static KEPT: Mutex<Vec<ComputePipeline>> = Mutex::new(Vec::new());
+    if let Ok(mut kept) = KEPT.lock() {
+        kept.push(pipeline.clone());
     }
 }
 

@@ -1,0 +1,32 @@
+//! Where a method sees the edge of a black hole's shadow.
+
+use std::path::Path;
+
+use crate::gpu::Gpu;
+use crate::render::{RenderError, Settings, Status, trace};
+use crate::scene::Scene;
+
+/// The impact parameter of the photon sphere: √27 M.
+pub const CRITICAL: f64 = 5.196_152_422_706_632;
+
+/// The largest impact parameter b = L/E, for M = 1, that a ray from r = 50 is captured with, by the given `[rays]` keys;
+/// none if none of those tried is.
+pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
+    let text = format!(
+        "[law]\nkind = \"schwarzschild\"\nform = \"geodesic\"\n[rays]\n{rays}\nmax_segments = 20000\nbound = {{ radius = 50 }}\n"
+    );
+    let scene = Scene::parse(&text, Path::new("bench"), &[]).map_err(|error| RenderError::Output(Box::new(error)))?;
+    let impact: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
+    let starts: Vec<[f64; 6]> = impact.iter().map(|b| ray(50.0, *b)).collect();
+    let (ends, _) = trace(gpu, &scene, &Settings::default(), &starts)?;
+    let captured = impact.iter().zip(&ends).filter(|(_, end)| end.status == Status::Captured).map(|(b, _)| *b);
+    Ok(captured.fold(None, |most: Option<f64>, b| Some(most.map_or(b, |most| most.max(b)))))
+}
+
+/// A ray from (r, 0, 0) inwards with impact parameter b: for a unit coordinate direction d, L = r d_y and
+/// E² = d_x² + (1 − 2/r) L²/r².
+fn ray(r: f64, b: f64) -> [f64; 6] {
+    // b² (1 − s² + (1 − 2/r) s²) = r² s² for s = d_y.
+    let s = (b * b / (r * r + 2.0 * b * b / r)).sqrt();
+    [r, 0.0, 0.0, -(1.0 - s * s).sqrt(), s, 0.0]
+}

@@ -1,0 +1,249 @@
+//! `bentray render`: the files decode to what was asked for, the same every time, and stderr sums up what was done.
+
+use exr::prelude::{FlatSamples, MetaData, read_first_flat_layer_from_file};
+use image::{ColorType, DynamicImage, ImageReader, Rgb32FImage};
+
+use super::{BALL, Folder};
+
+/// A hole with the ball beside it: rays that hit, escape and are captured.
+const HOLE: &str = "--device llvmpipe --set law.kind=schwarzschild --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
+
+fn decoded(folder: &Folder, name: &str) -> DynamicImage {
+    let reader = ImageReader::open(folder.path(name)).unwrap();
+    reader
+        .decode()
+        .unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// IEC 61966-2-1, to 0..=1.
+fn srgb(linear: f64) -> f64 {
+    let linear = linear.clamp(0.0, 1.0);
+    if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+/// The largest difference between a PNG's samples and the curve over the EXR's, in units of the PNG's last bit.
+fn difference(png: &DynamicImage, exr: &Rgb32FImage, top: f64) -> f64 {
+    let (png, scale) = (png.to_rgb16(), top / 65_535.0);
+    let pairs = png.as_raw().iter().zip(exr.as_raw());
+    pairs
+        .map(|(png, exr)| (f64::from(*png) * scale - srgb(f64::from(*exr)) * top).abs())
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn pictures_decode_to_the_scene_in_8_16_and_32_bits() {
+    let folder = Folder::with(BALL);
+    let ran = folder
+        .run("render scene.toml -o a.png -o a.exr --size 17x9")
+        .succeeds();
+    assert_eq!(ran.out, "");
+    ran.says(&["device: "]);
+    let (png, exr) = (decoded(&folder, "a.png"), decoded(&folder, "a.exr"));
+    assert_eq!(png.color(), ColorType::Rgb8);
+    assert_eq!((png.width(), png.height()), (17, 9));
+    assert_eq!((exr.width(), exr.height()), (17, 9));
+    let linear = exr.into_rgb32f();
+    assert_eq!(linear.get_pixel(8, 4).0, [1.0, 0.0, 0.0]);
+    assert_eq!(linear.get_pixel(0, 0).0, [0.2, 0.3, 0.4]);
+    assert_eq!(png.to_rgb8().get_pixel(8, 4).0, [255, 0, 0]);
+    // Rounding alone is half a unit; the rest is for f32 in the curve.
+    assert!(difference(&png, &linear, 255.0) <= 0.51);
+
+    folder
+        .run("render scene.toml -o a.png --set output.bits=16")
+        .succeeds();
+    folder.run("render scene.toml -o a.exr").succeeds();
+    let (png, linear) = (
+        decoded(&folder, "a.png"),
+        decoded(&folder, "a.exr").into_rgb32f(),
+    );
+    assert_eq!(png.color(), ColorType::Rgb16);
+    assert_eq!((png.width(), png.height()), (16, 12));
+    assert!(difference(&png, &linear, 65_535.0) <= 1.0);
+    assert_eq!(folder.names(), ["a.exr", "a.png", "scene.toml"]);
+}
+
+#[test]
+fn exposure_brightens_the_png_and_leaves_the_exr() {
+    let folder = Folder::with(BALL);
+    folder.run("render scene.toml -o a.exr").succeeds();
+    let before = folder.read("a.exr");
+    folder
+        .run("render scene.toml -o a.png -o a.exr --set output.exposure=1")
+        .succeeds();
+    assert!(folder.read("a.exr") == before);
+    let mut twice = decoded(&folder, "a.exr").into_rgb32f();
+    twice.iter_mut().for_each(|sample| *sample *= 2.0);
+    assert!(difference(&decoded(&folder, "a.png"), &twice, 255.0) <= 0.51);
+}
+
+#[test]
+fn the_bytes_are_the_same_every_time_and_on_every_schedule() {
+    let folder = Folder::with(BALL);
+    let render = |name: &str, more: &str| {
+        let ran = folder
+            .run(&format!(
+                "render scene.toml -o {name}.png -o {name}.exr --samples 2 {HOLE} {more}"
+            ))
+            .succeeds();
+        let totals = ran.err.lines().last().unwrap().to_owned();
+        let (_, fates) = totals.split_once(';').unwrap();
+        let bytes = [
+            folder.read(&format!("{name}.png")),
+            folder.read(&format!("{name}.exr")),
+        ];
+        (fates.to_owned(), bytes)
+    };
+    let first = render("a", "");
+    for status in ["hit", "escaped", "captured"] {
+        assert!(first.0.contains(status), "{}", first.0);
+    }
+    let others = [
+        "",
+        "--no-masks",
+        "--segments-per-pass 1",
+        "--segments-per-pass 3 --no-masks",
+        "--schedule segment",
+        "--schedule segment --no-masks",
+        "--schedule paper",
+        "--schedule paper --no-masks",
+    ];
+    for more in others {
+        assert!(first == render("b", more), "{more}");
+    }
+}
+
+fn channels(folder: &Folder, name: &str) -> Vec<String> {
+    let meta = MetaData::read_from_file(folder.path(name), true).unwrap();
+    let list = &meta.headers[0].channels.list;
+    list.iter()
+        .map(|channel| channel.name.to_string())
+        .collect()
+}
+
+#[test]
+fn exr_layers_are_those_that_were_named() {
+    let folder = Folder::with(BALL);
+    let cases: [(&str, &str); 4] = [
+        (
+            "",
+            "B G R Z id.object id.status normal.X normal.Y normal.Z position.X position.Y position.Z steps",
+        ),
+        ("--layers none", "B G R"),
+        (
+            "--layers depth,normal",
+            "B G R Z normal.X normal.Y normal.Z",
+        ),
+        (
+            "--layers status --layers object",
+            "B G R id.object id.status",
+        ),
+    ];
+    let mut colors = Vec::new();
+    for (layers, names) in cases {
+        folder
+            .run(&format!(
+                "render scene.toml -o a.png -o a.exr --size 8x6 {layers}"
+            ))
+            .succeeds();
+        let names: Vec<&str> = names.split(' ').collect();
+        assert_eq!(channels(&folder, "a.exr"), names, "{layers}");
+        colors.push((
+            folder.read("a.png"),
+            decoded(&folder, "a.exr").into_rgb32f(),
+        ));
+    }
+    assert!(
+        colors.windows(2).all(|pair| pair[0] == pair[1]),
+        "the colour depends on the layers"
+    );
+}
+
+#[test]
+fn exr_layers_hold_what_their_names_say() {
+    let folder = Folder::with(BALL);
+    let ran = folder.run("render scene.toml -o a.exr").succeeds();
+    let totals = ran.err.lines().last().unwrap().to_owned();
+    let image = read_first_flat_layer_from_file(folder.path("a.exr")).unwrap();
+    assert_eq!(image.layer_data.size, exr::math::Vec2(16, 12));
+    let samples = |name: &str| -> Vec<f64> {
+        let list = &image.layer_data.channel_data.list;
+        let channel = list.iter().find(|c| c.name.to_string() == name).unwrap();
+        match &channel.sample_data {
+            FlatSamples::F32(values) => values.iter().map(|v| f64::from(*v)).collect(),
+            FlatSamples::U32(values) => values.iter().map(|v| f64::from(*v)).collect(),
+            FlatSamples::F16(_) => panic!("{name} is in 16 bits"),
+        }
+    };
+    let (object, status, steps, depth) = (
+        samples("id.object"),
+        samples("id.status"),
+        samples("steps"),
+        samples("Z"),
+    );
+    let position = ["position.X", "position.Y", "position.Z"].map(samples);
+    let normal = ["normal.X", "normal.Y", "normal.Z"].map(samples);
+    let length =
+        |vector: &[Vec<f64>; 3], i: usize| vector.iter().map(|v| v[i] * v[i]).sum::<f64>().sqrt();
+    let hits = object.iter().filter(|id| **id == 1.0).count();
+    assert!(
+        hits > 0 && totals.contains(&format!("; hit {hits} escaped {}", 192 - hits)),
+        "{totals}"
+    );
+    let middle = 6 * 16 + 8;
+    for i in 0..object.len() {
+        let hit = object[i] == 1.0;
+        assert!(hit || object[i] == 0.0);
+        // The ball has radius 1, the bound 10.
+        let (radius, normals) = if hit { (1.0, 1.0) } else { (10.0, 0.0) };
+        assert!((length(&position, i) - radius).abs() < 1e-5, "{i}");
+        assert!((length(&normal, i) - normals).abs() < 1e-5, "{i}");
+        assert_eq!(hit, status[i] == status[middle], "{i}");
+        assert_eq!(steps[i], 1.0, "{i}");
+        assert!(depth[i] > 0.0 && depth[i] <= 1.0, "{i}");
+    }
+}
+
+#[test]
+fn the_last_line_sums_up_and_says_which_rays_were_lost() {
+    let folder = Folder::with(BALL);
+    let ran = folder
+        .run("render scene.toml -o a.png --samples 3 --strict")
+        .succeeds();
+    let totals = ran.err.lines().last().unwrap();
+    assert!(
+        totals.starts_with("576 rays, 576 steps, 576 segments, "),
+        "{totals}"
+    );
+    assert!(totals.contains(" s in all; "), "{totals}");
+    let (_, fates) = totals.split_once("; ").unwrap();
+    let words: Vec<&str> = fates.split(' ').collect();
+    assert_eq!([words[0], words[2]], ["hit", "escaped"]);
+    let counts = [words[1], words[3]].map(|n| n.parse::<u32>().unwrap());
+    assert_eq!((counts[0] + counts[1], words.len()), (576, 4), "{totals}");
+    assert!(!ran.err.contains("warning"), "{}", ran.err);
+
+    let short = "render scene.toml -o a.png --set rays.method=rk4 --set rays.max_segments=1";
+    let warning = "warning: 192 rays used up rays.max_segments: raise it, or take longer steps \
+                   (black in the picture, `exhausted` in the status layer)";
+    let lenient = folder.run(short).succeeds();
+    assert!(lenient.err.contains("; exhausted 192\n"), "{}", lenient.err);
+    lenient.says(&[warning]);
+    let black = folder.read("a.png");
+    assert!(
+        decoded(&folder, "a.png")
+            .into_rgb8()
+            .iter()
+            .all(|sample| *sample == 0)
+    );
+    // The picture is written in any case.
+    folder.write("a.png", "an old picture");
+    let strict = folder.run(&format!("{short} --strict"));
+    assert_eq!((strict.code, strict.out.as_str()), (Some(1), ""));
+    strict.says(&[warning]);
+    assert!(folder.read("a.png") == black);
+}

@@ -1,0 +1,49 @@
+//! The CSV of `bentray trace`, both ways.
+
+/// Of results.
+pub const HEADER: &str = "ray,status,x,y,z,vx,vy,vz,tau,depth,steps,rejected,object";
+/// Of paths.
+pub const PATH_HEADER: &str = "ray,index,x,y,z,vx,vy,vz,tau";
+
+/// Rows of a table, by column.
+pub struct Rows(pub Vec<Vec<String>>);
+
+impl Rows {
+    /// Of a table that must have this header.
+    #[track_caller]
+    pub fn of(table: &str, header: &str) -> Self {
+        let mut lines = table.lines();
+        assert_eq!(lines.next(), Some(header));
+        let columns = header.split(',').count();
+        let rows: Vec<Vec<String>> = lines
+            .map(|line| line.split(',').map(str::to_owned).collect())
+            .collect();
+        assert!(rows.iter().all(|row| row.len() == columns), "{table}");
+        Self(rows)
+    }
+
+    /// The fields of one column of results.
+    pub fn column(&self, name: &str) -> Vec<&str> {
+        let at = HEADER.split(',').position(|column| column == name).unwrap();
+        self.0.iter().map(|row| row[at].as_str()).collect()
+    }
+
+    /// Position, velocity and tau of a row, which stand behind two other columns in both kinds of table.
+    pub fn numbers(&self, row: usize) -> [f32; 7] {
+        let numbers = self.0[row][2..9].iter().map(|text| text.parse().unwrap());
+        numbers.collect::<Vec<f32>>().try_into().unwrap()
+    }
+
+    /// From a row's position to a point.
+    pub fn distance(&self, row: usize, from: [f64; 3]) -> f64 {
+        let numbers = self.numbers(row);
+        let squares = (0..3).map(|k| (f64::from(numbers[k]) - from[k]).powi(2));
+        squares.sum::<f64>().sqrt()
+    }
+}
+
+/// A file of rays.
+pub fn table(rays: &[[f64; 6]]) -> String {
+    let row = |ray: &[f64; 6]| ray.map(|x| x.to_string()).join(",") + "\n";
+    "x,y,z,vx,vy,vz\n".to_owned() + &rays.iter().map(row).collect::<String>()
+}

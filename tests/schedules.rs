@@ -1,0 +1,1 @@
+//! (see suite.rs)

@@ -1,0 +1,254 @@
+//! Step control: what each rule does with a step, and with the next.
+
+use bentray::gpu::Value::{Float, Vec3 as V3};
+use glam::{DVec3, Vec4};
+
+use super::steps::{Phase, euler, path_rate, rk4};
+use super::{Errors, Random, U, row, wide};
+use crate::support::{gpu, probe::{Probe, Record}};
+
+/// A ray with tau, h, and counts 3, 10, 20; what the control makes of it, and the same step retaken.
+const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, p1.w, 9.0, 3u, 10u, 20u, ALIVE);
+    let next = accepted_step(ray);
+    let again = retaken_step(ray.phase, next.taken);
+    put(0u, vec4f(next.phase[0], next.tau));
+    put(1u, vec4f(next.phase[1], next.h));
+    put(2u, vec4f(next.taken, f32(next.index), f32(next.steps), f32(next.rejected)));
+    put(3u, vec4f(again[0], first_step(ray.phase)));
+    put(4u, vec4f(again[1], f32(next.status)));";
+
+const TOLERANCE: f64 = 1e-3;
+const GROW_BELOW: f64 = 1e-4;
+const ETA: f64 = 0.5;
+
+fn probe(step: &str, control: &[&str], limit: &str, values: Record) -> Probe {
+    let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
+    let mut parts = vec!["ray", "frame", "work", "phase/space", "law/schwarzschild_path", step, limit];
+    parts.extend(control);
+    Probe::new(&parts).frame().bind("law", [law]).bind("control", [values]).bind("limit", [vec![("length", Float(10.0))]])
+}
+
+fn doubling() -> Record {
+    vec![("tolerance", Float(TOLERANCE)), ("grow_below", Float(GROW_BELOW)), ("eta", Float(ETA))]
+}
+
+/// Rays round a hole, with sizes to try from tiny to more than the cap allows.
+fn rays(seed: u64) -> Vec<[Vec4; 2]> {
+    let mut random = Random::new(seed);
+    (0..3000)
+        .map(|_| {
+            let x = random.vector(2.5, 30.0);
+            let v = random.vector(1.0, 1.0);
+            let h = random.log(0.02, 2.0) as f32 * x.length();
+            [row(x, random.within(0.0, 4.0) as f32), row(v, h)]
+        })
+        .collect()
+}
+
+type Scheme = fn(fn(Phase) -> Phase, Phase, f64) -> Phase;
+
+/// Two half steps, and their relative difference from a whole one.
+fn doubled(scheme: Scheme, p: Phase, h: f64) -> (Phase, f64) {
+    let whole = scheme(path_rate, p, h);
+    let halves = scheme(path_rate, scheme(path_rate, p, 0.5 * h), 0.5 * h);
+    let speed = p[1].length();
+    let scale = p[0].length() / speed;
+    (halves, ((halves[0] - whole[0]).length() / scale + (halves[1] - whole[1]).length()) / speed)
+}
+
+/// Rounding in a measured difference, relative to x and v (steps.rs has the bound on a step; h ≤ η r).
+const NOISE: f64 = 60.0 * U;
+
+/// What every rule does besides choosing h: place, path parameter, counts, and the same bits when retaken.
+struct Kept {
+    ends: Errors,
+    taus: Errors,
+}
+
+impl Kept {
+    fn new() -> Self {
+        Self { ends: Errors::of("accepted step"), taus: Errors::of("accepted step's tau") }
+    }
+
+    fn check(&mut self, input: &[Vec4; 2], output: &[Vec4; 5], end: Phase) {
+        let taken = output[2].x;
+        let r = f64::from(input[0].truncate().length());
+        // A step's own rounding, and r enters with r/2 at the least.
+        self.ends.check3(output[0], end[0], NOISE * r, input);
+        self.ends.check3(output[1], end[1], NOISE, input);
+        self.taus.check(output[0].w, f64::from(input[0].w) + f64::from(taken), U * f64::from(output[0].w), input);
+        assert_eq!((output[2].y, output[2].z, output[4].w), (3.0, 11.0, 0.0), "index, steps and status");
+        assert_eq!((output[0].truncate(), output[1].truncate()), (output[3].truncate(), output[4].truncate()), "retaken");
+    }
+
+    fn report(&self) {
+        self.ends.report();
+        self.taus.report();
+    }
+}
+
+fn capped(input: &[Vec4; 2]) -> f64 {
+    f64::from(input[1].w).min(ETA * wide(input[0]).length() / wide(input[1]).length())
+}
+
+#[test]
+fn fixed_and_scaled_steps() {
+    let gpu = gpu();
+    let inputs = rays(61);
+    let mut kept = Kept::new();
+    let mut sizes = Errors::of("fixed and scaled sizes");
+    let fixed = probe("step/rk4", &["control/fixed"], "limit/none", vec![("step", Float(0.25))]);
+    for (input, output) in inputs.iter().zip(&fixed.run::<2, 5>(&gpu, CONTROL, &inputs)) {
+        assert_eq!((output[2].x, output[3].w, output[1].w, output[2].w), (0.25, 0.25, input[1].w, 20.0));
+        kept.check(input, output, rk4(path_rate, [wide(input[0]), wide(input[1])], 0.25));
+    }
+    let scaled = probe("step/rk4", &["control/scaled"], "limit/none", vec![("eta", Float(0.25))]);
+    for (input, output) in inputs.iter().zip(&scaled.run::<2, 5>(&gpu, CONTROL, &inputs)) {
+        let p = [wide(input[0]), wide(input[1])];
+        let h = 0.25 * p[0].length() / p[1].length();
+        sizes.check(output[2].x, h, 6.0 * U * h, input);
+        kept.check(input, output, rk4(path_rate, p, f64::from(output[2].x)));
+    }
+    kept.report();
+    sizes.report();
+}
+
+#[test]
+fn the_papers_doubling() {
+    let inputs = rays(62);
+    let rule = ["control/doubled", "control/doubling_paper"];
+    let out = probe("step/euler", &rule, "limit/none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
+    let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_paper's sizes"));
+    let (mut grown, mut shrunk, mut same, mut open) = (0, 0, 0, 0);
+    for (input, output) in inputs.iter().zip(&out) {
+        let p = [wide(input[0]), wide(input[1])];
+        let taken = f64::from(output[2].x);
+        let first = ETA * p[0].length() / p[1].length();
+        sizes.check(output[2].x, capped(input), 6.0 * U * taken, input);
+        sizes.check(output[3].w, first, 6.0 * U * first, input);
+        assert_eq!(output[2].w, 20.0, "nothing is rejected");
+        let (end, error) = doubled(euler, p, taken);
+        kept.check(input, output, end);
+        if (error - TOLERANCE).abs() < 2.0 * NOISE || (error - GROW_BELOW).abs() < 2.0 * NOISE {
+            open += 1;
+            continue;
+        }
+        let (count, factor) = match error {
+            e if e > TOLERANCE => (&mut shrunk, 0.5),
+            e if e < GROW_BELOW => (&mut grown, 2.0),
+            _ => (&mut same, 1.0),
+        };
+        *count += 1;
+        assert_eq!(output[1].w, output[2].x * factor, "error {error:e} at {input:?}");
+    }
+    println!("doubling_paper: {grown} grow, {same} stay, {shrunk} shrink, {open} for rounding to decide");
+    assert!(grown.min(shrunk).min(same) > 150 && open < 150);
+    kept.report();
+    sizes.report();
+}
+
+fn factor(error: f64, order: f64) -> f64 {
+    (0.9 * (TOLERANCE / error).powf(1.0 / (order + 1.0))).clamp(0.2, 5.0)
+}
+
+/// The rule in f64: the size taken, its error, how many tries failed, and whether a try was too close to call.
+fn tried(scheme: Scheme, order: f64, p: Phase, mut h: f64) -> (f64, f64, u32, bool) {
+    let mut close = false;
+    for rejected in 0..16 {
+        let (_, error) = doubled(scheme, p, h);
+        close |= (error - TOLERANCE).abs() < 2.0 * NOISE + 2e-3 * TOLERANCE;
+        if error <= TOLERANCE {
+            return (h, error, rejected, close);
+        }
+        h *= factor(error, order).min(0.9);
+    }
+    (0.0, f64::INFINITY, 16, close)
+}
+
+#[test]
+fn doubling_that_rejects() {
+    let gpu = gpu();
+    let inputs = rays(63);
+    let rule = ["control/doubled", "control/doubling_rejecting"];
+    for (step, scheme, order) in [("step/euler", euler as Scheme, 1.0), ("step/rk4", rk4, 4.0)] {
+        let out = probe(step, &rule, "limit/none", doubling()).run::<2, 5>(&gpu, CONTROL, &inputs);
+        let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_rejecting's sizes"));
+        let (mut twice, mut open) = (0, 0);
+        for (input, output) in inputs.iter().zip(&out) {
+            let p = [wide(input[0]), wide(input[1])];
+            let taken = f64::from(output[2].x);
+            let (end, error) = doubled(scheme, p, taken);
+            kept.check(input, output, end);
+            assert!(error <= TOLERANCE + 2.0 * NOISE, "accepted with error {error:e} at {input:?}");
+            let (h, _, rejected, close) = tried(scheme, order, p, capped(input));
+            if close {
+                open += 1;
+                continue;
+            }
+            twice += u32::from(rejected > 0);
+            assert_eq!(output[2].w, 20.0 + rejected as f32, "rejections at {input:?}");
+            // pow may err by 3e-5 of a factor (lavapipe's log), and the error that goes into it by NOISE.
+            let unsure = |error: f64| 1e-4 + 2.0 * NOISE / error / (order + 1.0);
+            let tries = f64::from(rejected) * unsure(TOLERANCE);
+            sizes.check(output[2].x, h, (tries + 8.0 * U) * h, input);
+            let next = taken * factor(error.max(1e-30), order);
+            sizes.check(output[1].w, next, unsure(error) * next, input);
+        }
+        println!("doubling_rejecting with {step}: {twice} rejected first, {open} for rounding to decide, of {}", inputs.len());
+        assert!(twice > 150 && open < 150);
+        kept.report();
+        sizes.report();
+    }
+}
+
+/// What is not a number is not accepted, moves nothing, and the tries end.
+#[test]
+fn a_ray_that_no_try_moves() {
+    let inputs: Vec<[Vec4; 2]> =
+        [Vec4::new(f32::NAN, 1.0, 0.0, 0.5), Vec4::new(f32::INFINITY, 1.0, 0.0, 0.5)].map(|x| [x, Vec4::new(1.0, 0.0, 0.0, 1.0)]).into();
+    let rule = ["control/doubled", "control/doubling_rejecting"];
+    let out = probe("step/rk4", &rule, "limit/none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
+    for (input, output) in inputs.iter().zip(&out) {
+        assert_eq!(output[2], Vec4::new(0.0, 3.0, 10.0, 36.0), "taken, index, steps, rejected");
+        assert_eq!(output[0].w, 0.5, "tau stays");
+        assert_eq!(output[0].x.to_bits(), input[0].x.to_bits(), "x stays");
+        assert_eq!(output[1].truncate(), input[1].truncate(), "v stays");
+    }
+}
+
+#[test]
+fn the_last_step_is_shortened_to_the_length() {
+    let gpu = gpu();
+    let mut inputs = rays(64);
+    for (k, input) in inputs.iter_mut().enumerate() {
+        input[0].w = 10.0 - (0.001 * (k + 1) as f32);
+    }
+    let rules: [(&[&str], Record); 3] = [
+        (&["control/fixed"], vec![("step", Float(0.25))]),
+        (&["control/scaled"], vec![("eta", Float(0.25))]),
+        (&["control/doubled", "control/doubling_paper"], doubling()),
+    ];
+    for (rule, values) in rules {
+        let body = format!("{CONTROL} put(5u, vec4f(f32(length_reached(next.tau)), f32(length_reached(p0.w)), 0.0, 0.0));");
+        let out = probe("step/euler", rule, "limit/length", values).run::<2, 6>(&gpu, &body, &inputs);
+        let mut sizes = Errors::of("sizes under a length");
+        let mut shortened = 0;
+        for (input, output) in inputs.iter().zip(&out) {
+            let (r, left) = (wide(input[0]).length(), 10.0 - f64::from(input[0].w));
+            let h = match rule[0] {
+                "control/fixed" => 0.25,
+                "control/scaled" => 0.25 * r / wide(input[1]).length(),
+                _ => capped(input),
+            };
+            sizes.check(output[2].x, h.min(left), 6.0 * U * h.min(left), input);
+            assert!(output[0].w <= 10.0 + 1e-6);
+            let reached = h > left * (1.0 + 1e-5);
+            if (h - left).abs() > 1e-5 * left {
+                assert_eq!((output[5].x == 1.0, output[5].y), (reached, 0.0), "{input:?}");
+                shortened += usize::from(reached);
+            }
+        }
+        assert!(shortened > 100 && shortened < inputs.len(), "{shortened} of {}", inputs.len());
+        sizes.report();
+    }
+}

@@ -1,0 +1,205 @@
+//! Laws that are formulas of their own: both Schwarzschild forms, flows of both orders, straight lines.
+
+use bentray::gpu::Value::{Float, Vec3 as V3};
+use glam::{DVec3, Vec3, Vec4};
+
+use super::{Errors, Random, U, row, vectors, wide};
+use crate::support::{gpu, probe::Probe};
+
+/// Rate, start and scale of a law whose phase is a place and a velocity.
+pub const LAW: &str = "let here = Phase(p0.xyz, p1.xyz);
+    let rate = law_rate(here);
+    let start = law_start(p0.xyz, p1.xyz);
+    let settled = law_settled(here);
+    put(0u, vec4f(rate[0], law_scale(here)));
+    put(1u, vec4f(rate[1], 0.0));
+    put(2u, vec4f(start[0], 0.0));
+    put(3u, vec4f(start[1], 0.0));
+    put(4u, vec4f(settled[0], 0.0));
+    put(5u, vec4f(settled[1], 0.0));";
+
+/// Places and velocities.
+pub fn phases(seed: u64, places: [f64; 2], speeds: [f64; 2]) -> Vec<[Vec4; 2]> {
+    let mut random = Random::new(seed);
+    let xs = vectors(&mut random, 2000, places[0], places[1]);
+    let mut vs = vectors(&mut random, xs.len(), speeds[0], speeds[1]);
+    vs.truncate(xs.len());
+    let mut all: Vec<[Vec4; 2]> = xs.iter().zip(vs).map(|(x, v)| [row(*x, 0.0), row(v, 0.0)]).collect();
+    // Radial both ways, and across.
+    for d in super::awkward_directions() {
+        let x = d * (places[0] * places[1]).sqrt() as f32;
+        all.extend([[row(x, 0.0), row(d, 0.0)], [row(x, 0.0), row(-d, 0.0)], [row(x, 0.0), row(d.any_orthogonal_vector(), 0.0)]]);
+    }
+    all
+}
+
+/// A law for which v is taken and kept as it is.
+pub fn keeps_phase(input: &[Vec4; 2], output: &[Vec4]) {
+    assert_eq!(wide(output[0]), wide(input[1]), "dx = v");
+    for (got, want) in output[2..6].iter().zip([input[0], input[1], input[0], input[1]]) {
+        assert_eq!(got.truncate(), want.truncate(), "start and settled take the phase as it is");
+    }
+}
+
+const MASS: f64 = 1.25;
+const CENTER: Vec3 = Vec3::new(0.5, -1.0, 0.25);
+
+fn hole(part: &str, phase: &str) -> Probe {
+    let law = vec![("center", V3(CENTER.as_dvec3())), ("mass", Float(MASS))];
+    Probe::new(&["ray", phase, part]).bind("law", [law])
+}
+
+#[test]
+fn schwarzschild_path_form() {
+    let inputs = phases(11, [0.05, 1e6], [1e-3, 1e3]);
+    let out = hole("law/schwarzschild_path", "phase/space").run::<2, 6>(&gpu(), LAW, &inputs);
+    let (mut rates, mut scales) = (Errors::of("schwarzschild_path rate"), Errors::of("schwarzschild_path scale"));
+    for (input, output) in inputs.iter().zip(&out) {
+        keeps_phase(input, output);
+        let (x, v) = (wide(input[0]) - CENTER.as_dvec3(), wide(input[1]));
+        let r = x.length();
+        let l = x.cross(v).length();
+        let want = -3.0 * MASS * l * l / r.powi(5) * x;
+        // A component of x × v errs by 5 U |x| |v| (x − c rounds once, two products and their difference), that is 9 U in
+        // length; its square doubles that. The powers of r and the products err by 20 U.
+        let cross = 9.0 * U * r * v.length();
+        let bound = 3.0 * MASS / r.powi(4) * (2.0 * l * cross + cross * cross) + 20.0 * U * want.length();
+        rates.check3(output[1], want, bound, input);
+        let scale = r / v.length();
+        scales.check(output[0].w, scale, 6.0 * U * scale, input);
+    }
+    rates.report();
+    scales.report();
+}
+
+/// Rows of the clock's value; the other columns are as for laws of space.
+const SPACETIME_LAW: &str = "let here = Phase(vec4f(p0.xyz, 0.0), vec4f(p1.xyz, p1.w));
+    let rate = law_rate(here);
+    let start = law_start(p0.xyz, p1.xyz);
+    let onward = law_rate(start);
+    put(0u, rate[0]);
+    put(1u, rate[1]);
+    put(2u, start[0]);
+    put(3u, start[1]);
+    put(4u, vec4f(onward[1].xyz, law_scale(here)));";
+
+#[test]
+fn schwarzschild_geodesic_form() {
+    let mut random = Random::new(12);
+    let mut inputs = phases(13, [2.0 * MASS, 1e5], [1e-2, 1e2]);
+    for input in &mut inputs {
+        // Outside the horizon, some just so.
+        let x = input[0].truncate();
+        let r = random.log(2.001 * MASS, 1e4).max(f64::from(x.length()).min(2e4)) as f32;
+        *input = [row(CENTER + x.normalize() * r, 0.0), row(input[1].truncate(), random.within(0.5, 2.0) as f32 * input[1].length())];
+    }
+    let out = hole("law/schwarzschild_geodesic", "phase/spacetime").run::<2, 5>(&gpu(), SPACETIME_LAW, &inputs);
+    let names = ["geodesic rate", "geodesic clock's rate", "geodesic start's clock", "geodesic and path form", "geodesic scale"];
+    let [mut rates, mut clocks, mut starts, mut forms, mut scales] = names.map(Errors::of);
+    for (input, output) in inputs.iter().zip(&out) {
+        let (x, v, clock) = (wide(input[0]) - CENTER.as_dvec3(), wide(input[1]), f64::from(input[1].w));
+        let r = x.length();
+        let n = x / r;
+        let radial = n.dot(v);
+        let v2 = v.length_squared();
+        let across2 = (v - radial * n).length_squared();
+        let f = 1.0 - 2.0 * MASS / r;
+        assert_eq!(wide(output[0]), v);
+        assert_eq!(output[0].w, input[1].w);
+        assert_eq!((output[2].truncate(), output[3].truncate()), (input[0].truncate(), input[1].truncate()));
+        // f errs by 4 U of 1, so by 4 U/f of itself; every term but for that by 20 U of |v|².
+        let slack = U * (20.0 + 8.0 / f);
+        let near = f < 0.05;
+        if (f - 0.05).abs() > 1e-6 {
+            // EQUATIONS 1, with (|v|² − ṙ²) as |v⊥|².
+            let far = -MASS * (r - 2.0 * MASS) / r.powi(3) * clock * clock + MASS / (r * (r - 2.0 * MASS)) * radial * radial
+                - 2.0 * MASS * across2 / (r * r);
+            let want = if near { -3.0 * MASS * across2 / (r * r) } else { far };
+            let terms = MASS / (r * r) * (f * clock * clock + v2 / f.max(0.05) + 3.0 * v2);
+            rates.check3(output[1], want * n, slack * terms, input);
+            let want = if near { 0.0 } else { -2.0 * MASS / (r * (r - 2.0 * MASS)) * radial * clock };
+            let terms = 2.0 * MASS / (r * r * f.max(0.05)) * v2.sqrt() * clock;
+            clocks.check(output[1].w, want, slack * terms, input);
+        }
+        let start = ((across2 + radial * radial / f) / f).sqrt();
+        starts.check(output[3].w, start, slack * ((v2 + v2 / f) / f).sqrt(), input);
+        // With the null condition at the start both forms have the same dv.
+        let l = x.cross(v);
+        let path = -3.0 * MASS * l.length_squared() / r.powi(5) * x;
+        let terms = MASS / (r * r) * (2.0 * v2 / f + 3.0 * v2);
+        forms.check3(output[4], path, 2.0 * slack * terms, input);
+        let scale = (r - 2.0 * MASS).max(0.1 * MASS) / v2.sqrt();
+        scales.check(output[4].w, scale, 4.0 * U * r / v2.sqrt() + 8.0 * U * scale, input);
+    }
+    for errors in [rates, clocks, starts, forms, scales] {
+        errors.report();
+    }
+}
+
+type Field = fn(DVec3) -> (DVec3, f64);
+
+/// F and the size of its terms.
+fn lorenz(x: DVec3) -> (DVec3, f64) {
+    let (sigma, rho, beta) = (10.0, 28.0, f64::from(8.0_f32 / 3.0));
+    let f = DVec3::new(sigma * (x.y - x.x), rho * x.x - x.y - x.x * x.z, x.x * x.y - beta * x.z);
+    (f, 28.0 * (x.x.abs() + x.y.abs() + x.z.abs()) + (x.x * x.z).abs() + (x.x * x.y).abs())
+}
+
+fn rossler(x: DVec3) -> (DVec3, f64) {
+    let (alpha, beta, gamma) = (0.375, 2.0, 4.0);
+    let f = DVec3::new(-(x.y + x.z), x.x + alpha * x.y, beta + x.z * (x.x - gamma));
+    (f, beta + 4.0 * (x.x.abs() + x.y.abs() + x.z.abs()) + (x.x * x.z).abs())
+}
+
+pub fn flow(part: &str, order: &str) -> Probe {
+    let values = if part == "flow/lorenz" {
+        vec![("sigma", Float(10.0)), ("rho", Float(28.0)), ("beta", Float(f64::from(8.0_f32 / 3.0)))]
+    } else {
+        vec![("alpha", Float(0.375)), ("beta", Float(2.0)), ("gamma", Float(4.0))]
+    };
+    Probe::new(&["ray", "phase/space", part, order]).bind("flow", [values])
+}
+
+#[test]
+fn flows_of_both_orders() {
+    let gpu = gpu();
+    let inputs = phases(14, [1e-6, 1e5], [1e-3, 1e3]);
+    // The rate at which volumes shrink, and that of z about z = 0.
+    let fields: [(&str, Field, f64); 2] =
+        [("flow/lorenz", lorenz, 10.0 + 1.0 + 8.0 / 3.0), ("flow/rossler", rossler, 1.0 + 0.375 + 4.0)];
+    for (part, field, fastest) in fields {
+        let mut errors = Errors::of("flows");
+        let first = flow(part, "law/flow").run::<2, 6>(&gpu, LAW, &inputs);
+        let second = flow(part, "law/flow_acceleration").run::<2, 6>(&gpu, LAW, &inputs);
+        for ((input, a), b) in inputs.iter().zip(&first).zip(&second) {
+            let (want, terms) = field(wide(input[0]));
+            // Three roundings of each term.
+            let bound = 4.0 * U * terms;
+            errors.check3(a[0], want, bound, input);
+            assert_eq!(wide(a[1]), DVec3::ZERO, "a flow's v has no rate");
+            assert_eq!((a[2].truncate(), a[4].truncate()), (input[0].truncate(), input[0].truncate()));
+            errors.check3(a[3], want, bound, input);
+            errors.check3(a[5], want, bound, input);
+            errors.check(a[0].w, 1.0 / fastest, 4.0 * U / fastest, input);
+            keeps_phase(input, b);
+            errors.check3(b[1], want, bound, input);
+            errors.check(b[0].w, fastest.recip().sqrt(), 4.0 * U, input);
+        }
+        errors.report();
+    }
+}
+
+#[test]
+fn straight_lines_have_no_rate() {
+    let inputs = phases(15, [1e-3, 1e5], [1e-3, 1e3]);
+    let bound = vec![("center", V3(DVec3::ZERO)), ("radius", Float(50.0))];
+    let probe = Probe::new(&["ray", "bound", "phase/space", "law/straight"]).bind("bound", [bound]);
+    let mut scales = Errors::of("straight scale");
+    for (input, output) in inputs.iter().zip(&probe.run::<2, 6>(&gpu(), LAW, &inputs)) {
+        keeps_phase(input, output);
+        assert_eq!(wide(output[1]), DVec3::ZERO);
+        let scale = 50.0 / wide(input[1]).length();
+        scales.check(output[0].w, scale, 6.0 * U * scale, input);
+    }
+    scales.report();
+}

@@ -1,0 +1,70 @@
+//! Samples of a pixel, and the image plane.
+
+use std::collections::BTreeSet;
+
+use bentray::gpu::Value::Uint2;
+use glam::Vec4;
+
+use crate::support::{gpu, probe::Probe};
+
+/// `frame` as a variable of the probe's own, so that one program takes every sample.
+const FRAME: &str = "struct Frame {
+    image: vec2u,
+    sample: u32,
+}
+
+var<private> frame: Frame;";
+
+const SIDE: u32 = 8;
+
+/// Multi-jittered samples (Kensler 2013): in each of m × n cells one, and one in each of N columns and N rows.
+#[test]
+fn multi_jittered_samples() {
+    let gpu = gpu();
+    for grid in [[4_u32, 4], [3, 2], [5, 5], [7, 1], [2, 8], [1, 1]] {
+        let count = grid[0] * grid[1];
+        let mut inputs = Vec::new();
+        for pixel in 0..SIDE * SIDE {
+            inputs.extend((0..count).map(|s| [Vec4::new((pixel % SIDE) as f32, (pixel / SIDE) as f32, s as f32, 0.0)]));
+        }
+        let probe = Probe::new(&["work", "sample/multi_jittered"]).stub(FRAME).bind("sampling", [vec![("grid", Uint2(grid))]]);
+        let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)), 0.0, 0.0));";
+        let out = probe.run::<1, 1>(&gpu, body, &inputs);
+        let mut patterns = BTreeSet::new();
+        let mut means = [0.0; 2];
+        for (input, samples) in inputs.chunks(count as usize).zip(out.chunks(count as usize)) {
+            let (mut columns, mut rows, mut cells) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+            let mut pattern = Vec::new();
+            for [point] in samples {
+                let x = [point.x - input[0][0].x, point.y - input[0][0].y].map(f64::from);
+                assert!(x.iter().all(|c| (0.0..1.0).contains(c)), "{x:?} of grid {grid:?} is outside its pixel");
+                let slot = |c: f64, n: u32| (c * f64::from(n)).floor() as u32;
+                columns.insert(slot(x[0], count));
+                rows.insert(slot(x[1], count));
+                cells.insert([slot(x[0], grid[0]), slot(x[1], grid[1])]);
+                // To a thousandth: places in other pixels round differently.
+                pattern.push(x.map(|c| (c * 1000.0) as u32));
+                means = [means[0] + x[0], means[1] + x[1]];
+            }
+            let full = count as usize;
+            assert_eq!((columns.len(), rows.len(), cells.len()), (full, full, full), "grid {grid:?} at {}", input[0][0]);
+            patterns.insert(pattern);
+        }
+        assert_eq!(patterns.len() as u32, SIDE * SIDE, "grid {grid:?}: two pixels have the same samples");
+        // The mean of K stratified samples is ½ within 1/√(12 K) even without strata; four times that.
+        for mean in means.map(|sum| sum / inputs.len() as f64) {
+            assert!((mean - 0.5).abs() < 4.0 / (12.0 * inputs.len() as f64).sqrt(), "grid {grid:?}: samples lean to {mean}");
+        }
+    }
+}
+
+#[test]
+fn image_plane_and_centre() {
+    let inputs = [[0.0_f32, 0.0], [640.0, 480.0], [320.0, 240.0], [640.0, 0.0], [0.0, 480.0], [160.0, 120.0]].map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]);
+    let probe = Probe::new(&["sample/image_plane", "sample/center"]).stub(FRAME);
+    let body = "frame.image = vec2u(640u, 480u); put(0u, vec4f(image_plane(p0.xy), sample_point(vec2u(p0.xy))));";
+    let want = [[-1.0, 1.0], [1.0, -1.0], [0.0, 0.0], [1.0, 1.0], [-1.0, -1.0], [-0.5, 0.5]];
+    for ((input, [got]), want) in inputs.iter().zip(probe.run::<1, 1>(&gpu(), body, &inputs)).zip(want) {
+        assert_eq!(([got.x, got.y], [got.z, got.w]), (want, [input[0].x + 0.5, input[0].y + 0.5]));
+    }
+}

@@ -1,0 +1,212 @@
+//! Where straight pieces meet spheres, ellipsoids, boxes and planes.
+
+use bentray::gpu::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
+use glam::{DMat3, DQuat, DVec3, DVec4, Vec4};
+
+use super::{Random, U, Verdict, awkward_directions, check_hits, row, wide};
+use crate::support::{gpu, probe::{Probe, Record}};
+
+pub const PARTS: [&str; 7] =
+    ["ray", "work", "math", "shape/placed", "shape/sphere", "shape/ellipsoid", "shape/box"];
+
+/// A shape's place: the affine map from the scene's space to its own, rounded to f32 first.
+#[derive(Clone, Copy)]
+pub struct Place {
+    pub linear: DMat3,
+    pub offset: DVec3,
+    pub center: DVec3,
+    pub radius: f64,
+}
+
+impl Place {
+    pub fn new(random: &mut Random, scale: DVec3) -> Self {
+        let turn = DMat3::from_quat(DQuat::from_axis_angle(random.direction(), random.within(0.0, 6.0)));
+        let center = random.vector(0.5, 5.0).as_dvec3();
+        let rounded = |v: DVec3| v.as_vec3().as_dvec3();
+        let map = DMat3::from_diagonal(1.0 / scale) * turn.transpose();
+        let linear = DMat3::from_cols(rounded(map.x_axis), rounded(map.y_axis), rounded(map.z_axis));
+        Self { linear, offset: rounded(-(linear * center)), center, radius: rounded(scale).x }
+    }
+
+    pub fn own(&self, x: DVec3) -> DVec3 {
+        self.linear * x + self.offset
+    }
+
+    pub fn record(&self, index: u32) -> Record {
+        let rows = self.linear.transpose();
+        let own = |axis: DVec3, offset: f64| V4(DVec4::from((axis, offset)));
+        vec![
+            ("center", V3(self.center)),
+            ("radius", Float(self.radius)),
+            ("row_x", own(rows.x_axis, self.offset.x)),
+            ("row_y", own(rows.y_axis, self.offset.y)),
+            ("row_z", own(rows.z_axis, self.offset.z)),
+            ("material", Uint(10 + index)),
+            ("object", Uint(20 + index)),
+        ]
+    }
+
+    /// By how much the shader's own coordinates of a point of the piece may be off: four roundings of terms as large as
+    /// |row| |x|, for the start, the direction, and their sum, and as many in the test itself.
+    fn moved(&self, a: DVec3, b: DVec3) -> f64 {
+        let size = self.linear.x_axis.abs() + self.linear.y_axis.abs() + self.linear.z_axis.abs();
+        12.0 * U * (size.max_element() * (a.length() + b.length()) + self.offset.length() + 1.0)
+    }
+}
+
+pub fn places(seed: u64) -> [Place; 2] {
+    let mut random = Random::new(seed);
+    [DVec3::new(1.0, 0.5, 2.0), DVec3::new(0.25, 3.0, 1.5)].map(|scale| Place::new(&mut random, scale))
+}
+
+pub fn balls(seed: u64) -> [Place; 2] {
+    let mut random = Random::new(seed);
+    [1.0, 0.375].map(|radius| Place::new(&mut random, DVec3::splat(radius)))
+}
+
+/// Pieces short and long, near and far, from outside, inside and along the axes, most of them aimed at a shape.
+fn pieces(seed: u64, targets: [Place; 2]) -> Vec<[Vec4; 2]> {
+    let mut random = Random::new(seed);
+    let mut all = Vec::new();
+    for k in 0..4000 {
+        let target = targets[k % 2];
+        let own = DVec3::from_array([0; 3].map(|_| random.within(-1.6, 1.6)));
+        let aim = target.linear.inverse() * (own - target.offset);
+        let away = random.direction() * random.log(0.1, 200.0);
+        let a = aim + away;
+        let b = aim - away * random.within(-0.5, 1.5);
+        all.push([row(a.as_vec3(), 0.0), row(b.as_vec3(), 0.0)]);
+    }
+    for d in awkward_directions() {
+        for target in targets {
+            let shift = random.vector(0.1, 1.0);
+            let a = target.center.as_vec3() + shift;
+            all.push([row(a - d * 8.0, 0.0), row(a + d * 8.0, 0.0)]);
+        }
+    }
+    all
+}
+
+const OVERLAP: f64 = 1e-5;
+
+/// The first of two crossings that lies on the piece, ends taken `eta` wider.
+fn first(enters: f64, leaves: f64, eta: f64) -> Option<f64> {
+    let t = if enters >= -OVERLAP - eta { enters } else { leaves };
+    (enters <= leaves && t >= -OVERLAP - eta && t <= 1.0 + OVERLAP + eta).then_some(t)
+}
+
+fn ball(p: DVec3, d: DVec3, radius: f64, eta: f64) -> Option<f64> {
+    let (dd, pd) = (d.length_squared(), p.dot(d));
+    let miss = p - pd / dd * d;
+    let inside = radius * radius - miss.length_squared();
+    let half = (inside.max(0.0) / dd).sqrt();
+    if inside < 0.0 { None } else { first(-pd / dd - half, -pd / dd + half, eta) }
+}
+
+fn cube(p: DVec3, d: DVec3, size: f64, eta: f64) -> Option<f64> {
+    let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
+    for axis in 0..3 {
+        if d[axis] == 0.0 {
+            if p[axis].abs() > size {
+                return None;
+            }
+            continue;
+        }
+        let (t0, t1) = ((-size - p[axis]) / d[axis], (size - p[axis]) / d[axis]);
+        (enters, leaves) = (enters.max(t0.min(t1)), leaves.min(t0.max(t1)));
+    }
+    first(enters, leaves, eta)
+}
+
+/// Both the square's size and its height may be off, and the height's error moves the point along the square.
+fn square(p: DVec3, d: DVec3, lift: f64, grown: f64, eta: f64) -> Option<f64> {
+    let t = -(p.y + lift) / d.y;
+    let size = 1.0 + grown * (1.0 + d.x.hypot(d.z) / d.y.abs());
+    let q = p + t * d;
+    first(t, t, eta).filter(|_| d.y != 0.0 && q.x.abs().max(q.z.abs()) <= size)
+}
+
+/// All results of a shape under errors of either sign in its size and in t.
+fn results(kind: &str, place: &Place, a: DVec3, b: DVec3) -> Vec<Option<f64>> {
+    let moved = place.moved(a, b);
+    let (p, d) = (place.own(a), place.linear * (b - a));
+    let mut all = Vec::new();
+    for grown in [moved, -moved] {
+        for eta in [4.0 * U, -4.0 * U] {
+            match kind {
+                "sphere" => {
+                    let from = a - place.center;
+                    let eta = eta * (2.0 + 2.0 * from.length() / (b - a).length());
+                    all.push(ball(from, b - a, place.radius + grown * place.radius, eta));
+                }
+                "ellipsoid" => all.push(ball(p, d, 1.0 + grown, eta * (2.0 + 2.0 * p.length() / d.length()))),
+                "box" => all.push(cube(p, d, 1.0 + grown, eta)),
+                _ => all.extend([moved, -moved].map(|lift| square(p, d, lift, grown, eta))),
+            }
+        }
+    }
+    all
+}
+
+fn list(kind: &str) -> &'static str {
+    match kind {
+        "sphere" => "spheres",
+        "ellipsoid" => "ellipsoids",
+        "box" => "boxes",
+        _ => "planes",
+    }
+}
+
+#[test]
+fn analytic_shapes() {
+    let gpu = gpu();
+    for (kind, targets) in [("sphere", balls(81)), ("ellipsoid", places(82)), ("box", places(83)), ("plane", places(84))] {
+        let inputs = pieces(85, targets);
+        let mut parts = PARTS.to_vec();
+        parts.push("shape/plane");
+        let records = [0, 1].map(|k| targets[k].record(k as u32));
+        let body = format!(
+            "let hit = hit_{kind}(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
+            let other = hit_{kind}(p0.xyz, p1.xyz, Hit(0.3, 5u));
+            put(0u, vec4f(hit.t, select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, hit.primitive == NOTHING), other.t,
+                select(f32(other.primitive & PRIMITIVE_INDEX), -1.0, other.primitive == 5u)));"
+        );
+        let out = Probe::new(&parts).bind(list(kind), records).run::<2, 1>(&gpu, &body, &inputs);
+        let cases: Vec<_> = inputs
+            .iter()
+            .zip(&out)
+            .map(|(input, [hit])| {
+                let (a, b) = (wide(input[0]), wide(input[1]));
+                let each = targets.map(|place| Verdict::of(&results(kind, &place, a, b)));
+                let verdict = nearest(each);
+                if let (Verdict::Hit(..), [Verdict::Miss, Verdict::Hit(..)] | [Verdict::Hit(..), Verdict::Miss]) = (verdict, each) {
+                    assert_eq!(hit.y, f32::from(u8::from(each[0] == Verdict::Miss)), "{kind}: which one");
+                }
+                // What is nearer already stays.
+                let kept = if hit.x < 0.3 { [hit.x, hit.y] } else { [0.3, -1.0] };
+                assert_eq!([hit.z, hit.w], kept, "{kind}: the nearest hit, at {input:?}");
+                let far = (a.length() + b.length() + 8.0) / (b - a).length();
+                (hit.x, verdict, 8.0 * U * (1.0 + far), format!("{input:?}"))
+            })
+            .collect();
+        check_hits(kind, 0.02, cases);
+        standing_still(&gpu, &Probe::new(&parts).bind(list(kind), [targets[0].record(0)]), kind, &targets[0]);
+    }
+}
+
+fn nearest(each: [Verdict; 2]) -> Verdict {
+    match each {
+        [Verdict::Open, _] | [_, Verdict::Open] => Verdict::Open,
+        [Verdict::Miss, other] | [other, Verdict::Miss] => other,
+        [Verdict::Hit(a, b), Verdict::Hit(c, d)] => Verdict::Hit(a.min(c), b.min(d)),
+    }
+}
+
+/// A piece without length hits nothing.
+fn standing_still(gpu: &bentray::gpu::Gpu, probe: &Probe, kind: &str, target: &Place) {
+    let inputs = [[row(target.center.as_vec3(), 0.0)], [Vec4::new(50.0, 1.0, -20.0, 0.0)]];
+    let body = format!("let hit = hit_{kind}(p0.xyz, p0.xyz, Hit(2.0, NOTHING)); put(0u, vec4f(hit.t));");
+    for [hit] in probe.run::<1, 1>(gpu, &body, &inputs) {
+        assert_eq!(hit.x, 2.0, "{kind}: a piece without length");
+    }
+}

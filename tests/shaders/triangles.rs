@@ -1,0 +1,262 @@
+//! Triangles: no gaps between neighbours, hits, and a hierarchy whose boxes are never missed.
+
+use bentray::gpu::Value::{Float, Uint, Vec3 as V3};
+use glam::{DVec3, Vec3, Vec4};
+
+use super::{Errors, Random, U, Verdict, awkward_directions, check_hits, row, vectors, wide};
+use crate::support::{gpu, probe::{Probe, Record}};
+
+const PARTS: [&str; 5] = ["ray", "work", "walk/whole", "walk/piece", "shape/placed"];
+
+fn probe() -> Probe {
+    Probe::new(&PARTS).stub(bentray::program::part("shape/triangle").expect("a part").text)
+}
+
+fn vertex(position: Vec3) -> Record {
+    let normal = position.normalize_or(Vec3::Y).as_dvec3();
+    vec![("position", V3(position.as_dvec3())), ("normal", V3(normal)), ("u", Float(f64::from(position.x))), ("v", Float(f64::from(position.y)))]
+}
+
+#[test]
+fn an_edge_has_two_opposite_sides() {
+    let mut random = Random::new(101);
+    let directions = vectors(&mut random, 3000, 1e-6, 1e6);
+    let mut inputs: Vec<[Vec4; 3]> = directions
+        .iter()
+        .map(|d| {
+            let p = random.vector(1e-6, 1e6);
+            // Also edges along the axes, whose ends share coordinates.
+            let q = if random.unit() < 0.5 { p + random.vector(1e-6, 10.0) } else { Vec3::new(p.x, random.unit() as f32, p.z) };
+            [row(*d, 0.0), row(p, 0.0), row(q, 0.0)]
+        })
+        .collect();
+    for d in awkward_directions() {
+        inputs.push([row(d, 0.0), row(Vec3::new(0.0, 1.0, -0.0), 0.0), row(Vec3::new(-0.0, 1.0, 2.0), 0.0)]);
+        inputs.push([row(d, 0.0), row(d, 0.0), row(d, 0.0)]);
+    }
+    let body = "put(0u, vec4f(edge_side(p0.xyz, p1.xyz, p2.xyz), edge_side(p0.xyz, p2.xyz, p1.xyz), 0.0, 0.0));";
+    let mut errors = Errors::of("edge_side");
+    for (input, [sides]) in inputs.iter().zip(&probe().run::<3, 1>(&gpu(), body, &inputs)) {
+        let opposite = sides.x.to_bits() == (-sides.y).to_bits() || (sides.x == 0.0 && sides.y == 0.0);
+        assert!(opposite, "{:e} and {:e} at {input:?}", sides.x, sides.y);
+        let [d, p, q] = input.map(wide);
+        // Two roundings in each component of the cross product, three in the sum.
+        errors.check(sides.x, d.dot(p.cross(q)), 9.0 * U * d.length() * p.length() * q.length(), input);
+    }
+    errors.report();
+}
+
+/// Two triangles that meet at an edge, seen along a ray through it: at least one is hit, whatever the rounding.
+#[test]
+fn no_ray_passes_between_neighbours() {
+    let mut random = Random::new(102);
+    let (mut vertices, mut triangles, mut inputs) = (Vec::new(), Vec::new(), Vec::new());
+    for k in 0..6000_u32 {
+        let d = if k % 5 == 0 { awkward_directions()[k as usize % 60].as_dvec3() } else { random.direction() };
+        let shift = random.vector(0.01, 100.0).as_dvec3();
+        let p = shift + random.vector(0.1, 3.0).as_dvec3();
+        let q = shift + random.vector(0.1, 3.0).as_dvec3();
+        // Third corners on either side of the edge as the ray sees it, at any depth.
+        let across = (q - p).cross(d);
+        let mid = 0.5 * (p + q);
+        let r = mid + across * random.within(0.2, 1.0) + d * random.within(-1.0, 1.0);
+        let s = mid - across * random.within(0.2, 1.0) + d * random.within(-1.0, 1.0);
+        let on_edge = p + (q - p) * random.within(0.2, 0.8);
+        let far = random.log(0.5, 50.0);
+        let (a, b) = (on_edge - d * far, on_edge + d * far * random.within(0.5, 2.0));
+        vertices.extend([p, q, r, s].map(|x| vertex(x.as_vec3())));
+        triangles.extend([[0, 1, 2], [1, 0, 3]].map(|t| {
+            let [i, j, l] = t.map(|n: u32| Uint(4 * k + n));
+            vec![("a", i), ("b", j), ("c", l), ("object", Uint(0))]
+        }));
+        inputs.push([row(a.as_vec3(), 2.0 * k as f32), row(b.as_vec3(), 0.0)]);
+    }
+    let body = "let d = p1.xyz - p0.xyz;
+        put(0u, vec4f(triangle_fraction(u32(p0.w), p0.xyz, d), triangle_fraction(u32(p0.w) + 1u, p0.xyz, d), 0.0, 0.0));";
+    let probe = probe().bind("vertices", vertices).bind("triangles", triangles);
+    let (mut both, mut each) = (0, [0, 0]);
+    for (input, [t]) in inputs.iter().zip(&probe.run::<2, 1>(&gpu(), body, &inputs)) {
+        assert!(t.x < 1.5 || t.y < 1.5, "a ray slips between two triangles: {input:?}");
+        both += u32::from(t.x < 1.5 && t.y < 1.5);
+        each[usize::from(t.x > 1.5)] += 1;
+    }
+    println!("through shared edges: {each:?} hit the first or only the second, {both} both, of {}", inputs.len());
+    assert!(each[0] > 1500 && each[1] > 1500, "the rays do not fall on both sides");
+}
+
+/// A mesh of loose triangles and the hierarchy over it: a root and leaves of four.
+struct Mesh(Vec<[Vec3; 3]>);
+
+impl Mesh {
+    fn new(random: &mut Random) -> Self {
+        Self((0..32).map(|_| {
+            let center = random.vector(0.5, 6.0);
+            [0; 3].map(|_| center + random.vector(0.3, 2.0))
+        }).collect())
+    }
+
+    fn probe(&self) -> Probe {
+        let corners = |t: &[[Vec3; 3]]| t.iter().flatten().copied().collect::<Vec<Vec3>>();
+        let node = |of: &[[Vec3; 3]], skip: u32, leaf: u32| -> Record {
+            let all = corners(of);
+            let lo = all.iter().copied().reduce(Vec3::min).expect("corners").as_dvec3();
+            let hi = all.iter().copied().reduce(Vec3::max).expect("corners").as_dvec3();
+            vec![("lo", V3(lo)), ("hi", V3(hi)), ("skip", Uint(skip)), ("leaf", Uint(leaf))]
+        };
+        let leaves = self.0.chunks(4).enumerate();
+        let mut nodes = vec![node(&self.0, 1 + self.0.len() as u32 / 4, 0)];
+        nodes.extend(leaves.map(|(k, four)| node(four, k as u32 + 2, (4 << 24) | (4 * k as u32))));
+        let triangles = (0..self.0.len() as u32).map(|k| {
+            vec![("a", Uint(3 * k)), ("b", Uint(3 * k + 1)), ("c", Uint(3 * k + 2)), ("object", Uint(k % 3))]
+        });
+        probe()
+            .bind("nodes", nodes)
+            .bind("triangles", triangles.collect::<Vec<Record>>())
+            .bind("vertices", corners(&self.0).into_iter().map(vertex).collect::<Vec<Record>>())
+            .numbers("object_materials", &[7, 8, 9])
+    }
+}
+
+/// The fraction at which the piece meets the triangle, its edges moved outwards by `moved` and its plane by `lift`, in units
+/// of what rounding may do: an edge's volume errs by 9 U |d| |p| |q|, the plane's height by 8 U of |edges| |p|.
+fn fraction(t: &[Vec3; 3], a: DVec3, d: DVec3, moved: f64, eta: f64) -> Option<f64> {
+    let [p, q, r] = t.map(|x| x.as_dvec3() - a);
+    let side = |p: DVec3, q: DVec3| (d.dot(p.cross(q)), moved * 9.0 * U * d.length() * p.length() * q.length());
+    let sides = [side(p, q), side(q, r), side(r, p)];
+    let inside = sides.iter().all(|(s, e)| s + e >= 0.0) || sides.iter().all(|(s, e)| s - e <= 0.0);
+    let n = (q - p).cross(r - p);
+    let at = n.dot(p) / n.dot(d);
+    (inside && at >= -1e-5 - eta && at <= 1.0 + 1e-5 + eta).then_some(at)
+}
+
+#[test]
+fn meshes_by_hierarchy_and_by_brute_force() {
+    let mut random = Random::new(103);
+    let mesh = Mesh::new(&mut random);
+    let mut inputs = Vec::new();
+    for _ in 0..6000 {
+        let aim = random.vector(0.1, 12.0);
+        let away = random.vector(1.0, 60.0);
+        inputs.push([row(aim + away, 0.0), row(aim - away * random.within(-0.5, 1.5) as f32, 0.0)]);
+    }
+    for d in awkward_directions() {
+        let at = random.vector(0.1, 5.0);
+        inputs.push([row(at - d * 10.0, 0.0), row(at + d * 10.0, 0.0)]);
+    }
+    let body = "let hit = hit_triangle(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
+        let missed = hit.primitive == NOTHING;
+        put(0u, vec4f(hit.t, select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, missed), 0.0, 0.0));
+        let surface = surface_triangle(select(hit.primitive & PRIMITIVE_INDEX, 0u, missed), p0.xyz + hit.t * (p1.xyz - p0.xyz));
+        put(1u, vec4f(surface.across, surface.gap));
+        put(2u, vec4f(surface.normal, 0.0));
+        put(3u, vec4f(surface.uv, f32(surface.material), f32(surface.object)));";
+    let out = mesh.probe().run::<2, 4>(&gpu(), body, &inputs);
+    let names = ["triangle's gap", "triangle's plane", "triangle's uv", "triangle's shading normal"];
+    let [mut gaps, mut planes, mut uvs, mut normals] = names.map(Errors::of);
+    let cases: Vec<_> = inputs
+        .iter()
+        .zip(&out)
+        .map(|(input, output)| {
+            let (a, b) = (wide(input[0]), wide(input[1]));
+            let d = b - a;
+            let mut verdicts = Vec::new();
+            let mut slack = 0.0_f64;
+            for t in &mesh.0 {
+                let [p, q, r] = t.map(|x| x.as_dvec3());
+                let n = (q - p).cross(r - p);
+                let error = 16.0 * U * (q - p).length() * (r - p).length() * (a.length() + p.length()) / n.dot(d).abs();
+                let each: Vec<_> = [(1.0, error), (1.0, -error), (-1.0, error), (-1.0, -error)].map(|(m, e)| fraction(t, a, d, m, e)).into();
+                let verdict = Verdict::of(&each);
+                slack = slack.max(if verdict == Verdict::Miss { 0.0 } else { error });
+                verdicts.push(verdict);
+            }
+            if output[0].y >= 0.0 {
+                let t = mesh.0[output[0].y as usize].map(|x| x.as_dvec3());
+                let x = a + f64::from(output[0].x) * d;
+                let n = (t[1] - t[0]).cross(t[2] - t[0]);
+                let thin = (t[1] - t[0]).length() * (t[2] - t[0]).length() / n.length();
+                // The point is rounded, and found from a start that far away; n errs by U times how thin the triangle is.
+                let off = 16.0 * U * (a.length() + b.length()) * thin * (1.0 + d.length() * n.length() / n.dot(d).abs());
+                gaps.check(output[1].w, 0.0, off, input);
+                planes.check3(output[1], n.normalize(), 8.0 * U * thin, input);
+                let object = output[0].y as u32 % 3;
+                assert_eq!((output[3].z, output[3].w), (7.0 + object as f32, object as f32), "owner");
+                // Vertices have u = x and v = y, so that a point has them too; small triangles in far places lose digits.
+                uvs.check(output[3].x, x.x, 8.0 * off * thin, input);
+                uvs.check(output[3].y, x.y, 8.0 * off * thin, input);
+                // Weights by Cramer's rule in the plane; a vertex's normal is its own direction.
+                let (e, f, g) = (t[1] - t[0], t[2] - t[0], x - t[0]);
+                let (ee, ef, ff) = (e.dot(e), e.dot(f), f.dot(f));
+                let v = (ff * e.dot(g) - ef * f.dot(g)) / (ee * ff - ef * ef);
+                let w = (ee * f.dot(g) - ef * e.dot(g)) / (ee * ff - ef * ef);
+                let sum = (1.0 - v - w) * t[0].normalize() + v * t[1].normalize() + w * t[2].normalize();
+                let short = e.length().min(f.length()).min((e - f).length());
+                normals.check3(output[2], sum.normalize(), 8.0 * off * thin / short / sum.length() + 8.0 * U, input);
+            }
+            (output[0].x, nearest(&verdicts), slack, format!("{input:?}"))
+        })
+        .collect();
+    check_hits("meshes", 0.03, cases);
+    for errors in [gaps, planes, uvs, normals] {
+        errors.report();
+    }
+}
+
+fn nearest(all: &[Verdict]) -> Verdict {
+    let first = all.iter().filter_map(|v| if let Verdict::Hit(lo, hi) = v { Some((*lo, *hi)) } else { None });
+    let first = first.reduce(|a, b| (a.0.min(b.0), a.1.min(b.1)));
+    if all.contains(&Verdict::Open) { Verdict::Open } else { first.map_or(Verdict::Miss, |(lo, hi)| Verdict::Hit(lo, hi)) }
+}
+
+/// Boxes, flat ones too, and pieces along axes, on faces and from far away: what f64 says is met is never missed.
+#[test]
+fn boxes_of_the_hierarchy_are_never_missed() {
+    let mut random = Random::new(104);
+    let mut inputs = Vec::new();
+    for k in 0..20_000 {
+        let lo = random.vector(0.01, 100.0);
+        let mut size = random.vector(1e-3, 10.0).abs();
+        if k % 4 == 0 {
+            size[k % 3] = 0.0;
+        }
+        let hi = lo + size;
+        let inside = lo + size * Vec3::new(random.unit() as f32, random.unit() as f32, random.unit() as f32);
+        // On a face, an edge or a corner now and then.
+        let aim = if k % 3 == 0 { inside } else { Vec3::select(random.vector(1.0, 1.0).cmpgt(Vec3::ZERO), lo, inside) };
+        let d = if k % 2 == 0 { awkward_directions()[k % 61] } else { random.vector(1.0, 1.0) };
+        let far = random.log(0.1, 1e4) as f32;
+        let a = aim - d * far;
+        inputs.push([row(lo, 0.0), row(hi, 0.0), row(a, 0.0), row(a + d * far * random.within(0.5, 3.0) as f32, 0.0)]);
+    }
+    let body = "let d = p3.xyz - p2.xyz;
+        let inverse = 1.0 / select(d, vec3f(1e-30), abs(d) < vec3f(1e-30));
+        let node = Node(p0.xyz, 0u, p1.xyz, 0u);
+        put(0u, vec4f(f32(meets_box(node, p2.xyz, inverse, 2.0)), f32(meets_box(node, p2.xyz, inverse, 0.25)), 0.0, 0.0));";
+    let (mut met, mut missed) = (0, 0);
+    for (input, [got]) in inputs.iter().zip(&probe().run::<4, 1>(&gpu(), body, &inputs)) {
+        let [lo, hi, a, b] = input.map(wide);
+        for (k, limit) in [(0, 1.0), (1, 0.25)] {
+            let meets = slabs(lo, hi, a, b - a, limit);
+            assert!(!meets || got[k] == 1.0, "a box that is met before {limit} is missed: {input:?}");
+            met += u32::from(meets);
+        }
+        missed += u32::from(got.x == 0.0);
+    }
+    println!("meets_box: {met} of {} met, {missed} missed", 2 * inputs.len());
+    assert!(met > 10_000 && missed > 500, "{met} met, {missed} missed");
+}
+
+fn slabs(lo: DVec3, hi: DVec3, a: DVec3, d: DVec3, limit: f64) -> bool {
+    let (mut enters, mut leaves) = (0.0_f64, limit);
+    for k in 0..3 {
+        if d[k] == 0.0 {
+            if a[k] < lo[k] || a[k] > hi[k] {
+                return false;
+            }
+            continue;
+        }
+        let (t0, t1) = ((lo[k] - a[k]) / d[k], (hi[k] - a[k]) / d[k]);
+        (enters, leaves) = (enters.max(t0.min(t1)), leaves.min(t0.max(t1)));
+    }
+    enters <= leaves
+}

@@ -1,0 +1,31 @@
+//! What several topics need: a device, scenes, comparisons.
+
+pub mod probe;
+
+use std::path::Path;
+
+use bentray::gpu::Gpu;
+use bentray::scene::Scene;
+
+/// The software device. Without one the tests fail, and the message says which package to install.
+pub fn gpu() -> Gpu {
+    Gpu::open(Some("llvmpipe")).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A scene from its text; files load relative to `scenes/`.
+pub fn scene(text: &str) -> Scene {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/test.toml");
+    Scene::parse(text, &path, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Every scene file of `scenes/`.
+pub fn shipped_scenes() -> Vec<std::path::PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let entries = folder.read_dir().unwrap_or_else(|error| panic!("{error}"));
+    let mut scenes: Vec<_> = entries
+        .filter_map(|entry| entry.ok().map(|entry| entry.path()))
+        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    scenes.sort();
+    scenes
+}

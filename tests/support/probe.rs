@@ -1,0 +1,176 @@
+//! Shader functions called one by one: parts are linked with a generated entry point, which calls them on rows of inputs.
+//!
+//! *Practice.* A new program costs about 0.3 s on lavapipe, so one probe tries many functions on many inputs. A probe's body
+//! reads its input rows as `p0`, `p1`, … (vec4f) and writes each output row by `put(k, row)`; rows that it does not write show.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use bentray::gpu::{Gpu, Pipeline, Value, pack};
+use bentray::program::{BindingKind, Choice, Linked, Parts, Reflection, Unit, Work, link, part, plan, reflect};
+use glam::Vec4;
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use wgpu::{Buffer, BufferUsages, MapMode, PollType};
+
+/// One record as (member, value).
+pub type Record = Vec<(&'static str, Value)>;
+
+/// What an output holds until it is written: a NaN that no arithmetic makes.
+const UNWRITTEN: u32 = 0x7fc0_dead;
+
+/// Parts and the values of their bindings.
+#[derive(Default)]
+pub struct Probe {
+    units: Vec<Unit>,
+    records: BTreeMap<&'static str, Vec<Record>>,
+    numbers: BTreeMap<&'static str, Vec<u32>>,
+}
+
+impl Probe {
+    /// Of the parts with these names.
+    pub fn new(parts: &[&str]) -> Self {
+        let unit = |name: &&str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
+        Self { units: parts.iter().map(unit).collect(), ..Self::default() }
+    }
+
+    /// With a few lines of WGSL in place of a part that needs more of a device than a probe has.
+    pub fn stub(mut self, text: &str) -> Self {
+        self.units.push(Unit { file: "stub.wgsl".into(), text: text.to_owned().into() });
+        self
+    }
+
+    /// With the text generated for a scene, such as `generated/sources.wgsl`.
+    pub fn generated(mut self, scene: &str, file: &str) -> Self {
+        let scene = super::scene(scene);
+        let work = Work::of(&scene, 1, 1).unwrap_or_else(|error| panic!("{error}"));
+        let parts = plan(&scene, &Choice::default(), &work).unwrap_or_else(|error| panic!("{error}"));
+        let made = parts.shared.into_iter().find(|unit| unit.file == file);
+        self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
+        self
+    }
+
+    /// With records in the binding `name`: one, or as many as a list has.
+    pub fn bind(mut self, name: &'static str, records: impl Into<Vec<Record>>) -> Self {
+        self.records.insert(name, records.into());
+        self
+    }
+
+    /// With plain numbers in the binding `name`.
+    pub fn numbers(mut self, name: &'static str, numbers: &[u32]) -> Self {
+        self.numbers.insert(name, numbers.to_vec());
+        self
+    }
+
+    /// With the record of `frame` that the schedules' barriers against the compiler need.
+    pub fn frame(self) -> Self {
+        let one = Value::Uint2([1, 1]);
+        self.bind("frame", [vec![
+            ("origin", Value::Uint2([0, 0])),
+            ("size", one),
+            ("image", one),
+            ("sample", Value::Uint(0)),
+            ("zero", Value::Uint(0)),
+        ]])
+    }
+
+    /// Runs `body` once for each of the inputs, I rows each, and returns the O rows that it writes for each.
+    pub fn run<const I: usize, const O: usize>(&self, gpu: &Gpu, body: &str, inputs: &[[Vec4; I]]) -> Vec<[Vec4; O]> {
+        let mut shared = self.units.clone();
+        shared.push(entry(body, I, O, inputs.len()));
+        let parts = Parts { shared, regions: Vec::new() };
+        let linked = link(&parts, "probe").unwrap_or_else(|error| panic!("{error}"));
+        let reflection = reflect(&linked).unwrap_or_else(|error| panic!("{error}"));
+        let flat: Vec<Vec4> = inputs.iter().flatten().copied().collect();
+        let unwritten = vec![UNWRITTEN; 4 * O * inputs.len()];
+        let output = buffer(gpu, bytemuck::cast_slice(&unwritten), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
+        let buffers: Vec<Buffer> =
+            reflection.bindings.iter().map(|binding| match binding.name.as_str() {
+                "probe_in" => buffer(gpu, bytemuck::cast_slice(&flat), BufferUsages::STORAGE),
+                "probe_out" => output.clone(),
+                _ => buffer(gpu, &self.bytes(binding), usage(&binding.kind)),
+            })
+            .collect();
+        dispatch(gpu, &linked, &reflection, &buffers, inputs.len());
+        let words = read(gpu, &output);
+        let lost = words.iter().position(|word| *word == UNWRITTEN);
+        assert!(lost.is_none(), "output word {lost:?} was not written (4 words a row, {O} rows an input)");
+        let rows: Vec<Vec4> = words.chunks(4).map(|w| Vec4::from_array([0, 1, 2, 3].map(|k| f32::from_bits(w[k])))).collect();
+        rows.chunks(O).map(|chunk| std::array::from_fn(|k| chunk[k])).collect()
+    }
+
+    fn bytes(&self, binding: &bentray::program::Binding) -> Vec<u8> {
+        let name = binding.name.as_str();
+        if let Some(numbers) = self.numbers.get(name) {
+            return bytemuck::cast_slice(numbers).to_vec();
+        }
+        let records = self.records.get(name).unwrap_or_else(|| panic!("the probe was given no `{name}`"));
+        let (BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. }) = &binding.kind else {
+            panic!("`{name}` is a texture: give the probe a stub in its place");
+        };
+        pack(name, layout, records).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+fn entry(body: &str, rows_in: usize, rows_out: usize, count: usize) -> Unit {
+    let mut text = format!(
+        "struct ProbeRow {{\n    row: vec4f,\n}}\n\n\
+         @group(0) @binding(900) var<storage, read> probe_in: array<ProbeRow>;\n\
+         @group(0) @binding(901) var<storage, read_write> probe_out: array<ProbeRow>;\n\
+         var<private> probe_index: u32;\n\n\
+         fn put(k: u32, row: vec4f) {{\n    probe_out[probe_index * {rows_out}u + k] = ProbeRow(row);\n}}\n\n\
+         @compute @workgroup_size(64)\nfn probe(@builtin(global_invocation_id) probe_id: vec3u) {{\n    \
+         if probe_id.x < {count}u {{\n    probe_index = probe_id.x;\n"
+    );
+    for k in 0..rows_in {
+        let _ = writeln!(text, "    let p{k} = probe_in[probe_index * {rows_in}u + {k}u].row;");
+    }
+    text += body;
+    text += "    }\n}\n";
+    Unit { file: "probe.wgsl".into(), text: text.into() }
+}
+
+fn usage(kind: &BindingKind) -> BufferUsages {
+    if matches!(kind, BindingKind::Uniform(_)) { BufferUsages::UNIFORM } else { BufferUsages::STORAGE }
+}
+
+fn buffer(gpu: &Gpu, contents: &[u8], usage: BufferUsages) -> Buffer {
+    gpu.device.create_buffer_init(&BufferInitDescriptor { label: Some("probe"), contents, usage })
+}
+
+fn dispatch(gpu: &Gpu, linked: &Linked, reflection: &Reflection, buffers: &[Buffer], count: usize) {
+    let pipeline = Pipeline::new(gpu, linked, reflection).unwrap_or_else(|error| panic!("{error}"));
+    let entries: Vec<_> = reflection
+        .bindings
+        .iter()
+        .zip(buffers)
+        .map(|(binding, buffer)| wgpu::BindGroupEntry { binding: binding.number, resource: buffer.as_entire_binding() })
+        .collect();
+    let layout = &pipeline.layout;
+    let group =
+        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: Some("probe"), layout, entries: &entries });
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    {
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        pass.set_pipeline(&pipeline.pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(count.div_ceil(64) as u32, 1, 1);
+    }
+    gpu.queue.submit([encoder.finish()]);
+}
+
+fn read(gpu: &Gpu, from: &Buffer) -> Vec<u32> {
+    let staging = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("probe"),
+        size: from.size(),
+        usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_buffer_to_buffer(from, 0, &staging, 0, from.size());
+    gpu.queue.submit([encoder.finish()]);
+    let (sender, receiver) = std::sync::mpsc::channel();
+    staging.map_async(MapMode::Read, .., move |result| sender.send(result).expect("the reader waits"));
+    gpu.device.poll(PollType::wait_indefinitely()).expect("the device answers");
+    receiver.recv().expect("the device answers").expect("the result can be read");
+    bytemuck::pod_collect_to_vec(&staging.get_mapped_range(..).expect("the result is mapped"))
+}
