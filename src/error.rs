@@ -23,6 +23,15 @@ pub enum Error {
     /// The render failed.
     #[error("{0}")]
     Render(#[from] RenderError),
+    /// Standard output could not be written.
+    #[error("standard output could not be written: {0}")]
+    Stdout(std::io::Error),
+    /// Whoever read standard output has had enough: no failure.
+    #[error("standard output was closed")]
+    Closed,
+    /// A word of the command line that only the scene can tell wrong.
+    #[error("{0}")]
+    Usage(String),
     /// A file could not be written, or a table not read.
     #[error("{0}")]
     Output(#[from] OutputError),

@@ -2,9 +2,12 @@
 
 use std::process::ExitCode;
 
+use bentray::error::Error;
+
 fn main() -> ExitCode {
     match bentray::cli::run() {
         Ok(code) => code,
+        Err(Error::Closed) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::FAILURE

@@ -6,11 +6,11 @@ struct CaptureSphere {
     radius: f32,
 }
 
-@group(0) @binding(55) var<storage, read> capture_spheres: array<CaptureSphere>;
+@group(0) @binding(55) var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
 
 fn law_captured(x: vec3f, v: vec3f) -> bool {
     var captured = false;
-    for (var i = 0u; i < arrayLength(&capture_spheres); i++) {
+    for (var i = 0u; i < CAPTURE_COUNT; i++) {
         work += 1u;
         let d = x - capture_spheres[i].center;
         captured = captured || (dot(d, d) < capture_spheres[i].radius * capture_spheres[i].radius && dot(d, v) < 0.0);
@@ -21,7 +21,7 @@ fn law_captured(x: vec3f, v: vec3f) -> bool {
 // The outward normal and the signed distance of the nearest of the spheres.
 fn capture_gap(x: vec3f) -> vec4f {
     var nearest = vec4f(0.0, 0.0, 0.0, 1e30);
-    for (var i = 0u; i < arrayLength(&capture_spheres); i++) {
+    for (var i = 0u; i < CAPTURE_COUNT; i++) {
         work += 1u;
         let d = x - capture_spheres[i].center;
         let gap = length(d) - capture_spheres[i].radius;

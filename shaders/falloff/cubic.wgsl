@@ -8,11 +8,11 @@ struct Cubic {
     radius: f32,
 }
 
-@group(0) @binding(52) var<storage, read> cubic: array<Cubic>;
+@group(0) @binding(52) var<uniform> cubic: array<Cubic, CUBIC_COUNT>;
 
 fn cubic_acceleration(x: vec3f) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = 0u; i < arrayLength(&cubic); i++) {
+    for (var i = 0u; i < CUBIC_COUNT; i++) {
         work += 1u;
         let d = x - cubic[i].position;
         let r = length(d);
@@ -25,7 +25,7 @@ fn cubic_acceleration(x: vec3f) -> vec3f {
 
 fn cubic_distance(x: vec3f) -> f32 {
     var nearest = FAR_AWAY;
-    for (var i = 0u; i < arrayLength(&cubic); i++) {
+    for (var i = 0u; i < CUBIC_COUNT; i++) {
         work += 1u;
         nearest = min(nearest, max(distance(x, cubic[i].position), 0.02 * cubic[i].radius));
     }

@@ -7,11 +7,11 @@ struct Yukawa {
     mu: f32,
 }
 
-@group(0) @binding(53) var<storage, read> yukawa: array<Yukawa>;
+@group(0) @binding(53) var<uniform> yukawa: array<Yukawa, YUKAWA_COUNT>;
 
 fn yukawa_acceleration(x: vec3f) -> vec3f {
     var sum = vec3f(0.0);
-    for (var i = 0u; i < arrayLength(&yukawa); i++) {
+    for (var i = 0u; i < YUKAWA_COUNT; i++) {
         work += 1u;
         let d = x - yukawa[i].position;
         let r = length(d);
@@ -23,7 +23,7 @@ fn yukawa_acceleration(x: vec3f) -> vec3f {
 
 fn yukawa_distance(x: vec3f) -> f32 {
     var nearest = FAR_AWAY;
-    for (var i = 0u; i < arrayLength(&yukawa); i++) {
+    for (var i = 0u; i < YUKAWA_COUNT; i++) {
         work += 1u;
         nearest = min(nearest, distance(x, yukawa[i].position));
     }

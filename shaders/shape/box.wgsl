@@ -3,13 +3,14 @@
 const BOX: u32 = 0x20000000u;
 
 @group(0) @binding(82) var<storage, read> boxes: array<Placed>;
+@group(0) @binding(76) var<uniform> box_spaces: array<OwnSpace, BOX_COUNT>;
 
 fn hit_box(a: vec3f, b: vec3f, best: Hit) -> Hit {
     var hit = best;
-    for (var i = 0u; i < arrayLength(&boxes); i++) {
+    for (var i = 0u; i < BOX_COUNT; i++) {
         work += 1u;
-        let p = own_point(boxes[i], a);
-        let d = own_vector(boxes[i], b - a);
+        let p = own_point(box_spaces[i], a);
+        let d = own_vector(box_spaces[i], b - a);
         // A component that is 0 gets a slab that is entered at −∞ and left at +∞, or never.
         let inverse = 1.0 / select(d, vec3f(1e-30), d == vec3f(0.0));
         let near = -p * inverse - abs(inverse);
@@ -26,12 +27,12 @@ fn hit_box(a: vec3f, b: vec3f, best: Hit) -> Hit {
 
 // The face is that of the largest coordinate.
 fn surface_box(i: u32, x: vec3f) -> Surface {
-    let p = own_point(boxes[i], x);
+    let p = own_point(own_space(boxes[i]), x);
     let size = abs(p);
     var axis = select(vec3f(0.0, 1.0, 0.0), vec3f(1.0, 0.0, 0.0), size.x > size.y);
     axis = select(axis, vec3f(0.0, 0.0, 1.0), size.z > max(size.x, size.y));
     let side = sign(dot(p, axis));
-    let g = scene_gradient(boxes[i], side * axis);
+    let g = scene_gradient(own_space(boxes[i]), side * axis);
     let steep = length(g);
     let n = g / steep;
     // Each face upright and unmirrored as seen from outside.

@@ -3,12 +3,13 @@
 const ELLIPSOID: u32 = 0x10000000u;
 
 @group(0) @binding(81) var<storage, read> ellipsoids: array<Placed>;
+@group(0) @binding(75) var<uniform> ellipsoid_spaces: array<OwnSpace, ELLIPSOID_COUNT>;
 
 fn hit_ellipsoid(a: vec3f, b: vec3f, best: Hit) -> Hit {
     var hit = best;
-    for (var i = 0u; i < arrayLength(&ellipsoids); i++) {
+    for (var i = 0u; i < ELLIPSOID_COUNT; i++) {
         work += 1u;
-        let t = ball_fraction(own_point(ellipsoids[i], a), own_vector(ellipsoids[i], b - a), 1.0);
+        let t = ball_fraction(own_point(ellipsoid_spaces[i], a), own_vector(ellipsoid_spaces[i], b - a), 1.0);
         if t < hit.t {
             hit = Hit(t, ELLIPSOID | i);
         }
@@ -17,9 +18,9 @@ fn hit_ellipsoid(a: vec3f, b: vec3f, best: Hit) -> Hit {
 }
 
 fn surface_ellipsoid(i: u32, x: vec3f) -> Surface {
-    let p = own_point(ellipsoids[i], x);
+    let p = own_point(own_space(ellipsoids[i]), x);
     let r = length(p);
-    let g = scene_gradient(ellipsoids[i], p / r);
+    let g = scene_gradient(own_space(ellipsoids[i]), p / r);
     let steep = length(g);
     let n = g / steep;
     return Surface((r - 1.0) / steep, n, n, sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);

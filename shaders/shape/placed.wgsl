@@ -1,6 +1,9 @@
 // What sphere, ellipsoid, box and plane have in common: a place, and what is known of a point on them.
 
 // A shape in its own space (unit sphere, cube |x|, |y|, |z| ≤ 1, square |x|, |z| ≤ 1) and where that is.
+//
+// What every segment is tested against lies apart, in uniform arrays of a length that is known when the program is compiled:
+// lavapipe loads storage lane by lane, and that alone would cost more than the test.
 struct Placed {
     // Spheres only.
     center: vec3f,
@@ -11,6 +14,13 @@ struct Placed {
     row_z: vec4f,
     material: u32,
     object: u32,
+}
+
+// The map alone.
+struct OwnSpace {
+    row_x: vec4f,
+    row_y: vec4f,
+    row_z: vec4f,
 }
 
 // A surface near a point.
@@ -26,17 +36,21 @@ struct Surface {
     object: u32,
 }
 
-fn own_point(p: Placed, x: vec3f) -> vec3f {
+fn own_space(p: Placed) -> OwnSpace {
+    return OwnSpace(p.row_x, p.row_y, p.row_z);
+}
+
+fn own_point(p: OwnSpace, x: vec3f) -> vec3f {
     let h = vec4f(x, 1.0);
     return vec3f(dot(p.row_x, h), dot(p.row_y, h), dot(p.row_z, h));
 }
 
-fn own_vector(p: Placed, v: vec3f) -> vec3f {
+fn own_vector(p: OwnSpace, v: vec3f) -> vec3f {
     return vec3f(dot(p.row_x.xyz, v), dot(p.row_y.xyz, v), dot(p.row_z.xyz, v));
 }
 
 // A gradient in the shape's own space, in the scene's.
-fn scene_gradient(p: Placed, g: vec3f) -> vec3f {
+fn scene_gradient(p: OwnSpace, g: vec3f) -> vec3f {
     return g.x * p.row_x.xyz + g.y * p.row_y.xyz + g.z * p.row_z.xyz;
 }
 

@@ -3,13 +3,14 @@
 const PLANE: u32 = 0x30000000u;
 
 @group(0) @binding(83) var<storage, read> planes: array<Placed>;
+@group(0) @binding(77) var<uniform> plane_spaces: array<OwnSpace, PLANE_COUNT>;
 
 fn hit_plane(a: vec3f, b: vec3f, best: Hit) -> Hit {
     var hit = best;
-    for (var i = 0u; i < arrayLength(&planes); i++) {
+    for (var i = 0u; i < PLANE_COUNT; i++) {
         work += 1u;
-        let p = own_point(planes[i], a);
-        let d = own_vector(planes[i], b - a);
+        let p = own_point(plane_spaces[i], a);
+        let d = own_vector(plane_spaces[i], b - a);
         let t = -p.y / d.y;
         let q = abs(p.xz + t * d.xz);
         if d.y != 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP && max(q.x, q.y) <= 1.0 && t < hit.t {
@@ -20,7 +21,7 @@ fn hit_plane(a: vec3f, b: vec3f, best: Hit) -> Hit {
 }
 
 fn surface_plane(i: u32, x: vec3f) -> Surface {
-    let p = own_point(planes[i], x);
+    let p = own_point(own_space(planes[i]), x);
     let g = planes[i].row_y.xyz;
     let steep = length(g);
     let n = g / steep;

@@ -2,14 +2,20 @@
 
 const SPHERE: u32 = 0x00000000u;
 
+struct Ball {
+    center: vec3f,
+    radius: f32,
+}
+
 @group(0) @binding(80) var<storage, read> spheres: array<Placed>;
+@group(0) @binding(74) var<uniform> balls: array<Ball, SPHERE_COUNT>;
 
 fn hit_sphere(a: vec3f, b: vec3f, best: Hit) -> Hit {
     var hit = best;
-    for (var i = 0u; i < arrayLength(&spheres); i++) {
+    for (var i = 0u; i < SPHERE_COUNT; i++) {
         work += 1u;
-        let r = spheres[i].radius;
-        let t = ball_fraction(a - spheres[i].center, b - a, r * r);
+        let r = balls[i].radius;
+        let t = ball_fraction(a - balls[i].center, b - a, r * r);
         if t < hit.t {
             hit = Hit(t, SPHERE | i);
         }
@@ -20,6 +26,6 @@ fn hit_sphere(a: vec3f, b: vec3f, best: Hit) -> Hit {
 fn surface_sphere(i: u32, x: vec3f) -> Surface {
     let d = x - spheres[i].center;
     let r = length(d);
-    let uv = sphere_uv(own_vector(spheres[i], d));
+    let uv = sphere_uv(own_vector(own_space(spheres[i]), d));
     return Surface(r - spheres[i].radius, d / r, d / r, uv, spheres[i].material, spheres[i].object);
 }

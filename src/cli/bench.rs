@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let Name::Paper = arguments.name;
     let gpu = Gpu::open(arguments.device.as_deref())?;
     let [width, height] = arguments.size;
-    println!("{} ({:?}), {width}×{height}, medians of {}", gpu.info.name, gpu.info.device_type, arguments.repeats);
+    say!("{} ({:?}), {width}×{height}, medians of {}", gpu.info.name, gpu.info.device_type, arguments.repeats);
     let bench = PaperBench { gpu: &gpu, repeats: arguments.repeats as usize, size: arguments.size };
     print_schedules(&bench)?;
     print_table(&bench)?;
@@ -51,11 +51,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn print_schedules(bench: &PaperBench) -> Result<(), Error> {
-    println!("\nSchwarzschild, 10 spheres, 300 Euler steps in 30 segments: time of the loop over segments");
-    println!("{:<10} {:>12} {:>16} {:>12} {:>16}", "schedule", "no masks", "ns per ray-step", "masks", "ns per ray-step");
+    say!("\nSchwarzschild, 10 spheres, 300 Euler steps in 30 segments: time of the loop over segments");
+    say!("{:<10} {:>12} {:>16} {:>12} {:>16}", "schedule", "no masks", "ns per ray-step", "masks", "ns per ray-step");
     let schedules = bench.schedules()?.0;
     for (name, plain, masked) in &schedules {
-        println!(
+        say!(
             "{name:<10} {:>10.3} s {:>16.3} {:>10.3} s {:>16.3}",
             plain.advance.as_secs_f64(),
             plain.ns_per_ray_step(),
@@ -64,7 +64,7 @@ fn print_schedules(bench: &PaperBench) -> Result<(), Error> {
         );
     }
     if let [(_, paper, paper_masked), .., (_, fused, fused_masked)] = schedules.as_slice() {
-        println!("fused is {:.1} times faster than paper, {:.1} times with masks", ratio(paper, fused), ratio(paper_masked, fused_masked));
+        say!("fused is {:.1} times faster than paper, {:.1} times with masks", ratio(paper, fused), ratio(paper_masked, fused_masked));
     }
     Ok(())
 }
@@ -74,10 +74,10 @@ fn ratio(slow: &Sample, fast: &Sample) -> f64 {
 }
 
 fn print_table(bench: &PaperBench) -> Result<(), Error> {
-    println!("\nTable 1 of the paper (2004: ATI Radeon 9700), seconds: no acceleration; early termination and step doubling");
-    println!("{:<16} {:>8} {:>8}   {:>8} {:>8}", "law", "2004", "here", "2004", "here");
+    say!("\nTable 1 of the paper (2004: ATI Radeon 9700), seconds: no acceleration; early termination and step doubling");
+    say!("{:<16} {:>8} {:>8}   {:>8} {:>8}", "law", "2004", "here", "2004", "here");
     for (i, row) in bench.table()?.iter().enumerate() {
-        println!(
+        say!(
             "{:<16} {:>8.2} {:>8.3}   {:>8.2} {:>8.3}",
             row.law,
             PLAIN_2004[i],
@@ -90,7 +90,7 @@ fn print_table(bench: &PaperBench) -> Result<(), Error> {
 }
 
 fn print_shadow(gpu: &Gpu) -> Result<(), Error> {
-    println!("\nThe shadow's edge from r = 50 M (b = {CRITICAL:.3} M):");
+    say!("\nThe shadow's edge from r = 50 M (b = {CRITICAL:.3} M):");
     let methods = [
         ("Euler, h = 0.15", "method = \"euler\"\nstep = 0.15"),
         ("Euler, 300 steps through the scene", "method = \"euler\"\nstep = 0.3333333333"),
@@ -99,19 +99,19 @@ fn print_shadow(gpu: &Gpu) -> Result<(), Error> {
     ];
     for (name, keys) in methods {
         match shadow_edge(gpu, keys)? {
-            Some(b) => println!("{name:<40} {b:>7.2}  ({:+.1} %)", 100.0 * (b / CRITICAL - 1.0)),
-            None => println!("{name:<40} no ray is captured"),
+            Some(b) => say!("{name:<40} {b:>7.2}  ({:+.1} %)", 100.0 * (b / CRITICAL - 1.0)),
+            None => say!("{name:<40} no ray is captured"),
         }
     }
     Ok(())
 }
 
 fn print_figure(bench: &PaperBench, output: Option<&PathBuf>) -> Result<(), Error> {
-    println!("\nFigure 5 of the paper: 500 steps in 50 segments, seconds");
-    println!("{:>8} {:>16} {:>16}", "spheres", "no acceleration", "acceleration");
+    say!("\nFigure 5 of the paper: 500 steps in 50 segments, seconds");
+    say!("{:>8} {:>16} {:>16}", "spheres", "no acceleration", "acceleration");
     let points = bench.figure(&[1, 5, 10, 15, 20])?;
     for (n, plain, accelerated) in &points {
-        println!("{n:>8} {:>16.3} {:>16.3}", plain.advance.as_secs_f64(), accelerated.advance.as_secs_f64());
+        say!("{n:>8} {:>16.3} {:>16.3}", plain.advance.as_secs_f64(), accelerated.advance.as_secs_f64());
     }
     let Some(path) = output else { return Ok(()) };
     let series = |name: &str, pick: fn(&(usize, Sample, Sample)) -> Sample| Series {

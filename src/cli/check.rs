@@ -30,14 +30,18 @@ pub(super) struct Arguments {
 /// Every scene is checked, and every mistake reported, before the exit code says whether there were any.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if arguments.reference {
-        print!("{}", reference_markdown());
+        say!("{}", reference_markdown().trim_end());
         return Ok(ExitCode::SUCCESS);
     }
     let mut code = ExitCode::SUCCESS;
     for path in &arguments.scenes {
-        if let Err(error) = check(path, arguments) {
-            eprintln!("error: {error}");
-            code = ExitCode::FAILURE;
+        match check(path, arguments) {
+            Ok(()) => {}
+            Err(Error::Closed) => return Err(Error::Closed),
+            Err(error) => {
+                eprintln!("error: {error}");
+                code = ExitCode::FAILURE;
+            }
         }
     }
     Ok(code)
@@ -49,20 +53,20 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     let choice = choice(arguments.schedule);
     let program = Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len())?;
     let [width, height] = scene.image.size;
-    println!("{}: {width}×{height}, {} samples, {} objects", path.display(), scene.image.samples, scene.objects.len());
+    say!("{}: {width}×{height}, samples {}, objects {}", path.display(), scene.image.samples, scene.objects.len());
     if !geometry.triangles.is_empty() {
-        println!("  {} triangles in {} nodes", geometry.triangles.len(), geometry.nodes.len());
+        say!("  {} triangles in {} nodes", geometry.triangles.len(), geometry.nodes.len());
     }
     for (pass, linked, reflection) in &program.passes {
         let lines = linked.source.lines().count();
-        println!("  pass {:<10} {lines:>4} lines, {:>2} bindings: {}", pass.entry(), reflection.bindings.len(), linked.parts().join(" "));
+        say!("  pass {:<10} {lines:>4} lines, {:>2} bindings: {}", pass.entry(), reflection.bindings.len(), linked.parts().join(" "));
     }
-    print_memory(&scene, &program, &choice);
-    Ok(())
+    print_memory(&scene, &program, &choice)
 }
 
-fn print_memory(scene: &Scene, program: &Program, choice: &Choice) {
+fn print_memory(scene: &Scene, program: &Program, choice: &Choice) -> Result<(), Error> {
     let memory = memory(program, choice.slots(scene));
     let items: Vec<_> = memory.items.iter().map(|(name, bytes)| format!("{name} {bytes}")).collect();
-    println!("  {} bytes per pixel: {}", memory.bytes_per_pixel(), items.join(", "));
+    say!("  {} bytes per pixel: {}", memory.bytes_per_pixel(), items.join(", "));
+    Ok(())
 }

@@ -18,13 +18,13 @@ pub(super) fn run(_: &Arguments) -> Result<ExitCode, Error> {
     }
     for adapter in adapters {
         let info = &adapter.info;
-        println!("{} ({:?}, {})", info.name, info.device_type, info.backend);
-        println!("    driver              {} {}", info.driver, info.driver_info);
-        println!("    largest texture     {0} × {0}", adapter.texture_side);
-        println!("    largest buffer      {} MiB", adapter.storage_buffer >> 20);
-        println!("    storage textures    {} a pass", adapter.storage_textures);
-        println!("    timestamps          {}", if adapter.timestamps { "yes" } else { "no" });
-        println!("    f64                 {}", if adapter.f64 { "yes" } else { "no" });
+        say!("{} ({:?}, {})", info.name, info.device_type, info.backend);
+        say!("    driver              {} {}", info.driver, info.driver_info);
+        say!("    largest texture     {0} × {0}", adapter.texture_side);
+        say!("    largest buffer      {} MiB", adapter.storage_buffer >> 20);
+        say!("    storage textures    {} a pass", adapter.storage_textures);
+        say!("    timestamps          {}", if adapter.timestamps { "yes" } else { "no" });
+        say!("    f64                 {}", if adapter.f64 { "yes" } else { "no" });
     }
     Ok(ExitCode::SUCCESS)
 }

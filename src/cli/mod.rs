@@ -4,6 +4,13 @@
 //! 2 usage.
 
 
+/// A line of results to standard output, in functions that return this crate's error.
+macro_rules! say {
+    ($($format:tt)*) => {
+        $crate::cli::say_line(format_args!($($format)*))?
+    };
+}
+
 mod bench;
 mod check;
 mod devices;
@@ -13,6 +20,8 @@ mod render;
 mod trace;
 mod wgsl;
 
+use std::fmt::Arguments;
+use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -51,4 +60,11 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
     }
+}
+
+fn say_line(line: Arguments) -> Result<(), Error> {
+    writeln!(io::stdout().lock(), "{line}").map_err(|error| match error.kind() {
+        ErrorKind::BrokenPipe => Error::Closed,
+        _ => Error::Stdout(error),
+    })
 }

@@ -26,6 +26,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut file = AtomicFile::create(path)?;
     file.write_all(TEMPLATE.as_bytes()).map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
     file.finish()?;
-    println!("wrote {0}; render it with `bentray render {0} -o picture.png`", path.display());
+    say!("wrote {0}; render it with `bentray render {0} -o picture.png`", path.display());
     Ok(ExitCode::SUCCESS)
 }

@@ -17,13 +17,14 @@ pub(super) struct SceneOptions {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
     /// Rays per pixel, instead of the scene's
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: Option<u32>,
 }
 
 pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    parsed.ok_or_else(|| format!("`{text}` is not a size such as 800x600"))
+    let in_range = |size: &[u32; 2]| size.iter().all(|side| (1..=65536).contains(side));
+    parsed.filter(in_range).ok_or_else(|| format!("`{text}` is not a size such as 800x600, of 1 to 65536 pixels a side"))
 }
 
 impl SceneOptions {

@@ -65,11 +65,25 @@ impl LayerName {
     }
 }
 
+fn is_exr(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("exr"))
+}
+
 impl Arguments {
+    fn check(&self) -> Result<(), Error> {
+        if self.layers.is_some() && !self.output.iter().any(|path| is_exr(path)) {
+            return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
+        }
+        let twice = self.output.iter().enumerate().find(|(i, path)| self.output[..*i].contains(path));
+        match twice {
+            Some((_, path)) => Err(Error::Usage(format!("{} is named twice with -o", path.display()))),
+            None => Ok(()),
+        }
+    }
+
     /// In the order of [`Layer::ALL`], each once; none without an EXR to hold them.
     fn layers(&self) -> Vec<Layer> {
-        let exr = |path: &PathBuf| path.extension().is_some_and(|e| e.eq_ignore_ascii_case("exr"));
-        if !self.output.iter().any(exr) {
+        if !self.output.iter().any(|path| is_exr(path)) {
             return Vec::new();
         }
         let wanted: Option<Vec<Layer>> =
@@ -80,6 +94,7 @@ impl Arguments {
 
 /// Files are opened before the work, so that a path that cannot be written is found first.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    arguments.check()?;
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
     let layers = arguments.layers();
     let mut writers = Vec::new();
@@ -98,13 +113,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn file_settings(scene: &Scene, path: &Path, layers: &[Layer]) -> Settings {
-    let exr = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("exr"));
     Settings {
         size: scene.image.size,
         exposure: scene.output.exposure,
         tonemap: scene.output.tonemap,
         bits: scene.output.bits,
-        layers: if exr { layers.to_vec() } else { Vec::new() },
+        layers: if is_exr(path) { layers.to_vec() } else { Vec::new() },
         metadata: vec![("Software".to_owned(), concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned())],
     }
 }
@@ -127,7 +141,7 @@ fn render(renderer: &Renderer, writers: &mut [Box<dyn ImageWriter>]) -> Result<T
 }
 
 /// Rays that were lost are named, whatever the exit code.
-fn warn(totals: &Totals) {
+pub(super) fn warn(totals: &Totals) {
     let advice = [
         (Status::Alive, "had not ended when the passes ran out: this is a fault of bentray; please report it"),
         (Status::Exhausted, "used up rays.max_segments: raise it, or take longer steps"),

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::options::{DeviceOptions, SceneOptions};
+use super::render::warn;
 use crate::error::Error;
 use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
 use crate::output::plot::{PathLine, plot_paths};
@@ -36,6 +37,9 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    if arguments.plot.as_ref() == Some(&arguments.output) {
+        return Err(Error::Usage("--plot and -o name the same file".to_owned()));
+    }
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
     let rays = read_rays(&arguments.rays)?;
     let mut table = if arguments.path {
@@ -51,6 +55,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             table.write(&result_row(i, ray))?;
         }
         eprintln!("{totals}");
+        warn(&totals);
     }
     if arguments.path || arguments.plot.is_some() {
         let paths = trace_paths(&gpu, &scene, &settings, &rays)?;

@@ -30,9 +30,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
     let geometry = Geometry::new(&scene);
     let program = Program::new(&scene, &choice(arguments.schedule), geometry.nodes.len(), geometry.triangles.len())?;
+    let names: Vec<_> = program.passes.iter().map(|(pass, _, _)| pass.entry()).collect();
+    if let Some(wanted) = arguments.pass.as_deref().filter(|wanted| !names.contains(wanted)) {
+        return Err(Error::Usage(format!("this program has no pass `{wanted}`; it has {}", names.join(", "))));
+    }
     for (pass, linked, _) in &program.passes {
         if arguments.pass.as_deref().is_none_or(|wanted| wanted == pass.entry()) {
-            println!("// ==== pass {}\n\n{}", pass.entry(), linked.source);
+            say!("// ==== pass {}\n\n{}", pass.entry(), linked.source);
         }
     }
     Ok(ExitCode::SUCCESS)

@@ -62,16 +62,14 @@ fn image_index(name: &str) -> Option<usize> {
 }
 
 fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError> {
-    let usage = match binding.kind {
-        BindingKind::Uniform(_) => BufferUsages::UNIFORM,
-        _ => BufferUsages::STORAGE,
+    let (usage, limit, allowed) = match binding.kind {
+        BindingKind::Uniform(_) => {
+            (BufferUsages::UNIFORM, "max_uniform_buffer_binding_size", gpu.limits.max_uniform_buffer_binding_size)
+        }
+        _ => (BufferUsages::STORAGE, "max_storage_buffer_binding_size", gpu.limits.max_storage_buffer_binding_size),
     };
-    gpu.check(
-        "max_storage_buffer_binding_size",
-        &format!("bytes in one buffer (`{}`)", binding.name),
-        gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size),
-        bytes.len() as u64,
-    )?;
+    let what = format!("bytes in one buffer (`{}`)", binding.name);
+    gpu.check(limit, &what, allowed.min(gpu.limits.max_buffer_size), bytes.len() as u64)?;
     Ok(gpu.device.create_buffer_init(&BufferInitDescriptor {
         label: Some(&binding.name),
         contents: bytes,
@@ -226,7 +224,18 @@ impl Source<'_> {
             let shapes = g.placed.get(kind).map_or(&[][..], Vec::as_slice);
             pack(name, layout, shapes.iter().map(placed_row)).map(Some)
         };
+        let spaces = |kind: &str| {
+            let shapes = g.placed.get(kind).map_or(&[][..], Vec::as_slice);
+            pack(name, layout, shapes.iter().map(space_rows)).map(Some)
+        };
         match name {
+            "balls" => {
+                let shapes = g.placed.get("sphere").map_or(&[][..], Vec::as_slice);
+                pack(name, layout, shapes.iter().map(|s| [("center", Vec3(s.center)), ("radius", Float(s.radius))])).map(Some)
+            }
+            "ellipsoid_spaces" => spaces("ellipsoid"),
+            "box_spaces" => spaces("box"),
+            "plane_spaces" => spaces("plane"),
             "spheres" => placed("sphere"),
             "ellipsoids" => placed("ellipsoid"),
             "boxes" => placed("box"),
@@ -342,6 +351,10 @@ impl Source<'_> {
             _ => Vec::new(),
         }
     }
+}
+
+fn space_rows(shape: &PlacedShape) -> [(&'static str, Value); 3] {
+    [("row_x", Vec4(shape.rows[0])), ("row_y", Vec4(shape.rows[1])), ("row_z", Vec4(shape.rows[2]))]
 }
 
 fn placed_row(shape: &PlacedShape) -> [(&'static str, Value); 7] {

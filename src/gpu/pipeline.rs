@@ -10,7 +10,7 @@ use wgpu::{
 };
 
 use super::{Gpu, GpuError};
-use crate::program::{Binding, BindingKind, Linked, Pass, Program, Reflection};
+use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
 /// A pass that can be dispatched.
 #[derive(Debug)]
@@ -118,15 +118,15 @@ fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
         binding: binding.name.clone(),
         problem: format!("the driver does not know {what:?}"),
     };
-    let buffer = |ty, span: u32| BindingType::Buffer {
+    let buffer = |ty, layout: &Layout| BindingType::Buffer {
         ty,
         has_dynamic_offset: PER_PASS.contains(&binding.name.as_str()),
-        min_binding_size: NonZeroU64::new(u64::from(span)),
+        min_binding_size: NonZeroU64::new(u64::from(layout.span) * u64::from(layout.count.unwrap_or(1))),
     };
     let ty = match &binding.kind {
-        BindingKind::Uniform(layout) => buffer(BufferBindingType::Uniform, layout.span),
+        BindingKind::Uniform(layout) => buffer(BufferBindingType::Uniform, layout),
         BindingKind::Storage { layout, read_only } => {
-            buffer(BufferBindingType::Storage { read_only: *read_only }, layout.span)
+            buffer(BufferBindingType::Storage { read_only: *read_only }, layout)
         }
         BindingKind::Texture(kind) => BindingType::Texture {
             sample_type: match kind {

@@ -95,7 +95,7 @@ mod tests {
         Layout {
             fields: vec![field("a", 0, ScalarKind::Float, 3), field("b", 12, ScalarKind::Uint, 1)],
             span: 16,
-            array: true,
+            count: None,
         }
     }
 

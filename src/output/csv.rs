@@ -97,7 +97,7 @@ fn parse_ray(row: &str, order: &[usize]) -> Result<[f64; 6], String> {
     let mut ray = [0.0; 6];
     for (i, (field, &column)) in fields.iter().zip(order).enumerate() {
         ray[column] = match field.parse::<f64>() {
-            Ok(value) if value.is_finite() => value,
+            Ok(value) if value.abs() <= 1e30 => value,
             _ => {
                 return Err(format!(
                     "column {} ({}): `{field}` is not a finite number; write one such as 1.5 or -2e-3",

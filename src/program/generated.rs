@@ -3,6 +3,8 @@
 use std::fmt::Write as _;
 
 use super::link::Unit;
+use super::plan::shape_kind;
+use crate::scene::{Falloff, Law, Scene, Source};
 
 pub(super) fn unit(file: &'static str, text: String) -> Unit {
     Unit { file: file.into(), text: text.into() }
@@ -118,4 +120,28 @@ pub(super) fn layers(names: &[&str]) -> Unit {
     }
     text += "    }\n}\n";
     unit("generated/layers.wgsl", text)
+}
+
+/// How long the lists are that every step or segment walks: known to the compiler, which may unroll them.
+pub(super) fn counts(scene: &Scene) -> Unit {
+    let mut text = String::new();
+    let mut count = |name: &str, n: usize| {
+        let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
+    };
+    for kind in ["sphere", "ellipsoid", "box", "plane"] {
+        let is = |object: &&crate::scene::Object| shape_kind(&object.shape, &object.transform) == kind;
+        count(&kind.to_uppercase(), scene.objects.iter().filter(is).count());
+    }
+    let sources: &[Source] = if let Law::Sources(sources) = &scene.law { sources } else { &[] };
+    let falloffs: [(&str, fn(&Falloff) -> bool); 3] = [
+        ("INVERSE_SQUARE", |f| matches!(f, Falloff::InverseSquare)),
+        ("CUBIC", |f| matches!(f, Falloff::Cubic { .. })),
+        ("YUKAWA", |f| matches!(f, Falloff::Yukawa { .. })),
+    ];
+    for (name, is) in falloffs {
+        count(name, sources.iter().filter(|source| is(&source.falloff)).count());
+    }
+    let holes = usize::from(matches!(scene.law, Law::Schwarzschild { .. }));
+    count("CAPTURE", holes + sources.iter().filter(|source| source.capture > 0.0).count());
+    unit("generated/counts.wgsl", text)
 }

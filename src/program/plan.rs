@@ -12,7 +12,7 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     let mut names = Names::default();
     names.all(&["ray", "frame", "work", "bound", "schedule", "turn", "math", "tally", "fate", "path_end"]);
     names.all(&["state/texture_f32", "living/place", "stage/ended", "stage/between"]);
-    let mut made = Vec::new();
+    let mut made = vec![generated::counts(scene)];
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
     schedule_parts(scene, choice, &mut names);
     camera_parts(scene, choice, &mut names);

@@ -55,8 +55,8 @@ pub struct Layout {
     pub fields: Vec<Field>,
     /// Bytes of one element.
     pub span: u32,
-    /// Does the buffer hold any number of elements?
-    pub array: bool,
+    /// Elements: one for a struct, none where the buffer holds any number of them.
+    pub count: Option<u32>,
 }
 
 /// A member of a struct.
@@ -128,16 +128,20 @@ fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<Bind
 
 fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
     match inner {
-        TypeInner::Array { base, size: ArraySize::Dynamic, stride } => {
+        TypeInner::Array { base, size, stride } => {
             let element = layout(module, &module.types[*base].inner)?;
-            Some(Layout { span: *stride, array: true, ..element })
+            let count = match size {
+                ArraySize::Constant(count) => Some(count.get()),
+                _ => None,
+            };
+            Some(Layout { span: *stride, count, ..element })
         }
         TypeInner::Struct { members, span } => {
             let fields = members.iter().filter_map(|member| field(module, member)).collect();
-            Some(Layout { fields, span: *span, array: false })
+            Some(Layout { fields, span: *span, count: Some(1) })
         }
         TypeInner::Scalar(scalar) => {
-            Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), array: false })
+            Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), count: Some(1) })
         }
         _ => None,
     }

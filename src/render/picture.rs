@@ -52,9 +52,6 @@ impl Renderer<'_> {
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
         progress: &dyn Fn(f64),
     ) -> Result<Totals, RenderError> {
-        if self.scene.camera.is_none() {
-            return Err(RenderError::NoCamera);
-        }
         let started = Instant::now();
         let [width, height] = self.scene.image.size;
         let [tile_width, tile_height] = self.tile_size();

@@ -13,7 +13,7 @@ use super::schedule::{Dispatch, Step, steps};
 use super::{RenderError, Totals};
 use crate::gpu::{Geometry, Gpu, GpuError, Memory, Pipelines, SceneBuffers, Slots, TURN_STRIDE, Tile, memory, pack};
 use crate::gpu::Value::{Uint, Uint2};
-use crate::program::{BindingKind, Choice, Pass, Program};
+use crate::program::{BindingKind, Choice, Pass, Program, Purpose};
 use crate::scene::Scene;
 
 /// How to render.
@@ -69,6 +69,9 @@ fn turn_of(step: &Step) -> (usize, usize, bool) {
 impl<'a> Renderer<'a> {
     /// Links, compiles and uploads.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: Settings) -> Result<Self, RenderError> {
+        if settings.choice.purpose == Purpose::Picture && scene.camera.is_none() {
+            return Err(RenderError::NoCamera);
+        }
         let geometry = Geometry::new(scene);
         let program = Program::new(scene, &settings.choice, geometry.nodes.len(), geometry.triangles.len())?;
         let pipelines = Pipelines::new(gpu, &program)?;

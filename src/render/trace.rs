@@ -71,7 +71,7 @@ pub fn trace(
         renderer.read_tally(&tile, &mut totals)?;
     }
     renderer.finish_totals(&mut totals, &clock, started)?;
-    // The last row of the state is filled up with copies of the last ray, which do not count.
+    // The last row of the state is filled up with pixels that have no ray.
     totals.rays = rays.len() as u64;
     totals.fates = count_fates(&traced);
     Ok((traced, totals))

@@ -123,11 +123,28 @@ fn statements(text: &str) -> impl Iterator<Item = &str> {
 impl Loader {
     fn statement<'a>(&mut self, words: &[&'a str]) -> Result<(), Wrong<'a>> {
         match words {
-            ["v", ..] => self.positions.push(Vec3::from_array(numbers(words)?)),
-            ["vn", ..] => self.normals.push(Vec3::from_array(numbers(words)?)),
+            // A wrong line still takes its number, so that the faces below it mean what they meant.
+            ["v", ..] => {
+                let position = numbers(words);
+                self.positions.push(position.as_ref().map_or(Vec3::ZERO, |p| Vec3::from_array(*p)));
+                position?;
+            }
+            ["vn", ..] => {
+                let normal = numbers(words);
+                self.normals.push(normal.as_ref().map_or(Vec3::ZERO, |n| Vec3::from_array(*n)));
+                normal?;
+            }
             // A texture may have one coordinate only.
-            ["vt", _] => self.uvs.push(Vec2::new(numbers::<1>(words)?[0], 0.0)),
-            ["vt", ..] => self.uvs.push(Vec2::from_array(numbers(words)?)),
+            ["vt", _] => {
+                let u = numbers::<1>(words);
+                self.uvs.push(u.as_ref().map_or(Vec2::ZERO, |u| Vec2::new(u[0], 0.0)));
+                u?;
+            }
+            ["vt", ..] => {
+                let uv = numbers(words);
+                self.uvs.push(uv.as_ref().map_or(Vec2::ZERO, |uv| Vec2::from_array(*uv)));
+                uv?;
+            }
             ["f", corners @ ..] => {
                 let corners = corners.iter().map(|word| self.corner(word));
                 let corners = corners.collect::<Result<Vec<Corner>, _>>()?;

@@ -1,7 +1,7 @@
 //! Segments as curves: arcs, their pieces, and the first hit along them.
 
-use bentray::gpu::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
-use glam::{DVec3, DVec4, Vec4};
+use bentray::gpu::Value::{Float, Vec3 as V3};
+use glam::{DVec3, Vec4};
 
 use super::{Errors, Random, U, Verdict, check_hits, row, wide};
 use crate::support::{gpu, probe::{Probe, Record}};
@@ -163,17 +163,12 @@ fn first_hit_of_arcs_in_several_pieces() {
         let shift = (center + random.direction() * radius * random.within(0.0, 1.5)).as_vec3() - (0.5 * (input[0] + input[2])).truncate();
         *input = [input[0] + row(shift, 0.0), input[1], input[2] + row(shift, 0.0), input[3]];
     }
-    let records = spheres.map(|(center, radius)| {
-        let own = |axis: DVec3| V4(DVec4::from((axis / radius, -axis.dot(center) / radius)));
-        let rows = [("row_x", own(DVec3::X)), ("row_y", own(DVec3::Y)), ("row_z", own(DVec3::Z))];
-        let rest = [("center", V3(center)), ("radius", Float(radius)), ("material", Uint(0)), ("object", Uint(0))];
-        rows.into_iter().chain(rest).collect::<Record>()
-    });
+    let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
     let parts = ["ray", "work", "math", "curve/arc", "walk/piece", "walk/whole", "shape/placed", "shape/sphere"];
     let probe = Probe::new(&parts)
         .stub("fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit { return hit_sphere(a, b, best); }")
         .bind("arc", [arc(DVec3::splat(-4.0), DVec3::splat(4.0))])
-        .bind("spheres", records);
+        .list("balls", "SPHERE_COUNT", records);
     let body = format!(
         "{SEGMENT}let hit = first_hit(s, vec2u(0u));
         let missed = hit.primitive == NOTHING;
@@ -205,15 +200,14 @@ fn first_hit_of_arcs_in_several_pieces() {
 /// Where the curve first crosses a sphere, in or out, by small steps and bisection.
 fn first_crossing(curve: &Hermite, spheres: &[(DVec3, f64)], grown: f64) -> Option<f64> {
     let gap = |t: f64, s: &(DVec3, f64)| (curve.point(t) - s.0).length() - s.1 - grown;
-    const STEPS: u32 = 256;
-    for k in 0..STEPS {
-        let (t0, t1) = (f64::from(k) / f64::from(STEPS), f64::from(k + 1) / f64::from(STEPS));
+    for k in 0..256 {
+        let (t0, t1) = (f64::from(k) / 256.0, f64::from(k + 1) / 256.0);
         let crossings = spheres.iter().filter(|s| (gap(t0, s) < 0.0) != (gap(t1, s) < 0.0));
         let first = crossings
             .map(|s| {
                 let (mut lo, mut hi) = (t0, t1);
                 for _ in 0..30 {
-                    let mid = 0.5 * (lo + hi);
+                    let mid = f64::midpoint(lo, hi);
                     if (gap(mid, s) < 0.0) == (gap(t0, s) < 0.0) { lo = mid } else { hi = mid }
                 }
                 hi

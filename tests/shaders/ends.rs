@@ -78,7 +78,7 @@ fn bounding_sphere() {
                 entered += 1;
                 let speed = v.length();
                 let bound = 8.0 * U * (x.length() + BOUND) + 0.5 * (a - b).abs() * speed;
-                entries.check(got.x * speed as f32, 0.5 * (a + b) * speed, bound + U * a.abs() * speed, input);
+                entries.check(got.x * speed as f32, f64::midpoint(a, b) * speed, bound + U * a.abs() * speed, input);
             }
             (None, None) => assert!(got.x < 0.0, "{input:?} enters at {}", got.x),
             _ => open += 1,
@@ -106,7 +106,7 @@ fn capture_spheres() {
         .collect();
     let body = "put(0u, vec4f(f32(law_captured(p0.xyz, p1.xyz)))); put(1u, capture_gap(p0.xyz));";
     let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
-    let probe = Probe::new(&["work", "capture/spheres"]).bind("capture_spheres", records);
+    let probe = Probe::new(&["work", "capture/spheres"]).list("capture_spheres", "CAPTURE_COUNT", records);
     let out = probe.run::<2, 2>(&gpu(), body, &inputs);
     let (mut gaps, mut normals) = (Errors::of("capture_gap"), Errors::of("capture_gap's normal"));
     let mut captured = 0;

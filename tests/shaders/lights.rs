@@ -149,7 +149,7 @@ fn checkers_alternate() {
         for j in -9..17 {
             // The middle of each square, of 4 by 2, and points near its corners.
             for (x, y) in [(0.5, 0.5), (0.01, 0.99), (0.99, 0.01)] {
-                inputs.push([Vec4::new((i as f32 + x) / 4.0, (j as f32 + y) / 2.0, f32::from((i + j) % 2 != 0), 0.0)]);
+                inputs.push([Vec4::new((i as f32 + x) / 4.0, 0.5 * (j as f32 + y), f32::from((i + j) % 2 != 0), 0.0)]);
             }
         }
     }

@@ -56,10 +56,10 @@ fn noise(p: DVec3) -> f64 {
     let f = p - base;
     let u = DVec3::from_array(f.to_array().map(|t| t.powi(3) * (6.0 * t * t - 15.0 * t + 10.0)));
     let mut sum = 0.0;
-    for k in 0..8_usize {
+    for k in 0..8_u8 {
         let on = [k & 1, (k >> 1) & 1, (k >> 2) & 1];
         let weight: f64 = (0..3).map(|axis| if on[axis] == 1 { u[axis] } else { 1.0 - u[axis] }).product();
-        sum += weight * corner(std::array::from_fn(|axis| base[axis] as i64 + on[axis] as i64));
+        sum += weight * corner(std::array::from_fn(|axis| base[axis] as i64 + i64::from(on[axis])));
     }
     sum
 }

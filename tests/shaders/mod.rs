@@ -4,6 +4,9 @@
 //! at most U of its result, and where terms cancel the error is U of the *terms*. Each bound is a small count of operations
 //! times U times the size of the terms, written where it is used.
 
+#![allow(clippy::float_cmp, reason = "what a shader passes on, it passes on bit by bit")]
+#![allow(clippy::many_single_char_names, reason = "the formulas' own letters")]
+
 mod cameras;
 mod control;
 mod curves;

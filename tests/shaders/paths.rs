@@ -58,7 +58,7 @@ fn fates_in_their_order() {
     let spheres = vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))];
     let parts = ["ray", "work", "frame", "bound", "schedule", "phase/space", "capture/spheres", "limit/length", "fate"];
     let probe = bounded(&parts, DVec3::ZERO)
-        .bind("capture_spheres", [spheres])
+        .list("capture_spheres", "CAPTURE_COUNT", [spheres])
         .bind("limit", [vec![("length", Float(100.0))]])
         .bind("schedule", [vec![("max_segments", Uint(10)), ("segments", Uint(1)), ("segment_work", Uint(1))]]);
     let body = "let s = Segment(p0.xyz, vec3f(1.0), p1.xyz, p2.xyz, 1.0);
@@ -102,7 +102,7 @@ fn path_end(step: f64) -> Probe {
     bounded(&parts, DVec3::ZERO)
         .bind("law", [vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))]])
         .bind("control", [vec![("step", Float(step))]])
-        .bind("capture_spheres", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))]])
+        .list("capture_spheres", "CAPTURE_COUNT", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))]])
 }
 
 const PATH_END: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), 0.5, 0.0, 0.0, 0u, 0u, 0u, u32(p0.w));

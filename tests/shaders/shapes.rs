@@ -46,6 +46,12 @@ impl Place {
         ]
     }
 
+    /// What a segment is tested against: a ball, or the map alone.
+    fn tested(&self, kind: &str) -> Record {
+        let wanted: &[&str] = if kind == "sphere" { &["center", "radius"] } else { &["row_x", "row_y", "row_z"] };
+        self.record(0).into_iter().filter(|(name, _)| wanted.contains(name)).collect()
+    }
+
     /// By how much the shader's own coordinates of a point of the piece may be off: four roundings of terms as large as
     /// |row| |x|, for the start, the direction, and their sum, and as many in the test itself.
     fn moved(&self, a: DVec3, b: DVec3) -> f64 {
@@ -148,13 +154,17 @@ fn results(kind: &str, place: &Place, a: DVec3, b: DVec3) -> Vec<Option<f64>> {
     all
 }
 
-fn list(kind: &str) -> &'static str {
-    match kind {
-        "sphere" => "spheres",
-        "ellipsoid" => "ellipsoids",
-        "box" => "boxes",
-        _ => "planes",
-    }
+fn probe(kind: &str, targets: &[Place]) -> Probe {
+    let mut parts = PARTS.to_vec();
+    parts.push("shape/plane");
+    let name = match kind {
+        "sphere" => "balls",
+        "ellipsoid" => "ellipsoid_spaces",
+        "box" => "box_spaces",
+        _ => "plane_spaces",
+    };
+    let records: Vec<Record> = targets.iter().map(|place| place.tested(kind)).collect();
+    Probe::new(&parts).list(name, &format!("{}_COUNT", kind.to_uppercase()), records)
 }
 
 #[test]
@@ -162,16 +172,13 @@ fn analytic_shapes() {
     let gpu = gpu();
     for (kind, targets) in [("sphere", balls(81)), ("ellipsoid", places(82)), ("box", places(83)), ("plane", places(84))] {
         let inputs = pieces(85, targets);
-        let mut parts = PARTS.to_vec();
-        parts.push("shape/plane");
-        let records = [0, 1].map(|k| targets[k].record(k as u32));
         let body = format!(
             "let hit = hit_{kind}(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
             let other = hit_{kind}(p0.xyz, p1.xyz, Hit(0.3, 5u));
             put(0u, vec4f(hit.t, select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, hit.primitive == NOTHING), other.t,
                 select(f32(other.primitive & PRIMITIVE_INDEX), -1.0, other.primitive == 5u)));"
         );
-        let out = Probe::new(&parts).bind(list(kind), records).run::<2, 1>(&gpu, &body, &inputs);
+        let out = probe(kind, &targets).run::<2, 1>(&gpu, &body, &inputs);
         let cases: Vec<_> = inputs
             .iter()
             .zip(&out)
@@ -190,7 +197,7 @@ fn analytic_shapes() {
             })
             .collect();
         check_hits(kind, 0.02, cases);
-        standing_still(&gpu, &Probe::new(&parts).bind(list(kind), [targets[0].record(0)]), kind, &targets[0]);
+        standing_still(&gpu, &probe(kind, &targets[..1]), kind, &targets[0]);
     }
 }
 

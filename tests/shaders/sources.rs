@@ -75,9 +75,9 @@ fn probe() -> Probe {
     let parts = ["ray", "work", "phase/space", "law/sources", "falloff/far_away", "falloff/inverse_square", "falloff/cubic", "falloff/yukawa"];
     Probe::new(&parts)
         .generated(SCENE, "generated/sources.wgsl")
-        .bind("inverse_square", INVERSE_SQUARE.map(|(p, s, _)| vec![("position", V3(p)), ("strength", Float(s))]))
-        .bind("cubic", CUBIC.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("radius", Float(e))]))
-        .bind("yukawa", YUKAWA.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("mu", Float(e))]))
+        .list("inverse_square", "INVERSE_SQUARE_COUNT", INVERSE_SQUARE.map(|(p, s, _)| vec![("position", V3(p)), ("strength", Float(s))]))
+        .list("cubic", "CUBIC_COUNT", CUBIC.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("radius", Float(e))]))
+        .list("yukawa", "YUKAWA_COUNT", YUKAWA.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("mu", Float(e))]))
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn falloffs_one_by_one_and_summed() {
         for d in super::awkward_directions() {
             for r in [extra * (1.0 - 1e-6), extra, extra * (1.0 + 1e-6), 1e-3, 1e-2] {
                 if r > 0.0 {
-                    inputs.push([Vec4::from((position + d.as_dvec3() * r).as_vec3().extend(0.0)), d.extend(0.0)]);
+                    inputs.push([(position + d.as_dvec3() * r).as_vec3().extend(0.0), d.extend(0.0)]);
                 }
             }
         }

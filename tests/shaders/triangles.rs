@@ -162,7 +162,7 @@ fn meshes_by_hierarchy_and_by_brute_force() {
             let mut verdicts = Vec::new();
             let mut slack = 0.0_f64;
             for t in &mesh.0 {
-                let [p, q, r] = t.map(|x| x.as_dvec3());
+                let [p, q, r] = t.map(Vec3::as_dvec3);
                 let n = (q - p).cross(r - p);
                 let error = 16.0 * U * (q - p).length() * (r - p).length() * (a.length() + p.length()) / n.dot(d).abs();
                 let each: Vec<_> = [(1.0, error), (1.0, -error), (-1.0, error), (-1.0, -error)].map(|(m, e)| fraction(t, a, d, m, e)).into();
@@ -171,7 +171,7 @@ fn meshes_by_hierarchy_and_by_brute_force() {
                 verdicts.push(verdict);
             }
             if output[0].y >= 0.0 {
-                let t = mesh.0[output[0].y as usize].map(|x| x.as_dvec3());
+                let t = mesh.0[output[0].y as usize].map(Vec3::as_dvec3);
                 let x = a + f64::from(output[0].x) * d;
                 let n = (t[1] - t[0]).cross(t[2] - t[0]);
                 let thin = (t[1] - t[0]).length() * (t[2] - t[0]).length() / n.length();

@@ -55,6 +55,13 @@ impl Probe {
         self
     }
 
+    /// With a list whose length the program knows as the constant `count`.
+    pub fn list(self, name: &'static str, count: &str, records: impl Into<Vec<Record>>) -> Self {
+        let records = records.into();
+        let constant = format!("const {count}: u32 = {}u;", records.len());
+        self.stub(&constant).bind(name, records)
+    }
+
     /// With plain numbers in the binding `name`.
     pub fn numbers(mut self, name: &'static str, numbers: &[u32]) -> Self {
         self.numbers.insert(name, numbers.to_vec());
