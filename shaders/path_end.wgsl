@@ -50,6 +50,22 @@ fn secant_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
     return select(step.h, step.h * g0 / (g0 - g1), (g0 < 0.0) != (g1 < 0.0));
 }
 
+// How far along v the line from the step's start leaves the bounding sphere.
+fn line_exit(p: Phase) -> f32 {
+    let d = p[0].xyz - bound.center;
+    let v = p[1].xyz;
+    let vv = dot(v, v);
+    let b = dot(d, v) / vv;
+    let miss = d - b * v;
+    return sqrt(max(bound.radius * bound.radius - dot(miss, miss), 0.0) / vv) - b;
+}
+
+// A ray that first moves inwards comes nearer before it goes: there Newton's method would run back to where it came in.
+fn open_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+    let inwards = dot(step.phase[0].xyz - bound.center, step.phase[1].xyz) < 0.0;
+    return select(secant_guess(code, hit, step), min(line_exit(step.phase), step.h), code == ESCAPED && inwards);
+}
+
 // ray: the state at the start of its last segment, which is followed again, to its very end.
 fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let x = ray.phase[0].xyz;

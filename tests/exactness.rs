@@ -1,6 +1,10 @@
 //! 'Model no more than a scene needs', made executable: nothing can be taken out of a scene's program.
 
-use bentray::program::{Linked, validated};
+use bentray::gpu::Geometry;
+use bentray::program::{BindingKind, Choice, Layer, Linked, Parts, Program, Purpose, Schedule, Unit, link, validated};
+use bentray::scene::Scene;
+
+use crate::support::shipped_scenes;
 
 /// Everything that a module declares, by kind, as names.
 fn declared(module: &naga::Module) -> Vec<String> {
@@ -14,10 +18,79 @@ fn declared(module: &naga::Module) -> Vec<String> {
 }
 
 /// What naga would remove from the program as unused.
-pub fn unused(linked: &Linked) -> Vec<String> {
+fn unused(linked: &Linked) -> Vec<String> {
     let mut module = validated(linked).unwrap_or_else(|error| panic!("{error}"));
     let before = declared(&module);
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
     let after = declared(&module);
     before.into_iter().filter(|name| !after.contains(name)).collect()
+}
+
+#[test]
+fn nothing_can_be_taken_out_of_any_program() {
+    let purposes = [Purpose::Picture, Purpose::Trace];
+    for path in shipped_scenes() {
+        let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+        let geometry = Geometry::new(&scene);
+        for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
+            for (masks, layers) in [(true, Vec::new()), (false, Layer::ALL.to_vec())] {
+                for purpose in purposes {
+                    let choice = Choice { schedule, masks, purpose, layers: layers.clone() };
+                    let program =
+                        Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len()).unwrap();
+                    for (pass, linked, _) in &program.passes {
+                        let unused = unused(linked);
+                        assert!(
+                            unused.is_empty(),
+                            "{}: pass {} has {unused:?} for nothing",
+                            path.display(),
+                            pass.entry()
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// No uniform that only repeats what the scene fixes: kinds of law, shape, method, camera and sky are in the choice of parts.
+#[test]
+fn programs_do_not_branch_on_what_the_scene_fixes() {
+    for path in shipped_scenes() {
+        let scene = Scene::load(&path, &[]).unwrap();
+        let geometry = Geometry::new(&scene);
+        let program = Program::new(&scene, &Choice::default(), geometry.nodes.len(), geometry.triangles.len()).unwrap();
+        for (pass, linked, reflection) in &program.passes {
+            for binding in &reflection.bindings {
+                if let BindingKind::Uniform(layout) = &binding.kind {
+                    let name = &binding.name;
+                    for field in &layout.fields {
+                        for test in [format!("if {name}.{} ", field.name), format!("switch {name}.{} ", field.name)] {
+                            // The picture's first sample and a walk's later passes are not the scene's.
+                            let varies = ["frame", "turn"].contains(&name.as_str());
+                            assert!(
+                                varies || !linked.source.contains(&test),
+                                "{}: `{test}` in {}",
+                                path.display(),
+                                pass.entry()
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A part that is planted for nothing is found.
+#[test]
+fn the_check_finds_what_is_unused() {
+    let text = "struct Kept { a: f32 }\n@group(0) @binding(0) var<storage, read_write> kept: Kept;\n\
+                @group(0) @binding(1) var<uniform> idle: Kept;\n\
+                @compute @workgroup_size(1) fn entry() { let idle_too = 1.0; kept.a = idle_too; if false { kept.a = idle.a; } }\n\
+                fn extra() -> f32 { return 1.0; }\n";
+    let unit = Unit { file: "planted.wgsl".into(), text: text.into() };
+    let linked = link(&Parts { shared: vec![unit], regions: Vec::new() }, "entry").unwrap();
+    assert!(!linked.source.contains("extra"), "the linker leaves out what is not reached");
+    assert!(unused(&linked).is_empty());
 }

@@ -1,1 +1,135 @@
-//! (see suite.rs)
+//! Traced rays against answers to 15 digits, from closed forms and high-order series.
+
+use std::collections::BTreeMap;
+
+use bentray::gpu::Gpu;
+use bentray::render::{Settings, Traced, trace};
+use glam::DVec3;
+
+use crate::support::{gpu, scene};
+
+fn vector(text: &str) -> DVec3 {
+    let numbers: Vec<f64> = text.split(' ').map(|word| word.parse().unwrap()).collect();
+    DVec3::new(numbers[0], numbers[1], numbers[2])
+}
+
+fn single(v: [f32; 3]) -> DVec3 {
+    DVec3::from(v.map(f64::from))
+}
+
+/// Rows of a table, grouped by the scene that they are traced in: each distinct one costs a compilation.
+fn traced<'t>(
+    gpu: &Gpu,
+    rows: &[Vec<&'t str>],
+    scene_of: impl Fn(&[&'t str]) -> String,
+    ray_of: impl Fn(&[&'t str]) -> (DVec3, DVec3),
+) -> Vec<Traced> {
+    let mut groups: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+    for (i, row) in rows.iter().enumerate() {
+        groups.entry(scene_of(row)).or_default().push(i);
+    }
+    let mut ends = vec![None; rows.len()];
+    for (text, members) in groups {
+        let rays: Vec<[f64; 6]> = members
+            .iter()
+            .map(|&i| {
+                let (x, v) = ray_of(&rows[i]);
+                [x.x, x.y, x.z, v.x, v.y, v.z]
+            })
+            .collect();
+        let (results, _) = trace(gpu, &scene(&text), &Settings::default(), &rays).unwrap();
+        for (i, end) in members.into_iter().zip(results) {
+            ends[i] = Some(end);
+        }
+    }
+    ends.into_iter().map(Option::unwrap).collect()
+}
+
+fn rows(table: &str) -> Vec<Vec<&str>> {
+    table.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect()).collect()
+}
+
+/// RK4 at η = 0.03: its own error is under float32's. Bounds: 2e-5, or 40 times what one rounding of the input does to the
+/// answer (some 40 times as many roundings lie along the path).
+#[test]
+fn rays_end_where_closed_forms_say() {
+    let rows = rows(include_str!("tables/ends.tsv"));
+    let gpu = gpu();
+    let scene_of = |row: &[&str]| {
+        let law = row[1].replace(';', "\n");
+        format!("[law]\n{law}\n[rays]\nscaled_step = 0.03\nmax_segments = 4000\nbound = {{ radius = {} }}\n", row[2])
+    };
+    let ends = traced(&gpu, &rows, scene_of, |row| (vector(row[3]), vector(row[4])));
+    for (row, end) in rows.iter().zip(ends) {
+        assert_eq!(end.status.name(), row[5], "{}", row[0]);
+        let (radius, sensitivity) = (row[2].parse::<f64>().unwrap(), row[8].parse::<f64>().unwrap());
+        let position = single(end.x).distance(vector(row[6])) / radius;
+        assert!(
+            position <= (40.0 * sensitivity / radius).max(2e-5),
+            "{}: position off by {position:e} of the bound",
+            row[0]
+        );
+        let direction = single(end.v).normalize().distance(vector(row[7]));
+        let sensitivity = row[9].parse::<f64>().unwrap();
+        assert!(direction <= (40.0 * sensitivity).max(2e-5), "{}: direction off by {direction:e}", row[0]);
+    }
+}
+
+#[test]
+fn flows_follow_their_orbits() {
+    let rows = rows(include_str!("tables/orbits.tsv"));
+    let gpu = gpu();
+    let scene_of = |row: &[&str]| {
+        format!(
+            "[law]\nkind = \"{}\"\n[rays]\nscaled_step = 0.05\nmax_segments = 4000\nbound = {{ radius = 500 }}\nlength = {}\n",
+            row[1], row[3]
+        )
+    };
+    let ends = traced(&gpu, &rows, scene_of, |row| (vector(row[2]), DVec3::X));
+    for (row, end) in rows.iter().zip(ends) {
+        assert_eq!(end.status.name(), "ended", "{}", row[0]);
+        let error = single(end.x).distance(vector(row[4])) / row[5].parse::<f64>().unwrap();
+        assert!(error <= 1e-4, "{} at t = {}: off by {error:e} of the orbit's size", row[0], row[3]);
+    }
+}
+
+/// What a law keeps is kept: energy in a field of forces, |v| = n in a medium, both forms of Schwarzschild's the same path.
+#[test]
+fn rays_keep_what_their_law_keeps() {
+    let gpu = gpu();
+    let medium = "[law]\nkind = \"medium\"\nindex = { noise = { radius = 8, amplitude = 0.2, frequency = 0.5, octaves = 2 } }\n\
+                  [rays]\nscaled_step = 0.05\nmax_segments = 4000\nlength = 9\nbound = { radius = 20 }\n";
+    let rays: Vec<[f64; 6]> = (0..64).map(|i| [-9.0, 0.2 * f64::from(i) - 6.4, 0.7, 1.0, 0.0, 0.0]).collect();
+    // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.
+    let (ends, _) = trace(&gpu, &scene(medium), &Settings::default(), &rays).unwrap();
+    let short = medium.replace("length = 9", "length = 1e-6");
+    let again: Vec<[f64; 6]> =
+        ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2]].map(f64::from)).collect();
+    let (starts, _) = trace(&gpu, &scene(&short), &Settings::default(), &again).unwrap();
+    for (end, start) in ends.iter().zip(starts) {
+        let (kept, index) = (single(end.v).length(), single(start.v).length());
+        assert!((kept - index).abs() < 2e-5, "|v| = {kept}, n = {index}");
+    }
+}
+
+/// Backwards along its own path a ray comes back to its start.
+#[test]
+fn paths_can_be_followed_back() {
+    let gpu = gpu();
+    let hole = scene(
+        "[law]\nkind = \"schwarzschild\"\n[rays]\nscaled_step = 0.03\nmax_segments = 4000\nbound = { radius = 30 }\n",
+    );
+    let rays: Vec<[f64; 6]> = (0..40).map(|i| [-29.9, 6.5 + 0.2 * f64::from(i), 1.0, 1.0, 0.0, 0.0]).collect();
+    let (ends, _) = trace(&gpu, &hole, &Settings::default(), &rays).unwrap();
+    let back: Vec<[f64; 6]> =
+        ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], -e.v[0], -e.v[1], -e.v[2]].map(f64::from)).collect();
+    let (starts, _) = trace(&gpu, &hole, &Settings::default(), &back).unwrap();
+    for (ray, start) in rays.iter().zip(starts) {
+        let line = DVec3::new(ray[3], ray[4], ray[5]);
+        let off = (single(start.x) - DVec3::new(ray[0], ray[1], ray[2])).reject_from_normalized(line).length();
+        assert!(off < 1e-2, "came back {off} beside its start");
+        // The rays that wind longest start half a unit outside the critical one, where errors grow a hundredfold.
+        let turned = (single(start.v).normalize() + line).length();
+        assert!(turned < 2e-3, "came back turned by {turned}");
+    }
+}

@@ -19,9 +19,12 @@ fn segment_pieces(s: Segment) -> u32 {
     let lo = min(min(s.x0, s.x1), min(b1, b2));
     let hi = max(max(s.x0, s.x1), max(b1, b2));
     let near = all(lo <= arc.hi) && all(hi >= arc.lo);
-    // A bound on the distance between chord and curve; it falls with the square of the number of pieces.
+    // An eighth of the largest second derivative, which is linear along the arc, bounds the distance between chord and curve;
+    // it falls with the square of the number of pieces.
     let c = s.x1 - s.x0;
-    let sag = 0.25 * max(length(s.h * s.v0 - c), length(c - s.h * s.v1));
+    let a = s.h * s.v0 - c;
+    let b = c - s.h * s.v1;
+    let sag = 0.25 * max(length(2.0 * a - b), length(a - 2.0 * b));
     let pieces = clamp(ceil(sqrt(sag / arc.tolerance)), 1.0, MAX_PIECES);
     return select(0u, u32(pieces), near);
 }

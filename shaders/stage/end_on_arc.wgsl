@@ -13,7 +13,7 @@ fn stop_gap(code: u32, hit: Hit, x: vec3f) -> vec4f {
 }
 
 fn first_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
-    return select(secant_guess(code, hit, step), hit.t * step.h, code == HIT);
+    return select(open_guess(code, hit, step), hit.t * step.h, code == HIT);
 }
 
 fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {

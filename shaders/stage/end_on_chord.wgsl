@@ -9,7 +9,7 @@ fn stop_gap(code: u32, hit: Hit, x: vec3f) -> vec4f {
 }
 
 fn first_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
-    return secant_guess(code, hit, step);
+    return open_guess(code, hit, step);
 }
 
 fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {

@@ -5,6 +5,7 @@
 //! these are ours. "No acceleration" is every pixel in every pass with a fixed step; "acceleration" is early termination and step
 //! doubling by the paper's rule.
 
+use std::fmt::Write as _;
 use std::time::Duration;
 
 use crate::gpu::Gpu;
@@ -65,7 +66,10 @@ pub struct TableRow {
 
 const LAWS: [(&str, &str); 4] = [
     ("Lorenz system", "kind = \"lorenz\"\norder = 2\nsigma = 0.1\nrho = 0.28\nbeta = 0.027"),
-    ("Potential field", "kind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 0.02, falloff = { cubic = 12 } }]"),
+    (
+        "Potential field",
+        "kind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 0.02, falloff = { cubic = 12 } }]",
+    ),
     ("Varying index", "kind = \"medium\"\nindex = { noise = { radius = 12, amplitude = 0.1, frequency = 0.4 } }"),
     ("Schwarzschild", "kind = \"schwarzschild\"\nform = \"geodesic\""),
 ];
@@ -136,7 +140,11 @@ impl PaperBench<'_> {
             // On a ring behind the hole, in turns nearer and further.
             let angle = std::f64::consts::TAU * i as f64 / spheres as f64;
             let (x, y, z) = (7.0 * angle.cos(), 5.0 * angle.sin(), if i % 2 == 0 { -6.0 } else { 2.0 });
-            text += &format!("[[objects]]\nshape = \"sphere\"\ncenter = [{x}, {y}, {z}]\nradius = 0.9\nmaterial = \"red\"\n");
+            // Writing to a String cannot fail.
+            let _ = write!(
+                text,
+                "[[objects]]\nshape = \"sphere\"\ncenter = [{x}, {y}, {z}]\nradius = 0.9\nmaterial = \"red\"\n"
+            );
         }
         Scene::parse(&text, std::path::Path::new("bench"), &[]).map_err(own_scene)
     }

@@ -23,10 +23,9 @@ pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
     Ok(captured.fold(None, |most: Option<f64>, b| Some(most.map_or(b, |most| most.max(b)))))
 }
 
-/// A ray from (r, 0, 0) inwards with impact parameter b: for a unit coordinate direction d, L = r d_y and
-/// E² = d_x² + (1 − 2/r) L²/r².
+/// A ray from (r, 0, 0) inwards with impact parameter b = L/E: for a unit coordinate direction with the transverse part s,
+/// L = r s and E² = 1 − s² + (1 − 2/r) s².
 fn ray(r: f64, b: f64) -> [f64; 6] {
-    // b² (1 − s² + (1 − 2/r) s²) = r² s² for s = d_y.
     let s = (b * b / (r * r + 2.0 * b * b / r)).sqrt();
     [r, 0.0, 0.0, -(1.0 - s * s).sqrt(), s, 0.0]
 }

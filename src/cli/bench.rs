@@ -64,7 +64,11 @@ fn print_schedules(bench: &PaperBench) -> Result<(), Error> {
         );
     }
     if let [(_, paper, paper_masked), .., (_, fused, fused_masked)] = schedules.as_slice() {
-        say!("fused is {:.1} times faster than paper, {:.1} times with masks", ratio(paper, fused), ratio(paper_masked, fused_masked));
+        say!(
+            "fused is {:.1} times faster than paper, {:.1} times with masks",
+            ratio(paper, fused),
+            ratio(paper_masked, fused_masked)
+        );
     }
     Ok(())
 }
@@ -74,7 +78,9 @@ fn ratio(slow: &Sample, fast: &Sample) -> f64 {
 }
 
 fn print_table(bench: &PaperBench) -> Result<(), Error> {
-    say!("\nTable 1 of the paper (2004: ATI Radeon 9700), seconds: no acceleration; early termination and step doubling");
+    say!(
+        "\nTable 1 of the paper (2004: ATI Radeon 9700), seconds: no acceleration; early termination and step doubling"
+    );
     say!("{:<16} {:>8} {:>8}   {:>8} {:>8}", "law", "2004", "here", "2004", "here");
     for (i, row) in bench.table()?.iter().enumerate() {
         say!(
@@ -94,7 +100,10 @@ fn print_shadow(gpu: &Gpu) -> Result<(), Error> {
     let methods = [
         ("Euler, h = 0.15", "method = \"euler\"\nstep = 0.15"),
         ("Euler, 300 steps through the scene", "method = \"euler\"\nstep = 0.3333333333"),
-        ("Euler doubling, the paper's rule, 1e-3", "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3"),
+        (
+            "Euler doubling, the paper's rule, 1e-3",
+            "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3",
+        ),
         ("RK4, h = 0.1 r (default)", "method = \"rk4\"\nscaled_step = 0.1"),
     ];
     for (name, keys) in methods {

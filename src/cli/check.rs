@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::options::{Schedule, SceneOptions, choice};
+use super::options::{SceneOptions, Schedule, choice};
 use crate::error::Error;
 use crate::gpu::{Geometry, memory};
 use crate::program::{Choice, Program};
@@ -59,7 +59,12 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     }
     for (pass, linked, reflection) in &program.passes {
         let lines = linked.source.lines().count();
-        say!("  pass {:<10} {lines:>4} lines, {:>2} bindings: {}", pass.entry(), reflection.bindings.len(), linked.parts().join(" "));
+        say!(
+            "  pass {:<10} {lines:>4} lines, {:>2} bindings: {}",
+            pass.entry(),
+            reflection.bindings.len(),
+            linked.parts().join(" ")
+        );
     }
     print_memory(&scene, &program, &choice)
 }

@@ -3,7 +3,6 @@
 //! Results go to stdout or the named files, messages to stderr, a progress bar only to a terminal. Exit codes: 0 done, 1 failed,
 //! 2 usage.
 
-
 /// A line of results to standard output, in functions that return this crate's error.
 macro_rules! say {
     ($($format:tt)*) => {

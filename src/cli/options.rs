@@ -24,7 +24,9 @@ pub(super) struct SceneOptions {
 pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     let in_range = |size: &[u32; 2]| size.iter().all(|side| (1..=65536).contains(side));
-    parsed.filter(in_range).ok_or_else(|| format!("`{text}` is not a size such as 800x600, of 1 to 65536 pixels a side"))
+    parsed
+        .filter(in_range)
+        .ok_or_else(|| format!("`{text}` is not a size such as 800x600, of 1 to 65536 pixels a side"))
 }
 
 impl SceneOptions {

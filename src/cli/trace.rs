@@ -90,13 +90,7 @@ fn result_row(ray: usize, end: &Traced) -> ResultRow<'static> {
 }
 
 fn path_row(ray: usize, index: usize, point: &PathPoint) -> PathRow {
-    PathRow {
-        ray,
-        index,
-        position: point.x,
-        velocity: point.v,
-        tau: point.tau,
-    }
+    PathRow { ray, index, position: point.x, velocity: point.v, tau: point.tau }
 }
 
 fn path_line((status, points): &(Status, Vec<PathPoint>)) -> PathLine<'static> {

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::options::{Schedule, SceneOptions, choice};
+use super::options::{SceneOptions, Schedule, choice};
 use crate::error::Error;
 use crate::gpu::Geometry;
 use crate::program::Program;

@@ -5,10 +5,13 @@ use std::collections::BTreeMap;
 use glam::{DVec2, DVec3};
 use half::f16;
 use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
-use wgpu::{Buffer, BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages};
+use wgpu::{
+    Buffer, BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
+};
 
 use super::geometry::PlacedShape;
-use super::records::{Value, Value::*, pack};
+use super::records::Value::{Float, Uint, Uint2, Uint4, Vec2, Vec3, Vec4};
+use super::records::{Value, pack};
 use super::{Geometry, Gpu, GpuError};
 use crate::program::{Binding, BindingKind, Layout, Program, Purpose, constant};
 use crate::scene::{
@@ -231,7 +234,8 @@ impl Source<'_> {
         match name {
             "balls" => {
                 let shapes = g.placed.get("sphere").map_or(&[][..], Vec::as_slice);
-                pack(name, layout, shapes.iter().map(|s| [("center", Vec3(s.center)), ("radius", Float(s.radius))])).map(Some)
+                pack(name, layout, shapes.iter().map(|s| [("center", Vec3(s.center)), ("radius", Float(s.radius))]))
+                    .map(Some)
             }
             "ellipsoid_spaces" => spaces("ellipsoid"),
             "box_spaces" => spaces("box"),
@@ -240,22 +244,39 @@ impl Source<'_> {
             "ellipsoids" => placed("ellipsoid"),
             "boxes" => placed("box"),
             "planes" => placed("plane"),
-            "nodes" => pack(name, layout, g.nodes.iter().map(|n| {
-                [("lo", Vec3(n.lo.into())), ("hi", Vec3(n.hi.into())), ("skip", Uint(n.skip)), ("leaf", Uint(n.leaf))]
-            }))
+            "nodes" => pack(
+                name,
+                layout,
+                g.nodes.iter().map(|n| {
+                    [
+                        ("lo", Vec3(n.lo.into())),
+                        ("hi", Vec3(n.hi.into())),
+                        ("skip", Uint(n.skip)),
+                        ("leaf", Uint(n.leaf)),
+                    ]
+                }),
+            )
             .map(Some),
-            "triangles" => pack(name, layout, g.triangles.iter().map(|[a, b, c, object]| {
-                [("a", Uint(*a)), ("b", Uint(*b)), ("c", Uint(*c)), ("object", Uint(*object))]
-            }))
+            "triangles" => pack(
+                name,
+                layout,
+                g.triangles.iter().map(|[a, b, c, object]| {
+                    [("a", Uint(*a)), ("b", Uint(*b)), ("c", Uint(*c)), ("object", Uint(*object))]
+                }),
+            )
             .map(Some),
-            "vertices" => pack(name, layout, g.vertices.iter().map(|v| {
-                [
-                    ("position", Vec3(v.position.into())),
-                    ("normal", Vec3(v.normal.into())),
-                    ("u", Float(v.uv.x.into())),
-                    ("v", Float(v.uv.y.into())),
-                ]
-            }))
+            "vertices" => pack(
+                name,
+                layout,
+                g.vertices.iter().map(|v| {
+                    [
+                        ("position", Vec3(v.position.into())),
+                        ("normal", Vec3(v.normal.into())),
+                        ("u", Float(v.uv.x.into())),
+                        ("v", Float(v.uv.y.into())),
+                    ]
+                }),
+            )
             .map(Some),
             "object_materials" => {
                 let materials: Vec<u32> = self.scene.objects.iter().map(|object| object.material as u32).collect();
@@ -306,32 +327,61 @@ impl Source<'_> {
             _ => &[],
         };
         let bytes = match name {
-            "point_lights" => pack(name, layout, lights.filter_map(|light| match *light {
-                Light::Point { position, color } => Some([("position", Vec3(position)), ("color", Vec3(color))]),
-                Light::Directional { .. } => None,
-            })),
-            "directional_lights" => pack(name, layout, lights.filter_map(|light| match *light {
-                Light::Directional { direction, color } => Some([("direction", Vec3(direction)), ("color", Vec3(color))]),
-                Light::Point { .. } => None,
-            })),
-            "inverse_square" => pack(name, layout, sources.iter().filter(|s| s.falloff == Falloff::InverseSquare).map(|s| {
-                [("position", Vec3(s.position)), ("strength", Float(s.strength))]
-            })),
-            "cubic" => pack(name, layout, sources.iter().filter_map(|s| match s.falloff {
-                Falloff::Cubic { radius } => {
-                    Some([("position", Vec3(s.position)), ("strength", Float(s.strength)), ("radius", Float(radius))])
-                }
-                _ => None,
-            })),
-            "yukawa" => pack(name, layout, sources.iter().filter_map(|s| match s.falloff {
-                Falloff::Yukawa { mu } => {
-                    Some([("position", Vec3(s.position)), ("strength", Float(s.strength)), ("mu", Float(mu))])
-                }
-                _ => None,
-            })),
-            "capture_spheres" => pack(name, layout, self.capture_spheres().into_iter().map(|(center, radius)| {
-                [("center", Vec3(center)), ("radius", Float(radius))]
-            })),
+            "point_lights" => pack(
+                name,
+                layout,
+                lights.filter_map(|light| match *light {
+                    Light::Point { position, color } => Some([("position", Vec3(position)), ("color", Vec3(color))]),
+                    Light::Directional { .. } => None,
+                }),
+            ),
+            "directional_lights" => pack(
+                name,
+                layout,
+                lights.filter_map(|light| match *light {
+                    Light::Directional { direction, color } => {
+                        Some([("direction", Vec3(direction)), ("color", Vec3(color))])
+                    }
+                    Light::Point { .. } => None,
+                }),
+            ),
+            "inverse_square" => pack(
+                name,
+                layout,
+                sources
+                    .iter()
+                    .filter(|s| s.falloff == Falloff::InverseSquare)
+                    .map(|s| [("position", Vec3(s.position)), ("strength", Float(s.strength))]),
+            ),
+            "cubic" => pack(
+                name,
+                layout,
+                sources.iter().filter_map(|s| match s.falloff {
+                    Falloff::Cubic { radius } => Some([
+                        ("position", Vec3(s.position)),
+                        ("strength", Float(s.strength)),
+                        ("radius", Float(radius)),
+                    ]),
+                    _ => None,
+                }),
+            ),
+            "yukawa" => pack(
+                name,
+                layout,
+                sources.iter().filter_map(|s| match s.falloff {
+                    Falloff::Yukawa { mu } => {
+                        Some([("position", Vec3(s.position)), ("strength", Float(s.strength)), ("mu", Float(mu))])
+                    }
+                    _ => None,
+                }),
+            ),
+            "capture_spheres" => pack(
+                name,
+                layout,
+                self.capture_spheres()
+                    .into_iter()
+                    .map(|(center, radius)| [("center", Vec3(center)), ("radius", Float(radius))]),
+            ),
             _ => return Ok(None),
         };
         bytes.map(Some)
@@ -342,7 +392,8 @@ impl Source<'_> {
     fn capture_spheres(&self) -> Vec<(DVec3, f64)> {
         match &self.scene.law {
             Law::Schwarzschild { mass, center, .. } => {
-                let clear = self.geometry.clearance(*center) > 3.0 * mass && self.program.choice.purpose == Purpose::Picture;
+                let clear =
+                    self.geometry.clearance(*center) > 3.0 * mass && self.program.choice.purpose == Purpose::Picture;
                 vec![(*center, if clear { 3.0 * mass } else { 2.0 * mass })]
             }
             Law::Sources(sources) => {

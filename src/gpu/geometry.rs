@@ -91,7 +91,8 @@ impl Geometry {
         let m = inverse.matrix3.transpose();
         let t = inverse.translation;
         // A transformed cube's half extents; they bound the sphere and the square in it.
-        let half = DMat3::from_cols(map.matrix3.x_axis.abs(), map.matrix3.y_axis.abs(), map.matrix3.z_axis.abs()) * DVec3::ONE;
+        let half =
+            DMat3::from_cols(map.matrix3.x_axis.abs(), map.matrix3.y_axis.abs(), map.matrix3.z_axis.abs()) * DVec3::ONE;
         self.placed.entry(shape_kind(&object.shape, &object.transform)).or_default().push(PlacedShape {
             center: map.translation,
             radius: object.transform.uniform_scale().unwrap_or(0.0),

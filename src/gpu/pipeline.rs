@@ -5,8 +5,9 @@ use std::sync::Mutex;
 
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
-    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModuleDescriptor,
-    ShaderSource, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
+    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor,
+    ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType,
+    TextureViewDimension,
 };
 
 use super::{Gpu, GpuError};
@@ -33,7 +34,10 @@ pub(super) const PER_PASS: [&str; 3] = ["turn", "living_in", "living_out"];
 impl Pipelines {
     /// Compiles the program for the device; refuses what exceeds its limits.
     pub fn new(gpu: &Gpu, program: &Program) -> Result<Self, GpuError> {
-        let all = program.passes.iter().map(|(pass, linked, reflection)| Ok((*pass, Pipeline::new(gpu, linked, reflection)?)));
+        let all = program
+            .passes
+            .iter()
+            .map(|(pass, linked, reflection)| Ok((*pass, Pipeline::new(gpu, linked, reflection)?)));
         all.collect::<Result<_, GpuError>>().map(Self)
     }
 
@@ -53,7 +57,7 @@ impl Pipeline {
     /// Compiles one linked program.
     pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
         check_limits(gpu, reflection)?;
-        let entries: Vec<_> = reflection.bindings.iter().map(|binding| entry(binding)).collect::<Result<_, _>>()?;
+        let entries: Vec<_> = reflection.bindings.iter().map(entry).collect::<Result<_, _>>()?;
         let label = Some(linked.entry.as_str());
         let scope = gpu.device.push_error_scope(ErrorFilter::Validation);
         let layout = gpu.device.create_bind_group_layout(&BindGroupLayoutDescriptor { label, entries: &entries });

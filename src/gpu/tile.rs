@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use wgpu::{
-    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferBinding, BufferDescriptor, BufferUsages,
-    Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureViewDescriptor,
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferBinding, BufferDescriptor,
+    BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
+    TextureViewDescriptor,
 };
 
 use super::pipeline::{PER_PASS, Pipeline, Pipelines, texture_format};
@@ -178,14 +179,13 @@ impl Tile {
             views.push((name, texture.map(|texture| texture.create_view(&TextureViewDescriptor::default()))));
         }
         let entries = pipeline.bindings.iter().zip(&views).map(|(binding, (name, view))| {
-            let resource = match view {
-                Some(view) => BindingResource::TextureView(view),
-                None => {
-                    let buffer = self.buffers.get(name).or_else(|| scene.buffers.get(name)).ok_or_else(|| missing(name))?;
-                    let part = PER_PASS.contains(&binding.name.as_str());
-                    let size = if part { std::num::NonZeroU64::new(16) } else { None };
-                    BindingResource::Buffer(BufferBinding { buffer, offset: 0, size })
-                }
+            let resource = if let Some(view) = view {
+                BindingResource::TextureView(view)
+            } else {
+                let buffer = self.buffers.get(name).or_else(|| scene.buffers.get(name)).ok_or_else(|| missing(name))?;
+                let part = PER_PASS.contains(&binding.name.as_str());
+                let size = if part { std::num::NonZeroU64::new(16) } else { None };
+                BindingResource::Buffer(BufferBinding { buffer, offset: 0, size })
             };
             Ok(BindGroupEntry { binding: binding.number, resource })
         });
@@ -198,9 +198,6 @@ impl Tile {
     #[must_use]
     pub fn offsets(pipelines: &Pipelines, pass: crate::program::Pass) -> Vec<&'static str> {
         let bindings = pipelines.get(pass).map_or(&[][..], |pipeline| &pipeline.bindings);
-        bindings
-            .iter()
-            .filter_map(|binding| PER_PASS.iter().copied().find(|name| *name == binding.name))
-            .collect()
+        bindings.iter().filter_map(|binding| PER_PASS.iter().copied().find(|name| *name == binding.name)).collect()
     }
 }

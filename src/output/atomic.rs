@@ -34,12 +34,7 @@ impl AtomicFile {
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let kept_permissions = replaceable(path)?;
         let file = temporary_beside(&target, path)?;
-        Ok(Self {
-            path: path.to_owned(),
-            target,
-            kept_permissions,
-            file: BufWriter::with_capacity(BUFFER_BYTES, file),
-        })
+        Ok(Self { path: path.to_owned(), target, kept_permissions, file: BufWriter::with_capacity(BUFFER_BYTES, file) })
     }
 
     /// The path that was asked for.
@@ -51,15 +46,10 @@ impl AtomicFile {
     /// Puts the file in place of whatever file stood there.
     pub fn finish(self) -> Result<(), OutputError> {
         let path = self.path;
-        let failed = |cause| OutputError::Write {
-            path: path.clone(),
-            cause,
-        };
+        let failed = |cause| OutputError::Write { path: path.clone(), cause };
         let file = self.file.into_inner().map_err(|e| failed(e.into_error()))?;
         if let Some(permissions) = self.kept_permissions {
-            file.as_file()
-                .set_permissions(permissions)
-                .map_err(failed)?;
+            file.as_file().set_permissions(permissions).map_err(failed)?;
         }
         file.as_file().sync_all().map_err(failed)?;
         file.persist(&self.target).map_err(|e| failed(e.error))?;
@@ -68,30 +58,20 @@ impl AtomicFile {
 
     /// Names the path in an error of writing.
     pub(super) fn failed(&self, cause: io::Error) -> OutputError {
-        OutputError::Write {
-            path: self.path.clone(),
-            cause,
-        }
+        OutputError::Write { path: self.path.clone(), cause }
     }
 }
 
 /// The permissions of the file at `path`, if there is one, after a check that it may be replaced.
 fn replaceable(path: &Path) -> Result<Option<Permissions>, OutputError> {
-    let not_a_file = |what| {
-        Err(OutputError::NotAFile {
-            path: path.to_owned(),
-            what,
-        })
-    };
+    let not_a_file = |what| Err(OutputError::NotAFile { path: path.to_owned(), what });
     if path.file_name().is_none() {
         return not_a_file("a folder");
     }
     match fs::metadata(path) {
         Ok(old) if old.is_dir() => not_a_file("a folder"),
         Ok(old) if !old.is_file() => not_a_file("a device or pipe"),
-        Ok(old) if old.permissions().readonly() => Err(OutputError::ReadOnly {
-            path: path.to_owned(),
-        }),
+        Ok(old) if old.permissions().readonly() => Err(OutputError::ReadOnly { path: path.to_owned() }),
         Ok(old) => Ok(Some(old.permissions())),
         // Not there, or not to be seen: making the temporary file tells which.
         Err(_) => Ok(None),
@@ -116,11 +96,7 @@ fn temporary_beside(target: &Path, path: &Path) -> Result<NamedTempFile, OutputE
         if cause.kind() == io::ErrorKind::NotFound {
             OutputError::MissingFolder { path, folder }
         } else {
-            OutputError::Create {
-                path,
-                folder,
-                cause,
-            }
+            OutputError::Create { path, folder, cause }
         }
     })
 }

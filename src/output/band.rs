@@ -79,22 +79,13 @@ pub(super) struct Rows {
 
 impl Rows {
     pub fn new(path: PathBuf, size: [u32; 2], layers: Vec<Layer>) -> Self {
-        Self {
-            path,
-            size,
-            layers,
-            next: 0,
-        }
+        Self { path, size, layers, next: 0 }
     }
 
     /// Counts a band, if it is the next one and has what the picture carries.
     pub fn accept(&mut self, band: &Band) -> Result<(), OutputError> {
         if let Some(problem) = problem(band, self.next, self.size, &self.layers) {
-            return Err(OutputError::Band {
-                path: self.path.clone(),
-                row: band.first_row,
-                problem,
-            });
+            return Err(OutputError::Band { path: self.path.clone(), row: band.first_row, problem });
         }
         self.next += band.rows;
         Ok(())
@@ -110,10 +101,6 @@ impl Rows {
         if self.is_complete() {
             return Ok(());
         }
-        Err(OutputError::Incomplete {
-            path: self.path.clone(),
-            rows: self.next,
-            height: self.size[1],
-        })
+        Err(OutputError::Incomplete { path: self.path.clone(), rows: self.next, height: self.size[1] })
     }
 }

@@ -22,11 +22,7 @@ const FAULT: [f64; 3] = [1.0, 0.0, 1.0];
 /// The sRGB encoding (IEC 61966-2-1) of a linear value from 0 to 1.
 #[must_use]
 pub fn srgb_from_linear(x: f64) -> f64 {
-    if x <= 0.003_130_8 {
-        12.92 * x
-    } else {
-        1.055 * x.powf(1.0 / 2.4) - 0.055
-    }
+    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// The sRGB values, from 0 to 1, of a linear colour multiplied by `gain`.

@@ -20,15 +20,8 @@ pub const RAY_COLUMNS: [&str; 6] = ["x", "y", "z", "vx", "vy", "vz"];
 /// The first line names the columns, which must be exactly those of [`RAY_COLUMNS`]; spaces around fields and empty
 /// lines are passed over. Every number must be finite, and there must be at least one ray.
 pub fn read_rays(path: &Path) -> Result<Vec<[f64; 6]>, OutputError> {
-    let text = fs::read_to_string(path).map_err(|cause| OutputError::Read {
-        path: path.to_owned(),
-        cause,
-    })?;
-    parse_rays(&text).map_err(|(line, problem)| OutputError::Table {
-        path: path.to_owned(),
-        line,
-        problem,
-    })
+    let text = fs::read_to_string(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
+    parse_rays(&text).map_err(|(line, problem)| OutputError::Table { path: path.to_owned(), line, problem })
 }
 
 /// A line, from 1, and what is wrong with it.
@@ -42,13 +35,10 @@ fn parse_rays(text: &str) -> Result<Vec<[f64; 6]>, Fault> {
         .map(|(i, line)| (i + 1, line))
         .filter(|(_, line)| !line.trim().is_empty());
     let expected = RAY_COLUMNS.join(",");
-    let (line, header) = lines
-        .next()
-        .ok_or_else(|| (1, format!("the file is empty; begin it with {expected}")))?;
+    let (line, header) = lines.next().ok_or_else(|| (1, format!("the file is empty; begin it with {expected}")))?;
     let order = column_order(header).map_err(|problem| (line, problem))?;
-    let rays: Vec<_> = lines
-        .map(|(line, row)| parse_ray(row, &order).map_err(|problem| (line, problem)))
-        .collect::<Result<_, _>>()?;
+    let rays: Vec<_> =
+        lines.map(|(line, row)| parse_ray(row, &order).map_err(|problem| (line, problem))).collect::<Result<_, _>>()?;
     if rays.is_empty() {
         return Err((line, "no rays follow the header; give one per line".into()));
     }
@@ -67,10 +57,7 @@ fn column_order(header: &str) -> Result<Vec<usize>, String> {
             ));
         };
         if order.contains(&column) {
-            return Err(format!(
-                "column {}: `{name}` is named twice; keep one",
-                i + 1
-            ));
+            return Err(format!("column {}: `{name}` is named twice; keep one", i + 1));
         }
         order.push(column);
     }
@@ -180,14 +167,7 @@ impl Row for PathRow {
     const HEADER: &'static str = "ray,index,x,y,z,vx,vy,vz,tau";
 
     fn line(&self) -> String {
-        format!(
-            "{},{},{},{},{:?}",
-            self.ray,
-            self.index,
-            numbers(self.position),
-            numbers(self.velocity),
-            self.tau
-        )
+        format!("{},{},{},{},{:?}", self.ray, self.index, numbers(self.position), numbers(self.velocity), self.tau)
     }
 }
 
@@ -197,11 +177,7 @@ fn numbers([x, y, z]: [f32; 3]) -> String {
 }
 
 fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
 /// A table being written to a file, whole or not at all, or to standard output.
@@ -251,8 +227,5 @@ impl Table {
 }
 
 fn stdout_error(cause: io::Error) -> OutputError {
-    OutputError::Write {
-        path: "standard output".into(),
-        cause,
-    }
+    OutputError::Write { path: "standard output".into(), cause }
 }

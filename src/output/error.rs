@@ -28,9 +28,7 @@ pub enum OutputError {
         path: PathBuf,
     },
     /// No file can be made in the folder.
-    #[error(
-        "{path}: cannot create a file in {folder}: {cause}; check the folder's permissions, or write elsewhere"
-    )]
+    #[error("{path}: cannot create a file in {folder}: {cause}; check the folder's permissions, or write elsewhere")]
     Create {
         /// The file asked for.
         path: PathBuf,
@@ -74,9 +72,7 @@ pub enum OutputError {
         problem: String,
     },
     /// The picture was finished before its last row.
-    #[error(
-        "{path}: only {rows} of {height} rows were written; write the rest before finishing (no file was made)"
-    )]
+    #[error("{path}: only {rows} of {height} rows were written; write the rest before finishing (no file was made)")]
     Incomplete {
         /// The picture being written.
         path: PathBuf,

@@ -5,7 +5,7 @@
 //! header, a table of where each block lies (filled in at the end), blocks. Attributes are sorted by name, since the
 //! crate keeps them in a map without an order. Host memory: one band as bytes, and its compressed blocks.
 //!
-//! Channels: `R`, `G`, `B` and those of [`Layer::channels`](super::Layer::channels); floats are 32 bit, ids are
+//! Channels: `R`, `G`, `B` and those of [`channels`](super::band::channels); floats are 32 bit, ids are
 //! unsigned integers.
 
 use std::{
@@ -56,14 +56,7 @@ impl ExrWriter {
         let header = header(&rows, &settings.metadata);
         let mut file = AtomicFile::create(path)?;
         let table_at = write_head(&header, &mut file).map_err(|e| encode_error(&file, e))?;
-        Ok(Self {
-            rows,
-            header,
-            file,
-            table_at,
-            offsets: Vec::new(),
-            pending: Vec::new(),
-        })
+        Ok(Self { rows, header, file, table_at, offsets: Vec::new(), pending: Vec::new() })
     }
 
     fn row_bytes(&self) -> usize {
@@ -72,10 +65,8 @@ impl ExrWriter {
 
     /// Appends the rows of a band to the pending ones.
     fn gather(&mut self, band: &Band) {
-        let mut channels: Vec<(&str, &[u8])> = ["R", "G", "B"]
-            .into_iter()
-            .zip(band.color.iter().map(|c| bytemuck::cast_slice(c)))
-            .collect();
+        let mut channels: Vec<(&str, &[u8])> =
+            ["R", "G", "B"].into_iter().zip(band.color.iter().map(|c| bytemuck::cast_slice(c))).collect();
         for &layer in &self.rows.layers {
             let planes = band.layer(layer).map_or_else(Vec::new, components);
             channels.extend(channels_of(layer).iter().copied().zip(planes));
@@ -92,11 +83,8 @@ impl ExrWriter {
     /// Compresses and writes the pending blocks that are whole, or all of them at the end.
     fn write_blocks(&mut self) -> Result<(), ExrError> {
         let block_bytes = BLOCK_ROWS * self.row_bytes();
-        let ready = if self.rows.is_complete() {
-            self.pending.len()
-        } else {
-            self.pending.len() / block_bytes * block_bytes
-        };
+        let ready =
+            if self.rows.is_complete() { self.pending.len() } else { self.pending.len() / block_bytes * block_bytes };
         let first = self.offsets.len();
         for chunk in compress_all(&self.header, first, &self.pending[..ready])? {
             self.offsets.push(self.file.stream_position()?);
@@ -129,9 +117,7 @@ impl ImageWriter for ExrWriter {
 /// Compresses rows of whole blocks, the first of which is block `first` of the picture, on all cores.
 fn compress_all(header: &Header, first: usize, bytes: &[u8]) -> Result<Vec<Chunk>, ExrError> {
     let row_bytes = header.layer_size.0 * header.channels.bytes_per_pixel;
-    let blocks: Vec<(usize, &[u8])> = (first..)
-        .zip(bytes.chunks(BLOCK_ROWS * row_bytes))
-        .collect();
+    let blocks: Vec<(usize, &[u8])> = (first..).zip(bytes.chunks(BLOCK_ROWS * row_bytes)).collect();
     let workers = thread::available_parallelism().map_or(1, usize::from);
     let share = blocks.len().div_ceil(workers).max(1);
     thread::scope(|scope| {
@@ -172,33 +158,17 @@ fn header(rows: &Rows, metadata: &[(String, String)]) -> Header {
     let size = Vec2(rows.size[0] as usize, rows.size[1] as usize);
     let mut names: Vec<(&str, SampleType)> = ["R", "G", "B"].map(|c| (c, SampleType::F32)).into();
     for layer in &rows.layers {
-        let kind = if is_id(*layer) {
-            SampleType::U32
-        } else {
-            SampleType::F32
-        };
+        let kind = if is_id(*layer) { SampleType::U32 } else { SampleType::F32 };
         names.extend(channels_of(*layer).iter().map(|name| (*name, kind)));
     }
     names.sort_unstable_by_key(|(name, _)| *name);
-    let channels: SmallVec<_> = names
-        .into_iter()
-        .map(|(name, kind)| ChannelDescription::new(name, kind, false))
-        .collect();
-    let other = metadata
-        .iter()
-        .map(|(key, text)| (utf8(key), AttributeValue::Text(utf8(text))))
-        .collect();
+    let channels: SmallVec<_> =
+        names.into_iter().map(|(name, kind)| ChannelDescription::new(name, kind, false)).collect();
+    let other = metadata.iter().map(|(key, text)| (utf8(key), AttributeValue::Text(utf8(text)))).collect();
     Header::new(Text::from(""), size, channels)
-        .with_encoding(
-            Compression::ZIP16,
-            BlockDescription::ScanLines,
-            LineOrder::Increasing,
-        )
+        .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
         .with_attributes(LayerAttributes::default())
-        .with_shared_attributes(ImageAttributes {
-            other,
-            ..ImageAttributes::with_size(size)
-        })
+        .with_shared_attributes(ImageAttributes { other, ..ImageAttributes::with_size(size) })
 }
 
 /// EXR text is UTF-8, which the crate's own constructor would turn into Latin-1.
@@ -225,9 +195,6 @@ fn write_head(header: &Header, file: &mut AtomicFile) -> Result<u64, ExrError> {
 fn encode_error(file: &AtomicFile, error: ExrError) -> OutputError {
     match error {
         ExrError::Io(cause) => file.failed(cause),
-        other => OutputError::Encode {
-            path: file.path().to_owned(),
-            problem: other.to_string(),
-        },
+        other => OutputError::Encode { path: file.path().to_owned(), problem: other.to_string() },
     }
 }

@@ -49,14 +49,7 @@ impl Settings {
     /// Eight bits of plain colour: no exposure, tone map, layers or metadata.
     #[must_use]
     pub fn new(size: [u32; 2]) -> Self {
-        Self {
-            size,
-            exposure: 0.0,
-            tonemap: Tonemap::None,
-            bits: 8,
-            layers: Vec::new(),
-            metadata: Vec::new(),
-        }
+        Self { size, exposure: 0.0, tonemap: Tonemap::None, bits: 8, layers: Vec::new(), metadata: Vec::new() }
     }
 
     /// What is wrong with these settings whatever the format, if anything.
@@ -69,21 +62,20 @@ impl Settings {
                 i32::MAX
             ));
         }
-        self.metadata
-            .iter()
-            .enumerate()
-            .find_map(|(i, (key, text))| {
-                let printable = key.bytes().all(|b| (b' '..=b'~').contains(&b));
-                if !(1..=79).contains(&key.len()) || !printable || key.trim() != key {
-                    Some(format!("the metadata key {key:?} must be 1 to 79 printable ASCII characters, without outer spaces"))
-                } else if self.metadata[..i].iter().any(|(other, _)| other == key) {
-                    Some(format!("the metadata key {key:?} is given twice; keep one"))
-                } else if text.contains('\0') {
-                    Some(format!("the metadata text of {key:?} holds a NUL character; remove it"))
-                } else {
-                    None
-                }
-            })
+        self.metadata.iter().enumerate().find_map(|(i, (key, text))| {
+            let printable = key.bytes().all(|b| (b' '..=b'~').contains(&b));
+            if !(1..=79).contains(&key.len()) || !printable || key.trim() != key {
+                Some(format!(
+                    "the metadata key {key:?} must be 1 to 79 printable ASCII characters, without outer spaces"
+                ))
+            } else if self.metadata[..i].iter().any(|(other, _)| other == key) {
+                Some(format!("the metadata key {key:?} is given twice; keep one"))
+            } else if text.contains('\0') {
+                Some(format!("the metadata text of {key:?} holds a NUL character; remove it"))
+            } else {
+                None
+            }
+        })
     }
 }
 
@@ -100,21 +92,14 @@ pub trait ImageWriter: Send {
 
 /// Starts a picture at `path`, in the format its extension names: `.png` or `.exr`.
 pub fn open(path: &Path, settings: &Settings) -> Result<Box<dyn ImageWriter>, OutputError> {
-    let extension = path
-        .extension()
-        .map(|e| e.to_string_lossy().to_ascii_lowercase());
-    let setting = |problem| OutputError::Setting {
-        path: path.to_owned(),
-        problem,
-    };
+    let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    let setting = |problem| OutputError::Setting { path: path.to_owned(), problem };
     if let Some(problem) = settings.problem() {
         return Err(setting(problem));
     }
     match extension.as_deref() {
         Some("png") => Ok(Box::new(png::PngWriter::create(path, settings)?)),
         Some("exr") => Ok(Box::new(exr::ExrWriter::create(path, settings)?)),
-        _ => Err(OutputError::Format {
-            path: path.to_owned(),
-        }),
+        _ => Err(OutputError::Format { path: path.to_owned() }),
     }
 }

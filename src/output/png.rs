@@ -35,9 +35,7 @@ struct Outbox(Sender<Vec<u8>>);
 
 impl Write for Outbox {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0
-            .send(bytes.to_vec())
-            .map_err(|_| io::ErrorKind::BrokenPipe)?;
+        self.0.send(bytes.to_vec()).map_err(|_| io::ErrorKind::BrokenPipe)?;
         Ok(bytes.len())
     }
 
@@ -50,10 +48,7 @@ impl PngWriter {
     /// Begins a PNG at `path`; layers are refused, since it has no place for them.
     pub fn create(path: &Path, settings: &Settings) -> Result<Self, OutputError> {
         if let Some(problem) = problem(settings) {
-            return Err(OutputError::Setting {
-                path: path.to_owned(),
-                problem,
-            });
+            return Err(OutputError::Setting { path: path.to_owned(), problem });
         }
         let file = AtomicFile::create(path)?;
         let (sender, encoded) = channel();
@@ -91,9 +86,7 @@ impl ImageWriter for PngWriter {
         let mut row = Vec::new();
         for y in 0..band.rows as usize {
             self.row_bytes(band, y * band.width as usize, &mut row);
-            self.encoder
-                .write_all(&row)
-                .map_err(|e| encode_error(&self.rows.path, &e.into()))?;
+            self.encoder.write_all(&row).map_err(|e| encode_error(&self.rows.path, &e.into()))?;
         }
         drain(&self.encoded, &mut self.file)
     }
@@ -101,9 +94,7 @@ impl ImageWriter for PngWriter {
     fn finish(self: Box<Self>) -> Result<(), OutputError> {
         let mut this = *self;
         this.rows.complete()?;
-        this.encoder
-            .finish()
-            .map_err(|e| encode_error(&this.rows.path, &e))?;
+        this.encoder.finish().map_err(|e| encode_error(&this.rows.path, &e))?;
         drain(&this.encoded, &mut this.file)?;
         this.file.finish()
     }
@@ -111,18 +102,12 @@ impl ImageWriter for PngWriter {
 
 /// Moves what the encoder has made to the file.
 fn drain(encoded: &Receiver<Vec<u8>>, file: &mut AtomicFile) -> Result<(), OutputError> {
-    encoded
-        .try_iter()
-        .try_for_each(|bytes| file.write_all(&bytes))
-        .map_err(|e| file.failed(e))
+    encoded.try_iter().try_for_each(|bytes| file.write_all(&bytes)).map_err(|e| file.failed(e))
 }
 
 fn problem(settings: &Settings) -> Option<String> {
     if !matches!(settings.bits, 8 | 16) {
-        return Some(format!(
-            "a PNG has 8 or 16 bits per channel, not {}",
-            settings.bits
-        ));
+        return Some(format!("a PNG has 8 or 16 bits per channel, not {}", settings.bits));
     }
     if !(-MAX_STOPS..=MAX_STOPS).contains(&settings.exposure) {
         return Some(format!(
@@ -134,18 +119,11 @@ fn problem(settings: &Settings) -> Option<String> {
         .then(|| "a PNG holds only colour; write an .exr for the layers, or leave them out".into())
 }
 
-fn encoder(
-    outbox: Outbox,
-    settings: &Settings,
-) -> Result<StreamWriter<'static, Outbox>, EncodingError> {
+fn encoder(outbox: Outbox, settings: &Settings) -> Result<StreamWriter<'static, Outbox>, EncodingError> {
     let [width, height] = settings.size;
     let mut encoder = Encoder::new(outbox, width, height);
     encoder.set_color(ColorType::Rgb);
-    encoder.set_depth(if settings.bits == 16 {
-        BitDepth::Sixteen
-    } else {
-        BitDepth::Eight
-    });
+    encoder.set_depth(if settings.bits == 16 { BitDepth::Sixteen } else { BitDepth::Eight });
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     for (key, text) in &settings.metadata {
         if text.is_ascii() {
@@ -158,8 +136,5 @@ fn encoder(
 }
 
 fn encode_error(path: &Path, error: &EncodingError) -> OutputError {
-    OutputError::Encode {
-        path: path.to_owned(),
-        problem: error.to_string(),
-    }
+    OutputError::Encode { path: path.to_owned(), problem: error.to_string() }
 }

@@ -68,10 +68,7 @@ fn declaration_end(source: &str, from: usize) -> Option<usize> {
 fn with_own_comment(source: &str, from: usize, end: usize) -> usize {
     let first = Tokens::new(source, from).next().map_or(from, |token| token.start);
     let gap = &source[from..first.min(end)];
-    gap.rfind("\n\n").map_or_else(
-        || from + gap.len() - gap.trim_start().len(),
-        |blank| from + blank + 2,
-    )
+    gap.rfind("\n\n").map_or_else(|| from + gap.len() - gap.trim_start().len(), |blank| from + blank + 2)
 }
 
 const KEYWORDS: [&str; 6] = ["fn", "struct", "alias", "const", "var", "override"];
@@ -83,7 +80,8 @@ fn keyword_and_name<'a>(text: &'a str, identifiers: &[Range<usize>]) -> Option<(
         KEYWORDS.contains(&word).then_some(word)
     })?;
     let address_space = ["uniform", "storage", "private", "workgroup", "read", "read_write"];
-    let name = words.map(|range| &text[range.clone()]).find(|word| !(keyword == "var" && address_space.contains(word)))?;
+    let name =
+        words.map(|range| &text[range.clone()]).find(|word| !(keyword == "var" && address_space.contains(word)))?;
     Some((keyword, name))
 }
 
@@ -135,11 +133,7 @@ impl Iterator for Tokens<'_> {
             } else {
                 let first = rest.chars().next()?;
                 let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-                let length = if word(first) {
-                    rest.find(|c| !word(c)).unwrap_or(rest.len())
-                } else {
-                    first.len_utf8()
-                };
+                let length = if word(first) { rest.find(|c| !word(c)).unwrap_or(rest.len()) } else { first.len_utf8() };
                 self.at += length;
                 return Some(self.at - length..self.at);
             }

@@ -22,7 +22,9 @@ pub enum ProgramError {
     #[error("no part declares the entry point `{0}`")]
     NoEntry(String),
     /// A name with a copy per region that is no function, or one whose signature needs a type that has copies itself.
-    #[error("{file}: `{name}` has a copy for each kind of region, but is used by all: only functions over shared types can be chosen between")]
+    #[error(
+        "{file}: `{name}` has a copy for each kind of region, but is used by all: only functions over shared types can be chosen between"
+    )]
     NotSwitchable {
         /// The part.
         file: String,

@@ -40,11 +40,7 @@ pub(super) fn shapes(kinds: &[&str]) -> Unit {
         .iter()
         .map(|kind| (kind.to_uppercase(), format!("surface_{kind}(primitive & PRIMITIVE_INDEX, x)")))
         .collect();
-    text += &switch(
-        "fn hit_surface(primitive: u32, x: vec3f) -> Surface",
-        "primitive & ~PRIMITIVE_INDEX",
-        &surfaces,
-    );
+    text += &switch("fn hit_surface(primitive: u32, x: vec3f) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
     unit("generated/shapes.wgsl", text)
 }
 
@@ -72,8 +68,7 @@ pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str]) -> U
         .iter()
         .map(|kind| (kind.to_uppercase(), format!("radiance_{kind}(material, color, x, normal, view)")))
         .collect();
-    let colors: Vec<_> =
-        patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
+    let colors: Vec<_> = patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
     let mut text = switch(
         "fn surface_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f",
         "material.kind",
@@ -82,8 +77,7 @@ pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str]) -> U
     text += "\n";
     text += &switch("fn pattern_color(material: Material, uv: vec2f) -> vec3f", "material.pattern", &colors);
     if !lights.is_empty() {
-        let sum: Vec<_> =
-            lights.iter().map(|l| format!("lit_by_{l}(material, color, x, normal, view)")).collect();
+        let sum: Vec<_> = lights.iter().map(|l| format!("lit_by_{l}(material, color, x, normal, view)")).collect();
         let _ = write!(
             text,
             "\nfn lit_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {{\n    \
@@ -133,14 +127,10 @@ pub(super) fn counts(scene: &Scene) -> Unit {
         count(&kind.to_uppercase(), scene.objects.iter().filter(is).count());
     }
     let sources: &[Source] = if let Law::Sources(sources) = &scene.law { sources } else { &[] };
-    let falloffs: [(&str, fn(&Falloff) -> bool); 3] = [
-        ("INVERSE_SQUARE", |f| matches!(f, Falloff::InverseSquare)),
-        ("CUBIC", |f| matches!(f, Falloff::Cubic { .. })),
-        ("YUKAWA", |f| matches!(f, Falloff::Yukawa { .. })),
-    ];
-    for (name, is) in falloffs {
-        count(name, sources.iter().filter(|source| is(&source.falloff)).count());
-    }
+    let falling = |is: fn(&Falloff) -> bool| sources.iter().filter(|source| is(&source.falloff)).count();
+    count("INVERSE_SQUARE", falling(|f| matches!(f, Falloff::InverseSquare)));
+    count("CUBIC", falling(|f| matches!(f, Falloff::Cubic { .. })));
+    count("YUKAWA", falling(|f| matches!(f, Falloff::Yukawa { .. })));
     let holes = usize::from(matches!(scene.law, Law::Schwarzschild { .. }));
     count("CAPTURE", holes + sources.iter().filter(|source| source.capture > 0.0).count());
     unit("generated/counts.wgsl", text)

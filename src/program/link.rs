@@ -25,10 +25,7 @@ pub struct Unit {
 
 impl From<Part> for Unit {
     fn from(part: Part) -> Self {
-        Self {
-            file: part.file.into(),
-            text: part.text.into(),
-        }
+        Self { file: part.file.into(), text: part.text.into() }
     }
 }
 
@@ -70,9 +67,7 @@ impl Linked {
     /// The part and the line in it that line `line` (from 1) of the module came from.
     #[must_use]
     pub fn origin(&self, line: usize) -> (&str, usize) {
-        self.origins
-            .get(line.saturating_sub(1))
-            .map_or(("(linked)", line), |origin| (&origin.file, origin.line))
+        self.origins.get(line.saturating_sub(1)).map_or(("(linked)", line), |origin| (&origin.file, origin.line))
     }
 }
 
@@ -152,8 +147,7 @@ fn with_region_copies(parts: &Parts, entry: &str) -> Result<Vec<Unit>, ProgramEr
         return Ok(units);
     }
     for (k, region) in parts.regions.iter().enumerate() {
-        let own: BTreeSet<&str> =
-            region.iter().flat_map(|unit| declarations(&unit.text)).map(|d| d.name).collect();
+        let own: BTreeSet<&str> = region.iter().flat_map(|unit| declarations(&unit.text)).map(|d| d.name).collect();
         units.extend(region.iter().map(|unit| copied(unit, k, &own)));
     }
     if !parts.regions.is_empty() {
@@ -208,7 +202,11 @@ fn region_switches(parts: &Parts, entry: &str) -> Result<Unit, ProgramError> {
         let signature = declaration.text.find("fn ").zip(declaration.text.find('{'));
         let (from, to) = signature.filter(|_| declaration.keyword == "fn").ok_or_else(refused)?;
         let signature = declaration.text[from..to].trim();
-        if declarations(&format!("{signature} {{}}")).iter().flat_map(Declaration::used).any(|n| n != name && own.contains_key(n)) {
+        if declarations(&format!("{signature} {{}}"))
+            .iter()
+            .flat_map(Declaration::used)
+            .any(|n| n != name && own.contains_key(n))
+        {
             return Err(refused());
         }
         let _ = write!(text, "\n{}", switch(signature, name, parts.regions.len()));
@@ -217,8 +215,10 @@ fn region_switches(parts: &Parts, entry: &str) -> Result<Unit, ProgramError> {
 }
 
 fn switch(signature: &str, name: &str, kinds: usize) -> String {
-    let parameters = signature.split_once('(').map_or("", |(_, rest)| rest.rsplit_once(')').map_or("", |(inside, _)| inside));
-    let arguments: Vec<&str> = parameters.split(',').filter_map(|p| p.split(':').next()).map(str::trim).filter(|p| !p.is_empty()).collect();
+    let parameters =
+        signature.split_once('(').map_or("", |(_, rest)| rest.rsplit_once(')').map_or("", |(inside, _)| inside));
+    let arguments: Vec<&str> =
+        parameters.split(',').filter_map(|p| p.split(':').next()).map(str::trim).filter(|p| !p.is_empty()).collect();
     let call = |k: usize| {
         let call = format!("{name}_{k}({})", arguments.join(", "));
         if signature.contains("->") { format!("return {call};") } else { format!("{call};") }

@@ -19,10 +19,7 @@ pub struct Part {
 #[must_use]
 pub fn part(name: &str) -> Option<Part> {
     let file = SHADERS.get_file(format!("{name}.wgsl"))?;
-    Some(Part {
-        file: file.path().to_str()?,
-        text: file.contents_utf8()?,
-    })
+    Some(Part { file: file.path().to_str()?, text: file.contents_utf8()? })
 }
 
 /// Every part, by path.
@@ -32,12 +29,7 @@ pub fn all_parts() -> Vec<Part> {
         .dirs()
         .flat_map(Dir::files)
         .chain(SHADERS.files())
-        .filter_map(|file| {
-            Some(Part {
-                file: file.path().to_str()?,
-                text: file.contents_utf8()?,
-            })
-        })
+        .filter_map(|file| Some(Part { file: file.path().to_str()?, text: file.contents_utf8()? }))
         .collect();
     parts.sort_by_key(|part| part.file);
     parts

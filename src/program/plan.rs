@@ -111,7 +111,8 @@ fn end_parts(scene: &Scene, names: &mut Names) {
 /// The kinds of shape of the scene: their parts' and functions' names.
 #[must_use]
 pub fn shape_kinds(scene: &Scene) -> Vec<&'static str> {
-    let mut kinds: Vec<&str> = scene.objects.iter().map(|object| shape_kind(&object.shape, &object.transform)).collect();
+    let mut kinds: Vec<&str> =
+        scene.objects.iter().map(|object| shape_kind(&object.shape, &object.transform)).collect();
     kinds.sort_unstable();
     kinds.dedup();
     // Meshes last: what is nearer already shortens their walk.

@@ -112,10 +112,9 @@ fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<Bind
     let inner = &module.types[variable.ty].inner;
     Some(match (variable.space, inner) {
         (AddressSpace::Uniform, _) => BindingKind::Uniform(layout(module, inner)?),
-        (AddressSpace::Storage { access }, _) => BindingKind::Storage {
-            layout: layout(module, inner)?,
-            read_only: !access.contains(StorageAccess::STORE),
-        },
+        (AddressSpace::Storage { access }, _) => {
+            BindingKind::Storage { layout: layout(module, inner)?, read_only: !access.contains(StorageAccess::STORE) }
+        }
         (AddressSpace::Handle, TypeInner::Image { class: ImageClass::Sampled { kind, .. }, .. }) => {
             BindingKind::Texture(*kind)
         }
@@ -140,9 +139,7 @@ fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
             let fields = members.iter().filter_map(|member| field(module, member)).collect();
             Some(Layout { fields, span: *span, count: Some(1) })
         }
-        TypeInner::Scalar(scalar) => {
-            Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), count: Some(1) })
-        }
+        TypeInner::Scalar(scalar) => Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), count: Some(1) }),
         _ => None,
     }
 }

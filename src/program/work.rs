@@ -88,6 +88,8 @@ fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
         Control::Exact => 0,
         Control::Fixed { .. } => evaluations * rate,
         Control::Scaled { .. } => evaluations * rate + scale,
-        Control::Doubling { .. } => scale + constant("control/doubling_rejecting", "MAX_TRIES") as u64 * (4 + 3 * evaluations * rate + scale),
+        Control::Doubling { .. } => {
+            scale + constant("control/doubling_rejecting", "MAX_TRIES") as u64 * (4 + 3 * evaluations * rate + scale)
+        }
     }
 }

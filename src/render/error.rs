@@ -15,7 +15,9 @@ pub enum RenderError {
     #[error(transparent)]
     Gpu(#[from] GpuError),
     /// There is nothing to look through.
-    #[error("the scene has no [camera]: add one, such as\n    [camera]\n    position = [0, 2, 15]\n    look_at = [0, 0, 0]")]
+    #[error(
+        "the scene has no [camera]: add one, such as\n    [camera]\n    position = [0, 2, 15]\n    look_at = [0, 0, 0]"
+    )]
     NoCamera,
     /// The consumer of finished rows failed.
     #[error("{0}")]

@@ -17,7 +17,7 @@ mod totals;
 mod trace;
 
 pub use error::RenderError;
-pub use picture::{Picture, Plane, Band};
+pub use picture::{Band, Picture, Plane};
 pub use renderer::{Renderer, Settings};
 pub use schedule::{Dispatch, Step, steps};
 pub use totals::{Status, Totals};

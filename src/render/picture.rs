@@ -135,12 +135,11 @@ impl Renderer<'_> {
         for &layer in &self.settings.choice.layers {
             let Some(texture) = tile.texture(&format!("layer_{}", layer.name())) else { continue };
             let words = read_texture(self.gpu, texture)?;
-            let at = match band.layers.iter().position(|(l, _)| *l == layer) {
-                Some(at) => at,
-                None => {
-                    band.layers.push((layer, empty_plane(layer, band.width as usize * band.rows as usize)));
-                    band.layers.len() - 1
-                }
+            let at = if let Some(at) = band.layers.iter().position(|(l, _)| *l == layer) {
+                at
+            } else {
+                band.layers.push((layer, empty_plane(layer, band.width as usize * band.rows as usize)));
+                band.layers.len() - 1
             };
             let floats = |step: usize, k: usize| words.iter().skip(k).step_by(step).map(|bits| f32::from_bits(*bits));
             match &mut band.layers[at].1 {

@@ -11,8 +11,8 @@ use super::clock::{Clock, Stage};
 use super::readback::read_buffer;
 use super::schedule::{Dispatch, Step, steps};
 use super::{RenderError, Totals};
-use crate::gpu::{Geometry, Gpu, GpuError, Memory, Pipelines, SceneBuffers, Slots, TURN_STRIDE, Tile, memory, pack};
 use crate::gpu::Value::{Uint, Uint2};
+use crate::gpu::{Geometry, Gpu, GpuError, Memory, Pipelines, SceneBuffers, Slots, TURN_STRIDE, Tile, memory, pack};
 use crate::program::{BindingKind, Choice, Pass, Program, Purpose};
 use crate::scene::Scene;
 
@@ -236,10 +236,8 @@ impl Runner<'_, '_> {
         }
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
         {
-            let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor {
-                label: None,
-                timestamp_writes: clock.next(gpu, stage),
-            });
+            let mut pass = encoder
+                .begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: clock.next(gpu, stage) });
             let mut current = None;
             for step in steps {
                 let (Some(pipeline), Some(group)) =

@@ -135,7 +135,8 @@ mod tests {
 
     #[test]
     fn every_pass_reads_what_the_one_before_wrote() {
-        for segment in ["", "segment = \"chord\"\nsteps_per_segment = 3", "segment = \"chord\"\nsteps_per_segment = 4"] {
+        for segment in ["", "segment = \"chord\"\nsteps_per_segment = 3", "segment = \"chord\"\nsteps_per_segment = 4"]
+        {
             for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
                 let mut written = 0;
                 for step in recorded(schedule, segment) {

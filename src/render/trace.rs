@@ -103,9 +103,9 @@ fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Sta
     let (tile, frame) = ray_tile(renderer, batch)?;
     let mut paths = vec![(Status::Alive, Vec::new()); batch.len()];
     let Some((record, rest)) = renderer.steps().split_last() else { return Ok(paths) };
-    let mut rounds = rest.chunk_by(|a, b| a.round == b.round && b.pass != Pass::Setup && a.pass != Pass::Setup);
+    let rounds = rest.chunk_by(|a, b| a.round == b.round && b.pass != Pass::Setup && a.pass != Pass::Setup);
     // Setup, then round by round until nothing lives.
-    while let Some(round) = rounds.next() {
+    for round in rounds {
         let steps: Vec<Step> = round.iter().copied().chain([*record]).collect();
         renderer.run_steps(&tile, frame, &steps)?;
         let mut living = false;

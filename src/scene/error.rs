@@ -52,14 +52,7 @@ pub struct Mistake {
 impl Mistake {
     /// The mistake in bytes `start..end` of `text`; a span of several lines is cut at the end of its first.
     #[must_use]
-    pub fn locate(
-        file: PathBuf,
-        text: &str,
-        start: usize,
-        end: usize,
-        problem: String,
-        help: String,
-    ) -> Self {
+    pub fn locate(file: PathBuf, text: &str, start: usize, end: usize, problem: String, help: String) -> Self {
         let start = char_boundary(text, start);
         let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);

@@ -57,10 +57,7 @@ type Wrong<'a> = (&'a str, String, String);
 impl Mesh {
     /// Reads an OBJ file.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let bytes = std::fs::read(path).map_err(|source| SceneError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
+        let bytes = std::fs::read(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
         // Names and comments may be in any encoding; they do not matter here.
         Self::parse(&String::from_utf8_lossy(&bytes), path)
     }
@@ -90,10 +87,7 @@ impl Mesh {
         if !mistakes.is_empty() {
             return Err(SceneError::Mistakes(mistakes));
         }
-        Ok(Self {
-            vertices: loader.vertices,
-            triangles: loader.triangles,
-        })
+        Ok(Self { vertices: loader.vertices, triangles: loader.triangles })
     }
 }
 
@@ -216,15 +210,10 @@ impl Loader {
         let flat = points.iter().map(|p| DVec2::new(p[right], p[up]));
         let flat: Vec<DVec2> = flat.collect();
         let mut cut: Vec<usize> = Vec::new();
-        self.earcut
-            .earcut(flat.iter().map(DVec2::to_array), &[], &mut cut);
+        self.earcut.earcut(flat.iter().map(DVec2::to_array), &[], &mut cut);
         let turned = |t: &[usize]| {
             let [a, b, c] = [t[0], t[1], t[2]];
-            if (flat[b] - flat[a]).perp_dot(flat[c] - flat[a]) < 0.0 {
-                [a, c, b]
-            } else {
-                [a, b, c]
-            }
+            if (flat[b] - flat[a]).perp_dot(flat[c] - flat[a]) < 0.0 { [a, c, b] } else { [a, b, c] }
         };
         cut.chunks_exact(3).map(turned).collect()
     }
@@ -271,9 +260,6 @@ fn numbers<'a, const N: usize>(words: &[&'a str]) -> Result<[f32; N], Wrong<'a>>
 fn newell(points: &[DVec3]) -> Option<DVec3> {
     let origin = points[0];
     let next = points.iter().cycle().skip(1);
-    let crosses = points
-        .iter()
-        .zip(next)
-        .map(|(a, b)| (*a - origin).cross(*b - origin));
+    let crosses = points.iter().zip(next).map(|(a, b)| (*a - origin).cross(*b - origin));
     crosses.sum::<DVec3>().try_normalize()
 }

@@ -23,14 +23,8 @@ pub struct Picture {
 impl Picture {
     /// Reads a PNG, EXR or HDR file.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let unreadable = |source| SceneError::Read {
-            path: path.to_owned(),
-            source,
-        };
-        let unusable = |problem: String| SceneError::Picture {
-            path: path.to_owned(),
-            problem,
-        };
+        let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
+        let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };
         let reader = ImageReader::open(path).map_err(unreadable)?;
         let mut reader = reader.with_guessed_format().map_err(unreadable)?;
         // By default a picture over 512 MiB is refused; a sky may well be larger.
@@ -44,15 +38,9 @@ impl Picture {
         let broken = |pixel: &[f32; 3]| pixel.iter().any(|x| !x.is_finite());
         if let Some(index) = pixels.iter().position(broken) {
             let (x, y) = (index % size[0] as usize, index / size[0] as usize);
-            return Err(unusable(format!(
-                "the pixel in column {x}, row {y} (from 0, top left) is not finite"
-            )));
+            return Err(unusable(format!("the pixel in column {x}, row {y} (from 0, top left) is not finite")));
         }
-        Ok(Self {
-            size,
-            pixels,
-            name: path.display().to_string(),
-        })
+        Ok(Self { size, pixels, name: path.display().to_string() })
     }
 }
 
@@ -65,9 +53,7 @@ fn linear(image: DynamicImage) -> Vec<[f32; 3]> {
             let curve: Vec<f32> = (0..=u16::MAX).map(decode_srgb).collect();
             let rgb = image.into_rgb16();
             let pixels = rgb.pixels();
-            pixels
-                .map(|pixel| pixel.0.map(|x| curve[usize::from(x)]))
-                .collect()
+            pixels.map(|pixel| pixel.0.map(|x| curve[usize::from(x)])).collect()
         }
     }
 }
@@ -75,10 +61,6 @@ fn linear(image: DynamicImage) -> Vec<[f32; 3]> {
 /// IEC 61966-2-1.
 fn decode_srgb(x: u16) -> f32 {
     let x = f64::from(x) / 65_535.0;
-    let linear = if x <= 0.04045 {
-        x / 12.92
-    } else {
-        ((x + 0.055) / 1.055).powf(2.4)
-    };
+    let linear = if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };
     linear as f32
 }

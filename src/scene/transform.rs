@@ -13,10 +13,7 @@ impl Transform {
         let turn = rotate * (std::f64::consts::PI / 180.0);
         // Intrinsic z·y·x is extrinsic x, y, z: the point is turned about x first.
         let rotation = DMat3::from_euler(EulerRot::ZYX, turn.z, turn.y, turn.x);
-        Self(DAffine3 {
-            matrix3: rotation * DMat3::from_diagonal(scale),
-            translation: translate,
-        })
+        Self(DAffine3 { matrix3: rotation * DMat3::from_diagonal(scale), translation: translate })
     }
 
     /// If spheres stay spheres: the one factor by which lengths grow.
@@ -24,9 +21,6 @@ impl Transform {
     pub fn uniform_scale(&self) -> Option<f64> {
         let m = self.0.matrix3;
         let lengths = [m.x_axis.length(), m.y_axis.length(), m.z_axis.length()];
-        lengths
-            .iter()
-            .all(|l| (l - lengths[0]).abs() <= 1e-12 * lengths[0])
-            .then_some(lengths[0])
+        lengths.iter().all(|l| (l - lengths[0]).abs() <= 1e-12 * lengths[0]).then_some(lengths[0])
     }
 }

@@ -23,43 +23,18 @@ fn broken_meshes_are_named_with_the_place_in_their_own_file() {
     );
     let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     let cases: [(&str, &[&str]); 8] = [
-        (
-            "",
-            &[
-                "mesh.obj:1:1: the mesh has no triangles",
-                "such as `f 1 2 3`",
-            ],
-        ),
-        (
-            "# nothing\nv 0 0 0\n",
-            &["mesh.obj:1:1: the mesh has no triangles"],
-        ),
-        (
-            &format!("{corners}f 1 2 2\n"),
-            &["the mesh has no triangles with an area"],
-        ),
+        ("", &["mesh.obj:1:1: the mesh has no triangles", "such as `f 1 2 3`"]),
+        ("# nothing\nv 0 0 0\n", &["mesh.obj:1:1: the mesh has no triangles"]),
+        (&format!("{corners}f 1 2 2\n"), &["the mesh has no triangles with an area"]),
         (
             &format!("{corners}f 1 2 9\n"),
-            &[
-                "mesh.obj:4:7: there is no vertex `9`",
-                "\n    f 1 2 9\n          ^\n",
-                "3 stand above this line",
-            ],
+            &["mesh.obj:4:7: there is no vertex `9`", "\n    f 1 2 9\n          ^\n", "3 stand above this line"],
         ),
-        (
-            &format!("{corners}f 0 1 2\n"),
-            &["mesh.obj:4:3: there is no vertex `0`"],
-        ),
-        (
-            &format!("{corners}f 1 2//1 3\n"),
-            &["mesh.obj:4:5: there is no normal `1`"],
-        ),
+        (&format!("{corners}f 0 1 2\n"), &["mesh.obj:4:3: there is no vertex `0`"]),
+        (&format!("{corners}f 1 2//1 3\n"), &["mesh.obj:4:5: there is no normal `1`"]),
         (
             "v 0 0 0\nv 1 NaN 0\nv 0 1 0\nf 1 2 3\n",
-            &[
-                "mesh.obj:2:5: expected a number, found `NaN`",
-                "numbers are finite",
-            ],
+            &["mesh.obj:2:5: expected a number, found `NaN`", "numbers are finite"],
         ),
         ("v 0 0\n", &["mesh.obj:1:1: `v` needs 3 numbers, found 2"]),
     ];
@@ -90,62 +65,35 @@ fn broken_skies_and_textures_are_named_where_the_scene_names_them() {
     let folder = Folder::new();
     folder.write("scene.png", BALL.replace(sky, "image = \"sky.png\""));
     folder.write("scene.exr", BALL.replace(sky, "image = \"sky.exr\""));
-    folder.run("check scene.png").fails(
-        1,
-        &[
-            "scene.png:9:9: cannot read `sky.png`: ",
-            "\n    image = \"sky.png\"\n            ^^^^^^^^^\n",
-        ],
-    );
+    folder
+        .run("check scene.png")
+        .fails(1, &["scene.png:9:9: cannot read `sky.png`: ", "\n    image = \"sky.png\"\n            ^^^^^^^^^\n"]);
     for (kind, format) in [("png", ImageFormat::Png), ("exr", ImageFormat::OpenExr)] {
         let whole = encoded(format);
         let mut flipped = whole.clone();
         let middle = flipped.len() / 2;
-        flipped[middle..middle + 16]
-            .iter_mut()
-            .for_each(|byte| *byte ^= 0x55);
-        let broken = [
-            b"not a picture".to_vec(),
-            Vec::new(),
-            whole[..whole.len() / 2].to_vec(),
-            flipped,
-        ];
+        flipped[middle..middle + 16].iter_mut().for_each(|byte| *byte ^= 0x55);
+        let broken = [b"not a picture".to_vec(), Vec::new(), whole[..whole.len() / 2].to_vec(), flipped];
         for (which, bytes) in broken.into_iter().enumerate() {
             folder.write(&format!("sky.{kind}"), bytes);
             let ran = folder.run(&format!("check scene.{kind}"));
             // Nothing in an EXR tells that numbers in its blocks have changed, unless they do not unpack.
             if !(kind == "exr" && which == 3 && ran.code == Some(0)) {
-                ran.fails(
-                    1,
-                    &[
-                        &format!("scene.{kind}:9:9: cannot use the picture `sky.{kind}`: "),
-                        "1 mistake found",
-                    ],
-                );
+                ran.fails(1, &[&format!("scene.{kind}:9:9: cannot use the picture `sky.{kind}`: "), "1 mistake found"]);
             }
         }
         folder.write(&format!("sky.{kind}"), whole);
         folder.run(&format!("check scene.{kind}")).succeeds();
     }
-    let not_finite = Rgb32FImage::from_fn(4, 2, |x, y| {
-        Rgb([if (x, y) == (3, 1) { f32::NAN } else { 0.5 }, 0.0, 0.0])
-    });
-    DynamicImage::from(not_finite)
-        .save(folder.path("sky.exr"))
-        .unwrap();
-    folder.run("check scene.exr").fails(
-        1,
-        &["`sky.exr`: the pixel in column 3, row 1", "is not finite"],
-    );
+    let not_finite = Rgb32FImage::from_fn(4, 2, |x, y| Rgb([if (x, y) == (3, 1) { f32::NAN } else { 0.5 }, 0.0, 0.0]));
+    DynamicImage::from(not_finite).save(folder.path("sky.exr")).unwrap();
+    folder.run("check scene.exr").fails(1, &["`sky.exr`: the pixel in column 3, row 1", "is not finite"]);
 
     let texture = BALL.replace("[1, 0, 0]", "{ image = \"sky.png\" }");
     folder.write("texture.toml", &texture);
     folder.run("check texture.toml").succeeds();
     folder.write("sky.png", "not a picture");
-    folder.run("check texture.toml").fails(
-        1,
-        &["texture.toml:12:19: cannot use the picture `sky.png`: "],
-    );
+    folder.run("check texture.toml").fails(1, &["texture.toml:12:19: cannot use the picture `sky.png`: "]);
 }
 
 #[test]
@@ -154,10 +102,7 @@ fn files_are_found_beside_the_scene_not_beside_the_user() {
     std::fs::create_dir(folder.path("inner")).unwrap();
     folder.write("inner/scene.toml", BALL.to_owned() + MESH);
     folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    folder.run("check inner/scene.toml").fails(
-        1,
-        &["inner/scene.toml:18:8: cannot read `inner/mesh.obj`: "],
-    );
+    folder.run("check inner/scene.toml").fails(1, &["inner/scene.toml:18:8: cannot read `inner/mesh.obj`: "]);
     std::fs::rename(folder.path("mesh.obj"), folder.path("inner/mesh.obj")).unwrap();
     folder.run("check inner/scene.toml").succeeds();
 }
@@ -169,45 +114,21 @@ fn tables_of_rays_are_refused_with_the_line_and_the_column() {
     let trace = || folder.run("trace scene.toml --rays rays.csv -o out.csv");
     trace().fails(1, &["rays.csv: cannot read the file: "]);
     let cases: [(&str, &[&str]); 9] = [
-        (
-            "",
-            &["rays.csv: line 1: the file is empty; begin it with x,y,z,vx,vy,vz"],
-        ),
+        ("", &["rays.csv: line 1: the file is empty; begin it with x,y,z,vx,vy,vz"]),
         (
             "0,0,5,0,0,-1\n",
-            &[
-                "rays.csv: line 1: column 1: `0` is not a column",
-                "the first line must name x,y,z,vx,vy,vz",
-            ],
+            &["rays.csv: line 1: column 1: `0` is not a column", "the first line must name x,y,z,vx,vy,vz"],
         ),
-        (
-            "x,y,z,vx,vy\n0,0,5,0,0\n",
-            &["rays.csv: line 1: the column `vz` is missing from `x,y,z,vx,vy`"],
-        ),
-        (
-            "x,y,z,vx,vy,vz,x\n",
-            &["rays.csv: line 1: column 7: `x` is named twice"],
-        ),
-        (
-            "x,y,z,vx,vy,vz\n",
-            &["rays.csv: line 1: no rays follow the header"],
-        ),
+        ("x,y,z,vx,vy\n0,0,5,0,0\n", &["rays.csv: line 1: the column `vz` is missing from `x,y,z,vx,vy`"]),
+        ("x,y,z,vx,vy,vz,x\n", &["rays.csv: line 1: column 7: `x` is named twice"]),
+        ("x,y,z,vx,vy,vz\n", &["rays.csv: line 1: no rays follow the header"]),
         (
             "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n0,0,5,0,abc,-1\n",
             &["rays.csv: line 3: column 5 (vy): `abc` is not a finite number"],
         ),
-        (
-            "x,y,z,vx,vy,vz\n\n0,nan,5,0,0,-1\n",
-            &["rays.csv: line 3: column 2 (y): `nan` is not a finite number"],
-        ),
-        (
-            "x,y,z,vx,vy,vz\n0,0,5,inf,0,-1\n",
-            &["rays.csv: line 2: column 4 (vx): `inf` is not a finite number"],
-        ),
-        (
-            "x,y,z,vx,vy,vz\n0,0,5,0,0\n",
-            &["rays.csv: line 2: `0,0,5,0,0` has 5 fields; it must have 6"],
-        ),
+        ("x,y,z,vx,vy,vz\n\n0,nan,5,0,0,-1\n", &["rays.csv: line 3: column 2 (y): `nan` is not a finite number"]),
+        ("x,y,z,vx,vy,vz\n0,0,5,inf,0,-1\n", &["rays.csv: line 2: column 4 (vx): `inf` is not a finite number"]),
+        ("x,y,z,vx,vy,vz\n0,0,5,0,0\n", &["rays.csv: line 2: `0,0,5,0,0` has 5 fields; it must have 6"]),
     ];
     for (rays, texts) in cases {
         folder.write("rays.csv", rays);

@@ -8,18 +8,9 @@ type Case = (&'static str, &'static [&'static str]);
 
 /// Syntax and names.
 const WRITTEN: &[Case] = &[
-    (
-        "[image]\nsize = [8, 8\n[rays]\n",
-        &["scene.toml:", "not TOML: "],
-    ),
-    (
-        "[image]\nsize = = 3\n",
-        &["scene.toml:2:8: not TOML: ", "\n    size = = 3\n"],
-    ),
-    (
-        "[image]\nsize = [8, 8]\n\n[image]\nsamples = 2\n",
-        &["scene.toml:4:2: not TOML: duplicate key"],
-    ),
+    ("[image]\nsize = [8, 8\n[rays]\n", &["scene.toml:", "not TOML: "]),
+    ("[image]\nsize = = 3\n", &["scene.toml:2:8: not TOML: ", "\n    size = = 3\n"]),
+    ("[image]\nsize = [8, 8]\n\n[image]\nsamples = 2\n", &["scene.toml:4:2: not TOML: duplicate key"]),
     (
         "[image]\nsise = [8, 8]\n[rays]\nbound = { radius = 10 }\n",
         &[
@@ -39,48 +30,27 @@ const WRITTEN: &[Case] = &[
     ),
     (
         "[rays]\nbound = { radius = 10 }\nmethod = \"rk5\"\n",
-        &[
-            "scene.toml:3:10: unknown word `rk5`",
-            "did you mean `rk4`? choices: exact, euler",
-        ],
+        &["scene.toml:3:10: unknown word `rk5`", "did you mean `rk4`? choices: exact, euler"],
     ),
-    (
-        "[image]\nsize = [8, 8]\n",
-        &["scene.toml:1:1: the table [rays] is missing", "help: "],
-    ),
+    ("[image]\nsize = [8, 8]\n", &["scene.toml:1:1: the table [rays] is missing", "help: "]),
 ];
 
 /// Values.
 const VALUES: &[Case] = &[
     (
         "[rays]\nbound = { radius = \"ten\" }\n",
-        &[
-            "scene.toml:2:20: expected a number, found the string \"ten\"",
-            "^^^^^",
-        ],
+        &["scene.toml:2:20: expected a number, found the string \"ten\"", "^^^^^"],
     ),
-    (
-        "[rays]\nbound = { radius = nan }\n",
-        &[
-            "scene.toml:2:20: not a finite number",
-            "all numbers must be finite",
-        ],
-    ),
+    ("[rays]\nbound = { radius = nan }\n", &["scene.toml:2:20: not a finite number", "all numbers must be finite"]),
     (
         "[rays]\nbound = { radius = 10, center = [0, -inf, 0] }\n",
-        &[
-            "scene.toml:2:37: not a finite number",
-            "all numbers must be finite",
-        ],
+        &["scene.toml:2:37: not a finite number", "all numbers must be finite"],
     ),
     (
         "[rays]\nbound = { radius = 10 }\n[image]\nsize = [0, 12]\n",
         &["scene.toml:4:9: expected a whole number, 1 to 65536, found 0"],
     ),
-    (
-        "[rays]\nbound = { radius = -10 }\n",
-        &["scene.toml:2:20: expected a number above 0, found -10"],
-    ),
+    ("[rays]\nbound = { radius = -10 }\n", &["scene.toml:2:20: expected a number above 0, found -10"]),
     (
         "[rays]\nbound = { radius = 10 }\n[materials.m]\n[[objects]]\nshape = \"sphere\"\nradius = -1.5\n\
          material = \"m\"\n",
@@ -97,10 +67,7 @@ const VALUES: &[Case] = &[
     (
         "[rays]\nbound = { radius = 10 }\n[law]\nkind = \"schwarzschild\"\nmass = 0.75\n[camera]\n\
          position = [0, 1.25, 0]\nup = [1, 0, 0]\n",
-        &[
-            "scene.toml:7:12: the camera is inside the horizon: r = 1.2500 ≤ 2M = 1.5",
-            "move it away from the hole",
-        ],
+        &["scene.toml:7:12: the camera is inside the horizon: r = 1.2500 ≤ 2M = 1.5", "move it away from the hole"],
     ),
 ];
 
@@ -109,15 +76,9 @@ fn hold(cases: &[Case]) {
     folder.write("out.png", "an old picture");
     for (scene, texts) in cases {
         folder.write("scene.toml", scene);
-        let ran = folder
-            .run("render scene.toml -o out.png")
-            .fails(1, texts)
-            .says(&["1 mistake found"]);
+        let ran = folder.run("render scene.toml -o out.png").fails(1, texts).says(&["1 mistake found"]);
         // The same words, whichever command reads the scene.
-        let others = [
-            folder.run("check scene.toml"),
-            folder.run("wgsl scene.toml"),
-        ];
+        let others = [folder.run("check scene.toml"), folder.run("wgsl scene.toml")];
         for other in others {
             assert_eq!(other.fails(1, &[]).err, ran.err);
         }
@@ -139,14 +100,11 @@ fn wrong_values_are_named_with_their_place() {
 #[test]
 fn all_mistakes_are_found_in_one_run() {
     let folder = Folder::new();
-    let scene = BALL
-        .replace("16, 12", "16, 0")
-        .replace("[0.2, 0.3, 0.4]", "[0.2, inf, 0.4]")
-        .replace("\"red\"", "\"read\"");
+    let scene =
+        BALL.replace("16, 12", "16, 0").replace("[0.2, 0.3, 0.4]", "[0.2, inf, 0.4]").replace("\"red\"", "\"read\"");
     folder.write("scene.toml", &scene);
     folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 nan\nf 1 2 4\n");
-    let more =
-        "[[objects]]\nshape = \"mesh\"\nfile = \"mesh.obj\"\nmaterial = \"red\"\ncolour = 1\n";
+    let more = "[[objects]]\nshape = \"mesh\"\nfile = \"mesh.obj\"\nmaterial = \"red\"\ncolour = 1\n";
     folder.write("scene.toml", scene + more);
     let places = [
         "scene.toml:3:13: ",
@@ -157,33 +115,21 @@ fn all_mistakes_are_found_in_one_run() {
         "mesh.obj:4:7: ",
         "--set image.samples=0:1:15: ",
     ];
-    let ran = folder
-        .run("render scene.toml -o a.png --set image.samples=0")
-        .fails(1, &places)
-        .says(&["7 mistakes found"]);
+    let ran =
+        folder.run("render scene.toml -o a.png --set image.samples=0").fails(1, &places).says(&["7 mistakes found"]);
     let at = |place: &str| ran.err.find(place).unwrap();
-    assert!(
-        places[..4].windows(2).all(|pair| at(pair[0]) < at(pair[1])),
-        "{}",
-        ran.err
-    );
+    assert!(places[..4].windows(2).all(|pair| at(pair[0]) < at(pair[1])), "{}", ran.err);
     assert_eq!(folder.names(), ["mesh.obj", "scene.toml"]);
 }
 
 #[test]
 fn a_scene_file_that_is_missing_or_no_text_is_named() {
     let folder = Folder::new();
-    for command in [
-        "render nope.toml -o a.png",
-        "check nope.toml",
-        "wgsl nope.toml",
-    ] {
+    for command in ["render nope.toml -o a.png", "check nope.toml", "wgsl nope.toml"] {
         folder.run(command).fails(1, &["cannot read `nope.toml`: "]);
     }
     folder.write("scene.toml", b"[image]\n# \xff\xfe\n");
-    folder
-        .run("check scene.toml")
-        .fails(1, &["cannot read `scene.toml`: ", "UTF-8"]);
+    folder.run("check scene.toml").fails(1, &["cannot read `scene.toml`: ", "UTF-8"]);
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
@@ -193,9 +139,7 @@ fn a_scene_without_camera_is_traced_but_not_rendered() {
     folder.write("out.png", "an old picture");
     let ran = folder.run("render scene.toml -o out.png");
     assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));
-    ran.says(&[
-        "error: the scene has no [camera]: add one, such as\n    [camera]\n    position = ",
-    ]);
+    ran.says(&["error: the scene has no [camera]: add one, such as\n    [camera]\n    position = "]);
     assert_eq!(folder.text("out.png"), "an old picture");
     folder.run("check scene.toml").succeeds();
     assert_eq!(folder.names(), ["out.png", "scene.toml"]);

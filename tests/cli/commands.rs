@@ -9,10 +9,7 @@ use crate::support::shipped_scenes;
 fn check_counts_the_bytes_of_every_shipped_scene() {
     let folder = Folder::new();
     let scenes = shipped_scenes();
-    let names: Vec<_> = scenes
-        .iter()
-        .map(|path| path.display().to_string())
-        .collect();
+    let names: Vec<_> = scenes.iter().map(|path| path.display().to_string()).collect();
     let ran = folder.run(&format!("check {}", names.join(" "))).succeeds();
     assert_eq!(ran.err, "");
     let bytes: Vec<u32> = ran
@@ -21,18 +18,13 @@ fn check_counts_the_bytes_of_every_shipped_scene() {
         .filter_map(|line| line.split_once(" bytes per pixel: "))
         .map(|(total, items)| {
             let total: u32 = total.trim().parse().unwrap();
-            let items = items
-                .split(", ")
-                .map(|item| item.rsplit_once(' ').unwrap().1);
+            let items = items.split(", ").map(|item| item.rsplit_once(' ').unwrap().1);
             assert_eq!(items.map(|n| n.parse::<u32>().unwrap()).sum::<u32>(), total);
             total
         })
         .collect();
     assert_eq!(bytes.len(), scenes.len());
-    assert!(
-        scenes.len() >= 7 && bytes.iter().all(|n| *n <= 100),
-        "{bytes:?}"
-    );
+    assert!(scenes.len() >= 7 && bytes.iter().all(|n| *n <= 100), "{bytes:?}");
     for name in names {
         assert!(ran.out.contains(&format!("{name}: ")), "{name}");
     }
@@ -47,30 +39,17 @@ fn check_goes_through_all_scenes_before_it_fails() {
     assert_eq!(ran.code, Some(1));
     assert!(ran.out.starts_with("scene.toml: 16×12, "), "{}", ran.out);
     assert!(ran.out.contains("\n  pass advance "), "{}", ran.out);
-    let ran = ran.says(&[
-        "typo.toml:8:2: unknown key `skye`",
-        "cannot read `nope.toml`",
-        "zero.toml:3:9: ",
-    ]);
+    let ran = ran.says(&["typo.toml:8:2: unknown key `skye`", "cannot read `nope.toml`", "zero.toml:3:9: "]);
     assert_eq!(ran.err.matches("error: ").count(), 3);
 
     // Every schedule and every change is checked as it would be rendered.
     let passes = |more: &str| {
         let ran = folder.run(&format!("check scene.toml {more}")).succeeds();
-        ran.out
-            .lines()
-            .filter(|line| line.starts_with("  pass "))
-            .count()
+        ran.out.lines().filter(|line| line.starts_with("  pass ")).count()
     };
     assert!(passes("--schedule paper --set rays.method=rk4") > passes(""));
-    let ran = folder
-        .run("check scene.toml --size 800x600 --samples 9")
-        .succeeds();
-    assert!(
-        ran.out.starts_with("scene.toml: 800×600, 9 samples"),
-        "{}",
-        ran.out
-    );
+    let ran = folder.run("check scene.toml --size 800x600 --samples 9").succeeds();
+    assert!(ran.out.starts_with("scene.toml: 800×600, samples 9"), "{}", ran.out);
 }
 
 #[test]
@@ -78,16 +57,8 @@ fn check_prints_every_key() {
     let ran = Folder::new().run("check --reference").succeeds();
     assert_eq!(ran.err, "");
     for key in REFERENCE {
-        assert!(
-            ran.out.contains(&format!("\n| `{}` | ", key.key)),
-            "{}",
-            key.key
-        );
-        assert!(
-            ran.out.contains(&format!("[{}]", key.table)) || key.table.is_empty(),
-            "{}",
-            key.table
-        );
+        assert!(ran.out.contains(&format!("\n| `{}` | ", key.key)), "{}", key.key);
+        assert!(ran.out.contains(&format!("[{}]", key.table)) || key.table.is_empty(), "{}", key.table);
     }
 }
 
@@ -98,28 +69,18 @@ fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
     assert_eq!(ran.err, "");
     let passes: Vec<&str> = ran.out.split("// ==== pass ").skip(1).collect();
     let checked = folder.run("check scene.toml").succeeds().out;
-    let listed: Vec<&str> = checked
-        .lines()
-        .filter(|line| line.starts_with("  pass "))
-        .collect();
+    let listed: Vec<&str> = checked.lines().filter(|line| line.starts_with("  pass ")).collect();
     assert_eq!(passes.len(), listed.len());
     for (pass, listed) in passes.iter().zip(listed) {
         let name = pass.split_whitespace().next().unwrap();
         assert!(listed.starts_with(&format!("  pass {name} ")), "{listed}");
-        assert!(
-            pass.contains(&format!("fn {name}(")),
-            "{name} is its entry point"
-        );
-        let files: Vec<&str> = pass
-            .lines()
-            .filter_map(|line| line.strip_prefix("// ---- "))
-            .collect();
+        assert!(pass.contains(&format!("fn {name}(")), "{name} is its entry point");
+        let files: Vec<&str> = pass.lines().filter_map(|line| line.strip_prefix("// ---- ")).collect();
         let (_, parts) = listed.split_once("bindings: ").unwrap();
         assert_eq!(files.join(" "), parts);
         // It is a program as it stands, once the line with the pass's name is gone.
         let source = pass.split_once('\n').unwrap().1;
-        naga::front::wgsl::parse_str(source)
-            .unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
+        naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
     }
     let one = folder.run("wgsl scene.toml --pass shade").succeeds();
     assert_eq!(one.out.matches("// ==== pass ").count(), 1);
@@ -129,42 +90,23 @@ fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
 #[test]
 fn devices_are_listed_with_what_they_can_do() {
     let ran = Folder::new().run("devices").succeeds();
-    for text in [
-        "llvmpipe",
-        "driver",
-        "largest texture",
-        "storage textures",
-        "timestamps",
-        "f64",
-    ] {
+    for text in ["llvmpipe", "driver", "largest texture", "storage textures", "timestamps", "f64"] {
         assert!(ran.out.contains(text), "no `{text}` in {}", ran.out);
     }
     // The name picks the device, in any case.
     let folder = Folder::with(BALL);
-    folder
-        .run("render scene.toml -o a.png --device LLVMpipe")
-        .succeeds()
-        .says(&["device: llvmpipe"]);
+    folder.run("render scene.toml -o a.png --device LLVMpipe").succeeds().says(&["device: llvmpipe"]);
 }
 
 #[test]
 fn a_new_scene_is_right_and_replaces_nothing() {
     let folder = Folder::new();
     let ran = folder.run("new mine.toml").succeeds();
-    assert!(
-        ran.out.contains("mine.toml") && ran.out.contains("bentray render"),
-        "{}",
-        ran.out
-    );
+    assert!(ran.out.contains("mine.toml") && ran.out.contains("bentray render"), "{}", ran.out);
     folder.run("check mine.toml").succeeds();
-    folder
-        .run("render mine.toml -o a.png --size 16x12 --samples 1 --strict")
-        .succeeds();
+    folder.run("render mine.toml -o a.png --size 16x12 --samples 1 --strict").succeeds();
     folder.write("mine.toml", "my own words");
-    folder.run("new mine.toml").fails(
-        1,
-        &["mine.toml: this file exists; name another, or remove it first"],
-    );
+    folder.run("new mine.toml").fails(1, &["mine.toml: this file exists; name another, or remove it first"]);
     assert_eq!(folder.text("mine.toml"), "my own words");
     assert_eq!(folder.names(), ["a.png", "mine.toml"]);
 }
@@ -174,28 +116,15 @@ fn a_new_scene_is_right_and_replaces_nothing() {
 fn a_reader_that_goes_away_is_no_fault() {
     use std::process::Stdio;
     let folder = Folder::with(BALL);
-    for arguments in [
-        "check scene.toml",
-        "check --reference",
-        "wgsl scene.toml",
-        "devices",
-    ] {
+    for arguments in ["check scene.toml", "check --reference", "wgsl scene.toml", "devices"] {
         let mut command = folder.command(arguments);
-        let mut child = command
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         // As `| head` does.
         drop(child.stdout.take());
         let ended = child.wait_with_output().unwrap();
         let message = String::from_utf8(ended.stderr).unwrap();
         assert!(!message.contains("panicked"), "{arguments}: {message}");
-        assert!(
-            matches!(ended.status.code(), Some(0 | 1)),
-            "{arguments}: {}",
-            ended.status
-        );
+        assert!(matches!(ended.status.code(), Some(0 | 1)), "{arguments}: {}", ended.status);
     }
 }
 
@@ -206,39 +135,22 @@ fn help_names_every_option() {
     let device = "--device <NAME>; --schedule <SCHEDULE>; --no-masks; --segments-per-pass <K>";
     let cases = [
         ("", "render; check; trace; devices; wgsl; new; --version"),
-        (
-            "render",
-            &format!("<SCENE>; -o, --output <FILE>; --layers <LAYER>; --strict; {scene}; {device}"),
-        ),
-        (
-            "check",
-            &format!("[SCENES]...; --reference; --schedule <SCHEDULE>; {scene}"),
-        ),
+        ("render", &format!("<SCENE>; -o, --output <FILE>; --layers <LAYER>; --strict; {scene}; {device}")),
+        ("check", &format!("[SCENES]...; --reference; --schedule <SCHEDULE>; {scene}")),
         (
             "trace",
-            &format!(
-                "<SCENE>; --rays <FILE>; -o, --output <FILE>; --path; --plot <FILE>; --set <KEY=VALUE>; {device}"
-            ),
+            &format!("<SCENE>; --rays <FILE>; -o, --output <FILE>; --path; --plot <FILE>; --set <KEY=VALUE>; {device}"),
         ),
         ("devices", "Usage: bentray devices"),
-        (
-            "wgsl",
-            "<SCENE>; --pass <PASS>; --schedule <SCHEDULE>; --set <KEY=VALUE>",
-        ),
+        ("wgsl", "<SCENE>; --pass <PASS>; --schedule <SCHEDULE>; --set <KEY=VALUE>"),
         ("new", "<FILE>"),
     ];
     for (command, options) in cases {
         let help = folder.run(&format!("{command} --help")).succeeds().out;
         for option in options.split("; ") {
-            assert!(
-                help.contains(option),
-                "no `{option}` in the help of {command}:\n{help}"
-            );
+            assert!(help.contains(option), "no `{option}` in the help of {command}:\n{help}");
         }
     }
     let version = folder.run("--version").succeeds().out;
-    assert_eq!(
-        version.trim(),
-        concat!("bentray ", env!("CARGO_PKG_VERSION"))
-    );
+    assert_eq!(version.trim(), concat!("bentray ", env!("CARGO_PKG_VERSION")));
 }

@@ -48,9 +48,7 @@ fn a_render_that_is_killed_leaves_the_old_files_whole() {
     assert!(running, "it ended before it was killed: {rest}");
     assert!(old == [folder.read("a.png"), folder.read("a.exr")]);
     // Nothing of it is in the way of the next run.
-    folder
-        .run("render scene.toml -o a.png -o a.exr --size 8x8")
-        .succeeds();
+    folder.run("render scene.toml -o a.png -o a.exr --size 8x8").succeeds();
     assert!(old != [folder.read("a.png"), folder.read("a.exr")]);
 }
 

@@ -104,9 +104,7 @@ impl Folder {
     /// The names in the folder, sorted.
     fn names(&self) -> Vec<String> {
         let entries = self.0.path().read_dir().unwrap();
-        let mut names: Vec<_> = entries
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
     }

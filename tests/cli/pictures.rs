@@ -10,36 +10,26 @@ const HOLE: &str = "--device llvmpipe --set law.kind=schwarzschild --set law.mas
 
 fn decoded(folder: &Folder, name: &str) -> DynamicImage {
     let reader = ImageReader::open(folder.path(name)).unwrap();
-    reader
-        .decode()
-        .unwrap_or_else(|error| panic!("{name}: {error}"))
+    reader.decode().unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
 /// IEC 61966-2-1, to 0..=1.
 fn srgb(linear: f64) -> f64 {
     let linear = linear.clamp(0.0, 1.0);
-    if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    }
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// The largest difference between a PNG's samples and the curve over the EXR's, in units of the PNG's last bit.
 fn difference(png: &DynamicImage, exr: &Rgb32FImage, top: f64) -> f64 {
     let (png, scale) = (png.to_rgb16(), top / 65_535.0);
     let pairs = png.as_raw().iter().zip(exr.as_raw());
-    pairs
-        .map(|(png, exr)| (f64::from(*png) * scale - srgb(f64::from(*exr)) * top).abs())
-        .fold(0.0, f64::max)
+    pairs.map(|(png, exr)| (f64::from(*png) * scale - srgb(f64::from(*exr)) * top).abs()).fold(0.0, f64::max)
 }
 
 #[test]
 fn pictures_decode_to_the_scene_in_8_16_and_32_bits() {
     let folder = Folder::with(BALL);
-    let ran = folder
-        .run("render scene.toml -o a.png -o a.exr --size 17x9")
-        .succeeds();
+    let ran = folder.run("render scene.toml -o a.png -o a.exr --size 17x9").succeeds();
     assert_eq!(ran.out, "");
     ran.says(&["device: "]);
     let (png, exr) = (decoded(&folder, "a.png"), decoded(&folder, "a.exr"));
@@ -53,14 +43,9 @@ fn pictures_decode_to_the_scene_in_8_16_and_32_bits() {
     // Rounding alone is half a unit; the rest is for f32 in the curve.
     assert!(difference(&png, &linear, 255.0) <= 0.51);
 
-    folder
-        .run("render scene.toml -o a.png --set output.bits=16")
-        .succeeds();
+    folder.run("render scene.toml -o a.png --set output.bits=16").succeeds();
     folder.run("render scene.toml -o a.exr").succeeds();
-    let (png, linear) = (
-        decoded(&folder, "a.png"),
-        decoded(&folder, "a.exr").into_rgb32f(),
-    );
+    let (png, linear) = (decoded(&folder, "a.png"), decoded(&folder, "a.exr").into_rgb32f());
     assert_eq!(png.color(), ColorType::Rgb16);
     assert_eq!((png.width(), png.height()), (16, 12));
     assert!(difference(&png, &linear, 65_535.0) <= 1.0);
@@ -72,9 +57,7 @@ fn exposure_brightens_the_png_and_leaves_the_exr() {
     let folder = Folder::with(BALL);
     folder.run("render scene.toml -o a.exr").succeeds();
     let before = folder.read("a.exr");
-    folder
-        .run("render scene.toml -o a.png -o a.exr --set output.exposure=1")
-        .succeeds();
+    folder.run("render scene.toml -o a.png -o a.exr --set output.exposure=1").succeeds();
     assert!(folder.read("a.exr") == before);
     let mut twice = decoded(&folder, "a.exr").into_rgb32f();
     twice.iter_mut().for_each(|sample| *sample *= 2.0);
@@ -85,17 +68,11 @@ fn exposure_brightens_the_png_and_leaves_the_exr() {
 fn the_bytes_are_the_same_every_time_and_on_every_schedule() {
     let folder = Folder::with(BALL);
     let render = |name: &str, more: &str| {
-        let ran = folder
-            .run(&format!(
-                "render scene.toml -o {name}.png -o {name}.exr --samples 2 {HOLE} {more}"
-            ))
-            .succeeds();
+        let ran =
+            folder.run(&format!("render scene.toml -o {name}.png -o {name}.exr --samples 2 {HOLE} {more}")).succeeds();
         let totals = ran.err.lines().last().unwrap().to_owned();
         let (_, fates) = totals.split_once(';').unwrap();
-        let bytes = [
-            folder.read(&format!("{name}.png")),
-            folder.read(&format!("{name}.exr")),
-        ];
+        let bytes = [folder.read(&format!("{name}.png")), folder.read(&format!("{name}.exr"))];
         (fates.to_owned(), bytes)
     };
     let first = render("a", "");
@@ -120,47 +97,26 @@ fn the_bytes_are_the_same_every_time_and_on_every_schedule() {
 fn channels(folder: &Folder, name: &str) -> Vec<String> {
     let meta = MetaData::read_from_file(folder.path(name), true).unwrap();
     let list = &meta.headers[0].channels.list;
-    list.iter()
-        .map(|channel| channel.name.to_string())
-        .collect()
+    list.iter().map(|channel| channel.name.to_string()).collect()
 }
 
 #[test]
 fn exr_layers_are_those_that_were_named() {
     let folder = Folder::with(BALL);
     let cases: [(&str, &str); 4] = [
-        (
-            "",
-            "B G R Z id.object id.status normal.X normal.Y normal.Z position.X position.Y position.Z steps",
-        ),
+        ("", "B G R Z id.object id.status normal.X normal.Y normal.Z position.X position.Y position.Z steps"),
         ("--layers none", "B G R"),
-        (
-            "--layers depth,normal",
-            "B G R Z normal.X normal.Y normal.Z",
-        ),
-        (
-            "--layers status --layers object",
-            "B G R id.object id.status",
-        ),
+        ("--layers depth,normal", "B G R Z normal.X normal.Y normal.Z"),
+        ("--layers status --layers object", "B G R id.object id.status"),
     ];
     let mut colors = Vec::new();
     for (layers, names) in cases {
-        folder
-            .run(&format!(
-                "render scene.toml -o a.png -o a.exr --size 8x6 {layers}"
-            ))
-            .succeeds();
+        folder.run(&format!("render scene.toml -o a.png -o a.exr --size 8x6 {layers}")).succeeds();
         let names: Vec<&str> = names.split(' ').collect();
         assert_eq!(channels(&folder, "a.exr"), names, "{layers}");
-        colors.push((
-            folder.read("a.png"),
-            decoded(&folder, "a.exr").into_rgb32f(),
-        ));
+        colors.push((folder.read("a.png"), decoded(&folder, "a.exr").into_rgb32f()));
     }
-    assert!(
-        colors.windows(2).all(|pair| pair[0] == pair[1]),
-        "the colour depends on the layers"
-    );
+    assert!(colors.windows(2).all(|pair| pair[0] == pair[1]), "the colour depends on the layers");
 }
 
 #[test]
@@ -179,21 +135,12 @@ fn exr_layers_hold_what_their_names_say() {
             FlatSamples::F16(_) => panic!("{name} is in 16 bits"),
         }
     };
-    let (object, status, steps, depth) = (
-        samples("id.object"),
-        samples("id.status"),
-        samples("steps"),
-        samples("Z"),
-    );
+    let (object, status, steps, depth) = (samples("id.object"), samples("id.status"), samples("steps"), samples("Z"));
     let position = ["position.X", "position.Y", "position.Z"].map(samples);
     let normal = ["normal.X", "normal.Y", "normal.Z"].map(samples);
-    let length =
-        |vector: &[Vec<f64>; 3], i: usize| vector.iter().map(|v| v[i] * v[i]).sum::<f64>().sqrt();
+    let length = |vector: &[Vec<f64>; 3], i: usize| vector.iter().map(|v| v[i] * v[i]).sum::<f64>().sqrt();
     let hits = object.iter().filter(|id| **id == 1.0).count();
-    assert!(
-        hits > 0 && totals.contains(&format!("; hit {hits} escaped {}", 192 - hits)),
-        "{totals}"
-    );
+    assert!(hits > 0 && totals.contains(&format!("; hit {hits} escaped {}", 192 - hits)), "{totals}");
     let middle = 6 * 16 + 8;
     for i in 0..object.len() {
         let hit = object[i] == 1.0;
@@ -211,14 +158,9 @@ fn exr_layers_hold_what_their_names_say() {
 #[test]
 fn the_last_line_sums_up_and_says_which_rays_were_lost() {
     let folder = Folder::with(BALL);
-    let ran = folder
-        .run("render scene.toml -o a.png --samples 3 --strict")
-        .succeeds();
+    let ran = folder.run("render scene.toml -o a.png --samples 3 --strict").succeeds();
     let totals = ran.err.lines().last().unwrap();
-    assert!(
-        totals.starts_with("576 rays, 576 steps, 576 segments, "),
-        "{totals}"
-    );
+    assert!(totals.starts_with("576 rays, 576 steps, 576 segments, "), "{totals}");
     assert!(totals.contains(" s in all; "), "{totals}");
     let (_, fates) = totals.split_once("; ").unwrap();
     let words: Vec<&str> = fates.split(' ').collect();
@@ -234,12 +176,7 @@ fn the_last_line_sums_up_and_says_which_rays_were_lost() {
     assert!(lenient.err.contains("; exhausted 192\n"), "{}", lenient.err);
     lenient.says(&[warning]);
     let black = folder.read("a.png");
-    assert!(
-        decoded(&folder, "a.png")
-            .into_rgb8()
-            .iter()
-            .all(|sample| *sample == 0)
-    );
+    assert!(decoded(&folder, "a.png").into_rgb8().iter().all(|sample| *sample == 0));
     // The picture is written in any case.
     folder.write("a.png", "an old picture");
     let strict = folder.run(&format!("{short} --strict"));

@@ -15,9 +15,7 @@ impl Rows {
         let mut lines = table.lines();
         assert_eq!(lines.next(), Some(header));
         let columns = header.split(',').count();
-        let rows: Vec<Vec<String>> = lines
-            .map(|line| line.split(',').map(str::to_owned).collect())
-            .collect();
+        let rows: Vec<Vec<String>> = lines.map(|line| line.split(',').map(str::to_owned).collect()).collect();
         assert!(rows.iter().all(|row| row.len() == columns), "{table}");
         Self(rows)
     }

@@ -8,52 +8,21 @@ fn targets_that_cannot_be_written_are_refused_before_the_work() {
     folder.write("rays.csv", "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n");
     std::fs::create_dir(folder.path("folder.png")).unwrap();
     let cases: [(&str, &str); 11] = [
-        (
-            "render scene.toml -o nodir/a.png",
-            "nodir/a.png: the folder nodir does not exist; create it",
-        ),
-        (
-            "render scene.toml -o a.png -o nodir/b.exr",
-            "nodir/b.exr: the folder nodir does not exist",
-        ),
-        (
-            "render scene.toml -o folder.png",
-            "folder.png: this is a folder, and only a regular file",
-        ),
-        (
-            "render scene.toml -o scene.toml/a.png",
-            "scene.toml/a.png: ",
-        ),
-        (
-            "render scene.toml -o a.jpg",
-            "a.jpg: the name must end in .png (colour to look at) or .exr",
-        ),
+        ("render scene.toml -o nodir/a.png", "nodir/a.png: the folder nodir does not exist; create it"),
+        ("render scene.toml -o a.png -o nodir/b.exr", "nodir/b.exr: the folder nodir does not exist"),
+        ("render scene.toml -o folder.png", "folder.png: this is a folder, and only a regular file"),
+        ("render scene.toml -o scene.toml/a.png", "scene.toml/a.png: "),
+        ("render scene.toml -o a.jpg", "a.jpg: the name must end in .png (colour to look at) or .exr"),
         ("render scene.toml -o a", "a: the name must end in .png"),
-        (
-            "render scene.toml -o a.png -o b.gif",
-            "b.gif: the name must end in .png",
-        ),
-        (
-            "trace scene.toml --rays rays.csv -o nodir/a.csv",
-            "nodir/a.csv: the folder nodir does not exist",
-        ),
-        (
-            "trace scene.toml --rays rays.csv -o folder.png",
-            "folder.png: this is a folder",
-        ),
-        (
-            "new nodir/scene.toml",
-            "nodir/scene.toml: the folder nodir does not exist",
-        ),
+        ("render scene.toml -o a.png -o b.gif", "b.gif: the name must end in .png"),
+        ("trace scene.toml --rays rays.csv -o nodir/a.csv", "nodir/a.csv: the folder nodir does not exist"),
+        ("trace scene.toml --rays rays.csv -o folder.png", "folder.png: this is a folder"),
+        ("new nodir/scene.toml", "nodir/scene.toml: the folder nodir does not exist"),
         ("new folder.png", "folder.png: this file exists"),
     ];
     for (arguments, text) in cases {
         let ran = folder.run(arguments).fails(1, &[text]);
-        assert!(
-            !ran.err.contains("device: "),
-            "a device was opened first: {}",
-            ran.err
-        );
+        assert!(!ran.err.contains("device: "), "a device was opened first: {}", ran.err);
     }
     assert_eq!(folder.names(), ["folder.png", "rays.csv", "scene.toml"]);
 }
@@ -79,13 +48,9 @@ fn devices_and_read_only_files_are_not_replaced() {
         std::fs::set_permissions(folder.path("a.png"), permissions).unwrap();
     };
     mode(0o444);
-    folder
-        .run("render scene.toml -o a.png")
-        .fails(1, &["a.png: the file is read-only; make it writable"]);
+    folder.run("render scene.toml -o a.png").fails(1, &["a.png: the file is read-only; make it writable"]);
     mode(0o644);
     assert_eq!(folder.text("a.png"), "an old picture");
     std::os::unix::fs::symlink("/dev/null", folder.path("b.png")).unwrap();
-    folder
-        .run("render scene.toml -o b.png")
-        .fails(1, &["b.png: this is a device or pipe"]);
+    folder.run("render scene.toml -o b.png").fails(1, &["b.png: this is a device or pipe"]);
 }

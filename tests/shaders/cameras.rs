@@ -4,13 +4,17 @@ use bentray::gpu::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::{Errors, Random, U, wide};
-use crate::support::{gpu, probe::{Probe, Record}};
+use crate::support::{
+    gpu,
+    probe::{Probe, Record},
+};
 
 const RADIUS: f64 = 50.0;
 
 /// Looks along a slanted line, with a picture twice as wide as it is high; every number is exact in f32.
 fn camera(position: DVec3) -> (Record, [DVec3; 3]) {
-    let axes = [DVec3::new(0.6, 0.0, -0.8), DVec3::new(0.8, 0.0, 0.6), DVec3::new(0.0, 0.5, 0.0)].map(|v| v.as_vec3().as_dvec3());
+    let axes = [DVec3::new(0.6, 0.0, -0.8), DVec3::new(0.8, 0.0, 0.6), DVec3::new(0.0, 0.5, 0.0)]
+        .map(|v| v.as_vec3().as_dvec3());
     let record = ["position", "forward", "right", "up"].into_iter().zip([position, axes[0], axes[1], axes[2]]);
     (record.map(|(name, v)| (name, V3(v))).collect(), axes)
 }
@@ -19,8 +23,11 @@ fn camera(position: DVec3) -> (Record, [DVec3; 3]) {
 fn pinhole_and_plane() {
     let gpu = gpu();
     let mut random = Random::new(141);
-    let mut inputs: Vec<[Vec4; 1]> = [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]).into();
-    inputs.extend((0..2000).map(|_| [Vec4::new(random.within(-1.0, 1.0) as f32, random.within(-1.0, 1.0) as f32, 0.0, 0.0)]));
+    let mut inputs: Vec<[Vec4; 1]> =
+        [[0.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]).into();
+    inputs.extend(
+        (0..2000).map(|_| [Vec4::new(random.within(-1.0, 1.0) as f32, random.within(-1.0, 1.0) as f32, 0.0, 0.0)]),
+    );
     let body = "let ray = camera_ray(p0.xy); put(0u, vec4f(ray.x, f32(ray.missed))); put(1u, vec4f(ray.d, 0.0));";
     // Inside the bounding sphere, and outside, where most rays of the pinhole and some of the plane miss it.
     for position in [DVec3::new(1.0, -2.0, 4.0), DVec3::new(-75.0, 8.0, 64.0)] {
@@ -40,7 +47,11 @@ fn pinhole_and_plane() {
             for (input, output) in inputs.iter().zip(&probe.run::<1, 2>(&gpu, body, &inputs)) {
                 let p = wide(input[0]);
                 let across = scale * (p.x * right + p.y * up);
-                let (x, d) = if kind == "plane" { (position + across, forward) } else { (position, (forward + across).normalize()) };
+                let (x, d) = if kind == "plane" {
+                    (position + across, forward)
+                } else {
+                    (position, (forward + across).normalize())
+                };
                 directions.check3(output[1], d, 6.0 * U, input);
                 let b = x.dot(d) / d.length_squared();
                 let inside = RADIUS * RADIUS - (x - b * d).length_squared();

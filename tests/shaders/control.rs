@@ -5,7 +5,10 @@ use glam::{DVec3, Vec4};
 
 use super::steps::{Phase, euler, path_rate, rk4};
 use super::{Errors, Random, U, row, wide};
-use crate::support::{gpu, probe::{Probe, Record}};
+use crate::support::{
+    gpu,
+    probe::{Probe, Record},
+};
 
 /// A ray with tau, h, and counts 3, 10, 20; what the control makes of it, and the same step retaken.
 const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, p1.w, 9.0, 3u, 10u, 20u, ALIVE);
@@ -25,7 +28,11 @@ fn probe(step: &str, control: &[&str], limit: &str, values: Record) -> Probe {
     let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
     let mut parts = vec!["ray", "frame", "work", "phase/space", "law/schwarzschild_path", step, limit];
     parts.extend(control);
-    Probe::new(&parts).frame().bind("law", [law]).bind("control", [values]).bind("limit", [vec![("length", Float(10.0))]])
+    Probe::new(&parts)
+        .frame()
+        .bind("law", [law])
+        .bind("control", [values])
+        .bind("limit", [vec![("length", Float(10.0))]])
 }
 
 fn doubling() -> Record {
@@ -78,7 +85,11 @@ impl Kept {
         self.ends.check3(output[1], end[1], NOISE, input);
         self.taus.check(output[0].w, f64::from(input[0].w) + f64::from(taken), U * f64::from(output[0].w), input);
         assert_eq!((output[2].y, output[2].z, output[4].w), (3.0, 11.0, 0.0), "index, steps and status");
-        assert_eq!((output[0].truncate(), output[1].truncate()), (output[3].truncate(), output[4].truncate()), "retaken");
+        assert_eq!(
+            (output[0].truncate(), output[1].truncate()),
+            (output[3].truncate(), output[4].truncate()),
+            "retaken"
+        );
     }
 
     fn report(&self) {
@@ -194,7 +205,10 @@ fn doubling_that_rejects() {
             let next = taken * factor(error.max(1e-30), order);
             sizes.check(output[1].w, next, unsure(error) * next, input);
         }
-        println!("doubling_rejecting with {step}: {twice} rejected first, {open} for rounding to decide, of {}", inputs.len());
+        println!(
+            "doubling_rejecting with {step}: {twice} rejected first, {open} for rounding to decide, of {}",
+            inputs.len()
+        );
         assert!(twice > 150 && open < 150);
         kept.report();
         sizes.report();
@@ -204,8 +218,9 @@ fn doubling_that_rejects() {
 /// What is not a number is not accepted, moves nothing, and the tries end.
 #[test]
 fn a_ray_that_no_try_moves() {
-    let inputs: Vec<[Vec4; 2]> =
-        [Vec4::new(f32::NAN, 1.0, 0.0, 0.5), Vec4::new(f32::INFINITY, 1.0, 0.0, 0.5)].map(|x| [x, Vec4::new(1.0, 0.0, 0.0, 1.0)]).into();
+    let inputs: Vec<[Vec4; 2]> = [Vec4::new(f32::NAN, 1.0, 0.0, 0.5), Vec4::new(f32::INFINITY, 1.0, 0.0, 0.5)]
+        .map(|x| [x, Vec4::new(1.0, 0.0, 0.0, 1.0)])
+        .into();
     let rule = ["control/doubled", "control/doubling_rejecting"];
     let out = probe("step/rk4", &rule, "limit/none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
     for (input, output) in inputs.iter().zip(&out) {
@@ -229,7 +244,8 @@ fn the_last_step_is_shortened_to_the_length() {
         (&["control/doubled", "control/doubling_paper"], doubling()),
     ];
     for (rule, values) in rules {
-        let body = format!("{CONTROL} put(5u, vec4f(f32(length_reached(next.tau)), f32(length_reached(p0.w)), 0.0, 0.0));");
+        let body =
+            format!("{CONTROL} put(5u, vec4f(f32(length_reached(next.tau)), f32(length_reached(p0.w)), 0.0, 0.0));");
         let out = probe("step/euler", rule, "limit/length", values).run::<2, 6>(&gpu, &body, &inputs);
         let mut sizes = Errors::of("sizes under a length");
         let mut shortened = 0;

@@ -4,7 +4,10 @@ use bentray::gpu::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::{Errors, Random, U, Verdict, check_hits, row, wide};
-use crate::support::{gpu, probe::{Probe, Record}};
+use crate::support::{
+    gpu,
+    probe::{Probe, Record},
+};
 
 const TOLERANCE: f64 = 1e-3;
 const BOX: [DVec3; 2] = [DVec3::new(-3.0, -2.0, -1.0), DVec3::new(1.0, 2.0, 4.0)];
@@ -101,9 +104,15 @@ fn arcs_are_hermite_curves() {
     errors.report();
     println!("chords are up to {worst:.2e} from their arcs, at a tolerance of {TOLERANCE:.0e}");
     assert!(worst <= TOLERANCE * 1.001, "a chord is {worst} from its arc");
-    let body = format!("{SEGMENT}put(0u, vec4f(segment_point(s, 0.0), f32(segment_pieces(s)))); put(1u, vec4f(segment_point(s, 1.0), 0.0));");
+    let body = format!(
+        "{SEGMENT}put(0u, vec4f(segment_point(s, 0.0), f32(segment_pieces(s)))); put(1u, vec4f(segment_point(s, 1.0), 0.0));"
+    );
     for (input, output) in inputs.iter().zip(&Probe::new(&["ray", "curve/line"]).run::<4, 2>(&gpu, &body, &inputs)) {
-        assert_eq!((output[0], output[1].truncate()), (row(input[0].truncate(), 1.0), input[2].truncate()), "a line's ends");
+        assert_eq!(
+            (output[0], output[1].truncate()),
+            (row(input[0].truncate(), 1.0), input[2].truncate()),
+            "a line's ends"
+        );
     }
 }
 
@@ -136,7 +145,12 @@ fn arcs_far_from_the_scene_have_no_pieces() {
         });
         assert!(!meets || pieces.x >= 1.0, "an arc through the scene's box is skipped: {input:?}");
         // Bézier points, in f64.
-        let points = [curve.x0, curve.x0 + (curve.a + curve.c) / 3.0, curve.x0 + curve.c, curve.x0 + curve.c - (curve.c - curve.b) / 3.0];
+        let points = [
+            curve.x0,
+            curve.x0 + (curve.a + curve.c) / 3.0,
+            curve.x0 + curve.c,
+            curve.x0 + curve.c - (curve.c - curve.b) / 3.0,
+        ];
         let lo = points.iter().copied().reduce(DVec3::min).expect("four");
         let hi = points.iter().copied().reduce(DVec3::max).expect("four");
         let margin = 8.0 * U * curve.size;
@@ -154,13 +168,15 @@ fn arcs_far_from_the_scene_have_no_pieces() {
 /// Spheres met by the curve itself: they may be found up to the chords' tolerance sooner, later or not at all.
 #[test]
 fn first_hit_of_arcs_in_several_pieces() {
-    let spheres = [(DVec3::new(0.0, 0.0, 0.0), 1.0), (DVec3::new(3.0, 1.0, 0.0), 0.5), (DVec3::new(-2.0, 2.0, 2.0), 1.5)];
+    let spheres =
+        [(DVec3::new(0.0, 0.0, 0.0), 1.0), (DVec3::new(3.0, 1.0, 0.0), 0.5), (DVec3::new(-2.0, 2.0, 2.0), 1.5)];
     let mut inputs = arcs(73, 6000);
     let mut random = Random::new(74);
     for (k, input) in inputs.iter_mut().enumerate() {
         // Moved so that they pass near a sphere.
         let (center, radius) = spheres[k % 3];
-        let shift = (center + random.direction() * radius * random.within(0.0, 1.5)).as_vec3() - (0.5 * (input[0] + input[2])).truncate();
+        let shift = (center + random.direction() * radius * random.within(0.0, 1.5)).as_vec3()
+            - (0.5 * (input[0] + input[2])).truncate();
         *input = [input[0] + row(shift, 0.0), input[1], input[2] + row(shift, 0.0), input[3]];
     }
     let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
@@ -185,7 +201,12 @@ fn first_hit_of_arcs_in_several_pieces() {
             let apart = curve.chord_error(f64::from(hit.z.max(1.0))) + 20.0 * U * curve.size;
             if hit.x < 1.5 {
                 let (center, radius) = spheres[hit.y as usize];
-                gaps.check(((curve.point(f64::from(hit.x)) - center).length() - radius) as f32, 0.0, 1.01 * apart, input);
+                gaps.check(
+                    ((curve.point(f64::from(hit.x)) - center).length() - radius) as f32,
+                    0.0,
+                    1.01 * apart,
+                    input,
+                );
                 several += u32::from(hit.z > 2.0);
             }
             let results = [apart, -apart].map(|grown| first_crossing(&curve, &spheres, grown));
@@ -219,4 +240,3 @@ fn first_crossing(curve: &Hermite, spheres: &[(DVec3, f64)], grown: f64) -> Opti
     }
     None
 }
-

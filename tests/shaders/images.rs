@@ -33,7 +33,8 @@ fn sample(image: f64, uv: DVec2, repeats: bool) -> DVec3 {
         };
         texel(image, [place(0, dx), place(1, dy)])
     };
-    (at(0.0, 0.0) * (1.0 - f.x) + at(1.0, 0.0) * f.x) * (1.0 - f.y) + (at(0.0, 1.0) * (1.0 - f.x) + at(1.0, 1.0) * f.x) * f.y
+    (at(0.0, 0.0) * (1.0 - f.x) + at(1.0, 0.0) * f.x) * (1.0 - f.y)
+        + (at(0.0, 1.0) * (1.0 - f.x) + at(1.0, 1.0) * f.x) * f.y
 }
 
 /// Neighbouring texels differ by 36 at most (across the seam, in the second colour).
@@ -51,7 +52,8 @@ fn bilinear_samples() {
             inputs.push([Vec4::new(i as f32 / 14.0, j as f32 / 8.0, 0.0, 0.0)]);
         }
     }
-    let body = "put(0u, vec4f(image_sample(2u, p0.xy, true), 0.0)); put(1u, vec4f(image_sample(3u, p0.xy, false), 0.0));";
+    let body =
+        "put(0u, vec4f(image_sample(2u, p0.xy, true), 0.0)); put(1u, vec4f(image_sample(3u, p0.xy, false), 0.0));";
     let probe = Probe::new(&["image_sample"]).stub(PICTURES);
     let [mut repeated, mut clamped] = ["image_sample, repeating", "image_sample, clamped"].map(Errors::of);
     for (input, output) in inputs.iter().zip(&probe.run::<1, 2>(&gpu(), body, &inputs)) {
@@ -86,7 +88,11 @@ fn equirectangular_sky() {
             inputs.push([row(d.as_vec3(), 1.0 + (i + 7 * j) as f32)]);
         }
     }
-    let out = Probe::new(&parts).stub(PICTURES).bind("sky", [sky]).run::<1, 1>(&gpu(), "put(0u, vec4f(sky_radiance(p0.xyz), 0.0));", &inputs);
+    let out = Probe::new(&parts).stub(PICTURES).bind("sky", [sky]).run::<1, 1>(
+        &gpu(),
+        "put(0u, vec4f(sky_radiance(p0.xyz), 0.0));",
+        &inputs,
+    );
     let (mut errors, mut texels) = (Errors::of("sky/equirectangular"), Errors::of("sky/equirectangular at texels"));
     // arc_tangent's 4e-7 of 2π, and roundings of u and of the place in texels.
     let bound = 0.5 * STEEPEST * 7.0 * (4e-7 / PI + 6.0 * U);
@@ -128,7 +134,9 @@ fn six_faces() {
     let inputs = directions(113);
     let probe = Probe::new(&["image_sample", "sky/faces"]).stub(PICTURES).bind("sky", [sky]);
     let mut errors = Errors::of("sky/faces");
-    for (input, [color]) in inputs.iter().zip(&probe.run::<1, 1>(&gpu(), "put(0u, vec4f(sky_radiance(p0.xyz), 0.0));", &inputs)) {
+    for (input, [color]) in
+        inputs.iter().zip(&probe.run::<1, 1>(&gpu(), "put(0u, vec4f(sky_radiance(p0.xyz), 0.0));", &inputs))
+    {
         let d = input[0].truncate();
         let largest = d.abs().max_element();
         let mut faces = FACES.iter().filter(|(_, ahead, ..)| ahead.dot(d) == largest);

@@ -28,7 +28,11 @@ pub fn phases(seed: u64, places: [f64; 2], speeds: [f64; 2]) -> Vec<[Vec4; 2]> {
     // Radial both ways, and across.
     for d in super::awkward_directions() {
         let x = d * (places[0] * places[1]).sqrt() as f32;
-        all.extend([[row(x, 0.0), row(d, 0.0)], [row(x, 0.0), row(-d, 0.0)], [row(x, 0.0), row(d.any_orthogonal_vector(), 0.0)]]);
+        all.extend([
+            [row(x, 0.0), row(d, 0.0)],
+            [row(x, 0.0), row(-d, 0.0)],
+            [row(x, 0.0), row(d.any_orthogonal_vector(), 0.0)],
+        ]);
     }
     all
 }
@@ -91,10 +95,19 @@ fn schwarzschild_geodesic_form() {
         // Outside the horizon, some just so.
         let x = input[0].truncate();
         let r = random.log(2.001 * MASS, 1e4).max(f64::from(x.length()).min(2e4)) as f32;
-        *input = [row(CENTER + x.normalize() * r, 0.0), row(input[1].truncate(), random.within(0.5, 2.0) as f32 * input[1].length())];
+        *input = [
+            row(CENTER + x.normalize() * r, 0.0),
+            row(input[1].truncate(), random.within(0.5, 2.0) as f32 * input[1].length()),
+        ];
     }
     let out = hole("law/schwarzschild_geodesic", "phase/spacetime").run::<2, 5>(&gpu(), SPACETIME_LAW, &inputs);
-    let names = ["geodesic rate", "geodesic clock's rate", "geodesic start's clock", "geodesic and path form", "geodesic scale"];
+    let names = [
+        "geodesic rate",
+        "geodesic clock's rate",
+        "geodesic start's clock",
+        "geodesic and path form",
+        "geodesic scale",
+    ];
     let [mut rates, mut clocks, mut starts, mut forms, mut scales] = names.map(Errors::of);
     for (input, output) in inputs.iter().zip(&out) {
         let (x, v, clock) = (wide(input[0]) - CENTER.as_dvec3(), wide(input[1]), f64::from(input[1].w));
@@ -112,7 +125,8 @@ fn schwarzschild_geodesic_form() {
         let near = f < 0.05;
         if (f - 0.05).abs() > 1e-6 {
             // EQUATIONS 1, with (|v|² − ṙ²) as |v⊥|².
-            let far = -MASS * (r - 2.0 * MASS) / r.powi(3) * clock * clock + MASS / (r * (r - 2.0 * MASS)) * radial * radial
+            let far = -MASS * (r - 2.0 * MASS) / r.powi(3) * clock * clock
+                + MASS / (r * (r - 2.0 * MASS)) * radial * radial
                 - 2.0 * MASS * across2 / (r * r);
             let want = if near { -3.0 * MASS * across2 / (r * r) } else { far };
             let terms = MASS / (r * r) * (f * clock * clock + v2 / f.max(0.05) + 3.0 * v2);

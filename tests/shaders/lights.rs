@@ -5,7 +5,10 @@ use bentray::program::constant;
 use glam::{DVec2, DVec3, Vec4};
 
 use super::{Errors, Random, U, row, wide};
-use crate::support::{gpu, probe::{Probe, Record}};
+use crate::support::{
+    gpu,
+    probe::{Probe, Record},
+};
 
 const SPECULAR: DVec3 = DVec3::new(0.5, 0.25, 1.0);
 const EMISSION: DVec3 = DVec3::new(0.125, 0.0, 0.5);
@@ -79,11 +82,14 @@ fn blinn_phong_answers() {
     errors.report();
 }
 
-const POINTS: [(DVec3, DVec3); 2] =
-    [(DVec3::new(5.0, 8.0, 2.0), DVec3::new(1.0, 0.5, 0.25)), (DVec3::new(-3.0, 1.0, 6.0), DVec3::new(0.25, 0.25, 2.0))];
+const POINTS: [(DVec3, DVec3); 2] = [
+    (DVec3::new(5.0, 8.0, 2.0), DVec3::new(1.0, 0.5, 0.25)),
+    (DVec3::new(-3.0, 1.0, 6.0), DVec3::new(0.25, 0.25, 2.0)),
+];
 
 fn suns() -> [(DVec3, DVec3); 3] {
-    [DVec3::NEG_Y, DVec3::new(0.6, 0.0, -0.8), DVec3::new(-0.36, -0.48, -0.8)].map(|d| (d.as_vec3().as_dvec3(), DVec3::new(0.5, 0.75, 1.0)))
+    [DVec3::NEG_Y, DVec3::new(0.6, 0.0, -0.8), DVec3::new(-0.36, -0.48, -0.8)]
+        .map(|d| (d.as_vec3().as_dvec3(), DVec3::new(0.5, 0.75, 1.0)))
 }
 
 #[test]
@@ -96,7 +102,15 @@ fn lights_add_up() {
             [row(random.vector(0.1, 3.0), (k % 3) as f32), row(normal.as_vec3(), 0.0), row(view.as_vec3(), 0.0)]
         })
         .collect();
-    let parts = ["work", "material/material", "material/phong", "material/emissive", "light/blinn_phong", "light/point", "light/directional"];
+    let parts = [
+        "work",
+        "material/material",
+        "material/phong",
+        "material/emissive",
+        "light/blinn_phong",
+        "light/point",
+        "light/directional",
+    ];
     let probe = materials(Probe::new(&parts))
         .stub(
             "fn lit_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
@@ -112,7 +126,8 @@ fn lights_add_up() {
         put(2u, vec4f(radiance_phong(material, own, p0.xyz, p1.xyz, p2.xyz), 0.0));
         put(3u, vec4f(radiance_emissive(material, own, p0.xyz, p1.xyz, p2.xyz), 0.0));";
     let own = DVec3::new(0.5, 1.0, 0.25);
-    let [mut points, mut directional, mut phong] = ["point lights", "directional lights", "radiance_phong"].map(Errors::of);
+    let [mut points, mut directional, mut phong] =
+        ["point lights", "directional lights", "radiance_phong"].map(Errors::of);
     for (input, output) in inputs.iter().zip(&probe.run::<3, 4>(&gpu(), body, &inputs)) {
         let k = input[0].w as usize;
         let [x, normal, view] = input.map(wide);
@@ -123,7 +138,8 @@ fn lights_add_up() {
                 // Where a light just sets, its highlight is on or off.
                 edge |= normal.dot(*to_light).abs() < 8.0 * U;
                 all += *light * (facing * own + highlight * SPECULAR);
-                bound += light.max_element() * (16.0 * U + highlight_bound(k, highlight, cosine) / (to_light + view).length().min(1.0));
+                bound += light.max_element()
+                    * (16.0 * U + highlight_bound(k, highlight, cosine) / (to_light + view).length().min(1.0));
             }
             (all, bound + 1e-6, edge)
         };
@@ -171,12 +187,20 @@ fn pictures_on_surfaces() {
     for i in 0..16_u8 {
         for j in 0..4_u8 {
             // The texels' centres, for a picture repeated 4 by 2 times over the surface.
-            inputs.push([Vec4::new((f32::from(i) + 0.5) / 16.0, 1.0 - (f32::from(j) + 0.5) / 4.0, f32::from(i % 4), f32::from(j % 2))]);
+            inputs.push([Vec4::new(
+                (f32::from(i) + 0.5) / 16.0,
+                1.0 - (f32::from(j) + 0.5) / 4.0,
+                f32::from(i % 4),
+                f32::from(j % 2),
+            )]);
         }
     }
     let probe = materials(Probe::new(&["material/material", "image_sample", "pattern/image"])).stub(stub);
     let out = probe.run::<1, 1>(&gpu(), "put(0u, vec4f(pattern_image(materials[0], p0.xy), 0.0));", &inputs);
     for (input, [got]) in inputs.iter().zip(&out) {
-        assert!((wide(*got) - DVec3::new(f64::from(input[0].z), f64::from(input[0].w), 0.0)).length() < 1e-5, "{got} at {input:?}");
+        assert!(
+            (wide(*got) - DVec3::new(f64::from(input[0].z), f64::from(input[0].w), 0.0)).length() < 1e-5,
+            "{got} at {input:?}"
+        );
     }
 }

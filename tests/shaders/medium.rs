@@ -43,7 +43,9 @@ const SHIFT: DVec3 = DVec3::new(0.317, 0.731, 0.523);
 
 fn corner(cell: [i64; 3]) -> f64 {
     let c = cell.map(|k| k as u32);
-    let seed = c[0].wrapping_mul(0x8da6_b343) ^ c[1].wrapping_mul(0xd816_3841) ^ c[2].wrapping_mul(0xcb1a_b31f)
+    let seed = c[0].wrapping_mul(0x8da6_b343)
+        ^ c[1].wrapping_mul(0xd816_3841)
+        ^ c[2].wrapping_mul(0xcb1a_b31f)
         ^ SEED.wrapping_mul(0x9e37_79b1);
     let state = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
@@ -70,7 +72,8 @@ fn index(x: DVec3) -> f64 {
     if q >= 1.0 {
         return 1.0;
     }
-    let sum: f64 = (0..OCTAVES).map(|j| 0.5_f64.powi(j) * noise(turn() * (FREQUENCY * 2.0_f64.powi(j) * d) + SHIFT)).sum();
+    let sum: f64 =
+        (0..OCTAVES).map(|j| 0.5_f64.powi(j) * noise(turn() * (FREQUENCY * 2.0_f64.powi(j) * d) + SHIFT)).sum();
     1.0 + AMPLITUDE * (2.0 * q.powi(3) - 3.0 * q * q + 1.0) * sum
 }
 
@@ -155,7 +158,8 @@ fn noise_is_smooth_across_its_lattice() {
         let (value_bound, slope_bound) = bounds(RADIUS);
         // Slopes of value and gradient: as in `bounds`, summed over the octaves, and those of ξ (1.5/R, 6/R²) with them.
         let steepest = AMPLITUDE * (6.5 * FREQUENCY * f64::from(OCTAVES) + 2.0 * 1.5 / RADIUS);
-        let bend = AMPLITUDE * (45.0 * FREQUENCY.powi(2) * 7.0 + 3.0 * 6.5 * FREQUENCY * 3.0 / RADIUS + 12.0 / RADIUS.powi(2));
+        let bend =
+            AMPLITUDE * (45.0 * FREQUENCY.powi(2) * 7.0 + 3.0 * 6.5 * FREQUENCY * 3.0 / RADIUS + 12.0 / RADIUS.powi(2));
         values.check(below.w, f64::from(above.w), 2.0 * value_bound + steepest * apart, (a, b));
         slopes.check3(*below, wide(*above), 2.0 * slope_bound + bend * apart, (a, b));
     }
@@ -185,8 +189,10 @@ fn snell_steps() {
         .iter()
         .map(|d| [(CENTER.as_vec3() + *d).extend(random.log(1e-3, 0.1) as f32), random.vector(0.9, 1.15).extend(0.0)])
         .collect();
-    let probe = with_medium(&["ray", "work", "phase/space", "index/noise", "step/snell"]).bind("snell", [vec![("threshold", Float(THRESHOLD))]]);
-    let body = "let next = step_ray(Phase(p0.xyz, p1.xyz), p0.w); put(0u, vec4f(next[0], 0.0)); put(1u, vec4f(next[1], 0.0));";
+    let probe = with_medium(&["ray", "work", "phase/space", "index/noise", "step/snell"])
+        .bind("snell", [vec![("threshold", Float(THRESHOLD))]]);
+    let body =
+        "let next = step_ray(Phase(p0.xyz, p1.xyz), p0.w); put(0u, vec4f(next[0], 0.0)); put(1u, vec4f(next[1], 0.0));";
     let (mut places, mut velocities) = (Errors::of("snell's places"), Errors::of("snell's velocities"));
     let (mut bent, mut reflected, mut straight, mut open) = (0, 0, 0, 0);
     for (input, output) in inputs.iter().zip(&probe.run::<2, 2>(&gpu(), body, &inputs)) {
@@ -216,8 +222,13 @@ fn snell_steps() {
             continue;
         }
         let across = v - along * normal;
-        let want = if through2 > 0.0 { across + along.signum() * through2.sqrt() * normal } else { across - along * normal };
-        if through2 > 0.0 { bent += 1 } else { reflected += 1 }
+        let want =
+            if through2 > 0.0 { across + along.signum() * through2.sqrt() * normal } else { across - along * normal };
+        if through2 > 0.0 {
+            bent += 1;
+        } else {
+            reflected += 1;
+        }
         // The normal turns by that angle, which the new length along it feels over its own size.
         let bound = 4.0 * (turned + value_bound) * (1.0 + 1.0 / through2.abs().sqrt()) + 16.0 * U;
         velocities.check3(output[1], want, bound, input);

@@ -139,7 +139,10 @@ impl Errors {
 
     /// Prints the largest error, and fails where one was over its bound.
     pub fn report(&self) {
-        println!("{}: {} values, error at most {:.1e}, {:.2} of its bound", self.what, self.count, self.worst, self.ratio);
+        println!(
+            "{}: {} values, error at most {:.1e}, {:.2} of its bound",
+            self.what, self.count, self.worst, self.ratio
+        );
         assert!(self.count > 0, "{}: nothing was tried", self.what);
         assert!(self.ratio <= 1.0, "{}: {}", self.what, self.at);
     }

@@ -18,7 +18,8 @@ fn arc_tangent_in_all_octants() {
         inputs.push([(size * angle.sin()) as f32, (size * angle.cos()) as f32]);
         // Components of unlike sizes, and near the borders between octants and between the polynomial's intervals.
         inputs.push([random.vector(1e-9, 1.0).x, random.vector(1e-9, 1.0).y]);
-        let slope = [0.414_213_56, 1.0, 2.414_213_6][(random.unit() * 3.0) as usize] * random.within(0.999_999, 1.000_001);
+        let slope =
+            [0.414_213_56, 1.0, 2.414_213_6][(random.unit() * 3.0) as usize] * random.within(0.999_999, 1.000_001);
         inputs.push([slope as f32 * inputs.last().unwrap()[1].signum(), 1.0]);
     }
     for y in [-1e38_f32, -1.0, -1e-37, -0.0, 0.0, 1e-37, 1.0, 1e38] {
@@ -62,13 +63,7 @@ fn status_words_keep_their_parts() {
 #[test]
 fn finite_sees_every_kind_of_number() {
     let finite = [0.0, -0.0, 1.0, -1e38, f32::MAX, f32::MIN_POSITIVE, 1e-40, f32::from_bits(1)];
-    let others = [
-        f32::INFINITY,
-        f32::NEG_INFINITY,
-        f32::NAN,
-        f32::from_bits(0x7f80_0001),
-        f32::from_bits(0xffff_ffff),
-    ];
+    let others = [f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::from_bits(0x7f80_0001), f32::from_bits(0xffff_ffff)];
     let all = || finite.iter().chain(&others).copied();
     let mut inputs = Vec::new();
     for a in all() {

@@ -40,7 +40,9 @@ fn straight_motion_leaves_the_bound_in_one_step() {
         // Past the sphere by a thousandth of its radius along the ray.
         let d = x - CENTER;
         let b = d.dot(v) / v.length_squared();
-        let exit = -b + b.hypot(((RADIUS * RADIUS - d.length_squared()) / v.length_squared()).sqrt()) + 1e-3 * RADIUS / v.length();
+        let exit = -b
+            + b.hypot(((RADIUS * RADIUS - d.length_squared()) / v.length_squared()).sqrt())
+            + 1e-3 * RADIUS / v.length();
         // The nearest point's own distance errs by 6 U R, the way along the ray from it by R over that way more.
         let along = (exit + b).max(1e-3) * v.length();
         exits.check(output[0].w, exit, (12.0 * U * RADIUS + 12.0 * U * RADIUS * RADIUS / along) / v.length(), input);
@@ -96,8 +98,19 @@ fn fates_in_their_order() {
 /// Parts that find where a path ends, with RK4 steps of one size round a hole of mass 1.
 fn path_end(step: f64) -> Probe {
     let parts = [
-        "ray", "work", "frame", "bound", "phase/space", "law/schwarzschild_path", "step/rk4", "control/fixed", "limit/none",
-        "capture/spheres", "follow/step", "stage/end_open", "path_end",
+        "ray",
+        "work",
+        "frame",
+        "bound",
+        "phase/space",
+        "law/schwarzschild_path",
+        "step/rk4",
+        "control/fixed",
+        "limit/none",
+        "capture/spheres",
+        "follow/step",
+        "stage/end_open",
+        "path_end",
     ];
     bounded(&parts, DVec3::ZERO)
         .bind("law", [vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))]])

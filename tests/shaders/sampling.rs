@@ -27,7 +27,8 @@ fn multi_jittered_samples() {
         for pixel in 0..SIDE * SIDE {
             inputs.extend((0..count).map(|s| [Vec4::new((pixel % SIDE) as f32, (pixel / SIDE) as f32, s as f32, 0.0)]));
         }
-        let probe = Probe::new(&["work", "sample/multi_jittered"]).stub(FRAME).bind("sampling", [vec![("grid", Uint2(grid))]]);
+        let probe =
+            Probe::new(&["work", "sample/multi_jittered"]).stub(FRAME).bind("sampling", [vec![("grid", Uint2(grid))]]);
         let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)), 0.0, 0.0));";
         let out = probe.run::<1, 1>(&gpu, body, &inputs);
         let mut patterns = BTreeSet::new();
@@ -47,20 +48,29 @@ fn multi_jittered_samples() {
                 means = [means[0] + x[0], means[1] + x[1]];
             }
             let full = count as usize;
-            assert_eq!((columns.len(), rows.len(), cells.len()), (full, full, full), "grid {grid:?} at {}", input[0][0]);
+            assert_eq!(
+                (columns.len(), rows.len(), cells.len()),
+                (full, full, full),
+                "grid {grid:?} at {}",
+                input[0][0]
+            );
             patterns.insert(pattern);
         }
         assert_eq!(patterns.len() as u32, SIDE * SIDE, "grid {grid:?}: two pixels have the same samples");
         // The mean of K stratified samples is ½ within 1/√(12 K) even without strata; four times that.
         for mean in means.map(|sum| sum / inputs.len() as f64) {
-            assert!((mean - 0.5).abs() < 4.0 / (12.0 * inputs.len() as f64).sqrt(), "grid {grid:?}: samples lean to {mean}");
+            assert!(
+                (mean - 0.5).abs() < 4.0 / (12.0 * inputs.len() as f64).sqrt(),
+                "grid {grid:?}: samples lean to {mean}"
+            );
         }
     }
 }
 
 #[test]
 fn image_plane_and_centre() {
-    let inputs = [[0.0_f32, 0.0], [640.0, 480.0], [320.0, 240.0], [640.0, 0.0], [0.0, 480.0], [160.0, 120.0]].map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]);
+    let inputs = [[0.0_f32, 0.0], [640.0, 480.0], [320.0, 240.0], [640.0, 0.0], [0.0, 480.0], [160.0, 120.0]]
+        .map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]);
     let probe = Probe::new(&["sample/image_plane", "sample/center"]).stub(FRAME);
     let body = "frame.image = vec2u(640u, 480u); put(0u, vec4f(image_plane(p0.xy), sample_point(vec2u(p0.xy))));";
     let want = [[-1.0, 1.0], [1.0, -1.0], [0.0, 0.0], [1.0, 1.0], [-1.0, -1.0], [-0.5, 0.5]];

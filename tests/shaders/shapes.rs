@@ -4,10 +4,12 @@ use bentray::gpu::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec4};
 
 use super::{Random, U, Verdict, awkward_directions, check_hits, row, wide};
-use crate::support::{gpu, probe::{Probe, Record}};
+use crate::support::{
+    gpu,
+    probe::{Probe, Record},
+};
 
-pub const PARTS: [&str; 7] =
-    ["ray", "work", "math", "shape/placed", "shape/sphere", "shape/ellipsoid", "shape/box"];
+pub const PARTS: [&str; 7] = ["ray", "work", "math", "shape/placed", "shape/sphere", "shape/ellipsoid", "shape/box"];
 
 /// A shape's place: the affine map from the scene's space to its own, rounded to f32 first.
 #[derive(Clone, Copy)]
@@ -170,7 +172,9 @@ fn probe(kind: &str, targets: &[Place]) -> Probe {
 #[test]
 fn analytic_shapes() {
     let gpu = gpu();
-    for (kind, targets) in [("sphere", balls(81)), ("ellipsoid", places(82)), ("box", places(83)), ("plane", places(84))] {
+    for (kind, targets) in
+        [("sphere", balls(81)), ("ellipsoid", places(82)), ("box", places(83)), ("plane", places(84))]
+    {
         let inputs = pieces(85, targets);
         let body = format!(
             "let hit = hit_{kind}(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
@@ -186,7 +190,9 @@ fn analytic_shapes() {
                 let (a, b) = (wide(input[0]), wide(input[1]));
                 let each = targets.map(|place| Verdict::of(&results(kind, &place, a, b)));
                 let verdict = nearest(each);
-                if let (Verdict::Hit(..), [Verdict::Miss, Verdict::Hit(..)] | [Verdict::Hit(..), Verdict::Miss]) = (verdict, each) {
+                if let (Verdict::Hit(..), [Verdict::Miss, Verdict::Hit(..)] | [Verdict::Hit(..), Verdict::Miss]) =
+                    (verdict, each)
+                {
                     assert_eq!(hit.y, f32::from(u8::from(each[0] == Verdict::Miss)), "{kind}: which one");
                 }
                 // What is nearer already stays.

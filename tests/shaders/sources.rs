@@ -72,12 +72,33 @@ fn centres() -> impl Iterator<Item = (&'static str, Centre)> {
 }
 
 fn probe() -> Probe {
-    let parts = ["ray", "work", "phase/space", "law/sources", "falloff/far_away", "falloff/inverse_square", "falloff/cubic", "falloff/yukawa"];
+    let parts = [
+        "ray",
+        "work",
+        "phase/space",
+        "law/sources",
+        "falloff/far_away",
+        "falloff/inverse_square",
+        "falloff/cubic",
+        "falloff/yukawa",
+    ];
     Probe::new(&parts)
         .generated(SCENE, "generated/sources.wgsl")
-        .list("inverse_square", "INVERSE_SQUARE_COUNT", INVERSE_SQUARE.map(|(p, s, _)| vec![("position", V3(p)), ("strength", Float(s))]))
-        .list("cubic", "CUBIC_COUNT", CUBIC.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("radius", Float(e))]))
-        .list("yukawa", "YUKAWA_COUNT", YUKAWA.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("mu", Float(e))]))
+        .list(
+            "inverse_square",
+            "INVERSE_SQUARE_COUNT",
+            INVERSE_SQUARE.map(|(p, s, _)| vec![("position", V3(p)), ("strength", Float(s))]),
+        )
+        .list(
+            "cubic",
+            "CUBIC_COUNT",
+            CUBIC.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("radius", Float(e))]),
+        )
+        .list(
+            "yukawa",
+            "YUKAWA_COUNT",
+            YUKAWA.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("mu", Float(e))]),
+        )
 }
 
 #[test]
@@ -134,8 +155,10 @@ fn falloffs_one_by_one_and_summed() {
 /// The cubic fall-off has no direction at its centre, where it must still be finite; outside R it is exactly 0.
 #[test]
 fn cubic_at_its_centre_and_outside() {
-    let inputs = [[CUBIC[0].0.as_vec3().extend(0.0)], [Vec4::new(20.0, 0.0, 0.0, 0.0)], [Vec4::new(0.0, -1e6, 0.0, 0.0)]];
-    let out = probe().run::<1, 1>(&gpu(), "put(0u, vec4f(cubic_acceleration(p0.xyz), cubic_distance(p0.xyz)));", &inputs);
+    let inputs =
+        [[CUBIC[0].0.as_vec3().extend(0.0)], [Vec4::new(20.0, 0.0, 0.0, 0.0)], [Vec4::new(0.0, -1e6, 0.0, 0.0)]];
+    let out =
+        probe().run::<1, 1>(&gpu(), "put(0u, vec4f(cubic_acceleration(p0.xyz), cubic_distance(p0.xyz)));", &inputs);
     let (alone, _) = pull("cubic", CUBIC[0].0, CUBIC[1]);
     assert!((wide(out[0][0]) - alone).length() < 1e-6, "{} is not {alone}", out[0][0]);
     assert!(out[0][0].w > 0.0, "steps may not shrink to nothing at a cubic centre");

@@ -63,7 +63,11 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         assert_eq!(output[0].truncate(), output[1].truncate(), "{kind}: shaded with the geometric normal");
         assert_eq!((output[1].w, output[2].z), (10.0 + e.place as f32, 20.0 + e.place as f32), "{kind}: owner");
         for k in 0..2 {
-            assert!((0.0..=1.0).contains(&output[2][k]) || kind == "box" || kind == "plane", "{kind}: uv {}", output[2]);
+            assert!(
+                (0.0..=1.0).contains(&output[2][k]) || kind == "box" || kind == "plane",
+                "{kind}: uv {}",
+                output[2]
+            );
             // arc_tangent errs by 4e-7 of 2π or π; near the poles longitude moves as 1/ρ. u = 0 and u = 1 are the same place.
             let rho = e.own.x.hypot(e.own.z).max(1e-3);
             let off = f64::from(output[2][k]) - e.uv[k];

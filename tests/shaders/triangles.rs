@@ -4,7 +4,10 @@ use bentray::gpu::Value::{Float, Uint, Vec3 as V3};
 use glam::{DVec3, Vec3, Vec4};
 
 use super::{Errors, Random, U, Verdict, awkward_directions, check_hits, row, vectors, wide};
-use crate::support::{gpu, probe::{Probe, Record}};
+use crate::support::{
+    gpu,
+    probe::{Probe, Record},
+};
 
 const PARTS: [&str; 5] = ["ray", "work", "walk/whole", "walk/piece", "shape/placed"];
 
@@ -14,7 +17,12 @@ fn probe() -> Probe {
 
 fn vertex(position: Vec3) -> Record {
     let normal = position.normalize_or(Vec3::Y).as_dvec3();
-    vec![("position", V3(position.as_dvec3())), ("normal", V3(normal)), ("u", Float(f64::from(position.x))), ("v", Float(f64::from(position.y)))]
+    vec![
+        ("position", V3(position.as_dvec3())),
+        ("normal", V3(normal)),
+        ("u", Float(f64::from(position.x))),
+        ("v", Float(f64::from(position.y))),
+    ]
 }
 
 #[test]
@@ -26,7 +34,11 @@ fn an_edge_has_two_opposite_sides() {
         .map(|d| {
             let p = random.vector(1e-6, 1e6);
             // Also edges along the axes, whose ends share coordinates.
-            let q = if random.unit() < 0.5 { p + random.vector(1e-6, 10.0) } else { Vec3::new(p.x, random.unit() as f32, p.z) };
+            let q = if random.unit() < 0.5 {
+                p + random.vector(1e-6, 10.0)
+            } else {
+                Vec3::new(p.x, random.unit() as f32, p.z)
+            };
             [row(*d, 0.0), row(p, 0.0), row(q, 0.0)]
         })
         .collect();
@@ -89,10 +101,14 @@ struct Mesh(Vec<[Vec3; 3]>);
 
 impl Mesh {
     fn new(random: &mut Random) -> Self {
-        Self((0..32).map(|_| {
-            let center = random.vector(0.5, 6.0);
-            [0; 3].map(|_| center + random.vector(0.3, 2.0))
-        }).collect())
+        Self(
+            (0..32)
+                .map(|_| {
+                    let center = random.vector(0.5, 6.0);
+                    [0; 3].map(|_| center + random.vector(0.3, 2.0))
+                })
+                .collect(),
+        )
     }
 
     fn probe(&self) -> Probe {
@@ -106,9 +122,8 @@ impl Mesh {
         let leaves = self.0.chunks(4).enumerate();
         let mut nodes = vec![node(&self.0, 1 + self.0.len() as u32 / 4, 0)];
         nodes.extend(leaves.map(|(k, four)| node(four, k as u32 + 2, (4 << 24) | (4 * k as u32))));
-        let triangles = (0..self.0.len() as u32).map(|k| {
-            vec![("a", Uint(3 * k)), ("b", Uint(3 * k + 1)), ("c", Uint(3 * k + 2)), ("object", Uint(k % 3))]
-        });
+        let triangles = (0..self.0.len() as u32)
+            .map(|k| vec![("a", Uint(3 * k)), ("b", Uint(3 * k + 1)), ("c", Uint(3 * k + 2)), ("object", Uint(k % 3))]);
         probe()
             .bind("nodes", nodes)
             .bind("triangles", triangles.collect::<Vec<Record>>())
@@ -165,7 +180,9 @@ fn meshes_by_hierarchy_and_by_brute_force() {
                 let [p, q, r] = t.map(Vec3::as_dvec3);
                 let n = (q - p).cross(r - p);
                 let error = 16.0 * U * (q - p).length() * (r - p).length() * (a.length() + p.length()) / n.dot(d).abs();
-                let each: Vec<_> = [(1.0, error), (1.0, -error), (-1.0, error), (-1.0, -error)].map(|(m, e)| fraction(t, a, d, m, e)).into();
+                let each: Vec<_> = [(1.0, error), (1.0, -error), (-1.0, error), (-1.0, -error)]
+                    .map(|(m, e)| fraction(t, a, d, m, e))
+                    .into();
                 let verdict = Verdict::of(&each);
                 slack = slack.max(if verdict == Verdict::Miss { 0.0 } else { error });
                 verdicts.push(verdict);
@@ -176,7 +193,8 @@ fn meshes_by_hierarchy_and_by_brute_force() {
                 let n = (t[1] - t[0]).cross(t[2] - t[0]);
                 let thin = (t[1] - t[0]).length() * (t[2] - t[0]).length() / n.length();
                 // The point is rounded, and found from a start that far away; n errs by U times how thin the triangle is.
-                let off = 16.0 * U * (a.length() + b.length()) * thin * (1.0 + d.length() * n.length() / n.dot(d).abs());
+                let off =
+                    16.0 * U * (a.length() + b.length()) * thin * (1.0 + d.length() * n.length() / n.dot(d).abs());
                 gaps.check(output[1].w, 0.0, off, input);
                 planes.check3(output[1], n.normalize(), 8.0 * U * thin, input);
                 let object = output[0].y as u32 % 3;
@@ -205,7 +223,11 @@ fn meshes_by_hierarchy_and_by_brute_force() {
 fn nearest(all: &[Verdict]) -> Verdict {
     let first = all.iter().filter_map(|v| if let Verdict::Hit(lo, hi) = v { Some((*lo, *hi)) } else { None });
     let first = first.reduce(|a, b| (a.0.min(b.0), a.1.min(b.1)));
-    if all.contains(&Verdict::Open) { Verdict::Open } else { first.map_or(Verdict::Miss, |(lo, hi)| Verdict::Hit(lo, hi)) }
+    if all.contains(&Verdict::Open) {
+        Verdict::Open
+    } else {
+        first.map_or(Verdict::Miss, |(lo, hi)| Verdict::Hit(lo, hi))
+    }
 }
 
 /// Boxes, flat ones too, and pieces along axes, on faces and from far away: what f64 says is met is never missed.

@@ -71,13 +71,16 @@ impl Probe {
     /// With the record of `frame` that the schedules' barriers against the compiler need.
     pub fn frame(self) -> Self {
         let one = Value::Uint2([1, 1]);
-        self.bind("frame", [vec![
-            ("origin", Value::Uint2([0, 0])),
-            ("size", one),
-            ("image", one),
-            ("sample", Value::Uint(0)),
-            ("zero", Value::Uint(0)),
-        ]])
+        self.bind(
+            "frame",
+            [vec![
+                ("origin", Value::Uint2([0, 0])),
+                ("size", one),
+                ("image", one),
+                ("sample", Value::Uint(0)),
+                ("zero", Value::Uint(0)),
+            ]],
+        )
     }
 
     /// Runs `body` once for each of the inputs, I rows each, and returns the O rows that it writes for each.
@@ -90,8 +93,10 @@ impl Probe {
         let flat: Vec<Vec4> = inputs.iter().flatten().copied().collect();
         let unwritten = vec![UNWRITTEN; 4 * O * inputs.len()];
         let output = buffer(gpu, bytemuck::cast_slice(&unwritten), BufferUsages::STORAGE | BufferUsages::COPY_SRC);
-        let buffers: Vec<Buffer> =
-            reflection.bindings.iter().map(|binding| match binding.name.as_str() {
+        let buffers: Vec<Buffer> = reflection
+            .bindings
+            .iter()
+            .map(|binding| match binding.name.as_str() {
                 "probe_in" => buffer(gpu, bytemuck::cast_slice(&flat), BufferUsages::STORAGE),
                 "probe_out" => output.clone(),
                 _ => buffer(gpu, &self.bytes(binding), usage(&binding.kind)),
@@ -101,7 +106,8 @@ impl Probe {
         let words = read(gpu, &output);
         let lost = words.iter().position(|word| *word == UNWRITTEN);
         assert!(lost.is_none(), "output word {lost:?} was not written (4 words a row, {O} rows an input)");
-        let rows: Vec<Vec4> = words.chunks(4).map(|w| Vec4::from_array([0, 1, 2, 3].map(|k| f32::from_bits(w[k])))).collect();
+        let rows: Vec<Vec4> =
+            words.chunks(4).map(|w| Vec4::from_array([0, 1, 2, 3].map(|k| f32::from_bits(w[k])))).collect();
         rows.chunks(O).map(|chunk| std::array::from_fn(|k| chunk[k])).collect()
     }
 

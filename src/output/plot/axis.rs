@@ -22,22 +22,13 @@ pub(super) struct Axis {
 impl Axis {
     /// An axis for data between the least and greatest of `values`, which are in plot coordinates.
     pub fn around(label: &str, log: bool, values: impl Iterator<Item = f64>) -> Self {
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-            (low.min(v), high.max(v))
-        });
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
         let (low, high) = if low > high { (0.0, 1.0) } else { (low, high) };
         // A single value gets a range of its own size around it.
         let least = 1e-9 * low.abs().max(high.abs());
-        let padding = if high - low <= least {
-            if low == 0.0 { 1.0 } else { 0.5 * low.abs() }
-        } else {
-            PADDING * (high - low)
-        };
-        Self {
-            label: label.to_owned(),
-            range: low - padding..high + padding,
-            log,
-        }
+        let padding =
+            if high - low <= least { if low == 0.0 { 1.0 } else { 0.5 * low.abs() } } else { PADDING * (high - low) };
+        Self { label: label.to_owned(), range: low - padding..high + padding, log }
     }
 
     /// The extent in plot coordinates.
@@ -98,11 +89,8 @@ pub(super) fn place(value: f64, log: bool) -> Option<f64> {
 fn linear_ticks(range: &Range<f64>) -> Vec<f64> {
     let rough = (range.end - range.start) / TICKS;
     let decade = 10f64.powf(rough.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .map(|m| m * decade)
-        .find(|step| *step >= rough)
-        .unwrap_or(10.0 * decade);
+    let step =
+        [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * decade).find(|step| *step >= rough).unwrap_or(10.0 * decade);
     let first = (range.start / step).ceil() as i64;
     let last = (range.end / step).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
@@ -112,11 +100,7 @@ fn linear_ticks(range: &Range<f64>) -> Vec<f64> {
 fn log_ticks(range: &Range<f64>) -> Vec<f64> {
     let decades = range.end - range.start;
     let every = (decades / TICKS).ceil().max(1.0) as i64;
-    let within: &[f64] = if decades <= 3.0 {
-        &[1.0, 2.0, 5.0]
-    } else {
-        &[1.0]
-    };
+    let within: &[f64] = if decades <= 3.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
     (range.start.floor() as i64..=range.end.ceil() as i64)
         .filter(|decade| decade.rem_euclid(every) == 0)
         .flat_map(|decade| within.iter().map(move |m| decade as f64 + m.log10()))

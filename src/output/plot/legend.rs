@@ -35,10 +35,7 @@ pub(super) struct Legend {
 impl Legend {
     /// The width of the column in pixels; none if there is nothing to say.
     pub fn width(&self) -> u32 {
-        let names = self
-            .entries
-            .iter()
-            .map(|(name, _)| text_width(name) + SAMPLE + GAP);
+        let names = self.entries.iter().map(|(name, _)| text_width(name) + SAMPLE + GAP);
         let notes = self.notes.iter().map(|note| text_width(note));
         let widest = names.chain(notes).max();
         widest.map_or(0, |w| w as u32 + MARGIN)
@@ -50,11 +47,7 @@ impl Legend {
         let mut y = MARGIN.cast_signed() + ROW_HEIGHT / 2;
         let room = ROWS - self.notes.len();
         let crowded = self.entries.len() > room;
-        let shown = if crowded {
-            room - 1
-        } else {
-            self.entries.len()
-        };
+        let shown = if crowded { room - 1 } else { self.entries.len() };
         for (name, look) in &self.entries[..shown] {
             look.stroke(canvas, vec![(left, y), (left + SAMPLE, y)])?;
             look.mark(canvas, (left + SAMPLE / 2, y))?;
@@ -71,12 +64,8 @@ impl Legend {
 }
 
 fn text(canvas: &Area, line: &str, at: Place) -> Drawn<()> {
-    let style = TextStyle::from((FONT, LABEL_SIZE).into_font())
-        .color(&BLACK)
-        .pos(Pos::new(HPos::Left, VPos::Center));
-    canvas
-        .draw(&Text::new(shortened(line), at, style))
-        .map_err(words)
+    let style = TextStyle::from((FONT, LABEL_SIZE).into_font()).color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
+    canvas.draw(&Text::new(shortened(line), at, style)).map_err(words)
 }
 
 fn text_width(line: &str) -> i32 {

@@ -43,11 +43,8 @@ pub struct Series {
 
 /// Draws a chart as SVG at `path`.
 pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
-    let placed: Vec<Vec<_>> = chart
-        .series
-        .iter()
-        .map(|s| s.points.iter().map(|p| place_on(chart, *p)).collect())
-        .collect();
+    let placed: Vec<Vec<_>> =
+        chart.series.iter().map(|s| s.points.iter().map(|p| place_on(chart, *p)).collect()).collect();
     let all = || placed.iter().flatten().flatten();
     let x = Axis::around(&chart.x_label, chart.log_x, all().map(|p| p[0]));
     let y = Axis::around(&chart.y_label, chart.log_y, all().map(|p| p[1]));
@@ -55,10 +52,7 @@ pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
     save(path, &legend(chart, missing), |canvas, area| {
         let plot = frame(area, &chart.title, &x, &y)?;
         for (i, line) in placed.iter().enumerate() {
-            let on_canvas: Vec<_> = line
-                .iter()
-                .map(|p| p.map(|p| plot.backend_coord(&p.into())))
-                .collect();
+            let on_canvas: Vec<_> = line.iter().map(|p| p.map(|p| plot.backend_coord(&p.into()))).collect();
             draw(canvas, &on_canvas, Look::of(i))?;
         }
         Ok(())
@@ -87,8 +81,5 @@ fn draw(canvas: &Area, line: &[Option<Place>], look: Look) -> Drawn<()> {
         look.stroke(canvas, part.iter().copied().flatten().collect())?;
     }
     let every = line.len().div_ceil(MARKS).max(1);
-    line.iter()
-        .step_by(every)
-        .flatten()
-        .try_for_each(|at| look.mark(canvas, *at))
+    line.iter().step_by(every).flatten().try_for_each(|at| look.mark(canvas, *at))
 }

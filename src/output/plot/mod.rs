@@ -16,9 +16,7 @@ use std::{fmt::Display, io::Write, path::Path};
 use plotters::{
     chart::ChartContext,
     coord::Shift,
-    prelude::{
-        Cartesian2d, ChartBuilder, DrawingArea, IntoDrawingArea, SVGBackend, TRANSPARENT, WHITE,
-    },
+    prelude::{Cartesian2d, ChartBuilder, DrawingArea, IntoDrawingArea, SVGBackend, TRANSPARENT, WHITE},
 };
 
 use self::{axis::Axis, legend::Legend};
@@ -49,26 +47,15 @@ fn words(error: impl Display) -> String {
 /// Draws on a white canvas with a legend, and writes the SVG.
 ///
 /// `draw` is given the whole canvas and the part of it that is left of the legend.
-fn save(
-    path: &Path,
-    legend: &Legend,
-    draw: impl FnOnce(&Area, &Area) -> Drawn<()>,
-) -> Result<(), OutputError> {
+fn save(path: &Path, legend: &Legend, draw: impl FnOnce(&Area, &Area) -> Drawn<()>) -> Result<(), OutputError> {
     let mut file = AtomicFile::create(path)?;
     let mut svg = String::new();
-    paint(&mut svg, legend, draw).map_err(|problem| OutputError::Plot {
-        path: path.to_owned(),
-        problem,
-    })?;
+    paint(&mut svg, legend, draw).map_err(|problem| OutputError::Plot { path: path.to_owned(), problem })?;
     file.write_all(svg.as_bytes()).map_err(|e| file.failed(e))?;
     file.finish()
 }
 
-fn paint(
-    svg: &mut String,
-    legend: &Legend,
-    draw: impl FnOnce(&Area, &Area) -> Drawn<()>,
-) -> Drawn<()> {
+fn paint(svg: &mut String, legend: &Legend, draw: impl FnOnce(&Area, &Area) -> Drawn<()>) -> Drawn<()> {
     let canvas = SVGBackend::with_string(svg, CANVAS).into_drawing_area();
     canvas.fill(&WHITE).map_err(words)?;
     let (plot, _) = canvas.split_horizontally(CANVAS.0 - legend.width());
@@ -87,16 +74,11 @@ fn data_size(legend: &Legend) -> (f64, f64) {
 /// The axes of a plot, with a title above unless it is empty.
 fn frame<'a>(area: &Area<'a>, title: &str, x: &Axis, y: &Axis) -> Drawn<Plot<'a>> {
     let mut builder = ChartBuilder::on(area);
-    builder
-        .margin(MARGIN)
-        .x_label_area_size(LABEL_AREA.0)
-        .y_label_area_size(LABEL_AREA.1);
+    builder.margin(MARGIN).x_label_area_size(LABEL_AREA.0).y_label_area_size(LABEL_AREA.1);
     if !title.is_empty() {
         builder.caption(title, (FONT, TITLE_SIZE));
     }
-    let mut plot = builder
-        .build_cartesian_2d(x.clone(), y.clone())
-        .map_err(words)?;
+    let mut plot = builder.build_cartesian_2d(x.clone(), y.clone()).map_err(words)?;
     plot.configure_mesh()
         .x_desc(&x.label)
         .y_desc(&y.label)

@@ -5,9 +5,7 @@
 
 use std::{f64::consts::TAU, path::Path};
 
-use super::{
-    Area, Drawn, OutputError, Plot, axis::Axis, data_size, frame, legend::Legend, save, style::Look,
-};
+use super::{Area, Drawn, OutputError, Plot, axis::Axis, data_size, frame, legend::Legend, save, style::Look};
 
 const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 /// Corners of the polygon that is drawn for a circle.
@@ -23,20 +21,11 @@ pub struct PathLine<'a> {
 }
 
 /// Draws paths as SVG at `path`, with the outline of the bounding ball `(center, radius)` if there is one.
-pub fn plot_paths(
-    path: &Path,
-    lines: &[PathLine],
-    bound: Option<([f64; 3], f64)>,
-) -> Result<(), OutputError> {
+pub fn plot_paths(path: &Path, lines: &[PathLine], bound: Option<([f64; 3], f64)>) -> Result<(), OutputError> {
     let axes = widest_axes(lines);
     let project = |p: &[f64; 3]| [p[axes[0]], p[axes[1]]];
-    let circle: Vec<_> = bound
-        .map(|(center, radius)| circle(project(&center), radius))
-        .unwrap_or_default();
-    let flat: Vec<Vec<_>> = lines
-        .iter()
-        .map(|line| line.points.iter().map(project).collect())
-        .collect();
+    let circle: Vec<_> = bound.map(|(center, radius)| circle(project(&center), radius)).unwrap_or_default();
+    let flat: Vec<Vec<_>> = lines.iter().map(|line| line.points.iter().map(project).collect()).collect();
     let statuses = statuses(lines);
     let legend = legend(&statuses, bound.is_some());
     let (x, y) = equal_axes(axes, flat.iter().flatten().chain(&circle), &legend);
@@ -57,20 +46,12 @@ fn widest_axes(lines: &[PathLine]) -> [usize; 2] {
         let values = lines.iter().flat_map(|l| &l.points).map(|p| p[axis]);
         let (low, high) = values
             .filter(|v| v.is_finite())
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-                (low.min(v), high.max(v))
-            });
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
         high - low
     };
     let spreads = [0, 1, 2].map(spread);
     // Of equal spreads the later axis is left out.
-    let least = (0..3).fold(2, |least, axis| {
-        if spreads[axis] < spreads[least] {
-            axis
-        } else {
-            least
-        }
-    });
+    let least = (0..3).fold(2, |least, axis| if spreads[axis] < spreads[least] { axis } else { least });
     match least {
         0 => [1, 2],
         1 => [0, 2],

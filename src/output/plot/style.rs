@@ -25,22 +25,10 @@ const COLORS: [RGBColor; 7] = [
 ];
 
 /// Lengths of dash and gap in pixels.
-const DASHES: [Option<(i32, i32)>; 5] = [
-    None,
-    Some((18, 9)),
-    Some((5, 7)),
-    Some((32, 8)),
-    Some((10, 14)),
-];
+const DASHES: [Option<(i32, i32)>; 5] = [None, Some((18, 9)), Some((5, 7)), Some((32, 8)), Some((10, 14))];
 
-const MARKERS: [Marker; 6] = [
-    Marker::Disc,
-    Marker::Square,
-    Marker::Triangle,
-    Marker::Cross,
-    Marker::Diamond,
-    Marker::Ring,
-];
+const MARKERS: [Marker; 6] =
+    [Marker::Disc, Marker::Square, Marker::Triangle, Marker::Cross, Marker::Diamond, Marker::Ring];
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Marker {
@@ -72,11 +60,7 @@ impl Look {
 
     /// A grey line, for what is not data.
     pub fn aside() -> Self {
-        Self {
-            color: RGBColor(0x80, 0x80, 0x80),
-            dash: None,
-            marker: None,
-        }
+        Self { color: RGBColor(0x80, 0x80, 0x80), dash: None, marker: None }
     }
 
     /// Draws a line through places of the canvas.
@@ -108,9 +92,7 @@ impl Look {
             Some(Marker::Triangle) => polygon(&[(0, -r - 2), (r + 1, r - 1), (-r - 1, r - 1)]),
             Some(Marker::Cross) => canvas
                 .draw(&PathElement::new([(x - r, y - r), (x + r, y + r)], outline))
-                .and_then(|()| {
-                    canvas.draw(&PathElement::new([(x - r, y + r), (x + r, y - r)], outline))
-                }),
+                .and_then(|()| canvas.draw(&PathElement::new([(x - r, y + r), (x + r, y - r)], outline))),
         }
         .map_err(words)
     }

@@ -42,18 +42,12 @@ fn refuses_what_cannot_be_a_file() {
     let taken = AtomicFile::create(folder.path()).unwrap_err();
     assert!(matches!(taken, OutputError::NotAFile { .. }), "{taken}");
     let nameless = AtomicFile::create(Path::new("")).unwrap_err();
-    assert!(
-        matches!(nameless, OutputError::NotAFile { .. }),
-        "{nameless}"
-    );
+    assert!(matches!(nameless, OutputError::NotAFile { .. }), "{nameless}");
     let lost = AtomicFile::create(&folder.path().join("no/a.txt")).unwrap_err();
     assert!(matches!(lost, OutputError::MissingFolder { .. }), "{lost}");
     fs::write(folder.path().join("file"), "").unwrap();
     let under_file = AtomicFile::create(&folder.path().join("file/a.txt")).unwrap_err();
-    assert!(
-        matches!(under_file, OutputError::Create { .. }),
-        "{under_file}"
-    );
+    assert!(matches!(under_file, OutputError::Create { .. }), "{under_file}");
     for error in [taken, lost, under_file] {
         let path = folder.path().display().to_string();
         assert!(error.to_string().starts_with(&path), "{error}");

@@ -15,18 +15,10 @@ fn svg(name: &str, plot: impl FnOnce(&PathBuf)) -> String {
 }
 
 fn chart(log: bool) -> Chart {
-    let names = [
-        "Störmer–Verlet <2>",
-        "Runge–Kutta 4",
-        "Dormand–Prince 5 & dense",
-        "Gauss 6",
-    ];
+    let names = ["Störmer–Verlet <2>", "Runge–Kutta 4", "Dormand–Prince 5 & dense", "Gauss 6"];
     let series = (2..6).zip(names).map(|(order, name)| Series {
         name: name.into(),
-        points: (0..30)
-            .map(|i| 2f64.powf(-f64::from(i) / 3.0))
-            .map(|h| [h, 0.1 * h.powi(order)])
-            .collect(),
+        points: (0..30).map(|i| 2f64.powf(-f64::from(i) / 3.0)).map(|h| [h, 0.1 * h.powi(order)]).collect(),
     });
     Chart {
         title: "Error of one orbit against the step".into(),
@@ -42,12 +34,7 @@ fn chart(log: bool) -> Chart {
 fn a_chart_names_its_parts() {
     for (name, log) in [("log.svg", true), ("linear.svg", false)] {
         let svg = svg(name, |path| plot_lines(path, &chart(log)).unwrap());
-        for text in [
-            "Error of one orbit",
-            "step (M)",
-            "error of position",
-            "Störmer–Verlet &lt;2&gt;",
-        ] {
+        for text in ["Error of one orbit", "step (M)", "error of position", "Störmer–Verlet &lt;2&gt;"] {
             assert!(svg.contains(text), "{text}");
         }
         assert_eq!(svg.contains("1e-10\n"), log);
@@ -66,23 +53,10 @@ fn a_chart_counts_what_it_cannot_show() {
 
 #[test]
 fn odd_charts_are_drawn() {
-    let points = [
-        vec![],
-        vec![[0.0, 0.0]],
-        vec![[3.0, 5.0]; 4],
-        vec![[1e9, 1.0], [1e9 + 1.0, 2.0]],
-    ];
+    let points = [vec![], vec![[0.0, 0.0]], vec![[3.0, 5.0]; 4], vec![[1e9, 1.0], [1e9 + 1.0, 2.0]]];
     for (i, points) in points.into_iter().enumerate() {
-        let chart = Chart {
-            series: vec![Series {
-                name: "a".into(),
-                points,
-            }],
-            ..Chart::default()
-        };
-        svg(&format!("odd{i}.svg"), |path| {
-            plot_lines(path, &chart).unwrap()
-        });
+        let chart = Chart { series: vec![Series { name: "a".into(), points }], ..Chart::default() };
+        svg(&format!("odd{i}.svg"), |path| plot_lines(path, &chart).unwrap());
     }
     let many = Chart {
         series: (0..60)
@@ -105,9 +79,7 @@ fn lines() -> Vec<PathLine<'static>> {
             let impact = -6.0 + f64::from(i);
             let path = |t: f64| [t, 0.01 * t, impact - impact * (t + 10.0).powi(2) / 300.0];
             PathLine {
-                points: (0..200)
-                    .map(|k| path(-10.0 + f64::from(k) * 0.09))
-                    .collect(),
+                points: (0..200).map(|k| path(-10.0 + f64::from(k) * 0.09)).collect(),
                 status: status[i as usize % 4],
             }
         })
@@ -120,13 +92,7 @@ fn paths_are_shown_along_their_narrowest_axis() {
     lines[3].points[100] = [f64::NAN; 3];
     let bound = Some(([0.0; 3], 12.0));
     let svg = svg("paths.svg", |path| plot_paths(path, &lines, bound).unwrap());
-    for text in [
-        "x (scene units)",
-        "z (scene units)",
-        "escaped",
-        "step limit",
-        "bound",
-    ] {
+    for text in ["x (scene units)", "z (scene units)", "escaped", "step limit", "bound"] {
         assert!(svg.contains(text), "{text}");
     }
     assert!(!svg.contains("y (scene units)"));

@@ -19,10 +19,7 @@ fn rays(text: &str) -> Result<Vec<[f64; 6]>, String> {
 
 #[test]
 fn reads_rays_in_any_order_of_columns() {
-    let expected = [
-        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
-        [-0.5, 1e-3, 0.0, 1.0, 0.0, 0.0],
-    ];
+    let expected = [[1.0, 2.0, 3.0, 4.0, 5.0, 6.0], [-0.5, 1e-3, 0.0, 1.0, 0.0, 0.0]];
     let plain = "x,y,z,vx,vy,vz\n1,2,3,4,5,6\n-.5,1e-3,0,1,0,0";
     assert_eq!(rays(plain).unwrap(), expected);
     let odd = "\u{feff}\r\n vx, vy ,vz,z,y,x \r\n4,5,6,3,2,1\r\n\r\n1,0,0, 0 ,0.001,-0.5\r\n";
@@ -35,34 +32,16 @@ fn says_what_is_wrong_and_where() {
     for (text, parts) in [
         (String::new(), vec!["line 1", "empty", "x,y,z,vx,vy,vz"]),
         (header.into(), vec!["line 1", "no rays"]),
-        (
-            "x,y,z,vx,vy,w\n".into(),
-            vec!["line 1", "column 6", "`w`", "vz"],
-        ),
-        (
-            "x,y,z,vx,vy,x\n".into(),
-            vec!["line 1", "column 6", "twice"],
-        ),
+        ("x,y,z,vx,vy,w\n".into(), vec!["line 1", "column 6", "`w`", "vz"]),
+        ("x,y,z,vx,vy,x\n".into(), vec!["line 1", "column 6", "twice"]),
         ("x,y,z,vx,vy\n".into(), vec!["line 1", "`vz` is missing"]),
         ("1,2,3,4,5,6\n".into(), vec!["line 1", "column 1", "`1`"]),
         (format!("{header}1,2,3\n"), vec!["line 2", "3 fields", "6"]),
-        (
-            format!("{header}1,2,3,4,5,6,7\n"),
-            vec!["line 2", "7 fields"],
-        ),
-        (
-            format!("{header}\n1,2,abc,4,5,6\n"),
-            vec!["line 3", "column 3 (z)", "`abc`"],
-        ),
+        (format!("{header}1,2,3,4,5,6,7\n"), vec!["line 2", "7 fields"]),
+        (format!("{header}\n1,2,abc,4,5,6\n"), vec!["line 3", "column 3 (z)", "`abc`"]),
         (format!("{header}1,2,,4,5,6\n"), vec!["column 3 (z)", "``"]),
-        (
-            format!("{header}1,2,3,nan,5,6\n"),
-            vec!["column 4 (vx)", "`nan`", "finite"],
-        ),
-        (
-            format!("{header}1,2,3,4,5,1e999\n"),
-            vec!["column 6 (vz)", "`1e999`"],
-        ),
+        (format!("{header}1,2,3,nan,5,6\n"), vec!["column 4 (vx)", "`nan`", "finite"]),
+        (format!("{header}1,2,3,4,5,1e999\n"), vec!["column 6 (vz)", "`1e999`"]),
     ] {
         let message = rays(&text).unwrap_err();
         for part in parts {
@@ -70,12 +49,7 @@ fn says_what_is_wrong_and_where() {
         }
     }
     let missing = folder().path().join("none.csv");
-    assert!(
-        read_rays(&missing)
-            .unwrap_err()
-            .to_string()
-            .contains("none.csv")
-    );
+    assert!(read_rays(&missing).unwrap_err().to_string().contains("none.csv"));
 }
 
 #[test]
@@ -104,17 +78,8 @@ fn rows_are_written_to_the_last_bit() {
     );
 
     let mut table = Table::create::<PathRow>(&path).unwrap();
-    let row = PathRow {
-        ray: 0,
-        index: 3,
-        position: [1.0, 2.0, 3.0],
-        velocity: [4.0, 5.0, 6.0],
-        tau: 0.5,
-    };
+    let row = PathRow { ray: 0, index: 3, position: [1.0, 2.0, 3.0], velocity: [4.0, 5.0, 6.0], tau: 0.5 };
     table.write(&row).unwrap();
     table.finish().unwrap();
-    assert_eq!(
-        fs::read_to_string(&path).unwrap(),
-        "ray,index,x,y,z,vx,vy,vz,tau\n0,3,1.0,2.0,3.0,4.0,5.0,6.0,0.5\n"
-    );
+    assert_eq!(fs::read_to_string(&path).unwrap(), "ray,index,x,y,z,vx,vy,vz,tau\n0,3,1.0,2.0,3.0,4.0,5.0,6.0,0.5\n");
 }

@@ -11,9 +11,7 @@ pub fn reach(shape: &Shape, transform: Transform, center: DVec3) -> Option<f64> 
         Shape::Plane => None,
         Shape::Sphere => Some(ellipsoid(&map, center)),
         Shape::Box => {
-            let corner = |i: u32| {
-                DVec3::from_array([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -1.0 } else { 1.0 }))
-            };
+            let corner = |i: u32| DVec3::from_array([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -1.0 } else { 1.0 }));
             Some((0..8).map(corner).map(distance).fold(0.0, f64::max))
         }
         Shape::Mesh(mesh) => {
@@ -29,18 +27,11 @@ pub fn reach(shape: &Shape, transform: Transform, center: DVec3) -> Option<f64> 
 /// If |u| stays below 1 down to λ = max σ², the longest axis takes what is left of it.
 fn ellipsoid(map: &DAffine3, center: DVec3) -> f64 {
     let (a, d) = (map.matrix3, map.translation - center);
-    let squares = DVec3::from_array(
-        a.to_cols_array_2d()
-            .map(|axis| DVec3::from(axis).length_squared()),
-    );
+    let squares = DVec3::from_array(a.to_cols_array_2d().map(|axis| DVec3::from(axis).length_squared()));
     let g = a.transpose() * d;
     let u = |lambda: f64| {
         let part = |i: usize| {
-            if g[i] == 0.0 {
-                0.0
-            } else {
-                g[i] / (lambda - squares[i])
-            }
+            if g[i] == 0.0 { 0.0 } else { g[i] / (lambda - squares[i]) }
         };
         DVec3::new(part(0), part(1), part(2))
     };

@@ -18,9 +18,7 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Camera> {
     let name = table.decide("kind", Name::Pinhole, word(names, &["fisheye", "panorama"]));
     let kind = name.and_then(|name| match name {
         Name::Pinhole => {
-            let angle = number_where("an angle between 0 and 180 degrees", |x| {
-                x > 0.0 && x < 180.0
-            });
+            let angle = number_where("an angle between 0 and 180 degrees", |x| x > 0.0 && x < 180.0);
             let fov = table.or("fov", 50.0, angle);
             Some(CameraKind::Pinhole { fov })
         }
@@ -43,14 +41,7 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Camera> {
     }
     let camera = position.and_then(|position| {
         let [forward, right, up] = axes(&table, position, look_at, up)?;
-        Some(Camera {
-            position,
-            forward,
-            right,
-            up,
-            kind: kind?,
-            frame,
-        })
+        Some(Camera { position, forward, right, up, kind: kind?, frame })
     });
     if let (Some(camera), Some(law)) = (&camera, law) {
         check_against_law(&table, camera, law);
@@ -100,14 +91,12 @@ fn check_against_law(table: &TableReader, camera: &Camera, law: &Law) {
                 table.fault(&["position"], problem, "move it away from the source");
             }
         }
-        Law::Flow {
-            order: FlowOrder::Velocity,
-            ..
-        } if matches!(camera.kind, CameraKind::Pinhole { .. }) => table.fault(
-            &["kind"],
-            "a pinhole camera in a flow of order 1 sees nothing: all rays from one point follow the same orbit",
-            "use kind = \"plane\" here, or order = 2 in [law]",
-        ),
+        Law::Flow { order: FlowOrder::Velocity, .. } if matches!(camera.kind, CameraKind::Pinhole { .. }) => table
+            .fault(
+                &["kind"],
+                "a pinhole camera in a flow of order 1 sees nothing: all rays from one point follow the same orbit",
+                "use kind = \"plane\" here, or order = 2 in [law]",
+            ),
         _ => {}
     }
 }

@@ -19,12 +19,7 @@ pub struct Files {
 impl Files {
     /// Names are relative to `folder`.
     pub fn new(folder: &Path) -> Self {
-        Self {
-            folder: folder.to_owned(),
-            pictures: Vec::new(),
-            picture_of: HashMap::new(),
-            mesh_of: HashMap::new(),
-        }
+        Self { folder: folder.to_owned(), pictures: Vec::new(), picture_of: HashMap::new(), mesh_of: HashMap::new() }
     }
 
     /// All pictures, in the order that indices count.

@@ -1,9 +1,7 @@
 //! `[law]`: how light travels.
 
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{
-    not_negative, number, number_where, positive, text, vector, whole, word,
-};
+use crate::scene::document::values::{not_negative, number, number_where, positive, text, vector, whole, word};
 use crate::scene::document::{Node, Value};
 use crate::scene::{Falloff, FlowField, FlowOrder, Law, NoiseIndex, SchwarzschildForm, Source};
 use glam::DVec3;
@@ -47,10 +45,7 @@ pub fn read(root: &TableReader) -> Option<Law> {
 }
 
 fn schwarzschild(table: &TableReader) -> Law {
-    let forms = &[
-        ("path", SchwarzschildForm::Path),
-        ("geodesic", SchwarzschildForm::Geodesic),
-    ];
+    let forms = &[("path", SchwarzschildForm::Path), ("geodesic", SchwarzschildForm::Geodesic)];
     Law::Schwarzschild {
         mass: table.or("mass", 1.0, positive),
         center: table.or("center", DVec3::ZERO, vector),
@@ -91,11 +86,7 @@ fn sources(table: &TableReader) -> Option<Law> {
     let tables = table.subtables("sources", "law.sources");
     if tables.is_empty() {
         let help = "add [[law.sources]] with position = [0, 0, 0] and strength = 1";
-        table.fault(
-            &["sources", "kind"],
-            "a law of sources needs at least one",
-            help,
-        );
+        table.fault(&["sources", "kind"], "a law of sources needs at least one", help);
         return None;
     }
     // All are read before any is missed.
@@ -117,12 +108,7 @@ fn source(table: TableReader) -> Option<Source> {
         None => Some(Falloff::InverseSquare),
     };
     table.finish();
-    Some(Source {
-        position: position?,
-        strength: strength?,
-        falloff: falloff?,
-        capture,
-    })
+    Some(Source { position: position?, strength: strength?, falloff: falloff?, capture })
 }
 
 fn falloff(table: &TableReader, node: &Node) -> Option<Falloff> {

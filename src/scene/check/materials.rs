@@ -2,9 +2,7 @@
 
 use super::files::Files;
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{
-    array, color, extents_2d, not_negative, number_where, positive, word,
-};
+use crate::scene::document::values::{array, color, extents_2d, not_negative, number_where, positive, word};
 use crate::scene::document::{Node, Value};
 use crate::scene::{Material, MaterialKind, Pattern, Sky};
 use glam::{DVec2, DVec3};
@@ -25,11 +23,7 @@ pub fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files) -> (Vec<&'a str>,
 fn material(name: &str, table: TableReader, files: &mut Files) -> Option<Material> {
     let kinds = word(&[("phong", true), ("emissive", false)], &[]);
     let phong = table.decide("kind", true, kinds);
-    let named = |color, kind| Material {
-        name: name.to_owned(),
-        color,
-        kind,
-    };
+    let named = |color, kind| Material { name: name.to_owned(), color, kind };
     let material = match phong {
         Some(true) => {
             let fraction = number_where("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));
@@ -56,12 +50,7 @@ fn material(name: &str, table: TableReader, files: &mut Files) -> Option<Materia
 }
 
 /// A colour, or a table that says how it varies; `path` is the table's name in the reference.
-fn pattern(
-    table: &TableReader,
-    path: &'static str,
-    node: &Node,
-    files: &mut Files,
-) -> Option<Pattern> {
+fn pattern(table: &TableReader, path: &'static str, node: &Node, files: &mut Files) -> Option<Pattern> {
     const CHOICES: &str = "[red, green, blue], { checker = [[..], [..]] } or { image = \"file\" }";
     let reader = table.reader;
     match node.value {

@@ -23,10 +23,8 @@ use std::path::Path;
 impl Scene {
     /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file.
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
-        let text = std::fs::read_to_string(path).map_err(|source| SceneError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
+        let text =
+            std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
         Self::parse(&text, path, overrides)
     }
 
@@ -37,13 +35,7 @@ impl Scene {
         let scene = scene(&reader, path.parent().unwrap_or(Path::new("")));
         let mut mistakes = reader.into_mistakes();
         // The scene's first, from the top; those of other files stay together, as they were found.
-        mistakes.sort_by_key(|m| {
-            if m.file == path {
-                (m.line, m.column)
-            } else {
-                (usize::MAX, 0)
-            }
-        });
+        mistakes.sort_by_key(|m| if m.file == path { (m.line, m.column) } else { (usize::MAX, 0) });
         match scene {
             Some(scene) if mistakes.is_empty() => Ok(scene),
             _ => Err(SceneError::Mistakes(mistakes)),
@@ -81,10 +73,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
 }
 
 fn image(root: &TableReader) -> Image {
-    let mut image = Image {
-        size: [800, 600],
-        samples: 1,
-    };
+    let mut image = Image { size: [800, 600], samples: 1 };
     if let Some(table) = root.subtable("image", "image") {
         let size = array("two whole numbers, [width, height]", whole(1..=65_536));
         image.size = table.or("size", image.size, size);
@@ -95,11 +84,7 @@ fn image(root: &TableReader) -> Image {
 }
 
 fn output(root: &TableReader) -> Output {
-    let mut output = Output {
-        exposure: 0.0,
-        tonemap: Tonemap::None,
-        bits: 8,
-    };
+    let mut output = Output { exposure: 0.0, tonemap: Tonemap::None, bits: 8 };
     if let Some(table) = root.subtable("output", "output") {
         let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
         output.exposure = table.or("exposure", 0.0, stops);

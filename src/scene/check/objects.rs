@@ -4,9 +4,7 @@ use super::bounds;
 use super::files::Files;
 use crate::scene::document::Value;
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{
-    array, direction, extents, positive, suggest, text, vector, word,
-};
+use crate::scene::document::values::{array, direction, extents, positive, suggest, text, vector, word};
 use crate::scene::{Bound, Object, Shape, Transform};
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
@@ -18,20 +16,11 @@ enum Name {
     Mesh,
 }
 
-const NAMES: &[(&str, Name)] = &[
-    ("sphere", Name::Sphere),
-    ("plane", Name::Plane),
-    ("box", Name::Box),
-    ("mesh", Name::Mesh),
-];
+const NAMES: &[(&str, Name)] =
+    &[("sphere", Name::Sphere), ("plane", Name::Plane), ("box", Name::Box), ("mesh", Name::Mesh)];
 
 /// All objects that can be used, in the order of the file; `materials` are the names of the materials.
-pub fn read(
-    root: &TableReader,
-    materials: &[&str],
-    bound: Option<Bound>,
-    files: &mut Files,
-) -> Vec<Object> {
+pub fn read(root: &TableReader, materials: &[&str], bound: Option<Bound>, files: &mut Files) -> Vec<Object> {
     let tables = root.subtables("objects", "objects").into_iter();
     tables
         .filter_map(|table| {
@@ -42,12 +31,7 @@ pub fn read(
         .collect()
 }
 
-fn object(
-    table: &TableReader,
-    materials: &[&str],
-    bound: Option<Bound>,
-    files: &mut Files,
-) -> Option<Object> {
+fn object(table: &TableReader, materials: &[&str], bound: Option<Bound>, files: &mut Files) -> Option<Object> {
     let name = table.decide_required("shape", "\"sphere\"", word(NAMES, &["cylinder", "disk"]));
     let shape = name.and_then(|name| shape(table, name, bound, files));
     let translate = table.or("translate", DVec3::ZERO, vector);
@@ -59,14 +43,8 @@ fn object(
     let material = table.required("material", "\"red\"", |node| {
         let name = text(node)?;
         let unknown = || match materials {
-            [] => node.fault(
-                format!("there is no material `{name}`"),
-                format!("add [materials.{name}]"),
-            ),
-            _ => node.fault(
-                format!("there is no material `{name}`"),
-                suggest(name, materials, "materials"),
-            ),
+            [] => node.fault(format!("there is no material `{name}`"), format!("add [materials.{name}]")),
+            _ => node.fault(format!("there is no material `{name}`"), suggest(name, materials, "materials")),
         };
         let index = materials.iter().position(|known| *known == name);
         index.ok_or_else(unknown)
@@ -76,20 +54,11 @@ fn object(
     if let Some(bound) = bound {
         check_inside(table, &shape, transform, bound);
     }
-    Some(Object {
-        shape,
-        transform,
-        material: material?,
-    })
+    Some(Object { shape, transform, material: material? })
 }
 
 /// The shape in its own space, and the map from there that its own keys make.
-fn shape(
-    table: &TableReader,
-    name: Name,
-    bound: Option<Bound>,
-    files: &mut Files,
-) -> Option<(Shape, DAffine3)> {
+fn shape(table: &TableReader, name: Name, bound: Option<Bound>, files: &mut Files) -> Option<(Shape, DAffine3)> {
     match name {
         Name::Sphere => {
             let center = table.or("center", DVec3::ZERO, vector);
@@ -111,9 +80,8 @@ fn plane(table: &TableReader, bound: Option<Bound>) -> DAffine3 {
     let center = table.or("center", DVec3::ZERO, vector);
     let normal = table.or("normal", DVec3::Y, direction);
     let across = DVec2::splat(2.0 * bound.map_or(1.0, |bound| bound.radius));
-    let size = table.or("size", across, |node| {
-        array("two numbers above 0, [width, depth]", positive)(node).map(DVec2::from_array)
-    });
+    let size = table
+        .or("size", across, |node| array("two numbers above 0, [width, depth]", positive)(node).map(DVec2::from_array));
     let scale = DVec3::new(size.x / 2.0, 1.0, size.y / 2.0);
     let rotation = DQuat::from_rotation_arc(DVec3::Y, normal);
     DAffine3::from_scale_rotation_translation(scale, rotation, center)
@@ -144,11 +112,7 @@ fn cuboid(table: &TableReader) -> Option<DAffine3> {
         }
     };
     let half = size / 2.0;
-    Some(DAffine3::from_scale_rotation_translation(
-        half,
-        DQuat::IDENTITY,
-        center,
-    ))
+    Some(DAffine3::from_scale_rotation_translation(half, DQuat::IDENTITY, center))
 }
 
 fn check_inside(table: &TableReader, shape: &Shape, transform: Transform, bound: Bound) {
@@ -157,8 +121,7 @@ fn check_inside(table: &TableReader, shape: &Shape, transform: Transform, bound:
     };
     if reach > bound.radius * (1.0 + 1e-9) {
         let beyond = bounds::round_up(reach - bound.radius);
-        let problem =
-            format!("the object reaches {beyond} beyond the bound, where rays do not come");
+        let problem = format!("the object reaches {beyond} beyond the bound, where rays do not come");
         let enough = bounds::round_up(reach);
         let help = format!("a radius of {enough} would do in rays.bound");
         table.fault(&["shape"], problem, help);

@@ -50,14 +50,7 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
     let length = table.optional("length", positive);
     table.finish();
-    Some(Rays {
-        method,
-        control,
-        segment,
-        max_segments,
-        bound: bound?,
-        length,
-    })
+    Some(Rays { method, control, segment, max_segments, bound: bound?, length })
 }
 
 fn check_against_law(table: &TableReader, name: Name, law: &Law) {
@@ -78,36 +71,19 @@ fn bound(table: &TableReader) -> Option<Bound> {
     let center = bound.or("center", DVec3::ZERO, vector);
     let radius = bound.required("radius", "50", positive);
     bound.finish();
-    Some(Bound {
-        center,
-        radius: radius?,
-    })
+    Some(Bound { center, radius: radius? })
 }
 
 fn segment(table: &TableReader, name: Option<Name>, radius: f64) -> Segment {
-    let arc = Segment::Arc {
-        tolerance: 1e-4 * radius,
-    };
-    match table.decide(
-        "segment",
-        true,
-        word(&[("arc", true), ("chord", false)], &[]),
-    ) {
-        Some(true) => Segment::Arc {
-            tolerance: table.or("arc_tolerance", 1e-4 * radius, positive),
-        },
+    let arc = Segment::Arc { tolerance: 1e-4 * radius };
+    match table.decide("segment", true, word(&[("arc", true), ("chord", false)], &[])) {
+        Some(true) => Segment::Arc { tolerance: table.or("arc_tolerance", 1e-4 * radius, positive) },
         Some(false) if name == Some(Name::Exact) => {
             let problem = "the exact method has no chords";
-            table.fault(
-                &["segment"],
-                problem,
-                "use segment = \"arc\", or another method",
-            );
+            table.fault(&["segment"], problem, "use segment = \"arc\", or another method");
             arc
         }
-        Some(false) => Segment::Chord {
-            steps: table.or("steps_per_segment", 10, whole(1..=1000)),
-        },
+        Some(false) => Segment::Chord { steps: table.or("steps_per_segment", 10, whole(1..=1000)) },
         None => arc,
     }
 }
@@ -137,25 +113,13 @@ fn fixed_or_scaled(table: &TableReader) -> Control {
 }
 
 fn doubling(table: &TableReader) -> Control {
-    let rules = &[
-        ("rejecting", DoublingRule::Rejecting),
-        ("paper", DoublingRule::Paper),
-    ];
+    let rules = &[("rejecting", DoublingRule::Rejecting), ("paper", DoublingRule::Paper)];
     let rule = table.or("doubling", DoublingRule::Rejecting, word(rules, &[]));
     let tolerance = table.or("tolerance", 1e-5, positive);
     let grow_below = table.or("grow_below", tolerance / 10.0, positive);
     if grow_below >= tolerance {
         let problem = format!("`grow_below` must be less than the tolerance, {tolerance:e}");
-        table.fault(
-            &["grow_below"],
-            problem,
-            "leave it out for a tenth of the tolerance",
-        );
+        table.fault(&["grow_below"], problem, "leave it out for a tenth of the tolerance");
     }
-    Control::Doubling {
-        rule,
-        tolerance,
-        grow_below,
-        eta: table.or("scaled_step", 0.3, positive),
-    }
+    Control::Doubling { rule, tolerance, grow_below, eta: table.or("scaled_step", 0.3, positive) }
 }

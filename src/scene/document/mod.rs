@@ -89,10 +89,7 @@ impl Document {
     /// Parses `text`, read from `path`, and puts the overrides in; a syntax error is the only mistake found.
     pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         let mut document = Self {
-            sources: vec![Source {
-                name: path.to_owned(),
-                text: text.to_owned(),
-            }],
+            sources: vec![Source { name: path.to_owned(), text: text.to_owned() }],
             root: Vec::new(),
             faults: Vec::new(),
         };
@@ -110,10 +107,9 @@ impl Document {
         }
         for over in overrides {
             let source = document.sources.len();
-            document.sources.push(Source {
-                name: PathBuf::from(format!("--set {}", over.text())),
-                text: over.text().to_owned(),
-            });
+            document
+                .sources
+                .push(Source { name: PathBuf::from(format!("--set {}", over.text())), text: over.text().to_owned() });
             if let Err(fault) = over.apply(&mut document.root, source) {
                 document.faults.push(fault);
             }
@@ -125,23 +121,12 @@ impl Document {
     pub fn locate(&self, fault: Fault) -> Mistake {
         let Place { source, start, end } = fault.place;
         let source = &self.sources[source];
-        Mistake::locate(
-            source.name.clone(),
-            &source.text,
-            start,
-            end,
-            fault.problem,
-            fault.help,
-        )
+        Mistake::locate(source.name.clone(), &source.text, start, end, fault.problem, fault.help)
     }
 }
 
 /// The start of the file: where something is missing that has no other place.
-pub const TOP: Place = Place {
-    source: 0,
-    start: 0,
-    end: 0,
-};
+pub const TOP: Place = Place { source: 0, start: 0, end: 0 };
 
 /// Where the places of a tree count from.
 #[derive(Debug, Clone, Copy, Default)]
@@ -153,11 +138,7 @@ struct Base {
 
 impl Base {
     fn place(self, span: Range<usize>) -> Place {
-        Place {
-            source: self.source,
-            start: span.start + self.offset,
-            end: span.end + self.offset,
-        }
+        Place { source: self.source, start: span.start + self.offset, end: span.end + self.offset }
     }
 }
 

@@ -23,33 +23,20 @@ impl FromStr for Override {
     fn from_str(text: &str) -> Result<Self, SceneError> {
         let error = |problem: &str| SceneError::Override(format!("`{text}`: {problem}"));
         let Some((key, written)) = text.split_once('=') else {
-            return Err(error(
-                "expected KEY=VALUE, as in rays.step=0.05 or objects.0.radius=2",
-            ));
+            return Err(error("expected KEY=VALUE, as in rays.step=0.05 or objects.0.radius=2"));
         };
-        let path = names(key)
-            .ok_or_else(|| error("the key must be names joined by dots, as in image.size"))?;
+        let path = names(key).ok_or_else(|| error("the key must be names joined by dots, as in image.size"))?;
         let trimmed = written.trim();
-        let base = Base {
-            source: 0,
-            offset: key.len() + 1 + written.len() - written.trim_start().len(),
-        };
+        let base = Base { source: 0, offset: key.len() + 1 + written.len() - written.trim_start().len() };
         let value = match DeValue::parse(trimmed) {
             Ok(value) => node(&value, base),
             Err(_) if trimmed.is_empty() => return Err(error("the value is missing")),
             Err(e) if trimmed.starts_with(['"', '\'', '[', '{']) => {
                 return Err(error(&format!("the value is not TOML: {}", e.message())));
             }
-            Err(_) => Node {
-                place: base.place(0..trimmed.len()),
-                value: Value::Text(trimmed.to_owned()),
-            },
+            Err(_) => Node { place: base.place(0..trimmed.len()), value: Value::Text(trimmed.to_owned()) },
         };
-        Ok(Self {
-            text: text.to_owned(),
-            path,
-            value,
-        })
+        Ok(Self { text: text.to_owned(), path, value })
     }
 }
 
@@ -78,21 +65,13 @@ impl Override {
 
     /// Sets the value in a tree whose source number `source` is this override's text. Missing tables are made.
     pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), Fault> {
-        let key = Place {
-            source,
-            start: 0,
-            end: self.text.find('=').unwrap_or(0),
-        };
+        let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
         let mut value = self.value.clone();
         relocate(&mut value, source);
         // The last name takes the value, each before it a table (perhaps new) that holds the next.
         let mut at = entry(root, &self.path[0], key);
         for (depth, name) in self.path.iter().enumerate().skip(1) {
-            let fault = |problem: String| Fault {
-                place: key,
-                problem,
-                help: String::new(),
-            };
+            let fault = |problem: String| Fault { place: key, problem, help: String::new() };
             let above = self.path[..depth].join(".");
             at = match &mut at.value {
                 Value::Table(table) => entry(table, name, key),
@@ -100,9 +79,7 @@ impl Override {
                     let count = items.len();
                     let item = name.parse().ok().and_then(|i: usize| items.get_mut(i));
                     item.ok_or_else(|| {
-                        fault(format!(
-                            "`{above}` has {count} entries, counted from 0, and none is `{name}`"
-                        ))
+                        fault(format!("`{above}` has {count} entries, counted from 0, and none is `{name}`"))
                     })?
                 }
                 _ => return Err(fault(format!("`{above}` is not a table"))),
@@ -117,10 +94,7 @@ impl Override {
 fn entry<'a>(table: &'a mut Table, name: &str, key: Place) -> &'a mut Node {
     let index = table.iter().position(|(n, ..)| n == name);
     let index = index.unwrap_or_else(|| {
-        let empty = Node {
-            place: key,
-            value: Value::Table(Table::new()),
-        };
+        let empty = Node { place: key, value: Value::Table(Table::new()) };
         table.push((name.to_owned(), key, empty));
         table.len() - 1
     });

@@ -70,14 +70,7 @@ impl<'a> Reader<'a> {
     }
 
     fn table(&self, path: &'static str, table: &'a Table, place: Place) -> TableReader<'_, 'a> {
-        TableReader {
-            reader: self,
-            path,
-            table,
-            place,
-            asked: RefCell::default(),
-            lenient: Cell::new(false),
-        }
+        TableReader { reader: self, path, table, place, asked: RefCell::default(), lenient: Cell::new(false) }
     }
 }
 
@@ -116,12 +109,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
     }
 
     /// The value of a key that must be there; `example` shows how it is written.
-    pub fn required<T>(
-        &self,
-        key: &'static str,
-        example: &str,
-        read: impl Fn(&'a Node) -> Read<T>,
-    ) -> Option<T> {
+    pub fn required<T>(&self, key: &'static str, example: &str, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
         self.reader.accept(read(self.required_node(key, example)?))
     }
 
@@ -136,12 +124,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
     }
 
     /// The value of a key on which the other keys depend: if it is wrong, keys that go with any value are let be.
-    pub fn decide<T>(
-        &self,
-        key: &'static str,
-        default: T,
-        read: impl Fn(&'a Node) -> Read<T>,
-    ) -> Option<T> {
+    pub fn decide<T>(&self, key: &'static str, default: T, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
         let Some(node) = self.node(key) else {
             return Some(default);
         };
@@ -183,9 +166,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
 
     /// All keys and values, for a table whose keys are free names.
     pub fn entries(&self) -> impl Iterator<Item = (&'a str, &'a Node)> {
-        self.table
-            .iter()
-            .map(|(name, _, node)| (name.as_str(), node))
+        self.table.iter().map(|(name, _, node)| (name.as_str(), node))
     }
 
     /// Records a mistake at the value of the first of these keys that the table has, else at the table.
@@ -214,11 +195,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
     }
 
     /// As [`Self::one_of`], for a table that must have one; `what` it then is.
-    pub fn required_one_of(
-        &self,
-        keys: &[&'static str],
-        what: &str,
-    ) -> Option<(&'static str, &'a Node)> {
+    pub fn required_one_of(&self, keys: &[&'static str], what: &str) -> Option<(&'static str, &'a Node)> {
         let given = self.one_of(keys);
         if given.is_none() {
             self.fault(&[], format!("expected {what}"), "");
@@ -238,29 +215,15 @@ impl<'r, 'a> TableReader<'r, 'a> {
                 continue;
             }
             let (problem, help) = if elsewhere.is_empty() {
-                let keys: Vec<&str> = if self.lenient.get() {
-                    listed().map(|r| r.key).collect()
-                } else {
-                    asked.clone()
-                };
+                let keys: Vec<&str> =
+                    if self.lenient.get() { listed().map(|r| r.key).collect() } else { asked.clone() };
                 let help = suggest(name, &keys, "keys here");
                 (format!("unknown key `{name}`"), help)
             } else {
-                let help = format!(
-                    "it goes with {}; keys here: {}",
-                    elsewhere.join(", or "),
-                    asked.join(", ")
-                );
-                (
-                    format!("`{name}` does not go with the rest of this table"),
-                    help,
-                )
+                let help = format!("it goes with {}; keys here: {}", elsewhere.join(", or "), asked.join(", "));
+                (format!("`{name}` does not go with the rest of this table"), help)
             };
-            self.reader.fault(Fault {
-                place: *place,
-                problem,
-                help,
-            });
+            self.reader.fault(Fault { place: *place, problem, help });
         }
     }
 }

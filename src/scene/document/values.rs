@@ -15,11 +15,7 @@ const SMALLEST: f64 = 1e-30;
 impl Node {
     /// The mistake of this node.
     pub fn fault(&self, problem: impl Into<String>, help: impl Into<String>) -> Fault {
-        Fault {
-            place: self.place,
-            problem: problem.into(),
-            help: help.into(),
-        }
+        Fault { place: self.place, problem: problem.into(), help: help.into() }
     }
 
     /// That this is not what was expected.
@@ -89,10 +85,7 @@ pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
 }
 
 /// `N` values that `read` reads; `what` describes them.
-pub fn array<T, const N: usize>(
-    what: &'static str,
-    read: impl Fn(&Node) -> Read<T>,
-) -> impl Fn(&Node) -> Read<[T; N]> {
+pub fn array<T, const N: usize>(what: &'static str, read: impl Fn(&Node) -> Read<T>) -> impl Fn(&Node) -> Read<[T; N]> {
     move |node| {
         let Value::Array(items) = &node.value else {
             return Err(node.expected(what));
@@ -150,15 +143,9 @@ pub fn word<T: Copy>(
         if let Some((_, meaning)) = choices.iter().find(|(name, _)| name == word) {
             Ok(*meaning)
         } else if later.contains(&word.as_str()) {
-            Err(node.fault(
-                format!("`{word}` is not available yet"),
-                format!("available: {list}"),
-            ))
+            Err(node.fault(format!("`{word}` is not available yet"), format!("available: {list}")))
         } else {
-            Err(node.fault(
-                format!("unknown word `{word}`"),
-                suggest(word, &names, "choices"),
-            ))
+            Err(node.fault(format!("unknown word `{word}`"), suggest(word, &names, "choices")))
         }
     }
 }

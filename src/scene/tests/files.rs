@@ -38,10 +38,7 @@ fn a_concave_polygon_keeps_its_area_and_sense() {
     assert!(area(&other).abs_diff_eq(-3.0 * Vec3::Z, 1e-6));
     // No triangle turns the other way.
     for t in &one.triangles {
-        let single = Mesh {
-            triangles: vec![*t],
-            ..one.clone()
-        };
+        let single = Mesh { triangles: vec![*t], ..one.clone() };
         assert!(area(&single).z > 0.0);
     }
 }
@@ -71,47 +68,20 @@ fn mistakes_in_a_mesh_have_its_lines() {
         ("f 1 2 4", 4, 7, "4", "there is no vertex `4`"),
         ("f 1 2 0", 4, 7, "0", "there is no vertex `0`"),
         ("f 1 -4 2", 4, 5, "-4", "there is no vertex `-4`"),
-        (
-            "f 1 2 99999999999999999999",
-            4,
-            7,
-            "99999999999999999999",
-            "there is no vertex `99999999999999999999`",
-        ),
-        (
-            "f 1/1 2 3",
-            4,
-            3,
-            "1/1",
-            "there is no texture coordinate `1`",
-        ),
+        ("f 1 2 99999999999999999999", 4, 7, "99999999999999999999", "there is no vertex `99999999999999999999`"),
+        ("f 1/1 2 3", 4, 3, "1/1", "there is no texture coordinate `1`"),
         ("f 1 2 3//9", 4, 7, "3//9", "there is no normal `9`"),
         ("f 1 2 //", 4, 7, "//", "a corner needs a vertex"),
         ("v 1 nan 2", 4, 5, "nan", "expected a number, found `nan`"),
-        (
-            "v 1 2 1e39",
-            4,
-            7,
-            "1e39",
-            "expected a number, found `1e39`",
-        ),
+        ("v 1 2 1e39", 4, 7, "1e39", "expected a number, found `1e39`"),
         ("\n  vn 1 2", 5, 3, "vn", "`vn` needs 3 numbers, found 2"),
         ("", 1, 1, "", "the mesh has no triangles with an area"),
-        (
-            "f 1 2 2",
-            1,
-            1,
-            "",
-            "the mesh has no triangles with an area",
-        ),
+        ("f 1 2 2", 1, 1, "", "the mesh has no triangles with an area"),
     ] {
         let mistakes = wrong(&format!("{v}{text}"));
         assert_eq!(mistakes.len(), 1);
         let m = &mistakes[0];
-        assert_eq!(
-            (m.line, m.column, m.excerpt.as_str(), m.problem.as_str()),
-            (line, column, excerpt, problem)
-        );
+        assert_eq!((m.line, m.column, m.excerpt.as_str(), m.problem.as_str()), (line, column, excerpt, problem));
     }
     assert_eq!(wrong(&"f 1 2 3\n".repeat(20)).len(), 10);
 }
@@ -141,18 +111,11 @@ fn pictures_become_linear() {
     // 16 bits, grey; the content tells the format.
     let grey = image::ImageBuffer::<Luma<u16>, _>::from_pixel(1, 1, Luma([188 * 257]));
     let grey = DynamicImage::ImageLuma16(grey);
-    grey.save_with_format(path("grey.exr"), ImageFormat::Png)
-        .expect("saved");
-    assert_eq!(
-        Picture::load(&path("grey.exr")).expect("a PNG").pixels,
-        [[g; 3]]
-    );
+    grey.save_with_format(path("grey.exr"), ImageFormat::Png).expect("saved");
+    assert_eq!(Picture::load(&path("grey.exr")).expect("a PNG").pixels, [[g; 3]]);
     let grey = GrayImage::from_pixel(1, 1, Luma([188]));
     grey.save(path("grey8.png")).expect("saved");
-    assert_eq!(
-        Picture::load(&path("grey8.png")).expect("a PNG").pixels,
-        [[g; 3]]
-    );
+    assert_eq!(Picture::load(&path("grey8.png")).expect("a PNG").pixels, [[g; 3]]);
     for name in ["f.exr", "f.hdr"] {
         let float = Rgb32FImage::from_pixel(3, 2, Rgb([0.5, 2.0, 8.0]));
         float.save(path(name)).expect("saved");
@@ -165,9 +128,7 @@ fn pictures_become_linear() {
 fn bad_pictures_are_refused_with_their_path() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name);
-    let nan = Rgb32FImage::from_fn(2, 2, |x, y| {
-        Rgb([if (x, y) == (1, 0) { f32::NAN } else { 0.0 }; 3])
-    });
+    let nan = Rgb32FImage::from_fn(2, 2, |x, y| Rgb([if (x, y) == (1, 0) { f32::NAN } else { 0.0 }; 3]));
     nan.save(path("nan.exr")).expect("saved");
     RgbImage::new(64, 64).save(path("cut.png")).expect("saved");
     let bytes = fs::read(path("cut.png")).expect("read");
@@ -175,10 +136,7 @@ fn bad_pictures_are_refused_with_their_path() {
     fs::write(path("text.png"), "not a picture").expect("written");
     fs::write(path("empty.png"), "").expect("written");
     for (name, problem) in [
-        (
-            "nan.exr",
-            "the pixel in column 1, row 0 (from 0, top left) is not finite",
-        ),
+        ("nan.exr", "the pixel in column 1, row 0 (from 0, top left) is not finite"),
         ("cut.png", "cannot use the picture"),
         ("text.png", "cannot use the picture"),
         ("empty.png", "cannot use the picture"),
@@ -203,26 +161,13 @@ fn a_scene_loads_each_file_once() {
     let scene = Scene::load(&path("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(scene.pictures.len(), 2);
     assert_eq!(scene.sky, Sky::Faces([0, 1, 0, 0, 1, 0], 2.0));
-    assert!(matches!(
-        scene.materials[0].color,
-        Pattern::Picture { picture: 1, .. }
-    ));
+    assert!(matches!(scene.materials[0].color, Pattern::Picture { picture: 1, .. }));
 
     // What is wrong with a file is said once: in the file if it has lines, else where it is named first.
     fs::write(path("m.obj"), "v 0 0 0\nf 1 2 3\n").expect("written");
     fs::write(path("b.png"), "").expect("written");
     let mistakes = mistakes_of(Scene::load(&path("scene.toml"), &[]));
     assert_eq!(mistakes.len(), 2, "{mistakes:?}");
-    assert_eq!(
-        (
-            mistakes[0].line,
-            mistakes[0].column,
-            mistakes[0].excerpt.as_str()
-        ),
-        (4, 19, "\"b.png\"")
-    );
-    assert_eq!(
-        (mistakes[1].file.clone(), mistakes[1].line),
-        (path("m.obj"), 2)
-    );
+    assert_eq!((mistakes[0].line, mistakes[0].column, mistakes[0].excerpt.as_str()), (4, 19, "\"b.png\""));
+    assert_eq!((mistakes[1].file.clone(), mistakes[1].line), (path("m.obj"), 2));
 }

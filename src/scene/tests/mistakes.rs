@@ -41,9 +41,7 @@ fn all_mistakes_are_found_in_one_run_in_the_order_of_the_file() {
 
 #[test]
 fn a_mistake_shows_its_line() {
-    let text = format!(
-        "{RAYS}[materials.red]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"red\"\n  raduis = 3\n"
-    );
+    let text = format!("{RAYS}[materials.red]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"red\"\n  raduis = 3\n");
     assert_eq!(
         SceneError::Mistakes(mistakes_of(parse(&text))).to_string(),
         "scene.toml:7:3: unknown key `raduis`\n    raduis = 3\n    ^^^^^^\n    help: did you mean `radius`? keys here: \

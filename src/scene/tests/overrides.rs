@@ -10,11 +10,7 @@ const SCENE: &str = "[camera]\nposition = [0, 0, 9]\n[law]\nkind = \"schwarzschi
 
 fn with(overrides: &[&str]) -> Result<Scene, SceneError> {
     let overrides: Vec<Override> = overrides.iter().map(|o| o.parse().expect(o)).collect();
-    Scene::parse(
-        &format!("{RAYS}{SCENE}"),
-        Path::new("scene.toml"),
-        &overrides,
-    )
+    Scene::parse(&format!("{RAYS}{SCENE}"), Path::new("scene.toml"), &overrides)
 }
 
 #[test]
@@ -34,64 +30,26 @@ fn values_are_replaced_and_added() {
     assert_eq!(scene.image.size, [10, 12]);
     let kind = scene.camera.expect("a camera").kind;
     assert_eq!(kind, CameraKind::Pinhole { fov: 40.0 });
-    let Law::Schwarzschild { form, center, .. } = scene.law else {
-        panic!()
-    };
+    let Law::Schwarzschild { form, center, .. } = scene.law else { panic!() };
     assert_eq!(form, SchwarzschildForm::Geodesic);
     assert_eq!(center, DVec3::Z);
     assert_eq!(scene.objects[0].transform.uniform_scale(), Some(2.0));
     let center = DVec3::ZERO;
-    assert_eq!(
-        scene.rays.bound,
-        Bound {
-            center,
-            radius: 30.0
-        }
-    );
+    assert_eq!(scene.rays.bound, Bound { center, radius: 30.0 });
     assert_eq!(scene.output.bits, 16);
 }
 
 #[test]
 fn mistakes_are_found_on_the_command_line() {
     for (text, column, excerpt, problem) in [
-        (
-            "rays.step=abc",
-            11,
-            "abc",
-            "expected a number, found the string \"abc\"",
-        ),
-        (
-            "rays.step= 0.0.5",
-            12,
-            "0.0.5",
-            "expected a number, found the string \"0.0.5\"",
-        ),
-        (
-            "image.size=[10, 0]",
-            17,
-            "0",
-            "expected a whole number, 1 to 65536, found 0",
-        ),
-        (
-            "rays.bound={ radius = 3, radios = 4 }",
-            26,
-            "radios",
-            "unknown key `radios`",
-        ),
+        ("rays.step=abc", 11, "abc", "expected a number, found the string \"abc\""),
+        ("rays.step= 0.0.5", 12, "0.0.5", "expected a number, found the string \"0.0.5\""),
+        ("image.size=[10, 0]", 17, "0", "expected a whole number, 1 to 65536, found 0"),
+        ("rays.bound={ radius = 3, radios = 4 }", 26, "radios", "unknown key `radios`"),
         ("image.sise=3", 1, "image.sise", "unknown key `sise`"),
-        (
-            "objects.1.radius=3",
-            1,
-            "objects.1.radius",
-            "`objects` has 1 entries, counted from 0, and none is `1`",
-        ),
+        ("objects.1.radius=3", 1, "objects.1.radius", "`objects` has 1 entries, counted from 0, and none is `1`"),
         ("law.kind.x=3", 1, "law.kind.x", "`law.kind` is not a table"),
-        (
-            "sky.intensity=3",
-            1,
-            "sky.intensity",
-            "`intensity` does not go with the rest of this table",
-        ),
+        ("sky.intensity=3", 1, "sky.intensity", "`intensity` does not go with the rest of this table"),
     ] {
         let mistakes = mistakes_of(with(&[text]));
         assert_eq!(mistakes.len(), 1, "{mistakes:?}");

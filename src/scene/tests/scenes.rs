@@ -5,9 +5,8 @@ use crate::scene::check::scene;
 use crate::scene::document::Document;
 use crate::scene::document::reader::Reader;
 use crate::scene::{
-    CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light,
-    MaterialKind, Method, Pattern, REFERENCE, Scene, SceneError, Segment, Shape, Sky, TEMPLATE,
-    reference_markdown,
+    CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Method, Pattern,
+    REFERENCE, Scene, SceneError, Segment, Shape, Sky, TEMPLATE, reference_markdown,
 };
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -48,15 +47,9 @@ fn the_reference_lists_the_keys_that_are_asked_for() {
 #[test]
 fn the_reference_is_a_table_for_each_table() {
     let text = reference_markdown();
-    assert!(
-        text.starts_with("### Top level\n\n| key | value |"),
-        "{text}"
-    );
+    assert!(text.starts_with("### Top level\n\n| key | value |"), "{text}");
     assert!(text.contains("\n\n### `[[objects]]`\n\n| key"), "{text}");
-    assert!(
-        text.contains("| `radius` | number above 0 | 1 | With shape = \"sphere\": scene units |"),
-        "{text}"
-    );
+    assert!(text.contains("| `radius` | number above 0 | 1 | With shape = \"sphere\": scene units |"), "{text}");
 }
 
 #[test]
@@ -65,10 +58,7 @@ fn the_template_parses() {
     assert_eq!(scene.objects.len(), 1);
     assert_eq!(scene.lights.len(), 1);
     assert!(matches!(scene.law, Law::Schwarzschild { .. }));
-    for line in TEMPLATE
-        .lines()
-        .filter(|l| !l.is_empty() && !l.starts_with('['))
-    {
+    for line in TEMPLATE.lines().filter(|l| !l.is_empty() && !l.starts_with('[')) {
         assert!(line.contains('#'), "no comment: {line}");
     }
 }
@@ -79,10 +69,7 @@ fn little_is_needed() {
     assert_eq!((scene.image.size, scene.image.samples), ([800, 600], 1));
     assert_eq!(scene.camera, None);
     assert_eq!(scene.law, Law::Straight);
-    assert_eq!(
-        (scene.rays.method, scene.rays.control),
-        (Method::Exact, Control::Exact)
-    );
+    assert_eq!((scene.rays.method, scene.rays.control), (Method::Exact, Control::Exact));
     assert_eq!(scene.rays.segment, Segment::Arc { tolerance: 1e-3 });
     assert_eq!((scene.rays.max_segments, scene.rays.length), (1000, None));
     assert_eq!(scene.sky, Sky::Color(DVec3::ZERO));
@@ -91,18 +78,14 @@ fn little_is_needed() {
 
 #[test]
 fn a_camera_has_orthonormal_axes() {
-    let scene = good(&format!(
-        "{RAYS}[camera]\nposition = [0, 3, 4]\nlook_at = [0, 3, 0]"
-    ));
+    let scene = good(&format!("{RAYS}[camera]\nposition = [0, 3, 4]\nlook_at = [0, 3, 0]"));
     let camera = scene.camera.expect("a camera");
     assert_eq!(camera.forward, -DVec3::Z);
     assert_eq!(camera.right, DVec3::X);
     assert_eq!(camera.up, DVec3::Y);
     assert_eq!(camera.kind, CameraKind::Pinhole { fov: 50.0 });
     assert_eq!(camera.frame, Frame::Coordinate);
-    let scene = good(&format!(
-        "{RAYS}[camera]\nposition = [1, 3, 4]\nup = [3, 1, 0]"
-    ));
+    let scene = good(&format!("{RAYS}[camera]\nposition = [1, 3, 4]\nup = [3, 1, 0]"));
     let camera = scene.camera.expect("a camera");
     let axes = glam::DMat3::from_cols(camera.right, camera.up, -camera.forward);
     assert!((axes.transpose() * axes).abs_diff_eq(glam::DMat3::IDENTITY, 1e-12));
@@ -112,28 +95,11 @@ fn a_camera_has_orthonormal_axes() {
 #[test]
 fn laws_and_methods_become_values() {
     let scene = good(KINDS[0]);
-    let Law::Flow { field, order } = scene.law else {
-        panic!()
-    };
-    assert_eq!(
-        field,
-        FlowField::Lorenz {
-            sigma: 10.0,
-            rho: 28.0,
-            beta: 8.0 / 3.0
-        }
-    );
+    let Law::Flow { field, order } = scene.law else { panic!() };
+    assert_eq!(field, FlowField::Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 });
     assert_eq!(order, FlowOrder::Acceleration);
     assert_eq!(scene.rays.method, Method::Rk4);
-    let Control::Doubling {
-        rule,
-        tolerance,
-        grow_below,
-        eta,
-    } = scene.rays.control
-    else {
-        panic!()
-    };
+    let Control::Doubling { rule, tolerance, grow_below, eta } = scene.rays.control else { panic!() };
     assert_eq!((rule, tolerance, eta), (DoublingRule::Paper, 1e-5, 0.3));
     assert!((grow_below - 1e-6).abs() < 1e-18);
     assert_eq!(scene.rays.segment, Segment::Chord { steps: 10 });
@@ -141,23 +107,15 @@ fn laws_and_methods_become_values() {
     let scene = good(KINDS[1]);
     assert_eq!(scene.rays.control, Control::Fixed { step: 1.0 });
     assert_eq!(scene.rays.bound.center, DVec3::new(1.0, 2.0, 3.0));
-    let Law::Sources(sources) = good(KINDS[2]).law else {
-        panic!()
-    };
+    let Law::Sources(sources) = good(KINDS[2]).law else { panic!() };
     assert_eq!(sources[0].falloff, Falloff::Cubic { radius: 2.0 });
     assert_eq!(sources[1].falloff, Falloff::Yukawa { mu: 3.0 });
     assert_eq!(sources[2].falloff, Falloff::InverseSquare);
-    assert_eq!(
-        (sources[0].strength, sources[1].capture, sources[2].capture),
-        (-1.0, 1.0, 0.0)
-    );
+    assert_eq!((sources[0].strength, sources[1].capture, sources[2].capture), (-1.0, 1.0, 0.0));
     let scene = good(KINDS[3]);
     assert_eq!(scene.rays.method, Method::Snell { threshold: 0.001 });
     assert_eq!(scene.rays.control, Control::Scaled { eta: 0.1 });
-    assert_eq!(
-        good(KINDS[4]).camera.expect("a camera").frame,
-        Frame::Static
-    );
+    assert_eq!(good(KINDS[4]).camera.expect("a camera").frame, Frame::Static);
 }
 
 #[test]
@@ -178,42 +136,17 @@ fn shapes_go_where_their_keys_say() {
     near(map(2, [0.0, 1.0, 0.0]), [0.0, 0.0, 0.0]);
     near(map(3, [1.0, 0.0, -1.0]), [100.0, 0.0, -100.0]);
     assert!(matches!(scene.objects[2].shape, Shape::Plane));
-    assert_eq!(
-        (scene.objects[0].material, scene.objects[1].material),
-        (1, 0)
-    );
-    assert_eq!(
-        scene.materials[0].color,
-        Pattern::Constant(DVec3::splat(0.8))
-    );
+    assert_eq!((scene.objects[0].material, scene.objects[1].material), (1, 0));
+    assert_eq!(scene.materials[0].color, Pattern::Constant(DVec3::splat(0.8)));
     let colors = [DVec3::ONE, DVec3::ZERO];
-    assert_eq!(
-        scene.materials[1].color,
-        Pattern::Checker {
-            colors,
-            repeat: DVec2::splat(8.0)
-        }
-    );
-    assert!(matches!(
-        scene.materials[0].kind,
-        MaterialKind::Phong { ambient: 0.1, .. }
-    ));
-    assert_eq!(
-        scene.lights[0],
-        Light::Directional {
-            direction: -DVec3::Y,
-            color: DVec3::ONE
-        }
-    );
+    assert_eq!(scene.materials[1].color, Pattern::Checker { colors, repeat: DVec2::splat(8.0) });
+    assert!(matches!(scene.materials[0].kind, MaterialKind::Phong { ambient: 0.1, .. }));
+    assert_eq!(scene.lights[0], Light::Directional { direction: -DVec3::Y, color: DVec3::ONE });
 }
 
 #[test]
 fn a_scene_that_cannot_be_read_is_an_error() {
     let error = Scene::load(Path::new("nowhere/scene.toml"), &[]).expect_err("no such file");
     assert!(matches!(error, SceneError::Read { .. }));
-    assert!(
-        error
-            .to_string()
-            .starts_with("cannot read `nowhere/scene.toml`: ")
-    );
+    assert!(error.to_string().starts_with("cannot read `nowhere/scene.toml`: "));
 }

@@ -1,0 +1,46 @@
+# `make render`: a picture from a fresh machine. `make test`: every check.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+
+# Mesa's device-select layer complains where there is no desktop session.
+export NODEVICE_SELECT := 1
+
+.PHONY: render test device clean
+
+render: device
+	cargo build --release
+	mkdir -p out
+	target/release/bentray render scenes/black_hole.toml -o out/black_hole.png
+	@echo "open out/black_hole.png"
+
+test: device
+	cargo fmt --check
+	cargo clippy --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
+	mkdir -p target
+	cargo test 2>&1 | tee target/test.log
+	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
+
+# A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own.
+device:
+	@if [ "$$(uname -s)" != Linux ]; then exit 0; fi; \
+	missing=(); \
+	command -v cc >/dev/null || missing+=(gcc libc6-dev); \
+	if [ -z "$${VK_DRIVER_FILES:-$${VK_ICD_FILENAMES:-}}" ] && \
+	    ! compgen -G '/usr/share/vulkan/icd.d/*.json' >/dev/null && ! compgen -G '/etc/vulkan/icd.d/*.json' >/dev/null; \
+	then missing+=(mesa-vulkan-drivers); fi; \
+	ldconfig -p 2>/dev/null | grep -q 'libvulkan\.so\.1' || missing+=(libvulkan1); \
+	if [ $${#missing[@]} -eq 0 ]; then exit 0; fi; \
+	if ! command -v apt-get >/dev/null; then \
+	    echo "please install: a C compiler, the Vulkan loader and a Vulkan driver" >&2; \
+	    echo "  Fedora: gcc vulkan-loader mesa-vulkan-drivers; Arch: gcc vulkan-icd-loader vulkan-swrast" >&2; exit 1; fi; \
+	root=; if [ "$$(id -u)" -ne 0 ]; then \
+	    command -v sudo >/dev/null || { echo "please install, as root: $${missing[*]}" >&2; exit 1; }; root=sudo; fi; \
+	echo "installing $${missing[*]}"; \
+	$$root apt-get update -q; \
+	DEBIAN_FRONTEND=noninteractive $$root apt-get install -q -y --no-install-recommends "$${missing[@]}"
+
+clean:
+	cargo clean
+	rm -rf out
