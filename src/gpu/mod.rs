@@ -8,9 +8,11 @@ mod contents;
 mod device;
 mod error;
 mod geometry;
+mod lists;
 mod pipeline;
 mod records;
 mod tile;
+mod uniforms;
 
 pub use contents::SceneBuffers;
 pub use device::{AdapterReport, Gpu, adapters};

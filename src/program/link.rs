@@ -230,3 +230,81 @@ fn switch(signature: &str, name: &str, kinds: usize) -> String {
     let _ = writeln!(text, "        default: {{\n            {}\n        }}\n    }}\n}}", call(kinds - 1));
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::{reflect, validated};
+
+    fn unit(file: &'static str, text: &'static str) -> Unit {
+        Unit { file: file.into(), text: text.into() }
+    }
+
+    const ENTRY: &str = "@group(0) @binding(0) var<storage, read_write> out: array<f32>;\n\
+        @compute @workgroup_size(1) fn entry() {\n    out[0] = law_rate(1.0);\n}\n";
+
+    fn two_regions() -> Parts {
+        let strength = "struct Law { a: f32 }\n@group(0) @binding(50) var<uniform> law: Law;\n";
+        Parts {
+            shared: vec![unit("pass/entry.wgsl", ENTRY)],
+            regions: vec![
+                vec![
+                    unit("law/weak.wgsl", strength),
+                    unit("law/a.wgsl", "fn law_rate(x: f32) -> f32 { return law.a * x; }\n"),
+                ],
+                vec![
+                    unit("law/strong.wgsl", strength),
+                    unit("law/b.wgsl", "fn law_rate(x: f32) -> f32 { return -law.a * x; }\n"),
+                ],
+            ],
+        }
+    }
+
+    #[test]
+    fn each_kind_of_region_has_its_own_copy() {
+        let linked = link(&two_regions(), "entry").unwrap();
+        validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
+        for text in ["fn law_rate_0(", "fn law_rate_1(", "switch region", "return law_rate_1(x);", "-law_1.a * x"] {
+            assert!(linked.source.contains(text), "{text}\n{}", linked.source);
+        }
+        let numbers: Vec<u32> = reflect(&linked).unwrap().bindings.iter().map(|binding| binding.number).collect();
+        assert_eq!(numbers, [0, 250, 450], "copies have bindings of their own");
+    }
+
+    #[test]
+    fn one_region_keeps_its_names() {
+        let mut parts = two_regions();
+        parts.regions.truncate(1);
+        let linked = link(&parts, "entry").unwrap();
+        assert!(linked.source.contains("fn law_rate(") && !linked.source.contains("switch"));
+    }
+
+    #[test]
+    fn only_functions_over_shared_types_can_be_chosen_between() {
+        let mut parts = two_regions();
+        for region in &mut parts.regions {
+            region.push(unit("law/k.wgsl", "const K: f32 = 1.0;\n"));
+        }
+        parts.shared.push(unit("more.wgsl", "fn more() -> f32 { return K; }\n"));
+        let error = link(&parts, "entry").unwrap_err().to_string();
+        assert!(error.contains("`K` has a copy for each kind of region"), "{error}");
+    }
+
+    #[test]
+    fn errors_name_the_part_and_its_own_line() {
+        let slip =
+            "// A law with a slip.\n\nfn unused() {}\n\nfn law_rate(x: f32) -> f32 {\n    return x * nothing;\n}\n";
+        let parts =
+            Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/slip.wgsl", slip)], regions: Vec::new() };
+        let error = reflect(&link(&parts, "entry").unwrap()).unwrap_err().to_string();
+        assert!(error.starts_with("shaders/law/slip.wgsl:6:16: "), "{error}");
+    }
+
+    #[test]
+    fn names_are_declared_once() {
+        let twice = unit("law/again.wgsl", ENTRY);
+        let parts = Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), twice], regions: Vec::new() };
+        let error = link(&parts, "entry").unwrap_err().to_string();
+        assert_eq!(error, "both pass/entry.wgsl and law/again.wgsl declare `out`");
+    }
+}

@@ -148,7 +148,7 @@ fn faults_show_and_large_values_saturate() {
         assert_eq!(display([0.5, bad, 0.5], 1.0, Tonemap::Filmic), magenta);
     }
     for map in [Tonemap::None, Tonemap::Filmic] {
-        assert_eq!(display([f32::MAX; 3], 1e90, map), [1.0; 3]);
+        assert!(display([f32::MAX; 3], 1e90, map).iter().all(|c| (c - 1.0).abs() < 1e-12));
         assert_eq!(display([0.0, -0.0, 0.0], 1e90, map), [0.0; 3]);
         assert!(tonemapped(map, 0.2) < tonemapped(map, 0.21));
     }

@@ -1,0 +1,211 @@
+//! The values of a scene's lists: shapes, meshes, materials, lights, force centres.
+
+use glam::{DVec2, DVec3};
+
+use super::GpuError;
+use super::contents::Source;
+use super::geometry::PlacedShape;
+use super::records::Value::{self, Float, Uint, Vec2, Vec3, Vec4};
+use super::records::pack;
+use crate::program::{Layout, Purpose, constant};
+use crate::scene::{Falloff, Law, Light, MaterialKind, Pattern};
+
+impl Source<'_> {
+    pub(super) fn list(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
+        let g = self.geometry;
+        let placed = |kind: &str| {
+            let shapes = g.placed.get(kind).map_or(&[][..], Vec::as_slice);
+            pack(name, layout, shapes.iter().map(placed_row)).map(Some)
+        };
+        let spaces = |kind: &str| {
+            let shapes = g.placed.get(kind).map_or(&[][..], Vec::as_slice);
+            pack(name, layout, shapes.iter().map(space_rows)).map(Some)
+        };
+        match name {
+            "balls" => {
+                let shapes = g.placed.get("sphere").map_or(&[][..], Vec::as_slice);
+                pack(name, layout, shapes.iter().map(|s| [("center", Vec3(s.center)), ("radius", Float(s.radius))]))
+                    .map(Some)
+            }
+            "ellipsoid_spaces" => spaces("ellipsoid"),
+            "box_spaces" => spaces("box"),
+            "plane_spaces" => spaces("plane"),
+            "spheres" => placed("sphere"),
+            "ellipsoids" => placed("ellipsoid"),
+            "boxes" => placed("box"),
+            "planes" => placed("plane"),
+            "nodes" => pack(
+                name,
+                layout,
+                g.nodes.iter().map(|n| {
+                    [
+                        ("lo", Vec3(n.lo.into())),
+                        ("hi", Vec3(n.hi.into())),
+                        ("skip", Uint(n.skip)),
+                        ("leaf", Uint(n.leaf)),
+                    ]
+                }),
+            )
+            .map(Some),
+            "triangles" => pack(
+                name,
+                layout,
+                g.triangles.iter().map(|[a, b, c, object]| {
+                    [("a", Uint(*a)), ("b", Uint(*b)), ("c", Uint(*c)), ("object", Uint(*object))]
+                }),
+            )
+            .map(Some),
+            "vertices" => pack(
+                name,
+                layout,
+                g.vertices.iter().map(|v| {
+                    [
+                        ("position", Vec3(v.position.into())),
+                        ("normal", Vec3(v.normal.into())),
+                        ("u", Float(v.uv.x.into())),
+                        ("v", Float(v.uv.y.into())),
+                    ]
+                }),
+            )
+            .map(Some),
+            "object_materials" => {
+                let materials: Vec<u32> = self.scene.objects.iter().map(|object| object.material as u32).collect();
+                Ok(Some(bytemuck::cast_slice(&materials).to_vec()))
+            }
+            "materials" => self.materials(layout).map(Some),
+            _ => self.lights_and_sources(name, layout),
+        }
+    }
+
+    fn materials(&self, layout: &Layout) -> Result<Vec<u8>, GpuError> {
+        let code = |part: &str, name: &str| constant(part, name) as u32;
+        let kinds = [code("material/emissive", "EMISSIVE"), code("material/phong", "PHONG")];
+        let patterns =
+            [code("pattern/constant", "CONSTANT"), code("pattern/checker", "CHECKER"), code("pattern/image", "IMAGE")];
+        let rows = self.scene.materials.iter().map(|material| {
+            let (kind, ambient, specular, shininess, emission) = match material.kind {
+                MaterialKind::Emissive => (kinds[0], 0.0, DVec3::ZERO, 1.0, DVec3::ZERO),
+                MaterialKind::Phong { ambient, specular, shininess, emission } => {
+                    (kinds[1], ambient, specular, shininess, emission)
+                }
+            };
+            let (pattern, color, second, repeat, image) = match &material.color {
+                Pattern::Constant(color) => (patterns[0], *color, DVec3::ZERO, DVec2::ONE, 0),
+                Pattern::Checker { colors, repeat } => (patterns[1], colors[0], colors[1], *repeat, 0),
+                Pattern::Picture { picture, repeat } => (patterns[2], DVec3::ONE, DVec3::ZERO, *repeat, *picture),
+            };
+            [
+                ("kind", Uint(kind)),
+                ("pattern", Uint(pattern)),
+                ("color", Vec3(color)),
+                ("second_color", Vec3(second)),
+                ("specular", Vec3(specular)),
+                ("shininess", Float(shininess)),
+                ("emission", Vec3(emission)),
+                ("ambient", Float(ambient)),
+                ("repeat", Vec2(repeat)),
+                ("image", Uint(image as u32)),
+            ]
+        });
+        pack("materials", layout, rows)
+    }
+
+    fn lights_and_sources(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
+        let lights = self.scene.lights.iter();
+        let sources = match &self.scene.law {
+            Law::Sources(sources) => sources.as_slice(),
+            _ => &[],
+        };
+        let bytes = match name {
+            "point_lights" => pack(
+                name,
+                layout,
+                lights.filter_map(|light| match *light {
+                    Light::Point { position, color } => Some([("position", Vec3(position)), ("color", Vec3(color))]),
+                    Light::Directional { .. } => None,
+                }),
+            ),
+            "directional_lights" => pack(
+                name,
+                layout,
+                lights.filter_map(|light| match *light {
+                    Light::Directional { direction, color } => {
+                        Some([("direction", Vec3(direction)), ("color", Vec3(color))])
+                    }
+                    Light::Point { .. } => None,
+                }),
+            ),
+            "inverse_square" => pack(
+                name,
+                layout,
+                sources
+                    .iter()
+                    .filter(|s| s.falloff == Falloff::InverseSquare)
+                    .map(|s| [("position", Vec3(s.position)), ("strength", Float(s.strength))]),
+            ),
+            "cubic" => pack(
+                name,
+                layout,
+                sources.iter().filter_map(|s| match s.falloff {
+                    Falloff::Cubic { radius } => Some([
+                        ("position", Vec3(s.position)),
+                        ("strength", Float(s.strength)),
+                        ("radius", Float(radius)),
+                    ]),
+                    _ => None,
+                }),
+            ),
+            "yukawa" => pack(
+                name,
+                layout,
+                sources.iter().filter_map(|s| match s.falloff {
+                    Falloff::Yukawa { mu } => {
+                        Some([("position", Vec3(s.position)), ("strength", Float(s.strength)), ("mu", Float(mu))])
+                    }
+                    _ => None,
+                }),
+            ),
+            "capture_spheres" => pack(
+                name,
+                layout,
+                self.capture_spheres()
+                    .into_iter()
+                    .map(|(center, radius)| [("center", Vec3(center)), ("radius", Float(radius))]),
+            ),
+            _ => return Ok(None),
+        };
+        bytes.map(Some)
+    }
+
+    /// A hole captures at its horizon, or as far out as its photon sphere where nothing lies between that a ray moving inwards
+    /// could still hit. Traced rays are followed to the horizon itself.
+    fn capture_spheres(&self) -> Vec<(DVec3, f64)> {
+        match &self.scene.law {
+            Law::Schwarzschild { mass, center, .. } => {
+                let clear =
+                    self.geometry.clearance(*center) > 3.0 * mass && self.program.choice.purpose == Purpose::Picture;
+                vec![(*center, if clear { 3.0 * mass } else { 2.0 * mass })]
+            }
+            Law::Sources(sources) => {
+                sources.iter().filter(|s| s.capture > 0.0).map(|s| (s.position, s.capture)).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+}
+
+fn space_rows(shape: &PlacedShape) -> [(&'static str, Value); 3] {
+    [("row_x", Vec4(shape.rows[0])), ("row_y", Vec4(shape.rows[1])), ("row_z", Vec4(shape.rows[2]))]
+}
+
+fn placed_row(shape: &PlacedShape) -> [(&'static str, Value); 7] {
+    [
+        ("center", Vec3(shape.center)),
+        ("radius", Float(shape.radius)),
+        ("row_x", Vec4(shape.rows[0])),
+        ("row_y", Vec4(shape.rows[1])),
+        ("row_z", Vec4(shape.rows[2])),
+        ("material", Uint(shape.material)),
+        ("object", Uint(shape.object)),
+    ]
+}

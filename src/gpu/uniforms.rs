@@ -1,0 +1,71 @@
+//! The values of a scene's uniforms, by the names of their members in WGSL.
+
+use super::contents::Source;
+use super::records::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
+use crate::scene::{CameraKind, Control, FlowField, Law, Sky};
+
+impl Source<'_> {
+    pub(super) fn camera(&self) -> Vec<(&'static str, Value)> {
+        let Some(camera) = &self.scene.camera else { return Vec::new() };
+        let [width, height] = self.scene.image.size.map(f64::from);
+        let half = match camera.kind {
+            CameraKind::Pinhole { fov } => (0.5 * fov).to_radians().tan(),
+            CameraKind::Plane { height } => 0.5 * height,
+        };
+        vec![
+            ("position", Vec3(camera.position)),
+            ("forward", Vec3(camera.forward)),
+            ("right", Vec3(camera.right * half * width / height)),
+            ("up", Vec3(camera.up * half)),
+        ]
+    }
+
+    pub(super) fn law(&self) -> Vec<(&'static str, Value)> {
+        match &self.scene.law {
+            Law::Schwarzschild { mass, center, .. } => vec![("center", Vec3(*center)), ("mass", Float(*mass))],
+            Law::Flow { field: FlowField::Lorenz { sigma, rho, beta }, .. } => {
+                vec![("sigma", Float(*sigma)), ("rho", Float(*rho)), ("beta", Float(*beta))]
+            }
+            Law::Flow { field: FlowField::Rossler { alpha, beta, gamma }, .. } => {
+                vec![("alpha", Float(*alpha)), ("beta", Float(*beta)), ("gamma", Float(*gamma))]
+            }
+            Law::Medium(n) => vec![
+                ("center", Vec3(n.center)),
+                ("radius", Float(n.radius)),
+                ("amplitude", Float(n.amplitude)),
+                ("frequency", Float(n.frequency)),
+                ("octaves", Uint(n.octaves)),
+                ("seed", Uint(n.seed)),
+            ],
+            Law::Straight | Law::Sources(_) => Vec::new(),
+        }
+    }
+
+    pub(super) fn control(&self) -> Vec<(&'static str, Value)> {
+        match self.scene.rays.control {
+            Control::Exact => Vec::new(),
+            Control::Fixed { step } => vec![("step", Float(step))],
+            Control::Scaled { eta } => vec![("eta", Float(eta))],
+            Control::Doubling { tolerance, grow_below, eta, .. } => {
+                vec![("tolerance", Float(tolerance)), ("grow_below", Float(grow_below)), ("eta", Float(eta))]
+            }
+        }
+    }
+
+    pub(super) fn sky(&self) -> Vec<(&'static str, Value)> {
+        match &self.scene.sky {
+            Sky::Color(color) => vec![("color", Vec3(*color))],
+            Sky::Equirectangular(image, intensity) => {
+                vec![("intensity", Float(*intensity)), ("image", Uint(*image as u32))]
+            }
+            Sky::Faces(faces, intensity) => {
+                let f = faces.map(|face| face as u32);
+                vec![
+                    ("faces", Uint4([f[0], f[1], f[2], f[3]])),
+                    ("more_faces", Uint2([f[4], f[5]])),
+                    ("intensity", Float(*intensity)),
+                ]
+            }
+        }
+    }
+}
