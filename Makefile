@@ -19,7 +19,11 @@ test: device
 	cargo clippy --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
 	mkdir -p target
-	cargo test 2>&1 | tee target/test.log
+	cargo test --lib --bins 2>&1 | tee target/test.log
+	cargo test --doc 2>&1 | tee -a target/test.log
+	@# One process a topic: a software device that has compiled dozens of programs is the less to be trusted.
+	for topic in $$(sed -n 's/^mod \(.*\);/\1/p' tests/suite.rs | grep -v support); do \
+	    cargo test --test suite -- "$$topic::" 2>&1 | tee -a target/test.log; done
 	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
 
 # A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own.

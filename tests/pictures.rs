@@ -1,5 +1,8 @@
 //! Whole pictures: what they cost on the device, tiles, sampling, and a few references.
 
+use std::path::Path;
+use std::process::Command;
+
 use bentray::gpu::{Geometry, memory};
 use bentray::program::{Choice, Layer, Program, Schedule};
 use bentray::render::{Picture, Renderer, Settings, Status};
@@ -104,4 +107,34 @@ fn the_shadow_has_its_size() {
         let expected = 2.0 * angle.tan() * 401.0;
         assert!((dark - expected).abs() <= 2.0, "{frame}: {dark} dark pixels, {expected} expected");
     }
+}
+
+/// The picture that the README opens with is the one that `make render` makes: compared small, in what the eye sees (sRGB
+/// values, whose steps look about alike), with room for the samples' noise.
+#[test]
+fn the_readme_shows_what_is_rendered() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let reference = image::open(root.join("scenes/pictures/black_hole.png")).unwrap().to_rgb8();
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("picture.png");
+    let output = Command::new(env!("CARGO_BIN_EXE_bentray"))
+        .args(["render", "--size", "480x270", "--samples", "4", "--device", "llvmpipe"])
+        .arg(root.join("scenes/black_hole.toml"))
+        .arg("-o")
+        .arg(&picture)
+        .env("NODEVICE_SELECT", "1")
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let rendered = image::open(picture).unwrap().to_rgb8();
+    let small = |picture: &image::RgbImage| image::imageops::thumbnail(picture, 96, 54);
+    let (a, b) = (small(&reference), small(&rendered));
+    let off = a.as_raw().iter().zip(b.as_raw()).map(|(a, b)| f64::from(a.abs_diff(*b))).collect::<Vec<_>>();
+    let mean = off.iter().sum::<f64>() / off.len() as f64;
+    let far = off.iter().filter(|d| **d > 40.0).count();
+    assert!(
+        mean < 4.0 && far < off.len() / 100,
+        "off by {mean} of 255 on average, by more than 40 in {far} of {}",
+        off.len()
+    );
 }

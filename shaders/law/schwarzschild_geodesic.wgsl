@@ -18,19 +18,20 @@ fn law_rate(p: Phase) -> Phase {
     let x = p[0].xyz - law.center;
     let v = p[1].xyz;
     let clock = p[1].w;
-    let r = length(x);
-    let n = x / r;
+    let inverse_r = inverseSqrt(dot(x, x));
+    let n = inverse_r * x;
     let radial = dot(n, v);
     // |v|² − ṙ² as the square of one vector: the difference loses digits on nearly radial rays.
     let across = v - radial * n;
     let across2 = dot(across, across);
-    let f = 1.0 - 2.0 * law.mass / r;
+    let f = 1.0 - 2.0 * law.mass * inverse_r;
     let near = f < NEAR;
     let safe = max(f, NEAR);
-    let pull = law.mass / (r * r);
-    let far_rate = pull * (radial * radial / safe - safe * clock * clock) - 2.0 * law.mass * across2 / (r * r);
-    let near_rate = -3.0 * law.mass * across2 / (r * r);
-    let clock_rate = select(-2.0 * pull / safe * radial * clock, 0.0, near);
+    let inverse_f = 1.0 / safe;
+    let pull = law.mass * inverse_r * inverse_r;
+    let far_rate = pull * (radial * radial * inverse_f - safe * clock * clock - 2.0 * across2);
+    let near_rate = -3.0 * pull * across2;
+    let clock_rate = select(-2.0 * pull * inverse_f * radial * clock, 0.0, near);
     return Phase(vec4f(v, clock), vec4f(select(far_rate, near_rate, near) * n, clock_rate));
 }
 

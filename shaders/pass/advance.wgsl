@@ -54,6 +54,8 @@ fn advance(
         }
     }
     let segments = select(0u, ray.index - before.index + u32(!lives), alive);
-    tally_steps(ray.steps - before.steps, segments, ray.rejected - before.rejected, lane);
+    tally_steps(ray.steps - before.steps, lane);
+    tally_segments(segments, lane);
+    tally_rejections(ray.rejected - before.rejected, lane);
     keep_living(lives, place.pixel, lane);
 }

@@ -19,5 +19,6 @@ fn integrate(
         store_counts(place.pixel, next);
         store_taken(place.pixel, next.taken);
     }
-    tally_steps(select(0u, next.steps - ray.steps, alive), 0u, select(0u, next.rejected - ray.rejected, alive), lane);
+    tally_steps(select(0u, next.steps - ray.steps, alive), lane);
+    tally_rejections(select(0u, next.rejected - ray.rejected, alive), lane);
 }

@@ -16,6 +16,6 @@ fn terminate(
         let next = status_word(ALIVE, turn.end, index + 1u);
         store_status(place.pixel, select(status_word(fate, turn.start, index), next, lives));
     }
-    tally_steps(0u, u32(alive), 0u, lane);
+    tally_segments(u32(alive), lane);
     keep_living(lives, place.pixel, lane);
 }

@@ -9,7 +9,8 @@ fn hit_ellipsoid(a: vec3f, b: vec3f, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < ELLIPSOID_COUNT; i++) {
         work += 1u;
-        let t = ball_fraction(own_point(ellipsoid_spaces[i], a), own_vector(ellipsoid_spaces[i], b - a), 1.0);
+        let d = own_vector(ellipsoid_spaces[i], b - a);
+        let t = ball_fraction(own_point(ellipsoid_spaces[i], a), d, 1.0 / dot(d, d), 1.0);
         if t < hit.t {
             hit = Hit(t, ELLIPSOID | i);
         }

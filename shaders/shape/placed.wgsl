@@ -54,14 +54,13 @@ fn scene_gradient(p: OwnSpace, g: vec3f) -> vec3f {
     return g.x * p.row_x.xyz + g.y * p.row_y.xyz + g.z * p.row_z.xyz;
 }
 
-// Where a ball of squared radius r2 about 0 first meets the piece from a along d: the fraction, or 2. The nearest point's
-// own distance is used, for the difference b² − a c loses all digits far away.
-fn ball_fraction(a: vec3f, d: vec3f, r2: f32) -> f32 {
-    let dd = dot(d, d);
-    let nearest = -dot(a, d) / dd;
+// Where a ball of squared radius r2 about 0 first meets the piece from a along d: the fraction, or 2. inverse_dd is 1/|d|²,
+// the same for every ball. The nearest point's own distance is used, for the difference b² − a c loses all digits far away.
+fn ball_fraction(a: vec3f, d: vec3f, inverse_dd: f32, r2: f32) -> f32 {
+    let nearest = -dot(a, d) * inverse_dd;
     let miss = a + nearest * d;
     let inside = r2 - dot(miss, miss);
-    let half = sqrt(max(inside, 0.0) / dd);
+    let half = sqrt(max(inside, 0.0) * inverse_dd);
     let first = nearest - half;
     let t = select(nearest + half, first, first >= -OVERLAP);
     return select(2.0, t, inside >= 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP);

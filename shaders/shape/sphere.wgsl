@@ -12,10 +12,12 @@ struct Ball {
 
 fn hit_sphere(a: vec3f, b: vec3f, best: Hit) -> Hit {
     var hit = best;
+    let d = b - a;
+    let inverse_dd = 1.0 / dot(d, d);
     for (var i = 0u; i < SPHERE_COUNT; i++) {
         work += 1u;
         let r = balls[i].radius;
-        let t = ball_fraction(a - balls[i].center, b - a, r * r);
+        let t = ball_fraction(a - balls[i].center, d, inverse_dd, r * r);
         if t < hit.t {
             hit = Hit(t, SPHERE | i);
         }

@@ -10,7 +10,7 @@ use crate::scene::{
 /// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
 pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
     let mut names = Names::default();
-    names.all(&["ray", "frame", "work", "bound", "schedule", "turn", "math", "tally", "fate", "path_end"]);
+    names.all(&["ray", "frame", "work", "bound", "schedule", "turn", "math", "tally/totals", "fate", "path_end"]);
     names.all(&["state/texture_f32", "living/place", "stage/ended", "stage/between"]);
     let mut made = vec![generated::counts(scene)];
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
@@ -62,6 +62,8 @@ fn schedule_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     });
     names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
     names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
+    let rejects = matches!(scene.rays.control, Control::Doubling { rule: DoublingRule::Rejecting, .. });
+    names.add(if rejects { "tally/rejections" } else { "tally/no_rejections" });
     names.add(if keeps_taken(scene) { "stage/taken_kept" } else { "stage/taken_none" });
 }
 

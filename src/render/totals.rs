@@ -93,7 +93,7 @@ impl Totals {
         [Status::Alive, Status::Exhausted, Status::Stalled, Status::Failed].into_iter().map(|s| self.count(s)).sum()
     }
 
-    /// Adds a tile's tally, the words of `Tally` in `shaders/tally.wgsl`.
+    /// Adds a tile's tally, the words of `Tally` in `shaders/tally/totals.wgsl`.
     pub(super) fn add_tally(&mut self, words: &[u32]) {
         let wide = |i: usize| u64::from(words[i]) + (u64::from(words[i + 1]) << 32);
         self.steps += wide(0);

@@ -16,26 +16,26 @@ struct Tally {
 
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_segments: atomic<u32>;
-var<workgroup> group_rejected: atomic<u32>;
 
-// Called by every lane of the group.
-fn tally_steps(steps: u32, segments: u32, rejected: u32, lane: u32) {
-    atomicAdd(&group_steps, steps);
-    atomicAdd(&group_segments, segments);
-    atomicAdd(&group_rejected, rejected);
+// Each of these is called by every lane of the group, and adds to the device's total once for all of them.
+fn tally_steps(n: u32, lane: u32) {
+    atomicAdd(&group_steps, n);
     workgroupBarrier();
     if lane == 0u {
-        let s = atomicLoad(&group_steps);
-        if atomicAdd(&tally.steps, s) > 0xffffffffu - s {
+        let sum = atomicLoad(&group_steps);
+        if atomicAdd(&tally.steps, sum) > 0xffffffffu - sum {
             atomicAdd(&tally.steps_over, 1u);
         }
-        let n = atomicLoad(&group_segments);
-        if atomicAdd(&tally.segments, n) > 0xffffffffu - n {
+    }
+}
+
+fn tally_segments(n: u32, lane: u32) {
+    atomicAdd(&group_segments, n);
+    workgroupBarrier();
+    if lane == 0u {
+        let sum = atomicLoad(&group_segments);
+        if atomicAdd(&tally.segments, sum) > 0xffffffffu - sum {
             atomicAdd(&tally.segments_over, 1u);
-        }
-        let r = atomicLoad(&group_rejected);
-        if atomicAdd(&tally.rejected, r) > 0xffffffffu - r {
-            atomicAdd(&tally.rejected_over, 1u);
         }
     }
 }
