@@ -5,7 +5,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::support::shipped_scenes;
+use crate::support::{output_of, shipped_scenes};
 
 const VARIANTS: [&[&str]; 7] = [
     &["--schedule", "fused"],
@@ -19,16 +19,13 @@ const VARIANTS: [&[&str]; 7] = [
 
 fn rendered(scene: &Path, variant: &[&str], more: &[&str], folder: &Path) -> Vec<u8> {
     let picture = folder.join("picture.exr");
-    let output = Command::new(env!("CARGO_BIN_EXE_bentray"))
-        .args(["render", "--size", "80x60", "--samples", "1", "--device", "llvmpipe", "--set", "rays.max_segments=120"])
-        .args(more)
-        .args(variant)
-        .arg(scene)
-        .arg("-o")
-        .arg(&picture)
-        .env("NODEVICE_SELECT", "1")
-        .output()
-        .unwrap();
+    let output = output_of(|| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
+        let cheap = ["--size", "80x60", "--samples", "1", "--set", "rays.max_segments=120", "--device", "llvmpipe"];
+        command.arg("render").args(cheap).args(more).args(variant).arg(scene).arg("-o").arg(&picture);
+        command.env("NODEVICE_SELECT", "1");
+        command
+    });
     assert!(output.status.success(), "{variant:?}: {}", String::from_utf8_lossy(&output.stderr));
     std::fs::read(picture).unwrap()
 }
