@@ -2,7 +2,8 @@
 
 fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
     let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
-    return Place(pixel, all(pixel < frame.size));
+    let valid = all(pixel < frame.size);
+    return Place(select(vec2u(0u), pixel, valid), valid);
 }
 
 fn ray_wanted(code: u32) -> bool {

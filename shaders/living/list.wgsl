@@ -22,7 +22,8 @@ var<workgroup> group_first: u32;
 fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
     let i = (group.y * groups.x + group.x) * 64u + lane;
     let packed = list_in[min(i, arrayLength(&list_in) - 1u)];
-    return Place(vec2u(packed & 0xffffu, packed >> 16u), i < living_in.count);
+    let valid = i < living_in.count;
+    return Place(select(vec2u(0u), vec2u(packed & 0xffffu, packed >> 16u), valid), valid);
 }
 
 fn ray_wanted(code: u32) -> bool {

@@ -1,8 +1,9 @@
 // Which pixel an invocation works on, and the arguments of indirect dispatches.
 
 struct Place {
+    // Always one of the tile's, so that nothing outside it is ever read.
     pixel: vec2u,
-    // Invocations past the end of the work have none.
+    // Invocations past the end of the work have no pixel of their own.
     valid: bool,
 }
 

@@ -19,7 +19,7 @@ fn advance(
     var end = Hit(0.0, NOTHING);
     // What runs on: the same as long as the ray lives.
     var path = ray;
-    for (var n = 0u; n < schedule.segments && ray_wanted(ray.status); n++) {
+    for (var n = 0u; n < schedule.segments && place.valid && ray_wanted(ray.status); n++) {
         work += 1u;
         if work + schedule.segment_work > WORK_LIMIT {
             break;
