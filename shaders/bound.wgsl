@@ -1,19 +1,19 @@
 // The bounding sphere, in (almost) flat space, which no ray that left it re-enters (W04 §4.1).
 
 struct Bound {
-    center: vec3f,
-    radius: f32,
+    center: Real3,
+    radius: Real,
 }
 
 @group(0) @binding(1) var<uniform> bound: Bound;
 
-fn left_bound(x: vec3f, v: vec3f) -> bool {
+fn left_bound(x: Real3, v: Real3) -> bool {
     let d = x - bound.center;
     return dot(d, d) > bound.radius * bound.radius && dot(d, v) > 0.0;
 }
 
 // How far along v the line through x enters the sphere: 0 from inside, negative if it never does.
-fn bound_entry(x: vec3f, v: vec3f) -> f32 {
+fn bound_entry(x: Real3, v: Real3) -> Real {
     let d = x - bound.center;
     let outside = dot(d, d) - bound.radius * bound.radius;
     if outside <= 0.0 {

@@ -8,7 +8,7 @@ fn path_over(ray: Ray) -> bool {
 }
 
 // The ray's status after a segment in which it met nothing (W04 §4.1's tests for termination): index segments lie before it.
-fn open_fate(s: Segment, tau: f32, index: u32) -> u32 {
+fn open_fate(s: Segment, tau: Real, index: u32) -> u32 {
     if !finite(s.x1) || !finite(s.v1) {
         return FAILED;
     }

@@ -14,8 +14,3 @@ struct Frame {
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
-
-// The same bits, behind which no compiler sees.
-fn opaque(a: f32) -> f32 {
-    return bitcast<f32>(bitcast<u32>(a) ^ frame.zero);
-}

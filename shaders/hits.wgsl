@@ -6,11 +6,11 @@
 
 fn store_hit(pixel: vec2u, hit: Hit) {
     textureStore(hit_primitive, pixel, vec4u(hit.primitive));
-    textureStore(hit_t, pixel, vec4f(hit.t));
+    textureStore(hit_t, pixel, vec4f(f32(hit.t)));
 }
 
 fn load_hit(pixel: vec2u) -> Hit {
-    return Hit(textureLoad(hit_t, pixel).x, textureLoad(hit_primitive, pixel).x);
+    return Hit(Real(textureLoad(hit_t, pixel).x), textureLoad(hit_primitive, pixel).x);
 }
 
 fn clear_hit(pixel: vec2u) {

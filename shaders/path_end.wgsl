@@ -3,27 +3,27 @@
 // The last step of a path's last segment.
 struct LastStep {
     phase: Phase,
-    tau: f32,
-    h: f32,
+    tau: Real,
+    h: Real,
     end: Phase,
-    end_tau: f32,
+    end_tau: Real,
 }
 
 // A point of a path, and the fraction of its segment that leads to it.
 struct PathPoint {
-    x: vec3f,
-    v: vec3f,
-    tau: f32,
-    fraction: f32,
+    x: Real3,
+    v: Real3,
+    tau: Real,
+    fraction: Real,
 }
 
 const STOP_STEPS: u32 = 4u;
 
 // The outward normal and the signed distance of the sphere at which a ray that met nothing stops.
-fn open_gap(code: u32, x: vec3f) -> vec4f {
+fn open_gap(code: u32, x: Real3) -> Real4 {
     let d = x - bound.center;
     let r = length(d);
-    return select(capture_gap(x), vec4f(d / r, r - bound.radius), code == ESCAPED);
+    return select(capture_gap(x), Real4(d / r, r - bound.radius), code == ESCAPED);
 }
 
 // The step retaken so that it ends where the ray stops, by Newton's method. The curve's own point and direction would be off
@@ -44,14 +44,14 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
 }
 
 // Where the gap vanishes if it is linear along the step; the step's end where it does not change its sign.
-fn secant_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+fn secant_guess(code: u32, hit: Hit, step: LastStep) -> Real {
     let g0 = stop_gap(code, hit, step.phase[0].xyz).w;
     let g1 = stop_gap(code, hit, step.end[0].xyz).w;
     return select(step.h, step.h * g0 / (g0 - g1), (g0 < 0.0) != (g1 < 0.0));
 }
 
 // How far along v the line from the step's start leaves the bounding sphere.
-fn line_exit(p: Phase) -> f32 {
+fn line_exit(p: Phase) -> Real {
     let d = p[0].xyz - bound.center;
     let v = p[1].xyz;
     let vv = dot(v, v);
@@ -61,7 +61,7 @@ fn line_exit(p: Phase) -> f32 {
 }
 
 // A ray that first moves inwards comes nearer before it goes: there Newton's method would run back to where it came in.
-fn open_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+fn open_guess(code: u32, hit: Hit, step: LastStep) -> Real {
     let inwards = dot(step.phase[0].xyz - bound.center, step.phase[1].xyz) < 0.0;
     return select(secant_guess(code, hit, step), min(line_exit(step.phase), step.h), code == ESCAPED && inwards);
 }

@@ -4,11 +4,11 @@
 struct Ray {
     phase: Phase,
     // The path's parameter so far.
-    tau: f32,
-    // The control's memory: the size of the step to try next.
-    h: f32,
+    tau: Real,
+    // What the control remembers from step to step.
+    memory: Memory,
     // The size of the step taken last.
-    taken: f32,
+    taken: Real,
     // Whole segments so far.
     index: u32,
     steps: u32,
@@ -18,16 +18,16 @@ struct Ray {
 
 // One segment: positions and velocities at its ends, and its extent in tau.
 struct Segment {
-    x0: vec3f,
-    v0: vec3f,
-    x1: vec3f,
-    v1: vec3f,
-    h: f32,
+    x0: Real3,
+    v0: Real3,
+    x1: Real3,
+    v1: Real3,
+    h: Real,
 }
 
 // The first thing met along a segment: a fraction t in [0, 1) of it, and a primitive or NOTHING.
 struct Hit {
-    t: f32,
+    t: Real,
     primitive: u32,
 }
 
@@ -36,7 +36,7 @@ const PRIMITIVE_INDEX: u32 = 0x0fffffffu;
 const NOTHING: u32 = 0xffffffffu;
 
 // Hits that rounding puts just outside a piece still count, so that none falls between two pieces.
-const OVERLAP: f32 = 1e-5;
+const OVERLAP: Real = 1e-5;
 
 // Status codes.
 const ALIVE: u32 = 0u;
@@ -70,9 +70,4 @@ fn status_slot(word: u32) -> u32 {
 
 fn status_index(word: u32) -> u32 {
     return word >> 6u;
-}
-
-// Comparisons with NaN may be assumed away by a compiler; bits may not.
-fn finite(a: vec3f) -> bool {
-    return all((bitcast<vec3u>(a) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
 }

@@ -13,10 +13,6 @@ fn vector(text: &str) -> DVec3 {
     DVec3::new(numbers[0], numbers[1], numbers[2])
 }
 
-fn single(v: [f32; 3]) -> DVec3 {
-    DVec3::from(v.map(f64::from))
-}
-
 /// Rows of a table, grouped by the scene that they are traced in: each distinct one costs a compilation.
 fn traced<'t>(
     gpu: &Gpu,
@@ -63,13 +59,13 @@ fn rays_end_where_closed_forms_say() {
     for (row, end) in rows.iter().zip(ends) {
         assert_eq!(end.status.name(), row[5], "{}", row[0]);
         let (radius, sensitivity) = (row[2].parse::<f64>().unwrap(), row[8].parse::<f64>().unwrap());
-        let position = single(end.x).distance(vector(row[6])) / radius;
+        let position = DVec3::from(end.x).distance(vector(row[6])) / radius;
         assert!(
             position <= (40.0 * sensitivity / radius).max(2e-5),
             "{}: position off by {position:e} of the bound",
             row[0]
         );
-        let direction = single(end.v).normalize().distance(vector(row[7]));
+        let direction = DVec3::from(end.v).normalize().distance(vector(row[7]));
         let sensitivity = row[9].parse::<f64>().unwrap();
         assert!(direction <= (40.0 * sensitivity).max(2e-5), "{}: direction off by {direction:e}", row[0]);
     }
@@ -88,7 +84,7 @@ fn flows_follow_their_orbits() {
     let ends = traced(&gpu, &rows, scene_of, |row| (vector(row[2]), DVec3::X));
     for (row, end) in rows.iter().zip(ends) {
         assert_eq!(end.status.name(), "ended", "{}", row[0]);
-        let error = single(end.x).distance(vector(row[4])) / row[5].parse::<f64>().unwrap();
+        let error = DVec3::from(end.x).distance(vector(row[4])) / row[5].parse::<f64>().unwrap();
         assert!(error <= 1e-4, "{} at t = {}: off by {error:e} of the orbit's size", row[0], row[3]);
     }
 }
@@ -107,7 +103,7 @@ fn rays_keep_what_their_law_keeps() {
         ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2]].map(f64::from)).collect();
     let (starts, _) = trace(&gpu, &scene(&short), &Settings::default(), &again).unwrap();
     for (end, start) in ends.iter().zip(starts) {
-        let (kept, index) = (single(end.v).length(), single(start.v).length());
+        let (kept, index) = (DVec3::from(end.v).length(), DVec3::from(start.v).length());
         assert!((kept - index).abs() < 2e-5, "|v| = {kept}, n = {index}");
     }
 }
@@ -126,10 +122,10 @@ fn paths_can_be_followed_back() {
     let (starts, _) = trace(&gpu, &hole, &Settings::default(), &back).unwrap();
     for (ray, start) in rays.iter().zip(starts) {
         let line = DVec3::new(ray[3], ray[4], ray[5]);
-        let off = (single(start.x) - DVec3::new(ray[0], ray[1], ray[2])).reject_from_normalized(line).length();
+        let off = (DVec3::from(start.x) - DVec3::new(ray[0], ray[1], ray[2])).reject_from_normalized(line).length();
         assert!(off < 1e-2, "came back {off} beside its start");
         // The rays that wind longest start half a unit outside the critical one, where errors grow a hundredfold.
-        let turned = (single(start.v).normalize() + line).length();
+        let turned = (DVec3::from(start.v).normalize() + line).length();
         assert!(turned < 2e-3, "came back turned by {turned}");
     }
 }

@@ -1,14 +1,14 @@
 // Rays given one by one, for `trace`: x and v are taken as they are, wherever the ray starts.
 
 struct CameraRay {
-    x: vec3f,
-    d: vec3f,
+    x: Real3,
+    d: Real3,
     missed: bool,
 }
 
 struct GivenRay {
-    x: vec3f,
-    v: vec3f,
+    x: Real3,
+    v: Real3,
 }
 
 @group(0) @binding(3) var<storage, read> given: array<GivenRay>;

@@ -1,17 +1,17 @@
 // All rays start at one place (W04 §3.1); a camera outside the bounding sphere starts where its ray enters it.
 
 struct Camera {
-    position: vec3f,
-    forward: vec3f,
+    position: Real3,
+    forward: Real3,
     // To the edges of the picture, at distance 1: tan(fov/2) long upwards.
-    right: vec3f,
-    up: vec3f,
+    right: Real3,
+    up: Real3,
 }
 
 @group(0) @binding(2) var<uniform> camera: Camera;
 
 // point: on the image plane, x to the right and y up, both in [-1, 1].
 fn camera_ray(point: vec2f) -> CameraRay {
-    let d = normalize(camera.forward + point.x * camera.right + point.y * camera.up);
+    let d = normalize(camera.forward + Real(point.x) * camera.right + Real(point.y) * camera.up);
     return entering_ray(camera.position, d);
 }

@@ -1,9 +1,9 @@
 // Nothing captures rays.
 
-fn law_captured(x: vec3f, v: vec3f) -> bool {
+fn law_captured(x: Real3, v: Real3) -> bool {
     return false;
 }
 
-fn capture_gap(x: vec3f) -> vec4f {
-    return vec4f(0.0);
+fn capture_gap(x: Real3) -> Real4 {
+    return Real4(0.0);
 }

@@ -2,13 +2,13 @@
 // the photon sphere r = 3M, where nothing of the scene lies between: what moves inwards there never comes back.
 
 struct CaptureSphere {
-    center: vec3f,
-    radius: f32,
+    center: Real3,
+    radius: Real,
 }
 
 @group(0) @binding(55) var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
 
-fn law_captured(x: vec3f, v: vec3f) -> bool {
+fn law_captured(x: Real3, v: Real3) -> bool {
     var captured = false;
     for (var i = 0u; i < CAPTURE_COUNT; i++) {
         work += 1u;
@@ -19,14 +19,14 @@ fn law_captured(x: vec3f, v: vec3f) -> bool {
 }
 
 // The outward normal and the signed distance of the nearest of the spheres.
-fn capture_gap(x: vec3f) -> vec4f {
-    var nearest = vec4f(0.0, 0.0, 0.0, 1e30);
+fn capture_gap(x: Real3) -> Real4 {
+    var nearest = Real4(0.0, 0.0, 0.0, 1e30);
     for (var i = 0u; i < CAPTURE_COUNT; i++) {
         work += 1u;
         let d = x - capture_spheres[i].center;
         let gap = length(d) - capture_spheres[i].radius;
         if gap < nearest.w {
-            nearest = vec4f(normalize(d), gap);
+            nearest = Real4(normalize(d), gap);
         }
     }
     return nearest;

@@ -3,11 +3,11 @@
 
 struct Control {
     // h shrinks above it.
-    tolerance: f32,
+    tolerance: Real,
     // h grows below it.
-    grow_below: f32,
+    grow_below: Real,
     // h ≤ η · scale.
-    eta: f32,
+    eta: Real,
 }
 
 @group(0) @binding(60) var<uniform> control: Control;
@@ -16,19 +16,19 @@ struct DoubledStep {
     // The two half steps' result, kept without extrapolation.
     end: Phase,
     // The relative difference from one whole step: of positions over the law's length, of velocities over the speed.
-    error: f32,
+    error: Real,
 }
 
-fn first_step(p: Phase) -> f32 {
+fn first_step(p: Phase) -> Real {
     return control.eta * law_scale(p);
 }
 
-fn capped_step(ray: Ray) -> f32 {
-    return limited_step(min(ray.h, control.eta * law_scale(ray.phase)), ray.tau);
+fn capped_step(ray: Ray) -> Real {
+    return limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray.tau);
 }
 
 // The loops keep a single copy of the step in the program: drivers inline every call.
-fn half_steps(p: Phase, h: f32) -> Phase {
+fn half_steps(p: Phase, h: Real) -> Phase {
     var q = p;
     for (var half = 0u; half < 2u; half++) {
         work += 1u;
@@ -37,7 +37,7 @@ fn half_steps(p: Phase, h: f32) -> Phase {
     return q;
 }
 
-fn doubled_step(p: Phase, h: f32) -> DoubledStep {
+fn doubled_step(p: Phase, h: Real) -> DoubledStep {
     var whole = p;
     var halves = p;
     for (var k = 0u; k < 3u; k++) {
@@ -54,6 +54,6 @@ fn doubled_step(p: Phase, h: f32) -> DoubledStep {
     return DoubledStep(halves, error / length(p[1].xyz));
 }
 
-fn retaken_step(p: Phase, h: f32) -> Phase {
+fn retaken_step(p: Phase, h: Real) -> Phase {
     return law_settled(half_steps(p, h));
 }

@@ -3,13 +3,14 @@
 // Nørsett, Wanner, Solving ODEs I, §II.4). A ray that no try moves is stalled.
 
 const MAX_TRIES: u32 = 16u;
-const SAFETY: f32 = 0.9;
-const MIN_FACTOR: f32 = 0.2;
-const MAX_FACTOR: f32 = 5.0;
+const SAFETY: Real = 0.9;
+const MIN_FACTOR: Real = 0.2;
+const MAX_FACTOR: Real = 5.0;
 
-fn step_factor(error: f32) -> f32 {
-    let wanted = SAFETY * pow(control.tolerance / max(error, 1e-30), 1.0 / (STEP_ORDER + 1.0));
-    return clamp(wanted, MIN_FACTOR, MAX_FACTOR);
+fn step_factor(error: Real) -> Real {
+    // A factor needs no more digits than f32 has.
+    let ratio = f32(control.tolerance / max(error, 1e-30));
+    return clamp(SAFETY * Real(pow(ratio, 1.0 / (STEP_ORDER + 1.0))), MIN_FACTOR, MAX_FACTOR);
 }
 
 fn accepted_step(ray: Ray) -> Ray {
@@ -23,7 +24,7 @@ fn accepted_step(ray: Ray) -> Ray {
             next.phase = opaque_phase(law_settled(step.end));
             next.tau += h;
             next.taken = opaque(h);
-            next.h = h * step_factor(step.error);
+            next.memory.h = h * step_factor(step.error);
             next.steps += 1u;
             break;
         }

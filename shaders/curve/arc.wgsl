@@ -2,15 +2,15 @@
 
 struct Arc {
     // In scene units.
-    tolerance: f32,
+    tolerance: Real,
     // The box of everything that can be hit.
-    lo: vec3f,
-    hi: vec3f,
+    lo: Real3,
+    hi: Real3,
 }
 
 @group(0) @binding(62) var<uniform> arc: Arc;
 
-const MAX_PIECES: f32 = 16.0;
+const MAX_PIECES: Real = 16.0;
 
 // None where the box of the arc's Bézier points misses the scene's.
 fn segment_pieces(s: Segment) -> u32 {
@@ -29,7 +29,7 @@ fn segment_pieces(s: Segment) -> u32 {
     return select(0u, u32(pieces), near);
 }
 
-fn segment_point(s: Segment, t: f32) -> vec3f {
+fn segment_point(s: Segment, t: Real) -> Real3 {
     let c = s.x1 - s.x0;
     let u = 1.0 - t;
     return s.x0 + t * (c + u * (u * (s.h * s.v0 - c) + t * (c - s.h * s.v1)));

@@ -4,6 +4,6 @@ fn segment_pieces(s: Segment) -> u32 {
     return 1u;
 }
 
-fn segment_point(s: Segment, t: f32) -> vec3f {
+fn segment_point(s: Segment, t: Real) -> Real3 {
     return mix(s.x0, s.x1, t);
 }

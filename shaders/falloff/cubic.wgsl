@@ -3,27 +3,27 @@
 // sees the jump as the law has it.
 
 struct Cubic {
-    position: vec3f,
-    strength: f32,
-    radius: f32,
+    position: Real3,
+    strength: Real,
+    radius: Real,
 }
 
 @group(0) @binding(52) var<uniform> cubic: array<Cubic, CUBIC_COUNT>;
 
-fn cubic_acceleration(x: vec3f) -> vec3f {
-    var sum = vec3f(0.0);
+fn cubic_acceleration(x: Real3) -> Real3 {
+    var sum = Real3(0.0);
     for (var i = 0u; i < CUBIC_COUNT; i++) {
         work += 1u;
         let d = x - cubic[i].position;
         let r = length(d);
         let q = min(r / cubic[i].radius, 1.0);
-        let unit = select(d / r, vec3f(0.0), r == 0.0);
+        let unit = select(d / r, Real3(0.0), r == 0.0);
         sum -= (cubic[i].strength * (q * q * (2.0 * q - 3.0) + 1.0)) * unit;
     }
     return sum;
 }
 
-fn cubic_distance(x: vec3f) -> f32 {
+fn cubic_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < CUBIC_COUNT; i++) {
         work += 1u;

@@ -1,2 +1,2 @@
 // Further than any scene reaches.
-const FAR_AWAY: f32 = 1e30;
+const FAR_AWAY: Real = 1e30;

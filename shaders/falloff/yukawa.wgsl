@@ -2,26 +2,26 @@
 // strength attracts; the paper's V = +ζ e^(−μr)/r repels for ζ > 0.
 
 struct Yukawa {
-    position: vec3f,
-    strength: f32,
-    mu: f32,
+    position: Real3,
+    strength: Real,
+    mu: Real,
 }
 
 @group(0) @binding(53) var<uniform> yukawa: array<Yukawa, YUKAWA_COUNT>;
 
-fn yukawa_acceleration(x: vec3f) -> vec3f {
-    var sum = vec3f(0.0);
+fn yukawa_acceleration(x: Real3) -> Real3 {
+    var sum = Real3(0.0);
     for (var i = 0u; i < YUKAWA_COUNT; i++) {
         work += 1u;
         let d = x - yukawa[i].position;
         let r = length(d);
         let m = yukawa[i].mu * r;
-        sum -= (yukawa[i].strength * exp(-m) * (1.0 + m) / (r * r * r)) * d;
+        sum -= (yukawa[i].strength * real_exp(-m) * (1.0 + m) / (r * r * r)) * d;
     }
     return sum;
 }
 
-fn yukawa_distance(x: vec3f) -> f32 {
+fn yukawa_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < YUKAWA_COUNT; i++) {
         work += 1u;

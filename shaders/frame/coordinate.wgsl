@@ -1,5 +1,5 @@
 // The camera's directions are coordinate directions (W04 §5.4).
 
-fn frame_velocity(x: vec3f, d: vec3f) -> vec3f {
+fn frame_velocity(x: Real3, d: Real3) -> Real3 {
     return d;
 }

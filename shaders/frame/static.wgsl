@@ -1,7 +1,7 @@
 // The camera's directions are those of an observer at rest outside a Schwarzschild hole: lengths along the radius are
 // shorter in coordinates by √(1 − 2M/r).
 
-fn frame_velocity(x: vec3f, d: vec3f) -> vec3f {
+fn frame_velocity(x: Real3, d: Real3) -> Real3 {
     let r = length(x - law.center);
     let n = (x - law.center) / r;
     let radial = dot(d, n);

@@ -5,10 +5,10 @@
 // Catmull–Rom blend ∇n has kinks at every cell's face, where RK4 would lose its order. ∇n is its analytic derivative.
 
 struct Medium {
-    center: vec3f,
-    radius: f32,
-    amplitude: f32,
-    frequency: f32,
+    center: Real3,
+    radius: Real,
+    amplitude: Real,
+    frequency: Real,
     octaves: u32,
     seed: u32,
 }
@@ -17,24 +17,24 @@ struct Medium {
 
 // The lattice is turned and shifted against the scene's axes: value noise has no slope across its cells' faces, and a camera
 // in such a plane would see it.
-const LATTICE_TURN = mat3x3f(
-    vec3f(0.36, 0.48, -0.8),
-    vec3f(-0.8, 0.6, 0.0),
-    vec3f(0.48, 0.64, 0.6),
+const LATTICE_TURN = mat3x3<Real>(
+    Real3(0.36, 0.48, -0.8),
+    Real3(-0.8, 0.6, 0.0),
+    Real3(0.48, 0.64, 0.6),
 );
-const LATTICE_SHIFT = vec3f(0.317, 0.731, 0.523);
+const LATTICE_SHIFT = Real3(0.317, 0.731, 0.523);
 
 // In [-1, 1]: a hash of a lattice point (PCG's output function on mixed coordinates).
-fn lattice(cell: vec3i) -> f32 {
+fn lattice(cell: vec3i) -> Real {
     let c = bitcast<vec3u>(cell);
     let seed = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u) ^ (c.z * 0xcb1ab31fu) ^ (medium.seed * 0x9e3779b1u);
     let state = seed * 747796405u + 2891336453u;
     let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return f32(((word >> 22u) ^ word) >> 8u) / 8388607.5 - 1.0;
+    return Real(((word >> 22u) ^ word) >> 8u) / 8388607.5 - 1.0;
 }
 
 // Gradient and value of the noise.
-fn lattice_noise(p: vec3f) -> vec4f {
+fn lattice_noise(p: Real3) -> Real4 {
     let base = floor(p);
     let f = p - base;
     let i = vec3i(base);
@@ -57,24 +57,24 @@ fn lattice_noise(p: vec3f) -> vec4f {
     let zx = a - b - e + g;
     let xyz = b + c + e + k - a - d - g - h;
     let value = a + x * u.x + y * u.y + z * u.z + xy * u.x * u.y + yz * u.y * u.z + zx * u.z * u.x + xyz * u.x * u.y * u.z;
-    let slope = vec3f(
+    let slope = Real3(
         x + xy * u.y + zx * u.z + xyz * u.y * u.z,
         y + yz * u.z + xy * u.x + xyz * u.z * u.x,
         z + zx * u.x + yz * u.y + xyz * u.x * u.y,
     );
-    return vec4f(du * slope, value);
+    return Real4(du * slope, value);
 }
 
 // ∇n and n.
-fn medium_index(x: vec3f) -> vec4f {
+fn medium_index(x: Real3) -> Real4 {
     let d = x - medium.center;
-    var sum = vec4f(0.0);
+    var sum = Real4(0.0);
     var frequency = medium.frequency;
-    var weight = 1.0;
+    var weight: Real = 1.0;
     for (var j = 0u; j < medium.octaves; j++) {
         work += 1u;
         let noise = lattice_noise(LATTICE_TURN * (frequency * d) + LATTICE_SHIFT);
-        sum += weight * vec4f(frequency * (noise.xyz * LATTICE_TURN), noise.w);
+        sum += weight * Real4(frequency * (noise.xyz * LATTICE_TURN), noise.w);
         frequency *= 2.0;
         weight *= 0.5;
     }
@@ -83,11 +83,11 @@ fn medium_index(x: vec3f) -> vec4f {
     let xi = q * q * (2.0 * q - 3.0) + 1.0;
     // ξ′(q) n̂/R = 6 (q − 1) d/R²: no division by r is left.
     let slope = (6.0 * (q - 1.0) / (medium.radius * medium.radius)) * d;
-    return vec4f(medium.amplitude * (xi * sum.xyz + sum.w * slope), 1.0 + medium.amplitude * xi * sum.w);
+    return Real4(medium.amplitude * (xi * sum.xyz + sum.w * slope), 1.0 + medium.amplitude * xi * sum.w);
 }
 
 // The length over which the index changes: a cell of the finest octave inside, the way to the disturbed region outside.
-fn medium_length(x: vec3f) -> f32 {
-    let cell = exp2(1.0 - f32(medium.octaves)) / medium.frequency;
+fn medium_length(x: Real3) -> Real {
+    let cell = 1.0 / (Real(1u << (medium.octaves - 1u)) * medium.frequency);
     return max(min(cell, medium.radius), distance(x, medium.center) - medium.radius);
 }

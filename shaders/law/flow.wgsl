@@ -2,10 +2,16 @@
 // anew after each step, so that arcs and outputs find the path's tangent where other laws keep it.
 
 fn law_rate(p: Phase) -> Phase {
-    return Phase(flow_field(p[0]), vec3f(0.0));
+    return Phase(flow_field(p[0]), Real3(0.0));
 }
 
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+// Along the flow F changes as DF · F; the curvature needs only its direction and size, for which a small step is enough.
+fn law_bend(p: Phase, rate: Phase) -> Real3 {
+    let small = 1e-3 * flow_time();
+    return (flow_field(p[0] + small * rate[0]) - rate[0]) / small;
+}
+
+fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, flow_field(x));
 }
 
@@ -13,6 +19,6 @@ fn law_settled(p: Phase) -> Phase {
     return Phase(p[0], flow_field(p[0]));
 }
 
-fn law_scale(p: Phase) -> f32 {
+fn law_scale(p: Phase) -> Real {
     return flow_time();
 }

@@ -1,10 +1,15 @@
 // A dynamical system's field as an acceleration: W04's Eq. 1 read literally, dx = v, dv = F(x).
 
-fn law_rate(p: Phase) -> Phase {
-    return Phase(p[1], flow_field(p[0]));
+// Nothing is held.
+fn law_held(p: Phase) -> Real {
+    return 0.0;
 }
 
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+fn law_acceleration(x: Real3, held: Real) -> Real3 {
+    return flow_field(x);
+}
+
+fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
@@ -13,6 +18,6 @@ fn law_settled(p: Phase) -> Phase {
 }
 
 // An acceleration of rate² changes v over the square root of the flow's time.
-fn law_scale(p: Phase) -> f32 {
+fn law_scale(p: Phase) -> Real {
     return sqrt(flow_time());
 }

@@ -1,12 +1,17 @@
 // A medium whose index n varies with place: dx = v, dv = ∇(n²/2) = n∇n, with |v| = n kept along a ray (the F = ma form of
 // Evans and Rosenquist 1985 for the thesis' Eq. 15; dτ = ds/n).
 
-fn law_rate(p: Phase) -> Phase {
-    let n = medium_index(p[0]);
-    return Phase(p[1], n.w * n.xyz);
+// Nothing is held.
+fn law_held(p: Phase) -> Real {
+    return 0.0;
 }
 
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+fn law_acceleration(x: Real3, held: Real) -> Real3 {
+    let n = medium_index(x);
+    return n.w * n.xyz;
+}
+
+fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, medium_index(x).w * normalize(v));
 }
 
@@ -14,6 +19,6 @@ fn law_settled(p: Phase) -> Phase {
     return p;
 }
 
-fn law_scale(p: Phase) -> f32 {
+fn law_scale(p: Phase) -> Real {
     return medium_length(p[0]) / length(p[1]);
 }

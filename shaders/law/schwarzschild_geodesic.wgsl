@@ -6,13 +6,13 @@
 // put in, which leaves the regular limit −3M |v⊥|²/r² n̂ (the path form) for the same path in the same parameter.
 
 struct Law {
-    center: vec3f,
-    mass: f32,
+    center: Real3,
+    mass: Real,
 }
 
 @group(0) @binding(50) var<uniform> law: Law;
 
-const NEAR: f32 = 0.05;
+const NEAR: Real = 0.05;
 
 fn law_rate(p: Phase) -> Phase {
     let x = p[0].xyz - law.center;
@@ -32,17 +32,21 @@ fn law_rate(p: Phase) -> Phase {
     let far_rate = pull * (radial * radial * inverse_f - safe * clock * clock - 2.0 * across2);
     let near_rate = -3.0 * pull * across2;
     let clock_rate = select(-2.0 * pull * inverse_f * radial * clock, 0.0, near);
-    return Phase(vec4f(v, clock), vec4f(select(far_rate, near_rate, near) * n, clock_rate));
+    return Phase(Real4(v, clock), Real4(select(far_rate, near_rate, near) * n, clock_rate));
 }
 
 // ṫ from the null condition (1 − 2M/r) ṫ² = |v⊥|² + ṙ²/(1 − 2M/r).
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+fn law_start(x: Real3, v: Real3) -> Phase {
     let r = length(x - law.center);
     let n = (x - law.center) / r;
     let radial = dot(n, v);
     let across = v - radial * n;
     let f = 1.0 - 2.0 * law.mass / r;
-    return Phase(vec4f(x, 0.0), vec4f(v, sqrt((dot(across, across) + radial * radial / f) / f)));
+    return Phase(Real4(x, 0.0), Real4(v, sqrt((dot(across, across) + radial * radial / f) / f)));
+}
+
+fn law_bend(p: Phase, rate: Phase) -> Real3 {
+    return rate[1].xyz;
 }
 
 fn law_settled(p: Phase) -> Phase {
@@ -50,7 +54,7 @@ fn law_settled(p: Phase) -> Phase {
 }
 
 // ṫ changes over r − 2M, so steps shrink towards the horizon, down to where the regular limit takes over.
-fn law_scale(p: Phase) -> f32 {
+fn law_scale(p: Phase) -> Real {
     let r = length(p[0].xyz - law.center);
     return max(r - 2.0 * law.mass, 2.0 * NEAR * law.mass) / length(p[1].xyz);
 }

@@ -3,20 +3,25 @@
 // (Binet's u″ + u = 3Mu² in the plane), regular at r = 2M. h is evaluated anew at every call: holding it costs float32 digits.
 
 struct Law {
-    center: vec3f,
-    mass: f32,
+    center: Real3,
+    mass: Real,
 }
 
 @group(0) @binding(50) var<uniform> law: Law;
 
-fn law_rate(p: Phase) -> Phase {
-    let x = p[0] - law.center;
-    let l = cross(x, p[1]);
-    let r2 = dot(x, x);
-    return Phase(p[1], (-3.0 * law.mass * dot(l, l) / (r2 * r2 * sqrt(r2))) * x);
+// h² = |x × v|².
+fn law_held(p: Phase) -> Real {
+    let l = cross(p[0] - law.center, p[1]);
+    return dot(l, l);
 }
 
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+fn law_acceleration(at: Real3, held: Real) -> Real3 {
+    let x = at - law.center;
+    let r2 = dot(x, x);
+    return (-3.0 * law.mass * held / (r2 * r2 * sqrt(r2))) * x;
+}
+
+fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
@@ -25,7 +30,7 @@ fn law_settled(p: Phase) -> Phase {
 }
 
 // The tau over which the law changes: the distance r over the speed.
-fn law_scale(p: Phase) -> f32 {
+fn law_scale(p: Phase) -> Real {
     let x = p[0] - law.center;
     return sqrt(dot(x, x) / dot(p[1], p[1]));
 }

@@ -1,11 +1,16 @@
 // Force centres whose accelerations add (G95 §2.1, W04 §5.2): dv = −Σ strength · d(r) n̂. v is taken as it is: Newtonian
 // motion does not keep the speed.
 
-fn law_rate(p: Phase) -> Phase {
-    return Phase(p[1], source_acceleration(p[0]));
+// Nothing is held.
+fn law_held(p: Phase) -> Real {
+    return 0.0;
 }
 
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+fn law_acceleration(x: Real3, held: Real) -> Real3 {
+    return source_acceleration(x);
+}
+
+fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
@@ -14,6 +19,6 @@ fn law_settled(p: Phase) -> Phase {
 }
 
 // The tau to the nearest centre at this speed.
-fn law_scale(p: Phase) -> f32 {
+fn law_scale(p: Phase) -> Real {
     return source_distance(p[0]) / length(p[1]);
 }

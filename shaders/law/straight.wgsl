@@ -1,10 +1,15 @@
 // Straight lines, followed by a general solver: what the other laws are compared with.
 
-fn law_rate(p: Phase) -> Phase {
-    return Phase(p[1], vec3f(0.0));
+// Nothing is held.
+fn law_held(p: Phase) -> Real {
+    return 0.0;
 }
 
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+fn law_acceleration(x: Real3, held: Real) -> Real3 {
+    return Real3(0.0);
+}
+
+fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
@@ -13,6 +18,6 @@ fn law_settled(p: Phase) -> Phase {
 }
 
 // Nothing changes: the way through the whole bounding sphere.
-fn law_scale(p: Phase) -> f32 {
+fn law_scale(p: Phase) -> Real {
     return bound.radius / length(p[1]);
 }

@@ -3,5 +3,5 @@
 @group(0) @binding(120) var layer_depth: texture_storage_2d<r32float, write>;
 
 fn keep_depth(pixel: vec2u, ray: Ray, seen: Seen) {
-    textureStore(layer_depth, pixel, vec4f(f32(ray.index) + seen.end.fraction));
+    textureStore(layer_depth, pixel, vec4f(f32(ray.index) + f32(seen.end.fraction)));
 }

@@ -1,9 +1,9 @@
 // Paths have no length of their own.
 
-fn limited_step(h: f32, tau: f32) -> f32 {
+fn limited_step(h: Real, tau: Real) -> Real {
     return h;
 }
 
-fn length_reached(tau: f32) -> bool {
+fn length_reached(tau: Real) -> bool {
     return false;
 }

@@ -1,14 +1,14 @@
 // Straight lines need no solver: one step to just outside the bounding sphere.
 
-fn law_start(x: vec3f, v: vec3f) -> Phase {
+fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
-fn first_step(p: Phase) -> f32 {
+fn first_step(p: Phase) -> Real {
     return 0.0;
 }
 
-fn retaken_step(p: Phase, h: f32) -> Phase {
+fn retaken_step(p: Phase, h: Real) -> Phase {
     return Phase(p[0] + h * p[1], p[1]);
 }
 

@@ -1,10 +1,10 @@
 // Where each ray is, as numbers, for `trace`: ended rays at their end, the others at the end of their segments so far.
 
 struct Record {
-    x: vec3f,
-    tau: f32,
-    v: vec3f,
-    depth: f32,
+    x: Real3,
+    tau: Real,
+    v: Real3,
+    depth: Real,
     status: u32,
     steps: u32,
     rejected: u32,
@@ -27,7 +27,7 @@ fn record(
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, pixel);
         code = ray.status;
-        let depth = f32(ray.index) + seen.end.fraction;
+        let depth = Real(ray.index) + seen.end.fraction;
         let i = pixel.y * frame.size.x + pixel.x;
         records[i] = Record(
             seen.end.x, seen.end.tau, seen.end.v, depth, code, ray.steps, ray.rejected, seen.object,

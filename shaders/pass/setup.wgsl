@@ -10,7 +10,7 @@ fn setup(
     let valid = all(pixel < frame.size);
     let start = camera_ray(image_plane(sample_point(frame.origin + pixel)));
     let phase = law_start(start.x, frame_velocity(start.x, start.d));
-    var ray = Ray(phase, 0.0, first_step(phase), 0.0, 0u, 0u, 0u, ALIVE);
+    var ray = Ray(phase, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, ALIVE);
     if law_captured(phase[0].xyz, phase[1].xyz) {
         ray.status = CAPTURED;
     }

@@ -28,7 +28,7 @@ fn shade(
         code = ray.status;
         var color = seen.color;
         if code == ESCAPED || code == MISSED {
-            color = sky_radiance(normalize(seen.end.v));
+            color = sky_radiance(vec3f(normalize(seen.end.v)));
         }
         add_color(pixel, color);
         keep_layers(pixel, ray, seen);

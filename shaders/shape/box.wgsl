@@ -5,14 +5,14 @@ const BOX: u32 = 0x20000000u;
 @group(0) @binding(82) var<storage, read> boxes: array<Placed>;
 @group(0) @binding(76) var<uniform> box_spaces: array<OwnSpace, BOX_COUNT>;
 
-fn hit_box(a: vec3f, b: vec3f, best: Hit) -> Hit {
+fn hit_box(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < BOX_COUNT; i++) {
         work += 1u;
         let p = own_point(box_spaces[i], a);
         let d = own_vector(box_spaces[i], b - a);
         // A component that is 0 gets a slab that is entered at −∞ and left at +∞, or never.
-        let inverse = 1.0 / select(d, vec3f(1e-30), d == vec3f(0.0));
+        let inverse = 1.0 / select(d, Real3(1e-30), d == Real3(0.0));
         let near = -p * inverse - abs(inverse);
         let far = -p * inverse + abs(inverse);
         let enters = max(max(near.x, near.y), near.z);
@@ -26,18 +26,18 @@ fn hit_box(a: vec3f, b: vec3f, best: Hit) -> Hit {
 }
 
 // The face is that of the largest coordinate.
-fn surface_box(i: u32, x: vec3f) -> Surface {
+fn surface_box(i: u32, x: Real3) -> Surface {
     let p = own_point(own_space(boxes[i]), x);
     let size = abs(p);
-    var axis = select(vec3f(0.0, 1.0, 0.0), vec3f(1.0, 0.0, 0.0), size.x > size.y);
-    axis = select(axis, vec3f(0.0, 0.0, 1.0), size.z > max(size.x, size.y));
+    var axis = select(Real3(0.0, 1.0, 0.0), Real3(1.0, 0.0, 0.0), size.x > size.y);
+    axis = select(axis, Real3(0.0, 0.0, 1.0), size.z > max(size.x, size.y));
     let side = sign(dot(p, axis));
     let g = scene_gradient(own_space(boxes[i]), side * axis);
     let steep = length(g);
     let n = g / steep;
     // Each face upright and unmirrored as seen from outside.
-    var uv = vec2f(side * p.z * -1.0, p.y);
-    uv = select(uv, vec2f(p.x, -side * p.z), axis.y > 0.0);
-    uv = select(uv, vec2f(side * p.x, p.y), axis.z > 0.0);
-    return Surface((side * dot(p, axis) - 1.0) / steep, n, n, 0.5 + 0.5 * uv, boxes[i].material, boxes[i].object);
+    var uv = Real2(side * p.z * -1.0, p.y);
+    uv = select(uv, Real2(p.x, -side * p.z), axis.y > 0.0);
+    uv = select(uv, Real2(side * p.x, p.y), axis.z > 0.0);
+    return Surface((side * dot(p, axis) - 1.0) / steep, n, vec3f(n), vec2f(0.5 + 0.5 * uv), boxes[i].material, boxes[i].object);
 }

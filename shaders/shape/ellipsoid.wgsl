@@ -5,7 +5,7 @@ const ELLIPSOID: u32 = 0x10000000u;
 @group(0) @binding(81) var<storage, read> ellipsoids: array<Placed>;
 @group(0) @binding(75) var<uniform> ellipsoid_spaces: array<OwnSpace, ELLIPSOID_COUNT>;
 
-fn hit_ellipsoid(a: vec3f, b: vec3f, best: Hit) -> Hit {
+fn hit_ellipsoid(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < ELLIPSOID_COUNT; i++) {
         work += 1u;
@@ -18,11 +18,11 @@ fn hit_ellipsoid(a: vec3f, b: vec3f, best: Hit) -> Hit {
     return hit;
 }
 
-fn surface_ellipsoid(i: u32, x: vec3f) -> Surface {
+fn surface_ellipsoid(i: u32, x: Real3) -> Surface {
     let p = own_point(own_space(ellipsoids[i]), x);
     let r = length(p);
     let g = scene_gradient(own_space(ellipsoids[i]), p / r);
     let steep = length(g);
     let n = g / steep;
-    return Surface((r - 1.0) / steep, n, n, sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
+    return Surface((r - 1.0) / steep, n, vec3f(n), sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
 }

@@ -6,29 +6,29 @@
 // lavapipe loads storage lane by lane, and that alone would cost more than the test.
 struct Placed {
     // Spheres only.
-    center: vec3f,
-    radius: f32,
+    center: Real3,
+    radius: Real,
     // The rows of the affine map from the scene's space to the shape's own.
-    row_x: vec4f,
-    row_y: vec4f,
-    row_z: vec4f,
+    row_x: Real4,
+    row_y: Real4,
+    row_z: Real4,
     material: u32,
     object: u32,
 }
 
 // The map alone.
 struct OwnSpace {
-    row_x: vec4f,
-    row_y: vec4f,
-    row_z: vec4f,
+    row_x: Real4,
+    row_y: Real4,
+    row_z: Real4,
 }
 
 // A surface near a point.
 struct Surface {
     // Signed distance of the point from it, to first order.
-    gap: f32,
+    gap: Real,
     // The geometric unit normal there, outward.
-    across: vec3f,
+    across: Real3,
     // The unit normal to shade with.
     normal: vec3f,
     uv: vec2f,
@@ -40,23 +40,23 @@ fn own_space(p: Placed) -> OwnSpace {
     return OwnSpace(p.row_x, p.row_y, p.row_z);
 }
 
-fn own_point(p: OwnSpace, x: vec3f) -> vec3f {
-    let h = vec4f(x, 1.0);
-    return vec3f(dot(p.row_x, h), dot(p.row_y, h), dot(p.row_z, h));
+fn own_point(p: OwnSpace, x: Real3) -> Real3 {
+    let h = Real4(x, 1.0);
+    return Real3(dot(p.row_x, h), dot(p.row_y, h), dot(p.row_z, h));
 }
 
-fn own_vector(p: OwnSpace, v: vec3f) -> vec3f {
-    return vec3f(dot(p.row_x.xyz, v), dot(p.row_y.xyz, v), dot(p.row_z.xyz, v));
+fn own_vector(p: OwnSpace, v: Real3) -> Real3 {
+    return Real3(dot(p.row_x.xyz, v), dot(p.row_y.xyz, v), dot(p.row_z.xyz, v));
 }
 
 // A gradient in the shape's own space, in the scene's.
-fn scene_gradient(p: OwnSpace, g: vec3f) -> vec3f {
+fn scene_gradient(p: OwnSpace, g: Real3) -> Real3 {
     return g.x * p.row_x.xyz + g.y * p.row_y.xyz + g.z * p.row_z.xyz;
 }
 
 // Where a ball of squared radius r2 about 0 first meets the piece from a along d: the fraction, or 2. inverse_dd is 1/|d|²,
 // the same for every ball. The nearest point's own distance is used, for the difference b² − a c loses all digits far away.
-fn ball_fraction(a: vec3f, d: vec3f, inverse_dd: f32, r2: f32) -> f32 {
+fn ball_fraction(a: Real3, d: Real3, inverse_dd: Real, r2: Real) -> Real {
     let nearest = -dot(a, d) * inverse_dd;
     let miss = a + nearest * d;
     let inside = r2 - dot(miss, miss);
@@ -67,7 +67,7 @@ fn ball_fraction(a: vec3f, d: vec3f, inverse_dd: f32, r2: f32) -> f32 {
 }
 
 // Round y, from the south to the north pole.
-fn sphere_uv(p: vec3f) -> vec2f {
+fn sphere_uv(p: Real3) -> vec2f {
     let u = 0.5 + arc_tangent(p.x, p.z) / (2.0 * PI);
-    return vec2f(u, 0.5 + arc_tangent(p.y, length(p.xz)) / PI);
+    return vec2f(f32(u), f32(0.5 + arc_tangent(p.y, length(p.xz)) / PI));
 }

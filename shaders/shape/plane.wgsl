@@ -5,7 +5,7 @@ const PLANE: u32 = 0x30000000u;
 @group(0) @binding(83) var<storage, read> planes: array<Placed>;
 @group(0) @binding(77) var<uniform> plane_spaces: array<OwnSpace, PLANE_COUNT>;
 
-fn hit_plane(a: vec3f, b: vec3f, best: Hit) -> Hit {
+fn hit_plane(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < PLANE_COUNT; i++) {
         work += 1u;
@@ -20,11 +20,11 @@ fn hit_plane(a: vec3f, b: vec3f, best: Hit) -> Hit {
     return hit;
 }
 
-fn surface_plane(i: u32, x: vec3f) -> Surface {
+fn surface_plane(i: u32, x: Real3) -> Surface {
     let p = own_point(own_space(planes[i]), x);
     let g = planes[i].row_y.xyz;
     let steep = length(g);
     let n = g / steep;
-    let uv = vec2f(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z);
-    return Surface(p.y / steep, n, n, uv, planes[i].material, planes[i].object);
+    let uv = Real2(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z);
+    return Surface(p.y / steep, n, vec3f(n), vec2f(uv), planes[i].material, planes[i].object);
 }

@@ -3,14 +3,14 @@
 const SPHERE: u32 = 0x00000000u;
 
 struct Ball {
-    center: vec3f,
-    radius: f32,
+    center: Real3,
+    radius: Real,
 }
 
 @group(0) @binding(80) var<storage, read> spheres: array<Placed>;
 @group(0) @binding(74) var<uniform> balls: array<Ball, SPHERE_COUNT>;
 
-fn hit_sphere(a: vec3f, b: vec3f, best: Hit) -> Hit {
+fn hit_sphere(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     let d = b - a;
     let inverse_dd = 1.0 / dot(d, d);
@@ -25,9 +25,9 @@ fn hit_sphere(a: vec3f, b: vec3f, best: Hit) -> Hit {
     return hit;
 }
 
-fn surface_sphere(i: u32, x: vec3f) -> Surface {
+fn surface_sphere(i: u32, x: Real3) -> Surface {
     let d = x - spheres[i].center;
     let r = length(d);
     let uv = sphere_uv(own_vector(own_space(spheres[i]), d));
-    return Surface(r - spheres[i].radius, d / r, d / r, uv, spheres[i].material, spheres[i].object);
+    return Surface(r - spheres[i].radius, d / r, vec3f(d / r), uv, spheres[i].material, spheres[i].object);
 }

@@ -4,10 +4,10 @@
 const TRIANGLE: u32 = 0x40000000u;
 
 struct Node {
-    lo: vec3f,
+    lo: Real3,
     // The node after this one's whole subtree.
     skip: u32,
-    hi: vec3f,
+    hi: Real3,
     // 0 inside the tree; in a leaf the number of triangles in the upper eight bits, the first of them in the others.
     leaf: u32,
 }
@@ -20,10 +20,10 @@ struct Triangle {
 }
 
 struct Vertex {
-    position: vec3f,
-    u: f32,
-    normal: vec3f,
-    v: f32,
+    position: Real3,
+    u: Real,
+    normal: Real3,
+    v: Real,
 }
 
 @group(0) @binding(84) var<storage, read> nodes: array<Node>;
@@ -36,14 +36,14 @@ const LEAF_FIRST: u32 = 0x00ffffffu;
 // Which side of the line along d through the origin the edge p → q passes, as a volume. Both triangles at an edge get the
 // same number with opposite signs, whatever the rounding, because it is always computed from the lesser end: so no ray
 // slips through between them (after Woop, Benthin and Wald 2013).
-fn edge_side(d: vec3f, p: vec3f, q: vec3f) -> f32 {
+fn edge_side(d: Real3, p: Real3, q: Real3) -> Real {
     let swapped = q.x < p.x || (q.x == p.x && (q.y < p.y || (q.y == p.y && q.z < p.z)));
     let side = dot(d, cross(select(p, q, swapped), select(q, p, swapped)));
     return select(side, -side, swapped);
 }
 
 // The fraction of the piece from a along d, or 2.
-fn triangle_fraction(i: u32, a: vec3f, d: vec3f) -> f32 {
+fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let triangle = triangles[i];
     let p = vertices[triangle.a].position - a;
     let q = vertices[triangle.b].position - a;
@@ -59,7 +59,7 @@ fn triangle_fraction(i: u32, a: vec3f, d: vec3f) -> f32 {
 }
 
 // Does the piece from a, with 1/d given, meet the box before the fraction limit? The box is grown by what rounding may hide.
-fn meets_box(node: Node, a: vec3f, inverse: vec3f, limit: f32) -> bool {
+fn meets_box(node: Node, a: Real3, inverse: Real3, limit: Real) -> bool {
     let grown = 2e-6 * (max(abs(node.lo), abs(node.hi)) + abs(a));
     let t0 = (node.lo - grown - a) * inverse;
     let t1 = (node.hi + grown - a) * inverse;
@@ -70,10 +70,10 @@ fn meets_box(node: Node, a: vec3f, inverse: vec3f, limit: f32) -> bool {
     return enters <= leaves;
 }
 
-fn hit_triangle(a: vec3f, b: vec3f, best: Hit) -> Hit {
+fn hit_triangle(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     let d = b - a;
-    let inverse = 1.0 / select(d, vec3f(1e-30), abs(d) < vec3f(1e-30));
+    let inverse = 1.0 / select(d, Real3(1e-30), abs(d) < Real3(1e-30));
     let count = arrayLength(&nodes);
     var node = walk_begin();
     while node < count && walk_may_go_on() {
@@ -94,7 +94,7 @@ fn hit_triangle(a: vec3f, b: vec3f, best: Hit) -> Hit {
     return hit;
 }
 
-fn surface_triangle(i: u32, x: vec3f) -> Surface {
+fn surface_triangle(i: u32, x: Real3) -> Surface {
     let triangle = triangles[i];
     let p = vertices[triangle.a];
     let q = vertices[triangle.b];
@@ -107,7 +107,7 @@ fn surface_triangle(i: u32, x: vec3f) -> Surface {
     let w = clamp(dot(n, cross(p.position - x, q.position - x)) / nn, 0.0, 1.0 - v);
     let u = 1.0 - v - w;
     let normal = normalize(u * p.normal + v * q.normal + w * r.normal);
-    let uv = u * vec2f(p.u, p.v) + v * vec2f(q.u, q.v) + w * vec2f(r.u, r.v);
+    let uv = u * Real2(p.u, p.v) + v * Real2(q.u, q.v) + w * Real2(r.u, r.v);
     let gap = dot(across, x - p.position);
-    return Surface(gap, across, normal, uv, object_materials[triangle.object], triangle.object);
+    return Surface(gap, across, vec3f(normal), vec2f(uv), object_materials[triangle.object], triangle.object);
 }

@@ -1,27 +1,22 @@
 // Reading an ended ray's state from the slot that its status names, of three: `paper` keeps a segment's start while the
 // other two ping-pong under its steps.
 
-@group(0) @binding(30) var x_0: texture_2d<f32>;
-@group(0) @binding(31) var x_1: texture_2d<f32>;
-@group(0) @binding(32) var x_2: texture_2d<f32>;
-@group(0) @binding(33) var v_0: texture_2d<f32>;
-@group(0) @binding(34) var v_1: texture_2d<f32>;
-@group(0) @binding(35) var v_2: texture_2d<f32>;
-@group(0) @binding(36) var clock_0: texture_2d<f32>;
-@group(0) @binding(37) var clock_1: texture_2d<f32>;
-@group(0) @binding(38) var clock_2: texture_2d<f32>;
-
-fn slot_x(slot: u32, pixel: vec2u) -> vec4f {
-    let x = select(textureLoad(x_0, pixel, 0), textureLoad(x_1, pixel, 0), slot == 1u);
-    return select(x, textureLoad(x_2, pixel, 0), slot == 2u);
+fn slot_x(slot: u32, pixel: vec2u) -> Real4 {
+    let first = select(x_at_0(pixel), x_at_1(pixel), slot == 1u);
+    return select(first, x_at_2(pixel), slot == 2u);
 }
 
-fn slot_v(slot: u32, pixel: vec2u) -> vec4f {
-    let v = select(textureLoad(v_0, pixel, 0), textureLoad(v_1, pixel, 0), slot == 1u);
-    return select(v, textureLoad(v_2, pixel, 0), slot == 2u);
+fn slot_v(slot: u32, pixel: vec2u) -> Real4 {
+    let first = select(v_at_0(pixel), v_at_1(pixel), slot == 1u);
+    return select(first, v_at_2(pixel), slot == 2u);
 }
 
-fn slot_clock(slot: u32, pixel: vec2u) -> f32 {
-    let c = select(textureLoad(clock_0, pixel, 0).x, textureLoad(clock_1, pixel, 0).x, slot == 1u);
-    return select(c, textureLoad(clock_2, pixel, 0).x, slot == 2u);
+fn slot_clock(slot: u32, pixel: vec2u) -> Real {
+    let first = select(clock_at_0(pixel), clock_at_1(pixel), slot == 1u);
+    return select(first, clock_at_2(pixel), slot == 2u);
+}
+
+fn slot_error(slot: u32, pixel: vec2u) -> Real {
+    let first = select(error_at_0(pixel), error_at_1(pixel), slot == 1u);
+    return select(first, error_at_2(pixel), slot == 2u);
 }

@@ -4,15 +4,15 @@ fn stops_inside(code: u32) -> bool {
     return code == HIT || code == ESCAPED || code == CAPTURED;
 }
 
-fn stop_gap(code: u32, hit: Hit, x: vec3f) -> vec4f {
+fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
     if code == HIT {
         let surface = hit_surface(hit.primitive, x);
-        return vec4f(surface.across, surface.gap);
+        return Real4(surface.across, surface.gap);
     }
     return open_gap(code, x);
 }
 
-fn first_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
     return select(open_guess(code, hit, step), hit.t * step.h, code == HIT);
 }
 

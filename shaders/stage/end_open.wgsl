@@ -4,11 +4,11 @@ fn stops_inside(code: u32) -> bool {
     return code == ESCAPED || code == CAPTURED;
 }
 
-fn stop_gap(code: u32, hit: Hit, x: vec3f) -> vec4f {
+fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
     return open_gap(code, x);
 }
 
-fn first_guess(code: u32, hit: Hit, step: LastStep) -> f32 {
+fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
     return open_guess(code, hit, step);
 }
 

@@ -6,5 +6,7 @@ fn load_ended(pixel: vec2u) -> Ray {
     let x = slot_x(slot, pixel);
     let v = slot_v(slot, pixel);
     let counts = load_counts(pixel);
-    return Ray(unpack_slot(x, v, slot, pixel), x.w, v.w, 0.0, status_index(word), counts.x, counts.y, status_code(word));
+    let phase = unpack_slot(x, v, slot, pixel);
+    let memory = slot_memory(slot, pixel, v.w, phase);
+    return Ray(phase, x.w, memory, 0.0, status_index(word), counts.x, counts.y, status_code(word));
 }

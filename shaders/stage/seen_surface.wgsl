@@ -7,11 +7,12 @@ fn seen_at(ray: Ray, pixel: vec2u) -> Seen {
         return Seen(end, vec3f(0.0), vec3f(0.0), 0u);
     }
     let surface = hit_surface(hit.primitive, end.x);
-    let view = -normalize(end.v);
+    let view = vec3f(-normalize(end.v));
+    let across = vec3f(surface.across);
     // Which side is seen is for the geometric normal to say; whether a mesh's triangles wind with its normals is not certain.
-    let seen_side = dot(surface.across, view) * dot(surface.across, surface.normal);
+    let seen_side = dot(across, view) * dot(across, surface.normal);
     let normal = select(-surface.normal, surface.normal, seen_side >= 0.0);
     let material = materials[surface.material];
-    let color = surface_radiance(material, pattern_color(material, surface.uv), end.x, normal, view);
+    let color = surface_radiance(material, pattern_color(material, surface.uv), vec3f(end.x), normal, view);
     return Seen(end, color, normal, surface.object + 1u);
 }

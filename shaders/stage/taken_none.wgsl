@@ -1,8 +1,8 @@
 // A chord needs no more than its ends.
 
-fn store_taken(pixel: vec2u, h: f32) {
+fn store_taken(pixel: vec2u, h: Real) {
 }
 
-fn load_taken(pixel: vec2u) -> f32 {
+fn taken_step(pixel: vec2u) -> Real {
     return 0.0;
 }

@@ -1,8 +1,8 @@
 // The classical Runge–Kutta method of order 4 (Hairer, Nørsett, Wanner, Solving ODEs I, Table II.1.2).
 
-const STEP_ORDER: f32 = 4.0;
+const STEP_ORDER: Real = 4.0;
 
-fn step_ray(p: Phase, h: f32) -> Phase {
+fn step_ray(p: Phase, h: Real) -> Phase {
     let k1 = law_rate(p);
     let k2 = law_rate(p + (0.5 * h) * k1);
     let k3 = law_rate(p + (0.5 * h) * k2);

@@ -3,20 +3,20 @@
 // refraction, so that no state is added; past the critical angle the ray is reflected.
 
 struct Snell {
-    threshold: f32,
+    threshold: Real,
 }
 
 @group(0) @binding(57) var<uniform> snell: Snell;
 
-const STEP_ORDER: f32 = 1.0;
+const STEP_ORDER: Real = 1.0;
 
-fn step_ray(p: Phase, h: f32) -> Phase {
+fn step_ray(p: Phase, h: Real) -> Phase {
     let x = p[0] + h * p[1];
     let v = p[1];
     let n = medium_index(x);
     let last = length(v);
     let steep = dot(n.xyz, n.xyz) > 0.0;
-    let normal = select(vec3f(0.0), normalize(n.xyz), steep);
+    let normal = select(Real3(0.0), normalize(n.xyz), steep);
     // n d keeps its part along the plane; its part along the normal follows from the new length.
     let along = dot(v, normal);
     let across = v - along * normal;

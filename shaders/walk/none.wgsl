@@ -8,7 +8,7 @@ fn walk_suspended() -> bool {
     return false;
 }
 
-fn segment_fate(s: Segment, tau: f32, index: u32, hit: Hit) -> u32 {
+fn segment_fate(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
     return open_fate(s, tau, index);
 }
 

@@ -33,7 +33,7 @@ fn first_hit(s: Segment, pixel: vec2u) -> Hit {
     var hit = Hit(0.0, NOTHING);
     var best = Hit(2.0, NOTHING);
     if kept != 0u {
-        best = Hit(textureLoad(hit_t, pixel).x, textureLoad(hit_primitive, pixel).x);
+        best = Hit(Real(textureLoad(hit_t, pixel).x), textureLoad(hit_primitive, pixel).x);
     }
     var k = kept >> NODE_BITS;
     walk_node = kept & NODE_MASK;
@@ -60,7 +60,7 @@ fn first_hit(s: Segment, pixel: vec2u) -> Hit {
         textureStore(walk, pixel, vec4u(word));
     }
     if suspended {
-        textureStore(hit_t, pixel, vec4f(best.t));
+        textureStore(hit_t, pixel, vec4f(f32(best.t)));
         textureStore(hit_primitive, pixel, vec4u(best.primitive));
     }
     return hit;

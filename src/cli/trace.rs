@@ -94,5 +94,5 @@ fn path_row(ray: usize, index: usize, point: &PathPoint) -> PathRow {
 }
 
 fn path_line((status, points): &(Status, Vec<PathPoint>)) -> PathLine<'static> {
-    PathLine { points: points.iter().map(|p| p.x.map(f64::from)).collect(), status: status.name() }
+    PathLine { points: points.iter().map(|p| p.x).collect(), status: status.name() }
 }

@@ -22,6 +22,8 @@ pub struct Gpu {
     pub limits: Limits,
     /// Can passes be timed?
     pub timestamps: bool,
+    /// Does WGSL have f64 there?
+    pub f64: bool,
 }
 
 /// One line of `bentray devices`.
@@ -104,7 +106,7 @@ impl Gpu {
         })?;
         let info = adapter.get_info();
         let limits = adapter.limits();
-        let features = adapter.features() & Features::TIMESTAMP_QUERY;
+        let features = adapter.features() & (Features::TIMESTAMP_QUERY | Features::SHADER_F64);
         let descriptor = DeviceDescriptor {
             label: Some("bentray"),
             required_features: features,
@@ -115,7 +117,8 @@ impl Gpu {
             .map_err(|error| GpuError::Refused { device: info.name.clone(), reason: error.to_string() })?;
         keep(&device);
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
-        Ok(Self { device, queue, info, limits, timestamps })
+        let f64 = features.contains(Features::SHADER_F64);
+        Ok(Self { device, queue, info, limits, timestamps, f64 })
     }
 
     /// An error if `needed` is more than the device allows.

@@ -2,6 +2,10 @@
 
 use thiserror::Error;
 
+fn others(there: &[String]) -> String {
+    if there.is_empty() { String::new() } else { format!(" ({})", there.join(", ")) }
+}
+
 /// A device that is missing, too small, or failed.
 #[derive(Debug, Error)]
 pub enum GpuError {
@@ -40,6 +44,14 @@ pub enum GpuError {
         allowed: u64,
         /// What would be enough.
         needed: u64,
+    },
+    /// The device has no 64-bit numbers.
+    #[error("{device} has no 64-bit numbers in shaders: use precision f32, or another device{}", others(.there))]
+    NoDouble {
+        /// The adapter's name.
+        device: String,
+        /// Those that have them.
+        there: Vec<String>,
     },
     /// The host's values do not fit the WGSL's layout: a slip in the program, found before anything runs.
     #[error("`{binding}`: {problem}")]

@@ -10,7 +10,7 @@ use wgpu::{
     TextureViewDimension,
 };
 
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
 /// A pass that can be dispatched.
@@ -56,6 +56,10 @@ impl Pipelines {
 impl Pipeline {
     /// Compiles one linked program.
     pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
+        if reflection.doubles && !gpu.f64 {
+            let there = adapters().into_iter().filter(|adapter| adapter.f64).map(|adapter| adapter.info.name).collect();
+            return Err(GpuError::NoDouble { device: gpu.info.name.clone(), there });
+        }
         check_limits(gpu, reflection)?;
         let entries: Vec<_> = reflection.bindings.iter().map(entry).collect::<Result<_, _>>()?;
         let label = Some(linked.entry.as_str());
@@ -156,6 +160,7 @@ pub(super) fn texture_format(format: naga::StorageFormat) -> Option<TextureForma
         naga::StorageFormat::R32Uint => TextureFormat::R32Uint,
         naga::StorageFormat::R32Float => TextureFormat::R32Float,
         naga::StorageFormat::Rgba32Float => TextureFormat::Rgba32Float,
+        naga::StorageFormat::Rgba16Float => TextureFormat::Rgba16Float,
         _ => return None,
     })
 }

@@ -9,7 +9,7 @@ use crate::program::{Field, Layout};
 /// A member's value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Value {
-    /// f32.
+    /// f32 or f64, as WGSL has it; so are the vectors of them.
     Float(f64),
     /// u32.
     Uint(u32),
@@ -26,16 +26,22 @@ pub enum Value {
 }
 
 impl Value {
-    fn words(self) -> (ScalarKind, Vec<u32>) {
-        let floats = |values: &[f64]| (ScalarKind::Float, values.iter().map(|v| (*v as f32).to_bits()).collect());
+    /// Its scalars as bytes, in numbers of so many bytes each.
+    fn bytes(self, width: u32) -> (ScalarKind, Vec<u8>) {
+        let floats = |values: &[f64]| {
+            let bytes =
+                |v: &f64| if width == 8 { v.to_ne_bytes().to_vec() } else { (*v as f32).to_ne_bytes().to_vec() };
+            (ScalarKind::Float, values.iter().flat_map(bytes).collect())
+        };
+        let uints = |values: &[u32]| (ScalarKind::Uint, bytemuck::cast_slice(values).to_vec());
         match self {
             Self::Float(v) => floats(&[v]),
             Self::Vec2(v) => floats(&v.to_array()),
             Self::Vec3(v) => floats(&v.to_array()),
             Self::Vec4(v) => floats(&v.to_array()),
-            Self::Uint(v) => (ScalarKind::Uint, vec![v]),
-            Self::Uint2(v) => (ScalarKind::Uint, v.to_vec()),
-            Self::Uint4(v) => (ScalarKind::Uint, v.to_vec()),
+            Self::Uint(v) => uints(&[v]),
+            Self::Uint2(v) => uints(&v),
+            Self::Uint4(v) => uints(&v),
         }
     }
 }
@@ -60,12 +66,12 @@ pub fn pack<R: AsRef<[(&'static str, Value)]>>(
         bytes.resize(start + layout.span as usize, 0);
         for ((name, value), place) in row.iter().zip(order) {
             let field = &layout.fields[*place];
-            let (kind, words) = value.words();
-            if kind != field.scalar || words.len() != field.components as usize {
+            let (kind, value_bytes) = value.bytes(field.width);
+            if kind != field.scalar || value_bytes.len() != (field.components * field.width) as usize {
                 return Err(wrong(format!("`{name}` is {value:?} here and {field:?} in WGSL")));
             }
             let at = start + field.offset as usize;
-            bytes[at..at + 4 * words.len()].copy_from_slice(bytemuck::cast_slice(&words));
+            bytes[at..at + value_bytes.len()].copy_from_slice(&value_bytes);
         }
     }
     Ok(bytes)
@@ -91,7 +97,8 @@ mod tests {
     use super::*;
 
     fn layout() -> Layout {
-        let field = |name: &str, offset, scalar, components| Field { name: name.into(), offset, scalar, components };
+        let field =
+            |name: &str, offset, scalar, components| Field { name: name.into(), offset, scalar, width: 4, components };
         Layout {
             fields: vec![field("a", 0, ScalarKind::Float, 3), field("b", 12, ScalarKind::Uint, 1)],
             span: 16,

@@ -36,8 +36,8 @@ fn resource_name(name: &str, slots: Slots) -> String {
         return name.to_owned();
     };
     match (base, role) {
-        ("x" | "v" | "clock", "in") => format!("{base}_{}", slots.input),
-        ("x" | "v" | "clock", "out") => format!("{base}_{}", slots.output),
+        ("x" | "v" | "clock" | "error", "in") => format!("{base}_{}", slots.input),
+        ("x" | "v" | "clock" | "error", "out") => format!("{base}_{}", slots.output),
         ("x" | "v", "start") => format!("{base}_{}", slots.start),
         ("x" | "v", "end") => format!("{base}_{}", slots.end),
         ("list" | "living", "in") => format!("{base}_{}", slots.list),
@@ -65,8 +65,9 @@ impl Memory {
 #[must_use]
 pub fn memory(program: &Program, slots: usize) -> Memory {
     let textures = textures(program, slots).into_iter().map(|(name, format)| (name, texel_bytes(format)));
+    let buffers = state_buffers(program, slots).into_iter().map(|(name, bytes)| (name, u64::from(bytes)));
     let lists = lists(program).into_iter().map(|name| (name, 4));
-    Memory { items: textures.chain(lists).collect() }
+    Memory { items: textures.chain(buffers).chain(lists).collect() }
 }
 
 fn texel_bytes(format: TextureFormat) -> u64 {
@@ -82,6 +83,21 @@ fn textures(program: &Program, slots: usize) -> BTreeMap<String, TextureFormat> 
         for output in 0..slots {
             let roles = Slots { input: 0, output, start: 0, end: 0, list: 0 };
             all.insert(resource_name(&binding.name, roles), format);
+        }
+    }
+    all
+}
+
+/// The buffers that hold the state where no texture can, with their bytes a pixel: what passes write to a slot's role.
+fn state_buffers(program: &Program, slots: usize) -> BTreeMap<String, u32> {
+    let mut all = BTreeMap::new();
+    for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
+        let BindingKind::Storage { layout, read_only: false } = &binding.kind else { continue };
+        for output in 0..slots {
+            let name = resource_name(&binding.name, Slots { input: 0, output, start: 0, end: 0, list: 0 });
+            if name == "taken" || (name != binding.name && !name.starts_with("li")) {
+                all.insert(name, layout.span);
+            }
         }
     }
     all
@@ -123,6 +139,9 @@ impl Tile {
             tile.textures.insert(name, texture);
         }
         let pixels = u64::from(size[0]) * u64::from(size[1]);
+        for (name, bytes) in state_buffers(program, slots) {
+            tile.add_buffer(gpu, &name, u64::from(bytes) * pixels, BufferUsages::STORAGE)?;
+        }
         for name in lists(program) {
             tile.add_buffer(gpu, &name, 4 * pixels, BufferUsages::STORAGE)?;
         }

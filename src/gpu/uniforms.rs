@@ -44,7 +44,9 @@ impl Source<'_> {
     pub(super) fn control(&self) -> Vec<(&'static str, Value)> {
         match self.scene.rays.control {
             Control::Exact => Vec::new(),
-            Control::Fixed { step } => vec![("step", Float(step))],
+            Control::Fixed { step, eta } => vec![("step", Float(step)), ("eta", Float(eta))],
+            Control::Curvature { turn, eta } => vec![("turn", Float(turn)), ("eta", Float(eta))],
+            Control::Embedded { tolerance, eta } => vec![("tolerance", Float(tolerance)), ("eta", Float(eta))],
             Control::Scaled { eta } => vec![("eta", Float(eta))],
             Control::Doubling { tolerance, grow_below, eta, .. } => {
                 vec![("tolerance", Float(tolerance)), ("grow_below", Float(grow_below)), ("eta", Float(eta))]

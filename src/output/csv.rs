@@ -105,13 +105,13 @@ pub struct ResultRow<'a> {
     /// The name of how it ended.
     pub status: &'a str,
     /// Where it ended, in scene coordinates.
-    pub position: [f32; 3],
+    pub position: [f64; 3],
     /// Its velocity there.
-    pub velocity: [f32; 3],
+    pub velocity: [f64; 3],
     /// The parameter along the ray.
-    pub tau: f32,
+    pub tau: f64,
     /// The depth there.
-    pub depth: f32,
+    pub depth: f64,
     /// Steps taken.
     pub steps: u32,
     /// Steps tried and thrown away.
@@ -128,11 +128,11 @@ pub struct PathRow {
     /// Which point of its path, from 0.
     pub index: usize,
     /// Where, in scene coordinates.
-    pub position: [f32; 3],
+    pub position: [f64; 3],
     /// Its velocity there.
-    pub velocity: [f32; 3],
+    pub velocity: [f64; 3],
     /// The parameter along the ray.
-    pub tau: f32,
+    pub tau: f64,
 }
 
 /// A table that can be written: its header, and a line for each row.
@@ -149,13 +149,13 @@ impl Row for ResultRow<'_> {
 
     fn line(&self) -> String {
         format!(
-            "{},{},{},{},{:?},{:?},{},{},{}",
+            "{},{},{},{},{},{},{},{},{}",
             self.ray,
             quoted(self.status),
             numbers(self.position),
             numbers(self.velocity),
-            self.tau,
-            self.depth,
+            number(self.tau),
+            number(self.depth),
             self.steps,
             self.rejected,
             self.object.map(|object| object.to_string()).unwrap_or_default()
@@ -167,13 +167,26 @@ impl Row for PathRow {
     const HEADER: &'static str = "ray,index,x,y,z,vx,vy,vz,tau";
 
     fn line(&self) -> String {
-        format!("{},{},{},{},{:?}", self.ray, self.index, numbers(self.position), numbers(self.velocity), self.tau)
+        format!(
+            "{},{},{},{},{}",
+            self.ray,
+            self.index,
+            numbers(self.position),
+            numbers(self.velocity),
+            number(self.tau)
+        )
     }
 }
 
-/// Three numbers in shortest round-trip form; `{:?}` rather than `{}`, which would write 1e300 with all its zeros.
-fn numbers([x, y, z]: [f32; 3]) -> String {
-    format!("{x:?},{y:?},{z:?}")
+/// A number in the shortest form that reads back as the same: as an f32 if that is what it is. `{:?}` rather than `{}`, which
+/// would write 1e300 with all its zeros.
+fn number(value: f64) -> String {
+    let single = value as f32;
+    if f64::from(single).to_bits() == value.to_bits() || value.is_nan() { format!("{single:?}") } else { format!("{value:?}") }
+}
+
+fn numbers([x, y, z]: [f64; 3]) -> String {
+    format!("{},{},{}", number(x), number(y), number(z))
 }
 
 fn quoted(text: &str) -> String {

@@ -31,7 +31,7 @@ pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]
 
 /// The first hit of a straight piece among all shapes, and the surface of a primitive.
 pub(super) fn shapes(kinds: &[&str]) -> Unit {
-    let mut text = String::from("fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit {\n    var hit = best;\n");
+    let mut text = String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    var hit = best;\n");
     for kind in kinds {
         let _ = writeln!(text, "    hit = hit_{kind}(a, b, hit);");
     }
@@ -40,7 +40,7 @@ pub(super) fn shapes(kinds: &[&str]) -> Unit {
         .iter()
         .map(|kind| (kind.to_uppercase(), format!("surface_{kind}(primitive & PRIMITIVE_INDEX, x)")))
         .collect();
-    text += &switch("fn hit_surface(primitive: u32, x: vec3f) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
+    text += &switch("fn hit_surface(primitive: u32, x: Real3) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
     unit("generated/shapes.wgsl", text)
 }
 
@@ -55,8 +55,8 @@ pub(super) fn sources(falloffs: &[&str]) -> Unit {
     unit(
         "generated/sources.wgsl",
         format!(
-            "fn source_acceleration(x: vec3f) -> vec3f {{\n    return {};\n}}\n\n\
-             fn source_distance(x: vec3f) -> f32 {{\n    return {nearest};\n}}\n",
+            "fn source_acceleration(x: Real3) -> Real3 {{\n    return {};\n}}\n\n\
+             fn source_distance(x: Real3) -> Real {{\n    return {nearest};\n}}\n",
             sum.join(" + ")
         ),
     )

@@ -4,14 +4,19 @@ use super::link::{Parts, Unit};
 use super::{Choice, ProgramError, Purpose, Schedule, Work, generated, part};
 use crate::scene::{
     CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Method, Pattern,
-    Scene, SchwarzschildForm, Segment, Shape, Sky,
+    Precision, Scene, SchwarzschildForm, Segment, Shape, Sky,
 };
 
 /// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
 pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
     let mut names = Names::default();
     names.all(&["ray", "frame", "work", "bound", "schedule", "turn", "math", "tally/totals", "fate", "path_end"]);
-    names.all(&["state/texture_f32", "living/place", "stage/ended", "stage/between"]);
+    names.all(&["state/ray", "living/place", "stage/ended", "stage/between"]);
+    names.all(match scene.rays.precision {
+        Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
+        Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
+        Precision::Double => &["real/f64", "state/buffer"],
+    });
     let mut made = vec![generated::counts(scene)];
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
     schedule_parts(scene, choice, &mut names);
@@ -62,7 +67,10 @@ fn schedule_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     });
     names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
     names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
-    let rejects = matches!(scene.rays.control, Control::Doubling { rule: DoublingRule::Rejecting, .. });
+    let rejects = matches!(
+        scene.rays.control,
+        Control::Embedded { .. } | Control::Doubling { rule: DoublingRule::Rejecting, .. }
+    );
     names.add(if rejects { "tally/rejections" } else { "tally/no_rejections" });
     names.add(if keeps_taken(scene) { "stage/taken_kept" } else { "stage/taken_none" });
 }
@@ -205,30 +213,58 @@ fn chosen<'a>(options: &[(&'a str, bool)]) -> Vec<&'a str> {
 fn region_parts(scene: &Scene, names: &mut Names, shared: &mut Vec<Unit>) {
     let spacetime = matches!(scene.law, Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. });
     names.add(if spacetime { "phase/spacetime" } else { "phase/space" });
+    names.add(if keeps_error(scene) { "memory/pair" } else { "memory/step" });
     if scene.rays.method == Method::Exact {
         names.add("motion/straight");
         return;
     }
     law_parts(&scene.law, names, shared);
-    names.add(match scene.rays.method {
-        Method::Exact | Method::Euler => "step/euler",
-        Method::Rk4 => "step/rk4",
-        Method::Snell { .. } => "step/snell",
-    });
-    match scene.rays.control {
-        Control::Exact | Control::Fixed { .. } => names.add("control/fixed"),
-        Control::Scaled { .. } => names.add("control/scaled"),
-        Control::Doubling { rule, .. } => names.all(&[
-            "control/doubled",
-            match rule {
-                DoublingRule::Paper => "control/doubling_paper",
-                DoublingRule::Rejecting => "control/doubling_rejecting",
-            },
-        ]),
+    step_parts(scene.rays.method, names);
+    control_parts(scene.rays.control, names);
+}
+
+/// Embedded pairs remember the error of the step before.
+fn keeps_error(scene: &Scene) -> bool {
+    matches!(scene.rays.control, Control::Embedded { .. })
+}
+
+fn step_parts(method: Method, names: &mut Names) {
+    match method {
+        Method::Exact | Method::Planar => {}
+        Method::Euler => names.add("step/euler"),
+        Method::Leapfrog => names.add("step/leapfrog"),
+        Method::Rkn4 => names.add("step/rkn4"),
+        Method::Rk4 => names.add("step/rk4"),
+        Method::Snell { .. } => names.add("step/snell"),
+        Method::BogackiShampine => names.all(&["step/pair", "step/bogacki_shampine"]),
+        Method::DormandPrince => names.all(&["step/pair", "step/dormand_prince"]),
+    }
+}
+
+fn control_parts(control: Control, names: &mut Names) {
+    match control {
+        Control::Exact => {}
+        Control::Fixed { .. } => names.all(&["control/planned", "control/fixed"]),
+        Control::Scaled { .. } => names.all(&["control/planned", "control/scaled"]),
+        Control::Curvature { .. } => names.all(&["control/planned", "control/curvature"]),
+        Control::Embedded { .. } => names.add("control/embedded"),
+        Control::Doubling { rule: DoublingRule::Paper, .. } => {
+            names.all(&["control/doubled", "control/doubling_paper"]);
+        }
+        Control::Doubling { rule: DoublingRule::Rejecting, .. } => {
+            names.all(&["control/doubled", "control/doubling_rejecting"]);
+        }
     }
 }
 
 fn law_parts(law: &Law, names: &mut Names, shared: &mut Vec<Unit>) {
+    let second_order = !matches!(
+        law,
+        Law::Flow { order: FlowOrder::Velocity, .. } | Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. }
+    );
+    if second_order {
+        names.add("law/accelerated");
+    }
     match law {
         Law::Straight => names.add("law/straight"),
         Law::Schwarzschild { form: SchwarzschildForm::Path, .. } => names.add("law/schwarzschild_path"),

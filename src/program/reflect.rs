@@ -12,6 +12,8 @@ pub struct Reflection {
     pub entry: String,
     /// In order of their numbers.
     pub bindings: Vec<Binding>,
+    /// Does it compute in 64 bits?
+    pub doubles: bool,
 }
 
 /// One resource that a program binds, in group 0.
@@ -48,10 +50,10 @@ pub enum BindingKind {
     },
 }
 
-/// How a buffer's values lie: a struct, or an array of structs or scalars.
+/// How a buffer's values lie: a struct, or an array of structs, vectors or scalars.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
-    /// The struct's members; none for an array of scalars.
+    /// The struct's members; none for an array of vectors or scalars.
     pub fields: Vec<Field>,
     /// Bytes of one element.
     pub span: u32,
@@ -68,6 +70,8 @@ pub struct Field {
     pub offset: u32,
     /// Of scalars.
     pub scalar: ScalarKind,
+    /// Bytes of one.
+    pub width: u32,
     /// How many.
     pub components: u32,
 }
@@ -84,7 +88,9 @@ pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
         bindings.push(Binding { name: name.clone(), number: place.binding, kind });
     }
     bindings.sort_by_key(|binding| binding.number);
-    Ok(Reflection { entry: linked.entry.clone(), bindings })
+    let double = |inner: &TypeInner| inner.scalar().is_some_and(|scalar| scalar == naga::Scalar::F64);
+    let doubles = module.types.iter().any(|(_, ty)| double(&ty.inner));
+    Ok(Reflection { entry: linked.entry.clone(), bindings, doubles })
 }
 
 /// The program as naga sees it, valid in every respect.
@@ -99,12 +105,14 @@ pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
             .map_or((0, 0), |place| (place.line_number as usize, place.line_position as usize));
         at(line, column, error.message().to_owned())
     })?;
-    Validator::new(ValidationFlags::all(), Capabilities::default()).validate(&module).map_err(|error| {
-        let (line, column) = error
-            .location(&linked.source)
-            .map_or((0, 0), |place| (place.line_number as usize, place.line_position as usize));
-        at(line, column, error.emit_to_string(&linked.source))
-    })?;
+    Validator::new(ValidationFlags::all(), Capabilities::default() | Capabilities::FLOAT64).validate(&module).map_err(
+        |error| {
+            let (line, column) = error
+                .location(&linked.source)
+                .map_or((0, 0), |place| (place.line_number as usize, place.line_position as usize));
+            at(line, column, error.emit_to_string(&linked.source))
+        },
+    )?;
     Ok(module)
 }
 
@@ -140,6 +148,11 @@ fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
             Some(Layout { fields, span: *span, count: Some(1) })
         }
         TypeInner::Scalar(scalar) => Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), count: Some(1) }),
+        TypeInner::Vector { size, scalar } => Some(Layout {
+            fields: Vec::new(),
+            span: u32::from(u8::from(*size)) * u32::from(scalar.width),
+            count: Some(1),
+        }),
         _ => None,
     }
 }
@@ -147,13 +160,14 @@ fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
 /// Members that the host writes are scalars and vectors; others (a tally's atomics) are left out.
 fn field(module: &Module, member: &naga::StructMember) -> Option<Field> {
     let (scalar, components) = match module.types[member.ty].inner {
-        TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar.kind, 1),
-        TypeInner::Vector { size, scalar } => (scalar.kind, u32::from(u8::from(size))),
+        TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar, 1),
+        TypeInner::Vector { size, scalar } => (scalar, u32::from(u8::from(size))),
         TypeInner::Array { base, size: ArraySize::Constant(count), .. } => match module.types[base].inner {
-            TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar.kind, count.get()),
+            TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar, count.get()),
             _ => return None,
         },
         _ => return None,
     };
-    Some(Field { name: member.name.clone()?, offset: member.offset, scalar, components })
+    let width = u32::from(scalar.width);
+    Some(Field { name: member.name.clone()?, offset: member.offset, scalar: scalar.kind, width, components })
 }

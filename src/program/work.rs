@@ -80,14 +80,19 @@ fn law_loops(law: &Law) -> (u64, u64) {
 
 fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
     let evaluations = match scene.rays.method {
-        Method::Exact => 0,
-        Method::Euler | Method::Snell { .. } => 1,
-        Method::Rk4 => 4,
+        Method::Exact | Method::Planar => 0,
+        Method::Euler | Method::Leapfrog | Method::Snell { .. } => 1,
+        Method::Rkn4 => 3,
+        Method::Rk4 | Method::BogackiShampine => 4,
+        Method::DormandPrince => 7,
     };
     match scene.rays.control {
         Control::Exact => 0,
-        Control::Fixed { .. } => evaluations * rate,
-        Control::Scaled { .. } => evaluations * rate + scale,
+        Control::Fixed { .. } | Control::Scaled { .. } => evaluations * rate + scale,
+        Control::Curvature { .. } => (evaluations + 1) * rate + scale,
+        Control::Embedded { .. } => {
+            rate + scale + constant("control/embedded", "MAX_TRIES") as u64 * (1 + evaluations * rate + scale)
+        }
         Control::Doubling { .. } => {
             scale + constant("control/doubling_rejecting", "MAX_TRIES") as u64 * (4 + 3 * evaluations * rate + scale)
         }

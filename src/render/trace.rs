@@ -18,13 +18,13 @@ pub struct Traced {
     /// How.
     pub status: Status,
     /// Position.
-    pub x: [f32; 3],
+    pub x: [f64; 3],
     /// Velocity.
-    pub v: [f32; 3],
+    pub v: [f64; 3],
     /// The path's parameter.
-    pub tau: f32,
+    pub tau: f64,
     /// Segments, whole ones and a fraction.
-    pub depth: f32,
+    pub depth: f64,
     /// Accepted steps.
     pub steps: u32,
     /// Rejected tries.
@@ -37,11 +37,11 @@ pub struct Traced {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathPoint {
     /// Position.
-    pub x: [f32; 3],
+    pub x: [f64; 3],
     /// Velocity.
-    pub v: [f32; 3],
+    pub v: [f64; 3],
     /// The path's parameter.
-    pub tau: f32,
+    pub tau: f64,
 }
 
 /// Rays of one batch.
@@ -154,22 +154,48 @@ fn read_records(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<Tr
     let layout = layout(renderer, "records")?;
     let Some(buffer) = tile.buffer("records") else { return Ok(Vec::new()) };
     let bytes = read_buffer(renderer.gpu, buffer, |_| {})?;
-    let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-    let at = |name: &str| layout.fields.iter().find(|f: &&Field| f.name == name).map_or(0, |f| f.offset as usize / 4);
-    let (x, v, tau, depth) = (at("x"), at("v"), at("tau"), at("depth"));
-    let (status, steps, rejected, object) = (at("status"), at("steps"), at("rejected"), at("object"));
-    let vector = |row: &[u32], at: usize| [0, 1, 2].map(|k| f32::from_bits(row[at + k]));
-    let records = words.chunks_exact(layout.span as usize / 4).take(count);
-    Ok(records
+    let rows = bytes.chunks_exact(layout.span as usize).take(count).map(|row| Row { layout, bytes: row });
+    Ok(rows
         .map(|row| Traced {
-            status: Status::from_code(row[status]),
-            x: vector(row, x),
-            v: vector(row, v),
-            tau: f32::from_bits(row[tau]),
-            depth: f32::from_bits(row[depth]),
-            steps: row[steps],
-            rejected: row[rejected],
-            object: row[object].checked_sub(1),
+            status: Status::from_code(row.uint("status")),
+            x: row.vector("x"),
+            v: row.vector("v"),
+            tau: row.float("tau", 0),
+            depth: row.float("depth", 0),
+            steps: row.uint("steps"),
+            rejected: row.uint("rejected"),
+            object: row.uint("object").checked_sub(1),
         })
         .collect())
+}
+
+/// A record as bytes, read by its reflected layout.
+struct Row<'a> {
+    layout: &'a Layout,
+    bytes: &'a [u8],
+}
+
+impl Row<'_> {
+    /// The scalar k of a member, as far as there is one.
+    fn scalar(&self, name: &str, k: usize) -> &[u8] {
+        let field = self.layout.fields.iter().find(|field: &&Field| field.name == name);
+        field.map_or(&[], |field| {
+            let at = field.offset as usize + k * field.width as usize;
+            &self.bytes[at..at + field.width as usize]
+        })
+    }
+
+    fn uint(&self, name: &str) -> u32 {
+        self.scalar(name, 0).try_into().map_or(0, u32::from_ne_bytes)
+    }
+
+    fn float(&self, name: &str, k: usize) -> f64 {
+        let bytes = self.scalar(name, k);
+        let single = || bytes.try_into().map_or(f64::NAN, |b| f32::from_ne_bytes(b).into());
+        bytes.try_into().map_or_else(|_| single(), f64::from_ne_bytes)
+    }
+
+    fn vector(&self, name: &str) -> [f64; 3] {
+        [0, 1, 2].map(|k| self.float(name, k))
+    }
 }

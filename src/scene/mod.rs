@@ -12,6 +12,7 @@ mod document;
 mod error;
 mod mesh;
 mod picture;
+mod rays;
 mod reference;
 mod transform;
 
@@ -22,6 +23,7 @@ pub use document::Override;
 pub use error::{Mistake, SceneError};
 pub use mesh::{Mesh, Vertex};
 pub use picture::Picture;
+pub use rays::{Bound, Control, DoublingRule, Method, Precision, Rays, Segment};
 pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
 pub use transform::Transform;
 
@@ -129,6 +131,31 @@ pub enum Law {
     Medium(NoiseIndex),
 }
 
+impl Law {
+    /// The only centre, if there is one: rays then stay in a plane through it.
+    #[must_use]
+    pub fn only_center(&self) -> Option<DVec3> {
+        match self {
+            Self::Schwarzschild { form: SchwarzschildForm::Path, center, .. } => Some(*center),
+            Self::Sources(sources) => match sources.as_slice() {
+                [only] => Some(only.position),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Does its one centre pull by an inverse power, so that an orbit has an asymptote in closed form?
+    #[must_use]
+    pub fn is_free_far_away(&self) -> bool {
+        match self {
+            Self::Schwarzschild { .. } => true,
+            Self::Sources(sources) => sources.iter().all(|source| source.falloff == Falloff::InverseSquare),
+            _ => false,
+        }
+    }
+}
+
 /// The two equations of light round a Schwarzschild hole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SchwarzschildForm {
@@ -215,100 +242,6 @@ pub struct NoiseIndex {
     pub octaves: u32,
     /// Chooses the lattice's values.
     pub seed: u32,
-}
-
-/// `[rays]`: how rays are followed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Rays {
-    /// The integrator.
-    pub method: Method,
-    /// How long its steps are.
-    pub control: Control,
-    /// What is tested against the scene.
-    pub segment: Segment,
-    /// A ray that has this many segments and is still under way is exhausted.
-    pub max_segments: u32,
-    /// Rays that leave this sphere have escaped.
-    pub bound: Bound,
-    /// Rays end at this τ.
-    pub length: Option<f64>,
-}
-
-/// The integrators.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Method {
-    /// Closed form; the straight law only.
-    Exact,
-    /// p ← p + h F(p) (W04 Eq. 2).
-    Euler,
-    /// The classical fourth-order Runge–Kutta method.
-    Rk4,
-    /// Straight until the index has changed by more than the threshold, then Snell's law (W04 §5.3); media only.
-    Snell {
-        /// The change of index that refracts.
-        threshold: f64,
-    },
-}
-
-/// Step-size rules. Every length here is a τ; η is a fraction of the law's own scale.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Control {
-    /// Not applicable: one closed-form arc to the end.
-    Exact,
-    /// h is constant.
-    Fixed {
-        /// h.
-        step: f64,
-    },
-    /// h = η · scale.
-    Scaled {
-        /// η.
-        eta: f64,
-    },
-    /// One step h against two of h/2 (W04 §4.2).
-    Doubling {
-        /// The paper's rule or a rejecting one.
-        rule: DoublingRule,
-        /// h shrinks above this relative difference.
-        tolerance: f64,
-        /// h grows below this relative difference.
-        grow_below: f64,
-        /// The cap: h ≤ η · scale.
-        eta: f64,
-    },
-}
-
-/// The two step-doubling rules.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DoublingRule {
-    /// Two thresholds; only the next step changes (W04 §4.2).
-    Paper,
-    /// A step over the tolerance is tried again, shorter.
-    Rejecting,
-}
-
-/// What of a path is tested against the scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Segment {
-    /// One accepted step as a cubic Hermite arc, cut into chords that stay within `tolerance` of it.
-    Arc {
-        /// Scene units.
-        tolerance: f64,
-    },
-    /// The paper's polygon: one chord over N steps.
-    Chord {
-        /// N.
-        steps: u32,
-    },
-}
-
-/// The bounding sphere.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bound {
-    /// Its centre.
-    pub center: DVec3,
-    /// Its radius.
-    pub radius: f64,
 }
 
 /// `[sky]`.

@@ -11,11 +11,11 @@ use crate::support::{
 };
 
 /// A ray with tau, h, and counts 3, 10, 20; what the control makes of it, and the same step retaken.
-const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, p1.w, 9.0, 3u, 10u, 20u, ALIVE);
+const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, Memory(p1.w), 9.0, 3u, 10u, 20u, ALIVE);
     let next = accepted_step(ray);
     let again = retaken_step(ray.phase, next.taken);
     put(0u, vec4f(next.phase[0], next.tau));
-    put(1u, vec4f(next.phase[1], next.h));
+    put(1u, vec4f(next.phase[1], next.memory.h));
     put(2u, vec4f(next.taken, f32(next.index), f32(next.steps), f32(next.rejected)));
     put(3u, vec4f(again[0], first_step(ray.phase)));
     put(4u, vec4f(again[1], f32(next.status)));";
@@ -108,9 +108,9 @@ fn fixed_and_scaled_steps() {
     let inputs = rays(61);
     let mut kept = Kept::new();
     let mut sizes = Errors::of("fixed and scaled sizes");
-    let fixed = probe("step/rk4", &["control/fixed"], "limit/none", vec![("step", Float(0.25))]);
+    let fixed = probe("step/rk4", &["control/fixed"], "limit/none", vec![("step", Float(0.25)), ("eta", Float(ETA))]);
     for (input, output) in inputs.iter().zip(&fixed.run::<2, 5>(&gpu, CONTROL, &inputs)) {
-        assert_eq!((output[2].x, output[3].w, output[1].w, output[2].w), (0.25, 0.25, input[1].w, 20.0));
+        assert_eq!((output[2].x, output[1].w, output[2].w), (0.25, input[1].w, 20.0));
         kept.check(input, output, rk4(path_rate, [wide(input[0]), wide(input[1])], 0.25));
     }
     let scaled = probe("step/rk4", &["control/scaled"], "limit/none", vec![("eta", Float(0.25))]);
@@ -239,7 +239,7 @@ fn the_last_step_is_shortened_to_the_length() {
         input[0].w = 10.0 - (0.001 * (k + 1) as f32);
     }
     let rules: [(&[&str], Record); 3] = [
-        (&["control/fixed"], vec![("step", Float(0.25))]),
+        (&["control/fixed"], vec![("step", Float(0.25)), ("eta", Float(ETA))]),
         (&["control/scaled"], vec![("eta", Float(0.25))]),
         (&["control/doubled", "control/doubling_paper"], doubling()),
     ];

@@ -77,7 +77,7 @@ fn directions(seed: u64) -> Vec<[Vec4; 1]> {
 #[test]
 fn equirectangular_sky() {
     let sky = vec![("intensity", Float(0.5)), ("image", Uint(4))];
-    let parts = ["ray", "math", "image_sample", "sky/equirectangular"];
+    let parts = ["ray", "image_sample", "sky/equirectangular"];
     let mut inputs = directions(112);
     // The middle of the picture's texels, and the compass: -z in the middle, +x right of it, +y at the top.
     for i in 0..7 {

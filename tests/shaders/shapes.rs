@@ -9,7 +9,7 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-pub const PARTS: [&str; 7] = ["ray", "work", "math", "shape/placed", "shape/sphere", "shape/ellipsoid", "shape/box"];
+pub const PARTS: [&str; 6] = ["ray", "work", "shape/placed", "shape/sphere", "shape/ellipsoid", "shape/box"];
 
 /// A shape's place: the affine map from the scene's space to its own, rounded to f32 first.
 #[derive(Clone, Copy)]

@@ -27,10 +27,26 @@ pub struct Probe {
 }
 
 impl Probe {
-    /// Of the parts with these names.
+    /// Of the parts with these names, in 32 bits unless they say otherwise.
     pub fn new(parts: &[&str]) -> Self {
-        let unit = |name: &&str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
-        Self { units: parts.iter().map(unit).collect(), ..Self::default() }
+        let unit = |name: &str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
+        let mut names: Vec<&str> = parts.to_vec();
+        for (folder, usual) in [("math", "math"), ("real/", "real/f32"), ("memory/", "memory/step")] {
+            if !names.iter().any(|name| name.starts_with(folder)) {
+                names.push(usual);
+            }
+        }
+        let mut units: Vec<Unit> = names.iter().map(|name| unit(name)).collect();
+        // What laws of the second order and steps of a planned size have in common.
+        for (folder, function, common) in
+            [("law/", "fn law_rate(", "law/accelerated"), ("control/", "fn accepted_step(", "control/planned")]
+        {
+            let some = names.iter().any(|name| name.starts_with(folder));
+            if some && !units.iter().any(|unit| unit.text.contains(function)) {
+                units.push(unit(common));
+            }
+        }
+        Self { units, ..Self::default() }
     }
 
     /// With a few lines of WGSL in place of a part that needs more of a device than a probe has.

@@ -1,30 +1,43 @@
 //! `[rays]`: how rays are followed.
 
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{positive, vector, whole, word};
-use crate::scene::{Bound, Control, DoublingRule, Law, Method, Rays, Segment};
+use crate::scene::document::values::{boolean, positive, vector, whole, word};
+use crate::scene::{Bound, Control, DoublingRule, FlowOrder, Law, Method, Precision, Rays, SchwarzschildForm, Segment};
 use glam::DVec3;
 
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Name {
     Exact,
+    Planar,
     Euler,
     EulerDoubling,
+    Leapfrog,
+    Rkn4,
     Rk4,
     Rk4Doubling,
+    BogackiShampine,
+    DormandPrince,
     Snell,
 }
 
 const NAMES: &[(&str, Name)] = &[
     ("exact", Name::Exact),
+    ("planar", Name::Planar),
     ("euler", Name::Euler),
     ("euler-doubling", Name::EulerDoubling),
+    ("leapfrog", Name::Leapfrog),
+    ("rkn4", Name::Rkn4),
     ("rk4", Name::Rk4),
     ("rk4-doubling", Name::Rk4Doubling),
+    ("bogacki-shampine", Name::BogackiShampine),
+    ("dormand-prince", Name::DormandPrince),
     ("snell", Name::Snell),
 ];
 
-const LATER: &[&str] = &["leapfrog", "bogacki-shampine", "dormand-prince", "auto"];
+const LATER: &[&str] = &["auto"];
+
+const PRECISIONS: &[(&str, Precision)] =
+    &[("f16", Precision::Half), ("f32", Precision::Single), ("f64", Precision::Double)];
 
 /// None if there is no bound.
 pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
@@ -49,18 +62,48 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
     let (method, control) = stepping(&table, name.unwrap_or(default));
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
     let length = table.optional("length", positive);
+    let precision = table.or("precision", Precision::Single, word(PRECISIONS, &[]));
+    let asymptotic = table.or("asymptotic", false, boolean);
+    if let (true, Some(law), Some(bound)) = (asymptotic, law, bound) {
+        check_asymptotic(&table, law, bound);
+    }
     table.finish();
-    Some(Rays { method, control, segment, max_segments, bound: bound?, length })
+    Some(Rays { method, control, segment, max_segments, bound: bound?, length, asymptotic, precision })
+}
+
+/// Beyond the bound one centre's orbits go on in closed form, which has to be about the bound's own centre.
+fn check_asymptotic(table: &TableReader, law: &Law, bound: Bound) {
+    let Some((center, true)) = law.only_center().map(|c| (c, law.is_free_far_away())) else {
+        let problem = "`asymptotic` is for a schwarzschild law or one inverse-square source";
+        table.fault(&["asymptotic"], problem, "leave it out");
+        return;
+    };
+    if center != bound.center {
+        let problem = "`asymptotic` needs the bound's centre at the law's";
+        table.fault(&["asymptotic"], problem, format!("set bound.center to {:?}", center.to_array()));
+    }
 }
 
 fn check_against_law(table: &TableReader, name: Name, law: &Law) {
-    if name == Name::Exact && *law != Law::Straight {
-        let problem = "only straight rays have an exact method here";
-        table.fault(&["method"], problem, "use rk4, or leave `method` out");
-    }
-    if name == Name::Snell && !matches!(law, Law::Medium(_)) {
-        let problem = "snell needs law.kind = \"medium\"";
-        table.fault(&["method"], problem, "use rk4, or leave `method` out");
+    let refuse = |problem: &str| table.fault(&["method"], problem, "use rk4, or leave `method` out");
+    match name {
+        Name::Exact if *law != Law::Straight => refuse("only straight rays have an exact method here"),
+        Name::Snell if !matches!(law, Law::Medium(_)) => refuse("snell needs law.kind = \"medium\""),
+        Name::Planar if law.only_center().is_none() => {
+            refuse("planar needs a law with a single centre, which keeps a ray in its plane");
+        }
+        Name::Leapfrog | Name::Rkn4 => match law {
+            Law::Flow { order: FlowOrder::Velocity, .. } => {
+                refuse("this method is for laws of the second order, and the flow is of the first");
+            }
+            Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. } => {
+                refuse(
+                    "this method is for accelerations that depend on place alone, and the geodesic form's depends on velocity",
+                );
+            }
+            _ => {}
+        },
+        _ => {}
     }
 }
 
@@ -91,25 +134,37 @@ fn segment(table: &TableReader, name: Option<Name>, radius: f64) -> Segment {
 fn stepping(table: &TableReader, name: Name) -> (Method, Control) {
     match name {
         Name::Exact => (Method::Exact, Control::Exact),
-        Name::Euler => (Method::Euler, fixed_or_scaled(table)),
+        Name::Planar => (Method::Planar, Control::Scaled { eta: table.or("scaled_step", 0.1, positive) }),
+        Name::Euler => (Method::Euler, planned(table)),
         Name::EulerDoubling => (Method::Euler, doubling(table)),
-        Name::Rk4 => (Method::Rk4, fixed_or_scaled(table)),
+        Name::Leapfrog => (Method::Leapfrog, planned(table)),
+        Name::Rkn4 => (Method::Rkn4, planned(table)),
+        Name::Rk4 => (Method::Rk4, planned(table)),
         Name::Rk4Doubling => (Method::Rk4, doubling(table)),
+        Name::BogackiShampine => (Method::BogackiShampine, embedded(table)),
+        Name::DormandPrince => (Method::DormandPrince, embedded(table)),
         Name::Snell => {
             let threshold = table.or("threshold", 0.001, positive);
-            (Method::Snell { threshold }, fixed_or_scaled(table))
+            (Method::Snell { threshold }, planned(table))
         }
     }
 }
 
-fn fixed_or_scaled(table: &TableReader) -> Control {
-    let given = table.one_of(&["step", "scaled_step"]);
+/// Steps whose size is known before they are taken.
+fn planned(table: &TableReader) -> Control {
+    let given = table.one_of(&["step", "curvature_step"]);
     let value = given.and_then(|(key, node)| Some((key, table.reader.accept(positive(node))?)));
+    let cap = || table.or("scaled_step", 0.5, positive);
     match value {
-        Some(("step", step)) => Control::Fixed { step },
-        Some((_, eta)) => Control::Scaled { eta },
-        None => Control::Scaled { eta: 0.1 },
+        Some(("step", step)) => Control::Fixed { step, eta: cap() },
+        Some((_, degrees)) => Control::Curvature { turn: degrees.to_radians(), eta: cap() },
+        None => Control::Scaled { eta: table.or("scaled_step", 0.1, positive) },
     }
+}
+
+fn embedded(table: &TableReader) -> Control {
+    let tolerance = table.or("tolerance", 1e-5, positive);
+    Control::Embedded { tolerance, eta: table.or("scaled_step", 0.3, positive) }
 }
 
 fn doubling(table: &TableReader) -> Control {

@@ -73,7 +73,7 @@ pub enum Value {
     /// Any other number, or a whole one too large for 64 bits.
     Float(f64),
     /// `true` or `false`.
-    Boolean,
+    Boolean(bool),
     /// A date or time: no scene has use for one.
     Date,
     /// Also `[[tables]]`.
@@ -160,7 +160,7 @@ fn node(value: &Spanned<DeValue>, base: Base) -> Node {
             DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
                 .map_or_else(|_| float(digits.as_str()), Value::Integer),
             DeValue::Float(digits) => float(digits.as_str()),
-            DeValue::Boolean(_) => Value::Boolean,
+            DeValue::Boolean(value) => Value::Boolean(*value),
             DeValue::Datetime(_) => Value::Date,
             DeValue::Array(items) => Value::Array(items.iter().map(|v| node(v, base)).collect()),
             DeValue::Table(table) => Value::Table(entries(table, base)),

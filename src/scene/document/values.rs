@@ -24,7 +24,7 @@ impl Node {
             Value::Text(text) => &format!("the string \"{text}\""),
             Value::Integer(_) => "a whole number",
             Value::Float(_) => "a number",
-            Value::Boolean => "true or false",
+            Value::Boolean(_) => "true or false",
             Value::Date => "a date",
             Value::Array(items) => &format!("an array of {}", items.len()),
             Value::Table(_) => "a table",
@@ -68,6 +68,14 @@ pub fn positive(node: &Node) -> Read<f64> {
 /// A number that is zero or above.
 pub fn not_negative(node: &Node) -> Read<f64> {
     number_where("a number that is 0 or above", |x| x >= 0.0)(node)
+}
+
+/// `true` or `false`.
+pub fn boolean(node: &Node) -> Read<bool> {
+    match node.value {
+        Value::Boolean(value) => Ok(value),
+        _ => Err(node.expected("true or false")),
+    }
 }
 
 /// A whole number of the range.

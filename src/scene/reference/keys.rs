@@ -92,17 +92,20 @@ pub const REFERENCE: &[KeyReference] = keys! {
         seed: "whole number, 0 to 4294967295" = "0", "chooses the noise";
     }
     "rays" {
-        method: "exact | euler | rk4 | euler-doubling | rk4-doubling | snell" = "exact for straight lines, else rk4",
-            "the integrator; exact is for the straight law, snell for the medium";
+        method: "exact | planar | euler | leapfrog | rkn4 | rk4 | euler-doubling | rk4-doubling | bogacki-shampine | dormand-prince | snell"
+            = "exact for straight lines, else rk4",
+            "the integrator; exact is for the straight law, planar for laws with one centre, leapfrog and rkn4 for accelerations that depend on place alone, snell for the medium";
         bound: "{ center, radius }" = "required", "the sphere that rays escape from and that holds all objects";
-        step if r#"method = "euler", "rk4" or "snell" (doubling methods choose their steps)"#: "number above 0" = "none",
-            "length of a step, in τ; excludes scaled_step";
-        scaled_step if r#"any method but "exact""#: "number above 0" = "0.1; doubling methods 0.3",
-            "η: a step is η times the law's own scale at its place; doubling methods: the cap";
+        step if r#"method = "euler", "leapfrog", "rkn4", "rk4" or "snell" (the others choose their steps)"#: "number above 0" = "none",
+            "length of a step, in τ; excludes curvature_step";
+        curvature_step if r#"method as for step"#: "number above 0" = "none",
+            "every step turns the ray through this angle, degrees";
+        scaled_step if r#"any method but "exact""#: "number above 0" = "0.1; 0.5 beside step or curvature_step; 0.3 for doubling and embedded methods",
+            "η: a step is η times the law's own scale at its place, or no longer than that where something else chooses it; planar: radians round the centre";
         doubling if r#"method = "euler-doubling" or "rk4-doubling""#: "rejecting | paper" = "rejecting",
             "a step over the tolerance is tried again, or only the next is shorter";
-        tolerance if r#"method = "euler-doubling" or "rk4-doubling""#: "number above 0" = "1e-5",
-            "steps shrink above this relative difference";
+        tolerance if r#"a doubling method, "bogacki-shampine" or "dormand-prince""#: "number above 0" = "1e-5",
+            "steps shrink above this relative error";
         grow_below if r#"method = "euler-doubling" or "rk4-doubling""#: "number above 0, below tolerance" = "tolerance / 10",
             "steps grow below this relative difference";
         threshold if r#"method = "snell""#: "number above 0" = "0.001",
@@ -114,6 +117,10 @@ pub const REFERENCE: &[KeyReference] = keys! {
         steps_per_segment if r#"segment = "chord""#: "whole number, 1 to 1000" = "10", "steps a chord";
         max_segments: "whole number, 1 to 1000000" = "1000", "a ray is given up after so many segments";
         length: "number above 0" = "none", "rays end at this τ";
+        asymptotic if "schwarzschild, or one inverse-square source": "true | false" = "false",
+            "rays that leave the bound are followed to infinity in closed form, and those given from outside come from there";
+        precision: "f16 | f32 | f64" = "f32",
+            "bits of the numbers: f64 where the device has it, f16 keeps 16 bits between passes as in 2004";
     }
     "rays.bound" {
         center: "[x, y, z]" = "[0, 0, 0]", "scene units";

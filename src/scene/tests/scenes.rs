@@ -105,7 +105,7 @@ fn laws_and_methods_become_values() {
     assert_eq!(scene.rays.segment, Segment::Chord { steps: 10 });
     assert_eq!(scene.rays.length, Some(7.0));
     let scene = good(KINDS[1]);
-    assert_eq!(scene.rays.control, Control::Fixed { step: 1.0 });
+    assert_eq!(scene.rays.control, Control::Fixed { step: 1.0, eta: 0.5 });
     assert_eq!(scene.rays.bound.center, DVec3::new(1.0, 2.0, 3.0));
     let Law::Sources(sources) = good(KINDS[2]).law else { panic!() };
     assert_eq!(sources[0].falloff, Falloff::Cubic { radius: 2.0 });

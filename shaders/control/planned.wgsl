@@ -1,0 +1,19 @@
+// Steps whose size is known before they are taken.
+
+fn first_step(p: Phase) -> Real {
+    return 0.0;
+}
+
+fn retaken_step(p: Phase, h: Real) -> Phase {
+    return law_settled(step_ray(p, h));
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    let h = limited_step(planned_step(ray.phase), ray.tau);
+    var next = ray;
+    next.phase = opaque_phase(retaken_step(ray.phase, h));
+    next.tau += h;
+    next.taken = opaque(h);
+    next.steps += 1u;
+    return next;
+}

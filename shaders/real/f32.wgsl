@@ -1,0 +1,53 @@
+// Numbers of 32 bits: what a path is followed in, unless the scene asks for more. Functions whose built-in forms are inaccurate
+// on some devices are written out (atan2 is wrong by 3e-6 on lavapipe).
+
+alias Real = f32;
+alias Real2 = vec2<f32>;
+alias Real3 = vec3<f32>;
+alias Real4 = vec4<f32>;
+
+// Comparisons with NaN may be assumed away by a compiler; bits may not.
+fn finite(a: Real3) -> bool {
+    return all((bitcast<vec3u>(a) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
+}
+
+// The same bits, behind which no compiler sees: a step's result must not be simplified together with what uses it (x₁ − x₀
+// to h v), or passes that are cut differently would round differently.
+fn opaque(a: Real) -> Real {
+    return bitcast<f32>(bitcast<u32>(a) ^ frame.zero);
+}
+
+fn opaque3(a: Real3) -> Real3 {
+    return bitcast<vec3f>(bitcast<vec3u>(a) ^ vec3u(frame.zero));
+}
+
+fn opaque4(a: Real4) -> Real4 {
+    return bitcast<vec4f>(bitcast<vec4u>(a) ^ vec4u(frame.zero));
+}
+
+fn real_exp(a: Real) -> Real {
+    return exp(a);
+}
+
+// Sine and cosine.
+fn real_sin_cos(a: Real) -> Real2 {
+    return Real2(sin(a), cos(a));
+}
+
+// atan2 with an absolute error under 4e-7: atan on [0, tan π/8] by the minimax polynomial of Moshier's Cephes library
+// (atanf), moved to the right octant.
+fn arc_tangent(y: Real, x: Real) -> Real {
+    let big = max(abs(x), abs(y));
+    let small = min(abs(x), abs(y));
+    // atan(q) = π/4 + atan((q − 1)/(q + 1)) halves the interval, so that few terms are enough.
+    let folded = small > 0.41421356 * big;
+    let num = select(small, small - big, folded);
+    let den = select(big, small + big, folded);
+    let q = select(num / den, 0.0, den == 0.0);
+    let s = q * q;
+    let series = q + q * s * (-3.33329491539e-1 + s * (1.99777106478e-1 + s * (-1.38776856032e-1 + s * 8.05374449538e-2)));
+    var angle = series + select(0.0, 0.25 * PI, folded);
+    angle = select(angle, 0.5 * PI - angle, abs(y) > abs(x));
+    angle = select(angle, PI - angle, x < 0.0);
+    return select(angle, -angle, y < 0.0);
+}

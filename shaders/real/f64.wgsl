@@ -1,0 +1,170 @@
+// Numbers of 64 bits, for truth to compare with.
+//
+// The elementary functions in f64, from arithmetic alone: WGSL has none for f64, and those that drivers let through are
+// missing or have the accuracy of f32. Neither can the bits of an f64 be had: powers of two come by way of f32. There are
+// no branches, since neighbouring invocations would run both sides anyway. The polynomials are minimax (Remez, in 60
+// digits, weighted to the relative error of the result) and add less than 2e-17.
+
+alias Real = f64;
+alias Real2 = vec2<f64>;
+alias Real3 = vec3<f64>;
+alias Real4 = vec4<f64>;
+
+// What f32 has no finite number for is beyond every scene.
+fn finite(a: Real3) -> bool {
+    return all((bitcast<vec3u>(vec3f(a)) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
+}
+
+// The same bits, behind which no compiler sees: a step's result must not be simplified together with what uses it (x₁ − x₀
+// to h v), or passes that are cut differently would round differently. WGSL has no bit operations on f64.
+fn opaque(a: Real) -> Real {
+    return a * Real(1u - frame.zero);
+}
+
+fn opaque3(a: Real3) -> Real3 {
+    return a * Real(1u - frame.zero);
+}
+
+fn opaque4(a: Real4) -> Real4 {
+    return a * Real(1u - frame.zero);
+}
+
+const ONE: Real = 1.0;
+
+// ln 2 and π/2 in two parts, the first with so few bits that its multiples are exact.
+const LOG2_E: Real = 1.4426950408889634;
+const LN_2_HIGH: Real = 0.6931471803691238;
+const LN_2_LOW: Real = 1.9082149292705877e-10;
+const QUARTERS_PER_RADIAN: Real = 0.6366197723675814;
+const QUARTER_TURN_HIGH: Real = 1.5707963267341256;
+const QUARTER_TURN_LOW: Real = 6.077100506506192e-11;
+const EIGHTH_TURN: Real = 0.7853981633974483;
+
+const TWO_TO_720: Real = 5.515652263101987e216;
+const TWO_TO_MINUS_720: Real = 1.8130221999122236e-217;
+const TWO_TO_240: Real = 1.7668470647783843e72;
+const TWO_TO_MINUS_240: Real = 5.659799424266695e-73;
+
+// 2^n for n from −126 to 127: the bits of an f32 without a fraction.
+fn power_of_two(n: i32) -> Real {
+    return Real(bitcast<f32>((n + 127) << 23u));
+}
+
+// e^x = 2^n e^r with |r| ≤ ln 2 / 2. Underflows to 0, overflows to infinity.
+fn real_exp(x: Real) -> Real {
+    // Beyond these bounds the result is 0 or infinite all the same, and they keep n small.
+    let bounded = clamp(x, -750.0, 720.0);
+    let n = floor(bounded * LOG2_E + 0.5);
+    let r = (bounded - n * LN_2_HIGH) - n * LN_2_LOW;
+    // (e^r − 1 − r) / r²
+    var p: Real = 2.500001729189504e-8;
+    p = p * r + 2.763030629483995e-7;
+    p = p * r + 2.7557586808315326e-6;
+    p = p * r + 2.4801492949514462e-5;
+    p = p * r + 1.9841269505769377e-4;
+    p = p * r + 1.388888894376007e-3;
+    p = p * r + 8.333333333494978e-3;
+    p = p * r + 4.1666666666529725e-2;
+    p = p * r + 0.1666666666666641;
+    p = p * r + 0.5000000000000011;
+    // 2^n is too wide for power_of_two, and where e^x is not, 2^n may be: hence three factors, n = 8h + 8h + (n mod 16).
+    let k = i32(n);
+    let h1 = power_of_two(k >> 4u);
+    let h2 = h1 * h1;
+    let h4 = h2 * h2;
+    let h8 = h4 * h4;
+    return (1.0 + (r + r * r * p)) * power_of_two(k & 15) * h8 * h8;
+}
+
+// ln x = n ln 2 + ln m for x > 0, with m from √½ to √2. (At 0 about −755, which is as good as −∞ to real_exp.)
+fn real_log(x: Real) -> Real {
+    // Two steps of ±720 and ±240 bring every exponent within f32's range: beyond 2^±360 the one, beyond 2^±120 the other.
+    let far = select(select(0, -720, x < 4.257959840008151e-109), 720, x > 2.3485425827738332e108);
+    let nearer = x * select(select(ONE, TWO_TO_720, far < 0), TWO_TO_MINUS_720, far > 0);
+    let off = select(select(0, -240, nearer < 7.52316384526264e-37), 240, nearer > 1.329227995784916e36);
+    let near = nearer * select(select(ONE, TWO_TO_240, off < 0), TWO_TO_MINUS_240, off > 0);
+    // The distance from √2's fraction to the next exponent's carries everything above √2 over.
+    let k = ((bitcast<i32>(f32(near)) + 0x4afb0d) >> 23u) - 127;
+    let f = near * power_of_two(-k) - 1.0;
+    // With s = f / (2 + f), ln m is 2 artanh s = f − (f²/2 − s (f²/2 + s² p)), which keeps f, and so ln x near 1, exact.
+    let s = f / (2.0 + f);
+    let z = s * s;
+    // (2 artanh s − 2s) / s³
+    var p: Real = 0.14797031938946162;
+    p = p * z + 0.15313951700232742;
+    p = p * z + 0.18183567810324863;
+    p = p * z + 0.2222219851378319;
+    p = p * z + 0.28571428742888333;
+    p = p * z + 0.399999999994128;
+    p = p * z + 0.6666666666666735;
+    let half = 0.5 * f * f;
+    let n = Real(far + off + k);
+    return n * LN_2_HIGH - ((half - (s * (half + z * p) + n * LN_2_LOW)) - f);
+}
+
+// Sine and cosine, for |a| up to 1e6: those of r = a − n π/2, |r| ≤ π/4, exchanged and signed by n.
+fn real_sin_cos(a: Real) -> Real2 {
+    let n = floor(a * QUARTERS_PER_RADIAN + 0.5);
+    // Not by fma: drivers may merge two of the same factor into one, n times π/2 rounded.
+    let r = (a - n * QUARTER_TURN_HIGH) - n * QUARTER_TURN_LOW;
+    let z = r * r;
+    // (sin r − r) / r³
+    var p: Real = 1.5896067488478526e-10;
+    p = p * z - 2.505074503739324e-8;
+    p = p * z + 2.7557313604523236e-6;
+    p = p * z - 1.9841269829542596e-4;
+    p = p * z + 8.333333333322063e-3;
+    p = p * z - 0.1666666666666663;
+    // (cos r − 1 + r²/2) / r⁴
+    var q: Real = -1.1358423522875494e-11;
+    q = q * z + 2.0875698708674652e-9;
+    q = q * z - 2.7557314163977853e-7;
+    q = q * z + 2.480158728880003e-5;
+    q = q * z - 1.3888888888872975e-3;
+    q = q * z + 4.1666666666666595e-2;
+    let sine = r + r * z * p;
+    let cosine = 1.0 - z * (0.5 - z * q);
+    let k = i32(n);
+    let odd = (k & 1) != 0;
+    let y = select(sine, cosine, odd);
+    let x = select(cosine, sine, odd);
+    return Real2(select(y, -y, (k & 2) != 0), select(x, -x, ((k + 1) & 2) != 0));
+}
+
+// atan2, 0 at (0, 0): atan on [−tan π/8, tan π/8], moved to the right octant by a single, thus once rounded, sum.
+fn arc_tangent(y: Real, x: Real) -> Real {
+    let big = max(abs(x), abs(y));
+    let small = min(abs(x), abs(y));
+    // atan(t) = π/4 + atan((t − 1) / (t + 1)) halves the interval.
+    let folded = small > 0.41421356237309503 * big;
+    let above = select(small, small - big, folded);
+    let below = select(big, small + big, folded);
+    // The least normal number stands in for 0.
+    let t = above / max(below, 2.2250738585072014e-308);
+    let z = t * t;
+    // (atan t − t) / t³
+    var p: Real = -0.017897562532915967;
+    p = p * z + 0.038055441181253265;
+    p = p * z - 0.05038932154752239;
+    p = p * z + 0.05847803229657372;
+    p = p * z - 0.06663091689813028;
+    p = p * z + 0.07692059074336197;
+    p = p * z - 0.09090897690200365;
+    p = p * z + 0.11111110780978423;
+    p = p * z - 0.1428571428014398;
+    p = p * z + 0.19999999999953033;
+    p = p * z - 0.3333333333333319;
+    let rest = t + t * z * p;
+    let steep = abs(y) > abs(x);
+    let left = x < 0.0;
+    let first = select(0, 1, folded);
+    let upper = select(first, 2 - first, steep);
+    let eighths = Real(select(upper, 4 - upper, left));
+    let angle = eighths * EIGHTH_TURN + select(rest, -rest, steep != left);
+    return select(angle, -angle, y < 0.0);
+}
+
+// x^y for x > 0: the error of y ln x is that of the result, 1e-13 where the result is near overflow.
+fn real_pow(x: Real, y: Real) -> Real {
+    return real_exp(y * real_log(x));
+}

@@ -1,0 +1,138 @@
+//! `[rays]`: how rays are followed.
+
+use glam::DVec3;
+
+/// `[rays]`: how rays are followed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rays {
+    /// The integrator.
+    pub method: Method,
+    /// How long its steps are.
+    pub control: Control,
+    /// What is tested against the scene.
+    pub segment: Segment,
+    /// A ray that has this many segments and is still under way is exhausted.
+    pub max_segments: u32,
+    /// Rays that leave this sphere have escaped.
+    pub bound: Bound,
+    /// Rays end at this τ.
+    pub length: Option<f64>,
+    /// Outside the bounding sphere rays are followed to infinity in closed form.
+    pub asymptotic: bool,
+    /// Bits of the numbers.
+    pub precision: Precision,
+}
+
+/// The integrators.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// Closed form; the straight law only.
+    Exact,
+    /// The orbit's equation in the ray's own plane; laws with one centre only.
+    Planar,
+    /// p ← p + h F(p) (W04 Eq. 2).
+    Euler,
+    /// Drift, kick, drift: of order 2; laws of the second order that depend on place alone.
+    Leapfrog,
+    /// Nyström's method of order 4; laws as for leapfrog.
+    Rkn4,
+    /// The classical fourth-order Runge–Kutta method.
+    Rk4,
+    /// The pair of orders 3 and 2.
+    BogackiShampine,
+    /// The pair of orders 5 and 4.
+    DormandPrince,
+    /// Straight until the index has changed by more than the threshold, then Snell's law (W04 §5.3); media only.
+    Snell {
+        /// The change of index that refracts.
+        threshold: f64,
+    },
+}
+
+/// Step-size rules. Every length here is a τ; η is a fraction of the law's own scale.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// Not applicable: one closed-form arc to the end.
+    Exact,
+    /// h is constant.
+    Fixed {
+        /// h.
+        step: f64,
+        /// The cap: h ≤ η · scale.
+        eta: f64,
+    },
+    /// h = η · scale.
+    Scaled {
+        /// η.
+        eta: f64,
+    },
+    /// Every step turns the ray through the same angle (G95 Fig. 6b).
+    Curvature {
+        /// Radians.
+        turn: f64,
+        /// The cap: h ≤ η · scale.
+        eta: f64,
+    },
+    /// One step h against two of h/2 (W04 §4.2).
+    Doubling {
+        /// The paper's rule or a rejecting one.
+        rule: DoublingRule,
+        /// h shrinks above this relative difference.
+        tolerance: f64,
+        /// h grows below this relative difference.
+        grow_below: f64,
+        /// The cap: h ≤ η · scale.
+        eta: f64,
+    },
+    /// An embedded pair's own error, kept under the tolerance by a PI controller.
+    Embedded {
+        /// Of each step's relative error.
+        tolerance: f64,
+        /// The cap: h ≤ η · scale.
+        eta: f64,
+    },
+}
+
+/// The two step-doubling rules.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DoublingRule {
+    /// Two thresholds; only the next step changes (W04 §4.2).
+    Paper,
+    /// A step over the tolerance is tried again, shorter.
+    Rejecting,
+}
+
+/// What of a path is tested against the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Segment {
+    /// One accepted step as a cubic Hermite arc, cut into chords that stay within `tolerance` of it.
+    Arc {
+        /// Scene units.
+        tolerance: f64,
+    },
+    /// The paper's polygon: one chord over N steps.
+    Chord {
+        /// N.
+        steps: u32,
+    },
+}
+
+/// The bounding sphere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bound {
+    /// Its centre.
+    pub center: DVec3,
+    /// Its radius.
+    pub radius: f64,
+}
+
+/// Bits of the numbers that a path is followed in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Precision {
+    /// Followed in 32 bits, kept between passes in 16, as in 2004.
+    Half,
+    /// 32.
+    Single,
+    /// 64, where the device has them.
+    Double,
+}
