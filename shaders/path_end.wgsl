@@ -4,6 +4,7 @@
 struct LastStep {
     phase: Phase,
     tau: Real,
+    // Its size, in the measure that retaken_step takes.
     h: Real,
     end: Phase,
     end_tau: Real,
@@ -37,10 +38,12 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         let gap = stop_gap(code, hit, p[0].xyz);
         let slope = dot(gap.xyz, p[1].xyz);
         let steep = abs(slope) > 1e-3 * length(p[1].xyz);
-        let correction = select(0.0, gap.w / slope, steep && i < STOP_STEPS);
+        let correction = select(0.0, gap.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
         h = clamp(h - correction, 0.0, step.h);
     }
-    return PathPoint(p[0].xyz, p[1].xyz, step.tau + h, h / step.h);
+    let tau = step.tau + own_tau(step.phase, p, h);
+    let far = departed(code, p[0].xyz, p[1].xyz);
+    return PathPoint(far[0], far[1], tau, h / step.h);
 }
 
 // Where the gap vanishes if it is linear along the step; the step's end where it does not change its sign.
@@ -63,7 +66,7 @@ fn line_exit(p: Phase) -> Real {
 // A ray that first moves inwards comes nearer before it goes: there Newton's method would run back to where it came in.
 fn open_guess(code: u32, hit: Hit, step: LastStep) -> Real {
     let inwards = dot(step.phase[0].xyz - bound.center, step.phase[1].xyz) < 0.0;
-    return select(secant_guess(code, hit, step), min(line_exit(step.phase), step.h), code == ESCAPED && inwards);
+    return select(secant_guess(code, hit, step), min(own_measure(step.phase, line_exit(step.phase)), step.h), code == ESCAPED && inwards);
 }
 
 // ray: the state at the start of its last segment, which is followed again, to its very end.
@@ -72,7 +75,8 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let v = ray.phase[1].xyz;
     let nowhere = ray.status == ALIVE || ray.status == MISSED || (ray.status == CAPTURED && law_captured(x, v));
     if nowhere {
-        return PathPoint(x, v, ray.tau, 0.0);
+        let far = departed(ray.status, x, v);
+        return PathPoint(far[0], far[1], ray.tau, 0.0);
     }
     let step = last_step(ray);
     if stops_inside(ray.status) {

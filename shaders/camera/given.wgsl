@@ -1,11 +1,5 @@
 // Rays given one by one, for `trace`: x and v are taken as they are, wherever the ray starts.
 
-struct CameraRay {
-    x: Real3,
-    d: Real3,
-    missed: bool,
-}
-
 struct GivenRay {
     x: Real3,
     v: Real3,
@@ -18,5 +12,5 @@ fn camera_ray(point: vec2f) -> CameraRay {
     let last = arrayLength(&given) - 1u;
     let ray = given[min(index, last)];
     // Pixels past the last ray have none.
-    return CameraRay(ray.x, ray.v, index > last || left_bound(ray.x, ray.v));
+    return CameraRay(ray.x, ray.v, index > last);
 }

@@ -1,4 +1,4 @@
-// All rays start at one place (W04 §3.1); a camera outside the bounding sphere starts where its ray enters it.
+// All rays start at one place (W04 §3.1).
 
 struct Camera {
     position: Real3,
@@ -13,5 +13,5 @@ struct Camera {
 // point: on the image plane, x to the right and y up, both in [-1, 1].
 fn camera_ray(point: vec2f) -> CameraRay {
     let d = normalize(camera.forward + Real(point.x) * camera.right + Real(point.y) * camera.up);
-    return entering_ray(camera.position, d);
+    return CameraRay(camera.position, d, false);
 }

@@ -12,5 +12,6 @@ struct Camera {
 
 // point: on the image plane, x to the right and y up, both in [-1, 1].
 fn camera_ray(point: vec2f) -> CameraRay {
-    return entering_ray(camera.position + Real(point.x) * camera.right + Real(point.y) * camera.up, camera.forward);
+    let x = camera.position + Real(point.x) * camera.right + Real(point.y) * camera.up;
+    return CameraRay(x, camera.forward, false);
 }

@@ -18,6 +18,11 @@ fn law_captured(x: Real3, v: Real3) -> bool {
     return captured;
 }
 
+// About the only centre.
+fn captured_within() -> Real {
+    return capture_spheres[0].radius;
+}
+
 // The outward normal and the signed distance of the nearest of the spheres.
 fn capture_gap(x: Real3) -> Real4 {
     var nearest = Real4(0.0, 0.0, 0.0, 1e30);

@@ -4,7 +4,7 @@
 // that no try moves is stalled.
 
 struct Control {
-    // Of the error: of positions over the law's length, of velocities over the speed.
+    // Of the whole path's error: of positions over the law's length, of velocities over the speed.
     tolerance: Real,
     // h ≤ η · scale.
     eta: Real,
@@ -18,6 +18,9 @@ const SAFETY: f32 = 0.9;
 const FAC1: f32 = 0.2;
 const FAC2: f32 = 10.0;
 const BETA: f32 = 0.04;
+// What one step may have of the tolerance: a path has tens of steps and their errors add, so that the tolerance is about what the
+// whole path errs by where it does not diverge.
+const SHARE: Real = 0.1;
 const FIRST_ERROR: Real = 1e-4;
 
 // What the step is divided by. A factor needs no more digits than f32 has.
@@ -36,7 +39,7 @@ fn retaken_step(p: Phase, h: Real) -> Phase {
 // The error in units of the tolerance.
 fn scaled_error(p: Phase, difference: Phase) -> f32 {
     let error = length(difference[0].xyz) / law_scale(p) + length(difference[1].xyz);
-    return f32(error / (control.tolerance * length(p[1].xyz)));
+    return f32(error / (SHARE * control.tolerance * length(p[1].xyz)));
 }
 
 fn accepted_step(ray: Ray) -> Ray {

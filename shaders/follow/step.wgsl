@@ -9,5 +9,5 @@ fn follow_segment(ray: ptr<function, Ray>) -> Segment {
 
 fn last_step(ray: Ray) -> LastStep {
     let next = accepted_step(ray);
-    return LastStep(ray.phase, ray.tau, next.taken, next.phase, next.tau);
+    return LastStep(ray.phase, ray.tau, own_size(ray, next), next.phase, next.tau);
 }

@@ -31,5 +31,5 @@ fn last_step(ray: Ray) -> LastStep {
         before = next;
         next = accepted_step(next);
     }
-    return LastStep(before.phase, before.tau, next.taken, next.phase, next.tau);
+    return LastStep(before.phase, before.tau, own_size(before, next), next.phase, next.tau);
 }

@@ -6,6 +6,9 @@ alias Real2 = vec2<f32>;
 alias Real3 = vec3<f32>;
 alias Real4 = vec4<f32>;
 
+// Steps of a quarter turn and more that are as good as exact.
+const ASYMPTOTE_STEPS: u32 = 32u;
+
 // Comparisons with NaN may be assumed away by a compiler; bits may not.
 fn finite(a: Real3) -> bool {
     return all((bitcast<vec3u>(a) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));

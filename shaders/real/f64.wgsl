@@ -10,6 +10,9 @@ alias Real2 = vec2<f64>;
 alias Real3 = vec3<f64>;
 alias Real4 = vec4<f64>;
 
+// Steps of a quarter turn and more that are as good as exact.
+const ASYMPTOTE_STEPS: u32 = 1024u;
+
 // What f32 has no finite number for is beyond every scene.
 fn finite(a: Real3) -> bool {
     return all((bitcast<vec3u>(vec3f(a)) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));

@@ -13,7 +13,7 @@ fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
 }
 
 fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
-    return select(open_guess(code, hit, step), hit.t * step.h, code == HIT);
+    return select(open_guess(code, hit, step), own_fraction(step.phase, step.end, hit.t) * step.h, code == HIT);
 }
 
 fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {

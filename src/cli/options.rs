@@ -19,6 +19,20 @@ pub(super) struct SceneOptions {
     /// Rays per pixel, instead of the scene's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: Option<u32>,
+    /// Bits of the numbers that paths are followed in, instead of the scene's
+    #[arg(long, value_enum)]
+    precision: Option<Precision>,
+}
+
+/// The precisions by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Precision {
+    /// 32 bits, kept in 16 between passes as in 2004
+    F16,
+    /// 32 bits
+    F32,
+    /// 64 bits, where the device has them
+    F64,
 }
 
 pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
@@ -34,7 +48,15 @@ impl SceneOptions {
     pub(super) fn overrides(&self) -> Vec<Override> {
         let size = self.size.map(|[w, h]| format!("image.size=[{w}, {h}]"));
         let samples = self.samples.map(|n| format!("image.samples={n}"));
-        let own = size.into_iter().chain(samples).filter_map(|text| text.parse().ok());
+        let precision = self.precision.map(|precision| {
+            let name = match precision {
+                Precision::F16 => "f16",
+                Precision::F32 => "f32",
+                Precision::F64 => "f64",
+            };
+            format!("rays.precision=\"{name}\"")
+        });
+        let own = size.into_iter().chain(samples).chain(precision).filter_map(|text| text.parse().ok());
         self.set.iter().cloned().chain(own).collect()
     }
 }

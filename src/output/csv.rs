@@ -182,7 +182,11 @@ impl Row for PathRow {
 /// would write 1e300 with all its zeros.
 fn number(value: f64) -> String {
     let single = value as f32;
-    if f64::from(single).to_bits() == value.to_bits() || value.is_nan() { format!("{single:?}") } else { format!("{value:?}") }
+    if f64::from(single).to_bits() == value.to_bits() || value.is_nan() {
+        format!("{single:?}")
+    } else {
+        format!("{value:?}")
+    }
 }
 
 fn numbers([x, y, z]: [f64; 3]) -> String {

@@ -29,7 +29,7 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     let mut shared = names.units()?;
     shared.extend(made);
     let mut region = Names::default();
-    region_parts(scene, &mut region, &mut shared);
+    region_parts(scene, choice.purpose, &mut region, &mut shared);
     Ok(Parts { shared, regions: vec![region.units()?] })
 }
 
@@ -82,11 +82,13 @@ pub(super) fn keeps_taken(scene: &Scene) -> bool {
 
 fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     if choice.purpose == Purpose::Trace {
-        names.all(&["camera/given", "sample/index", "frame/coordinate"]);
+        names.all(&["camera/ray", "camera/given", "sample/index"]);
+        names.add(if scene.rays.asymptotic { "arrival/from_infinity" } else { "arrival/as_given" });
         return;
     }
     let camera = scene.camera.as_ref();
-    names.all(&["camera/entry", "sample/image_plane"]);
+    names.all(&["camera/ray", "sample/image_plane"]);
+    names.add(if scene.rays.asymptotic { "arrival/along_orbit" } else { "arrival/straight" });
     names.add(match camera.map(|c| c.kind) {
         Some(CameraKind::Plane { .. }) => "camera/plane",
         _ => "camera/pinhole",
@@ -210,17 +212,51 @@ fn chosen<'a>(options: &[(&'a str, bool)]) -> Vec<&'a str> {
 }
 
 /// How light travels: the parts of which every kind of region has its own.
-fn region_parts(scene: &Scene, names: &mut Names, shared: &mut Vec<Unit>) {
+fn region_parts(scene: &Scene, purpose: Purpose, names: &mut Names, shared: &mut Vec<Unit>) {
     let spacetime = matches!(scene.law, Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. });
     names.add(if spacetime { "phase/spacetime" } else { "phase/space" });
     names.add(if keeps_error(scene) { "memory/pair" } else { "memory/step" });
-    if scene.rays.method == Method::Exact {
-        names.add("motion/straight");
-        return;
+    names.add(if scene.rays.asymptotic { "asymptotic/orbit" } else { "asymptotic/none" });
+    names.add(if scene.rays.method == Method::Planar { "pace/orbit" } else { "pace/tau" });
+    if scene.rays.method == Method::Planar || scene.rays.asymptotic {
+        orbit_parts(&scene.law, names);
+    }
+    match scene.rays.method {
+        Method::Exact => {
+            names.add("motion/straight");
+            return;
+        }
+        Method::Planar => {
+            law_parts(&scene.law, names, shared);
+            planar_parts(scene, purpose, names);
+            return;
+        }
+        _ => {}
     }
     law_parts(&scene.law, names, shared);
     step_parts(scene.rays.method, names);
     control_parts(scene.rays.control, names);
+}
+
+/// The plane of a ray about its law's only centre.
+fn orbit_parts(law: &Law, names: &mut Names) {
+    names.add("orbit/orbit");
+    match law {
+        Law::Schwarzschild { .. } => names.add("orbit/schwarzschild"),
+        Law::Sources(sources) => names.add(match sources.first().map(|source| source.falloff) {
+            Some(Falloff::Cubic { .. }) => "orbit/cubic",
+            Some(Falloff::Yukawa { .. }) => "orbit/yukawa",
+            _ => "orbit/inverse_square",
+        }),
+        _ => {}
+    }
+}
+
+/// τ is integrated only where something asks for it: arcs, and the numbers of a trace.
+fn planar_parts(scene: &Scene, purpose: Purpose, names: &mut Names) {
+    let open = scene.objects.is_empty();
+    names.add(if open { "motion/planar_open" } else { "motion/planar" });
+    names.add(if open && purpose == Purpose::Picture { "clock/none" } else { "clock/kept" });
 }
 
 /// Embedded pairs remember the error of the step before.

@@ -4,7 +4,7 @@
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
 use super::{ProgramError, constant};
-use crate::scene::{Control, Law, Method, Scene, Segment, Shape};
+use crate::scene::{Control, Law, Method, Precision, Scene, Segment, Shape};
 
 fn work_limit() -> u64 {
     constant("work", "WORK_LIMIT") as u64
@@ -37,13 +37,14 @@ impl Work {
             _ => 0,
         };
         let step = step_loops(scene, rate, scale) + captures + 1;
+        let asymptote = if scene.rays.asymptotic { asymptote_loops(scene.rays.precision) } else { 0 };
         let (steps, pieces) = match scene.rays.segment {
             Segment::Chord { steps } => (u64::from(steps), 1),
             Segment::Arc { .. } if scene.rays.method == Method::Exact => (1, 1),
             Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
         };
         let analytic = scene.objects.iter().filter(|o| !matches!(o.shape, Shape::Mesh(_))).count() as u64;
-        let segment = steps * step + pieces * (analytic + 1) + captures + 2;
+        let segment = steps * step + pieces * (analytic + 1) + captures + 2 + asymptote;
         if segment > LARGEST {
             let integration = steps * step > pieces * analytic;
             return Err(ProgramError::TooMuchWork {
@@ -78,6 +79,12 @@ fn law_loops(law: &Law) -> (u64, u64) {
     }
 }
 
+/// Iterations from the bounding sphere to infinity.
+fn asymptote_loops(precision: Precision) -> u64 {
+    let part = if precision == Precision::Double { "real/f64" } else { "real/f32" };
+    constant(part, "ASYMPTOTE_STEPS") as u64 + 16
+}
+
 fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
     let evaluations = match scene.rays.method {
         Method::Exact | Method::Planar => 0,
@@ -86,6 +93,10 @@ fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
         Method::Rk4 | Method::BogackiShampine => 4,
         Method::DormandPrince => 7,
     };
+    if scene.rays.method == Method::Planar {
+        let part = "motion/planar_open";
+        return if scene.objects.is_empty() { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 } else { 0 };
+    }
     match scene.rays.control {
         Control::Exact => 0,
         Control::Fixed { .. } | Control::Scaled { .. } => evaluations * rate + scale,

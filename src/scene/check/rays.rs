@@ -62,6 +62,9 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
     let (method, control) = stepping(&table, name.unwrap_or(default));
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
     let length = table.optional("length", positive);
+    if name == Some(Name::Planar) {
+        check_planar(&table, length, segment);
+    }
     let precision = table.or("precision", Precision::Single, word(PRECISIONS, &[]));
     let asymptotic = table.or("asymptotic", false, boolean);
     if let (true, Some(law), Some(bound)) = (asymptotic, law, bound) {
@@ -69,6 +72,17 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
     }
     table.finish();
     Some(Rays { method, control, segment, max_segments, bound: bound?, length, asymptotic, precision })
+}
+
+/// Steps along an orbit are cut by angle, and are arcs.
+fn check_planar(table: &TableReader, length: Option<f64>, segment: Segment) {
+    if length.is_some() {
+        let problem = "planar steps are measured by angle and cannot end at a given τ";
+        table.fault(&["length"], problem, "use dormand-prince, or leave `length` out");
+    }
+    if matches!(segment, Segment::Chord { .. }) {
+        table.fault(&["segment"], "the planar method has no chords", "use segment = \"arc\", or another method");
+    }
 }
 
 /// Beyond the bound one centre's orbits go on in closed form, which has to be about the bound's own centre.

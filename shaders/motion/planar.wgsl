@@ -1,0 +1,30 @@
+// Orbits among objects: every step is an arc of its own, short enough in r too for a cubic to follow.
+
+struct Control {
+    // Radians about the centre.
+    eta: Real,
+}
+
+@group(0) @binding(60) var<uniform> control: Control;
+
+fn first_step(p: Phase) -> Real {
+    return 0.0;
+}
+
+fn retaken_step(p: Phase, s: Real) -> Phase {
+    return orbit_point(orbit_step(orbit_of(p[0], p[1]), s));
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    let start = orbit_of(ray.phase[0], ray.phase[1]);
+    let s = orbit_stride(start, control.eta, start.u);
+    let end = orbit_step(start, s);
+    let passed = orbit_time(start, end, s);
+    var next = ray;
+    next.phase = opaque_phase(orbit_point(end));
+    next.tau += passed;
+    next.taken = opaque(passed);
+    next.memory.h = opaque(s);
+    next.steps += 1u;
+    return next;
+}

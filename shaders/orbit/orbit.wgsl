@@ -1,0 +1,66 @@
+// A ray about its law's only centre stays in a plane through it. There u = 1/r obeys Binet's equation, in the parameter s with
+// ds = dτ/r² instead of the angle φ = h s, so that radial rays, whose h = |x × v| is 0, need no case of their own:
+//
+//     w = du/ds = −ṙ,    dw/ds = P(u) − h² u,
+//
+// with P = −r² a_r of the law. A straight line is a harmonic oscillation in s: steps are as long as the angle allows, however
+// far the ray goes, and one evaluation is a few scalar operations.
+
+struct Orbit {
+    u: Real,
+    w: Real,
+    // φ since n.
+    angle: Real,
+    h: Real,
+    // Unit vectors: from the centre to where the orbit was begun, and at right angles to it, onward.
+    n: Real3,
+    t: Real3,
+}
+
+fn orbit_of(place: Real3, v: Real3) -> Orbit {
+    let x = place - orbit_center();
+    let r = length(x);
+    let n = x / r;
+    let radial = dot(n, v);
+    let across = v - radial * n;
+    let speed = length(across);
+    // A radial ray never turns to its t.
+    let t = across / max(speed, 1e-30);
+    return Orbit(1.0 / r, -radial, 0.0, r * speed, n, t);
+}
+
+// x and v.
+fn orbit_point(o: Orbit) -> mat2x3<Real> {
+    let turn = real_sin_cos(o.angle);
+    let outward = turn.y * o.n + turn.x * o.t;
+    let onward = turn.y * o.t - turn.x * o.n;
+    return mat2x3<Real>(orbit_center() + outward / o.u, (o.h * o.u) * onward - o.w * outward);
+}
+
+fn orbit_rate(u: Real, hh: Real) -> Real {
+    return orbit_pull(u, hh) - hh * u;
+}
+
+fn orbit_captured(o: Orbit) -> bool {
+    return o.w > 0.0 && o.u * captured_within() > 1.0;
+}
+
+// Nyström's method of order 4.
+fn orbit_step(o: Orbit, s: Real) -> Orbit {
+    let hh = o.h * o.h;
+    let a1 = orbit_rate(o.u, hh);
+    let a2 = orbit_rate(o.u + (0.5 * s) * (o.w + (0.25 * s) * a1), hh);
+    let a3 = orbit_rate(o.u + s * (o.w + (0.5 * s) * a2), hh);
+    var next = o;
+    next.u += s * (o.w + (s / 6.0) * (a1 + 2.0 * a2));
+    next.w += (s / 6.0) * (a1 + 4.0 * a2 + a3);
+    next.angle += o.h * s;
+    return next;
+}
+
+// The step by which the orbit turns through eta at most, and u changes by thrice that fraction of `size` or less.
+fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
+    let change = min(3.0 * eta, 0.5);
+    let bend = sqrt(abs(orbit_rate(o.u, o.h * o.h)) / size);
+    return 1.0 / max(max(o.h, bend) / eta, abs(o.w) / (change * size));
+}

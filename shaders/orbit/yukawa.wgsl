@@ -1,0 +1,15 @@
+// The orbit about one screened centre: P = strength · e^(−μr)(1 + μr).
+
+fn orbit_center() -> Real3 {
+    return yukawa[0].position;
+}
+
+fn orbit_pull(u: Real, hh: Real) -> Real {
+    let m = yukawa[0].mu / u;
+    return yukawa[0].strength * real_exp(-m) * (1.0 + m);
+}
+
+// The pull has no size of its own that a step could be measured by.
+fn orbit_calm() -> Real {
+    return 0.0;
+}

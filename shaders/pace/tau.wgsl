@@ -1,0 +1,25 @@
+// Steps are measured in τ itself.
+
+// The size of the step from ray to next, in the measure that retaken_step takes.
+fn own_size(ray: Ray, next: Ray) -> Real {
+    return next.taken;
+}
+
+// τ in that measure, along the line from p.
+fn own_measure(p: Phase, tau: Real) -> Real {
+    return tau;
+}
+
+// How fast τ goes in it.
+fn own_pace(p: Phase) -> Real {
+    return 1.0;
+}
+
+fn own_tau(p: Phase, end: Phase, h: Real) -> Real {
+    return h;
+}
+
+// A fraction of a step's τ as a fraction of its size.
+fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
+    return t;
+}
