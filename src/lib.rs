@@ -15,8 +15,9 @@
 //! 2. [`program`]: values to WGSL, linked, validated and reflected;
 //! 3. [`gpu`]: a device, and what lies on it;
 //! 4. [`render`]: passes as data, and the loop that runs them;
-//! 5. [`output`], [`chart`]: files, and the sources' measurements;
-//! 6. [`cli`]: the `bentray` command.
+//! 5. [`measure`]: how right a render is, and which method makes it so in the least time;
+//! 6. [`output`], [`chart`]: files, and speed against accuracy;
+//! 7. [`cli`]: the `bentray` command.
 //!
 //! ```no_run
 //! use bentray::{gpu::Gpu, render::{Renderer, Settings}, scene::Scene};
@@ -34,6 +35,7 @@ pub mod chart;
 pub mod cli;
 pub mod error;
 pub mod gpu;
+pub mod measure;
 pub mod output;
 pub mod program;
 pub mod render;

@@ -66,6 +66,9 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
             linked.parts().join(" ")
         );
     }
+    if scene.rays.auto.is_some() {
+        say!("  method auto: measured when the scene is rendered; counted here for rk4");
+    }
     print_memory(&scene, &program, &choice)
 }
 

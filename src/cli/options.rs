@@ -3,9 +3,10 @@
 use clap::{Args, ValueEnum};
 
 use crate::gpu::{Gpu, GpuError};
+use crate::measure::calibrate;
 use crate::program::{Choice, Layer, Purpose};
-use crate::render::Settings;
-use crate::scene::Override;
+use crate::render::{RenderError, Settings};
+use crate::scene::{Override, Scene};
 
 /// Changes to the scene's values.
 #[derive(Debug, Args)]
@@ -67,9 +68,10 @@ pub(super) struct DeviceOptions {
     /// The device whose name contains this; without it the first discrete GPU, else integrated, else CPU
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// How the stages of a segment are cut into passes: all give the same picture
-    #[arg(long, value_enum, default_value_t = Schedule::Fused)]
-    schedule: Schedule,
+    /// How the stages of a segment are cut into passes: all give the same picture. Without it fused, unless method = "auto"
+    /// measures otherwise
+    #[arg(long, value_enum)]
+    schedule: Option<Schedule>,
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
     no_masks: bool,
@@ -100,10 +102,29 @@ impl DeviceOptions {
     /// Settings for pictures with these layers.
     pub(super) fn settings(&self, layers: Vec<Layer>) -> Settings {
         Settings {
-            choice: Choice { masks: !self.no_masks, layers, ..choice(self.schedule) },
+            choice: Choice { masks: !self.no_masks, layers, ..choice(self.schedule.unwrap_or(Schedule::Fused)) },
             segments: self.segments_per_pass,
             ..Settings::default()
         }
+    }
+}
+
+impl DeviceOptions {
+    /// The scene with a method, found by calibration where it leaves that open, and the settings with its schedule. `given`
+    /// are the rays to be followed, if they are not the camera's.
+    pub(super) fn settle(
+        &self,
+        gpu: &Gpu,
+        scene: Scene,
+        mut settings: Settings,
+        given: Option<&[[f64; 6]]>,
+    ) -> Result<(Scene, Settings), RenderError> {
+        let Some(calibration) = calibrate(gpu, &scene, &settings, given)? else { return Ok((scene, settings)) };
+        eprintln!("{calibration}");
+        if self.schedule.is_none() {
+            settings.choice.schedule = calibration.schedule;
+        }
+        Ok((calibration.applied(&scene), settings))
     }
 }
 

@@ -8,6 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::options::{DeviceOptions, SceneOptions};
 use crate::error::Error;
+use crate::measure::{Verification, method_words, verify};
 use crate::output::{ImageWriter, Settings, open};
 use crate::program::Layer;
 use crate::render::{RenderError, Renderer, Status, Totals};
@@ -28,6 +29,9 @@ pub(super) struct Arguments {
     changes: SceneOptions,
     #[command(flatten)]
     device: DeviceOptions,
+    /// Follow N random pixels again in 64 bits, and print and store with the picture how far it is from the truth
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    verify: Option<u32>,
     /// Exit with 1 if any ray could not be followed to its end
     #[arg(long)]
     strict: bool,
@@ -92,17 +96,29 @@ impl Arguments {
     }
 }
 
-/// Files are opened before the work, so that a path that cannot be written is found first.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.check()?;
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
     let layers = arguments.layers();
-    let mut writers = Vec::new();
+    // Opened and dropped: a path that cannot be written is found before the work.
     for path in &arguments.output {
-        writers.push(open(path, &file_settings(&scene, path, &layers))?);
+        drop(open(path, &file_settings(&scene, path, &layers, &[]))?);
+    }
+    if scene.camera.is_none() {
+        return Err(RenderError::NoCamera.into());
     }
     let gpu = arguments.device.open()?;
-    let renderer = Renderer::new(&gpu, &scene, arguments.device.settings(layers))?;
+    let (scene, settings) = arguments.device.settle(&gpu, scene, arguments.device.settings(layers.clone()), None)?;
+    let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;
+    if let Some(verification) = &measured {
+        say!("{verification}");
+    }
+    let metadata = metadata(&scene, measured.as_ref());
+    let mut writers = Vec::new();
+    for path in &arguments.output {
+        writers.push(open(path, &file_settings(&scene, path, &layers, &metadata))?);
+    }
+    let renderer = Renderer::new(&gpu, &scene, settings)?;
     let totals = render(&renderer, &mut writers)?;
     for writer in writers {
         writer.finish()?;
@@ -112,14 +128,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     Ok(if arguments.strict && totals.unfollowed() > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-fn file_settings(scene: &Scene, path: &Path, layers: &[Layer]) -> Settings {
+/// What the picture says of itself.
+fn metadata(scene: &Scene, verification: Option<&Verification>) -> Vec<(String, String)> {
+    let mut all = vec![("Software".to_owned(), concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned())];
+    if let Some(verification) = verification {
+        all.push(("method".to_owned(), method_words(scene.rays.method, scene.rays.control)));
+        all.extend(verification.metadata());
+    }
+    all
+}
+
+fn file_settings(scene: &Scene, path: &Path, layers: &[Layer], metadata: &[(String, String)]) -> Settings {
     Settings {
         size: scene.image.size,
         exposure: scene.output.exposure,
         tonemap: scene.output.tonemap,
         bits: scene.output.bits,
         layers: if is_exr(path) { layers.to_vec() } else { Vec::new() },
-        metadata: vec![("Software".to_owned(), concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned())],
+        metadata: metadata.to_vec(),
     }
 }
 

@@ -49,6 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     };
     let gpu = arguments.device.open()?;
     let settings = arguments.device.settings(Vec::new());
+    let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Some(&rays))?;
     if !arguments.path {
         let (traced, totals) = trace(&gpu, &scene, &settings, &rays)?;
         for (i, ray) in traced.iter().enumerate() {

@@ -10,6 +10,7 @@ use wgpu::{
 
 use super::records::Value::{Float, Uint, Uint2, Vec3};
 use super::records::{Value, pack};
+use super::uniforms::{control_values, schedule_values};
 use super::{Geometry, Gpu, GpuError};
 use crate::program::{Binding, BindingKind, Program};
 use crate::scene::{Method, Picture, Scene, Segment};
@@ -120,18 +121,14 @@ impl Source<'_> {
                 let bound = &self.scene.rays.bound;
                 one(&[("center", Vec3(bound.center)), ("radius", Float(bound.radius))])
             }
-            "schedule" => one(&[
-                ("max_segments", Uint(self.scene.rays.max_segments)),
-                ("segments", Uint(self.segments)),
-                ("segment_work", Uint(self.program.work.segment as u32)),
-            ]),
+            "schedule" => one(&schedule_values(self.scene.rays.max_segments, self.segments, &self.program.work)),
             "camera" => one(&self.camera()),
             "sampling" => {
                 let columns = f64::from(self.scene.image.samples).sqrt().ceil() as u32;
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
             "law" | "flow" | "medium" => one(&self.law()),
-            "control" => one(&self.control()),
+            "control" => one(&control_values(self.scene.rays.control)),
             "snell" => match self.scene.rays.method {
                 Method::Snell { threshold } => one(&[("threshold", Float(threshold))]),
                 _ => Ok(None),

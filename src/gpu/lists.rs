@@ -183,7 +183,7 @@ impl Source<'_> {
         match &self.scene.law {
             Law::Schwarzschild { mass, center, .. } => {
                 let clear =
-                    self.geometry.clearance(*center) > 3.0 * mass && self.program.choice.purpose == Purpose::Picture;
+                    self.geometry.clearance(*center) > 3.0 * mass && self.program.choice.purpose != Purpose::Trace;
                 vec![(*center, if clear { 3.0 * mass } else { 2.0 * mass })]
             }
             Law::Sources(sources) => {

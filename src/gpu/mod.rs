@@ -21,3 +21,4 @@ pub use geometry::Geometry;
 pub use pipeline::{Pipeline, Pipelines};
 pub use records::{Value, pack};
 pub use tile::{Memory, Slots, TURN_STRIDE, Tile, memory};
+pub use uniforms::{control_values, schedule_values};

@@ -2,6 +2,7 @@
 
 use super::contents::Source;
 use super::records::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
+use crate::program::Work;
 use crate::scene::{CameraKind, Control, FlowField, Law, Sky};
 
 impl Source<'_> {
@@ -41,19 +42,6 @@ impl Source<'_> {
         }
     }
 
-    pub(super) fn control(&self) -> Vec<(&'static str, Value)> {
-        match self.scene.rays.control {
-            Control::Exact => Vec::new(),
-            Control::Fixed { step, eta } => vec![("step", Float(step)), ("eta", Float(eta))],
-            Control::Curvature { turn, eta } => vec![("turn", Float(turn)), ("eta", Float(eta))],
-            Control::Embedded { tolerance, eta } => vec![("tolerance", Float(tolerance)), ("eta", Float(eta))],
-            Control::Scaled { eta } => vec![("eta", Float(eta))],
-            Control::Doubling { tolerance, grow_below, eta, .. } => {
-                vec![("tolerance", Float(tolerance)), ("grow_below", Float(grow_below)), ("eta", Float(eta))]
-            }
-        }
-    }
-
     pub(super) fn sky(&self) -> Vec<(&'static str, Value)> {
         match &self.scene.sky {
             Sky::Color(color) => vec![("color", Vec3(*color))],
@@ -68,6 +56,27 @@ impl Source<'_> {
                     ("intensity", Float(*intensity)),
                 ]
             }
+        }
+    }
+}
+
+/// The members of `schedule`.
+#[must_use]
+pub fn schedule_values(max_segments: u32, segments: u32, work: &Work) -> [(&'static str, Value); 3] {
+    [("max_segments", Uint(max_segments)), ("segments", Uint(segments)), ("segment_work", Uint(work.segment as u32))]
+}
+
+/// The members of `control`.
+#[must_use]
+pub fn control_values(control: Control) -> Vec<(&'static str, Value)> {
+    match control {
+        Control::Exact => Vec::new(),
+        Control::Fixed { step, eta } => vec![("step", Float(step)), ("eta", Float(eta))],
+        Control::Curvature { turn, eta } => vec![("turn", Float(turn)), ("eta", Float(eta))],
+        Control::Embedded { tolerance, eta } => vec![("tolerance", Float(tolerance)), ("eta", Float(eta))],
+        Control::Scaled { eta } => vec![("eta", Float(eta))],
+        Control::Doubling { tolerance, grow_below, eta, .. } => {
+            vec![("tolerance", Float(tolerance)), ("grow_below", Float(grow_below)), ("eta", Float(eta))]
         }
     }
 }

@@ -58,6 +58,8 @@ pub enum Purpose {
     Picture,
     /// Given rays, to be recorded.
     Trace,
+    /// The camera's rays of chosen pixels, to be recorded.
+    Pixels,
 }
 
 /// What a picture carries besides colour.
@@ -132,7 +134,7 @@ impl Choice {
         }
         passes.push(match self.purpose {
             Purpose::Picture => Pass::Shade,
-            Purpose::Trace => Pass::Record,
+            Purpose::Trace | Purpose::Pixels => Pass::Record,
         });
         passes
     }
@@ -147,6 +149,6 @@ impl Choice {
     /// Does the program keep each ray's step counts?
     #[must_use]
     pub fn keeps_counts(&self) -> bool {
-        self.purpose == Purpose::Trace || self.layers.contains(&Layer::Steps)
+        self.purpose != Purpose::Picture || self.layers.contains(&Layer::Steps)
     }
 }

@@ -81,6 +81,7 @@ pub(super) fn keeps_taken(scene: &Scene) -> bool {
 }
 
 fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    names.add(if choice.purpose == Purpose::Pixels { "sample/chosen_pixels" } else { "sample/every_pixel" });
     if choice.purpose == Purpose::Trace {
         names.all(&["camera/ray", "camera/given", "sample/index"]);
         names.add(if scene.rays.asymptotic { "arrival/from_infinity" } else { "arrival/as_given" });
@@ -145,18 +146,18 @@ pub fn shape_kind(shape: &Shape, transform: &crate::scene::Transform) -> &'stati
 }
 
 fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, names: &mut Names, made: &mut Vec<Unit>) {
-    let traced = choice.purpose == Purpose::Trace;
+    let recorded = choice.purpose != Purpose::Picture;
     let kinds = shape_kinds(scene);
     if kinds.is_empty() {
         names.all(&["walk/none", "stage/seen_nothing"]);
-        names.add(if traced { "stage/recorded_nothing" } else { "stage/seen" });
+        names.add(if recorded { "stage/recorded_nothing" } else { "stage/seen" });
         return;
     }
     names.all(&["walk/piece", "hits", "shape/placed"]);
     names.add(if work.resumed { "walk/resumed" } else { "walk/whole" });
     names.each("shape", kinds.iter().copied());
     made.push(generated::shapes(&kinds));
-    if traced {
+    if recorded {
         names.add("stage/recorded_surface");
     } else {
         names.all(&["stage/seen", "stage/seen_surface"]);

@@ -21,4 +21,4 @@ pub use picture::{Band, Picture, Plane};
 pub use renderer::{Renderer, Settings};
 pub use schedule::{Dispatch, Step, steps};
 pub use totals::{Status, Totals};
-pub use trace::{PathPoint, Traced, trace, trace_paths};
+pub use trace::{PathPoint, Starts, Traced, trace, trace_paths, trace_pixels};

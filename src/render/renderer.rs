@@ -11,10 +11,13 @@ use super::clock::{Clock, Stage};
 use super::readback::read_buffer;
 use super::schedule::{Dispatch, Step, steps};
 use super::{RenderError, Totals};
-use crate::gpu::Value::{Uint, Uint2};
-use crate::gpu::{Geometry, Gpu, GpuError, Memory, Pipelines, SceneBuffers, Slots, TURN_STRIDE, Tile, memory, pack};
+use crate::gpu::Value::{self, Uint, Uint2};
+use crate::gpu::{
+    Geometry, Gpu, GpuError, Memory, Pipelines, SceneBuffers, Slots, TURN_STRIDE, Tile, control_values, memory, pack,
+    schedule_values,
+};
 use crate::program::{BindingKind, Choice, Pass, Program, Purpose};
-use crate::scene::Scene;
+use crate::scene::{Control, Scene};
 
 /// How to render.
 #[derive(Debug, Clone)]
@@ -44,6 +47,7 @@ pub struct Renderer<'a> {
     pub program: Program,
     pipelines: Pipelines,
     buffers: SceneBuffers,
+    max_segments: u32,
     steps: Vec<Step>,
     /// What differs between steps: (start slot, end slot, again).
     turns: Vec<(usize, usize, bool)>,
@@ -69,18 +73,43 @@ fn turn_of(step: &Step) -> (usize, usize, bool) {
 impl<'a> Renderer<'a> {
     /// Links, compiles and uploads.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: Settings) -> Result<Self, RenderError> {
-        if settings.choice.purpose == Purpose::Picture && scene.camera.is_none() {
+        if settings.choice.purpose != Purpose::Trace && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
         }
         let geometry = Geometry::new(scene);
         let program = Program::new(scene, &settings.choice, geometry.nodes.len(), geometry.triangles.len())?;
         let pipelines = Pipelines::new(gpu, &program)?;
         let buffers = SceneBuffers::new(gpu, scene, &geometry, &program, settings.segments)?;
-        let steps = steps(scene, &settings.choice, &program.work, settings.segments);
-        let mut turns: Vec<_> = steps.iter().map(turn_of).collect();
-        turns.sort_unstable();
-        turns.dedup();
-        Ok(Self { gpu, scene, settings, program, pipelines, buffers, steps, turns })
+        let max_segments = scene.rays.max_segments;
+        let (steps, turns) = (Vec::new(), Vec::new());
+        let mut made = Self { gpu, scene, settings, program, pipelines, buffers, max_segments, steps, turns };
+        made.plan_steps();
+        Ok(made)
+    }
+
+    /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
+    /// is compiled again.
+    pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
+        self.rewrite("control", &control_values(control))?;
+        self.max_segments = max_segments;
+        self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments, &self.program.work))?;
+        self.plan_steps();
+        Ok(())
+    }
+
+    fn rewrite(&self, name: &str, values: &[(&'static str, Value)]) -> Result<(), GpuError> {
+        if let Some((layout, buffer)) = self.binding_layout(name).zip(self.buffers.buffers.get(name)) {
+            self.gpu.queue.write_buffer(buffer, 0, &pack(name, layout, [values])?);
+        }
+        Ok(())
+    }
+
+    fn plan_steps(&mut self) {
+        let Self { scene, settings, program, max_segments, .. } = self;
+        self.steps = steps(scene, &settings.choice, &program.work, *max_segments, settings.segments);
+        self.turns = self.steps.iter().map(turn_of).collect();
+        self.turns.sort_unstable();
+        self.turns.dedup();
     }
 
     /// What each pixel costs on the device.

@@ -30,17 +30,17 @@ pub struct Step {
     pub weight: u64,
 }
 
-/// Every dispatch of one sample, in order; `segments` is K of a fused pass.
+/// Every dispatch of one sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
 #[must_use]
-pub fn steps(scene: &Scene, choice: &Choice, work: &Work, segments: u32) -> Vec<Step> {
-    let mut recorded = Recorder { choice, steps: Vec::new() };
+pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, segments: u32) -> Vec<Step> {
+    let mut recorded = Recorder { choice, max_segments, steps: Vec::new() };
     recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: 1 }, 0, 1);
     let n = match scene.rays.segment {
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
     };
     match choice.schedule {
-        Schedule::Fused => recorded.fused(scene, work, segments, n),
+        Schedule::Fused => recorded.fused(work, segments, n),
         Schedule::Segment => recorded.by_segment(scene, work, n),
         Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
     }
@@ -51,6 +51,7 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, segments: u32) -> Vec<
 
 struct Recorder<'a> {
     choice: &'a Choice,
+    max_segments: u32,
     steps: Vec<Step>,
 }
 
@@ -62,9 +63,9 @@ impl Recorder<'_> {
     }
 
     /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing.
-    fn fused(&mut self, scene: &Scene, work: &Work, segments: u32, n: u64) {
+    fn fused(&mut self, work: &Work, segments: u32, n: u64) {
         let sure = work.segments_per_pass(segments);
-        let rounds = u64::from(scene.rays.max_segments.div_ceil(sure)) * work.passes_per_segment;
+        let rounds = u64::from(self.max_segments.div_ceil(sure)) * work.passes_per_segment;
         for round in 0..rounds {
             let input = (round % 2) as usize;
             let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list: input };
@@ -73,7 +74,7 @@ impl Recorder<'_> {
     }
 
     fn by_segment(&mut self, scene: &Scene, work: &Work, n: u64) {
-        for round in 0..u64::from(scene.rays.max_segments) {
+        for round in 0..u64::from(self.max_segments) {
             let start = (round % 2) as usize;
             let slots = Slots { input: start, output: 1 - start, start, end: 1 - start, list: start };
             self.push(Pass::Integrate, slots, round, n);
@@ -84,7 +85,7 @@ impl Recorder<'_> {
     /// Within a segment of many steps two slots ping-pong while a third keeps the segment's start.
     fn by_step(&mut self, scene: &Scene, work: &Work, n: u64, slots: usize) {
         let mut start = 0;
-        for round in 0..u64::from(scene.rays.max_segments) {
+        for round in 0..u64::from(self.max_segments) {
             let list = (round % 2) as usize;
             let mut at = start;
             for _ in 0..n {
@@ -130,7 +131,7 @@ mod tests {
         let scene = scene(segment);
         let choice = Choice { schedule, masks: true, purpose: Purpose::Picture, layers: Vec::new() };
         let work = Work::of(&scene, 0, 0).unwrap();
-        steps(&scene, &choice, &work, 4)
+        steps(&scene, &choice, &work, scene.rays.max_segments, 4)
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What a render did, summed over all rays on the device.
 
 use std::fmt;
+use std::sync::LazyLock;
 use std::time::Duration;
 
 use crate::program::constant;
@@ -34,9 +35,12 @@ impl Status {
     /// The status of a code of `shaders/ray.wgsl`.
     #[must_use]
     pub fn from_code(code: u32) -> Self {
-        let missed = constant("ray", "MISSED") as u32;
-        let is = |status: &Self| status.code() == code;
-        if code == missed { Self::Escaped } else { Self::ENDS.into_iter().find(is).unwrap_or(Self::Alive) }
+        // Read from the WGSL once: a trace asks for every ray.
+        static CODES: LazyLock<Vec<(u32, Status)>> = LazyLock::new(|| {
+            let missed = (constant("ray", "MISSED") as u32, Status::Escaped);
+            Status::ENDS.into_iter().map(|status| (status.code(), status)).chain([missed]).collect()
+        });
+        CODES.iter().find(|(known, _)| *known == code).map_or(Self::Alive, |(_, status)| *status)
     }
 
     /// Its code in `shaders/ray.wgsl`, which outputs carry too.

@@ -33,6 +33,27 @@ pub struct Traced {
     pub object: Option<u32>,
 }
 
+impl Traced {
+    /// The angle between this ray's direction and another's, in radians.
+    #[must_use]
+    pub fn angle_to(&self, other: &Self) -> f64 {
+        let (a, b) = (DVec3::from(self.v), DVec3::from(other.v));
+        a.cross(b).length().atan2(a.dot(b))
+    }
+
+    /// Between this ray's end and another's.
+    #[must_use]
+    pub fn distance_to(&self, other: &Self) -> f64 {
+        DVec3::from(self.x).distance(other.x.into())
+    }
+
+    /// The size of its velocity.
+    #[must_use]
+    pub fn speed(&self) -> f64 {
+        DVec3::from(self.v).length()
+    }
+}
+
 /// A segment's end along a path; the first is the path's start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathPoint {
@@ -51,6 +72,15 @@ const PATH_RECORDS: usize = 1 << 22;
 /// Rays in one row of the state's textures.
 const ROW: u32 = 1024;
 
+/// Which rays to follow.
+#[derive(Debug, Clone, Copy)]
+pub enum Starts<'s> {
+    /// Places and velocities.
+    Given(&'s [[f64; 6]]),
+    /// The camera's rays of these pixels, laid out in rows of so many: neighbours in the list run side by side.
+    Pixels(&'s [[u32; 2]], u32),
+}
+
 /// Follows `rays` (x and v) to their ends.
 pub fn trace(
     gpu: &Gpu,
@@ -59,22 +89,47 @@ pub fn trace(
     rays: &[[f64; 6]],
 ) -> Result<(Vec<Traced>, Totals), RenderError> {
     let choice = Choice { purpose: Purpose::Trace, layers: Vec::new(), ..settings.choice.clone() };
-    let renderer = Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?;
-    let mut totals = Totals::default();
-    let mut clock = super::clock::Clock::new(gpu);
-    let started = std::time::Instant::now();
-    let mut traced = Vec::with_capacity(rays.len());
-    for batch in rays.chunks(BATCH) {
-        let (tile, frame) = ray_tile(&renderer, batch)?;
-        renderer.run_sample(&tile, frame, &mut clock, &|_| {})?;
-        traced.extend(read_records(&renderer, &tile, batch.len())?);
-        renderer.read_tally(&tile, &mut totals)?;
+    Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?.follow(Starts::Given(rays))
+}
+
+/// Follows the camera's rays of some pixels to their ends.
+pub fn trace_pixels(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &Settings,
+    pixels: &[[u32; 2]],
+) -> Result<(Vec<Traced>, Totals), RenderError> {
+    let choice = Choice { purpose: Purpose::Pixels, layers: Vec::new(), ..settings.choice.clone() };
+    Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?.follow(Starts::Pixels(pixels, ROW))
+}
+
+impl Renderer<'_> {
+    /// Follows rays to their ends; the program's purpose is to record them.
+    pub fn follow(&self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
+        let mut totals = Totals::default();
+        let mut clock = super::clock::Clock::new(self.gpu);
+        let started = std::time::Instant::now();
+        let count = match starts {
+            Starts::Given(rays) => rays.len(),
+            Starts::Pixels(pixels, _) => pixels.len(),
+        };
+        let mut traced = Vec::with_capacity(count);
+        for first in (0..count).step_by(BATCH) {
+            let part = first..count.min(first + BATCH);
+            let (tile, frame) = match starts {
+                Starts::Given(rays) => ray_tile(self, &rays[part.clone()])?,
+                Starts::Pixels(pixels, row) => pixel_tile(self, &pixels[part.clone()], row)?,
+            };
+            self.run_sample(&tile, frame, &mut clock, &|_| {})?;
+            traced.extend(read_records(self, &tile, part.len())?);
+            self.read_tally(&tile, &mut totals)?;
+        }
+        self.finish_totals(&mut totals, &clock, started)?;
+        // The last row of the state is filled up with pixels that have no ray.
+        totals.rays = count as u64;
+        totals.fates = count_fates(&traced);
+        Ok((traced, totals))
     }
-    renderer.finish_totals(&mut totals, &clock, started)?;
-    // The last row of the state is filled up with pixels that have no ray.
-    totals.rays = rays.len() as u64;
-    totals.fates = count_fates(&traced);
-    Ok((traced, totals))
 }
 
 fn count_fates(traced: &[Traced]) -> Vec<(Status, u64)> {
@@ -126,21 +181,34 @@ fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Sta
 
 /// A tile with one pixel a ray.
 fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), RenderError> {
-    let width = ROW.min(batch.len() as u32).max(1);
-    let size = [width, (batch.len() as u32).div_ceil(width).max(1)];
-    let mut tile = renderer.tile(size)?;
     let given = layout(renderer, "given")?;
     let row = |ray: &[f64; 6]| {
         [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
     };
     let bytes = pack("given", given, batch.iter().map(row))?;
-    tile.add_buffer(renderer.gpu, "given", bytes.len() as u64, BufferUsages::STORAGE)?;
-    if let Some(buffer) = tile.buffer("given") {
-        renderer.gpu.queue.write_buffer(buffer, 0, &bytes);
+    let tile = list_tile(renderer, batch.len(), ROW, "given", &bytes)?;
+    let image = tile.size;
+    Ok((tile, Frame { origin: [0, 0], image, sample: 0 }))
+}
+
+/// A tile whose pixels stand for pixels of the picture.
+fn pixel_tile(renderer: &Renderer, batch: &[[u32; 2]], row: u32) -> Result<(Tile, Frame), RenderError> {
+    let tile = list_tile(renderer, batch.len(), row, "chosen", bytemuck::cast_slice(batch))?;
+    Ok((tile, Frame { origin: [0, 0], image: renderer.scene.image.size, sample: 0 }))
+}
+
+/// A tile of rows of `row` pixels, with a list of what each is and room for their records.
+fn list_tile(renderer: &Renderer, count: usize, row: u32, name: &str, list: &[u8]) -> Result<Tile, RenderError> {
+    let width = row.min(count as u32).max(1);
+    let size = [width, (count as u32).div_ceil(width).max(1)];
+    let mut tile = renderer.tile(size)?;
+    tile.add_buffer(renderer.gpu, name, list.len() as u64, BufferUsages::STORAGE)?;
+    if let Some(buffer) = tile.buffer(name) {
+        renderer.gpu.queue.write_buffer(buffer, 0, list);
     }
     let records = u64::from(layout(renderer, "records")?.span) * u64::from(size[0]) * u64::from(size[1]);
     tile.add_buffer(renderer.gpu, "records", records, RECORDS)?;
-    Ok((tile, Frame { origin: [0, 0], image: size, sample: 0 }))
+    Ok(tile)
 }
 
 fn layout<'r>(renderer: &'r Renderer, name: &str) -> Result<&'r Layout, GpuError> {

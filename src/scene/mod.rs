@@ -23,7 +23,7 @@ pub use document::Override;
 pub use error::{Mistake, SceneError};
 pub use mesh::{Mesh, Vertex};
 pub use picture::Picture;
-pub use rays::{Bound, Control, DoublingRule, Method, Precision, Rays, Segment};
+pub use rays::{Accuracy, Bound, Control, DoublingRule, Method, Precision, Rays, Segment};
 pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
 pub use transform::Transform;
 
@@ -129,6 +129,27 @@ pub enum Law {
     },
     /// A medium whose index of refraction varies with place (W04 §5.3).
     Medium(NoiseIndex),
+}
+
+impl Scene {
+    /// The accuracy that the scene asks for, in radians; none if it names a method. A plane camera's pixels have no angle:
+    /// there, and without a camera, a pixel is a thousandth of a radian.
+    #[must_use]
+    pub fn accuracy(&self) -> Option<f64> {
+        Some(match self.rays.auto? {
+            Accuracy::Radians(angle) => angle,
+            Accuracy::Pixels(part) => part * self.pixel_angle().unwrap_or(1e-3),
+        })
+    }
+
+    /// The angle of a pixel at the picture's centre, in radians.
+    #[must_use]
+    pub fn pixel_angle(&self) -> Option<f64> {
+        match self.camera.as_ref()?.kind {
+            CameraKind::Pinhole { fov } => Some(2.0 * (0.5 * fov).to_radians().tan() / f64::from(self.image.size[1])),
+            CameraKind::Plane { .. } => None,
+        }
+    }
 }
 
 impl Law {

@@ -9,6 +9,9 @@ pub struct Rays {
     pub method: Method,
     /// How long its steps are.
     pub control: Control,
+    /// How accurate rays shall be, where the scene leaves method and control to a calibration; until that has run they are
+    /// RK4's.
+    pub auto: Option<Accuracy>,
     /// What is tested against the scene.
     pub segment: Segment,
     /// A ray that has this many segments and is still under way is exhausted.
@@ -21,6 +24,15 @@ pub struct Rays {
     pub asymptotic: bool,
     /// Bits of the numbers.
     pub precision: Precision,
+}
+
+/// The error in a ray's direction that 99 of 100 rays shall stay under.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Accuracy {
+    /// In parts of the angle of a pixel at the picture's centre.
+    Pixels(f64),
+    /// In radians.
+    Radians(f64),
 }
 
 /// The integrators.

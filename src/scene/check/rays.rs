@@ -1,12 +1,16 @@
 //! `[rays]`: how rays are followed.
 
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{boolean, positive, vector, whole, word};
-use crate::scene::{Bound, Control, DoublingRule, FlowOrder, Law, Method, Precision, Rays, SchwarzschildForm, Segment};
+use crate::scene::document::values::{Read, boolean, positive, vector, whole, word};
+use crate::scene::document::{Node, Value};
+use crate::scene::{
+    Accuracy, Bound, Control, DoublingRule, FlowOrder, Law, Method, Precision, Rays, SchwarzschildForm, Segment,
+};
 use glam::DVec3;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Name {
+    Auto,
     Exact,
     Planar,
     Euler,
@@ -21,6 +25,7 @@ enum Name {
 }
 
 const NAMES: &[(&str, Name)] = &[
+    ("auto", Name::Auto),
     ("exact", Name::Exact),
     ("planar", Name::Planar),
     ("euler", Name::Euler),
@@ -34,8 +39,6 @@ const NAMES: &[(&str, Name)] = &[
     ("snell", Name::Snell),
 ];
 
-const LATER: &[&str] = &["auto"];
-
 const PRECISIONS: &[(&str, Precision)] =
     &[("f16", Precision::Half), ("f32", Precision::Single), ("f64", Precision::Double)];
 
@@ -48,18 +51,17 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
         return None;
     }
     let table = root.subtable("rays", "rays")?;
-    let default = match law {
-        Some(Law::Straight) => Name::Exact,
-        _ => Name::Rk4,
-    };
-    let name = table.decide("method", default, word(NAMES, LATER));
+    let default = default_method(&table, law);
+    let name = table.decide("method", default, word(NAMES, &[]));
     if let (Some(name), Some(law)) = (name, law) {
         check_against_law(&table, name, law);
     }
     let bound = bound(&table);
     let radius = bound.map_or(1.0, |bound| bound.radius);
     let segment = segment(&table, name, radius);
-    let (method, control) = stepping(&table, name.unwrap_or(default));
+    let (method, control) = stepping(&table, name.unwrap_or(default), law);
+    let auto = (name == Some(Name::Auto)).then(|| table.or("accuracy", Accuracy::Pixels(0.1), accuracy));
+    let auto = auto.filter(|_| method != Method::Exact);
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
     let length = table.optional("length", positive);
     if name == Some(Name::Planar) {
@@ -71,7 +73,7 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
         check_asymptotic(&table, law, bound);
     }
     table.finish();
-    Some(Rays { method, control, segment, max_segments, bound: bound?, length, asymptotic, precision })
+    Some(Rays { method, control, auto, segment, max_segments, bound: bound?, length, asymptotic, precision })
 }
 
 /// Steps along an orbit are cut by angle, and are arcs.
@@ -95,6 +97,33 @@ fn check_asymptotic(table: &TableReader, law: &Law, bound: Bound) {
     if center != bound.center {
         let problem = "`asymptotic` needs the bound's centre at the law's";
         table.fault(&["asymptotic"], problem, format!("set bound.center to {:?}", center.to_array()));
+    }
+}
+
+/// What chooses steps chooses a method with them; a scene that says nothing leaves both to a calibration.
+fn default_method(table: &TableReader, law: Option<&Law>) -> Name {
+    let given = |keys: &[&str]| keys.iter().any(|key| table.gives(key));
+    if matches!(law, Some(Law::Straight)) {
+        Name::Exact
+    } else if given(&["step", "scaled_step", "curvature_step", "steps_per_segment"]) {
+        Name::Rk4
+    } else if given(&["tolerance"]) {
+        Name::DormandPrince
+    } else {
+        Name::Auto
+    }
+}
+
+/// `"0.1px"`, or radians.
+fn accuracy(node: &Node) -> Read<Accuracy> {
+    const WHAT: &str = "an angle in radians, or in pixels such as \"0.1px\"";
+    match &node.value {
+        Value::Text(text) => {
+            let pixels = text.strip_suffix("px").and_then(|number| number.trim().parse::<f64>().ok());
+            let pixels = pixels.filter(|pixels| pixels.is_finite() && *pixels > 0.0);
+            pixels.map(Accuracy::Pixels).ok_or_else(|| node.expected(WHAT))
+        }
+        _ => positive(node).map(Accuracy::Radians).map_err(|_| node.expected(WHAT)),
     }
 }
 
@@ -145,8 +174,10 @@ fn segment(table: &TableReader, name: Option<Name>, radius: f64) -> Segment {
     }
 }
 
-fn stepping(table: &TableReader, name: Name) -> (Method, Control) {
+fn stepping(table: &TableReader, name: Name, law: Option<&Law>) -> (Method, Control) {
     match name {
+        Name::Auto if matches!(law, Some(Law::Straight)) => (Method::Exact, Control::Exact),
+        Name::Auto => (Method::Rk4, Control::Scaled { eta: 0.1 }),
         Name::Exact => (Method::Exact, Control::Exact),
         Name::Planar => (Method::Planar, Control::Scaled { eta: table.or("scaled_step", 0.1, positive) }),
         Name::Euler => (Method::Euler, planned(table)),

@@ -87,6 +87,11 @@ pub struct TableReader<'r, 'a> {
 }
 
 impl<'r, 'a> TableReader<'r, 'a> {
+    /// Does the table have the key? Asking does not make it one that is read.
+    pub fn gives(&self, key: &str) -> bool {
+        self.table.iter().any(|(name, _, _)| name == key)
+    }
+
     /// The node of a key, if the table has it.
     pub fn node(&self, key: &'static str) -> Option<&'a Node> {
         let mut asked = self.asked.borrow_mut();

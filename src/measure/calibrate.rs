@@ -1,0 +1,206 @@
+//! `method = "auto"`: the fastest method that is right, found on a few hundred rays before the picture starts.
+
+use std::fmt;
+use std::time::Duration;
+
+use super::{Candidate, Deviations, Truth, blocks, fast_methods, method_words, scattered};
+use crate::gpu::Gpu;
+use crate::program::{Choice, Purpose, Schedule};
+use crate::render::{RenderError, Renderer, Settings, Starts};
+use crate::scene::{Control, Method, Scene};
+
+/// Rays whose error is measured.
+const RAYS: usize = 384;
+/// Squares of 64 rays whose time is.
+const BLOCKS: usize = 128;
+const REPEATS: usize = 3;
+/// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
+const MARGIN: f64 = 0.6;
+/// Segments of a path on trial.
+const SEGMENTS: u32 = 20_000;
+
+/// A method at a setting, with its error and time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// The method.
+    pub method: Method,
+    /// The setting.
+    pub control: Control,
+    /// 99 of 100 rays err by no more, in radians.
+    pub error: f64,
+    /// Time of a ray on the device, in seconds.
+    pub time: f64,
+}
+
+/// What a calibration found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Calibration {
+    /// The error asked for, in radians.
+    pub accuracy: f64,
+    /// The fastest that is right; or, if none is, the most accurate.
+    pub chosen: Trial,
+    /// Its schedule.
+    pub schedule: Schedule,
+    /// The first setting of each method that was right.
+    pub tried: Vec<Trial>,
+    /// Rays whose truth no method can know.
+    pub unresolved: usize,
+}
+
+impl Calibration {
+    /// Was what was asked for reached?
+    #[must_use]
+    pub fn reached(&self) -> bool {
+        self.chosen.error <= self.accuracy
+    }
+
+    /// The scene with the method that was chosen.
+    #[must_use]
+    pub fn applied(&self, scene: &Scene) -> Scene {
+        let mut scene = scene.clone();
+        scene.rays.auto = None;
+        scene.rays.method = self.chosen.method;
+        scene.rays.control = self.chosen.control;
+        // An auto scene's budget of segments is meant for any method.
+        scene.rays.max_segments = scene.rays.max_segments.max(SEGMENTS);
+        scene
+    }
+}
+
+/// Finds the method for `scene`, for the camera's rays or for `given` ones.
+pub fn calibrate(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &Settings,
+    given: Option<&[[f64; 6]]>,
+) -> Result<Option<Calibration>, RenderError> {
+    let Some(accuracy) = scene.accuracy() else { return Ok(None) };
+    let rays = Trials::new(gpu, scene, settings, given, accuracy)?;
+    let mut tried = Vec::new();
+    let mut best: Option<Trial> = None;
+    for candidate in fast_methods(scene) {
+        let trial = rays.first_right(&candidate)?;
+        let better = |best: &Trial| trial.error < best.error;
+        if best.as_ref().is_none_or(better) {
+            best = Some(trial.clone());
+        }
+        if trial.error <= MARGIN * accuracy {
+            tried.push(trial);
+        }
+    }
+    let fastest = tried.iter().min_by(|a, b| a.time.total_cmp(&b.time)).cloned();
+    let Some(chosen) = fastest.or(best) else { return Ok(None) };
+    let schedule = rays.schedule(&chosen)?;
+    Ok(Some(Calibration { accuracy, chosen, schedule, tried, unresolved: rays.truth.unresolved() }))
+}
+
+/// The rays that methods are tried on.
+struct Trials<'a> {
+    gpu: &'a Gpu,
+    scene: &'a Scene,
+    settings: Settings,
+    given: Option<Vec<[f64; 6]>>,
+    pixels: Vec<[u32; 2]>,
+    timed: Vec<[u32; 2]>,
+    truth: Truth,
+    accuracy: f64,
+}
+
+impl<'a> Trials<'a> {
+    fn new(
+        gpu: &'a Gpu,
+        scene: &'a Scene,
+        settings: &Settings,
+        given: Option<&[[f64; 6]]>,
+        accuracy: f64,
+    ) -> Result<Self, RenderError> {
+        let tolerance = (1e-3 * accuracy).min(1e-10);
+        let purpose = if given.is_some() { Purpose::Trace } else { Purpose::Pixels };
+        let choice = Choice { purpose, layers: Vec::new(), ..settings.choice.clone() };
+        let settings = Settings { choice, ..settings.clone() };
+        let size = scene.image.size;
+        let (pixels, timed) = (scattered(size, RAYS, 1), blocks(size, BLOCKS));
+        let given =
+            given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
+        let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
+        let truth = Truth::new(gpu, scene, tolerance, starts)?;
+        Ok(Self { gpu, scene, settings, given, pixels, timed, truth, accuracy })
+    }
+
+    fn starts(&self) -> Starts<'_> {
+        self.given.as_deref().map_or(Starts::Pixels(&self.pixels, 1024), Starts::Given)
+    }
+
+    /// The coarsest setting that is right, or the most accurate of all.
+    fn first_right(&self, candidate: &Candidate) -> Result<Trial, RenderError> {
+        let mut scene = candidate.applied(self.scene, candidate.controls[0]);
+        scene.rays.max_segments = SEGMENTS;
+        // Few rays: what counts is not how many run but how many passes are recorded.
+        let settings = Settings { segments: 256, ..self.settings.clone() };
+        let mut renderer = Renderer::new(self.gpu, &scene, settings)?;
+        let (method, control) = (candidate.method, candidate.controls[0]);
+        let mut best = Trial { method, control, error: f64::INFINITY, time: f64::INFINITY };
+        for &control in &candidate.controls {
+            renderer.retune(control, SEGMENTS)?;
+            let (rays, _) = renderer.follow(self.starts())?;
+            let error = Deviations::new(&rays, &self.truth).seen.p99;
+            if error < best.error {
+                best = Trial { control, error, ..best };
+            }
+            if error <= MARGIN * self.accuracy {
+                break;
+            }
+        }
+        renderer.retune(best.control, SEGMENTS)?;
+        best.time = self.time(&renderer)?;
+
+        Ok(best)
+    }
+
+    /// Seconds of a ray, the median of a few runs.
+    fn time(&self, renderer: &Renderer) -> Result<f64, RenderError> {
+        let starts = if self.given.is_some() { self.starts() } else { Starts::Pixels(&self.timed, 8) };
+        let mut times = Vec::new();
+        for _ in 0..REPEATS {
+            let (rays, totals) = renderer.follow(starts)?;
+            let device = totals.device.map_or(totals.wall, |stages| stages.iter().sum::<Duration>());
+            times.push(device.as_secs_f64() / rays.len() as f64);
+        }
+        times.sort_by(f64::total_cmp);
+        Ok(times[REPEATS / 2])
+    }
+
+    /// Fused, unless a segment a pass is faster.
+    fn schedule(&self, chosen: &Trial) -> Result<Schedule, RenderError> {
+        let mut scene = self.scene.clone();
+        scene.rays.auto = None;
+        scene.rays.method = chosen.method;
+        scene.rays.control = chosen.control;
+        scene.rays.max_segments = SEGMENTS;
+        let choice = Choice { schedule: Schedule::Segment, ..self.settings.choice.clone() };
+        let settings = Settings { choice, ..self.settings.clone() };
+        let time = self.time(&Renderer::new(self.gpu, &scene, settings)?)?;
+        Ok(if time < chosen.time { Schedule::Segment } else { Schedule::Fused })
+    }
+}
+
+impl fmt::Display for Trial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = method_words(self.method, self.control);
+        write!(f, "{words}: 99 % within {:.1e} rad, {:.0} ns a ray", self.error, 1e9 * self.time)
+    }
+}
+
+impl fmt::Display for Calibration {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let schedule = if self.schedule == Schedule::Fused { "fused" } else { "segment" };
+        write!(f, "auto: {}, {schedule}", self.chosen)?;
+        if !self.reached() {
+            write!(f, "; no method reaches the accuracy asked for, {:.1e} rad: this is the best", self.accuracy)?;
+        }
+        if self.unresolved > 0 {
+            write!(f, "; {} of the rays tried have no end that could be known", self.unresolved)?;
+        }
+        Ok(())
+    }
+}

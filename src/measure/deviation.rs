@@ -1,0 +1,135 @@
+//! What differs from the truth.
+
+use crate::render::{Status, Traced};
+
+use super::Truth;
+
+/// Median, 99th percentile and maximum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantiles {
+    /// Half of the rays err by no more.
+    pub median: f64,
+    /// 95 of 100 do.
+    pub p95: f64,
+    /// 99 of 100 do.
+    pub p99: f64,
+    /// All do.
+    pub max: f64,
+}
+
+impl Quantiles {
+    /// Of values in any order; all 0 if there are none.
+    #[must_use]
+    pub fn of(mut values: Vec<f64>) -> Self {
+        values.sort_by(f64::total_cmp);
+        // The least value that so many of the rays do not exceed.
+        let at = |q: f64| {
+            let rank = (q * values.len() as f64).ceil() as usize;
+            values.get(rank.max(1) - 1).copied().unwrap_or(0.0)
+        };
+        Self { median: at(0.5), p95: at(0.95), p99: at(0.99), max: at(1.0) }
+    }
+}
+
+/// Errors of a run, over the rays whose truth is known.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Deviations {
+    /// Rays that were compared.
+    pub rays: usize,
+    /// Rays whose truth is not known.
+    pub unresolved: usize,
+    /// Rays that ended otherwise, or on another object.
+    pub wrong: usize,
+    /// Of these, rays that said so themselves: exhausted, stalled or failed.
+    pub flagged: usize,
+    /// Of the direction at the end, radians.
+    pub angle: Quantiles,
+    /// Of the place at the end, scene units.
+    pub position: Quantiles,
+    /// Of τ at the end: how deep along its path the ray stopped.
+    pub depth: Quantiles,
+    /// Of what is seen: the direction to the sky, or a surface's place over the way to it; a wrong end is beyond all bounds.
+    pub seen: Quantiles,
+}
+
+impl Deviations {
+    /// Of `rays` from the truth. What was captured is black wherever it crossed the horizon: only its fate is compared.
+    #[must_use]
+    pub fn new(rays: &[Traced], truth: &Truth) -> Self {
+        let known: Vec<(&Traced, &Traced)> =
+            rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, truth.as_ref()?))).collect();
+        let right = |(ray, truth): &(&Traced, &Traced)| (ray.status, ray.object) == (truth.status, truth.object);
+        let lost =
+            |ray: &Traced| matches!(ray.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed);
+        let seen_ends: Vec<_> =
+            known.iter().copied().filter(right).filter(|(_, truth)| truth.status != Status::Captured).collect();
+        let over = |error: &dyn Fn(&Traced, &Traced) -> f64| {
+            Quantiles::of(seen_ends.iter().map(|(ray, truth)| error(ray, truth)).collect())
+        };
+        let wrong = known.iter().filter(|pair| !right(pair));
+        Self {
+            rays: known.len(),
+            unresolved: truth.unresolved(),
+            wrong: wrong.clone().count(),
+            flagged: wrong.filter(|(ray, _)| lost(ray)).count(),
+            angle: over(&Traced::angle_to),
+            position: over(&Traced::distance_to),
+            depth: over(&|ray, truth| (ray.tau - truth.tau).abs()),
+            seen: Quantiles::of(
+                known.iter().map(|pair| if right(pair) { seen(pair.0, pair.1) } else { f64::INFINITY }).collect(),
+            ),
+        }
+    }
+}
+
+fn seen(ray: &Traced, truth: &Traced) -> f64 {
+    match truth.status {
+        Status::Captured => 0.0,
+        Status::Escaped => ray.angle_to(truth),
+        _ => {
+            let way = truth.tau * truth.speed();
+            ray.angle_to(truth).max(if way > 0.0 { ray.distance_to(truth) / way } else { 0.0 })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_are_values_that_so_many_do_not_exceed() {
+        let q = Quantiles::of((1..=200).rev().map(f64::from).collect());
+        assert_eq!((q.median, q.p95, q.p99, q.max), (100.0, 190.0, 198.0, 200.0));
+        assert_eq!(Quantiles::of(vec![3.0]), Quantiles { median: 3.0, p95: 3.0, p99: 3.0, max: 3.0 });
+        assert_eq!(Quantiles::of(Vec::new()).max, 0.0);
+        assert_eq!(Quantiles::of(vec![1.0, f64::INFINITY]).max, f64::INFINITY);
+    }
+
+    fn ray(status: Status, v: [f64; 3]) -> Traced {
+        Traced { status, x: [1.0, 0.0, 0.0], v, tau: 2.0, depth: 0.0, steps: 1, rejected: 0, object: None }
+    }
+
+    #[test]
+    fn fates_are_counted_apart_from_errors() {
+        let truth = Truth(vec![
+            Some(ray(Status::Escaped, [0.0, 0.0, 1.0])),
+            Some(ray(Status::Escaped, [0.0, 0.0, 1.0])),
+            Some(ray(Status::Captured, [0.0, 0.0, 1.0])),
+            Some(ray(Status::Escaped, [0.0, 0.0, 1.0])),
+            None,
+        ]);
+        let rays = [
+            ray(Status::Escaped, [1e-9, 0.0, 2.0]),
+            ray(Status::Captured, [0.0, 0.0, 1.0]),
+            ray(Status::Captured, [1.0, 0.0, 0.0]),
+            ray(Status::Stalled, [0.0, 0.0, 1.0]),
+            ray(Status::Escaped, [1.0, 0.0, 0.0]),
+        ];
+        let found = Deviations::new(&rays, &truth);
+        assert_eq!((found.rays, found.unresolved, found.wrong, found.flagged), (4, 1, 2, 1));
+        // Half of 1e-9, as v is 2 long: small angles keep their digits.
+        assert!((found.angle.max - 5e-10).abs() < 1e-20, "{:e}", found.angle.max);
+        assert_eq!(found.seen.max, f64::INFINITY);
+    }
+}

@@ -1,0 +1,24 @@
+//! How right a render is, and how to make it right in the least time.
+//!
+//! *Theory.* A picture's rays are followed again in 64 bits, by the general law and Dormand and Prince's pair at a far smaller
+//! tolerance. A second such run, ten times looser, bounds the first one's own error: rays on which the two disagree (chaotic
+//! flows beyond the time that any number of digits follows, rays at the very edge of an object) are *unresolved*, and counted
+//! apart. What differs from the truth in the others is the error.
+//!
+//! *Practice.* [`verify`] measures a scene as it is; [`calibrate`] tries the methods that a law allows on a few hundred rays and
+//! takes the fastest that is right; `chart` sweeps all of them. A program is compiled once per method: what a sweep changes
+//! are numbers.
+
+mod calibrate;
+mod deviation;
+mod methods;
+mod sample;
+mod truth;
+mod verify;
+
+pub use calibrate::{Calibration, Trial, calibrate};
+pub use deviation::{Deviations, Quantiles};
+pub use methods::{Candidate, all_methods, evaluations, fast_methods, method_words};
+pub use sample::{blocks, every_pixel, scattered};
+pub use truth::{Truth, double_device, reference};
+pub use verify::{Verification, verify};

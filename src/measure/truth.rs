@@ -1,0 +1,87 @@
+//! The rays' true ends.
+
+use crate::gpu::{Gpu, GpuError, adapters};
+use crate::program::{Choice, Purpose};
+use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
+use crate::scene::{Control, Law, Method, Precision, Scene, Segment};
+
+/// The least tolerance that f64 is sure to keep.
+const FINEST: f64 = 1e-13;
+/// Directions (radians) and places (in parts of the bound's radius) that two runs agree on.
+const AGREES: f64 = 1e-6;
+/// Segments of a path that is followed so closely.
+const SEGMENTS: u32 = 200_000;
+/// Few rays with long paths: passes are as long as the device allows.
+const SEGMENTS_PER_PASS: u32 = 1024;
+
+/// The scene, to be followed in 64 bits by the general method; a closed form stays what it is.
+#[must_use]
+pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
+    let mut scene = scene.clone();
+    let rays = &mut scene.rays;
+    rays.auto = None;
+    rays.precision = Precision::Double;
+    rays.max_segments = SEGMENTS;
+    let arc = match rays.segment {
+        Segment::Arc { tolerance } => tolerance,
+        Segment::Chord { .. } => 1e-4 * rays.bound.radius,
+    };
+    rays.segment = Segment::Arc { tolerance: arc.min(1e-5 * rays.bound.radius) };
+    if scene.law == Law::Straight {
+        rays.method = Method::Exact;
+        rays.control = Control::Exact;
+    } else {
+        rays.method = Method::DormandPrince;
+        rays.control = Control::Embedded { tolerance: tolerance.max(FINEST), eta: 0.3 };
+    }
+    scene
+}
+
+/// A device that computes in 64 bits: the given one, or the first that can.
+pub fn double_device(gpu: &Gpu) -> Result<Option<Gpu>, GpuError> {
+    if gpu.f64 {
+        return Ok(None);
+    }
+    let able = adapters().into_iter().find(|adapter| adapter.f64);
+    let refused = || GpuError::NoDouble { device: gpu.info.name.clone(), there: Vec::new() };
+    Gpu::open(Some(&able.ok_or_else(refused)?.info.name)).map(Some)
+}
+
+/// The true ends of some rays; none where two runs disagree.
+#[derive(Debug, Clone)]
+pub struct Truth(pub Vec<Option<Traced>>);
+
+impl Truth {
+    /// Of some rays of the scene: the camera's, or given ones.
+    pub fn new(gpu: &Gpu, scene: &Scene, tolerance: f64, starts: Starts) -> Result<Self, RenderError> {
+        let other = double_device(gpu)?;
+        let gpu = other.as_ref().unwrap_or(gpu);
+        let scene = reference(scene, tolerance);
+        let purpose = if matches!(starts, Starts::Given(_)) { Purpose::Trace } else { Purpose::Pixels };
+        let choice = Choice { purpose, ..Choice::default() };
+        let mut renderer =
+            Renderer::new(gpu, &scene, Settings { choice, segments: SEGMENTS_PER_PASS, ..Settings::default() })?;
+        let fine = renderer.follow(starts)?.0;
+        let Control::Embedded { tolerance, eta } = scene.rays.control else {
+            return Ok(Self(fine.into_iter().map(Some).collect()));
+        };
+        renderer.retune(Control::Embedded { tolerance: 10.0 * tolerance, eta }, SEGMENTS)?;
+        let loose = renderer.follow(starts)?.0;
+        let radius = scene.rays.bound.radius;
+        let agreed = |(fine, loose): (Traced, Traced)| agree(&fine, &loose, radius).then_some(fine);
+        Ok(Self(fine.into_iter().zip(loose).map(agreed).collect()))
+    }
+
+    /// Rays whose truth is not known.
+    #[must_use]
+    pub fn unresolved(&self) -> usize {
+        self.0.iter().filter(|ray| ray.is_none()).count()
+    }
+}
+
+fn agree(a: &Traced, b: &Traced, radius: f64) -> bool {
+    let followed = !matches!(a.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed);
+    followed
+        && (a.status, a.object) == (b.status, b.object)
+        && (a.status == Status::Captured || (a.angle_to(b) < AGREES && a.distance_to(b) < AGREES * radius))
+}

@@ -1,0 +1,72 @@
+//! A picture's error, measured on some of its rays.
+
+use std::fmt;
+
+use super::{Deviations, Quantiles, Truth, scattered};
+use crate::gpu::Gpu;
+use crate::render::{RenderError, Settings, Starts, trace_pixels};
+use crate::scene::{Control, Scene};
+
+/// The error of a scene's picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Verification {
+    /// Errors over the rays that were followed again.
+    pub found: Deviations,
+    /// The tolerance of the truth.
+    pub tolerance: f64,
+}
+
+/// Other pixels than those that a calibration tried.
+const VERIFIED: u64 = 2;
+/// A truth costs little beside a picture: it is never looser than this.
+const LOOSEST: f64 = 1e-10;
+
+/// Follows the rays of `count` random pixels (of their first sample) as the picture does, and again in 64 bits.
+pub fn verify(gpu: &Gpu, scene: &Scene, settings: &Settings, count: usize) -> Result<Verification, RenderError> {
+    let pixels = scattered(scene.image.size, count, VERIFIED);
+    let (rays, _) = trace_pixels(gpu, scene, settings, &pixels)?;
+    let own = match scene.rays.control {
+        Control::Embedded { tolerance, .. } | Control::Doubling { tolerance, .. } => tolerance,
+        _ => LOOSEST,
+    };
+    let tolerance = (own / 1000.0).clamp(1e-13, LOOSEST);
+    let truth = Truth::new(gpu, scene, tolerance, Starts::Pixels(&pixels, 1024))?;
+    Ok(Verification { found: Deviations::new(&rays, &truth), tolerance })
+}
+
+impl Verification {
+    /// As (key, value) for a picture's metadata.
+    #[must_use]
+    pub fn metadata(&self) -> Vec<(String, String)> {
+        let found = &self.found;
+        let quantiles = |q: &Quantiles| format!("median {:.2e}, 99% {:.2e}, max {:.2e}", q.median, q.p99, q.max);
+        let rows = [
+            ("rays", found.rays.to_string()),
+            ("tolerance of the truth", format!("{:.0e}", self.tolerance)),
+            ("angle error (rad)", quantiles(&found.angle)),
+            ("position error", quantiles(&found.position)),
+            ("depth error (tau)", quantiles(&found.depth)),
+            ("wrong ends", found.wrong.to_string()),
+            ("unresolved", found.unresolved.to_string()),
+        ];
+        rows.into_iter().map(|(key, value)| (format!("verify: {key}"), value)).collect()
+    }
+}
+
+impl fmt::Display for Verification {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let found = &self.found;
+        writeln!(
+            f,
+            "verified on {} rays against f64 at tolerance {:.0e}: {} ended wrongly ({} of them flagged), {} unresolved",
+            found.rays, self.tolerance, found.wrong, found.flagged, found.unresolved
+        )?;
+        writeln!(f, "{:<22}{:>12}{:>12}{:>12}", "error", "median", "99 %", "max")?;
+        let rows = [("angle (rad)", &found.angle), ("position", &found.position), ("depth (τ)", &found.depth)];
+        for (i, (name, q)) in rows.into_iter().enumerate() {
+            let end = if i == 2 { "" } else { "\n" };
+            write!(f, "{name:<22}{:>12.2e}{:>12.2e}{:>12.2e}{end}", q.median, q.p99, q.max)?;
+        }
+        Ok(())
+    }
+}
