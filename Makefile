@@ -21,12 +21,7 @@ test: device
 	mkdir -p target
 	cargo test --lib --bins 2>&1 | tee target/test.log
 	cargo test --doc 2>&1 | tee -a target/test.log
-	@# One process a topic, and once more if the software driver died in it (lavapipe of Mesa 22.3 does, now and then): a
-	@# test that fails is not run again.
-	for topic in $$(sed -n 's/^mod \(.*\);/\1/p' tests/suite.rs | grep -v support); do \
-	    run() { cargo test --test suite -- "$$topic::" 2>&1 | tee target/topic.log; }; \
-	    run || { grep -q '(signal: ' target/topic.log && run; }; \
-	    cat target/topic.log >> target/test.log; done
+	cargo test --test suite 2>&1 | tee -a target/test.log
 	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
 
 # A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own.

@@ -11,7 +11,7 @@ use bentray::render::{Settings, Status, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
 
-use crate::support::{gpu, output_of};
+use crate::support::gpu;
 
 /// A small generator of numbers in [-1, 1): the tests are the same in every run.
 struct Random(u64);
@@ -136,15 +136,12 @@ fn nothing_tunnels_out_of_a_closed_box() {
     }
 }
 
-/// A process for each scene: a software device that has compiled dozens of programs is no place for more.
 fn traced_by_the_binary(folder: &Path, keys: &str, rays: &str) -> String {
     std::fs::write(folder.join("scene.toml"), format!("{keys}{WALLS}")).unwrap();
-    let output = output_of(|| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
-        command.args(["trace", "scene.toml", "--device", "llvmpipe", "-o", "-", "--rays", rays]);
-        command.current_dir(folder).env("NODEVICE_SELECT", "1");
-        command
-    });
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
+    command.args(["trace", "scene.toml", "--device", "llvmpipe", "-o", "-", "--rays", rays]);
+    command.current_dir(folder).env("NODEVICE_SELECT", "1");
+    let output = command.output().unwrap();
     assert!(output.status.success(), "{keys}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }

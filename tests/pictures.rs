@@ -8,7 +8,7 @@ use bentray::program::{Choice, Layer, Program, Schedule};
 use bentray::render::{Picture, Renderer, Settings, Status};
 use bentray::scene::Scene;
 
-use crate::support::{gpu, output_of, scene, shipped_scenes};
+use crate::support::{gpu, scene, shipped_scenes};
 
 const HOLE: &str = "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 15]\n[law]\nkind = \"schwarzschild\"\n\
     [rays]\nbound = { radius = 30 }\n[sky]\nimage = \"data/stars.png\"\n\
@@ -117,12 +117,10 @@ fn the_readme_shows_what_is_rendered() {
     let reference = image::open(root.join("scenes/pictures/black_hole.png")).unwrap().to_rgb8();
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("picture.png");
-    let output = output_of(|| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
-        command.args(["render", "--size", "480x270", "--samples", "4", "--device", "llvmpipe"]);
-        command.arg(root.join("scenes/black_hole.toml")).arg("-o").arg(&picture).env("NODEVICE_SELECT", "1");
-        command
-    });
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
+    command.args(["render", "--size", "480x270", "--samples", "4", "--device", "llvmpipe"]);
+    command.arg(root.join("scenes/black_hole.toml")).arg("-o").arg(&picture).env("NODEVICE_SELECT", "1");
+    let output = command.output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let rendered = image::open(picture).unwrap().to_rgb8();
     let small = |picture: &image::RgbImage| image::imageops::thumbnail(picture, 96, 54);

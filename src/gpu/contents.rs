@@ -12,7 +12,7 @@ use super::records::Value::{Float, Uint, Uint2, Vec3};
 use super::records::{Value, pack};
 use super::uniforms::{control_values, schedule_values};
 use super::{Geometry, Gpu, GpuError};
-use crate::program::{Binding, BindingKind, Program};
+use crate::program::{Binding, BindingKind, BlockMember, Layout, Program};
 use crate::scene::{Method, Picture, Scene, Segment};
 
 /// The bindings of a scene, by name.
@@ -63,7 +63,7 @@ fn image_index(name: &str) -> Option<usize> {
 
 fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError> {
     let (usage, limit, allowed) = match binding.kind {
-        BindingKind::Uniform(_) => {
+        BindingKind::Uniform(_) | BindingKind::Block { .. } => {
             (BufferUsages::UNIFORM, "max_uniform_buffer_binding_size", gpu.limits.max_uniform_buffer_binding_size)
         }
         _ => (BufferUsages::STORAGE, "max_storage_buffer_binding_size", gpu.limits.max_storage_buffer_binding_size),
@@ -111,10 +111,25 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
 impl Source<'_> {
     /// The bytes of a binding; none for what belongs to tiles and passes.
     fn bytes(&self, binding: &Binding) -> Result<Option<Vec<u8>>, GpuError> {
-        let (BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. }) = &binding.kind else {
-            return Ok(None);
-        };
-        let name = binding.name.as_str();
+        match &binding.kind {
+            BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. } => self.values(&binding.name, layout),
+            BindingKind::Block { members, span } => {
+                let mut bytes = vec![0; *span as usize];
+                for BlockMember { name, offset, layout } in members {
+                    let missing = || GpuError::Layout {
+                        binding: name.clone(),
+                        problem: "the scene has no value for it".to_owned(),
+                    };
+                    let part = self.values(name, layout)?.ok_or_else(missing)?;
+                    bytes[*offset as usize..*offset as usize + part.len()].copy_from_slice(&part);
+                }
+                Ok(Some(bytes))
+            }
+            _ => Ok(None),
+        }
+    }
+
+    fn values(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let one = |row: &[(&'static str, Value)]| pack(name, layout, [row]).map(Some);
         match name {
             "bound" => {

@@ -1,7 +1,5 @@
 //! Choosing and opening a device.
 
-use std::sync::Mutex;
-
 use wgpu::{
     Adapter, AdapterInfo, Backends, Device, DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor,
     InstanceFlags, Limits, Queue,
@@ -49,14 +47,6 @@ fn instance() -> Instance {
     let flags = InstanceFlags::empty().with_env();
     let backends = Backends::VULKAN | Backends::METAL | Backends::DX12;
     Instance::new(InstanceDescriptor { flags, backends, ..InstanceDescriptor::new_without_display_handle() })
-}
-
-/// Devices live as long as the process: tearing one down makes lavapipe (Mesa 22.3) crash now and then.
-fn keep(device: &Device) {
-    static KEPT: Mutex<Vec<Device>> = Mutex::new(Vec::new());
-    if let Ok(mut kept) = KEPT.lock() {
-        kept.push(device.clone());
-    }
 }
 
 /// What the machine has, best first: discrete GPUs, integrated ones, virtual ones, CPUs.
@@ -115,7 +105,6 @@ impl Gpu {
         };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .map_err(|error| GpuError::Refused { device: info.name.clone(), reason: error.to_string() })?;
-        keep(&device);
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
         let f64 = features.contains(Features::SHADER_F64);
         Ok(Self { device, queue, info, limits, timestamps, f64 })

@@ -1,7 +1,6 @@
 //! Linked programs as pipelines; their bind group layouts are what naga reflected.
 
 use std::num::NonZeroU64;
-use std::sync::Mutex;
 
 use wgpu::{
     BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
@@ -83,17 +82,7 @@ impl Pipeline {
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(GpuError::Pass { pass: linked.entry.clone(), reason: error.to_string() });
         }
-        keep(&pipeline);
         Ok(Self { pipeline, layout, bindings: reflection.bindings.clone() })
-    }
-}
-
-/// Pipelines live as long as the process: lavapipe (Mesa 22.3) crashes now and then, some dispatches later, when one is
-/// destroyed.
-fn keep(pipeline: &ComputePipeline) {
-    static KEPT: Mutex<Vec<ComputePipeline>> = Mutex::new(Vec::new());
-    if let Ok(mut kept) = KEPT.lock() {
-        kept.push(pipeline.clone());
     }
 }
 
@@ -126,13 +115,15 @@ fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
         binding: binding.name.clone(),
         problem: format!("the driver does not know {what:?}"),
     };
-    let buffer = |ty, layout: &Layout| BindingType::Buffer {
+    let sized = |ty, bytes: u64| BindingType::Buffer {
         ty,
         has_dynamic_offset: PER_PASS.contains(&binding.name.as_str()),
-        min_binding_size: NonZeroU64::new(u64::from(layout.span) * u64::from(layout.count.unwrap_or(1))),
+        min_binding_size: NonZeroU64::new(bytes),
     };
+    let buffer = |ty, layout: &Layout| sized(ty, u64::from(layout.span) * u64::from(layout.count.unwrap_or(1)));
     let ty = match &binding.kind {
         BindingKind::Uniform(layout) => buffer(BufferBindingType::Uniform, layout),
+        BindingKind::Block { span, .. } => sized(BufferBindingType::Uniform, u64::from(*span)),
         BindingKind::Storage { layout, read_only } => {
             buffer(BufferBindingType::Storage { read_only: *read_only }, layout)
         }

@@ -11,6 +11,7 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt::Write as _;
 
+use super::block::Block;
 use super::declarations::{Declaration, declarations};
 use super::{Part, ProgramError};
 
@@ -80,14 +81,20 @@ pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
     }
     let by_name = index(&all)?;
     let reached = reach(&all, &by_name, entry)?;
+    let reached: Vec<&(&Unit, Declaration)> = reached.iter().map(|&i| &all[i]).collect();
+    let block = Block::of(entry, reached.iter().map(|(_, declaration)| declaration));
     let mut linked = Linked { entry: entry.to_owned(), source: String::new(), origins: Vec::new() };
+    let made = Unit { file: "generated/uniforms.wgsl".into(), text: block.declaration().into() };
+    if !made.text.is_empty() {
+        linked.push(&made, 1, &format!("// ---- {}\n{}\n", made.file, made.text));
+    }
     let mut file: &str = "";
-    for (unit, declaration) in reached.iter().map(|&i| &all[i]) {
+    for (unit, declaration) in reached.iter().filter(|(_, declaration)| !block.replaces(declaration)) {
         if unit.file != file {
             file = &unit.file;
             linked.push(unit, 1, &format!("// ---- {file}\n"));
         }
-        linked.push(unit, declaration.line, declaration.text);
+        linked.push(unit, declaration.line, &block.rewritten(declaration));
         linked.push(unit, declaration.line, "\n");
     }
     Ok(linked)
@@ -264,11 +271,17 @@ mod tests {
     fn each_kind_of_region_has_its_own_copy() {
         let linked = link(&two_regions(), "entry").unwrap();
         validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
-        for text in ["fn law_rate_0(", "fn law_rate_1(", "switch region", "return law_rate_1(x);", "-law_1.a * x"] {
+        for text in [
+            "fn law_rate_0(",
+            "fn law_rate_1(",
+            "switch region",
+            "return law_rate_1(x);",
+            "-uniforms_entry.law_1.a * x",
+        ] {
             assert!(linked.source.contains(text), "{text}\n{}", linked.source);
         }
         let numbers: Vec<u32> = reflect(&linked).unwrap().bindings.iter().map(|binding| binding.number).collect();
-        assert_eq!(numbers, [0, 250, 450], "copies have bindings of their own");
+        assert_eq!(numbers, [0, 9], "copies are members of the block");
     }
 
     #[test]

@@ -6,6 +6,7 @@
 //!
 //! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing here knows of a GPU.
 
+mod block;
 mod choice;
 mod declarations;
 mod error;
@@ -21,7 +22,7 @@ pub use error::ProgramError;
 pub use link::{Linked, Parts, Unit, link};
 pub use parts::{Part, all_parts, constant, part};
 pub use plan::{plan, shape_kind};
-pub use reflect::{Binding, BindingKind, Field, Layout, Reflection, reflect, validated};
+pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect, validated};
 pub use work::Work;
 
 use crate::scene::Scene;

@@ -30,8 +30,15 @@ pub struct Binding {
 /// The kinds of resource.
 #[derive(Debug, Clone, PartialEq)]
 pub enum BindingKind {
-    /// A uniform buffer.
+    /// A uniform buffer of one struct.
     Uniform(Layout),
+    /// The uniform buffer that holds all of a scene's uniforms.
+    Block {
+        /// Each with its own layout.
+        members: Vec<BlockMember>,
+        /// Bytes of all.
+        span: u32,
+    },
     /// A storage buffer.
     Storage {
         /// Of what.
@@ -48,6 +55,17 @@ pub enum BindingKind {
         /// May it be read too?
         reads: bool,
     },
+}
+
+/// One of a scene's uniforms in its block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockMember {
+    /// The name that the part gives it.
+    pub name: String,
+    /// Where it begins, in bytes.
+    pub offset: u32,
+    /// How its own values lie.
+    pub layout: Layout,
 }
 
 /// How a buffer's values lie: a struct, or an array of structs, vectors or scalars.
@@ -119,7 +137,10 @@ pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
 fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<BindingKind> {
     let inner = &module.types[variable.ty].inner;
     Some(match (variable.space, inner) {
-        (AddressSpace::Uniform, _) => BindingKind::Uniform(layout(module, inner)?),
+        (AddressSpace::Uniform, TypeInner::Struct { members, span }) => match block(module, members) {
+            Some(members) => BindingKind::Block { members, span: *span },
+            None => BindingKind::Uniform(layout(module, inner)?),
+        },
         (AddressSpace::Storage { access }, _) => {
             BindingKind::Storage { layout: layout(module, inner)?, read_only: !access.contains(StorageAccess::STORE) }
         }
@@ -131,6 +152,17 @@ fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<Bind
         }
         _ => return None,
     })
+}
+
+/// The members of a struct of structs and arrays of them; none of any other.
+fn block(module: &Module, members: &[naga::StructMember]) -> Option<Vec<BlockMember>> {
+    let part = |member: &naga::StructMember| {
+        let inner = &module.types[member.ty].inner;
+        let whole = matches!(inner, TypeInner::Struct { .. } | TypeInner::Array { .. });
+        let layout = layout(module, inner).filter(|layout| whole && !layout.fields.is_empty())?;
+        Some(BlockMember { name: member.name.clone()?, offset: member.offset, layout })
+    };
+    members.iter().map(part).collect()
 }
 
 fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {

@@ -1,6 +1,5 @@
 //! Timing passes on the device.
 
-use std::sync::Mutex;
 use std::time::Duration;
 
 use wgpu::{
@@ -26,15 +25,6 @@ pub(super) struct Clock {
     enabled: bool,
 }
 
-/// Query sets live as long as the process, for the same reason as devices and pipelines do: lavapipe (Mesa 22.3) may still
-/// write to a timestamp after its set is destroyed.
-fn keep(set: &QuerySet) {
-    static KEPT: Mutex<Vec<QuerySet>> = Mutex::new(Vec::new());
-    if let Ok(mut kept) = KEPT.lock() {
-        kept.push(set.clone());
-    }
-}
-
 const QUERIES: u32 = wgpu::QUERY_SET_MAX_QUERIES;
 
 impl Clock {
@@ -51,7 +41,6 @@ impl Clock {
         if index == 0 {
             let descriptor = QuerySetDescriptor { label: None, ty: QueryType::Timestamp, count: QUERIES };
             let set = gpu.device.create_query_set(&descriptor);
-            keep(&set);
             self.sets.push(set);
         }
         self.stages.push(stage);

@@ -98,8 +98,13 @@ impl<'a> Renderer<'a> {
     }
 
     fn rewrite(&self, name: &str, values: &[(&'static str, Value)]) -> Result<(), GpuError> {
-        if let Some((layout, buffer)) = self.binding_layout(name).zip(self.buffers.buffers.get(name)) {
-            self.gpu.queue.write_buffer(buffer, 0, &pack(name, layout, [values])?);
+        for binding in self.program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
+            let BindingKind::Block { members, .. } = &binding.kind else { continue };
+            let Some(member) = members.iter().find(|member| member.name == name) else { continue };
+            if let Some(buffer) = self.buffers.buffers.get(&binding.name) {
+                let bytes = pack(name, &member.layout, [values])?;
+                self.gpu.queue.write_buffer(buffer, u64::from(member.offset), &bytes);
+            }
         }
         Ok(())
     }

@@ -17,8 +17,6 @@ use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
 
-use crate::support::output_of;
-
 /// A glowing ball before a sky, in straight space: one program, and quick.
 const BALL: &str = r#"
 [image]
@@ -125,7 +123,7 @@ impl Folder {
 
     /// Runs the program with these arguments, separated by spaces.
     fn run(&self, arguments: &str) -> Ran {
-        let output = output_of(|| self.command(arguments));
+        let output = self.command(arguments).output().unwrap();
         Ran {
             code: output.status.code(),
             out: String::from_utf8(output.stdout).unwrap(),

@@ -3,7 +3,6 @@
 pub mod probe;
 
 use std::path::Path;
-use std::process::{Command, Output};
 
 use bentray::gpu::Gpu;
 use bentray::scene::Scene;
@@ -29,17 +28,4 @@ pub fn shipped_scenes() -> Vec<std::path::PathBuf> {
         .collect();
     scenes.sort();
     scenes
-}
-
-/// What a run of the program puts out. The software driver itself (lavapipe of Mesa 22.3) dies of a corrupted heap in about one
-/// run of a few hundred: a run that a signal ended is said so and made again, at most twice. Exit codes are never tried again.
-pub fn output_of(make: impl Fn() -> Command) -> Output {
-    for _ in 0..2 {
-        let output = make().output().unwrap();
-        if output.status.code().is_some() {
-            return output;
-        }
-        eprintln!("ended by a signal, run again: {:?}: {}", make(), String::from_utf8_lossy(&output.stderr));
-    }
-    make().output().unwrap()
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use bentray::gpu::{Gpu, Pipeline, Value, pack};
-use bentray::program::{BindingKind, Choice, Linked, Parts, Reflection, Unit, Work, link, part, plan, reflect};
+use bentray::program::{BindingKind, Choice, Layout, Linked, Parts, Reflection, Unit, Work, link, part, plan, reflect};
 use glam::Vec4;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, MapMode, PollType};
@@ -127,16 +127,28 @@ impl Probe {
         rows.chunks(O).map(|chunk| std::array::from_fn(|k| chunk[k])).collect()
     }
 
+    fn packed(&self, name: &str, layout: &Layout) -> Vec<u8> {
+        let records = self.records.get(name).unwrap_or_else(|| panic!("the probe was given no `{name}`"));
+        pack(name, layout, records).unwrap_or_else(|error| panic!("{error}"))
+    }
+
     fn bytes(&self, binding: &bentray::program::Binding) -> Vec<u8> {
         let name = binding.name.as_str();
         if let Some(numbers) = self.numbers.get(name) {
             return bytemuck::cast_slice(numbers).to_vec();
         }
-        let records = self.records.get(name).unwrap_or_else(|| panic!("the probe was given no `{name}`"));
+        if let BindingKind::Block { members, span } = &binding.kind {
+            let mut bytes = vec![0; *span as usize];
+            for member in members {
+                let part = self.packed(&member.name, &member.layout);
+                bytes[member.offset as usize..][..part.len()].copy_from_slice(&part);
+            }
+            return bytes;
+        }
         let (BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. }) = &binding.kind else {
             panic!("`{name}` is a texture: give the probe a stub in its place");
         };
-        pack(name, layout, records).unwrap_or_else(|error| panic!("{error}"))
+        self.packed(name, layout)
     }
 }
 
@@ -159,7 +171,11 @@ fn entry(body: &str, rows_in: usize, rows_out: usize, count: usize) -> Unit {
 }
 
 fn usage(kind: &BindingKind) -> BufferUsages {
-    if matches!(kind, BindingKind::Uniform(_)) { BufferUsages::UNIFORM } else { BufferUsages::STORAGE }
+    if matches!(kind, BindingKind::Uniform(_) | BindingKind::Block { .. }) {
+        BufferUsages::UNIFORM
+    } else {
+        BufferUsages::STORAGE
+    }
 }
 
 fn buffer(gpu: &Gpu, contents: &[u8], usage: BufferUsages) -> Buffer {
