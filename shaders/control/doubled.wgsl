@@ -19,10 +19,6 @@ struct DoubledStep {
     error: Real,
 }
 
-fn first_step(p: Phase) -> Real {
-    return control.eta * law_scale(p);
-}
-
 fn capped_step(ray: Ray) -> Real {
     return limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray.tau);
 }

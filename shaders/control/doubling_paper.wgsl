@@ -1,5 +1,12 @@
 // The paper's rule (W04 §4.2): the difference changes only the next step, by two thresholds; no step is rejected.
 
+// No step is taken back, so that the first has to be small; it doubles soon enough.
+const FIRST: Real = 1e-3;
+
+fn first_step(p: Phase) -> Real {
+    return FIRST * control.eta * law_scale(p);
+}
+
 fn accepted_step(ray: Ray) -> Ray {
     let h = capped_step(ray);
     let step = doubled_step(ray.phase, h);

@@ -7,6 +7,10 @@ const SAFETY: Real = 0.9;
 const MIN_FACTOR: Real = 0.2;
 const MAX_FACTOR: Real = 5.0;
 
+fn first_step(p: Phase) -> Real {
+    return control.eta * law_scale(p);
+}
+
 fn step_factor(error: Real) -> Real {
     // A factor needs no more digits than f32 has.
     let ratio = f32(control.tolerance / max(error, 1e-30));

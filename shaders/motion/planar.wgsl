@@ -15,6 +15,11 @@ fn retaken_step(p: Phase, s: Real) -> Phase {
     return orbit_point(orbit_step(orbit_of(p[0], p[1]), s));
 }
 
+// The size of the step from ray to next, in the measure that retaken_step takes.
+fn own_size(ray: Ray, next: Ray) -> Real {
+    return next.memory.h;
+}
+
 fn accepted_step(ray: Ray) -> Ray {
     let start = orbit_of(ray.phase[0], ray.phase[1]);
     let s = orbit_stride(start, control.eta, start.u);

@@ -37,20 +37,44 @@ fn orbit_cut(o: Orbit, size: Real, edge: Real) -> Real {
     return s;
 }
 
-fn orbit_size(o: Orbit) -> Real {
-    return orbit_stride(o, control.eta, o.u + orbit_calm());
+// Where the bounding sphere lies off the centre a ray beyond the edge may still be inside: short steps, until it leaves.
+fn orbit_size(o: Orbit, edge: Real) -> Real {
+    return orbit_stride(o, control.eta, select(o.u + orbit_calm(), o.u, o.u <= edge));
+}
+
+// The size of the step that leaves, cut to end just outside.
+fn own_size(ray: Ray, next: Ray) -> Real {
+    let edge = orbit_edge();
+    let o = orbit_of(ray.phase[0], ray.phase[1]);
+    let s = orbit_size(o, edge);
+    let over = orbit_step(o, s);
+    return select(s, orbit_cut(o, s, 0.999 * edge), o.u > edge && over.u < edge);
+}
+
+// Roughly where a step that leaves crosses the edge, by the chord of u: whether it left is known, and exactly where is found
+// once, when the path has ended.
+fn orbit_left(o: Orbit, over: Orbit, edge: Real) -> Orbit {
+    let f = (o.u - edge) / max(o.u - over.u, 1e-30);
+    var end = over;
+    end.u = 0.999 * edge;
+    end.w = min(over.w, -1e-30);
+    end.angle = mix(o.angle, over.angle, f);
+    return end;
 }
 
 fn accepted_step(ray: Ray) -> Ray {
     let edge = orbit_edge();
     var next = ray;
     var here = orbit_of(ray.phase[0], ray.phase[1]);
+    let start = here;
+    var end = here;
+    var s: Real = 0.0;
     var steps = 0u;
     var passed: Real = 0.0;
     for (var i = 0u; i < STEPS; i++) {
         work += 1u;
-        let s = orbit_size(here);
-        let end = orbit_step(here, s);
+        s = orbit_size(here, edge);
+        end = orbit_step(here, s);
         if end.u < edge || orbit_captured(end) {
             break;
         }
@@ -58,24 +82,17 @@ fn accepted_step(ray: Ray) -> Ray {
         here = end;
         steps += 1u;
     }
-    var s: Real = 0.0;
     if steps == 0u {
-        // Where the bounding sphere lies off the centre a ray beyond the edge may still be inside: short steps, until it leaves.
-        let beyond = here.u <= edge;
-        s = select(orbit_size(here), orbit_stride(here, control.eta, here.u), beyond);
-        let over = orbit_step(here, s);
-        // Just outside, so that nobody doubts that it left.
-        let cut = !beyond && over.u < edge;
-        s = select(s, orbit_cut(here, s, 0.999 * edge), cut);
-        let end = orbit_step(here, s);
-        passed = orbit_time(here, end, s);
+        if start.u > edge && end.u < edge {
+            end = orbit_left(start, end, edge);
+        }
+        passed = orbit_time(start, end, s);
         here = end;
         steps = 1u;
     }
     next.phase = opaque_phase(orbit_point(here));
     next.tau += passed;
     next.taken = opaque(passed);
-    next.memory.h = opaque(s);
     next.steps += steps;
     return next;
 }

@@ -1,10 +1,5 @@
 // Steps along an orbit are measured in s, with ds = dτ/r².
 
-// The size of the step from ray to next, in the measure that retaken_step takes.
-fn own_size(ray: Ray, next: Ray) -> Real {
-    return next.memory.h;
-}
-
 // τ in that measure, along the line from p: for a straight line s = τ/(r₀ r₁), as far as an angle is its sine.
 fn own_measure(p: Phase, tau: Real) -> Real {
     let x = p[0] - orbit_center();

@@ -11,6 +11,7 @@ macro_rules! say {
 }
 
 mod bench;
+mod chart;
 mod check;
 mod devices;
 mod new;
@@ -42,7 +43,7 @@ enum Command {
     Trace(trace::Arguments),
     Devices(devices::Arguments),
     Wgsl(wgsl::Arguments),
-
+    Chart(chart::Arguments),
     Bench(bench::Arguments),
     New(new::Arguments),
 }
@@ -55,7 +56,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),
         Command::Wgsl(arguments) => wgsl::run(&arguments),
-
+        Command::Chart(arguments) => chart::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
     }

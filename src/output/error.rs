@@ -53,6 +53,12 @@ pub enum OutputError {
         /// The file asked for.
         path: PathBuf,
     },
+    /// The extension names no format of a plot.
+    #[error("{path}: the name of a plot must end in .svg (shapes, to print) or .png (pixels)")]
+    PlotFormat {
+        /// The file asked for.
+        path: PathBuf,
+    },
     /// The settings do not suit the format.
     #[error("{path}: {problem}")]
     Setting {

@@ -4,7 +4,8 @@
 //! will hold, so that a path that cannot be written is found first. Pictures are fed in bands of full-width rows, from
 //! the top down ([`open`], [`ImageWriter`]): a writer holds one band of its own and a compressed tail, so that the
 //! memory grows with the band and not with the picture. A PNG holds colour as it is to be looked at ([`png`]); an
-//! EXR holds every plane bit for bit ([`exr`]). Rays and results are CSV ([`csv`]), and plots are SVG ([`plot`]).
+//! EXR holds every plane bit for bit ([`exr`]). Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a
+//! page of HTML shows them beside their tables ([`report`]).
 //! The same input gives the same bytes.
 
 pub mod atomic;
@@ -15,6 +16,7 @@ pub mod error;
 pub mod exr;
 pub mod plot;
 pub mod png;
+pub mod report;
 #[cfg(test)]
 mod tests;
 

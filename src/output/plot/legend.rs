@@ -1,19 +1,10 @@
 //! The legend: a column beside the plot, with a line for each series.
 
-use plotters::{
-    prelude::Text,
-    style::{
-        BLACK, IntoFont, TextStyle,
-        text_anchor::{HPos, Pos, VPos},
-    },
-};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::{
-    Area, CANVAS, Drawn, FONT, LABEL_SIZE, MARGIN,
-    style::{Look, Place},
-    words,
-};
+use super::{Area, CANVAS, Drawn, LABEL_SIZE, MARGIN, style::Look, write};
 
+const ANCHOR: Pos = Pos { h_pos: HPos::Left, v_pos: VPos::Center };
 const ROW_HEIGHT: i32 = 44;
 /// Length of the sample of line before a name.
 const SAMPLE: i32 = 90;
@@ -33,6 +24,18 @@ pub(super) struct Legend {
 }
 
 impl Legend {
+    /// The looks of series of these names, and how many of their points have no place in the plot.
+    pub fn of<'a>(names: impl Iterator<Item = &'a String>, missing: usize) -> Self {
+        Self {
+            entries: names.enumerate().map(|(i, name)| (name.clone(), Look::of(i))).collect(),
+            notes: match missing {
+                0 => Vec::new(),
+                1 => vec!["1 point has no place".into()],
+                n => vec![format!("{n} points have no place")],
+            },
+        }
+    }
+
     /// The width of the column in pixels; none if there is nothing to say.
     pub fn width(&self) -> u32 {
         let names = self.entries.iter().map(|(name, _)| text_width(name) + SAMPLE + GAP);
@@ -51,24 +54,20 @@ impl Legend {
         for (name, look) in &self.entries[..shown] {
             look.stroke(canvas, vec![(left, y), (left + SAMPLE, y)])?;
             look.mark(canvas, (left + SAMPLE / 2, y))?;
-            text(canvas, name, (left + SAMPLE + GAP, y))?;
+            write(canvas, &shortened(name), (left + SAMPLE + GAP, y), ANCHOR)?;
             y += ROW_HEIGHT;
         }
         let rest = crowded.then(|| format!("and {} more", self.entries.len() - shown));
         for line in rest.iter().chain(&self.notes) {
-            text(canvas, line, (left, y))?;
+            write(canvas, &shortened(line), (left, y), ANCHOR)?;
             y += ROW_HEIGHT;
         }
         Ok(())
     }
 }
 
-fn text(canvas: &Area, line: &str, at: Place) -> Drawn<()> {
-    let style = TextStyle::from((FONT, LABEL_SIZE).into_font()).color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
-    canvas.draw(&Text::new(shortened(line), at, style)).map_err(words)
-}
-
-fn text_width(line: &str) -> i32 {
+/// The width of a line in pixels, about.
+pub(super) fn text_width(line: &str) -> i32 {
     let characters = line.chars().count().min(LONGEST) as f64;
     (characters * CHARACTER * f64::from(LABEL_SIZE)).ceil() as i32
 }

@@ -41,7 +41,7 @@ pub struct Series {
     pub points: Vec<[f64; 2]>,
 }
 
-/// Draws a chart as SVG at `path`.
+/// Draws a chart at `path`, as SVG or PNG by its extension.
 pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
     let placed: Vec<Vec<_>> =
         chart.series.iter().map(|s| s.points.iter().map(|p| place_on(chart, *p)).collect()).collect();
@@ -49,7 +49,8 @@ pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
     let x = Axis::around(&chart.x_label, chart.log_x, all().map(|p| p[0]));
     let y = Axis::around(&chart.y_label, chart.log_y, all().map(|p| p[1]));
     let missing = placed.iter().flatten().filter(|p| p.is_none()).count();
-    save(path, &legend(chart, missing), |canvas, area| {
+    let legend = Legend::of(chart.series.iter().map(|s| &s.name), missing);
+    save(path, &legend, |canvas, area| {
         let plot = frame(area, &chart.title, &x, &y)?;
         for (i, line) in placed.iter().enumerate() {
             let on_canvas: Vec<_> = line.iter().map(|p| p.map(|p| plot.backend_coord(&p.into()))).collect();
@@ -62,18 +63,6 @@ pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
 /// A point in plot coordinates, if it has any.
 fn place_on(chart: &Chart, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
     Some([place(x, chart.log_x)?, place(y, chart.log_y)?])
-}
-
-fn legend(chart: &Chart, missing: usize) -> Legend {
-    let names = chart.series.iter().enumerate();
-    Legend {
-        entries: names.map(|(i, s)| (s.name.clone(), Look::of(i))).collect(),
-        notes: match missing {
-            0 => Vec::new(),
-            1 => vec!["1 point has no place".into()],
-            n => vec![format!("{n} points have no place")],
-        },
-    }
 }
 
 fn draw(canvas: &Area, line: &[Option<Place>], look: Look) -> Drawn<()> {

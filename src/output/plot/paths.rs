@@ -20,7 +20,8 @@ pub struct PathLine<'a> {
     pub status: &'a str,
 }
 
-/// Draws paths as SVG at `path`, with the outline of the bounding ball `(center, radius)` if there is one.
+/// Draws paths at `path`, as SVG or PNG by its extension, with the outline of the bounding ball `(center, radius)` if
+/// there is one.
 pub fn plot_paths(path: &Path, lines: &[PathLine], bound: Option<([f64; 3], f64)>) -> Result<(), OutputError> {
     let axes = widest_axes(lines);
     let project = |p: &[f64; 3]| [p[axes[0]], p[axes[1]]];

@@ -3,6 +3,8 @@
 mod files;
 mod images;
 mod plots;
+mod precision;
+mod report;
 mod tables;
 
 use std::path::{Path, PathBuf};

@@ -1,17 +1,43 @@
 //! Plots say what they show; `BENTRAY_PLOTS` names a folder to keep them in, to be looked at.
 
-use std::{fs, path::PathBuf};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
-use super::folder;
-use crate::output::plot::{Chart, PathLine, Series, plot_lines, plot_paths};
+use image::{ColorType, Rgb, RgbImage};
 
-/// Runs a plot and returns its SVG.
-fn svg(name: &str, plot: impl FnOnce(&PathBuf)) -> String {
+use super::{folder, names};
+use crate::output::{
+    OutputError,
+    plot::{Chart, PathLine, Series, check_plot, plot_lines, plot_paths},
+};
+
+/// Runs a plot and returns its file.
+pub(super) fn bytes(name: &str, plot: impl FnOnce(&Path)) -> Vec<u8> {
     let folder = folder();
     let kept = std::env::var_os("BENTRAY_PLOTS").map(PathBuf::from);
     let path = kept.as_deref().unwrap_or(folder.path()).join(name);
     plot(&path);
-    fs::read_to_string(path).unwrap()
+    fs::read(path).unwrap()
+}
+
+/// Runs a plot and returns its SVG.
+pub(super) fn svg(name: &str, plot: impl FnOnce(&Path)) -> String {
+    String::from_utf8(bytes(name, plot)).unwrap()
+}
+
+/// Runs a plot and returns its PNG, which has the size of the canvas, is white at its edge and shows much else.
+pub(super) fn png(name: &str, plot: impl FnOnce(&Path)) -> RgbImage {
+    let picture = image::load_from_memory(&bytes(name, plot)).unwrap();
+    assert_eq!(picture.color(), ColorType::Rgb8);
+    let picture = picture.to_rgb8();
+    assert_eq!(picture.dimensions(), (1600, 1200));
+    let white = Rgb([255; 3]);
+    let mut edge = (0..1600).flat_map(|x| [(x, 0), (x, 1199)]).chain((0..1200).flat_map(|y| [(0, y), (1599, y)]));
+    assert!(edge.all(|(x, y)| *picture.get_pixel(x, y) == white));
+    assert!(picture.pixels().filter(|p| **p != white).count() > 2000);
+    picture
 }
 
 fn chart(log: bool) -> Chart {
@@ -102,4 +128,56 @@ fn paths_are_shown_along_their_narrowest_axis() {
 fn no_paths_are_drawn_too() {
     let svg = svg("none.svg", |path| plot_paths(path, &[], None).unwrap());
     assert!(svg.contains("x (scene units)") && svg.contains("y (scene units)"));
+}
+
+/// The part of a picture where something is, `[left, top, right, bottom]`.
+fn extent(picture: &RgbImage) -> [u32; 4] {
+    let drawn = picture.enumerate_pixels().filter(|(_, _, p)| **p != Rgb([255; 3]));
+    drawn.fold([u32::MAX, u32::MAX, 0, 0], |[l, t, r, b], (x, y, _)| [l.min(x), t.min(y), r.max(x), b.max(y)])
+}
+
+#[test]
+fn a_png_shows_the_colours_and_words_of_the_svg() {
+    let picture = png("log.png", |path| plot_lines(path, &chart(true)).unwrap());
+    for color in [[0x00, 0x72, 0xb2], [0xd5, 0x5e, 0x00], [0x00, 0x9e, 0x73], [0xcc, 0x79, 0xa7], [0, 0, 0]] {
+        assert!(picture.pixels().filter(|p| p.0 == color).count() > 100, "{color:?}");
+    }
+    // The title above, the name of the y axis at the left, the legend at the right.
+    let [left, top, right, bottom] = extent(&picture);
+    assert!(left < 100 && top < 70 && right > 1500 && bottom > 1130, "{left} {top} {right} {bottom}");
+    let wordless = Chart {
+        title: String::new(),
+        y_label: String::new(),
+        series: vec![Series { points: vec![[1.0, 1.0], [2.0, 2.0]], ..Series::default() }],
+        ..chart(true)
+    };
+    let [left, top, ..] = extent(&png("wordless.png", |path| plot_lines(path, &wordless).unwrap()));
+    assert!(left >= 30 && top >= 30, "{left} {top}");
+    let lines = lines();
+    png("paths.PNG", |path| plot_paths(path, &lines, Some(([0.0; 3], 12.0))).unwrap());
+}
+
+#[test]
+fn the_same_plot_gives_the_same_bytes() {
+    for name in ["same.svg", "same.png"] {
+        let [first, second] = [0, 1].map(|_| bytes(name, |path| plot_lines(path, &chart(true)).unwrap()));
+        assert!(first == second, "{name}");
+    }
+}
+
+#[test]
+fn a_name_that_is_no_plot_is_refused_before_the_work() {
+    let folder = folder();
+    for name in ["a.pdf", "a", "svg", "a.svg.gz"] {
+        let path = folder.path().join(name);
+        for error in [check_plot(&path), plot_lines(&path, &chart(true)), plot_paths(&path, &[], None)] {
+            let error = error.unwrap_err();
+            assert!(matches!(error, OutputError::PlotFormat { .. }), "{error}");
+            assert!(error.to_string().contains(name) && error.to_string().contains(".svg"), "{error}");
+        }
+    }
+    let lost = check_plot(&folder.path().join("no/a.svg")).unwrap_err();
+    assert!(matches!(lost, OutputError::MissingFolder { .. }), "{lost}");
+    check_plot(&folder.path().join("a.png")).unwrap();
+    assert!(names(folder.path()).is_empty());
 }

@@ -1,0 +1,129 @@
+//! A chart as files: a table of all points, plots, and a page.
+
+use std::path::{Path, PathBuf};
+
+use super::{Point, SceneChart};
+use crate::output::OutputError;
+use crate::output::csv::{Row, Table};
+use crate::output::plot::{PrecisionPlot, Series, plot_precision};
+use crate::output::report::{ReportTable, Section};
+
+/// A point as a line of the CSV.
+struct Line<'a>(&'static str, &'a Point);
+
+impl Row for Line<'_> {
+    const HEADER: &'static str = "method,setting,ns_per_ray,spread,evaluations,steps,rejected,compared,unresolved,wrong,\
+                                  flagged,seen_p95,seen_p99,angle_median,angle_p95,angle_p99,angle_max,position_median,\
+                                  position_p95,position_p99,position_max,depth_p95,image_rms";
+
+    fn line(&self) -> String {
+        let Self(name, point) = self;
+        let found = &point.found;
+        let numbers = [
+            point.setting,
+            1e9 * point.time,
+            point.spread,
+            point.evaluations,
+            point.steps,
+            point.rejected,
+            found.rays as f64,
+            found.unresolved as f64,
+            found.wrong as f64,
+            found.flagged as f64,
+            found.seen.p95,
+            found.seen.p99,
+            found.angle.median,
+            found.angle.p95,
+            found.angle.p99,
+            found.angle.max,
+            found.position.median,
+            found.position.p95,
+            found.position.p99,
+            found.position.max,
+            found.depth.p95,
+            point.image,
+        ];
+        let numbers: Vec<String> = numbers.iter().map(|number| format!("{number:.6e}")).collect();
+        format!("\"{name}\",{}", numbers.join(","))
+    }
+}
+
+/// Writes SCENE.csv, SCENE_time and SCENE_evaluations as SVG and PNG into `folder`, and gives the page's section on them.
+pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputError> {
+    let file = |end: &str| folder.join(format!("{}{end}", chart.scene));
+    let mut table = Table::create::<Line>(&file(".csv"))?;
+    for curve in &chart.curves {
+        for point in &curve.points {
+            table.write(&Line(curve.name, point))?;
+        }
+    }
+    table.finish()?;
+    let plots: [(&str, &str, fn(&Point) -> f64); 2] = [
+        ("time", "time of a ray, advance passes (ns)", |point| 1e9 * point.time),
+        ("evaluations", "evaluations of the law's rate, a ray", |point| point.evaluations),
+    ];
+    let mut images = Vec::new();
+    for (name, label, cost) in plots {
+        let plot = plot(chart, label, cost);
+        for format in ["svg", "png"] {
+            plot_precision(&file(&format!("_{name}.{format}")), &plot)?;
+        }
+        images.push((
+            PathBuf::from(format!("{}_{name}.svg", chart.scene)),
+            format!("{}: error against {label}", chart.scene),
+        ));
+    }
+    Ok(section(chart, images))
+}
+
+fn plot(chart: &SceneChart, label: &str, cost: fn(&Point) -> f64) -> PrecisionPlot {
+    let curve = |curve: &super::Curve| Series {
+        name: curve.name.to_owned(),
+        points: curve.points.iter().map(|point| [point.found.seen.p95, cost(point)]).filter(|p| p[0] < 3.0).collect(),
+    };
+    PrecisionPlot {
+        title: chart.scene.clone(),
+        x_label: "error that 95 of 100 rays stay under (rad)".to_owned(),
+        y_label: label.to_owned(),
+        curves: chart.curves.iter().map(curve).collect(),
+        floor: Some(chart.floor()).filter(|floor| floor.is_finite()),
+    }
+}
+
+/// The errors of the table of the fastest.
+const ERRORS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+
+/// The fastest method at each error, as header and rows.
+#[must_use]
+pub fn fastest_table(chart: &SceneChart) -> (Vec<String>, Vec<Vec<String>>) {
+    let header = ["error (rad, 95 %)", "fastest", "ns a ray", "evaluations", "wrong ends"].map(str::to_owned).to_vec();
+    let row = |error: f64| match chart.fastest(error) {
+        Some((_, point)) => vec![
+            format!("{error:.0e}"),
+            point.words.clone(),
+            format!("{:.0}", 1e9 * point.time),
+            format!("{:.0}", point.evaluations),
+            point.found.wrong.to_string(),
+        ],
+        None => vec![format!("{error:.0e}"), "none arrives".to_owned()],
+    };
+    (header, ERRORS.into_iter().map(row).collect())
+}
+
+fn section(chart: &SceneChart, images: Vec<(PathBuf, String)>) -> Section {
+    let [compared, unresolved] = chart.compared;
+    let (header, rows) = fastest_table(chart);
+    let intro = format!(
+        "Times are medians over {} rays, errors those of {compared} rays against 64 bits; of {unresolved} more the end cannot \
+         be known. No method came closer than {:.1e} rad in 32 bits.",
+        chart.rays,
+        chart.floor()
+    );
+    let caption = "The fastest method".to_owned();
+    Section {
+        title: chart.scene.clone(),
+        intro: vec![intro],
+        images,
+        tables: vec![ReportTable { caption, header, rows }],
+    }
+}

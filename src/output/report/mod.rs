@@ -1,0 +1,105 @@
+//! A page that shows plots beside their tables ([`write_report`]), and the same tables for a terminal ([`text_table`]).
+//!
+//! The page is one file of HTML with its style inside: no scripts, and nothing from elsewhere but the plots, which it
+//! names relative to itself. All that is given is text, and is shown as it is, whatever characters it has.
+
+mod html;
+mod text;
+
+use std::{
+    fmt::Write as _,
+    io::Write as _,
+    path::{Path, PathBuf},
+};
+
+use self::html::{address, escape};
+use super::{AtomicFile, OutputError};
+
+pub use text::text_table;
+
+const STYLE: &str = include_str!("style.css");
+
+/// A part of a report.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Section {
+    /// What stands above.
+    pub title: String,
+    /// Paragraphs that say what is to be seen.
+    pub intro: Vec<String>,
+    /// Pictures, by their paths relative to the page, and what they show in words.
+    pub images: Vec<(PathBuf, String)>,
+    /// Tables, below the pictures.
+    pub tables: Vec<ReportTable>,
+}
+
+/// A table of a report.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ReportTable {
+    /// What stands above; may be empty.
+    pub caption: String,
+    /// The names of the columns.
+    pub header: Vec<String>,
+    /// The rows; one that is shorter than others ends in empty cells.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// Writes a report at `path`, as one page of HTML.
+pub fn write_report(path: &Path, title: &str, sections: &[Section]) -> Result<(), OutputError> {
+    let mut file = AtomicFile::create(path)?;
+    file.write_all(page(title, sections).as_bytes()).map_err(|e| file.failed(e))?;
+    file.finish()
+}
+
+fn page(title: &str, sections: &[Section]) -> String {
+    let title = escape(title);
+    let mut page = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
+    );
+    if sections.len() > 1 {
+        contents(&mut page, sections);
+    }
+    for (i, part) in sections.iter().enumerate() {
+        section(&mut page, i + 1, part);
+    }
+    page.push_str("</body>\n</html>\n");
+    page
+}
+
+// Writing to a String cannot fail.
+
+fn contents(page: &mut String, sections: &[Section]) {
+    page.push_str("<nav>\n<ol>\n");
+    for (i, section) in sections.iter().enumerate() {
+        let _ = writeln!(page, "<li><a href=\"#part{}\">{}</a></li>", i + 1, escape(&section.title));
+    }
+    page.push_str("</ol>\n</nav>\n");
+}
+
+fn section(page: &mut String, number: usize, section: &Section) {
+    let _ = writeln!(page, "<section id=\"part{number}\">\n<h2>{}</h2>", escape(&section.title));
+    for paragraph in &section.intro {
+        let _ = writeln!(page, "<p>{}</p>", escape(paragraph));
+    }
+    for (path, alt) in &section.images {
+        let _ = writeln!(page, "<figure><img src=\"{}\" alt=\"{}\"></figure>", address(path), escape(alt));
+    }
+    for table in &section.tables {
+        write_table(page, table);
+    }
+    page.push_str("</section>\n");
+}
+
+fn write_table(page: &mut String, table: &ReportTable) {
+    page.push_str("<table>\n");
+    if !table.caption.is_empty() {
+        let _ = writeln!(page, "<caption>{}</caption>", escape(&table.caption));
+    }
+    let numeric = text::number_columns(&table.header, &table.rows);
+    let _ = writeln!(page, "<thead>\n{}</thead>\n<tbody>", html::row("th", &table.header, &numeric));
+    for row in &table.rows {
+        page.push_str(&html::row("td", row, &numeric));
+    }
+    page.push_str("</tbody>\n</table>\n");
+}
