@@ -1,4 +1,5 @@
 // The paper's rule (W04 §4.2): the difference changes only the next step, by two thresholds; no step is rejected.
+// What would have been is counted: a step over the tolerance is kept, and its error with it.
 
 // No step is taken back, so that the first has to be small; it doubles soon enough.
 const FIRST: Real = 1e-3;
@@ -15,6 +16,7 @@ fn accepted_step(ray: Ray) -> Ray {
     next.tau += h;
     next.taken = opaque(h);
     next.steps += 1u;
+    next.rejected += u32(step.error > control.tolerance);
     next.memory.h = h * select(select(1.0, 2.0, step.error < control.grow_below), 0.5, step.error > control.tolerance);
     return next;
 }

@@ -3,9 +3,11 @@
 mod files;
 mod paper;
 mod shadow;
+mod stability;
 mod sweep;
 
 pub use files::{fastest_table, write_chart};
 pub use paper::{ACCELERATED_2004, PLAIN_2004, PaperBench, Sample, Schedules, TableRow};
 pub use shadow::{CRITICAL, shadow_edge};
+pub use stability::{Outcome, Place, default_settings};
 pub use sweep::{Curve, Point, SceneChart, Sweep};

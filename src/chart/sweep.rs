@@ -84,8 +84,14 @@ struct Measured {
 }
 
 impl Sweep<'_> {
-    /// Measures every method of `scene`.
-    pub fn scene(&self, name: &str, scene: &Scene, progress: &dyn Fn(&str)) -> Result<SceneChart, RenderError> {
+    /// Measures every method of `scene` that is wanted.
+    pub fn scene(
+        &self,
+        name: &str,
+        scene: &Scene,
+        wanted: &dyn Fn(&Candidate) -> bool,
+        progress: &dyn Fn(&str),
+    ) -> Result<SceneChart, RenderError> {
         let scene = self.sized(scene);
         let pixels = scattered(scene.image.size, self.compared, 1);
         let starts = Starts::Pixels(&pixels, 1024);
@@ -94,7 +100,7 @@ impl Sweep<'_> {
         let reference = self.reference_picture(&scene)?;
         let mut curves = Vec::new();
         let mut fastest = f64::INFINITY;
-        for candidate in all_methods(&scene) {
+        for candidate in all_methods(&scene).into_iter().filter(wanted) {
             progress(candidate.name);
             let points = self.method(&scene, &candidate, starts, &truth, &reference, &mut fastest)?;
             curves.push(Curve { name: candidate.name, points });

@@ -1,29 +1,40 @@
 //! `bentray chart`: speed against accuracy.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
 
 use super::options::SceneOptions;
-use crate::chart::{SceneChart, Sweep, fastest_table, write_chart};
+use crate::chart::{Outcome, Place, SceneChart, Sweep, default_settings, fastest_table, write_chart};
 use crate::error::Error;
 use crate::gpu::Gpu;
-use crate::output::OutputError;
-use crate::output::report::{Section, text_table, write_report};
+use crate::measure::{Candidate, all_methods};
+use crate::output::csv::read_rays;
+use crate::output::report::{ReportTable, Section, text_table, write_report};
+use crate::output::{AtomicFile, OutputError};
 use crate::scene::Scene;
 
 /// Chart speed against accuracy: every method that a scene's law allows, over its settings
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene file, or `all` for every scene of a folder
-    scene: PathBuf,
+    #[arg(required_unless_present = "stability")]
+    scene: Option<PathBuf>,
+    /// Instead: follow the rays of every place where methods fail, by every method, and say what became of them
+    #[arg(long, conflicts_with = "scene")]
+    stability: bool,
+    /// Only these methods, by their names in the chart
+    #[arg(long, value_name = "METHOD", value_delimiter = ',')]
+    methods: Option<Vec<String>>,
     /// The folder to write tables (CSV), plots (SVG and PNG) and a page (index.html) into; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// With `all`: the folder of the scenes
-    #[arg(long, value_name = "DIR", default_value = "scenes")]
-    scenes: PathBuf,
+    /// The folder of the scenes for `all`, or of the places for --stability (scenes, each with its rays in a .csv beside it)
+    /// [default: scenes, or scenes/stability]
+    #[arg(long, value_name = "DIR")]
+    scenes: Option<PathBuf>,
     /// Rays that are timed, at least
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u32).range(64..=100_000_000))]
     rays: u32,
@@ -42,14 +53,16 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let paths = scenes(arguments)?;
+    let unwritable = |cause| OutputError::Write { path: arguments.output.clone(), cause };
+    if arguments.stability {
+        std::fs::create_dir_all(&arguments.output).map_err(unwritable)?;
+        return stability(arguments, &paths);
+    }
     // All scenes are read before the first is measured.
     let load = |path: &PathBuf| Ok((name(path), Scene::load(path, &arguments.changes.overrides())?));
     let scenes = paths.iter().map(load).collect::<Result<Vec<_>, Error>>()?;
-    let unwritable = |cause| OutputError::Write { path: arguments.output.clone(), cause };
     std::fs::create_dir_all(&arguments.output).map_err(unwritable)?;
-    let gpu = Gpu::open(arguments.device.as_deref())?;
-    let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
-    eprintln!("device: {device}");
+    let (gpu, device) = open(arguments)?;
     let sweep = Sweep {
         gpu: &gpu,
         rays: arguments.rays,
@@ -61,7 +74,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         if scene.camera.is_none() {
             return Err(crate::render::RenderError::NoCamera.into());
         }
-        let chart = sweep.scene(name, scene, &|what| eprintln!("{name}: {what}"))?;
+        let chart =
+            sweep.scene(name, scene, &|method| wanted(arguments, method), &|what| eprintln!("{name}: {what}"))?;
         print(&chart)?;
         sections.push(write_chart(&arguments.output, &chart)?);
     }
@@ -69,11 +83,70 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn scenes(arguments: &Arguments) -> Result<Vec<PathBuf>, Error> {
-    if arguments.scene != Path::new("all") {
-        return Ok(vec![arguments.scene.clone()]);
+fn open(arguments: &Arguments) -> Result<(Gpu, String), Error> {
+    let gpu = Gpu::open(arguments.device.as_deref())?;
+    let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
+    eprintln!("device: {device}");
+    Ok((gpu, device))
+}
+
+/// The table of what became of all rays; a silent row fails the command.
+fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error> {
+    let load = |path: &PathBuf| {
+        let scene = Scene::load(path, &arguments.changes.overrides())?;
+        Ok((name(path), scene, read_rays(&path.with_extension("csv"))?))
+    };
+    let places = paths.iter().map(load).collect::<Result<Vec<_>, Error>>()?;
+    let (gpu, device) = open(arguments)?;
+    let mut rows = Vec::new();
+    let mut silent = 0;
+    for (name, scene, rays) in &places {
+        eprintln!("{name}");
+        let place = Place::new(&gpu, name, scene, rays)?;
+        for candidate in all_methods(scene).iter().filter(|candidate| wanted(arguments, candidate)) {
+            let mut outcome = place.outcome(candidate, default_settings(candidate))?;
+            outcome.diverged = place.divergence(candidate)?;
+            silent += outcome.silent;
+            rows.push(outcome.cells());
+        }
     }
-    let folder = &arguments.scenes;
+    let header = Outcome::header();
+    say!("{}", text_table(&header, &rows).trim_end());
+    let mut file = AtomicFile::create(&arguments.output.join("stability.csv"))?;
+    for row in std::iter::once(&header).chain(&rows) {
+        writeln!(file, "{}", row.join(","))
+            .map_err(|cause| OutputError::Write { path: file.path().to_owned(), cause })?;
+    }
+    file.finish()?;
+    let intro = vec![
+        format!("Measured on {device}, each method at its default setting and at two finer ones."),
+        "Right: the end is the true one, within 1e-3. Given up: the ray itself says that it was not followed to an end. \
+         Over \
+         tolerance: steps beyond the tolerance were kept, as the 2004 rule does, and counted. Settings differ: a finer setting ends elsewhere, by which a user sees that the coarser one is not to be trusted. \
+         Unresolved: two runs in 64 bits disagree. Silent: wrong, without a sign of it."
+            .to_owned(),
+    ];
+    let table = ReportTable { caption: "Rays by what became of them".to_owned(), header, rows };
+    let section = Section { title: "Where methods fail".to_owned(), intro, images: Vec::new(), tables: vec![table] };
+    write_report(&arguments.output.join("stability.html"), "Bentray: stability", &[section])?;
+    if silent > 0 {
+        eprintln!("{silent} rays are wrong without a sign of it");
+        return Ok(ExitCode::FAILURE);
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn wanted(arguments: &Arguments, candidate: &Candidate) -> bool {
+    arguments.methods.as_ref().is_none_or(|methods| methods.iter().any(|method| method == candidate.name))
+}
+
+fn scenes(arguments: &Arguments) -> Result<Vec<PathBuf>, Error> {
+    let default = match &arguments.scene {
+        Some(scene) if scene != Path::new("all") => return Ok(vec![scene.clone()]),
+        Some(_) => "scenes",
+        None => "scenes/stability",
+    };
+    let folder = arguments.scenes.as_deref().unwrap_or(Path::new(default));
     let missing =
         |error| Error::Usage(format!("{} holds no scenes: {error}; name the folder with --scenes", folder.display()));
     let entries = std::fs::read_dir(folder).map_err(missing)?;

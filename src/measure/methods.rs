@@ -85,7 +85,7 @@ pub fn all_methods(scene: &Scene) -> Vec<Candidate> {
         all.push(Candidate::new("rkn4", Method::Rkn4, scaled(16)));
     }
     all.push(Candidate::new("rk4", Method::Rk4, scaled(16)));
-    all.push(Candidate::new("rk4, curvature", Method::Rk4, turning(16)));
+    all.push(Candidate::new("rk4-curvature", Method::Rk4, turning(16)));
     all.push(Candidate::new("rk4-doubling", Method::Rk4, doubling(rejecting, 12)));
     all.push(Candidate::new("bogacki-shampine", Method::BogackiShampine, embedded(14)));
     all.push(Candidate::new("dormand-prince", Method::DormandPrince, embedded(14)));

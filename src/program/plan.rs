@@ -67,10 +67,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     });
     names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
     names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
-    let rejects = matches!(
-        scene.rays.control,
-        Control::Embedded { .. } | Control::Doubling { rule: DoublingRule::Rejecting, .. }
-    );
+    let rejects = matches!(scene.rays.control, Control::Embedded { .. } | Control::Doubling { .. });
     names.add(if rejects { "tally/rejections" } else { "tally/no_rejections" });
     names.add(if keeps_taken(scene) { "stage/taken_kept" } else { "stage/taken_none" });
 }
