@@ -7,7 +7,7 @@
 use std::time::Duration;
 
 use crate::gpu::Gpu;
-use crate::measure::{Candidate, Deviations, Truth, all_methods, evaluations, method_words, scattered};
+use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
 use crate::program::{Choice, Purpose};
 use crate::render::{RenderError, Renderer, Settings, Starts, Traced};
 use crate::scene::{Control, Scene};
@@ -44,6 +44,8 @@ pub struct Point {
     pub steps: f64,
     /// Rejected steps, a ray.
     pub rejected: f64,
+    /// The drift of what the law keeps, the largest of its quantities': 95 of 100 rays drift by no more. None if it keeps nothing.
+    pub drift: Option<f64>,
     /// Root of the mean square difference of the picture's colours, each cut to [0, 1], from the reference picture's.
     pub image: f64,
 }
@@ -168,6 +170,7 @@ impl Sweep<'_> {
                 evaluations: evaluations(candidate.method, control, steps, rejected),
                 steps,
                 rejected,
+                drift: worst_drift(&scene, &rays, truth),
                 image: root_mean_square(&measured.colors, reference),
             });
             if time > HOPELESS * *fastest {
@@ -192,6 +195,15 @@ impl Sweep<'_> {
         let spread = seconds[repeats - 1] / seconds[0];
         Ok(Measured { seconds: seconds[repeats / 2], spread, colors })
     }
+}
+
+/// From what the true end keeps, which is what the start did.
+fn worst_drift(scene: &Scene, rays: &[Traced], truth: &Truth) -> Option<f64> {
+    let pairs = rays.iter().zip(&truth.0).filter_map(|(ray, truth)| {
+        let truth = truth.as_ref().filter(|truth| truth.status == ray.status)?;
+        Some(([truth.x.into(), truth.v.into()], ray))
+    });
+    drift(&scene.law, pairs).into_iter().map(|(_, quantiles)| quantiles.p95).reduce(f64::max)
 }
 
 fn mean(rays: &[Traced], count: impl Fn(&Traced) -> u32) -> f64 {

@@ -4,10 +4,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use glam::DVec3;
 
 use super::options::{DeviceOptions, SceneOptions};
 use super::render::warn;
 use crate::error::Error;
+use crate::measure::drift;
 use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
 use crate::output::plot::{PathLine, plot_paths};
 use crate::render::{PathPoint, Status, Traced, trace, trace_paths};
@@ -30,6 +32,9 @@ pub(super) struct Arguments {
     /// Draw the paths as SVG, on the two axes along which they extend most
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// Print by how much what the law keeps (energy, angular momentum, |v| = n) drifted along the rays
+    #[arg(long, conflicts_with = "path")]
+    drift: bool,
     #[command(flatten)]
     changes: SceneOptions,
     #[command(flatten)]
@@ -57,6 +62,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         }
         eprintln!("{totals}");
         warn(&totals);
+        if arguments.drift {
+            print_drift(&scene, &rays, &traced)?;
+        }
     }
     if arguments.path || arguments.plot.is_some() {
         let paths = trace_paths(&gpu, &scene, &settings, &rays)?;
@@ -74,6 +82,25 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     table.finish()?;
     Ok(ExitCode::SUCCESS)
+}
+
+fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) -> Result<(), Error> {
+    if scene.rays.asymptotic {
+        return Err(Error::Usage(
+            "--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity".into(),
+        ));
+    }
+    let start = |[x, y, z, a, b, c]: [f64; 6]| [DVec3::new(x, y, z), scene.law.starting_velocity(DVec3::new(a, b, c))];
+    let found = drift(&scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
+    if found.is_empty() {
+        eprintln!("the law keeps nothing that could drift, or no ray came to an end");
+        return Ok(());
+    }
+    eprintln!("{:<18}{:>12}{:>12}{:>12}", "relative drift", "median", "99 %", "max");
+    for (name, q) in found {
+        eprintln!("{name:<18}{:>12.2e}{:>12.2e}{:>12.2e}", q.median, q.p99, q.max);
+    }
+    Ok(())
 }
 
 fn result_row(ray: usize, end: &Traced) -> ResultRow<'static> {

@@ -11,6 +11,7 @@
 
 mod calibrate;
 mod deviation;
+mod drift;
 mod methods;
 mod sample;
 mod truth;
@@ -18,6 +19,7 @@ mod verify;
 
 pub use calibrate::{Calibration, Trial, calibrate};
 pub use deviation::{Deviations, Quantiles};
+pub use drift::{drift, kept};
 pub use methods::{Candidate, all_methods, evaluations, fast_methods, method_words};
 pub use sample::{blocks, every_pixel, scattered};
 pub use truth::{Truth, double_device, reference};

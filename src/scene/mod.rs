@@ -166,6 +166,13 @@ impl Law {
         }
     }
 
+    /// The velocity that a given one stands for, where the law does not take it as it is: a medium's is as long as its index,
+    /// which is 1 outside.
+    #[must_use]
+    pub fn starting_velocity(&self, v: DVec3) -> DVec3 {
+        if matches!(self, Self::Medium(_)) { v.normalize_or_zero() } else { v }
+    }
+
     /// Does its one centre pull by an inverse power, so that an orbit has an asymptote in closed form?
     #[must_use]
     pub fn is_free_far_away(&self) -> bool {
