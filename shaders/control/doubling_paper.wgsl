@@ -17,6 +17,6 @@ fn accepted_step(ray: Ray) -> Ray {
     next.taken = opaque(h);
     next.steps += 1u;
     next.rejected += u32(step.error > control.tolerance);
-    next.memory.h = h * select(select(1.0, 2.0, step.error < control.grow_below), 0.5, step.error > control.tolerance);
+    next.memory.h = h * select(select(Real(1.0), 2.0, step.error < control.grow_below), 0.5, step.error > control.tolerance);
     return next;
 }

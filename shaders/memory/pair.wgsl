@@ -13,11 +13,11 @@ fn first_memory(p: Phase) -> Memory {
 }
 
 fn load_memory(pixel: vec2u, h: Real, p: Phase) -> Memory {
-    return Memory(h, load_error(pixel), law_rate(p));
+    return Memory(h, load_error(pixel), opaque_phase(law_rate(p)));
 }
 
 fn slot_memory(slot: u32, pixel: vec2u, h: Real, p: Phase) -> Memory {
-    return Memory(h, slot_error(slot, pixel), law_rate(p));
+    return Memory(h, slot_error(slot, pixel), opaque_phase(law_rate(p)));
 }
 
 fn store_memory(pixel: vec2u, memory: Memory) {

@@ -13,7 +13,7 @@ fn pair_step(p: Phase, k1: Phase, h: Real) -> PairStep {
     );
     let end = p + h * ((35.0 / 384.0) * k1 + (500.0 / 1113.0) * k3 + (125.0 / 192.0) * k4 - (2187.0 / 6784.0) * k5
         + (11.0 / 84.0) * k6);
-    let k7 = law_rate(end);
+    let k7 = opaque_phase(law_rate(end));
     let error = h * ((71.0 / 57600.0) * k1 - (71.0 / 16695.0) * k3 + (71.0 / 1920.0) * k4 - (17253.0 / 339200.0) * k5
         + (22.0 / 525.0) * k6 - (1.0 / 40.0) * k7);
     return PairStep(end, error, k7);

@@ -1,6 +1,6 @@
 // The classical Runge–Kutta method of order 4 (Hairer, Nørsett, Wanner, Solving ODEs I, Table II.1.2).
 
-const STEP_ORDER: Real = 4.0;
+const STEP_ORDER: f32 = 4.0;
 
 fn step_ray(p: Phase, h: Real) -> Phase {
     let k1 = law_rate(p);

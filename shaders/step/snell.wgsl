@@ -8,7 +8,7 @@ struct Snell {
 
 @group(0) @binding(57) var<uniform> snell: Snell;
 
-const STEP_ORDER: Real = 1.0;
+const STEP_ORDER: f32 = 1.0;
 
 fn step_ray(p: Phase, h: Real) -> Phase {
     let x = p[0] + h * p[1];

@@ -49,7 +49,10 @@ impl Row for Line<'_> {
     }
 }
 
-/// Writes SCENE.csv, SCENE_time and SCENE_evaluations as SVG and PNG into `folder`, and gives the page's section on them.
+/// What a ray costs at a setting.
+type Cost = fn(&Point) -> f64;
+
+/// Writes `SCENE.csv`, `SCENE_time` and `SCENE_evaluations` as SVG and PNG into `folder`, and gives the page's section on them.
 pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputError> {
     let file = |end: &str| folder.join(format!("{}{end}", chart.scene));
     let mut table = Table::create::<Line>(&file(".csv"))?;
@@ -59,7 +62,7 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
         }
     }
     table.finish()?;
-    let plots: [(&str, &str, fn(&Point) -> f64); 2] = [
+    let plots: [(&str, &str, Cost); 2] = [
         ("time", "time of a ray, advance passes (ns)", |point| 1e9 * point.time),
         ("evaluations", "evaluations of the law's rate, a ray", |point| point.evaluations),
     ];
@@ -77,7 +80,7 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
     Ok(section(chart, images))
 }
 
-fn plot(chart: &SceneChart, label: &str, cost: fn(&Point) -> f64) -> PrecisionPlot {
+fn plot(chart: &SceneChart, label: &str, cost: Cost) -> PrecisionPlot {
     let curve = |curve: &super::Curve| Series {
         name: curve.name.to_owned(),
         points: curve.points.iter().map(|point| [point.found.seen.p95, cost(point)]).filter(|p| p[0] < 3.0).collect(),

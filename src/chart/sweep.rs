@@ -158,7 +158,7 @@ impl Sweep<'_> {
             all.retune(control, SEGMENTS.min(2 * longest as u32 + 64))?;
             let expected =
                 points.last().map_or(0.0, |last| last.time * (steps + rejected) / (last.steps + last.rejected));
-            let measured = self.time(&all, if expected > HOPELESS * *fastest { 1 } else { self.repeats })?;
+            let measured = timed(&all, if expected > HOPELESS * *fastest { 1 } else { self.repeats })?;
             let time = measured.seconds / (f64::from(scene.image.size[0]) * f64::from(scene.image.size[1]));
             *fastest = fastest.min(time);
             points.push(Point {
@@ -179,22 +179,22 @@ impl Sweep<'_> {
         }
         Ok(points)
     }
+}
 
-    /// Renders the picture a few times: seconds of the advance passes.
-    fn time(&self, renderer: &Renderer, repeats: usize) -> Result<Measured, RenderError> {
-        let mut seconds = Vec::new();
-        let mut colors = Vec::new();
-        for _ in 0..repeats {
-            let picture = renderer.picture()?;
-            let totals = &picture.totals;
-            let advance = totals.device.map_or(totals.wall, |[_, advance, _]: [Duration; 3]| advance);
-            seconds.push(advance.as_secs_f64());
-            colors = picture.band.color.concat();
-        }
-        seconds.sort_by(f64::total_cmp);
-        let spread = seconds[repeats - 1] / seconds[0];
-        Ok(Measured { seconds: seconds[repeats / 2], spread, colors })
+/// Renders the picture a few times: seconds of the advance passes.
+fn timed(renderer: &Renderer, repeats: usize) -> Result<Measured, RenderError> {
+    let mut seconds = Vec::new();
+    let mut colors = Vec::new();
+    for _ in 0..repeats {
+        let picture = renderer.picture()?;
+        let totals = &picture.totals;
+        let advance = totals.device.map_or(totals.wall, |[_, advance, _]: [Duration; 3]| advance);
+        seconds.push(advance.as_secs_f64());
+        colors = picture.band.color.concat();
     }
+    seconds.sort_by(f64::total_cmp);
+    let spread = seconds[repeats - 1] / seconds[0];
+    Ok(Measured { seconds: seconds[repeats / 2], spread, colors })
 }
 
 /// From what the true end keeps, which is what the start did.

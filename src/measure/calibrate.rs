@@ -82,13 +82,13 @@ pub fn calibrate(
         let trial = rays.first_right(&candidate)?;
         let better = |best: &Trial| trial.error < best.error;
         if best.as_ref().is_none_or(better) {
-            best = Some(trial.clone());
+            best = Some(trial);
         }
         if trial.error <= MARGIN * accuracy {
             tried.push(trial);
         }
     }
-    let fastest = tried.iter().min_by(|a, b| a.time.total_cmp(&b.time)).cloned();
+    let fastest = tried.iter().min_by(|a, b| a.time.total_cmp(&b.time)).copied();
     let Some(chosen) = fastest.or(best) else { return Ok(None) };
     let schedule = rays.schedule(&chosen)?;
     Ok(Some(Calibration { accuracy, chosen, schedule, tried, unresolved: rays.truth.unresolved() }))

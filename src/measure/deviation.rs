@@ -94,6 +94,7 @@ fn seen(ray: &Traced, truth: &Traced) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp)] // quantiles are values of the sample
 mod tests {
     use super::*;
 

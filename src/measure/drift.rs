@@ -4,6 +4,8 @@
 //! h = |x × v| and E² = ṙ² + (1 − 2M/r) h²/r², which together are the null condition; a medium keeps |v| = n. Flows keep
 //! nothing. By how much the end of a ray departs from its start is the drift, relative to what the quantity is made of.
 
+#![allow(clippy::many_single_char_names)] // the formulas' own letters
+
 use glam::DVec3;
 
 use super::Quantiles;

@@ -59,9 +59,12 @@ impl<'a> Block<'a> {
             return String::new();
         }
         // 32 is a multiple of what any member wants, vectors of f64 included.
-        let members: String = self.members.iter().map(|(name, ty)| format!("    @align(32) {name}: {ty},\n")).collect();
-        let name = &self.name;
-        format!("struct Uniforms {{\n{members}}}\n\n@group(0) @binding({BINDING}) var<uniform> {name}: Uniforms;\n")
+        let mut text = String::from("struct Uniforms {\n");
+        for (name, ty) in &self.members {
+            let _ = writeln!(text, "    @align(32) {name}: {ty},");
+        }
+        let _ = writeln!(text, "}}\n\n@group(0) @binding({BINDING}) var<uniform> {}: Uniforms;", self.name);
+        text
     }
 }
 

@@ -65,7 +65,9 @@ pub fn pareto_front(points: &[[f64; 2]]) -> Vec<usize> {
     order.sort_by(|a, b| points[*a].partial_cmp(&points[*b]).unwrap_or(std::cmp::Ordering::Equal));
     let mut front: Vec<usize> = Vec::new();
     for i in order {
-        if front.last().is_none_or(|last| points[i][1] < points[*last][1] || points[i] == points[*last]) {
+        if front.last().is_none_or(|last| {
+            points[i][1] < points[*last][1] || points[i].map(f64::to_bits) == points[*last].map(f64::to_bits)
+        }) {
             front.push(i);
         }
     }

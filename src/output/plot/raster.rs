@@ -21,6 +21,7 @@ pub(super) struct Raster {
 
 type Done = Result<(), DrawingErrorKind<io::Error>>;
 
+#[allow(clippy::unnecessary_wraps)] // the drawing library's backends answer with results
 impl Raster {
     pub fn new((width, height): (u32, u32)) -> Drawn<Self> {
         let mut pixels =
@@ -44,26 +45,35 @@ impl Raster {
     }
 
     pub fn stroke(&mut self, line: impl IntoIterator<Item = BackendCoord>, style: &impl BackendStyle) -> Done {
-        self.outline(joined(line, false), style)
+        self.outline(joined(line, false), style);
+        Ok(())
     }
 
     pub fn polygon(&mut self, corners: impl IntoIterator<Item = BackendCoord>, style: &impl BackendStyle) -> Done {
-        self.fill(joined(corners, true), style)
+        self.fill(joined(corners, true), style);
+        Ok(())
     }
 
     /// A rectangle between two corners; filled, it covers whole pixels.
     pub fn rectangle(&mut self, from: BackendCoord, to: BackendCoord, style: &impl BackendStyle, fill: bool) -> Done {
         if !fill {
-            return self.outline(joined([from, (to.0, from.1), to, (from.0, to.1)], true), style);
+            self.outline(joined([from, (to.0, from.1), to, (from.0, to.1)], true), style);
+            return Ok(());
         }
         let [x0, y0, x1, y1] = [from.0.min(to.0), from.1.min(to.1), from.0.max(to.0), from.1.max(to.1)];
-        self.fill(Rect::from_ltrb(x0 as f32, y0 as f32, x1 as f32, y1 as f32).map(PathBuilder::from_rect), style)
+        self.fill(Rect::from_ltrb(x0 as f32, y0 as f32, x1 as f32, y1 as f32).map(PathBuilder::from_rect), style);
+        Ok(())
     }
 
     pub fn circle(&mut self, center: BackendCoord, radius: u32, style: &impl BackendStyle, fill: bool) -> Done {
         let (x, y) = middle(center);
         let circle = PathBuilder::from_circle(x, y, radius as f32);
-        if fill { self.fill(circle, style) } else { self.outline(circle, style) }
+        if fill {
+            self.fill(circle, style);
+        } else {
+            self.outline(circle, style);
+        }
+        Ok(())
     }
 
     /// Text about a place, as a browser would set it there: see [`Line`].
@@ -84,19 +94,17 @@ impl Raster {
         Ok(())
     }
 
-    fn outline(&mut self, path: Option<Path>, style: &impl BackendStyle) -> Done {
+    fn outline(&mut self, path: Option<Path>, style: &impl BackendStyle) {
         let stroke = Stroke { width: style.stroke_width() as f32, line_join: LineJoin::Round, ..Stroke::default() };
         if let Some(path) = path {
             self.pixels.stroke_path(&path, &paint(style), &stroke, Transform::identity(), None);
         }
-        Ok(())
     }
 
-    fn fill(&mut self, path: Option<Path>, style: &impl BackendStyle) -> Done {
+    fn fill(&mut self, path: Option<Path>, style: &impl BackendStyle) {
         if let Some(path) = path {
             self.pixels.fill_path(&path, &paint(style), FillRule::Winding, Transform::identity(), None);
         }
-        Ok(())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Text, addresses and rows of tables as HTML.
 
+use std::fmt::Write as _;
 use std::path::Path;
 
 /// Text that shows as it is, in an element or in a quoted attribute.
@@ -38,14 +39,11 @@ fn percent_encoded(part: &str) -> String {
 
 /// A row of cells, as many as there are columns; those of numbers are marked.
 pub(super) fn row(cell: &str, fields: &[String], numeric: &[bool]) -> String {
-    let cells: String = numeric
-        .iter()
-        .enumerate()
-        .map(|(i, numeric)| {
-            let class = if *numeric { " class=\"number\"" } else { "" };
-            let text = escape(fields.get(i).map_or("", String::as_str));
-            format!("<{cell}{class}>{text}</{cell}>")
-        })
-        .collect();
-    format!("<tr>{cells}</tr>\n")
+    let mut row = String::from("<tr>");
+    for (i, numeric) in numeric.iter().enumerate() {
+        let class = if *numeric { " class=\"number\"" } else { "" };
+        let text = escape(fields.get(i).map_or("", String::as_str));
+        let _ = write!(row, "<{cell}{class}>{text}</{cell}>"); // writing to a String cannot fail
+    }
+    row + "</tr>\n"
 }

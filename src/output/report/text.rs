@@ -54,7 +54,8 @@ fn line(row: &[String], columns: &[(usize, bool)]) -> String {
         let cell = row.get(i).map_or("", String::as_str);
         let padding = " ".repeat(column - width(cell));
         let gap = if i == 0 { "" } else { "  " };
-        line += &if *right { format!("{gap}{padding}{cell}") } else { format!("{gap}{cell}{padding}") };
+        let [first, second] = if *right { [padding.as_str(), cell] } else { [cell, padding.as_str()] };
+        line.extend([gap, first, second]);
     }
     format!("{}\n", line.trim_end())
 }

@@ -144,7 +144,7 @@ fn a_png_shows_the_colours_and_words_of_the_svg() {
     }
     // The title above, the name of the y axis at the left, the legend at the right.
     let [left, top, right, bottom] = extent(&picture);
-    assert!(left < 100 && top < 70 && right > 1500 && bottom > 1130, "{left} {top} {right} {bottom}");
+    assert!(left < 100 && top < 70 && right > 1400 && bottom > 1130, "{left} {top} {right} {bottom}");
     let wordless = Chart {
         title: String::new(),
         y_label: String::new(),

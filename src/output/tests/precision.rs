@@ -30,7 +30,7 @@ fn example(methods: usize) -> PrecisionPlot {
     let curves = METHODS[..methods].iter().enumerate().map(|(k, (name, order, cost))| {
         let point = |i: i32| {
             let h = 2f64.powi(-i);
-            let wobble = 1.0 + 0.4 * f64::from(i * 7 + k as i32 * 3).sin();
+            let wobble = 1.0 + 0.4 * f64::from(i * 7 + i32::try_from(k).unwrap() * 3).sin();
             [FLOOR * wobble + 0.3 * cost * h.powi(*order) / 4f64.powi(*order), cost * 40.0 / h]
         };
         Series { name: (*name).into(), points: (0..9).map(point).collect() }
@@ -120,7 +120,7 @@ proptest! {
         }
         for pair in front.windows(2) {
             let [a, b] = [points[pair[0]], points[pair[1]]];
-            prop_assert!(pair[0] != pair[1] && (a == b || a[0] < b[0] && a[1] > b[1]));
+            prop_assert!(pair[0] != pair[1] && (a.map(f64::to_bits) == b.map(f64::to_bits) || a[0] < b[0] && a[1] > b[1]));
         }
     }
 
