@@ -12,5 +12,5 @@ fn limited_step(h: Real, tau: Real) -> Real {
 
 // A last step of a rounding error's size would move nothing.
 fn length_reached(tau: Real) -> bool {
-    return limit.length - tau <= 2e-7 * limit.length;
+    return limit.length - tau <= LAST_PART * limit.length;
 }

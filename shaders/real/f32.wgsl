@@ -6,6 +6,9 @@ alias Real2 = vec2<f32>;
 alias Real3 = vec3<f32>;
 alias Real4 = vec4<f32>;
 
+// A part of a whole that is no more than a few roundings.
+const LAST_PART: Real = 2e-7;
+
 // Steps of a quarter turn and more that are as good as exact.
 const ASYMPTOTE_STEPS: u32 = 32u;
 

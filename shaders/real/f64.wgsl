@@ -10,6 +10,9 @@ alias Real2 = vec2<f64>;
 alias Real3 = vec3<f64>;
 alias Real4 = vec4<f64>;
 
+// A part of a whole that is no more than a few roundings.
+const LAST_PART: Real = 4e-16;
+
 // Steps of a quarter turn and more that are as good as exact.
 const ASYMPTOTE_STEPS: u32 = 1024u;
 

@@ -65,13 +65,16 @@ pub fn pareto_front(points: &[[f64; 2]]) -> Vec<usize> {
     order.sort_by(|a, b| points[*a].partial_cmp(&points[*b]).unwrap_or(std::cmp::Ordering::Equal));
     let mut front: Vec<usize> = Vec::new();
     for i in order {
-        if front.last().is_none_or(|last| {
-            points[i][1] < points[*last][1] || points[i].map(f64::to_bits) == points[*last].map(f64::to_bits)
-        }) {
+        if front.last().is_none_or(|last| points[i][1] < points[*last][1] || same(&points[i], &points[*last])) {
             front.push(i);
         }
     }
     front
+}
+
+#[allow(clippy::float_cmp)] // 0 and −0 are the same place
+fn same(a: &[f64; 2], b: &[f64; 2]) -> bool {
+    a == b
 }
 
 /// Draws a work–precision plot at `path`, as SVG or PNG by its extension.
