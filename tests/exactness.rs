@@ -1,7 +1,9 @@
 //! 'Model no more than a scene needs', made executable: nothing can be taken out of a scene's program.
 
 use bentray::gpu::Geometry;
-use bentray::program::{BindingKind, Choice, Layer, Linked, Parts, Program, Purpose, Schedule, Unit, link, validated};
+use bentray::program::{
+    BindingKind, Choice, Layer, Linked, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
+};
 use bentray::scene::Scene;
 
 use crate::support::shipped_scenes;
@@ -18,12 +20,12 @@ fn declared(module: &naga::Module) -> Vec<String> {
 }
 
 /// What naga would remove from the program as unused.
-fn unused(linked: &Linked) -> Vec<String> {
-    let mut module = validated(linked).unwrap_or_else(|error| panic!("{error}"));
+pub fn unused(linked: &Linked) -> Result<Vec<String>, ProgramError> {
+    let mut module = validated(linked)?;
     let before = declared(&module);
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
     let after = declared(&module);
-    before.into_iter().filter(|name| !after.contains(name)).collect()
+    Ok(before.into_iter().filter(|name| !after.contains(name)).collect())
 }
 
 #[test]
@@ -44,7 +46,7 @@ fn nothing_can_be_taken_out_of_any_program() {
                             |kind: &BindingKind| matches!(kind, BindingKind::Uniform(_) | BindingKind::Block { .. });
                         let buffers = reflection.bindings.iter().filter(|binding| uniform(&binding.kind)).count();
                         assert!(buffers <= 3, "{}: pass {} binds {buffers}", path.display(), pass.entry());
-                        let unused = unused(linked);
+                        let unused = unused(linked).unwrap_or_else(|error| panic!("{error}"));
                         assert!(
                             unused.is_empty(),
                             "{}: pass {} has {unused:?} for nothing",
@@ -92,5 +94,5 @@ fn the_check_finds_what_is_unused() {
     let unit = Unit { file: "planted.wgsl".into(), text: text.into() };
     let linked = link(&Parts { shared: vec![unit], regions: Vec::new() }, "entry").unwrap();
     assert!(!linked.source.contains("extra"), "the linker leaves out what is not reached");
-    assert!(unused(&linked).is_empty());
+    assert!(unused(&linked).unwrap().is_empty());
 }

@@ -114,7 +114,8 @@ fn nothing_tunnels_out_of_a_closed_box() {
         "kind = \"medium\"\nindex = { noise = { radius = 8, amplitude = 0.3, frequency = 0.5 } }",
     ];
     let methods = [
-        "",
+        "method = \"rk4\"",
+        "method = \"dormand-prince\"\ntolerance = 1e-3",
         "method = \"euler\"\nstep = 0.3",
         "method = \"rk4\"\nstep = 0.5\nsegment = \"chord\"\nsteps_per_segment = 7",
         "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-2",

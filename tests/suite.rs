@@ -2,10 +2,13 @@
 
 mod support;
 
+mod accuracy;
 mod cli;
 mod exactness;
 mod meshes;
+mod methods;
 mod oracle;
+mod orders;
 mod pictures;
 mod schedules;
 mod shaders;

@@ -46,6 +46,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         return Err(Error::Usage("--plot and -o name the same file".to_owned()));
     }
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
+    if arguments.drift && scene.rays.asymptotic {
+        return Err(Error::Usage(
+            "--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity".into(),
+        ));
+    }
     let rays = read_rays(&arguments.rays)?;
     let mut table = if arguments.path {
         Table::create::<PathRow>(&arguments.output)?
@@ -85,11 +90,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) -> Result<(), Error> {
-    if scene.rays.asymptotic {
-        return Err(Error::Usage(
-            "--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity".into(),
-        ));
-    }
     let start = |[x, y, z, a, b, c]: [f64; 6]| [DVec3::new(x, y, z), scene.law.starting_velocity(DVec3::new(a, b, c))];
     let found = drift(&scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
     if found.is_empty() {

@@ -1,7 +1,7 @@
 //! `method = "auto"`: the fastest method that is right, found on a few hundred rays before the picture starts.
 
 use std::fmt;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::{Candidate, Deviations, Truth, blocks, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
@@ -16,8 +16,10 @@ const BLOCKS: usize = 128;
 const REPEATS: usize = 3;
 /// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
 const MARGIN: f64 = 0.6;
-/// Segments of a path on trial.
-const SEGMENTS: u32 = 20_000;
+/// So many times the scene's own segments may a path have, whatever the method.
+const MORE_SEGMENTS: u32 = 4;
+/// What takes longer than this has lost.
+const BUDGET: Duration = Duration::from_secs(20);
 
 /// A method at a setting, with its error and time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,10 +63,14 @@ impl Calibration {
         scene.rays.auto = None;
         scene.rays.method = self.chosen.method;
         scene.rays.control = self.chosen.control;
-        // An auto scene's budget of segments is meant for any method.
-        scene.rays.max_segments = scene.rays.max_segments.max(SEGMENTS);
+        scene.rays.max_segments = segments(&scene);
         scene
     }
+}
+
+/// An auto scene's budget of segments is meant for any method.
+fn segments(scene: &Scene) -> u32 {
+    scene.rays.max_segments.saturating_mul(MORE_SEGMENTS)
 }
 
 /// Finds the method for `scene`, for the camera's rays or for `given` ones.
@@ -104,6 +110,7 @@ struct Trials<'a> {
     timed: Vec<[u32; 2]>,
     truth: Truth,
     accuracy: f64,
+    started: Instant,
 }
 
 impl<'a> Trials<'a> {
@@ -124,7 +131,7 @@ impl<'a> Trials<'a> {
             given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
         let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
         let truth = Truth::new(gpu, scene, tolerance, starts)?;
-        Ok(Self { gpu, scene, settings, given, pixels, timed, truth, accuracy })
+        Ok(Self { gpu, scene, settings, given, pixels, timed, truth, accuracy, started: Instant::now() })
     }
 
     fn starts(&self) -> Starts<'_> {
@@ -134,24 +141,24 @@ impl<'a> Trials<'a> {
     /// The coarsest setting that is right, or the most accurate of all.
     fn first_right(&self, candidate: &Candidate) -> Result<Trial, RenderError> {
         let mut scene = candidate.applied(self.scene, candidate.controls[0]);
-        scene.rays.max_segments = SEGMENTS;
+        scene.rays.max_segments = segments(self.scene);
         // Few rays: what counts is not how many run but how many passes are recorded.
         let settings = Settings { segments: 256, ..self.settings.clone() };
         let mut renderer = Renderer::new(self.gpu, &scene, settings)?;
         let (method, control) = (candidate.method, candidate.controls[0]);
         let mut best = Trial { method, control, error: f64::INFINITY, time: f64::INFINITY };
         for &control in &candidate.controls {
-            renderer.retune(control, SEGMENTS)?;
+            renderer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = renderer.follow(self.starts())?;
             let error = Deviations::new(&rays, &self.truth).seen.p99;
             if error < best.error {
                 best = Trial { control, error, ..best };
             }
-            if error <= MARGIN * self.accuracy {
+            if error <= MARGIN * self.accuracy || self.started.elapsed() > BUDGET {
                 break;
             }
         }
-        renderer.retune(best.control, SEGMENTS)?;
+        renderer.retune(best.control, scene.rays.max_segments)?;
         best.time = self.time(&renderer)?;
 
         Ok(best)
@@ -176,7 +183,7 @@ impl<'a> Trials<'a> {
         scene.rays.auto = None;
         scene.rays.method = chosen.method;
         scene.rays.control = chosen.control;
-        scene.rays.max_segments = SEGMENTS;
+        scene.rays.max_segments = segments(self.scene);
         let choice = Choice { schedule: Schedule::Segment, ..self.settings.choice.clone() };
         let settings = Settings { choice, ..self.settings.clone() };
         let time = self.time(&Renderer::new(self.gpu, &scene, settings)?)?;

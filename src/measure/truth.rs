@@ -9,8 +9,9 @@ use crate::scene::{Control, Law, Method, Precision, Scene, Segment};
 const FINEST: f64 = 1e-13;
 /// Directions (radians) and places (in parts of the bound's radius) that two runs agree on.
 const AGREES: f64 = 1e-6;
-/// Segments of a path that is followed so closely.
-const SEGMENTS: u32 = 200_000;
+/// So many times the scene's own segments may a path have that is followed so closely, within limits.
+const MORE_SEGMENTS: u32 = 100;
+const SEGMENTS: [u32; 2] = [20_000, 200_000];
 /// Few rays with long paths: passes are as long as the device allows.
 const SEGMENTS_PER_PASS: u32 = 1024;
 
@@ -21,7 +22,7 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     let rays = &mut scene.rays;
     rays.auto = None;
     rays.precision = Precision::Double;
-    rays.max_segments = SEGMENTS;
+    rays.max_segments = rays.max_segments.saturating_mul(MORE_SEGMENTS).clamp(SEGMENTS[0], SEGMENTS[1]);
     let arc = match rays.segment {
         Segment::Arc { tolerance } => tolerance,
         Segment::Chord { .. } => 1e-4 * rays.bound.radius,
@@ -65,7 +66,7 @@ impl Truth {
         let Control::Embedded { tolerance, eta } = scene.rays.control else {
             return Ok(Self(fine.into_iter().map(Some).collect()));
         };
-        renderer.retune(Control::Embedded { tolerance: 10.0 * tolerance, eta }, SEGMENTS)?;
+        renderer.retune(Control::Embedded { tolerance: 10.0 * tolerance, eta }, scene.rays.max_segments)?;
         let loose = renderer.follow(starts)?.0;
         let radius = scene.rays.bound.radius;
         let agreed = |(fine, loose): (Traced, Traced)| agree(&fine, &loose, radius).then_some(fine);

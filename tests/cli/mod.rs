@@ -7,6 +7,7 @@ mod bad_options;
 mod bad_scenes;
 mod commands;
 mod interrupted;
+mod measures;
 mod pictures;
 mod tables;
 mod traces;

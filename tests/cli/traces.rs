@@ -167,7 +167,7 @@ fn paths_run_from_the_start_to_the_result() {
     let folder = Folder::with(BALL);
     let rays = [[0.0, 0.0, 5.0, 0.0, 0.0, -1.0], [0.0, 0.0, 5.0, 0.0, 0.6, -0.8], [3.0, 0.25, 0.25, 0.0, 0.0, 1.0]];
     folder.write("rays.csv", table(&rays));
-    let law = "--set law.kind=schwarzschild --set law.mass=0.1";
+    let law = "--set law.kind=schwarzschild --set law.mass=0.1 --set rays.method=rk4";
     let ends = trace(&folder, law);
     let ran =
         folder.run(&format!("trace scene.toml --rays rays.csv -o paths.csv --path --plot paths.svg {law}")).succeeds();

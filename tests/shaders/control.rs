@@ -1,9 +1,9 @@
-//! Step control: what each rule does with a step, and with the next.
+//! Step control by doubling: what each rule does with a step, and with the next; and the last step under every control.
 
 use bentray::gpu::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
-use super::steps::{Phase, euler, path_rate, rk4};
+use super::schemes::{Phase, euler, path_rate, rk4};
 use super::{Errors, Random, U, row, wide};
 use crate::support::{
     gpu,
@@ -11,7 +11,7 @@ use crate::support::{
 };
 
 /// A ray with tau, h, and counts 3, 10, 20; what the control makes of it, and the same step retaken.
-const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, Memory(p1.w), 9.0, 3u, 10u, 20u, ALIVE);
+pub const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, Memory(p1.w), 9.0, 3u, 10u, 20u, ALIVE);
     let next = accepted_step(ray);
     let again = retaken_step(ray.phase, next.taken);
     put(0u, vec4f(next.phase[0], next.tau));
@@ -22,9 +22,9 @@ const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, Memory(p1.w), 
 
 const TOLERANCE: f64 = 1e-3;
 const GROW_BELOW: f64 = 1e-4;
-const ETA: f64 = 0.5;
+pub const ETA: f64 = 0.5;
 
-fn probe(step: &str, control: &[&str], limit: &str, values: Record) -> Probe {
+pub fn probe(step: &str, control: &[&str], limit: &str, values: Record) -> Probe {
     let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
     let mut parts = vec!["ray", "frame", "work", "phase/space", "law/schwarzschild_path", step, limit];
     parts.extend(control);
@@ -40,7 +40,7 @@ fn doubling() -> Record {
 }
 
 /// Rays round a hole, with sizes to try from tiny to more than the cap allows.
-fn rays(seed: u64) -> Vec<[Vec4; 2]> {
+pub fn rays(seed: u64) -> Vec<[Vec4; 2]> {
     let mut random = Random::new(seed);
     (0..3000)
         .map(|_| {
@@ -67,17 +67,17 @@ fn doubled(scheme: Scheme, p: Phase, h: f64) -> (Phase, f64) {
 const NOISE: f64 = 60.0 * U;
 
 /// What every rule does besides choosing h: place, path parameter, counts, and the same bits when retaken.
-struct Kept {
+pub struct Kept {
     ends: Errors,
     taus: Errors,
 }
 
 impl Kept {
-    fn new() -> Self {
+    pub fn new() -> Self {
         Self { ends: Errors::of("accepted step"), taus: Errors::of("accepted step's tau") }
     }
 
-    fn check(&mut self, input: &[Vec4; 2], output: &[Vec4; 5], end: Phase) {
+    pub fn check(&mut self, input: &[Vec4; 2], output: &[Vec4; 5], end: Phase) {
         let taken = output[2].x;
         let r = f64::from(input[0].truncate().length());
         // A step's own rounding, and r enters with r/2 at the least.
@@ -92,7 +92,7 @@ impl Kept {
         );
     }
 
-    fn report(&self) {
+    pub fn report(&self) {
         self.ends.report();
         self.taus.report();
     }
@@ -100,28 +100,6 @@ impl Kept {
 
 fn capped(input: &[Vec4; 2]) -> f64 {
     f64::from(input[1].w).min(ETA * wide(input[0]).length() / wide(input[1]).length())
-}
-
-#[test]
-fn fixed_and_scaled_steps() {
-    let gpu = gpu();
-    let inputs = rays(61);
-    let mut kept = Kept::new();
-    let mut sizes = Errors::of("fixed and scaled sizes");
-    let fixed = probe("step/rk4", &["control/fixed"], "limit/none", vec![("step", Float(0.25)), ("eta", Float(ETA))]);
-    for (input, output) in inputs.iter().zip(&fixed.run::<2, 5>(&gpu, CONTROL, &inputs)) {
-        assert_eq!((output[2].x, output[1].w, output[2].w), (0.25, input[1].w, 20.0));
-        kept.check(input, output, rk4(path_rate, [wide(input[0]), wide(input[1])], 0.25));
-    }
-    let scaled = probe("step/rk4", &["control/scaled"], "limit/none", vec![("eta", Float(0.25))]);
-    for (input, output) in inputs.iter().zip(&scaled.run::<2, 5>(&gpu, CONTROL, &inputs)) {
-        let p = [wide(input[0]), wide(input[1])];
-        let h = 0.25 * p[0].length() / p[1].length();
-        sizes.check(output[2].x, h, 6.0 * U * h, input);
-        kept.check(input, output, rk4(path_rate, p, f64::from(output[2].x)));
-    }
-    kept.report();
-    sizes.report();
 }
 
 #[test]

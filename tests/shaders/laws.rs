@@ -153,7 +153,7 @@ fn schwarzschild_geodesic_form() {
 type Field = fn(DVec3) -> (DVec3, f64);
 
 /// F and the size of its terms.
-fn lorenz(x: DVec3) -> (DVec3, f64) {
+pub fn lorenz(x: DVec3) -> (DVec3, f64) {
     let (sigma, rho, beta) = (10.0, 28.0, f64::from(8.0_f32 / 3.0));
     let f = DVec3::new(sigma * (x.y - x.x), rho * x.x - x.y - x.x * x.z, x.x * x.y - beta * x.z);
     (f, 28.0 * (x.x.abs() + x.y.abs() + x.z.abs()) + (x.x * x.z).abs() + (x.x * x.y).abs())

@@ -1,4 +1,4 @@
-//! Functions of numbers: the arc tangent, the status word, what is finite.
+//! Functions of numbers: the arc tangent, the status word, what is finite, what no compiler sees through.
 
 use glam::Vec4;
 
@@ -60,6 +60,7 @@ fn status_words_keep_their_parts() {
     }
 }
 
+/// Of the numbers of f32, in both precisions.
 #[test]
 fn finite_sees_every_kind_of_number() {
     let finite = [0.0, -0.0, 1.0, -1e38, f32::MAX, f32::MIN_POSITIVE, 1e-40, f32::from_bits(1)];
@@ -70,8 +71,30 @@ fn finite_sees_every_kind_of_number() {
         inputs.extend([[Vec4::new(a, 1.0, 2.0, 0.0)], [Vec4::new(0.0, a, 2.0, 0.0)], [Vec4::new(3.0, 1.0, a, 0.0)]]);
         inputs.extend(all().map(|b| [Vec4::new(a, 0.5, b, 0.0)]));
     }
-    let out = Probe::new(&["ray"]).run::<1, 1>(&gpu(), "put(0u, vec4f(f32(finite(p0.xyz))));", &inputs);
-    for ([input], [output]) in inputs.iter().zip(&out) {
-        assert_eq!(output.x == 1.0, input.is_finite(), "{input}");
+    for real in ["real/f32", "real/f64"] {
+        let out =
+            Probe::new(&["ray", real]).run::<1, 1>(&gpu(), "put(0u, vec4f(f32(finite(Real3(p0.xyz)))));", &inputs);
+        for ([input], [output]) in inputs.iter().zip(&out) {
+            assert_eq!(output.x == 1.0, input.is_finite(), "{real}: {input}");
+        }
+    }
+}
+
+/// Every bit is kept, also of what is not a number, and of zeros' signs.
+#[test]
+fn opaque_numbers_keep_their_bits() {
+    let special =
+        [0.0, -0.0, f32::MAX, -f32::MIN_POSITIVE, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 1.0 + f32::EPSILON];
+    let mut random = Random::new(2);
+    let mut inputs: Vec<[Vec4; 1]> = special.map(|a| [Vec4::new(a, 0.75, -a, a)]).into();
+    inputs.extend((0..500).map(|_| [Vec4::from_array([0, 1, 2, 3].map(|_| random.vector(1e-30, 1e30).x))]));
+    let body = "put(0u, vec4f(f32(opaque(Real(p0.x))), vec3f(opaque3(Real3(p0.yzw)))));
+        put(1u, vec4f(opaque4(Real4(p0))));";
+    for real in ["real/f32", "real/f64"] {
+        let out = Probe::new(&["frame", real]).frame().run::<1, 2>(&gpu(), body, &inputs);
+        for ([input], rows) in inputs.iter().zip(&out) {
+            let bits = |row: &Vec4| row.to_array().map(f32::to_bits);
+            assert_eq!([bits(&rows[0]), bits(&rows[1])], [bits(input); 2], "{real}");
+        }
     }
 }

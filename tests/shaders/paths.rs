@@ -4,7 +4,7 @@ use bentray::gpu::Value::{Float, Uint, Vec3 as V3};
 use bentray::program::constant;
 use glam::{DVec3, Vec4};
 
-use super::steps::{path_rate, rk4};
+use super::schemes::{path_rate, rk4};
 use super::{Errors, Random, U, row, wide};
 use crate::support::{gpu, probe::Probe};
 

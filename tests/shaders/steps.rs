@@ -3,107 +3,186 @@
 use bentray::gpu::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
-use super::laws::flow;
-use super::{Errors, Random, U, row, wide};
+use super::reals::{REALS, U64, joined3};
+use super::rounding::{Rough, rough_bend};
+use super::schemes::{BOGACKI_SHAMPINE, DORMAND_PRINCE, Phase, euler, leapfrog, lorenz_field, rate_of, rk4, rkn4};
+use super::{Random, U, row, wide};
 use crate::support::{gpu, probe::Probe};
 
-pub type Phase = [DVec3; 2];
+/// What a step puts out: its end, and of an embedded pair the difference of its two results and the rate at the end too.
+type Steps<V> = Vec<[V; 2]>;
 
-pub fn plus(p: Phase, h: f64, k: Phase) -> Phase {
-    [p[0] + h * k[0], p[1] + h * k[1]]
+/// A method: its part, itself over vectors that carry their errors, the orders of what it puts out, and a size at which they show.
+struct Method {
+    part: &'static str,
+    rough: fn([Rough; 2], f64) -> Steps<Rough>,
+    orders: &'static [f64],
+    size: f64,
 }
 
-/// Schwarzschild's path form about 0, M = 1.
-pub fn path_rate(p: Phase) -> Phase {
-    let l = p[0].cross(p[1]);
-    [p[1], -3.0 * l.length_squared() / p[0].length().powi(5) * p[0]]
+fn rough_rate(p: [Rough; 2]) -> [Rough; 2] {
+    rate_of(rough_bend, p)
 }
 
-fn lorenz_rate(p: Phase) -> Phase {
-    let x = p[0];
-    let beta = f64::from(8.0_f32 / 3.0);
-    [DVec3::new(10.0 * (x.y - x.x), 28.0 * x.x - x.y - x.x * x.z, x.x * x.y - beta * x.z), DVec3::ZERO]
+const METHODS: [Method; 6] = [
+    Method { part: "step/euler", rough: |p, h| vec![euler(rough_rate, p, h)], orders: &[1.0], size: 1e-4 },
+    Method { part: "step/leapfrog", rough: |p, h| vec![leapfrog(rough_bend, p, h)], orders: &[2.0], size: 4e-3 },
+    Method { part: "step/rkn4", rough: |p, h| vec![rkn4(rough_bend, p, h)], orders: &[4.0], size: 1e-2 },
+    Method { part: "step/rk4", rough: |p, h| vec![rk4(rough_rate, p, h)], orders: &[4.0], size: 4e-3 },
+    Method {
+        part: "step/bogacki_shampine",
+        rough: |p, h| BOGACKI_SHAMPINE.step(rough_rate, p, h).to_vec(),
+        orders: &[3.0, 2.0],
+        size: 2e-3,
+    },
+    Method {
+        part: "step/dormand_prince",
+        rough: |p, h| DORMAND_PRINCE.step(rough_rate, p, h).to_vec(),
+        orders: &[5.0, 4.0],
+        size: 2e-3,
+    },
+];
+
+impl Method {
+    fn is_pair(&self) -> bool {
+        self.orders.len() > 1
+    }
+
+    fn needs_acceleration(&self) -> bool {
+        ["step/leapfrog", "step/rkn4"].contains(&self.part)
+    }
+
+    fn parts(&self) -> Vec<&'static str> {
+        if self.is_pair() { vec!["step/pair", self.part] } else { vec![self.part] }
+    }
+
+    /// A probe's lines that take one step of p0.w from (p0, p1) and put out all that it makes.
+    fn body(&self) -> &'static str {
+        if self.is_pair() {
+            "let p = Phase(Real3(p0.xyz), Real3(p1.xyz));
+            let step = pair_step(p, law_rate(p), Real(p0.w));
+            put_real3(0u, step.end[0]);
+            put_real3(3u, step.end[1]);
+            put_real3(6u, step.error[0]);
+            put_real3(9u, step.error[1]);
+            put_real3(12u, step.rate[0]);
+            put_real3(15u, step.rate[1]);"
+        } else {
+            "let next = step_ray(Phase(Real3(p0.xyz), Real3(p1.xyz)), Real(p0.w));
+            put_real3(0u, next[0]);
+            put_real3(3u, next[1]);"
+        }
+    }
+
+    /// What the device makes of the inputs.
+    fn taken(&self, law: &Law, real: &str, inputs: &[[Vec4; 2]]) -> Vec<Steps<DVec3>> {
+        let mut parts = vec!["ray", "frame", "phase/space", real];
+        parts.extend(law.parts);
+        parts.extend(self.parts());
+        let probe = Probe::new(&parts).frame().bind(law.binding, [law.record.clone()]).stub(REALS);
+        let of = |rows: &[Vec4]| rows.chunks(6).map(|c| [joined3(&c[..3]), joined3(&c[3..])]).collect();
+        if self.is_pair() {
+            probe.run::<2, 18>(&gpu(), self.body(), inputs).iter().map(|rows| of(rows)).collect()
+        } else {
+            probe.run::<2, 6>(&gpu(), self.body(), inputs).iter().map(|rows| of(rows)).collect()
+        }
+    }
 }
 
-pub fn euler(rate: fn(Phase) -> Phase, p: Phase, h: f64) -> Phase {
-    plus(p, h, rate(p))
+/// A law's parts, and its binding's values.
+struct Law {
+    parts: &'static [&'static str],
+    binding: &'static str,
+    record: crate::support::probe::Record,
 }
 
-pub fn rk4(rate: fn(Phase) -> Phase, p: Phase, h: f64) -> Phase {
-    let k1 = rate(p);
-    let k2 = rate(plus(p, 0.5 * h, k1));
-    let k3 = rate(plus(p, 0.5 * h, k2));
-    let k4 = rate(plus(p, h, k3));
-    [0, 1].map(|i| p[i] + h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]))
+fn hole() -> Law {
+    let record = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
+    Law { parts: &["law/schwarzschild_path"], binding: "law", record }
 }
 
-const STEP: &str = "let next = step_ray(Phase(p0.xyz, p1.xyz), p0.w);
-    put(0u, vec4f(next[0], 0.0));
-    put(1u, vec4f(next[1], 0.0));";
-
-fn hole(step: &str) -> Probe {
-    let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
-    Probe::new(&["ray", "phase/space", "law/schwarzschild_path", step]).bind("law", [law])
+fn lorenz(parts: &'static [&'static str]) -> Law {
+    let record = vec![("sigma", Float(10.0)), ("rho", Float(28.0)), ("beta", Float(f64::from(8.0_f32 / 3.0)))];
+    Law { parts, binding: "flow", record }
 }
 
-fn phase(input: &[Vec4; 2]) -> Phase {
-    [wide(input[0]), wide(input[1])]
-}
-
+/// Every output of every method, within what its own roundings can make of it: in f32, and in f64, where a coefficient with
+/// a wrong digit would show.
 #[test]
-fn one_step_of_each_scheme() {
-    let gpu = gpu();
+fn one_step_of_each_method() {
     let mut random = Random::new(51);
     let inputs: Vec<[Vec4; 2]> = (0..3000)
         .map(|_| {
-            let x = random.vector(2.0, 100.0);
-            let h = random.log(1e-3, 0.4) as f32 * x.length();
-            [row(x, h), row(random.vector(1.0, 1.0), 0.0)]
+            let x = random.vector(2.5, 100.0);
+            let h = random.log(1e-3, 0.3) as f32 * x.length();
+            [row(x, h), row(random.vector(0.5, 1.5), 0.0)]
         })
         .collect();
-    for (step, scheme) in [("step/euler", euler as fn(fn(Phase) -> Phase, Phase, f64) -> Phase), ("step/rk4", rk4)] {
-        let out = hole(step).run::<2, 2>(&gpu, STEP, &inputs);
-        let mut errors = Errors::of(step);
-        for (input, output) in inputs.iter().zip(&out) {
-            let (p, h) = (phase(input), f64::from(input[0].w));
-            let want = scheme(path_rate, p, h);
-            // Each evaluation errs by 40 U of 3 |v|²/r² (see the law), at a place off by U r; a step adds h times that, over
-            // a stretch in which, as h ≤ 0.4 r and |v| = 1, r falls to no less than half.
-            let r = p[0].length();
-            let rate = 60.0 * U * 3.0 / (0.5 * r).powi(2);
-            errors.check3(output[0], want[0], 4.0 * U * (r + h) + h * h * rate, input);
-            errors.check3(output[1], want[1], 4.0 * U + h * rate, input);
+    for method in &METHODS {
+        for (real, unit) in [("real/f32", U), ("real/f64", U64)] {
+            let out = method.taken(&hole(), real, &inputs);
+            let (mut worst, mut at) = (0.0_f64, String::new());
+            for (input, output) in inputs.iter().zip(&out) {
+                let start = [0, 1].map(|k| Rough::exact(wide(input[k]), unit));
+                let wanted = (method.rough)(start, f64::from(input[0].w));
+                assert_eq!(wanted.len(), output.len());
+                for (got, want) in output.iter().flatten().zip(wanted.iter().flatten()) {
+                    let ratio = (*got - want.value).length() / want.bound();
+                    // What is not a number stays the worst.
+                    if ratio > worst || ratio.is_nan() {
+                        (worst, at) = (ratio, format!("{got} for {} at {input:?}", want.value));
+                    }
+                }
+            }
+            println!("{} in {real}: error at most {worst:.2} of its bound", method.part);
+            assert!(worst <= 1.0, "{} in {real}: {worst} of its bound, {at}", method.part);
+            assert!(worst > 1e-3, "{} in {real}: the bound is loose", method.part);
         }
-        errors.report();
+    }
+}
+
+/// Lorenz' system as a flow, and as an acceleration.
+fn lorenz_rates(second_order: bool) -> (Law, fn(Phase) -> Phase) {
+    if second_order {
+        (lorenz(&["flow/lorenz", "law/flow_acceleration"]), |p| [p[1], lorenz_field(p[0])])
+    } else {
+        (lorenz(&["flow/lorenz", "law/flow"]), |p| [lorenz_field(p[0]), DVec3::ZERO])
     }
 }
 
 /// The state after h by many tiny steps.
 fn exact(rate: fn(Phase) -> Phase, start: Phase, h: f64) -> Phase {
-    (0..400).fold(start, |p, _| rk4(rate, p, h / 400.0))
+    (0..50).fold(start, |p, _| DORMAND_PRINCE.end(rate, p, h / 50.0))
 }
 
-/// RK4's local error falls as h⁵ and Euler's as h², in f32, over sizes where truncation stays above rounding.
+/// A method of order p errs by h^(p + 1) in a step, and so does what a pair says of its lower one: in f64, over sizes where
+/// truncation stays far above rounding.
 #[test]
 fn local_errors_fall_as_their_order_says() {
-    let gpu = gpu();
     let mut random = Random::new(52);
-    let sizes = [0.02_f64, 0.01];
-    let starts: Vec<Vec4> = (0..200).map(|_| row(random.vector(8.0, 20.0), 0.0)).collect();
-    for (step, order, factor) in [("step/euler", 1, 0.25), ("step/rk4", 4, 1.0)] {
-        let law = flow("flow/lorenz", "law/flow");
-        let probe = law.stub(bentray::program::part(step).expect("a part").text);
-        let mean = sizes.map(|h| {
-            let h = (h * factor) as f32;
-            let inputs: Vec<[Vec4; 2]> = starts.iter().map(|x| [x.with_w(h), Vec4::ZERO]).collect();
-            let out = probe.run::<2, 2>(&gpu, STEP, &inputs);
-            let error = |(input, output): (&[Vec4; 2], &[Vec4; 2])| {
-                (wide(output[0]) - exact(lorenz_rate, phase(input), f64::from(h))[0]).length().ln()
-            };
-            inputs.iter().zip(&out).map(error).sum::<f64>() / inputs.len() as f64
+    let starts: Vec<[Vec4; 2]> =
+        (0..200).map(|_| [row(random.vector(8.0, 20.0), 0.0), row(random.vector(1.0, 20.0), 0.0)]).collect();
+    for method in &METHODS {
+        let (law, rate) = lorenz_rates(method.needs_acceleration());
+        let sizes = [method.size, 0.5 * method.size];
+        let means = sizes.map(|h| {
+            let inputs: Vec<[Vec4; 2]> = starts.iter().map(|[x, v]| [x.with_w(h as f32), *v]).collect();
+            let out = method.taken(&law, "real/f64", &inputs);
+            let mut sums = vec![0.0; method.orders.len()];
+            for (input, output) in inputs.iter().zip(&out) {
+                let end = exact(rate, [wide(input[0]), wide(input[1])], f64::from(input[0].w));
+                let wrong = [output[0][0] - end[0], output[0][1] - end[1]];
+                for (sum, error) in sums.iter_mut().zip([Some(wrong), output.get(1).copied()].into_iter().flatten()) {
+                    *sum += (error[0].length() + error[1].length()).ln() / inputs.len() as f64;
+                }
+            }
+            sums
         });
-        let observed = (mean[0] - mean[1]) / 2.0_f64.ln();
-        println!("{step}: local order {observed:.2}, errors {:.1e} and {:.1e}", mean[0].exp(), mean[1].exp());
-        assert!((observed - f64::from(order + 1)).abs() < 0.25, "{step}: the local error falls as h^{observed:.2}");
+        for (k, order) in method.orders.iter().enumerate() {
+            let observed = (means[0][k] - means[1][k]) / 2.0_f64.ln();
+            let [first, second] = [0, 1].map(|i: usize| means[i][k].exp());
+            println!("{}: output {k} falls as h^{observed:.2}, from {first:.1e} to {second:.1e}", method.part);
+            assert!((observed - order - 1.0).abs() < 0.1, "{}: output {k} falls as h^{observed:.2}", method.part);
+        }
     }
 }

@@ -1,0 +1,197 @@
+//! What is promised of accuracy: tables at infinity, measured errors that are the true ones, methods that are chosen well, and
+//! nothing that goes wrong in silence.
+
+use std::f64::consts::{PI, TAU};
+use std::path::Path;
+
+use bentray::chart::{Outcome, Place, default_settings};
+use bentray::measure::{Deviations, Truth, all_methods, calibrate, verify};
+use bentray::output::csv::read_rays;
+use bentray::program::{Choice, Purpose};
+use bentray::render::{Renderer, Settings, Starts, Status, Traced, trace};
+use bentray::scene::{Control, Scene};
+
+use crate::shaders::Random;
+use crate::support::{gpu, scene};
+
+fn at_infinity(law: &str, method: &str) -> Scene {
+    let (kind, rest) = law.split_once(";[[").map_or((law, String::new()), |(kind, rest)| (kind, format!("[[{rest}")));
+    let lines = |text: &str| text.replace(';', "\n");
+    let rays = format!("[rays]\nmax_segments = 20000\nbound = {{ radius = 50 }}\nasymptotic = true\n{method}\n");
+    scene(&format!("[law]\n{}\n{}\n{rays}", lines(kind), lines(&rest)))
+}
+
+/// The angle from the direction +x that a ray was sent in, towards the centre below it.
+fn turned(ray: &Traced) -> f64 {
+    -ray.v[1].atan2(ray.v[0])
+}
+
+/// Two angles' difference, whole turns aside.
+fn off(a: f64, b: f64) -> f64 {
+    ((a - b + PI).rem_euclid(TAU) - PI).abs()
+}
+
+#[test]
+fn deflections_at_infinity() {
+    let gpu = gpu();
+    let rows = include_str!("tables/infinity.tsv").lines().filter(|line| !line.starts_with('#'));
+    let rows: Vec<Vec<&str>> = rows.map(|line| line.split('\t').collect()).collect();
+    let number = |text: &str| text.parse::<f64>().unwrap();
+    for (method, floor, factor) in [
+        ("method = \"planar\"\nscaled_step = 0.1", 2e-5, 40.0),
+        ("method = \"dormand-prince\"\ntolerance = 1e-6", 2e-5, 40.0),
+        ("method = \"dormand-prince\"\ntolerance = 1e-12\nprecision = \"f64\"", 1e-9, 1e-6 / 6e-8),
+    ] {
+        for rows in rows.chunk_by(|a, b| a[1] == b[1]) {
+            let scene = at_infinity(rows[0][1], method);
+            let rays: Vec<_> = rows.iter().map(|r| [-900.0, number(r[2]), 0.0, number(r[3]), 0.0, 0.0]).collect();
+            let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+            for (row, end) in rows.iter().zip(ends) {
+                assert_eq!(end.status, Status::Escaped, "{}", row[0]);
+                let error = off(turned(&end), number(row[4]));
+                let bound = (factor * number(row[5])).max(floor);
+                assert!(error <= bound, "{} by {method}: off by {error:e}, bound {bound:e}", row[0]);
+            }
+        }
+    }
+}
+
+/// Scattering by an inverse-square centre has a closed form, 2 atan(M / (b v²)): what verification measures of a coarse method is
+/// what the closed form says.
+#[test]
+fn measured_errors_are_the_true_ones() {
+    let gpu = gpu();
+    let law = "kind=\"sources\";[[law.sources]];position=[0,0,0];strength=1";
+    let scene = at_infinity(law, "method = \"rk4\"\nscaled_step = 0.2");
+    let impacts: Vec<f64> = (0..200).map(|i| f64::from(0.5_f32 + 0.1 * i as f32)).collect();
+    let rays: Vec<_> = impacts.iter().map(|b| [-900.0, *b, 0.0, 1.0, 0.0, 0.0]).collect();
+    let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+    let truth = Truth::new(&gpu, &scene, 1e-13, Starts::Given(&rays)).unwrap();
+    assert_eq!(truth.unresolved(), 0);
+    let measured = Deviations::new(&ends, &truth).angle;
+    let mut exact: Vec<f64> =
+        ends.iter().zip(&impacts).map(|(end, b)| off(turned(end), 2.0 * (1.0 / b).atan())).collect();
+    exact.sort_by(f64::total_cmp);
+    for (name, measured, exact) in [("median", measured.median, exact[99]), ("max", measured.max, exact[199])] {
+        println!("{name}: measured {measured:e}, exact {exact:e}");
+        assert!(measured < 1.1 * exact && exact < 1.1 * measured, "{name}: {measured:e} for {exact:e}");
+    }
+}
+
+const HOLE: &str = "[image]\nsize = [96, 72]\n[camera]\nposition = [0, 2, 20]\n[law]\nkind = \"schwarzschild\"\n[rays]\n\
+                    bound = { radius = 100 }\n";
+
+#[test]
+fn a_calibrated_scene_is_as_accurate_as_was_asked() {
+    let gpu = gpu();
+    let asked = scene(&format!("{HOLE}accuracy = \"0.05px\"\n"));
+    let calibration = calibrate(&gpu, &asked, &Settings::default(), None).unwrap().expect("the scene names no method");
+    println!("{calibration}");
+    assert!(calibration.reached());
+    let chosen = calibration.applied(&asked);
+    let found = verify(&gpu, &chosen, &Settings::default(), 500).unwrap().found;
+    let accuracy = asked.accuracy().unwrap();
+    assert!(found.seen.p99 <= accuracy, "{:e} where {accuracy:e} was asked for", found.seen.p99);
+    // A scene that names its method is left alone.
+    let named = scene(&format!("{HOLE}method = \"rk4\"\n"));
+    assert!(calibrate(&gpu, &named, &Settings::default(), None).unwrap().is_none());
+}
+
+/// A chaotic flow has no accuracy to reach, and says so.
+#[test]
+fn a_calibration_says_what_cannot_be_had() {
+    let gpu = gpu();
+    let flow = scene(
+        "[image]\nsize = [64, 48]\n[camera]\nkind = \"plane\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\n\
+         up = [0, 0, 1]\nheight = 20\n[law]\nkind = \"lorenz\"\n[rays]\nbound = { radius = 500 }\nlength = 18\n\
+         max_segments = 20000\naccuracy = 1e-5\n",
+    );
+    let calibration = calibrate(&gpu, &flow, &Settings::default(), None).unwrap().unwrap();
+    println!("{calibration}");
+    assert!(!calibration.reached() && calibration.to_string().contains("no method reaches"));
+}
+
+/// b < √27 M and moving inwards falls in; everything else escapes: for rays from anywhere, in every direction.
+#[test]
+fn every_fate_is_right() {
+    let gpu = gpu();
+    let mut random = Random::new(81);
+    let critical = 27.0_f64.sqrt();
+    let (mut rays, mut fates) = (Vec::new(), Vec::new());
+    while rays.len() < 20_000 {
+        let x = random.direction() * random.log(5.0, 1000.0);
+        let aimed = -x.normalize() + random.direction() * random.log(1e-3, 1.0);
+        let v = if random.unit() < 0.7 { aimed.normalize() } else { random.direction() };
+        let (r, l) = (x.length(), x.cross(v).length());
+        let inwards = x.dot(v) < 0.0;
+        let b = l / ((x.dot(v) / r).powi(2) + (1.0 - 2.0 / r) * (l / r).powi(2)).sqrt();
+        if (b / critical - 1.0).abs() > 1e-4 {
+            rays.push([x.x, x.y, x.z, v.x, v.y, v.z]);
+            fates.push(if inwards && b < critical { Status::Captured } else { Status::Escaped });
+        }
+    }
+    for method in ["planar", "rkn4", "rk4", "dormand-prince", "bogacki-shampine"] {
+        let rays_table = format!("[rays]\nbound = {{ radius = 1001 }}\nmax_segments = 5000\nmethod = \"{method}\"\n");
+        let scene = scene(&format!("[law]\nkind = \"schwarzschild\"\n{rays_table}"));
+        let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+        let wrong = ends.iter().zip(&fates).filter(|(end, fate)| end.status != **fate).count();
+        assert_eq!(wrong, 0, "{method}");
+    }
+}
+
+fn places() -> Vec<(String, Scene, Vec<[f64; 6]>)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/stability");
+    let mut paths: Vec<_> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    paths.sort();
+    let load = |path: &std::path::PathBuf| {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        (name, Scene::load(path, &[]).unwrap(), read_rays(&path.with_extension("csv")).unwrap())
+    };
+    paths.iter().map(load).collect()
+}
+
+#[test]
+fn nothing_goes_wrong_in_silence() {
+    let gpu = gpu();
+    let methods = ["planar", "euler", "euler-doubling (2004)", "rkn4", "dormand-prince"];
+    for (name, scene, rays) in places() {
+        let place = Place::new(&gpu, &name, &scene, &rays).unwrap();
+        for outcome in place.outcomes(Some(&methods)).unwrap() {
+            let Outcome { right, given_up, over, disagreeing, unresolved, silent, .. } = outcome;
+            assert_eq!(silent, 0, "{name}: {outcome:?}");
+            assert_eq!(right + given_up + over + disagreeing + unresolved, rays.len(), "{name}: {outcome:?}");
+        }
+    }
+}
+
+/// A controller without its cap jumps over the hole, at every tolerance alike: the table finds that out.
+#[test]
+fn a_controller_without_its_cap_is_found_out() {
+    let gpu = gpu();
+    let (name, scene, rays) = places().into_iter().find(|(name, ..)| name == "far_start").unwrap();
+    let place = Place::new(&gpu, &name, &scene, &rays).unwrap();
+    let methods = all_methods(&scene);
+    let pair = methods.iter().find(|method| method.name == "dormand-prince").unwrap();
+    let capped = place.outcome(pair, default_settings(pair)).unwrap();
+    assert_eq!((capped.silent, capped.right), (0, rays.len()), "{capped:?}");
+    let uncapped = [1e-1, 3e-2, 1e-2].map(|tolerance| Control::Embedded { tolerance, eta: 1e9 });
+    let found = place.outcome(pair, uncapped).unwrap();
+    assert!(found.silent > 0, "{found:?}");
+}
+
+/// A ray that a picture's pixel stands for is the same whether it is followed with the picture or alone.
+#[test]
+fn chosen_pixels_are_the_pictures_own() {
+    let gpu = gpu();
+    let scene = scene(&format!("{HOLE}method = \"rk4\"\n[sky]\ncolor = [1, 1, 1]\n"));
+    let picture = Renderer::new(&gpu, &scene, Settings::default()).unwrap().picture().unwrap();
+    let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
+    let renderer = Renderer::new(&gpu, &scene, Settings { choice, ..Settings::default() }).unwrap();
+    let pixels: Vec<[u32; 2]> = (0..72).flat_map(|y| (0..96).map(move |x| [95 - x, y])).collect();
+    let (rays, _) = renderer.follow(Starts::Pixels(&pixels, 96)).unwrap();
+    for ([x, y], ray) in pixels.iter().zip(&rays) {
+        let seen = picture.band.color[0][(y * 96 + x) as usize] > 0.5;
+        assert_eq!(seen, ray.status == Status::Escaped, "{x} {y}");
+    }
+}

@@ -1,0 +1,109 @@
+//! Commands that measure: verification, calibration, charts, drift.
+
+use super::{BALL, Folder};
+
+const HOLE: &str = "--device llvmpipe --set law.kind=schwarzschild --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
+
+/// The errors are printed, and stored with the picture as text.
+#[test]
+fn a_picture_carries_its_measured_error() {
+    let folder = Folder::with(BALL);
+    let ran = folder
+        .run(&format!("render scene.toml -o a.png -o a.exr --size 48x36 {HOLE} --set rays.method=rk4 --verify 50"))
+        .succeeds();
+    for text in ["verified on", "rays against f64", "angle (rad)", "position", "depth", "ended wrongly", "unresolved"] {
+        assert!(ran.out.contains(text), "{text} in {}", ran.out);
+    }
+    let (png, exr) = (folder.read("a.png"), folder.read("a.exr"));
+    for file in [&png, &exr] {
+        let held = |text: &str| file.windows(text.len()).any(|window| window == text.as_bytes());
+        for text in ["verify: angle error (rad)", "verify: wrong ends", "verify: unresolved", "rk4, scaled_step 0.1000"]
+        {
+            assert!(held(text), "{text}");
+        }
+    }
+}
+
+/// What is chosen is said; a scene that names a method is not measured.
+#[test]
+fn a_calibration_says_what_it_chose() {
+    let folder = Folder::with(BALL);
+    let ran = folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.accuracy=1e-3")).succeeds();
+    let line = ran.err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{}", ran.err));
+    assert!(line.contains("99 % within") && line.contains("ns a ray") && line.contains("fused"), "{line}");
+    let ran = folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.method=rk4")).succeeds();
+    assert!(!ran.err.contains("auto: "), "{}", ran.err);
+    folder
+        .run("render scene.toml -o a.png --set rays.accuracy=thin --set law.kind=schwarzschild")
+        .fails(1, &["expected an angle in radians, or in pixels such as \"0.1px\""]);
+}
+
+#[test]
+fn a_chart_is_tables_plots_and_a_page() {
+    let folder = Folder::with(BALL);
+    let ran = folder
+        .run(&format!(
+            "chart scene.toml -o report --rays 1000 --compared 40 --repeats 1 --methods planar,rk4 {}",
+            HOLE.replace("--device llvmpipe", "")
+        ))
+        .succeeds();
+    assert!(ran.out.contains("fastest") && ran.out.contains("f32 floor"), "{}", ran.out);
+    let csv = folder.text("report/scene.csv");
+    assert!(
+        csv.starts_with("method,setting,ns_per_ray,") && csv.contains("\n\"rk4\",") && csv.contains("\n\"planar\",")
+    );
+    assert!(!csv.contains("euler"), "only the methods that were named");
+    let page = folder.text("report/index.html");
+    for text in ["scene_time.svg", "scene_evaluations.svg", "The fastest method"] {
+        assert!(page.contains(text), "{text}");
+    }
+    for name in ["scene_time.svg", "scene_time.png", "scene_evaluations.svg", "scene_evaluations.png"] {
+        assert!(!folder.read(&format!("report/{name}")).is_empty());
+    }
+    folder.run("chart all -o report").fails(1, &["scenes holds no scenes", "--scenes"]);
+}
+
+#[test]
+fn places_where_methods_fail_are_a_table() {
+    let folder = Folder::with(BALL);
+    let place = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = 1\n[rays]\nbound = { radius = 20 }\n";
+    std::fs::create_dir(folder.path("places")).unwrap();
+    folder.write("places/centre.toml", place);
+    folder.write("places/centre.csv", "x,y,z,vx,vy,vz\n-10,0,0,1,0,0\n-10,5,0,1,0,0\n");
+    let ran = folder.run("chart --stability --scenes places -o report --methods rk4,euler").succeeds();
+    assert!(ran.out.contains("centre") && ran.out.contains("given up") && ran.out.contains("silent"), "{}", ran.out);
+    assert!(folder.text("report/stability.csv").contains("centre,rk4,1,1,0,0,0,0,"));
+    folder.write("places/more.toml", place);
+    folder.run("chart --stability --scenes places -o report").fails(1, &["more.csv"]);
+}
+
+#[test]
+fn drift_is_measured_when_asked() {
+    let folder = Folder::with(BALL);
+    folder.write("rays.csv", "x,y,z,vx,vy,vz\n-5,3,0,1,0,0\n-5,1,4,1,0,0\n");
+    let trace = "trace scene.toml --rays rays.csv -o ends.csv --drift --device llvmpipe";
+    let hole = "--set law.kind=schwarzschild --set law.mass=0.2 --set rays.method=rk4";
+    let ran = folder.run(&format!("{trace} {hole}")).succeeds();
+    assert!(ran.err.contains("relative drift") && ran.err.contains("angular momentum"), "{}", ran.err);
+    let ran = folder
+        .run(&format!("{trace} --set law.kind=lorenz --set law.order=2 --set rays.length=1 --set rays.method=rk4"))
+        .succeeds();
+    assert!(ran.err.contains("keeps nothing"), "{}", ran.err);
+    folder.run(&format!("{trace} {hole} --set rays.asymptotic=true")).fails(1, &["--drift", "asymptotic"]);
+}
+
+/// Tracing in 64 bits gives digits that 32 have not.
+#[test]
+fn precision_is_chosen_on_the_command_line() {
+    let folder = Folder::with(BALL);
+    folder.write("rays.csv", "x,y,z,vx,vy,vz\n-5,3,0,1,0,0\n");
+    let tau = |more: &str| {
+        let hole = "--set law.kind=schwarzschild --set law.mass=0.2 --set rays.method=dormand-prince";
+        folder.run(&format!("trace scene.toml --rays rays.csv -o ends.csv --device llvmpipe {hole} {more}")).succeeds();
+        folder.text("ends.csv").lines().nth(1).unwrap().split(',').nth(8).unwrap().to_owned()
+    };
+    let (single, double) = (tau(""), tau("--precision f64"));
+    assert!(single.len() <= 10 && double.len() >= 14, "{single} {double}");
+    let [single, double] = [single, double].map(|text| text.parse::<f64>().unwrap());
+    assert!((single - double).abs() < 1e-4 * double);
+}

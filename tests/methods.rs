@@ -1,0 +1,155 @@
+//! 'Model no more than a scene needs', for every method, control and precision that each shipped scene's law allows.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use bentray::gpu::Geometry;
+use bentray::program::{Choice, Layer, Purpose, Schedule, Work, link, plan};
+use bentray::scene::{FlowOrder, Law, Precision, Rays, Scene, SchwarzschildForm};
+
+use crate::exactness::unused;
+use crate::support::shipped_scenes;
+
+/// Which laws a method is for.
+#[derive(Clone, Copy, PartialEq)]
+enum For {
+    All,
+    SecondOrder,
+    Medium,
+    Straight,
+}
+
+/// A setting of `[rays]`, the laws it is for, and all the parts of steps, controls and memories that it needs.
+const SETTINGS: &[(&str, For, &str)] = &[
+    ("method=euler", For::All, "step/euler control/planned control/scaled memory/step"),
+    ("method=rk4", For::All, "step/rk4 control/planned control/scaled memory/step"),
+    ("method=rk4 step=0.1", For::All, "step/rk4 control/planned control/fixed memory/step"),
+    ("method=rk4 curvature_step=2", For::All, "step/rk4 control/planned control/curvature memory/step"),
+    ("method=leapfrog", For::SecondOrder, "step/leapfrog control/planned control/scaled memory/step"),
+    ("method=leapfrog step=0.1", For::SecondOrder, "step/leapfrog control/planned control/fixed memory/step"),
+    ("method=rkn4", For::SecondOrder, "step/rkn4 control/planned control/scaled memory/step"),
+    ("method=rkn4 curvature_step=2", For::SecondOrder, "step/rkn4 control/planned control/curvature memory/step"),
+    ("method=euler-doubling", For::All, "step/euler control/doubled control/doubling_rejecting memory/step"),
+    ("method=rk4-doubling", For::All, "step/rk4 control/doubled control/doubling_rejecting memory/step"),
+    ("method=euler-doubling doubling=paper", For::All, "step/euler control/doubled control/doubling_paper memory/step"),
+    ("method=bogacki-shampine", For::All, "step/pair step/bogacki_shampine control/embedded memory/pair"),
+    ("method=dormand-prince", For::All, "step/pair step/dormand_prince control/embedded memory/pair"),
+    ("method=dormand-prince segment=chord", For::All, "step/pair step/dormand_prince control/embedded memory/pair"),
+    ("method=snell", For::Medium, "step/snell control/planned control/scaled memory/step"),
+    ("method=snell step=0.1", For::Medium, "step/snell control/planned control/fixed memory/step"),
+    ("method=exact", For::Straight, "memory/step"),
+];
+
+/// A precision, and the parts that numbers and state have in it.
+type State = (Precision, &'static str);
+
+fn allows(law: &Law, wanted: For) -> bool {
+    match wanted {
+        For::All => true,
+        For::Medium => matches!(law, Law::Medium(_)),
+        For::Straight => *law == Law::Straight,
+        For::SecondOrder => !matches!(
+            law,
+            Law::Flow { order: FlowOrder::Velocity, .. } | Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. }
+        ),
+    }
+}
+
+/// The scene under a setting, read without its objects, whose files are large.
+fn bare(path: &Path, setting: &str) -> Option<Scene> {
+    let keys = setting.split_whitespace().map(str::to_owned).chain(["objects=[]", "lights=[]"].map(str::to_owned));
+    let overrides: Vec<_> = keys.map(|key| key.parse().unwrap()).collect();
+    Scene::load(path, &overrides).ok()
+}
+
+/// The other form that the scene's law has.
+fn other_form(law: &Law) -> Option<&'static str> {
+    match law {
+        Law::Schwarzschild { .. } => Some("law.form=geodesic"),
+        Law::Flow { .. } => Some("law.order=2"),
+        _ => None,
+    }
+}
+
+/// One after the other, so that each way to cut a program meets each part of the table: seven, which is no multiple of the
+/// number of precisions.
+fn choices() -> Vec<Choice> {
+    let mut all = vec![Choice { masks: false, ..Choice::default() }];
+    for schedule in [Schedule::Fused, Schedule::Paper, Schedule::Segment] {
+        for (purpose, layers) in [(Purpose::Picture, Layer::ALL.to_vec()), (Purpose::Trace, Vec::new())] {
+            all.push(Choice { schedule, masks: purpose == Purpose::Picture, purpose, layers });
+        }
+    }
+    all
+}
+
+/// Every pass of the scene's program: nothing in it is unused, and of steps, controls, memories, numbers and states all of them
+/// together have what is needed, and no more.
+fn check(scene: &Scene, geometry: &Geometry, choice: &Choice, needed: &str, at: &str) {
+    let work = Work::of(scene, geometry.nodes.len(), geometry.triangles.len()).unwrap();
+    let planned = plan(scene, choice, &work).unwrap();
+    let mut parts = BTreeSet::new();
+    for pass in choice.passes(scene) {
+        let linked = link(&planned, pass.entry()).unwrap_or_else(|error| panic!("{at}: {error}"));
+        let unused = unused(&linked).unwrap_or_else(|error| panic!("{at}: {error}"));
+        assert!(unused.is_empty(), "{at}: pass {} has {unused:?} for nothing", pass.entry());
+        parts.extend(linked.parts().into_iter().map(|part| part.trim_end_matches(".wgsl").to_owned()));
+    }
+    let folders = ["step", "control", "memory", "real", "state"];
+    parts.retain(|part| folders.contains(&part.split('/').next().unwrap_or_default()));
+    let needed: BTreeSet<String> = needed.split_whitespace().map(str::to_owned).collect();
+    assert_eq!(parts, needed, "{at}");
+}
+
+/// Every setting under one form of the law: those that it allows in these precisions, the others are refused. How many of both.
+fn check_settings(path: &Path, full: &Scene, form: &str, precisions: &[State]) -> [usize; 2] {
+    let geometry = Geometry::new(full);
+    let law = bare(path, form).unwrap().law;
+    let mut choices = choices().into_iter().cycle();
+    let [mut allowed, mut refused] = [0, 0];
+    for (setting, wanted, steps) in SETTINGS {
+        let bare = bare(path, &format!("rays.{} {form}", setting.replace(' ', " rays.")));
+        assert_eq!(bare.is_some(), allows(&law, *wanted), "{}: {form} {setting}", path.display());
+        let Some(bare) = bare else {
+            refused += 1;
+            continue;
+        };
+        for (precision, state) in precisions {
+            let rays = Rays { precision: *precision, ..bare.rays.clone() };
+            let scene = Scene { law: bare.law.clone(), rays, ..full.clone() };
+            let choice = choices.next().unwrap();
+            let at = format!("{}: {form} {setting} in {precision:?} under {choice:?}", path.display());
+            check(&scene, &geometry, &choice, &format!("{steps} {state}"), &at);
+            allowed += 1;
+        }
+    }
+    [allowed, refused]
+}
+
+fn check_scenes(precisions: &[State]) {
+    let (mut counts, mut seen) = ([0, 0], BTreeSet::new());
+    for path in shipped_scenes() {
+        let full = Scene::load(&path, &[]).unwrap();
+        // A law's other form once only.
+        let other = other_form(&full.law).filter(|form| seen.insert(*form));
+        for form in [""].into_iter().chain(other) {
+            let of_form = check_settings(&path, &full, form, precisions);
+            counts = [0, 1].map(|k| counts[k] + of_form[k]);
+        }
+    }
+    println!("{} programs, {} settings refused", counts[0], counts[1]);
+    assert!(counts[0] > 100 && counts[1] > 20);
+}
+
+#[test]
+fn in_16_and_32_bits_methods_have_their_own_parts_only() {
+    check_scenes(&[
+        (Precision::Half, "real/f32 state/ray state/texture state/texels_f16"),
+        (Precision::Single, "real/f32 state/ray state/texture state/texels_f32"),
+    ]);
+}
+
+#[test]
+fn in_64_bits_methods_have_their_own_parts_only() {
+    check_scenes(&[(Precision::Double, "real/f64 state/ray state/buffer")]);
+}
