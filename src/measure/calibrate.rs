@@ -3,6 +3,7 @@
 use std::fmt;
 use std::time::{Duration, Instant};
 
+use super::methods::between;
 use super::{Candidate, Deviations, Truth, blocks, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
 use crate::program::{Choice, Purpose, Schedule};
@@ -10,12 +11,13 @@ use crate::render::{RenderError, Renderer, Settings, Starts};
 use crate::scene::{Control, Method, Scene};
 
 /// Rays whose error is measured.
-const RAYS: usize = 384;
+const RAYS: usize = 1000;
 /// Squares of 64 rays whose time is.
 const BLOCKS: usize = 128;
 const REPEATS: usize = 3;
+const REFINEMENTS: usize = 2;
 /// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
-const MARGIN: f64 = 0.6;
+const MARGIN: f64 = 0.7;
 /// So many times the scene's own segments may a path have, whatever the method.
 const MORE_SEGMENTS: u32 = 4;
 /// What takes longer than this has lost.
@@ -145,17 +147,33 @@ impl<'a> Trials<'a> {
         // Few rays: what counts is not how many run but how many passes are recorded.
         let settings = Settings { segments: 256, ..self.settings.clone() };
         let mut renderer = Renderer::new(self.gpu, &scene, settings)?;
-        let (method, control) = (candidate.method, candidate.controls[0]);
-        let mut best = Trial { method, control, error: f64::INFINITY, time: f64::INFINITY };
-        for &control in &candidate.controls {
+        let mut error_at = |control| -> Result<f64, RenderError> {
             renderer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = renderer.follow(self.starts())?;
-            let error = Deviations::new(&rays, &self.truth).seen.p99;
+            Ok(Deviations::new(&rays, &self.truth).seen.p99)
+        };
+        let (method, control) = (candidate.method, candidate.controls[0]);
+        let mut best = Trial { method, control, error: f64::INFINITY, time: f64::INFINITY };
+        let mut wrong = None;
+        for &control in &candidate.controls {
+            let error = error_at(control)?;
             if error < best.error {
                 best = Trial { control, error, ..best };
             }
             if error <= MARGIN * self.accuracy || self.started.elapsed() > BUDGET {
                 break;
+            }
+            wrong = Some(control);
+        }
+        // Steps as long as they may be lie between the last that was wrong and the first that was right.
+        for _ in 0..REFINEMENTS {
+            let (Some(coarse), true) = (wrong, best.error <= MARGIN * self.accuracy) else { break };
+            let control = between(coarse, best.control);
+            let error = error_at(control)?;
+            if error <= MARGIN * self.accuracy {
+                best = Trial { control, error, ..best };
+            } else {
+                wrong = Some(control);
             }
         }
         renderer.retune(best.control, scene.rays.max_segments)?;

@@ -29,6 +29,19 @@ impl Candidate {
     }
 }
 
+/// The setting between two of one kind, by the geometric mean of their numbers.
+#[must_use]
+pub(super) fn between(a: Control, b: Control) -> Control {
+    let mean = |a: f64, b: f64| (a * b).sqrt();
+    match (a, b) {
+        (Control::Scaled { eta }, Control::Scaled { eta: other }) => Control::Scaled { eta: mean(eta, other) },
+        (Control::Embedded { tolerance, eta }, Control::Embedded { tolerance: other, .. }) => {
+            Control::Embedded { tolerance: mean(tolerance, other), eta }
+        }
+        _ => b,
+    }
+}
+
 /// From `first` on, each `factor` of the one before.
 fn falling(first: f64, factor: f64, count: i32) -> impl Iterator<Item = f64> {
     (0..count).map(move |k| first * factor.powi(k))
