@@ -28,7 +28,8 @@ fn pinhole_and_plane() {
     inputs.extend(
         (0..2000).map(|_| [Vec4::new(random.within(-1.0, 1.0) as f32, random.within(-1.0, 1.0) as f32, 0.0, 0.0)]),
     );
-    let body = "let ray = camera_ray(p0.xy); put(0u, vec4f(ray.x, f32(ray.missed))); put(1u, vec4f(ray.d, 0.0));";
+    let body =
+        "let ray = arrived(camera_ray(p0.xy)); put(0u, vec4f(ray.x, f32(ray.missed))); put(1u, vec4f(ray.d, 0.0));";
     // Inside the bounding sphere, and outside, where most rays of the pinhole and some of the plane miss it.
     for position in [DVec3::new(1.0, -2.0, 4.0), DVec3::new(-75.0, 8.0, 64.0)] {
         for kind in ["pinhole", "plane"] {
@@ -39,7 +40,7 @@ fn pinhole_and_plane() {
                 other => other,
             });
             let part = format!("camera/{kind}");
-            let probe = Probe::new(&["bound", "camera/entry", &part])
+            let probe = Probe::new(&["bound", "camera/ray", "arrival/straight", "frame/coordinate", &part])
                 .bind("camera", [stretched.collect::<Record>()])
                 .bind("bound", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(RADIUS))]]);
             let [mut directions, mut starts] = ["camera's directions", "camera's starts"].map(Errors::of);

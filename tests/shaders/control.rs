@@ -112,10 +112,10 @@ fn the_papers_doubling() {
     for (input, output) in inputs.iter().zip(&out) {
         let p = [wide(input[0]), wide(input[1])];
         let taken = f64::from(output[2].x);
-        let first = ETA * p[0].length() / p[1].length();
+        // The first step is small, for none is taken back.
+        let first = 1e-3 * ETA * p[0].length() / p[1].length();
         sizes.check(output[2].x, capped(input), 6.0 * U * taken, input);
         sizes.check(output[3].w, first, 6.0 * U * first, input);
-        assert_eq!(output[2].w, 20.0, "nothing is rejected");
         let (end, error) = doubled(euler, p, taken);
         kept.check(input, output, end);
         if (error - TOLERANCE).abs() < 2.0 * NOISE || (error - GROW_BELOW).abs() < 2.0 * NOISE {
@@ -129,6 +129,8 @@ fn the_papers_doubling() {
         };
         *count += 1;
         assert_eq!(output[1].w, output[2].x * factor, "error {error:e} at {input:?}");
+        let over = if error > TOLERANCE { 21.0 } else { 20.0 };
+        assert_eq!(output[2].w, over, "what is kept over the tolerance is counted");
     }
     println!("doubling_paper: {grown} grow, {same} stay, {shrunk} shrink, {open} for rounding to decide");
     assert!(grown.min(shrunk).min(same) > 150 && open < 150);

@@ -111,6 +111,8 @@ fn path_end(step: f64) -> Probe {
         "follow/step",
         "stage/end_open",
         "path_end",
+        "pace/tau",
+        "asymptotic/none",
     ];
     bounded(&parts, DVec3::ZERO)
         .bind("law", [vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))]])
