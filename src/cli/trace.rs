@@ -68,7 +68,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         eprintln!("{totals}");
         warn(&totals);
         if arguments.drift {
-            print_drift(&scene, &rays, &traced)?;
+            print_drift(&scene, &rays, &traced);
         }
     }
     if arguments.path || arguments.plot.is_some() {
@@ -89,18 +89,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) -> Result<(), Error> {
+fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) {
     let start = |[x, y, z, a, b, c]: [f64; 6]| [DVec3::new(x, y, z), scene.law.starting_velocity(DVec3::new(a, b, c))];
     let found = drift(&scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
     if found.is_empty() {
         eprintln!("the law keeps nothing that could drift, or no ray came to an end");
-        return Ok(());
+        return;
     }
     eprintln!("{:<18}{:>12}{:>12}{:>12}", "relative drift", "median", "99 %", "max");
     for (name, q) in found {
         eprintln!("{name:<18}{:>12.2e}{:>12.2e}{:>12.2e}", q.median, q.p99, q.max);
     }
-    Ok(())
 }
 
 fn result_row(ray: usize, end: &Traced) -> ResultRow<'static> {
