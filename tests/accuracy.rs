@@ -113,6 +113,7 @@ fn a_calibration_says_what_cannot_be_had() {
 
 /// b < √27 M and moving inwards falls in; everything else escapes: for rays from anywhere, in every direction.
 #[test]
+#[allow(clippy::many_single_char_names)] // the formulas' own letters
 fn every_fate_is_right() {
     let gpu = gpu();
     let mut random = Random::new(81);
