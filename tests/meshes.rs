@@ -111,7 +111,7 @@ fn nothing_tunnels_out_of_a_closed_box() {
         "kind = \"lorenz\"\norder = 2",
         "kind = \"rossler\"",
         "kind = \"rossler\"\norder = 2",
-        "kind = \"medium\"\nindex = { noise = { radius = 8, amplitude = 0.3, frequency = 0.5 } }",
+        "kind = \"medium\"\nindex = { kind = \"explosion\", radius = 8, amplitude = 0.3, frequency = 0.5 }",
     ];
     let methods = [
         "method = \"rk4\"",

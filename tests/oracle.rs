@@ -93,7 +93,7 @@ fn flows_follow_their_orbits() {
 #[test]
 fn rays_keep_what_their_law_keeps() {
     let gpu = gpu();
-    let medium = "[law]\nkind = \"medium\"\nindex = { noise = { radius = 8, amplitude = 0.2, frequency = 0.5, octaves = 2 } }\n\
+    let medium = "[law]\nkind = \"medium\"\nindex = { kind = \"explosion\", radius = 8, amplitude = 0.2, frequency = 0.5, octaves = 2 }\n\
                   [rays]\nscaled_step = 0.05\nmax_segments = 4000\nlength = 9\nbound = { radius = 20 }\n";
     let rays: Vec<[f64; 6]> = (0..64).map(|i| [-9.0, 0.2 * f64::from(i) - 6.4, 0.7, 1.0, 0.0, 0.0]).collect();
     // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.

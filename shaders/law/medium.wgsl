@@ -7,12 +7,11 @@ fn law_held(p: Phase) -> Real {
 }
 
 fn law_acceleration(x: Real3, held: Real) -> Real3 {
-    let n = medium_index(x);
-    return n.w * n.xyz;
+    return medium_pull(x);
 }
 
 fn law_start(x: Real3, v: Real3) -> Phase {
-    return Phase(x, medium_index(x).w * normalize(v));
+    return Phase(x, medium_index(x) * normalize(v));
 }
 
 fn law_settled(p: Phase) -> Phase {

@@ -70,7 +70,10 @@ const LAWS: [(&str, &str); 4] = [
         "Potential field",
         "kind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 0.02, falloff = { cubic = 12 } }]",
     ),
-    ("Varying index", "kind = \"medium\"\nindex = { noise = { radius = 12, amplitude = 0.1, frequency = 0.4 } }"),
+    (
+        "Varying index",
+        "kind = \"medium\"\nindex = { kind = \"explosion\", radius = 12, amplitude = 0.1, frequency = 0.4 }",
+    ),
     ("Schwarzschild", "kind = \"schwarzschild\"\nform = \"geodesic\""),
 ];
 

@@ -142,7 +142,8 @@ impl Source<'_> {
                 let columns = f64::from(self.scene.image.samples).sqrt().ceil() as u32;
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
-            "law" | "flow" | "medium" => one(&self.law()),
+            "law" | "flow" => one(&self.law()),
+            "media" => one(&self.law_medium()),
             "control" => one(&control_values(self.scene.rays.control)),
             "snell" => match self.scene.rays.method {
                 Method::Snell { threshold } => one(&[("threshold", Float(threshold))]),

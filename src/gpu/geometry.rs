@@ -97,7 +97,7 @@ impl Geometry {
             center: map.translation,
             radius: object.transform.uniform_scale().unwrap_or(0.0),
             rows: [m.x_axis.extend(t.x), m.y_axis.extend(t.y), m.z_axis.extend(t.z)],
-            material: object.material as u32,
+            material: object.material().unwrap_or(0) as u32,
             object: index,
         });
         (map.translation - half, map.translation + half)

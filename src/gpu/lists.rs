@@ -69,7 +69,8 @@ impl Source<'_> {
             )
             .map(Some),
             "object_materials" => {
-                let materials: Vec<u32> = self.scene.objects.iter().map(|object| object.material as u32).collect();
+                let materials: Vec<u32> =
+                    self.scene.objects.iter().map(|object| object.material().unwrap_or(0) as u32).collect();
                 Ok(Some(bytemuck::cast_slice(&materials).to_vec()))
             }
             "materials" => self.materials(layout).map(Some),
@@ -84,7 +85,7 @@ impl Source<'_> {
             [code("pattern/constant", "CONSTANT"), code("pattern/checker", "CHECKER"), code("pattern/image", "IMAGE")];
         let rows = self.scene.materials.iter().map(|material| {
             let (kind, ambient, specular, shininess, emission) = match material.kind {
-                MaterialKind::Emissive => (kinds[0], 0.0, DVec3::ZERO, 1.0, DVec3::ZERO),
+                MaterialKind::Emissive | MaterialKind::Mirror => (kinds[0], 0.0, DVec3::ZERO, 1.0, DVec3::ZERO),
                 MaterialKind::Phong { ambient, specular, shininess, emission } => {
                     (kinds[1], ambient, specular, shininess, emission)
                 }

@@ -9,6 +9,7 @@ mod device;
 mod error;
 mod geometry;
 mod lists;
+mod media;
 mod pipeline;
 mod records;
 mod tile;

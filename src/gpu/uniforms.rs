@@ -30,15 +30,7 @@ impl Source<'_> {
             Law::Flow { field: FlowField::Rossler { alpha, beta, gamma }, .. } => {
                 vec![("alpha", Float(*alpha)), ("beta", Float(*beta)), ("gamma", Float(*gamma))]
             }
-            Law::Medium(n) => vec![
-                ("center", Vec3(n.center)),
-                ("radius", Float(n.radius)),
-                ("amplitude", Float(n.amplitude)),
-                ("frequency", Float(n.frequency)),
-                ("octaves", Uint(n.octaves)),
-                ("seed", Uint(n.seed)),
-            ],
-            Law::Straight | Law::Sources(_) => Vec::new(),
+            Law::Straight | Law::Sources(_) | Law::Medium(_) => Vec::new(),
         }
     }
 

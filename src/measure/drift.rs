@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::Quantiles;
 use crate::render::{Status, Traced};
-use crate::scene::{Falloff, Law, Source};
+use crate::scene::{Falloff, Law, Medium, Source};
 
 /// A quantity's name, its value, and the size of what it is made of.
 type Kept = (&'static str, f64, f64);
@@ -38,7 +38,9 @@ pub fn kept(law: &Law, x: DVec3, v: DVec3) -> Vec<Kept> {
             all
         }
         // Outside the disturbed region n = 1.
-        Law::Medium(noise) if x.distance(noise.center) >= noise.radius => vec![("|v| / n", v.length(), 1.0)],
+        Law::Medium(Medium::Explosion(noise)) if x.distance(noise.center) >= noise.radius => {
+            vec![("|v| / n", v.length(), 1.0)]
+        }
         Law::Medium(_) | Law::Flow { .. } => Vec::new(),
     }
 }

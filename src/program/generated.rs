@@ -116,6 +116,11 @@ pub(super) fn layers(names: &[&str]) -> Unit {
     unit("generated/layers.wgsl", text)
 }
 
+/// How many media a kind of region has.
+pub(super) fn media(count: usize) -> Unit {
+    unit("generated/media.wgsl", format!("const MEDIA_COUNT: u32 = {count}u;\n"))
+}
+
 /// How long the lists are that every step or segment walks: known to the compiler, which may unroll them.
 pub(super) fn counts(scene: &Scene) -> Unit {
     let mut text = String::new();

@@ -3,8 +3,8 @@
 use super::link::{Parts, Unit};
 use super::{Choice, ProgramError, Purpose, Schedule, Work, generated, part};
 use crate::scene::{
-    CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Method, Pattern,
-    Precision, Scene, SchwarzschildForm, Segment, Shape, Sky,
+    CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Medium, Method,
+    Pattern, Precision, Scene, SchwarzschildForm, Segment, Shape, Sky,
 };
 
 /// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
@@ -29,6 +29,7 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     let mut shared = names.units()?;
     shared.extend(made);
     let mut region = Names::default();
+    region.add("region/none");
     region_parts(scene, choice.purpose, &mut region, &mut shared);
     Ok(Parts { shared, regions: vec![region.units()?] })
 }
@@ -185,7 +186,7 @@ fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names, made: &mut V
 }
 
 fn material_parts(scene: &Scene, names: &mut Names, made: &mut Vec<Unit>) {
-    let used = || scene.objects.iter().map(|object| &scene.materials[object.material]);
+    let used = || scene.objects.iter().filter_map(|object| Some(&scene.materials[object.material()?]));
     let phong = used().any(|m| matches!(m.kind, MaterialKind::Phong { .. }));
     let kinds = chosen(&[("emissive", used().any(|m| m.kind == MaterialKind::Emissive)), ("phong", phong)]);
     let patterns = chosen(&[
@@ -291,6 +292,23 @@ fn control_parts(control: Control, names: &mut Names) {
     }
 }
 
+/// The part that knows a medium's index.
+fn index_part(medium: &Medium) -> &'static str {
+    match medium {
+        Medium::Constant { .. } => "index/constant",
+        Medium::Luneburg { .. } => "index/luneburg",
+        Medium::Gaussian { .. } => "index/gaussian",
+        Medium::InverseR { .. } => "index/inverse_r",
+        Medium::Fisheye { .. } => "index/fisheye",
+        Medium::Eaton { .. } => "index/eaton",
+        Medium::Rod { .. } => "index/rod",
+        Medium::Linear { .. } => "index/linear",
+        Medium::Exponential { .. } => "index/exponential",
+        Medium::Sech { .. } => "index/sech",
+        Medium::Explosion(_) => "index/explosion",
+    }
+}
+
 fn law_parts(law: &Law, names: &mut Names, shared: &mut Vec<Unit>) {
     let second_order = !matches!(
         law,
@@ -323,6 +341,9 @@ fn law_parts(law: &Law, names: &mut Names, shared: &mut Vec<Unit>) {
                 FlowOrder::Acceleration => "law/flow_acceleration",
             });
         }
-        Law::Medium(_) => names.all(&["law/medium", "index/noise"]),
+        Law::Medium(medium) => {
+            names.all(&["law/medium", index_part(medium)]);
+            shared.push(generated::media(1));
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
 use super::{ProgramError, constant};
-use crate::scene::{Control, Law, Method, Precision, Scene, Segment, Shape};
+use crate::scene::{Control, Law, Medium, Method, Precision, Scene, Segment, Shape};
 
 fn work_limit() -> u64 {
     constant("work", "WORK_LIMIT") as u64
@@ -75,7 +75,15 @@ fn law_loops(law: &Law) -> (u64, u64) {
     match law {
         Law::Straight | Law::Schwarzschild { .. } | Law::Flow { .. } => (0, 0),
         Law::Sources(sources) => (sources.len() as u64, sources.len() as u64),
-        Law::Medium(noise) => (u64::from(noise.octaves), 0),
+        Law::Medium(medium) => (medium_loops(medium), 0),
+    }
+}
+
+/// Iterations of one evaluation of an index.
+fn medium_loops(medium: &Medium) -> u64 {
+    match medium {
+        Medium::Explosion(noise) => u64::from(noise.octaves),
+        _ => 0,
     }
 }
 

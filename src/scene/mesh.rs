@@ -62,6 +62,25 @@ impl Mesh {
         Self::parse(&String::from_utf8_lossy(&bytes), path)
     }
 
+    /// The middle of an edge at which the surface is open, if it is: closed surfaces have every edge twice, once in each
+    /// direction. Corners are the same where their positions are.
+    #[must_use]
+    pub fn hole(&self) -> Option<[f32; 3]> {
+        let corner = |i: u32| self.vertices[i as usize].position;
+        let edges = || {
+            let sides = |&[a, b, c]: &[u32; 3]| [(a, b), (b, c), (c, a)].map(|(a, b)| [corner(a), corner(b)]);
+            self.triangles.iter().flat_map(sides)
+        };
+        // 0 and −0 are one place.
+        let key = |ends: [Vec3; 2]| ends.map(|p| (p + Vec3::ZERO).to_array().map(f32::to_bits));
+        let mut balance: HashMap<_, i32> = HashMap::new();
+        for [a, b] in edges() {
+            *balance.entry(key([a, b])).or_default() += 1;
+            *balance.entry(key([b, a])).or_default() -= 1;
+        }
+        edges().find(|ends| balance[&key(*ends)] != 0).map(|[a, b]| ((a + b) / 2.0).to_array())
+    }
+
     /// Reads the text of an OBJ file; `path` names it in mistakes.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
         let mut loader = Loader::default();

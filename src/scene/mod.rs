@@ -10,6 +10,7 @@
 mod check;
 mod document;
 mod error;
+mod medium;
 mod mesh;
 mod picture;
 mod rays;
@@ -21,9 +22,10 @@ mod tests;
 
 pub use document::Override;
 pub use error::{Mistake, SceneError};
+pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium};
 pub use mesh::{Mesh, Vertex};
 pub use picture::Picture;
-pub use rays::{Accuracy, Bound, Control, DoublingRule, Method, Precision, Rays, Segment};
+pub use rays::{Accuracy, Bound, Branches, Control, DoublingRule, Method, Precision, Rays, Segment};
 pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
 pub use transform::Transform;
 
@@ -44,7 +46,7 @@ pub struct Scene {
     pub sky: Sky,
     /// How radiance becomes a picture file.
     pub output: Output,
-    /// In the order of the file; [`Object::material`] indexes it.
+    /// In the order of the file; [`Substance::Opaque`] indexes it.
     pub materials: Vec<Material>,
     /// In the order of the file; the object id of every output is the index here.
     pub objects: Vec<Object>,
@@ -127,8 +129,8 @@ pub enum Law {
         /// What the field is to the ray.
         order: FlowOrder,
     },
-    /// A medium whose index of refraction varies with place (W04 §5.3).
-    Medium(NoiseIndex),
+    /// A medium that fills all space (W04 §5.3).
+    Medium(Medium),
 }
 
 impl Scene {
@@ -255,23 +257,6 @@ pub enum FlowOrder {
     Acceleration,
 }
 
-/// The noise-based index of W04's Fig. 4(d): n = 1 + amplitude · ξ(r/R) · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NoiseIndex {
-    /// Centre c of the disturbed region.
-    pub center: DVec3,
-    /// Its radius R: outside n = 1.
-    pub radius: f64,
-    /// In (−0.5, 0.5), so that n stays positive.
-    pub amplitude: f64,
-    /// Lattice cells a unit length.
-    pub frequency: f64,
-    /// Terms of the sum, 1 to 8.
-    pub octaves: u32,
-    /// Chooses the lattice's values.
-    pub seed: u32,
-}
-
 /// `[sky]`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Sky {
@@ -317,6 +302,8 @@ pub struct Material {
 /// How a material answers light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MaterialKind {
+    /// Reflects rays, with its colour as the part that it gives back.
+    Mirror,
     /// Radiates its colour.
     Emissive,
     /// Ambient, diffuse and Blinn–Phong specular terms (W04 §3.4), with its colour as the diffuse one.
@@ -360,8 +347,37 @@ pub struct Object {
     pub shape: Shape,
     /// From the shape's own space to the scene's.
     pub transform: Transform,
-    /// Index into [`Scene::materials`].
-    pub material: usize,
+    /// What it is made of.
+    pub substance: Substance,
+}
+
+/// What an object is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Substance {
+    /// A surface: index into [`Scene::materials`].
+    Opaque(usize),
+    /// A medium that light goes through.
+    Clear(Interior),
+}
+
+impl Object {
+    /// The index of its material, if it has one.
+    #[must_use]
+    pub fn material(&self) -> Option<usize> {
+        match self.substance {
+            Substance::Opaque(material) => Some(material),
+            Substance::Clear(_) => None,
+        }
+    }
+
+    /// What it is filled with, if light goes through it.
+    #[must_use]
+    pub fn interior(&self) -> Option<&Interior> {
+        match &self.substance {
+            Substance::Opaque(_) => None,
+            Substance::Clear(interior) => Some(interior),
+        }
+    }
 }
 
 /// Shapes, each in its own space; `Object::transform` holds the file's center, radius, size and so on.

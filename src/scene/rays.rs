@@ -24,6 +24,17 @@ pub struct Rays {
     pub asymptotic: bool,
     /// Bits of the numbers.
     pub precision: Precision,
+    /// How the rays that a surface splits are followed.
+    pub branches: Branches,
+}
+
+/// What is followed where a surface both reflects and transmits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branches {
+    /// Both, exactly, up to so many times along a path: what would split once more is cut.
+    Enumerated(u32),
+    /// One of them at random, a sample.
+    Random,
 }
 
 /// The error in a ray's direction that 99 of 100 rays shall stay under.

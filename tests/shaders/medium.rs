@@ -14,7 +14,7 @@ const OCTAVES: i32 = 3;
 const SEED: u32 = 77;
 
 fn probe() -> Probe {
-    with_medium(&["ray", "work", "phase/space", "law/medium", "index/noise"])
+    with_medium(&["ray", "work", "phase/space", "law/medium", "index/explosion"])
 }
 
 fn with_medium(parts: &[&str]) -> Probe {
@@ -26,7 +26,7 @@ fn with_medium(parts: &[&str]) -> Probe {
         ("octaves", Uint(OCTAVES as u32)),
         ("seed", Uint(SEED)),
     ];
-    Probe::new(parts).bind("medium", [medium])
+    Probe::new(&[parts, &["region/none"]].concat()).list("media", "MEDIA_COUNT", [medium])
 }
 
 /// The rotation's rows; its f32 entries as they are.
@@ -109,7 +109,7 @@ fn index_and_gradient() {
         let rate = law_rate(here);
         let start = law_start(p0.xyz, p1.xyz);
         let settled = law_settled(here);
-        put(0u, medium_index(p0.xyz));
+        put(0u, explosion(p0.xyz));
         put(1u, vec4f(rate[1], law_scale(here)));
         put(2u, vec4f(start[1], 0.0));
         put(3u, vec4f(settled[1], 0.0));";
@@ -150,7 +150,7 @@ fn noise_is_smooth_across_its_lattice() {
         pairs.push(sides.map(DVec3::as_vec3));
     }
     let inputs: Vec<[Vec4; 2]> = pairs.iter().map(|pair| pair.map(|x| x.extend(0.0))).collect();
-    let body = "put(0u, medium_index(p0.xyz)); put(1u, medium_index(p1.xyz));";
+    let body = "put(0u, explosion(p0.xyz)); put(1u, explosion(p1.xyz));";
     let out = probe().run::<2, 2>(&gpu(), body, &inputs);
     let (mut values, mut slopes) = (Errors::of("index across faces"), Errors::of("gradient across faces"));
     for ([a, b], [below, above]) in inputs.iter().zip(&out) {
@@ -172,7 +172,7 @@ fn nothing_bends_outside() {
     let mut random = Random::new(33);
     let places = vectors(&mut random, 1000, RADIUS * 1.000_01, 1e5);
     let inputs: Vec<[Vec4; 1]> = places.iter().map(|d| [(CENTER.as_vec3() + *d).extend(0.0)]).collect();
-    let out = probe().run::<1, 1>(&gpu(), "put(0u, medium_index(p0.xyz));", &inputs);
+    let out = probe().run::<1, 1>(&gpu(), "put(0u, explosion(p0.xyz));", &inputs);
     for (input, [n]) in inputs.iter().zip(&out) {
         if (wide(input[0]) - CENTER).length() > RADIUS * (1.0 + 8.0 * U) {
             assert_eq!((wide(*n), n.w), (DVec3::ZERO, 1.0), "at {input:?}");
@@ -189,7 +189,7 @@ fn snell_steps() {
         .iter()
         .map(|d| [(CENTER.as_vec3() + *d).extend(random.log(1e-3, 0.1) as f32), random.vector(0.9, 1.15).extend(0.0)])
         .collect();
-    let probe = with_medium(&["ray", "work", "phase/space", "index/noise", "step/snell"])
+    let probe = with_medium(&["ray", "work", "phase/space", "index/explosion", "step/snell"])
         .bind("snell", [vec![("threshold", Float(THRESHOLD))]]);
     let body =
         "let next = step_ray(Phase(p0.xyz, p1.xyz), p0.w); put(0u, vec4f(next[0], 0.0)); put(1u, vec4f(next[1], 0.0));";

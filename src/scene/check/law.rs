@@ -1,9 +1,10 @@
 //! `[law]`: how light travels.
 
+use super::media::{self, Surroundings};
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{not_negative, number, number_where, positive, text, vector, whole, word};
+use crate::scene::document::values::{not_negative, not_zero, number, positive, text, vector, whole, word};
 use crate::scene::document::{Node, Value};
-use crate::scene::{Falloff, FlowField, FlowOrder, Law, NoiseIndex, SchwarzschildForm, Source};
+use crate::scene::{Falloff, FlowField, FlowOrder, Law, SchwarzschildForm, Source};
 use glam::DVec3;
 
 #[derive(Clone, Copy)]
@@ -100,8 +101,7 @@ fn source(table: TableReader) -> Option<Source> {
         _ => word(&[("center", ())], &[])(node),
     });
     let position = table.required("position", "[0, 0, 0]", vector);
-    let other_than_zero = number_where("a number other than 0", |x| x != 0.0);
-    let strength = table.required("strength", "1", other_than_zero);
+    let strength = table.required("strength", "1", not_zero);
     let capture = table.or("capture", 0.0, not_negative);
     let falloff = match table.node("falloff") {
         Some(node) => falloff(&table, node),
@@ -133,27 +133,6 @@ fn falloff(table: &TableReader, node: &Node) -> Option<Falloff> {
 }
 
 fn medium(table: &TableReader) -> Option<Law> {
-    const NOISE: &str = "{ radius = 3, amplitude = 0.1, frequency = 1 }";
-    let node = table.required_node("index", &format!("{{ noise = {NOISE} }}"))?;
-    let index = table.reader.open("law.index", node)?;
-    let noise = index.required_node("noise", NOISE);
-    let noise = noise.and_then(|node| index.reader.open("law.index.noise", node));
-    index.finish();
-    let noise = noise?;
-    let amplitude = number_where("a number between -0.5 and 0.5", |x| x.abs() < 0.5);
-    let center = noise.or("center", DVec3::ZERO, vector);
-    let radius = noise.required("radius", "3", positive);
-    let amplitude = noise.required("amplitude", "0.1", amplitude);
-    let frequency = noise.required("frequency", "1", positive);
-    let octaves = noise.or("octaves", 1, whole(1..=8));
-    let seed = noise.or("seed", 0, whole(0..=u32::MAX));
-    noise.finish();
-    Some(Law::Medium(NoiseIndex {
-        center,
-        radius: radius?,
-        amplitude: amplitude?,
-        frequency: frequency?,
-        octaves,
-        seed,
-    }))
+    let node = table.required_node("index", "{ kind = \"maxwell-fisheye\", n0 = 2, a = 1 }")?;
+    media::read(table, node, "medium", Surroundings::default()).map(Law::Medium)
 }

@@ -7,6 +7,13 @@ use crate::scene::document::{Node, Value};
 use crate::scene::{Material, MaterialKind, Pattern, Sky};
 use glam::{DVec2, DVec3};
 
+#[derive(Clone, Copy)]
+enum Kind {
+    Phong,
+    Emissive,
+    Mirror,
+}
+
 /// The names of all materials, and those that can be used, both in the order of the file.
 pub fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files) -> (Vec<&'a str>, Vec<Material>) {
     let Some(table) = root.subtable("materials", "materials") else {
@@ -21,11 +28,11 @@ pub fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files) -> (Vec<&'a str>,
 }
 
 fn material(name: &str, table: TableReader, files: &mut Files) -> Option<Material> {
-    let kinds = word(&[("phong", true), ("emissive", false)], &[]);
-    let phong = table.decide("kind", true, kinds);
+    let kinds = word(&[("phong", Kind::Phong), ("emissive", Kind::Emissive), ("mirror", Kind::Mirror)], &[]);
+    let kind = table.decide("kind", Kind::Phong, kinds);
     let named = |color, kind| Material { name: name.to_owned(), color, kind };
-    let material = match phong {
-        Some(true) => {
+    let material = match kind {
+        Some(Kind::Phong) => {
             let fraction = number_where("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));
             let kind = MaterialKind::Phong {
                 ambient: table.or("ambient", 0.1, fraction),
@@ -39,10 +46,17 @@ fn material(name: &str, table: TableReader, files: &mut Files) -> Option<Materia
             };
             diffuse.map(|color| named(color, kind))
         }
-        Some(false) => table
+        Some(Kind::Emissive) => table
             .required_node("color", "[1, 1, 1]")
             .and_then(|node| pattern(&table, "materials.NAME.color", node, files))
             .map(|color| named(color, MaterialKind::Emissive)),
+        Some(Kind::Mirror) => {
+            let color = match table.node("color") {
+                Some(node) => pattern(&table, "materials.NAME.color", node, files),
+                None => Some(Pattern::Constant(DVec3::ONE)),
+            };
+            color.map(|color| named(color, MaterialKind::Mirror))
+        }
         None => None,
     };
     table.finish();

@@ -9,6 +9,7 @@ mod camera;
 mod files;
 mod law;
 mod materials;
+mod media;
 mod objects;
 mod rays;
 

@@ -2,10 +2,11 @@
 
 use super::bounds;
 use super::files::Files;
-use crate::scene::document::Value;
+use super::media::{self, Surroundings};
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{array, direction, extents, positive, suggest, text, vector, word};
-use crate::scene::{Bound, Object, Shape, Transform};
+use crate::scene::document::values::{Read, array, direction, extents, positive, suggest, text, vector, whole, word};
+use crate::scene::document::{Node, Value};
+use crate::scene::{Bound, Interior, Object, Shape, Substance, Transform};
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
 #[derive(Clone, Copy)]
@@ -40,21 +41,56 @@ fn object(table: &TableReader, materials: &[&str], bound: Option<Bound>, files: 
         Value::Array(_) => extents(node),
         _ => positive(node).map(DVec3::splat),
     });
-    let material = table.required("material", "\"red\"", |node| {
-        let name = text(node)?;
-        let unknown = || match materials {
-            [] => node.fault(format!("there is no material `{name}`"), format!("add [materials.{name}]")),
-            _ => node.fault(format!("there is no material `{name}`"), suggest(name, materials, "materials")),
-        };
-        let index = materials.iter().position(|known| *known == name);
-        index.ok_or_else(unknown)
-    });
-    let (shape, own) = shape?;
-    let transform = Transform(Transform::new(scale, rotate, translate).0 * own);
+    let place = shape.as_ref().map(|(_, own)| Transform(Transform::new(scale, rotate, translate).0 * *own));
+    let substance = substance(table, shape.as_ref().map(|(shape, _)| shape).zip(place), materials);
+    let (shape, _) = shape?;
+    let transform = place?;
     if let Some(bound) = bound {
         check_inside(table, &shape, transform, bound);
     }
-    Some(Object { shape, transform, material: material? })
+    Some(Object { shape, transform, substance: substance? })
+}
+
+/// A material by name, or a medium inside.
+fn substance(table: &TableReader, object: Option<(&Shape, Transform)>, materials: &[&str]) -> Option<Substance> {
+    let Some(("interior", node)) = table.one_of(&["material", "interior"]) else {
+        return table.required("material", "\"red\"", |node| material(node, materials)).map(Substance::Opaque);
+    };
+    let around = object.map_or_else(Surroundings::default, |(shape, place)| surroundings(shape, place));
+    let medium = media::read(table, node, "medium", around);
+    let priority = table.or("priority", 0, whole(0..=1000));
+    if let Some((shape, _)) = object {
+        check_closed(table, shape);
+    }
+    medium.map(|medium| Substance::Clear(Interior { medium, priority }))
+}
+
+fn material(node: &Node, materials: &[&str]) -> Read<usize> {
+    let name = text(node)?;
+    let unknown = || match materials {
+        [] => node.fault(format!("there is no material `{name}`"), format!("add [materials.{name}]")),
+        _ => node.fault(format!("there is no material `{name}`"), suggest(name, materials, "materials")),
+    };
+    materials.iter().position(|known| *known == name).ok_or_else(unknown)
+}
+
+/// What a medium in the object takes its place and size from.
+fn surroundings(shape: &Shape, place: Transform) -> Surroundings {
+    let radius = matches!(shape, Shape::Sphere).then(|| place.uniform_scale()).flatten();
+    Surroundings { center: place.0.translation, radius, axis: None }
+}
+
+fn check_closed(table: &TableReader, shape: &Shape) {
+    let open = match shape {
+        Shape::Plane => Some("a plane has no inside".to_owned()),
+        Shape::Mesh(mesh) => mesh.hole().map(|[a, b, c]| {
+            format!("the mesh is not closed: an edge at [{a:.4}, {b:.4}, {c:.4}] has not two triangles")
+        }),
+        Shape::Sphere | Shape::Box => None,
+    };
+    if let Some(problem) = open {
+        table.fault(&["interior"], problem, "give it a material, or close it");
+    }
 }
 
 /// The shape in its own space, and the map from there that its own keys make.

@@ -4,7 +4,8 @@ use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{Read, boolean, positive, vector, whole, word};
 use crate::scene::document::{Node, Value};
 use crate::scene::{
-    Accuracy, Bound, Control, DoublingRule, FlowOrder, Law, Method, Precision, Rays, SchwarzschildForm, Segment,
+    Accuracy, Bound, Branches, Control, DoublingRule, FlowOrder, Law, Method, Precision, Rays, SchwarzschildForm,
+    Segment,
 };
 use glam::DVec3;
 
@@ -72,8 +73,17 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
     if let (true, Some(law), Some(bound)) = (asymptotic, law, bound) {
         check_asymptotic(&table, law, bound);
     }
+    let branches = table.or("branches", Branches::Enumerated(4), branches);
     table.finish();
-    Some(Rays { method, control, auto, segment, max_segments, bound: bound?, length, asymptotic, precision })
+    Some(Rays { method, control, auto, segment, max_segments, bound: bound?, length, asymptotic, precision, branches })
+}
+
+/// A depth, or `"random"`.
+fn branches(node: &Node) -> Read<Branches> {
+    match &node.value {
+        Value::Text(_) => word(&[("random", Branches::Random)], &[])(node),
+        _ => whole(0..=20)(node).map(Branches::Enumerated),
+    }
 }
 
 /// Steps along an orbit are cut by angle, and are arcs.

@@ -65,6 +65,11 @@ pub fn positive(node: &Node) -> Read<f64> {
     number_where("a number above 0", |x| x > 0.0)(node)
 }
 
+/// A number that is not zero.
+pub fn not_zero(node: &Node) -> Read<f64> {
+    number_where("a number other than 0", |x| x != 0.0)(node)
+}
+
 /// A number that is zero or above.
 pub fn not_negative(node: &Node) -> Read<f64> {
     number_where("a number that is 0 or above", |x| x >= 0.0)(node)

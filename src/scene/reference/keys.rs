@@ -64,7 +64,7 @@ pub const REFERENCE: &[KeyReference] = keys! {
         gamma if r#"kind = "rossler""#: "number" = "4", "γ";
         order if r#"kind = "lorenz" or "rossler""#: "1, 2" = "1",
             "the field is the ray's velocity (1) or its acceleration (2)";
-        index if r#"kind = "medium""#: "{ noise = { .. } }" = "required", "the index of refraction";
+        index if r#"kind = "medium""#: "number, name or { kind, .. }" = "required", "the index of refraction: see medium";
     }
     "law.sources" {
         kind: "center" = "center", "the kind of source";
@@ -80,16 +80,35 @@ pub const REFERENCE: &[KeyReference] = keys! {
             "R: the force is 2r³/R³ − 3r²/R² + 1 inside this radius and nothing outside; scene units";
         yukawa if "no cubic": "number above 0" = "none", "μ: the force is e^(−μr)(1 + μr)/r²; per scene unit";
     }
-    "law.index" {
-        noise: "table" = "required", "index 1 plus noise within a sphere";
-    }
-    "law.index.noise" {
-        center: "[x, y, z]" = "[0, 0, 0]", "centre of the disturbed sphere, scene units";
-        radius: "number above 0" = "required", "its radius: outside the index is 1";
-        amplitude: "number between -0.5 and 0.5" = "required", "how far the index departs from 1";
-        frequency: "number above 0" = "required", "lattice cells a scene unit";
-        octaves: "whole number, 1 to 8" = "1", "terms of noise, each of twice the frequency and half the amplitude";
-        seed: "whole number, 0 to 4294967295" = "0", "chooses the noise";
+    "medium" {
+        kind: "constant | luneburg | gaussian | inverse-r | maxwell-fisheye | eaton | rod | linear | exponential | sech | explosion" = "required",
+            "how n varies: a number stands for { kind = \"constant\", n }, and so do vacuum, air, ice, water, ethyl-alcohol, fused-quartz, acrylic, crown-glass, polyester-resin, flint-glass and diamond";
+        n if r#"kind = "constant""#: "number above 0" = "required", "the index";
+        center if r#"kind = "luneburg", "gaussian", "inverse-r", "maxwell-fisheye", "eaton", "rod" or "explosion""#: "[x, y, z]" = "the object's, or [0, 0, 0]",
+            "where r is 0, or a point of the rod's axis; scene units";
+        radius if r#"kind = "luneburg", "gaussian", "eaton" or "explosion""#: "number above 0" = "the object's, or required", "R, scene units";
+        c if r#"kind = "luneburg""#: "number, 2 or above" = "2", "C: n = √(C − r²/R²)";
+        a if r#"kind = "gaussian""#: "number above 0" = "required", "n = a e^(−b r²/R²)";
+        b if r#"kind = "gaussian""#: "number" = "ln a: n = 1 at R", "see a";
+        k if r#"kind = "inverse-r""#: "number above 0" = "the object's radius, or required", "n = k/r";
+        ingoing if r#"kind = "inverse-r""#: "black | continue" = "black",
+            "rays towards the centre are captured there, or followed as if they went outwards";
+        n0 if r#"kind = "maxwell-fisheye""#: "number above 0" = "2", "n = n₀/(1 + r²/a²)";
+        a if r#"kind = "maxwell-fisheye""#: "number above 0" = "the object's radius, or required", "scene units";
+        n0 if r#"kind = "rod" or "sech""#: "number above 0" = "required", "the index on the axis, or on the plane";
+        g if r#"kind = "rod""#: "number above 0" = "required", "n = n₀ √(1 − g²ρ²), ρ the distance from the axis";
+        axis if r#"kind = "rod""#: "[x, y, z]" = "the cylinder's, or [0, 0, 1]", "along the rod";
+        origin if r#"kind = "linear", "exponential" or "sech""#: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point of height 0";
+        n0 if r#"kind = "linear""#: "number above 0" = "1", "the index at the origin";
+        gradient if r#"kind = "linear""#: "[x, y, z]" = "required", "n² = n₀² + gradient · (x − origin)";
+        up if r#"kind = "exponential" or "sech""#: "[x, y, z]" = "[0, 1, 0]", "where height grows";
+        delta if r#"kind = "exponential""#: "number other than 0" = "required", "n = 1 + δ e^(−y/H), y the height";
+        height if r#"kind = "exponential""#: "number above 0" = "required", "H, scene units";
+        g if r#"kind = "sech""#: "number above 0" = "required", "n = n₀ sech(g y), y the height";
+        amplitude if r#"kind = "explosion""#: "number between -0.5 and 0.5" = "required", "of the noise: n = 1 + amplitude · noise, falling to 1 at R";
+        frequency if r#"kind = "explosion""#: "number above 0" = "required", "lattice cells a unit length";
+        octaves if r#"kind = "explosion""#: "whole number, 1 to 8" = "1", "terms of the noise";
+        seed if r#"kind = "explosion""#: "whole number" = "0", "chooses the noise";
     }
     "rays" {
         method: "auto | exact | planar | euler | leapfrog | rkn4 | rk4 | euler-doubling | rk4-doubling | bogacki-shampine | dormand-prince | snell"
@@ -123,6 +142,8 @@ pub const REFERENCE: &[KeyReference] = keys! {
             "rays that leave the bound are followed to infinity in closed form, and those given from outside come from there";
         precision: "f16 | f32 | f64" = "f32",
             "bits of the numbers: f64 where the device has it, f16 keeps 16 bits between passes as in 2004";
+        branches: "whole number, 0 to 20, or random" = "4",
+            "where a surface splits light both rays are followed, so many times along a path; or one at random, a sample";
     }
     "rays.bound" {
         center: "[x, y, z]" = "[0, 0, 0]", "scene units";
@@ -141,7 +162,7 @@ pub const REFERENCE: &[KeyReference] = keys! {
         bits: "8, 16" = "8", "bits a channel; PNG only";
     }
     "materials.NAME" {
-        kind: "phong | emissive" = "phong", "lit by the lights, or shining itself";
+        kind: "phong | emissive | mirror" = "phong", "lit by the lights, shining itself, or reflecting";
         diffuse if r#"kind = "phong""#: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[0.8, 0.8, 0.8]",
             "the surface's colour, linear";
         ambient if r#"kind = "phong""#: "number from 0 to 1" = "0.1", "fraction of the colour that needs no light";
@@ -150,6 +171,8 @@ pub const REFERENCE: &[KeyReference] = keys! {
         emission if r#"kind = "phong""#: "[red, green, blue]" = "[0, 0, 0]", "radiance added";
         color if r#"kind = "emissive""#: "[red, green, blue], { checker, repeat }, { image, repeat }" = "required",
             "radiance, linear";
+        color if r#"kind = "mirror""#: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]",
+            "the part of the light that it gives back";
     }
     "materials.NAME.diffuse" {
         checker if "no image": "[color, color]" = "none", "two colours in turn";
@@ -165,7 +188,9 @@ pub const REFERENCE: &[KeyReference] = keys! {
     }
     "objects" {
         shape: "sphere | plane | box | mesh" = "required", "what it is";
-        material: "name" = "required", "what it is made of: one of [materials]";
+        material if "no interior": "name" = "required", "what its surface is made of: one of [materials]";
+        interior if "no material": "number, name or { kind, .. }" = "none", "the medium that fills it: see medium";
+        priority if "interior": "whole number, 0 to 1000" = "0", "where interiors overlap, the higher one is there";
         center if r#"shape = "sphere", "plane" or "box""#: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units";
         radius if r#"shape = "sphere""#: "number above 0" = "1", "scene units";
         normal if r#"shape = "plane""#: "[x, y, z]" = "[0, 1, 0]", "where the plane faces";

@@ -20,7 +20,7 @@ const KINDS: &[&str] = &[
     "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = -1\nfalloff = { cubic = 2 }\n\
      [[law.sources]]\nposition = [0, 0, 1]\nstrength = 1\nfalloff = { yukawa = 3 }\ncapture = 1\n[[law.sources]]\n\
      position = [0, 0, 0]\nstrength = 1\nfalloff = \"inverse-square\"\n[rays]\nbound = { radius = 1 }\n",
-    "[law]\nkind = \"medium\"\nindex = { noise = { radius = 1, amplitude = 0.2, frequency = 3 } }\n[rays]\n\
+    "[law]\nkind = \"medium\"\nindex = { kind = \"explosion\", radius = 1, amplitude = 0.2, frequency = 3 }\n[rays]\n\
      method = \"snell\"\nbound = { radius = 1 }\n",
     "[camera]\nposition = [0, 0, 9]\nframe = \"static\"\n[law]\nkind = \"schwarzschild\"\nmass = 2\n\
      [rays]\nbound = { radius = 20 }\nmethod = \"euler-doubling\"\n",
@@ -29,6 +29,14 @@ const KINDS: &[&str] = &[
      material = \"b\"\nmin = [0, 0, 0]\nmax = [1, 2, 3]\n[[objects]]\nshape = \"plane\"\nmaterial = \"a\"\n\
      [[objects]]\nshape = \"mesh\"\nmaterial = \"a\"\nfile = \"mesh.obj\"\n[[lights]]\nkind = \"directional\"\n\
      direction = [0, -2, 0]\n",
+    "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"gaussian\", a = 1.4 }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"inverse-r\" }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"maxwell-fisheye\" }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"rod\", n0 = 1.6, g = 0.3 }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"linear\", gradient = [0, 0.1, 0] }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"exponential\", delta = 0.1, height = 1 }\n\
+     [[objects]]\nshape = \"box\"\ninterior = { kind = \"luneburg\", radius = 1, c = 3 }\n\
+     [[objects]]\nshape = \"box\"\ninterior = { kind = \"constant\", n = 1.5 }\npriority = 1\n",
 ];
 
 #[test]
@@ -136,7 +144,7 @@ fn shapes_go_where_their_keys_say() {
     near(map(2, [0.0, 1.0, 0.0]), [0.0, 0.0, 0.0]);
     near(map(3, [1.0, 0.0, -1.0]), [100.0, 0.0, -100.0]);
     assert!(matches!(scene.objects[2].shape, Shape::Plane));
-    assert_eq!((scene.objects[0].material, scene.objects[1].material), (1, 0));
+    assert_eq!((scene.objects[0].material(), scene.objects[1].material()), (Some(1), Some(0)));
     assert_eq!(scene.materials[0].color, Pattern::Constant(DVec3::splat(0.8)));
     let colors = [DVec3::ONE, DVec3::ZERO];
     assert_eq!(scene.materials[1].color, Pattern::Checker { colors, repeat: DVec2::splat(8.0) });

@@ -13,7 +13,7 @@ struct Medium {
     seed: u32,
 }
 
-@group(0) @binding(50) var<uniform> medium: Medium;
+@group(0) @binding(50) var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // The lattice is turned and shifted against the scene's axes: value noise has no slope across its cells' faces, and a camera
 // in such a plane would see it.
@@ -27,7 +27,7 @@ const LATTICE_SHIFT = Real3(0.317, 0.731, 0.523);
 // In [-1, 1]: a hash of a lattice point (PCG's output function on mixed coordinates).
 fn lattice(cell: vec3i) -> Real {
     let c = bitcast<vec3u>(cell);
-    let seed = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u) ^ (c.z * 0xcb1ab31fu) ^ (medium.seed * 0x9e3779b1u);
+    let seed = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u) ^ (c.z * 0xcb1ab31fu) ^ (media[place].seed * 0x9e3779b1u);
     let state = seed * 747796405u + 2891336453u;
     let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return Real(((word >> 22u) ^ word) >> 8u) / 8388607.5 - 1.0;
@@ -66,7 +66,8 @@ fn lattice_noise(p: Real3) -> Real4 {
 }
 
 // ∇n and n.
-fn medium_index(x: Real3) -> Real4 {
+fn explosion(x: Real3) -> Real4 {
+    let medium = media[place];
     let d = x - medium.center;
     var sum = Real4(0.0);
     var frequency = medium.frequency;
@@ -86,8 +87,18 @@ fn medium_index(x: Real3) -> Real4 {
     return Real4(medium.amplitude * (xi * sum.xyz + sum.w * slope), 1.0 + medium.amplitude * xi * sum.w);
 }
 
+fn medium_index(x: Real3) -> Real {
+    return explosion(x).w;
+}
+
+fn medium_pull(x: Real3) -> Real3 {
+    let n = explosion(x);
+    return n.w * n.xyz;
+}
+
 // The length over which the index changes: a cell of the finest octave inside, the way to the disturbed region outside.
 fn medium_length(x: Real3) -> Real {
+    let medium = media[place];
     let cell = 1.0 / (Real(1u << (medium.octaves - 1u)) * medium.frequency);
     return max(min(cell, medium.radius), distance(x, medium.center) - medium.radius);
 }

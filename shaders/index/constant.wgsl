@@ -1,0 +1,21 @@
+// The same index everywhere.
+
+struct Medium {
+    n: Real,
+}
+
+@group(0) @binding(50) var<uniform> media: array<Medium, MEDIA_COUNT>;
+
+fn medium_index(x: Real3) -> Real {
+    return media[place].n;
+}
+
+// ∇(n²/2).
+fn medium_pull(x: Real3) -> Real3 {
+    return Real3(0.0);
+}
+
+// Nothing changes: the way through the whole bounding sphere.
+fn medium_length(x: Real3) -> Real {
+    return bound.radius;
+}
