@@ -9,6 +9,8 @@ struct Frame {
     image: vec2u,
     // Which sample of each pixel.
     sample: u32,
+    // Which round of that sample, where surfaces split rays: each follows one branch.
+    branch: u32,
     // Always 0, which no compiler knows.
     zero: u32,
 }

@@ -54,6 +54,15 @@ const STALLED: u32 = 6u;
 const FAILED: u32 = 7u;
 // Never entered the bounding sphere: escaped where it started.
 const MISSED: u32 = 8u;
+// Would have split once more than rays.branches allows, or weighs nothing any more.
+const CUT: u32 = 10u;
+// All of its pixel's branches have been followed.
+const RESTING: u32 = 11u;
+
+// Did the path end on a surface?
+fn ends_on_surface(code: u32) -> bool {
+    return code == HIT || code == CUT;
+}
 
 // The status texture's word: code, the slot of the state pair where the ray's state lies, and its segment index.
 fn status_word(code: u32, slot: u32, index: u32) -> u32 {

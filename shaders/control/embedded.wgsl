@@ -21,7 +21,6 @@ const BETA: f32 = 0.04;
 // What one step may have of the tolerance: a path has tens of steps and their errors add, so that the tolerance is about what the
 // whole path errs by where it does not diverge.
 const SHARE: Real = 0.1;
-const FIRST_ERROR: Real = 1e-4;
 
 // What the step is divided by. A factor needs no more digits than f32 has.
 fn error_factor(error: f32) -> f32 {

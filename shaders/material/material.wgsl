@@ -13,6 +13,8 @@ struct Material {
     // How often a pattern repeats along u and v.
     repeat: vec2f,
     image: u32,
+    // Of an object that light goes through: its bit in the set of regions.
+    bit: u32,
 }
 
 @group(0) @binding(90) var<storage, read> materials: array<Material>;

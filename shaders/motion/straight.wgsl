@@ -1,9 +1,5 @@
 // Straight lines need no solver: one step to just outside the bounding sphere.
 
-fn law_start(x: Real3, v: Real3) -> Phase {
-    return Phase(x, v);
-}
-
 fn first_step(p: Phase) -> Real {
     return 0.0;
 }

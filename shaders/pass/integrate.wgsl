@@ -6,18 +6,19 @@ fn integrate(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let place = living_pixel(group, groups, lane);
-    let word = load_status(place.pixel);
-    let alive = place.valid && status_code(word) == ALIVE;
-    let ray = load_ray(place.pixel, word);
+    let spot = living_pixel(group, groups, lane);
+    let word = load_status(spot.pixel);
+    let alive = spot.valid && status_code(word) == ALIVE;
+    load_region(spot.pixel);
+    let ray = load_ray(spot.pixel, word);
     var next = ray;
     if ray_wanted(status_code(word)) {
         let segment = follow_segment(&next);
     }
     if alive {
-        store_ray(place.pixel, next);
-        store_counts(place.pixel, next);
-        store_taken(place.pixel, next.taken);
+        store_ray(spot.pixel, next);
+        store_counts(spot.pixel, next);
+        store_taken(spot.pixel, next.taken);
     }
     tally_steps(select(0u, next.steps - ray.steps, alive), lane);
     tally_rejections(select(0u, next.rejected - ray.rejected, alive), lane);

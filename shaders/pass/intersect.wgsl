@@ -6,12 +6,15 @@ fn intersect(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let place = living_pixel(group, groups, lane);
-    let code = status_code(load_status(place.pixel));
-    if place.valid && ray_wanted(code) && walk_needed(place.pixel) {
-        let hit = first_hit(load_segment(place.pixel), place.pixel);
+    let spot = living_pixel(group, groups, lane);
+    let word = load_status(spot.pixel);
+    let code = status_code(word);
+    load_region(spot.pixel);
+    load_left(spot.pixel, status_index(word));
+    if spot.valid && ray_wanted(code) && walk_needed(spot.pixel) {
+        let hit = first_hit(load_segment(spot.pixel), spot.pixel);
         if code == ALIVE && !walk_suspended() {
-            store_hit(place.pixel, hit);
+            store_hit(spot.pixel, hit);
         }
     }
 }

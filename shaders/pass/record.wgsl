@@ -24,6 +24,7 @@ fn record(
     let valid = all(pixel < frame.size);
     var code = ALIVE;
     if valid {
+        load_region(pixel);
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, pixel);
         code = ray.status;

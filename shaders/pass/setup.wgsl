@@ -9,6 +9,7 @@ fn setup(
     let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
     let valid = all(pixel < frame.size);
     let start = arrived(camera_ray(image_plane(sample_point(sampled_pixel(pixel)))));
+    start_region(start.x, start.d, pixel);
     let phase = law_start(start.x, start.d);
     var ray = Ray(phase, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, ALIVE);
     if law_captured(phase[0].xyz, phase[1].xyz) {
@@ -20,7 +21,12 @@ fn setup(
     if !finite(phase[0].xyz) || !finite(phase[1].xyz) {
         ray.status = FAILED;
     }
+    if valid && !begin_branches(pixel) {
+        ray.status = RESTING;
+    }
     if valid {
+        store_region(pixel);
+        start_weight(pixel, phase[0].xyz);
         store_ray(pixel, ray);
         store_counts(pixel, ray);
         store_status(pixel, status_word(ray.status, 0u, 0u));

@@ -7,7 +7,7 @@
 
 // The samples' sum: the host divides once, at the end.
 fn add_color(pixel: vec2u, c: vec3f) {
-    let first = frame.sample == 0u;
+    let first = frame.sample + frame.branch == 0u;
     textureStore(red, pixel, vec4f(c.x + select(textureLoad(red, pixel).x, 0.0, first)));
     textureStore(green, pixel, vec4f(c.y + select(textureLoad(green, pixel).x, 0.0, first)));
     textureStore(blue, pixel, vec4f(c.z + select(textureLoad(blue, pixel).x, 0.0, first)));
@@ -22,7 +22,9 @@ fn shade(
     let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
     let valid = all(pixel < frame.size);
     var code = ALIVE;
-    if valid {
+    let followed = valid && status_code(load_status(pixel)) != RESTING;
+    if followed {
+        load_region(pixel);
         let ray = load_ended(pixel);
         let seen = seen_at(ray, pixel);
         code = ray.status;
@@ -30,8 +32,8 @@ fn shade(
         if code == ESCAPED || code == MISSED {
             color = sky_radiance(vec3f(normalize(seen.end.v)));
         }
-        add_color(pixel, color);
+        add_color(pixel, color * end_weight(pixel, seen.end.x));
         keep_layers(pixel, ray, seen);
     }
-    tally_fate(valid, code, lane);
+    tally_fate(followed, code, lane);
 }

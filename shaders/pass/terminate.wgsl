@@ -6,16 +6,17 @@ fn terminate(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let place = living_pixel(group, groups, lane);
-    let word = load_status(place.pixel);
-    let alive = place.valid && status_code(word) == ALIVE;
+    let spot = living_pixel(group, groups, lane);
+    let word = load_status(spot.pixel);
+    let alive = spot.valid && status_code(word) == ALIVE;
     let index = status_index(word);
-    let fate = segment_fate(load_segment(place.pixel), load_tau(place.pixel), index, load_hit(place.pixel));
+    load_region(spot.pixel);
+    let fate = segment_fate(load_segment(spot.pixel), load_tau(spot.pixel), index, load_hit(spot.pixel));
     let lives = alive && fate == ALIVE;
     if alive {
         let next = status_word(ALIVE, turn.end, index + 1u);
-        store_status(place.pixel, select(status_word(fate, turn.start, index), next, lives));
+        store_status(spot.pixel, select(status_word(fate, turn.start, index), next, lives));
     }
     tally_segments(u32(alive), lane);
-    keep_living(lives, place.pixel, lane);
+    keep_living(lives || (alive && goes_on(fate)), spot.pixel, lane);
 }

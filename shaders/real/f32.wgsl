@@ -9,6 +9,12 @@ alias Real4 = vec4<f32>;
 // A part of a whole that is no more than a few roundings.
 const LAST_PART: Real = 2e-7;
 
+// Squared indices that agree to this part are the same: rounding must not make a surface out of a smooth place.
+const MATCHED: Real = 4e-6;
+
+// How far from a surface, in parts of its distance from the origin, a point may lie by rounding that is on it.
+const SURFACE_SLACK: Real = 1e-6;
+
 // Steps of a quarter turn and more that are as good as exact.
 const ASYMPTOTE_STEPS: u32 = 32u;
 
@@ -33,6 +39,25 @@ fn opaque4(a: Real4) -> Real4 {
 
 fn real_exp(a: Real) -> Real {
     return exp(a);
+}
+
+// ln x for x > 0: n ln 2 + ln m, with m from √½ to √2.
+fn real_log(x: Real) -> Real {
+    let n = (bitcast<i32>(x) - bitcast<i32>(0.70710678f)) >> 23u;
+    let m = bitcast<f32>(bitcast<i32>(x) - (n << 23u));
+    return f32(n) * 0.69314718 + log_near_1((m - 1.0) / (m + 1.0));
+}
+
+// 2 artanh s, for |s| up to 0.172.
+fn log_near_1(s: Real) -> Real {
+    let z = s * s;
+    return s * (2.0 + z * (0.66666667 + z * (0.4 + z * (0.28571429 + z * 0.22222222))));
+}
+
+// ln(a/b), good to its last digits where the two are close.
+fn log_ratio(a: Real, b: Real) -> Real {
+    let s = (a - b) / (a + b);
+    return select(real_log(a / b), log_near_1(s), abs(s) < 0.17);
 }
 
 // Sine and cosine.

@@ -13,6 +13,12 @@ alias Real4 = vec4<f64>;
 // A part of a whole that is no more than a few roundings.
 const LAST_PART: Real = 4e-16;
 
+// Squared indices that agree to this part are the same: rounding must not make a surface out of a smooth place.
+const MATCHED: Real = 1e-13;
+
+// How far from a surface, in parts of its distance from the origin, a point may lie by rounding that is on it.
+const SURFACE_SLACK: Real = 1e-14;
+
 // Steps of a quarter turn and more that are as good as exact.
 const ASYMPTOTE_STEPS: u32 = 1024u;
 
@@ -82,6 +88,18 @@ fn real_exp(x: Real) -> Real {
     return (1.0 + (r + r * r * p)) * power_of_two(k & 15) * h8 * h8;
 }
 
+// (2 artanh s − 2s)/s³ of z = s², for |s| up to 0.172.
+fn artanh_tail(z: Real) -> Real {
+    var p: Real = 0.14797031938946162;
+    p = p * z + 0.15313951700232742;
+    p = p * z + 0.18183567810324863;
+    p = p * z + 0.2222219851378319;
+    p = p * z + 0.28571428742888333;
+    p = p * z + 0.399999999994128;
+    p = p * z + 0.6666666666666735;
+    return p;
+}
+
 // ln x = n ln 2 + ln m for x > 0, with m from √½ to √2. (At 0 about −755, which is as good as −∞ to real_exp.)
 fn real_log(x: Real) -> Real {
     // Two steps of ±720 and ±240 bring every exponent within f32's range: beyond 2^±360 the one, beyond 2^±120 the other.
@@ -95,17 +113,16 @@ fn real_log(x: Real) -> Real {
     // With s = f / (2 + f), ln m is 2 artanh s = f − (f²/2 − s (f²/2 + s² p)), which keeps f, and so ln x near 1, exact.
     let s = f / (2.0 + f);
     let z = s * s;
-    // (2 artanh s − 2s) / s³
-    var p: Real = 0.14797031938946162;
-    p = p * z + 0.15313951700232742;
-    p = p * z + 0.18183567810324863;
-    p = p * z + 0.2222219851378319;
-    p = p * z + 0.28571428742888333;
-    p = p * z + 0.399999999994128;
-    p = p * z + 0.6666666666666735;
+    let p = artanh_tail(z);
     let half = 0.5 * f * f;
     let n = Real(far + off + k);
     return n * LN_2_HIGH - ((half - (s * (half + z * p) + n * LN_2_LOW)) - f);
+}
+
+// ln(a/b), good to its last digits where the two are close.
+fn log_ratio(a: Real, b: Real) -> Real {
+    let s = (a - b) / (a + b);
+    return select(real_log(a / b), s * (2.0 + s * s * artanh_tail(s * s)), abs(s) < 0.17);
 }
 
 // Sine and cosine, for |a| up to 1e6: those of r = a − n π/2, |r| ≤ π/4, exchanged and signed by n.

@@ -1,3 +1,12 @@
 // All space is one region, with one medium if it has any.
 
 const place: u32 = 0u;
+
+fn start_region(x: Real3, v: Real3, pixel: vec2u) {
+}
+
+fn load_region(pixel: vec2u) {
+}
+
+fn store_region(pixel: vec2u) {
+}

@@ -55,7 +55,8 @@ fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let n = cross(q - p, r - p);
     let through = dot(n, d);
     let t = dot(n, p) / through;
-    return select(2.0, t, inside && through != 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP);
+    let met = inside && through != 0.0 && may_cross(triangle.object, through) && !just_left(TRIANGLE | i);
+    return select(2.0, t, met && t >= -OVERLAP && t <= 1.0 + OVERLAP);
 }
 
 // Does the piece from a, with 1/d given, meet the box before the fraction limit? The box is grown by what rounding may hide.

@@ -1,11 +1,11 @@
 // Where rays stop when a segment is one step: hits too come from retaking it.
 
 fn stops_inside(code: u32) -> bool {
-    return code == HIT || code == ESCAPED || code == CAPTURED;
+    return ends_on_surface(code) || code == ESCAPED || code == CAPTURED;
 }
 
 fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
-    if code == HIT {
+    if ends_on_surface(code) {
         let surface = hit_surface(hit.primitive, x);
         return Real4(surface.across, surface.gap);
     }
@@ -13,7 +13,7 @@ fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
 }
 
 fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
-    return select(open_guess(code, hit, step), own_fraction(step.phase, step.end, hit.t) * step.h, code == HIT);
+    return select(open_guess(code, hit, step), own_fraction(step.phase, step.end, hit.t) * step.h, ends_on_surface(code));
 }
 
 fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {

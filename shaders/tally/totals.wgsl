@@ -1,5 +1,8 @@
 // Totals over all rays, summed on the device.
 
+// Room for every status code.
+const FATES: u32 = 16u;
+
 struct Tally {
     // Counts beyond 32 bits: the low word, and how often it has run over.
     steps: atomic<u32>,
@@ -9,7 +12,7 @@ struct Tally {
     rejected: atomic<u32>,
     rejected_over: atomic<u32>,
     // By status code.
-    fates: array<atomic<u32>, 9>,
+    fates: array<atomic<u32>, FATES>,
 }
 
 @group(0) @binding(7) var<storage, read_write> tally: Tally;
@@ -40,15 +43,15 @@ fn tally_segments(n: u32, lane: u32) {
     }
 }
 
-var<workgroup> group_fates: array<atomic<u32>, 9>;
+var<workgroup> group_fates: array<atomic<u32>, FATES>;
 
 // Called by every lane of the group.
 fn tally_fate(counts: bool, code: u32, lane: u32) {
     if counts {
-        atomicAdd(&group_fates[min(code, MISSED)], 1u);
+        atomicAdd(&group_fates[min(code, FATES - 1u)], 1u);
     }
     workgroupBarrier();
-    if lane <= MISSED {
+    if lane < FATES {
         let n = atomicLoad(&group_fates[lane]);
         if n > 0u {
             atomicAdd(&tally.fates[lane], n);

@@ -27,7 +27,7 @@ fn walk_stop(node: u32, count: u32) {
     walk_node = select(node, DONE, node >= count);
 }
 
-fn first_hit(s: Segment, pixel: vec2u) -> Hit {
+fn walked_hit(s: Segment, pixel: vec2u) -> Hit {
     let pieces = segment_pieces(s);
     let kept = textureLoad(walk, pixel).x;
     var hit = Hit(0.0, NOTHING);

@@ -1,6 +1,6 @@
 // A segment's walk over the scene is short enough to be done in one go.
 
-fn first_hit(s: Segment, pixel: vec2u) -> Hit {
+fn walked_hit(s: Segment, pixel: vec2u) -> Hit {
     let pieces = segment_pieces(s);
     var hit = Hit(0.0, NOTHING);
     var a = s.x0;

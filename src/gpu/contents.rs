@@ -8,12 +8,13 @@ use wgpu::{
     Buffer, BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
 };
 
+use super::media::medium_values;
 use super::records::Value::{Float, Uint, Uint2, Vec3};
 use super::records::{Value, pack};
 use super::uniforms::{control_values, schedule_values};
 use super::{Geometry, Gpu, GpuError};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program};
-use crate::scene::{Method, Picture, Scene, Segment};
+use crate::scene::{Branches, Method, Picture, Scene, Segment};
 
 /// The bindings of a scene, by name.
 #[derive(Debug)]
@@ -54,6 +55,15 @@ impl SceneBuffers {
             }
         }
         Ok(made)
+    }
+}
+
+/// A uniform of a region's parts has a copy for each kind of region, with the kind at the end of its name.
+#[must_use]
+pub fn copy_of(name: &str) -> (&str, usize) {
+    match name.rsplit_once('_').map(|(own, kind)| (own, kind.parse())) {
+        Some((own, Ok(kind))) => (own, kind),
+        _ => (name, 0),
     }
 }
 
@@ -131,7 +141,8 @@ impl Source<'_> {
 
     fn values(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let one = |row: &[(&'static str, Value)]| pack(name, layout, [row]).map(Some);
-        match name {
+        let (own, kind) = copy_of(name);
+        match own {
             "bound" => {
                 let bound = &self.scene.rays.bound;
                 one(&[("center", Vec3(bound.center)), ("radius", Float(bound.radius))])
@@ -143,7 +154,15 @@ impl Source<'_> {
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
             "law" | "flow" => one(&self.law()),
-            "media" => one(&self.law_medium()),
+            "media" => {
+                let media = self.geometry.regions.kinds.get(kind).map_or(&[][..], |kind| &kind.media);
+                pack(name, layout, media.iter().map(medium_values)).map(Some)
+            }
+            "regions" => pack(name, layout, self.regions()).map(Some),
+            "branching" => match self.scene.rays.branches {
+                Branches::Enumerated(depth) => one(&[("depth", Uint(depth))]),
+                Branches::Random => Ok(None),
+            },
             "control" => one(&control_values(self.scene.rays.control)),
             "snell" => match self.scene.rays.method {
                 Method::Snell { threshold } => one(&[("threshold", Float(threshold))]),
@@ -162,7 +181,7 @@ impl Source<'_> {
                 Segment::Chord { .. } => Ok(None),
             },
             "sky" => one(&self.sky()),
-            _ => self.list(name, layout),
+            own => self.list(own, layout),
         }
     }
 }

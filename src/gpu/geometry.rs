@@ -6,7 +6,7 @@ use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::triangle::Triangle;
 
-use crate::program::shape_kind;
+use crate::program::{Regions, constant, shape_kind};
 use crate::scene::{Mesh, Object, Scene, Shape, Vertex};
 
 /// A sphere, ellipsoid, box or plane in its place.
@@ -18,8 +18,10 @@ pub struct PlacedShape {
     pub radius: f64,
     /// Rows of the affine map from the scene's space to the shape's own.
     pub rows: [DVec4; 3],
-    /// Index into the scene's materials.
+    /// Its place in the list of materials: the scene's own, and behind them one for each object that light goes through.
     pub material: u32,
+    /// Its bit in the set of regions, where rays go on from it.
+    pub bit: Option<u32>,
     /// Index into the scene's objects.
     pub object: u32,
 }
@@ -48,6 +50,10 @@ pub struct Geometry {
     pub triangles: Vec<[u32; 4]>,
     /// Of all meshes, in the scene's space.
     pub vertices: Vec<Vertex>,
+    /// Each object's place in the list of materials.
+    pub materials: Vec<u32>,
+    /// Which objects have an inside.
+    pub regions: Regions,
     /// Each object's box: lower and upper corner.
     pub boxes: Vec<(DVec3, DVec3)>,
 }
@@ -59,13 +65,19 @@ impl Geometry {
     /// Places every object of the scene and builds the hierarchy over its triangles.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        let mut geometry = Self::default();
+        let mut geometry = Self { regions: Regions::of(scene), ..Self::default() };
+        let clear = scene.materials.len();
+        let material = |i: usize| scene.objects[i].material().or(geometry.regions.bit(i).map(|bit| clear + bit));
+        geometry.materials = (0..scene.objects.len()).map(|i| material(i).unwrap_or(0) as u32).collect();
         for (i, object) in scene.objects.iter().enumerate() {
             let own = match &object.shape {
                 Shape::Mesh(mesh) => geometry.add_mesh(object, mesh, i as u32),
                 _ => geometry.add_placed(object, i as u32),
             };
             geometry.boxes.push(own);
+        }
+        for shapes in geometry.placed.values_mut() {
+            shapes.sort_by_key(|shape| shape.bit.is_some());
         }
         geometry.build_hierarchy();
         geometry
@@ -85,6 +97,16 @@ impl Geometry {
         self.boxes.iter().map(distance).fold(f64::INFINITY, f64::min)
     }
 
+    /// The primitive that an object is to the shaders; meshes are many.
+    #[must_use]
+    pub fn primitive(&self, object: usize) -> u32 {
+        let place = |shapes: &Vec<PlacedShape>| shapes.iter().position(|shape| shape.object as usize == object);
+        let found = self.placed.iter().find_map(|(kind, shapes)| Some((kind, place(shapes)?)));
+        found.map_or(constant("ray", "NOTHING") as u32, |(kind, at)| {
+            constant(&format!("shape/{kind}"), &kind.to_uppercase()) as u32 | at as u32
+        })
+    }
+
     fn add_placed(&mut self, object: &Object, index: u32) -> (DVec3, DVec3) {
         let map = object.transform.0;
         let inverse = map.inverse();
@@ -97,8 +119,9 @@ impl Geometry {
             center: map.translation,
             radius: object.transform.uniform_scale().unwrap_or(0.0),
             rows: [m.x_axis.extend(t.x), m.y_axis.extend(t.y), m.z_axis.extend(t.z)],
-            material: object.material().unwrap_or(0) as u32,
+            material: self.materials[index as usize],
             object: index,
+            bit: self.regions.bit(index as usize).map(|bit| bit as u32),
         });
         (map.translation - half, map.translation + half)
     }

@@ -5,31 +5,32 @@ use glam::{DVec2, DVec3};
 use super::GpuError;
 use super::contents::Source;
 use super::geometry::PlacedShape;
+use super::media::capture_radius;
 use super::records::Value::{self, Float, Uint, Vec2, Vec3, Vec4};
 use super::records::pack;
 use crate::program::{Layout, Purpose, constant};
-use crate::scene::{Falloff, Law, Light, MaterialKind, Pattern};
+use crate::scene::{Falloff, Law, Light, MaterialKind, Medium, Pattern};
 
 impl Source<'_> {
     pub(super) fn list(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let g = self.geometry;
-        let placed = |kind: &str| {
-            let shapes = g.placed.get(kind).map_or(&[][..], Vec::as_slice);
-            pack(name, layout, shapes.iter().map(placed_row)).map(Some)
-        };
-        let spaces = |kind: &str| {
-            let shapes = g.placed.get(kind).map_or(&[][..], Vec::as_slice);
-            pack(name, layout, shapes.iter().map(space_rows)).map(Some)
-        };
+        let all = |kind: &str| g.placed.get(kind).map_or(&[][..], Vec::as_slice).iter();
+        let opaque = |kind: &str| all(kind).filter(|shape| shape.bit.is_none());
+        let sided = |kind: &str| all(kind).filter(|shape| shape.bit.is_some());
+        let placed = |kind: &str| pack(name, layout, all(kind).map(placed_row)).map(Some);
+        let spaces = |kind: &str| pack(name, layout, opaque(kind).map(space_rows)).map(Some);
         match name {
             "balls" => {
-                let shapes = g.placed.get("sphere").map_or(&[][..], Vec::as_slice);
-                pack(name, layout, shapes.iter().map(|s| [("center", Vec3(s.center)), ("radius", Float(s.radius))]))
-                    .map(Some)
+                let row = |s: &PlacedShape| [("center", Vec3(s.center)), ("radius", Float(s.radius))];
+                pack(name, layout, opaque("sphere").map(row)).map(Some)
             }
             "ellipsoid_spaces" => spaces("ellipsoid"),
             "box_spaces" => spaces("box"),
             "plane_spaces" => spaces("plane"),
+            "sided_balls" => pack(name, layout, sided("sphere").map(sided_ball)).map(Some),
+            "sided_ellipsoids" => pack(name, layout, sided("ellipsoid").map(sided_space)).map(Some),
+            "sided_boxes" => pack(name, layout, sided("box").map(sided_space)).map(Some),
+            "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
             "spheres" => placed("sphere"),
             "ellipsoids" => placed("ellipsoid"),
             "boxes" => placed("box"),
@@ -68,11 +69,7 @@ impl Source<'_> {
                 }),
             )
             .map(Some),
-            "object_materials" => {
-                let materials: Vec<u32> =
-                    self.scene.objects.iter().map(|object| object.material().unwrap_or(0) as u32).collect();
-                Ok(Some(bytemuck::cast_slice(&materials).to_vec()))
-            }
+            "object_materials" => Ok(Some(bytemuck::cast_slice(&g.materials).to_vec())),
             "materials" => self.materials(layout).map(Some),
             _ => self.lights_and_sources(name, layout),
         }
@@ -80,12 +77,18 @@ impl Source<'_> {
 
     fn materials(&self, layout: &Layout) -> Result<Vec<u8>, GpuError> {
         let code = |part: &str, name: &str| constant(part, name) as u32;
-        let kinds = [code("material/emissive", "EMISSIVE"), code("material/phong", "PHONG")];
+        let kinds = [
+            code("material/emissive", "EMISSIVE"),
+            code("material/phong", "PHONG"),
+            code("scatter/mirror", "MIRROR"),
+            code("scatter/clear", "CLEAR"),
+        ];
         let patterns =
             [code("pattern/constant", "CONSTANT"), code("pattern/checker", "CHECKER"), code("pattern/image", "IMAGE")];
         let rows = self.scene.materials.iter().map(|material| {
             let (kind, ambient, specular, shininess, emission) = match material.kind {
-                MaterialKind::Emissive | MaterialKind::Mirror => (kinds[0], 0.0, DVec3::ZERO, 1.0, DVec3::ZERO),
+                MaterialKind::Mirror => (kinds[2], 0.0, DVec3::ZERO, 1.0, DVec3::ZERO),
+                MaterialKind::Emissive => (kinds[0], 0.0, DVec3::ZERO, 1.0, DVec3::ZERO),
                 MaterialKind::Phong { ambient, specular, shininess, emission } => {
                     (kinds[1], ambient, specular, shininess, emission)
                 }
@@ -106,9 +109,11 @@ impl Source<'_> {
                 ("ambient", Float(ambient)),
                 ("repeat", Vec2(repeat)),
                 ("image", Uint(image as u32)),
+                ("bit", Uint(0)),
             ]
         });
-        pack("materials", layout, rows)
+        let clear = (0..self.geometry.regions.regions.len()).map(|bit| clear_material(kinds[3], bit));
+        pack("materials", layout, rows.chain(clear))
     }
 
     fn lights_and_sources(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
@@ -190,9 +195,51 @@ impl Source<'_> {
             Law::Sources(sources) => {
                 sources.iter().filter(|s| s.capture > 0.0).map(|s| (s.position, s.capture)).collect()
             }
-            _ => Vec::new(),
+            _ => self.scene.media().filter_map(capture_sphere).collect(),
         }
     }
+
+    /// For each object its bit in the set of regions.
+    fn object_bits(&self) -> Vec<u32> {
+        let none = constant("facing/sided", "NO_BIT") as u32;
+        let bit = |object| self.geometry.regions.bit(object).map_or(none, |bit| bit as u32);
+        (0..self.scene.objects.len()).map(bit).collect()
+    }
+}
+
+/// The middle of an inverse-r sphere.
+fn capture_sphere(medium: &Medium) -> Option<(DVec3, f64)> {
+    match medium {
+        Medium::InverseR { center, k, .. } => Some((*center, capture_radius(*k))),
+        _ => None,
+    }
+}
+
+/// What the surface of an object that light goes through has for a material: no more than whose surface it is.
+fn clear_material(kind: u32, bit: usize) -> [(&'static str, Value); 11] {
+    let black = Vec3(DVec3::ZERO);
+    [
+        ("kind", Uint(kind)),
+        ("pattern", Uint(0)),
+        ("color", black),
+        ("second_color", black),
+        ("specular", black),
+        ("shininess", Float(1.0)),
+        ("emission", black),
+        ("ambient", Float(0.0)),
+        ("repeat", Vec2(DVec2::ONE)),
+        ("image", Uint(0)),
+        ("bit", Uint(bit as u32)),
+    ]
+}
+
+fn sided_ball(shape: &PlacedShape) -> [(&'static str, Value); 3] {
+    [("center", Vec3(shape.center)), ("radius", Float(shape.radius)), ("bit", Uint(shape.bit.unwrap_or(0)))]
+}
+
+fn sided_space(shape: &PlacedShape) -> [(&'static str, Value); 4] {
+    let [x, y, z] = space_rows(shape);
+    [x, y, z, ("bit", Uint(shape.bit.unwrap_or(0)))]
 }
 
 fn space_rows(shape: &PlacedShape) -> [(&'static str, Value); 3] {

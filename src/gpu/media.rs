@@ -2,15 +2,23 @@
 
 use super::contents::Source;
 use super::records::Value::{self, Float, Uint, Vec3};
-use crate::scene::{Law, Medium};
+use crate::program::Region;
+use crate::scene::{Ingoing, Medium};
 
 impl Source<'_> {
-    /// Of the medium that fills all space.
-    pub(super) fn law_medium(&self) -> Vec<(&'static str, Value)> {
-        match &self.scene.law {
-            Law::Medium(medium) => medium_values(medium),
-            _ => Vec::new(),
-        }
+    /// The rows of `regions`.
+    pub(super) fn regions(&self) -> Vec<[(&'static str, Value); 5]> {
+        let regions = &self.geometry.regions;
+        let row = |region: &Region| {
+            [
+                ("kind", Uint(region.kind.unwrap_or(0) as u32)),
+                ("place", Uint(region.place as u32)),
+                ("primitive", Uint(self.geometry.primitive(region.object))),
+                ("start", Uint(0)),
+                ("radius", Float(region.radius)),
+            ]
+        };
+        regions.regions.iter().map(row).collect()
     }
 }
 
@@ -25,7 +33,12 @@ pub fn medium_values(medium: &Medium) -> Vec<(&'static str, Value)> {
         Medium::Gaussian { center, radius, a, b } => {
             vec![("center", Vec3(*center)), ("radius", Float(*radius)), ("a", Float(*a)), ("b", Float(*b))]
         }
-        Medium::InverseR { center, k, .. } => vec![("center", Vec3(*center)), ("k", Float(*k))],
+        Medium::InverseR { center, k, ingoing } => vec![
+            ("center", Vec3(*center)),
+            ("k", Float(*k)),
+            ("capture", Float(capture_radius(*k))),
+            ("continued", Uint(u32::from(*ingoing == Ingoing::Continued))),
+        ],
         Medium::Fisheye { center, n0, a } => {
             vec![("center", Vec3(*center)), ("n0", Float(*n0)), ("a", Float(*a))]
         }
@@ -51,4 +64,10 @@ pub fn medium_values(medium: &Medium) -> Vec<(&'static str, Value)> {
             ("seed", Uint(n.seed)),
         ],
     }
+}
+
+/// Rays that come this near to the middle of n = k/r never come back: there n is 10⁴.
+#[must_use]
+pub fn capture_radius(k: f64) -> f64 {
+    1e-4 * k
 }

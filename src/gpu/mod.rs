@@ -15,7 +15,7 @@ mod records;
 mod tile;
 mod uniforms;
 
-pub use contents::SceneBuffers;
+pub use contents::{SceneBuffers, copy_of};
 pub use device::{AdapterReport, Gpu, adapters};
 pub use error::GpuError;
 pub use geometry::Geometry;

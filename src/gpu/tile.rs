@@ -150,7 +150,7 @@ impl Tile {
         }
         tile.add_buffer(gpu, "turn", TURN_STRIDE * (passes + 1), BufferUsages::UNIFORM)?;
         tile.add_buffer(gpu, "frame", 64, BufferUsages::UNIFORM)?;
-        tile.add_buffer(gpu, "tally", 64, BufferUsages::STORAGE)?;
+        tile.add_buffer(gpu, "tally", 128, BufferUsages::STORAGE)?;
         Ok(tile)
     }
 

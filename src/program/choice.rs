@@ -1,5 +1,6 @@
 //! What a program is for: its schedule, and what it is asked to put out.
 
+use super::regions::scatters;
 use crate::scene::Scene;
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
@@ -28,6 +29,8 @@ pub enum Pass {
     Intersect,
     /// Which rays ended.
     Terminate,
+    /// Rays that go on from surfaces.
+    Scatter,
     /// Local illumination.
     Shade,
     /// Rays as numbers.
@@ -45,6 +48,7 @@ impl Pass {
             Self::Integrate => "integrate",
             Self::Intersect => "intersect",
             Self::Terminate => "terminate",
+            Self::Scatter => "scatter",
             Self::Shade => "shade",
             Self::Record => "record",
         }
@@ -131,6 +135,9 @@ impl Choice {
                 passes.push(Pass::Intersect);
             }
             passes.push(Pass::Terminate);
+        }
+        if scatters(scene) {
+            passes.push(Pass::Scatter);
         }
         passes.push(match self.purpose {
             Purpose::Picture => Pass::Shade,

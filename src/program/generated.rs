@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use super::link::Unit;
 use super::plan::shape_kind;
-use crate::scene::{Falloff, Law, Scene, Source};
+use super::regions::Regions;
+use crate::scene::{Falloff, Law, Object, Scene, Source};
 
 pub(super) fn unit(file: &'static str, text: String) -> Unit {
     Unit { file: file.into(), text: text.into() }
@@ -15,7 +16,7 @@ pub(super) fn unit(file: &'static str, text: String) -> Unit {
 pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]) -> String {
     let mut text = format!("{signature} {{\n");
     let Some(((_, last), rest)) = kinds.split_last() else {
-        return text + "}\n";
+        return text + "    return vec3f(0.0);\n}\n";
     };
     if rest.is_empty() {
         let _ = writeln!(text, "    return {last};\n}}");
@@ -29,11 +30,16 @@ pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]
     text
 }
 
-/// The first hit of a straight piece among all shapes, and the surface of a primitive.
-pub(super) fn shapes(kinds: &[&str]) -> Unit {
+/// The first hit of a straight piece among all shapes, those that end rays and those that rays cross, and the surface of a
+/// primitive.
+pub(super) fn shapes(kinds: &[&str], opaque: &[&str], sided: &[&str]) -> Unit {
     let mut text = String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    var hit = best;\n");
-    for kind in kinds {
-        let _ = writeln!(text, "    hit = hit_{kind}(a, b, hit);");
+    let crossed = sided.iter().map(|kind| format!("cross_{kind}"));
+    // Meshes last: what is nearer already shortens their walk.
+    let (first, last): (Vec<_>, Vec<_>) =
+        opaque.iter().map(|kind| format!("hit_{kind}")).chain(crossed).partition(|name| name != "hit_triangle");
+    for function in first.iter().chain(&last) {
+        let _ = writeln!(text, "    hit = {function}(a, b, hit);");
     }
     text += "    return hit;\n}\n\n";
     let surfaces: Vec<_> = kinds
@@ -116,6 +122,26 @@ pub(super) fn layers(names: &[&str]) -> Unit {
     unit("generated/layers.wgsl", text)
 }
 
+/// What becomes of a ray at a surface, by the kinds of material that it goes on from.
+pub(super) fn scatter(kinds: &[&str]) -> Unit {
+    let arguments = "material, surface, end, index, pixel";
+    let mut calls: Vec<_> =
+        kinds.iter().map(|kind| (kind.to_uppercase(), format!("scatter_{kind}({arguments})"))).collect();
+    calls.push((String::new(), "Scattered(end.v, vec3f(1.0), false, false)".to_owned()));
+    let signature = "fn scattered_at(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) \
+                     -> Scattered";
+    unit("generated/scatter.wgsl", switch(signature, "material.kind", &calls))
+}
+
+/// How many regions there are, and which of their bits stand for media.
+pub(super) fn regions(regions: &Regions) -> Unit {
+    let count = regions.regions.len();
+    let media = regions.regions.iter().filter(|region| region.kind.is_some()).count();
+    let mask = u32::MAX.checked_shr(32 - media as u32).unwrap_or(0);
+    let text = format!("const REGION_COUNT: u32 = {count}u;\nconst MEDIA_MASK: u32 = {mask:#x}u;\n");
+    unit("generated/regions.wgsl", text)
+}
+
 /// How many media a kind of region has.
 pub(super) fn media(count: usize) -> Unit {
     unit("generated/media.wgsl", format!("const MEDIA_COUNT: u32 = {count}u;\n"))
@@ -127,9 +153,16 @@ pub(super) fn counts(scene: &Scene) -> Unit {
     let mut count = |name: &str, n: usize| {
         let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
     };
+    let regions = Regions::of(scene);
     for kind in ["sphere", "ellipsoid", "box", "plane"] {
-        let is = |object: &&crate::scene::Object| shape_kind(&object.shape, &object.transform) == kind;
-        count(&kind.to_uppercase(), scene.objects.iter().filter(is).count());
+        let of_kind = |sided: bool| {
+            let is = |(i, object): &(usize, &Object)| {
+                shape_kind(&object.shape, &object.transform) == kind && regions.bit(*i).is_some() == sided
+            };
+            scene.objects.iter().enumerate().filter(is).count()
+        };
+        count(&kind.to_uppercase(), of_kind(false));
+        count(&format!("SIDED_{}", kind.to_uppercase()), of_kind(true));
     }
     let sources: &[Source] = if let Law::Sources(sources) = &scene.law { sources } else { &[] };
     let falling = |is: fn(&Falloff) -> bool| sources.iter().filter(|source| is(&source.falloff)).count();
@@ -137,6 +170,7 @@ pub(super) fn counts(scene: &Scene) -> Unit {
     count("CUBIC", falling(|f| matches!(f, Falloff::Cubic { .. })));
     count("YUKAWA", falling(|f| matches!(f, Falloff::Yukawa { .. })));
     let holes = usize::from(matches!(scene.law, Law::Schwarzschild { .. }));
-    count("CAPTURE", holes + sources.iter().filter(|source| source.capture > 0.0).count());
+    let middles = scene.media().filter(|medium| medium.captures()).count();
+    count("CAPTURE", middles + holes + sources.iter().filter(|source| source.capture > 0.0).count());
     unit("generated/counts.wgsl", text)
 }

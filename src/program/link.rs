@@ -202,7 +202,7 @@ fn region_switches(parts: &Parts, entry: &str) -> Result<Unit, ProgramError> {
     let shared: Vec<Declaration> = parts.shared.iter().flat_map(|unit| declarations(&unit.text)).collect();
     let wanted: BTreeSet<&str> =
         shared.iter().flat_map(Declaration::used).chain([entry]).filter(|name| own.contains_key(name)).collect();
-    let mut text = String::from("// Which kind of region the ray is in.\nvar<private> region: u32;\n");
+    let mut text = String::new();
     for name in wanted {
         let (unit, declaration) = own[name];
         let refused = || ProgramError::NotSwitchable { file: unit.file.to_string(), name: name.to_owned() };
@@ -218,7 +218,7 @@ fn region_switches(parts: &Parts, entry: &str) -> Result<Unit, ProgramError> {
         }
         let _ = write!(text, "\n{}", switch(signature, name, parts.regions.len()));
     }
-    Ok(Unit { file: "generated/regions.wgsl".into(), text: text.into() })
+    Ok(Unit { file: "generated/kinds.wgsl".into(), text: text.into() })
 }
 
 fn switch(signature: &str, name: &str, kinds: usize) -> String {
@@ -248,6 +248,7 @@ mod tests {
     }
 
     const ENTRY: &str = "@group(0) @binding(0) var<storage, read_write> out: array<f32>;\n\
+        var<private> region: u32;\n\
         @compute @workgroup_size(1) fn entry() {\n    out[0] = law_rate(1.0);\n}\n";
 
     fn two_regions() -> Parts {

@@ -15,6 +15,8 @@ mod link;
 mod parts;
 mod plan;
 mod reflect;
+mod region_parts;
+mod regions;
 mod work;
 
 pub use choice::{Choice, Layer, Pass, Purpose, Schedule};
@@ -23,6 +25,7 @@ pub use link::{Linked, Parts, Unit, link};
 pub use parts::{Part, all_parts, constant, part};
 pub use plan::{plan, shape_kind};
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect, validated};
+pub use regions::{Kind, Motion, Region, Regions, is_mirror, scatters, splits};
 pub use work::Work;
 
 use crate::scene::Scene;

@@ -49,9 +49,9 @@ pub fn constant(part_name: &str, name: &str) -> f64 {
 }
 
 fn number(text: &str) -> Option<f64> {
-    let text = text.trim().trim_end_matches(';').trim_end_matches(['u', 'f']);
+    let text = text.trim().trim_end_matches(';');
     match text.strip_prefix("0x") {
-        Some(hex) => u32::from_str_radix(hex, 16).ok().map(f64::from),
-        None => text.parse().ok(),
+        Some(hex) => u32::from_str_radix(hex.trim_end_matches('u'), 16).ok().map(f64::from),
+        None => text.trim_end_matches(['u', 'f']).parse().ok(),
     }
 }

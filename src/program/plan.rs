@@ -1,10 +1,12 @@
 //! The plan: which parts a scene is made of. One file per contract; the cheapest that is right for the scene.
 
 use super::link::{Parts, Unit};
+use super::region_parts::region_parts;
+use super::regions::{Kind, Motion, Regions, is_mirror, scatters};
 use super::{Choice, ProgramError, Purpose, Schedule, Work, generated, part};
 use crate::scene::{
-    CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Medium, Method,
-    Pattern, Precision, Scene, SchwarzschildForm, Segment, Shape, Sky,
+    Branches, CameraKind, Control, Frame, Law, Light, MaterialKind, Medium, Object, Pattern, Precision, Scene,
+    SchwarzschildForm, Segment, Shape, Sky,
 };
 
 /// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
@@ -17,37 +19,45 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
         Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
         Precision::Double => &["real/f64", "state/buffer"],
     });
+    let regions = Regions::of(scene);
     let mut made = vec![generated::counts(scene)];
+    phase_parts(scene, &mut names);
+    scatter_parts(scene, choice, &regions, &mut names, &mut made);
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
-    schedule_parts(scene, choice, &mut names);
+    schedule_parts(scene, choice, &regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, &mut names);
-    surface_parts(scene, choice, work, &mut names, &mut made);
+    surface_parts(scene, choice, work, &regions, &mut names, &mut made);
     if choice.purpose == Purpose::Picture {
         picture_parts(scene, choice, &mut names, &mut made);
     }
+    if !scene.pictures.is_empty() {
+        names.add("image_sample");
+        made.push(generated::images(scene.pictures.len()));
+    }
+    if !scene.objects.is_empty() {
+        material_parts(scene, &mut names, &mut made);
+    }
     let mut shared = names.units()?;
     shared.extend(made);
-    let mut region = Names::default();
-    region.add("region/none");
-    region_parts(scene, choice.purpose, &mut region, &mut shared);
-    Ok(Parts { shared, regions: vec![region.units()?] })
+    let regions = regions.kinds.iter().map(|kind| region_parts(scene, choice.purpose, kind));
+    Ok(Parts { shared, regions: regions.collect::<Result<_, _>>()? })
 }
 
 /// The names of the parts chosen so far.
 #[derive(Default)]
-struct Names(Vec<String>);
+pub(super) struct Names(Vec<String>);
 
 impl Names {
-    fn add(&mut self, name: &str) {
+    pub(super) fn add(&mut self, name: &str) {
         self.0.push(name.to_owned());
     }
 
-    fn all(&mut self, names: &[&str]) {
+    pub(super) fn all(&mut self, names: &[&str]) {
         self.each_of(names.iter().map(|name| (*name).to_owned()));
     }
 
-    fn each<'a>(&mut self, folder: &str, files: impl IntoIterator<Item = &'a str>) {
+    pub(super) fn each<'a>(&mut self, folder: &str, files: impl IntoIterator<Item = &'a str>) {
         self.each_of(files.into_iter().map(|file| format!("{folder}/{file}")));
     }
 
@@ -55,12 +65,12 @@ impl Names {
         self.0.extend(names);
     }
 
-    fn units(&self) -> Result<Vec<Unit>, ProgramError> {
+    pub(super) fn units(&self) -> Result<Vec<Unit>, ProgramError> {
         self.0.iter().map(|name| part(name).map(Unit::from).ok_or_else(|| ProgramError::NoPart(name.clone()))).collect()
     }
 }
 
-fn schedule_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
     names.add(match (choice.masks, choice.schedule) {
         (false, _) => "living/all",
         (true, Schedule::Fused) => "living/list",
@@ -70,12 +80,52 @@ fn schedule_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
     let rejects = matches!(scene.rays.control, Control::Embedded { .. } | Control::Doubling { .. });
     names.add(if rejects { "tally/rejections" } else { "tally/no_rejections" });
-    names.add(if keeps_taken(scene) { "stage/taken_kept" } else { "stage/taken_none" });
+    names.add(if keeps_taken(scene, regions) { "stage/taken_kept" } else { "stage/taken_none" });
 }
 
 /// Arcs that are not straight need their step's size in the pass that intersects them.
-pub(super) fn keeps_taken(scene: &Scene) -> bool {
-    matches!(scene.rays.segment, Segment::Arc { .. }) && scene.rays.method != Method::Exact && !scene.objects.is_empty()
+fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
+    let bends = |kind: &Kind| kind.motion != Motion::Straight && !kind.leaps;
+    let arcs = matches!(scene.rays.segment, Segment::Arc { .. }) && regions.kinds.iter().any(bends);
+    arcs && !scene.objects.is_empty()
+}
+
+/// What a state is, and what the control remembers of it.
+fn phase_parts(scene: &Scene, names: &mut Names) {
+    let spacetime = matches!(scene.law, Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. });
+    names.add(if spacetime { "phase/spacetime" } else { "phase/space" });
+    // Embedded pairs remember the error of the step before.
+    let pair = matches!(scene.rays.control, Control::Embedded { .. });
+    names.add(if pair { "memory/pair" } else { "memory/step" });
+}
+
+/// Which medium a ray is in, and what becomes of it at surfaces that it goes on from.
+fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names, made: &mut Vec<Unit>) {
+    names.add("stride/turn");
+    if !scatters(scene) {
+        names.all(&["region/none", "scatter/none", "weight/none", "branch/transmitted", "left/none", "facing/any"]);
+        return;
+    }
+    let clear = scene.objects.iter().any(|object| object.interior().is_some());
+    let flat = scene.objects.iter().enumerate().any(|(i, o)| is_mirror(scene, o) && regions.bit(i).is_none());
+    let sided_mesh = regions.regions.iter().any(|r| matches!(scene.objects[r.object].shape, Shape::Mesh(_)));
+    names.all(&["scatter/some", "scatter/scattered", "branch/branch"]);
+    names.add(if regions.regions.is_empty() { "region/none" } else { "region/set" });
+    names.add(if flat { "left/kept" } else { "left/none" });
+    names.add(if sided_mesh { "facing/sided" } else { "facing/any" });
+    let (weight, branch) = match (choice.purpose, scene.rays.branches) {
+        (Purpose::Picture, Branches::Enumerated(_)) => ("weight/kept", "branch/enumerated"),
+        (Purpose::Picture, Branches::Random) => ("weight/kept", "branch/random"),
+        _ => ("weight/none", "branch/transmitted"),
+    };
+    names.all(&[weight, branch]);
+    if clear {
+        names.all(&["scatter/clear", "scatter/refraction"]);
+    }
+    let kinds = chosen(&[("clear", clear), ("mirror", scene.objects.iter().any(|o| is_mirror(scene, o)))]);
+    names.each("scatter", kinds.iter().copied().filter(|kind| *kind != "clear"));
+    made.push(generated::scatter(&kinds));
+    made.push(generated::regions(regions));
 }
 
 fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
@@ -103,27 +153,25 @@ fn end_parts(scene: &Scene, names: &mut Names) {
     let captures = match &scene.law {
         Law::Schwarzschild { .. } => true,
         Law::Sources(sources) => sources.iter().any(|source| source.capture > 0.0),
-        _ => false,
+        _ => scene.media().any(Medium::captures),
     };
     names.add(if captures { "capture/spheres" } else { "capture/none" });
     names.add(if scene.rays.length.is_some() { "limit/length" } else { "limit/none" });
+    names.add(if scene.rays.asymptotic { "asymptotic/orbit" } else { "asymptotic/none" });
     let hits = !scene.objects.is_empty();
     match scene.rays.segment {
         Segment::Arc { .. } => {
             names.all(&["follow/step", if hits { "stage/end_on_arc" } else { "stage/end_open" }]);
-            names.add(if scene.rays.method == Method::Exact { "curve/line" } else { "curve/arc" });
         }
         Segment::Chord { .. } => {
-            names.all(&["follow/steps", "curve/line", if hits { "stage/end_on_chord" } else { "stage/end_open" }]);
+            names.all(&["follow/steps", if hits { "stage/end_on_chord" } else { "stage/end_open" }]);
         }
     }
 }
 
-/// The kinds of shape of the scene: their parts' and functions' names.
-#[must_use]
-pub fn shape_kinds(scene: &Scene) -> Vec<&'static str> {
-    let mut kinds: Vec<&str> =
-        scene.objects.iter().map(|object| shape_kind(&object.shape, &object.transform)).collect();
+/// The kinds of shape of some objects: their parts' and functions' names.
+fn shape_kinds<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'static str> {
+    let mut kinds: Vec<&str> = objects.map(|object| shape_kind(&object.shape, &object.transform)).collect();
     kinds.sort_unstable();
     kinds.dedup();
     // Meshes last: what is nearer already shortens their walk.
@@ -143,9 +191,16 @@ pub fn shape_kind(shape: &Shape, transform: &crate::scene::Transform) -> &'stati
     }
 }
 
-fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, names: &mut Names, made: &mut Vec<Unit>) {
+fn surface_parts(
+    scene: &Scene,
+    choice: &Choice,
+    work: &Work,
+    regions: &Regions,
+    names: &mut Names,
+    made: &mut Vec<Unit>,
+) {
     let recorded = choice.purpose != Purpose::Picture;
-    let kinds = shape_kinds(scene);
+    let kinds = shape_kinds(scene.objects.iter());
     if kinds.is_empty() {
         names.all(&["walk/none", "stage/seen_nothing"]);
         names.add(if recorded { "stage/recorded_nothing" } else { "stage/seen" });
@@ -153,8 +208,29 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, names: &mut Names,
     }
     names.all(&["walk/piece", "hits", "shape/placed"]);
     names.add(if work.resumed { "walk/resumed" } else { "walk/whole" });
+    let leaps = regions.kinds.iter().any(|kind| kind.leaps);
+    names.add(if leaps { "walk/leaping" } else { "walk/direct" });
     names.each("shape", kinds.iter().copied());
-    made.push(generated::shapes(&kinds));
+    let with_side = |side: bool| {
+        let objects = scene.objects.iter().enumerate().filter(move |(i, _)| regions.bit(*i).is_some() == side);
+        shape_kinds(objects.map(|(_, object)| object))
+    };
+    let (opaque, mut sided) = (with_side(false), with_side(true));
+    // One walk meets all triangles, whatever their objects are made of.
+    let only_sided = sided.contains(&"triangle") && !opaque.contains(&"triangle");
+    sided.retain(|kind| *kind != "triangle");
+    let hit: Vec<&str> = opaque.into_iter().chain(only_sided.then_some("triangle")).collect();
+    if !sided.is_empty() {
+        names.add("crossing/crossing");
+        // An ellipsoid is a ball in its own space.
+        if sided.contains(&"ellipsoid") && !sided.contains(&"sphere") {
+            names.add("crossing/sphere");
+        }
+        names.each("crossing", sided.iter().copied());
+    } else if regions.regions.iter().any(|region| matches!(scene.objects[region.object].shape, Shape::Mesh(_))) {
+        names.add("crossing/crossing");
+    }
+    made.push(generated::shapes(&kinds, &hit, &sided));
     if recorded {
         names.add("stage/recorded_surface");
     } else {
@@ -168,10 +244,6 @@ fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names, made: &mut V
         Sky::Equirectangular(..) => "sky/equirectangular",
         Sky::Faces(..) => "sky/faces",
     });
-    if !scene.pictures.is_empty() {
-        names.add("image_sample");
-        made.push(generated::images(scene.pictures.len()));
-    }
     if choice.layers.is_empty() {
         names.add("layer/none");
     } else {
@@ -179,9 +251,6 @@ fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names, made: &mut V
         let layers: Vec<_> = choice.layers.iter().map(|layer| layer.name()).collect();
         names.each("layer", layers.iter().copied());
         made.push(generated::layers(&layers));
-    }
-    if !scene.objects.is_empty() {
-        material_parts(scene, names, made);
     }
 }
 
@@ -206,144 +275,6 @@ fn material_parts(scene: &Scene, names: &mut Names, made: &mut Vec<Unit>) {
     made.push(generated::materials(&kinds, &patterns, &lights));
 }
 
-fn chosen<'a>(options: &[(&'a str, bool)]) -> Vec<&'a str> {
+pub(super) fn chosen<'a>(options: &[(&'a str, bool)]) -> Vec<&'a str> {
     options.iter().filter(|(_, used)| *used).map(|(name, _)| *name).collect()
-}
-
-/// How light travels: the parts of which every kind of region has its own.
-fn region_parts(scene: &Scene, purpose: Purpose, names: &mut Names, shared: &mut Vec<Unit>) {
-    let spacetime = matches!(scene.law, Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. });
-    names.add(if spacetime { "phase/spacetime" } else { "phase/space" });
-    names.add(if keeps_error(scene) { "memory/pair" } else { "memory/step" });
-    names.add(if scene.rays.asymptotic { "asymptotic/orbit" } else { "asymptotic/none" });
-    names.add(if scene.rays.method == Method::Planar { "pace/orbit" } else { "pace/tau" });
-    if scene.rays.method == Method::Planar || scene.rays.asymptotic {
-        orbit_parts(&scene.law, names);
-    }
-    match scene.rays.method {
-        Method::Exact => {
-            names.add("motion/straight");
-            return;
-        }
-        Method::Planar => {
-            law_parts(&scene.law, names, shared);
-            planar_parts(scene, purpose, names);
-            return;
-        }
-        _ => {}
-    }
-    law_parts(&scene.law, names, shared);
-    step_parts(scene.rays.method, names);
-    control_parts(scene.rays.control, names);
-}
-
-/// The plane of a ray about its law's only centre.
-fn orbit_parts(law: &Law, names: &mut Names) {
-    names.add("orbit/orbit");
-    match law {
-        Law::Schwarzschild { .. } => names.add("orbit/schwarzschild"),
-        Law::Sources(sources) => names.add(match sources.first().map(|source| source.falloff) {
-            Some(Falloff::Cubic { .. }) => "orbit/cubic",
-            Some(Falloff::Yukawa { .. }) => "orbit/yukawa",
-            _ => "orbit/inverse_square",
-        }),
-        _ => {}
-    }
-}
-
-/// τ is integrated only where something asks for it: arcs, and the numbers of a trace.
-fn planar_parts(scene: &Scene, purpose: Purpose, names: &mut Names) {
-    let open = scene.objects.is_empty();
-    names.add(if open { "motion/planar_open" } else { "motion/planar" });
-    names.add(if open && purpose == Purpose::Picture { "clock/none" } else { "clock/kept" });
-}
-
-/// Embedded pairs remember the error of the step before.
-fn keeps_error(scene: &Scene) -> bool {
-    matches!(scene.rays.control, Control::Embedded { .. })
-}
-
-fn step_parts(method: Method, names: &mut Names) {
-    match method {
-        Method::Exact | Method::Planar => {}
-        Method::Euler => names.add("step/euler"),
-        Method::Leapfrog => names.add("step/leapfrog"),
-        Method::Rkn4 => names.add("step/rkn4"),
-        Method::Rk4 => names.add("step/rk4"),
-        Method::Snell { .. } => names.add("step/snell"),
-        Method::BogackiShampine => names.all(&["step/pair", "step/bogacki_shampine"]),
-        Method::DormandPrince => names.all(&["step/pair", "step/dormand_prince"]),
-    }
-}
-
-fn control_parts(control: Control, names: &mut Names) {
-    match control {
-        Control::Exact => {}
-        Control::Fixed { .. } => names.all(&["control/planned", "control/fixed"]),
-        Control::Scaled { .. } => names.all(&["control/planned", "control/scaled"]),
-        Control::Curvature { .. } => names.all(&["control/planned", "control/curvature"]),
-        Control::Embedded { .. } => names.add("control/embedded"),
-        Control::Doubling { rule: DoublingRule::Paper, .. } => {
-            names.all(&["control/doubled", "control/doubling_paper"]);
-        }
-        Control::Doubling { rule: DoublingRule::Rejecting, .. } => {
-            names.all(&["control/doubled", "control/doubling_rejecting"]);
-        }
-    }
-}
-
-/// The part that knows a medium's index.
-fn index_part(medium: &Medium) -> &'static str {
-    match medium {
-        Medium::Constant { .. } => "index/constant",
-        Medium::Luneburg { .. } => "index/luneburg",
-        Medium::Gaussian { .. } => "index/gaussian",
-        Medium::InverseR { .. } => "index/inverse_r",
-        Medium::Fisheye { .. } => "index/fisheye",
-        Medium::Eaton { .. } => "index/eaton",
-        Medium::Rod { .. } => "index/rod",
-        Medium::Linear { .. } => "index/linear",
-        Medium::Exponential { .. } => "index/exponential",
-        Medium::Sech { .. } => "index/sech",
-        Medium::Explosion(_) => "index/explosion",
-    }
-}
-
-fn law_parts(law: &Law, names: &mut Names, shared: &mut Vec<Unit>) {
-    let second_order = !matches!(
-        law,
-        Law::Flow { order: FlowOrder::Velocity, .. } | Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. }
-    );
-    if second_order {
-        names.add("law/accelerated");
-    }
-    match law {
-        Law::Straight => names.add("law/straight"),
-        Law::Schwarzschild { form: SchwarzschildForm::Path, .. } => names.add("law/schwarzschild_path"),
-        Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. } => names.add("law/schwarzschild_geodesic"),
-        Law::Sources(sources) => {
-            let falloffs = chosen(&[
-                ("inverse_square", sources.iter().any(|s| s.falloff == Falloff::InverseSquare)),
-                ("cubic", sources.iter().any(|s| matches!(s.falloff, Falloff::Cubic { .. }))),
-                ("yukawa", sources.iter().any(|s| matches!(s.falloff, Falloff::Yukawa { .. }))),
-            ]);
-            names.all(&["law/sources", "falloff/far_away"]);
-            names.each("falloff", falloffs.iter().copied());
-            shared.push(generated::sources(&falloffs));
-        }
-        Law::Flow { field, order } => {
-            names.add(match field {
-                FlowField::Lorenz { .. } => "flow/lorenz",
-                FlowField::Rossler { .. } => "flow/rossler",
-            });
-            names.add(match order {
-                FlowOrder::Velocity => "law/flow",
-                FlowOrder::Acceleration => "law/flow_acceleration",
-            });
-        }
-        Law::Medium(medium) => {
-            names.all(&["law/medium", index_part(medium)]);
-            shared.push(generated::media(1));
-        }
-    }
 }

@@ -13,8 +13,8 @@ use super::schedule::{Dispatch, Step, steps};
 use super::{RenderError, Totals};
 use crate::gpu::Value::{self, Uint, Uint2};
 use crate::gpu::{
-    Geometry, Gpu, GpuError, Memory, Pipelines, SceneBuffers, Slots, TURN_STRIDE, Tile, control_values, memory, pack,
-    schedule_values,
+    Geometry, Gpu, GpuError, Memory, Pipelines, SceneBuffers, Slots, TURN_STRIDE, Tile, control_values, copy_of,
+    memory, pack, schedule_values,
 };
 use crate::program::{BindingKind, Choice, Pass, Program, Purpose};
 use crate::scene::{Control, Scene};
@@ -64,6 +64,8 @@ pub(super) struct Frame {
     pub origin: [u32; 2],
     pub image: [u32; 2],
     pub sample: u32,
+    /// The round of branches.
+    pub branch: u32,
 }
 
 fn turn_of(step: &Step) -> (usize, usize, bool) {
@@ -100,8 +102,8 @@ impl<'a> Renderer<'a> {
     fn rewrite(&self, name: &str, values: &[(&'static str, Value)]) -> Result<(), GpuError> {
         for binding in self.program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
             let BindingKind::Block { members, .. } = &binding.kind else { continue };
-            let Some(member) = members.iter().find(|member| member.name == name) else { continue };
-            if let Some(buffer) = self.buffers.buffers.get(&binding.name) {
+            let Some(buffer) = self.buffers.buffers.get(&binding.name) else { continue };
+            for member in members.iter().filter(|member| copy_of(&member.name).0 == name) {
                 let bytes = pack(name, &member.layout, [values])?;
                 self.gpu.queue.write_buffer(buffer, u64::from(member.offset), &bytes);
             }
@@ -167,6 +169,7 @@ impl<'a> Renderer<'a> {
             ("size", Uint2(tile.size)),
             ("image", Uint2(frame.image)),
             ("sample", Uint(frame.sample)),
+            ("branch", Uint(frame.branch)),
             ("zero", Uint(0)),
         ];
         self.write(tile, "frame", 0, &pack("frame", layout, [row])?);
@@ -304,12 +307,12 @@ impl Runner<'_, '_> {
     /// Where in the per-pass buffers the step's own parts lie. What a round leaves alive is the next one's work.
     fn offsets(&self, step: &Step) -> Vec<u32> {
         let turn = self.renderer.turns.binary_search(&turn_of(step)).unwrap_or(0) as u64;
-        let next = if step.pass == Pass::Setup { 0 } else { step.round + 1 };
+        let next = if step.pass == Pass::Setup { 0 } else { step.living + 1 };
         Tile::offsets(&self.renderer.pipelines, step.pass)
             .into_iter()
             .map(|name| match name {
                 "turn" => turn,
-                "living_in" => step.round,
+                "living_in" => step.living,
                 _ => next,
             })
             .map(|part| (part * TURN_STRIDE) as u32)
@@ -319,7 +322,7 @@ impl Runner<'_, '_> {
     fn dispatch(&self, pass: &mut wgpu::ComputePass, step: &Step) {
         let living = ["living_0", "living_1"][step.slots.list];
         match (step.dispatch, self.tile.buffer(living)) {
-            (Dispatch::Living, Some(buffer)) => pass.dispatch_workgroups_indirect(buffer, step.round * TURN_STRIDE),
+            (Dispatch::Living, Some(buffer)) => pass.dispatch_workgroups_indirect(buffer, step.living * TURN_STRIDE),
             _ => pass.dispatch_workgroups(self.tile.size[0].div_ceil(8), self.tile.size[1].div_ceil(8), 1),
         }
     }

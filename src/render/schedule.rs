@@ -1,7 +1,7 @@
 //! Schedules: the same stages, cut into different passes.
 
 use crate::gpu::Slots;
-use crate::program::{Choice, Pass, Schedule, Work};
+use crate::program::{Choice, Pass, Schedule, Work, scatters};
 use crate::scene::{Scene, Segment};
 
 /// What a pass runs over.
@@ -24,7 +24,9 @@ pub struct Step {
     pub dispatch: Dispatch,
     /// The round of the loop over segments that it belongs to.
     pub round: u64,
-    /// Does it go on with a walk that was suspended?
+    /// Which part of the list of the living it reads.
+    pub living: u64,
+    /// Does it go on with a walk that was suspended, or (scattering) move the rays that are under way to the other slot?
     pub again: bool,
     /// Integration steps of one ray in it, at most: its weight when the work is split into submissions.
     pub weight: u64,
@@ -40,7 +42,7 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
         Segment::Arc { .. } => 1,
     };
     match choice.schedule {
-        Schedule::Fused => recorded.fused(work, segments, n),
+        Schedule::Fused => recorded.fused(work, segments, n, scatters(scene)),
         Schedule::Segment => recorded.by_segment(scene, work, n),
         Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
     }
@@ -59,17 +61,31 @@ impl Recorder<'_> {
     fn push(&mut self, pass: Pass, slots: Slots, round: u64, weight: u64) {
         let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record);
         let dispatch = if once || !self.choice.masks { Dispatch::Grid } else { Dispatch::Living };
-        self.steps.push(Step { pass, slots, dispatch, round, again: false, weight });
+        self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, weight });
     }
 
-    /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing.
-    fn fused(&mut self, work: &Work, segments: u32, n: u64) {
-        let sure = work.segments_per_pass(segments);
+    /// Rays that met a surface go on from it. Without lists of the living the rays of this round are all there is.
+    fn scatter(&mut self, slots: Slots, round: u64, moves: bool) {
+        self.push(Pass::Scatter, Slots { list: 1 - slots.list, ..slots }, round, 1);
+        if let Some(step) = self.steps.last_mut() {
+            step.again = moves;
+            step.living = round + 1;
+        }
+    }
+
+    /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing. Where rays go on from
+    /// surfaces, every segment may end on one, and the scattering pass brings all back to the first slot.
+    fn fused(&mut self, work: &Work, segments: u32, n: u64, scatters: bool) {
+        let sure = if scatters { 1 } else { work.segments_per_pass(segments) };
         let rounds = u64::from(self.max_segments.div_ceil(sure)) * work.passes_per_segment;
         for round in 0..rounds {
-            let input = (round % 2) as usize;
-            let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list: input };
+            let list = (round % 2) as usize;
+            let input = if scatters { 0 } else { list };
+            let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list };
             self.push(Pass::Advance, slots, round, u64::from(segments) * n);
+            if scatters {
+                self.scatter(Slots { input: 1, output: 0, start: 1, end: 0, list }, round, true);
+            }
         }
     }
 
@@ -110,6 +126,10 @@ impl Recorder<'_> {
             }
         }
         self.push(Pass::Terminate, slots, round, 1);
+        if scatters(scene) {
+            // What met a surface is where its segment began, what did not is where it ended already.
+            self.scatter(Slots { input: slots.start, output: slots.end, ..slots }, round, false);
+        }
     }
 }
 

@@ -25,12 +25,22 @@ pub enum Status {
     Stalled,
     /// Not finite any more.
     Failed,
+    /// Would have split once more than `rays.branches` allows, or weighs nothing any more.
+    Cut,
 }
 
 impl Status {
     /// Every status but those of rays under way.
-    pub const ENDS: [Self; 7] =
-        [Self::Hit, Self::Escaped, Self::Captured, Self::Ended, Self::Exhausted, Self::Stalled, Self::Failed];
+    pub const ENDS: [Self; 8] = [
+        Self::Hit,
+        Self::Escaped,
+        Self::Captured,
+        Self::Ended,
+        Self::Exhausted,
+        Self::Stalled,
+        Self::Failed,
+        Self::Cut,
+    ];
 
     /// The status of a code of `shaders/ray.wgsl`.
     #[must_use]
@@ -61,6 +71,7 @@ impl Status {
             Self::Exhausted => "exhausted",
             Self::Stalled => "stalled",
             Self::Failed => "failed",
+            Self::Cut => "cut",
         }
     }
 }
@@ -103,7 +114,7 @@ impl Totals {
         self.steps += wide(0);
         self.segments += wide(2);
         self.rejected += wide(4);
-        for (code, &n) in words[6..].iter().take(9).enumerate() {
+        for (code, &n) in words[6..].iter().take(16).enumerate() {
             self.rays += u64::from(n);
             let status = Status::from_code(code as u32);
             match self.fates.iter_mut().find(|(s, _)| *s == status) {

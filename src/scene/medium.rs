@@ -101,6 +101,30 @@ pub enum Medium {
     Explosion(Explosion),
 }
 
+impl Medium {
+    /// Have its paths a closed form? `ends` where they end at a given τ, which is not what spirals and circles are measured by.
+    #[must_use]
+    pub fn has_closed_form(&self, ends: bool) -> bool {
+        match self {
+            Self::Constant { .. } | Self::Luneburg { .. } | Self::Rod { .. } | Self::Linear { .. } => true,
+            Self::InverseR { .. } | Self::Fisheye { .. } => !ends,
+            _ => false,
+        }
+    }
+
+    /// Is light bent in it?
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        !matches!(self, Self::Constant { .. })
+    }
+
+    /// Do rays end in its middle?
+    #[must_use]
+    pub fn captures(&self) -> bool {
+        matches!(self, Self::InverseR { .. })
+    }
+}
+
 /// What becomes of rays that move towards the centre of an inverse-r sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ingoing {

@@ -144,6 +144,15 @@ impl Scene {
         })
     }
 
+    /// Every medium: of all space, and of objects.
+    pub fn media(&self) -> impl Iterator<Item = &Medium> {
+        let all = match &self.law {
+            Law::Medium(medium) => Some(medium),
+            _ => None,
+        };
+        all.into_iter().chain(self.objects.iter().filter_map(|object| Some(&object.interior()?.medium)))
+    }
+
     /// The angle of a pixel at the picture's centre, in radians.
     #[must_use]
     pub fn pixel_angle(&self) -> Option<f64> {

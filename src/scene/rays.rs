@@ -24,6 +24,8 @@ pub struct Rays {
     pub asymptotic: bool,
     /// Bits of the numbers.
     pub precision: Precision,
+    /// Where a medium's paths have a closed form it stands for the method.
+    pub closed_forms: bool,
     /// How the rays that a surface splits are followed.
     pub branches: Branches,
 }
@@ -49,7 +51,7 @@ pub enum Accuracy {
 /// The integrators.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
-    /// Closed form; the straight law only.
+    /// Closed forms only.
     Exact,
     /// The orbit's equation in the ray's own plane; laws with one centre only.
     Planar,

@@ -11,7 +11,9 @@ mod law;
 mod materials;
 mod media;
 mod objects;
+mod optics;
 mod rays;
+mod regions;
 
 use super::document::reader::{Reader, TableReader};
 use super::document::values::{array, color, direction, number_where, vector, whole, word};
@@ -19,6 +21,7 @@ use super::document::{Document, Override};
 use super::{Image, Light, Output, Scene, SceneError, Tonemap};
 use files::Files;
 use glam::DVec3;
+use optics::Optics;
 use std::path::Path;
 
 impl Scene {
@@ -50,13 +53,15 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let mut files = Files::new(folder);
     let image = image(&root);
     let law = law::read(&root);
-    let rays = rays::read(&root, law.as_ref());
+    let table = rays::table(&root);
+    let bound = table.as_ref().and_then(rays::bound);
     let camera = camera::read(&root, law.as_ref());
     let sky = materials::sky(&root, &mut files);
     let output = output(&root);
     let (names, materials) = materials::read(&root, &mut files);
-    let bound = rays.as_ref().map(|rays| rays.bound);
     let objects = objects::read(&root, &names, bound, &mut files);
+    let optics = Optics { law: law.as_ref(), objects: &objects, materials: &materials };
+    let rays = table.and_then(|table| rays::read(table, bound, &optics));
     let lights = lights(&root);
     root.finish();
     Some(Scene {

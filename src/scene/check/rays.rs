@@ -1,5 +1,6 @@
 //! `[rays]`: how rays are followed.
 
+use super::optics::Optics;
 use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{Read, boolean, positive, vector, whole, word};
 use crate::scene::document::{Node, Value};
@@ -43,28 +44,33 @@ const NAMES: &[(&str, Name)] = &[
 const PRECISIONS: &[(&str, Precision)] =
     &[("f16", Precision::Half), ("f32", Precision::Single), ("f64", Precision::Double)];
 
-/// None if there is no bound.
-pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
+/// The table itself, which every scene has.
+pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> {
     if root.node("rays").is_none() {
         let problem = "the table [rays] is missing";
         let help = "at the least: [rays] with bound = { radius = 50 }";
         root.fault(&[], problem, help);
         return None;
     }
-    let table = root.subtable("rays", "rays")?;
-    let default = default_method(&table, law);
+    root.subtable("rays", "rays")
+}
+
+/// All but the bound, which was read before. None without it.
+pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option<Rays> {
+    let law = optics.law;
+    let length = table.optional("length", positive);
+    let default = default_method(&table, optics, length);
     let name = table.decide("method", default, word(NAMES, &[]));
     if let (Some(name), Some(law)) = (name, law) {
-        check_against_law(&table, name, law);
+        check_against_law(&table, name, law, optics, length);
     }
-    let bound = bound(&table);
     let radius = bound.map_or(1.0, |bound| bound.radius);
     let segment = segment(&table, name, radius);
-    let (method, control) = stepping(&table, name.unwrap_or(default), law);
+    let solved = optics.needs_solver(length.is_some());
+    let (method, control) = stepping(&table, name.unwrap_or(default), solved);
     let auto = (name == Some(Name::Auto)).then(|| table.or("accuracy", Accuracy::Pixels(0.1), accuracy));
     let auto = auto.filter(|_| method != Method::Exact);
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
-    let length = table.optional("length", positive);
     if name == Some(Name::Planar) {
         check_planar(&table, length, segment);
     }
@@ -74,8 +80,23 @@ pub fn read(root: &TableReader, law: Option<&Law>) -> Option<Rays> {
         check_asymptotic(&table, law, bound);
     }
     let branches = table.or("branches", Branches::Enumerated(4), branches);
+    optics.check(&table, segment, asymptotic, precision);
     table.finish();
-    Some(Rays { method, control, auto, segment, max_segments, bound: bound?, length, asymptotic, precision, branches })
+    let closed_forms = matches!(name, Some(Name::Auto | Name::Exact | Name::Planar));
+    let bound = bound?;
+    Some(Rays {
+        method,
+        control,
+        auto,
+        segment,
+        max_segments,
+        bound,
+        length,
+        asymptotic,
+        precision,
+        closed_forms,
+        branches,
+    })
 }
 
 /// A depth, or `"random"`.
@@ -111,16 +132,18 @@ fn check_asymptotic(table: &TableReader, law: &Law, bound: Bound) {
 }
 
 /// What chooses steps chooses a method with them; a scene that says nothing leaves both to a calibration.
-fn default_method(table: &TableReader, law: Option<&Law>) -> Name {
+fn default_method(table: &TableReader, optics: &Optics, length: Option<f64>) -> Name {
     let given = |keys: &[&str]| keys.iter().any(|key| table.gives(key));
-    if matches!(law, Some(Law::Straight)) {
+    if !optics.bends() {
         Name::Exact
     } else if given(&["step", "scaled_step", "curvature_step", "steps_per_segment"]) {
         Name::Rk4
     } else if given(&["tolerance"]) {
         Name::DormandPrince
-    } else {
+    } else if optics.needs_solver(length.is_some()) {
         Name::Auto
+    } else {
+        Name::Exact
     }
 }
 
@@ -137,11 +160,18 @@ fn accuracy(node: &Node) -> Read<Accuracy> {
     }
 }
 
-fn check_against_law(table: &TableReader, name: Name, law: &Law) {
+fn check_against_law(table: &TableReader, name: Name, law: &Law, optics: &Optics, length: Option<f64>) {
     let refuse = |problem: &str| table.fault(&["method"], problem, "use rk4, or leave `method` out");
     match name {
-        Name::Exact if *law != Law::Straight => refuse("only straight rays have an exact method here"),
-        Name::Snell if !matches!(law, Law::Medium(_)) => refuse("snell needs law.kind = \"medium\""),
+        Name::Exact if optics.needs_solver(length.is_some()) => {
+            refuse("the exact method is for straight rays and for media whose paths have a closed form");
+        }
+        Name::Snell if !optics.has_medium() => {
+            refuse("snell needs law.kind = \"medium\", or an interior that bends light");
+        }
+        Name::Planar if optics.has_solved_interior(length.is_some()) => {
+            refuse("planar has no way through these interiors");
+        }
         Name::Planar if law.only_center().is_none() => {
             refuse("planar needs a law with a single centre, which keeps a ray in its plane");
         }
@@ -160,7 +190,8 @@ fn check_against_law(table: &TableReader, name: Name, law: &Law) {
     }
 }
 
-fn bound(table: &TableReader) -> Option<Bound> {
+/// The bounding sphere.
+pub fn bound(table: &TableReader) -> Option<Bound> {
     const EXAMPLE: &str = "{ center = [0, 0, 0], radius = 50 }";
     let node = table.required_node("bound", EXAMPLE)?;
     let bound = table.reader.open("rays.bound", node)?;
@@ -184,9 +215,9 @@ fn segment(table: &TableReader, name: Option<Name>, radius: f64) -> Segment {
     }
 }
 
-fn stepping(table: &TableReader, name: Name, law: Option<&Law>) -> (Method, Control) {
+fn stepping(table: &TableReader, name: Name, solved: bool) -> (Method, Control) {
     match name {
-        Name::Auto if matches!(law, Some(Law::Straight)) => (Method::Exact, Control::Exact),
+        Name::Auto if !solved => (Method::Exact, Control::Exact),
         Name::Auto => (Method::Rk4, Control::Scaled { eta: 0.1 }),
         Name::Exact => (Method::Exact, Control::Exact),
         Name::Planar => (Method::Planar, Control::Scaled { eta: table.or("scaled_step", 0.1, positive) }),

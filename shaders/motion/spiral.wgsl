@@ -1,0 +1,92 @@
+// Logarithmic spirals: rays in n = k/r (thesis §5.2.2.2). With ψ the angle between the ray and the circle about the centre, which
+// stays the same all along, and dσ = ds/r,
+//
+//     r = r₀ e^(σ sin ψ),    θ = σ cos ψ,
+//
+// which holds for circles (ψ = 0) and for radial rays (ψ = ±90°) alike, where the thesis' r(θ) does not. Steps are measured in σ;
+// a tightly wound ray goes round any number of times in one.
+
+struct Spiral {
+    r: Real,
+    // sin ψ and cos ψ.
+    climb: Real,
+    swing: Real,
+    // Unit vectors: from the centre to the ray, and at right angles to it, onward.
+    n: Real3,
+    t: Real3,
+}
+
+fn spiral_of(p: Phase) -> Spiral {
+    let d = p[0] - media[place].center;
+    let r = length(d);
+    let n = d / r;
+    let u = normalize(p[1]);
+    let climb = dot(n, u);
+    let across = u - climb * n;
+    let swing = length(across);
+    // A radial ray never turns to its t.
+    return Spiral(r, climb, swing, n, across / max(swing, 1e-30));
+}
+
+fn first_step(p: Phase) -> Real {
+    return 0.0;
+}
+
+fn law_start(x: Real3, v: Real3) -> Phase {
+    let u = normalize(v);
+    let n = normalize(x - media[place].center);
+    let climb = dot(n, u);
+    let flips = media[place].continued == 1u && climb < 0.0;
+    return Phase(x, medium_index(x) * select(u, u - (2.0 * climb) * n, flips));
+}
+
+fn retaken_step(p: Phase, sigma: Real) -> Phase {
+    let s = spiral_of(p);
+    let r = s.r * real_exp(s.climb * sigma);
+    let turn = real_sin_cos(s.swing * sigma);
+    let n = turn.y * s.n + turn.x * s.t;
+    let t = turn.y * s.t - turn.x * s.n;
+    return Phase(media[place].center + r * n, (media[place].k / r) * (s.climb * n + s.swing * t));
+}
+
+// τ over σ: ∫ r²/k dσ, with (e^z − 1)/z by its series where the difference loses digits.
+fn spiral_tau(p: Phase, sigma: Real) -> Real {
+    let s = spiral_of(p);
+    let z = 2.0 * s.climb * sigma;
+    let small = 1.0 + z * (0.5 + z * (1.0 / 6.0 + z / 24.0));
+    let growth = select((real_exp(z) - 1.0) / select(z, 1.0, z == 0.0), small, abs(z) < 1e-2);
+    return s.r * s.r / media[place].k * sigma * growth;
+}
+
+fn own_size(ray: Ray, next: Ray) -> Real {
+    return stride(ray.phase);
+}
+
+fn own_measure(p: Phase, tau: Real) -> Real {
+    let d = p[0] - media[place].center;
+    return tau * media[place].k / dot(d, d);
+}
+
+fn own_pace(p: Phase) -> Real {
+    let d = p[0] - media[place].center;
+    return dot(d, d) / media[place].k;
+}
+
+fn own_tau(p: Phase, end: Phase, sigma: Real) -> Real {
+    return spiral_tau(p, sigma);
+}
+
+fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
+    return t;
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    let sigma = stride(ray.phase);
+    let passed = spiral_tau(ray.phase, sigma);
+    var next = ray;
+    next.phase = opaque_phase(retaken_step(ray.phase, sigma));
+    next.tau += passed;
+    next.taken = opaque(passed);
+    next.steps += 1u;
+    return next;
+}

@@ -1,0 +1,8 @@
+// Mirrors give back a part of the light that their pattern says.
+
+const MIRROR: u32 = 2u;
+
+fn scatter_mirror(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
+    let v = end.v - (2.0 * dot(end.v, surface.across)) * surface.across;
+    return Scattered(v, pattern_color(material, surface.uv), false, true);
+}

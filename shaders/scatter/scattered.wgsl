@@ -1,0 +1,11 @@
+// What becomes of a ray at a surface that it goes on from.
+
+struct Scattered {
+    v: Real3,
+    // What its weight is multiplied by.
+    weight: vec3f,
+    // It is followed no further.
+    cut: bool,
+    // False where the surface is opaque: there it ends.
+    goes_on: bool,
+}

@@ -1,0 +1,248 @@
+//! Regions: the space outside of everything, and the inside of each object that light goes through.
+//!
+//! *Theory.* Each *kind* of region has a motion of its own, at the cheapest tier that is right for its medium, and its own
+//! copy of the parts that follow rays; regions of one kind differ by numbers only. Where several objects overlap, the one of
+//! the highest priority is there, and of equal ones the smaller; so the objects are numbered in that order, a ray carries the
+//! set of those that it is in as bits, and the lowest bit is the medium around it. Closed mirrors have bits too, behind all
+//! others: not for their medium, but to know from which side a ray meets them.
+
+use crate::scene::{Law, MaterialKind, Medium, Method, Object, Scene, Shape, Substance, Transform};
+use glam::DVec3;
+
+/// How rays move in a region.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Motion {
+    /// By the scene's own law and method.
+    Law,
+    /// Straight on.
+    Straight,
+    /// As on a spring: Luneburg's lens and the gradient rod.
+    Harmonic,
+    /// Along logarithmic spirals.
+    Spiral,
+    /// In circles: Maxwell's fisheye.
+    Circle,
+    /// Along parabolas.
+    Parabola,
+    /// By the scene's method, in the medium's index.
+    Solved,
+}
+
+/// A kind of region.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kind {
+    /// How its rays move.
+    pub motion: Motion,
+    /// Does one step lead through the whole region, because nothing else is in it?
+    pub leaps: bool,
+    /// The part that knows its index; none for laws that have none.
+    pub index: Option<&'static str>,
+    /// Of the regions of this kind, in the order of their places.
+    pub media: Vec<Medium>,
+}
+
+/// An object with a side that rays can be on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Region {
+    /// Index into the scene's objects.
+    pub object: usize,
+    /// Index into the kinds; none for mirrors, which have no medium.
+    pub kind: Option<usize>,
+    /// Which medium of that kind.
+    pub place: usize,
+    /// The sphere about the medium's centre that a leap ends on.
+    pub radius: f64,
+}
+
+/// All regions of a scene.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Regions {
+    /// The first is that of the space outside.
+    pub kinds: Vec<Kind>,
+    /// By bit.
+    pub regions: Vec<Region>,
+}
+
+impl Regions {
+    /// Of a scene.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let mut found = Self { kinds: vec![outside(scene)], regions: Vec::new() };
+        let mut clear: Vec<usize> =
+            (0..scene.objects.len()).filter(|&i| scene.objects[i].interior().is_some()).collect();
+        let priority = |i: usize| scene.objects[i].interior().map_or(0, |interior| interior.priority);
+        clear.sort_by(|&a, &b| {
+            priority(b).cmp(&priority(a)).then(size(&scene.objects[a]).total_cmp(&size(&scene.objects[b])))
+        });
+        for object in clear {
+            found.add(scene, object);
+        }
+        let mirrors = (0..scene.objects.len()).filter(|&i| is_closed_mirror(scene, &scene.objects[i]));
+        found.regions.extend(mirrors.map(|object| Region { object, kind: None, place: 0, radius: 0.0 }));
+        found
+    }
+
+    fn add(&mut self, scene: &Scene, object: usize) {
+        let Some(interior) = scene.objects[object].interior() else { return };
+        let medium = &interior.medium;
+        let motion = motion(scene, medium);
+        let radius = leap_radius(motion, medium, &scene.objects[object]).filter(|_| is_alone(scene, object));
+        let index = Some(index_part(medium));
+        let leaps = radius.is_some();
+        let same = |kind: &Kind| (kind.motion, kind.leaps, kind.index) == (motion, leaps, index);
+        let kind = self.kinds.iter().position(same).unwrap_or_else(|| {
+            self.kinds.push(Kind { motion, leaps, index, media: Vec::new() });
+            self.kinds.len() - 1
+        });
+        let media = &mut self.kinds[kind].media;
+        let place = media.iter().position(|known| known == medium).unwrap_or_else(|| {
+            media.push(medium.clone());
+            media.len() - 1
+        });
+        self.regions.push(Region { object, kind: Some(kind), place, radius: radius.unwrap_or(0.0) });
+    }
+
+    /// The bit of an object, if it has one.
+    #[must_use]
+    pub fn bit(&self, object: usize) -> Option<usize> {
+        self.regions.iter().position(|region| region.object == object)
+    }
+}
+
+/// Does a ray go on from some surface of the scene?
+#[must_use]
+pub fn scatters(scene: &Scene) -> bool {
+    scene.objects.iter().any(|object| object.interior().is_some() || is_mirror(scene, object))
+}
+
+/// Is there a surface that both reflects and transmits?
+#[must_use]
+pub fn splits(scene: &Scene) -> bool {
+    scene.objects.iter().any(|object| object.interior().is_some())
+}
+
+/// Is its surface a mirror?
+#[must_use]
+pub fn is_mirror(scene: &Scene, object: &Object) -> bool {
+    matches!(object.substance, Substance::Opaque(material) if scene.materials[material].kind == MaterialKind::Mirror)
+}
+
+fn is_closed_mirror(scene: &Scene, object: &Object) -> bool {
+    is_mirror(scene, object) && is_closed(&object.shape)
+}
+
+fn is_closed(shape: &Shape) -> bool {
+    match shape {
+        Shape::Sphere | Shape::Box => true,
+        Shape::Plane => false,
+        Shape::Mesh(mesh) => mesh.hole().is_none(),
+    }
+}
+
+/// The space outside of all objects.
+fn outside(scene: &Scene) -> Kind {
+    match &scene.law {
+        Law::Straight if scatters(scene) => {
+            let vacuum = Medium::Constant { n: 1.0 };
+            Kind { motion: Motion::Straight, leaps: false, index: Some(index_part(&vacuum)), media: vec![vacuum] }
+        }
+        Law::Straight if scene.rays.method == Method::Exact => {
+            Kind { motion: Motion::Straight, leaps: false, index: None, media: Vec::new() }
+        }
+        Law::Medium(medium) => Kind {
+            motion: match motion(scene, medium) {
+                Motion::Solved => Motion::Law,
+                closed => closed,
+            },
+            leaps: false,
+            index: Some(index_part(medium)),
+            media: vec![medium.clone()],
+        },
+        _ => Kind { motion: Motion::Law, leaps: false, index: None, media: Vec::new() },
+    }
+}
+
+/// The cheapest motion that is right for a medium.
+fn motion(scene: &Scene, medium: &Medium) -> Motion {
+    let closed = match medium {
+        Medium::Constant { .. } => return Motion::Straight,
+        Medium::Luneburg { .. } | Medium::Rod { .. } => Motion::Harmonic,
+        Medium::InverseR { .. } => Motion::Spiral,
+        Medium::Fisheye { .. } => Motion::Circle,
+        _ => Motion::Parabola,
+    };
+    let allowed = scene.rays.closed_forms && medium.has_closed_form(scene.rays.length.is_some());
+    if allowed { closed } else { Motion::Solved }
+}
+
+/// The part that knows a medium's index.
+#[must_use]
+pub fn index_part(medium: &Medium) -> &'static str {
+    match medium {
+        Medium::Constant { .. } => "index/constant",
+        Medium::Luneburg { .. } => "index/luneburg",
+        Medium::Gaussian { .. } => "index/gaussian",
+        Medium::InverseR { .. } => "index/inverse_r",
+        Medium::Fisheye { .. } => "index/fisheye",
+        Medium::Eaton { .. } => "index/eaton",
+        Medium::Rod { .. } => "index/rod",
+        Medium::Linear { .. } => "index/linear",
+        Medium::Exponential { .. } => "index/exponential",
+        Medium::Sech { .. } => "index/sech",
+        Medium::Explosion(_) => "index/explosion",
+    }
+}
+
+/// The sphere that a path leaves in closed form: the object's own, where it is a sphere about the medium's centre.
+fn leap_radius(motion: Motion, medium: &Medium, object: &Object) -> Option<f64> {
+    let radius = object.transform.uniform_scale().filter(|_| matches!(object.shape, Shape::Sphere))?;
+    let center = match (motion, medium) {
+        (
+            Motion::Harmonic | Motion::Spiral | Motion::Circle,
+            Medium::Luneburg { center, .. } | Medium::InverseR { center, .. } | Medium::Fisheye { center, .. },
+        ) => *center,
+        _ => return None,
+    };
+    (center.distance(object.transform.0.translation) <= 1e-12 * radius).then_some(radius)
+}
+
+/// Is no other surface in the sphere `object`?
+fn is_alone(scene: &Scene, object: usize) -> bool {
+    let (center, radius) = ball(&scene.objects[object]);
+    let clear = |other: &Object| {
+        let (place, reach) = ball(other);
+        let apart = center.distance(place) >= radius + reach;
+        let around = matches!(other.shape, Shape::Sphere)
+            && other.transform.uniform_scale().is_some_and(|outer| center.distance(place) + radius <= outer);
+        apart || around || is_beside_plane(other, center, radius)
+    };
+    scene.objects.iter().enumerate().all(|(i, other)| i == object || clear(other))
+}
+
+/// Planes are large and flat, so that a ball about one says little.
+fn is_beside_plane(other: &Object, center: DVec3, radius: f64) -> bool {
+    if !matches!(other.shape, Shape::Plane) {
+        return false;
+    }
+    let Transform(map) = other.transform;
+    let normal = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();
+    (center - map.translation).dot(normal).abs() >= radius
+}
+
+/// A ball that holds all of the object.
+fn ball(object: &Object) -> (DVec3, f64) {
+    let map = object.transform.0;
+    let own = match &object.shape {
+        Shape::Sphere => 1.0,
+        Shape::Plane => 2.0_f64.sqrt(),
+        Shape::Box => 3.0_f64.sqrt(),
+        Shape::Mesh(mesh) => mesh.vertices.iter().map(|v| v.position.as_dvec3().length()).fold(0.0, f64::max),
+    };
+    let m = map.matrix3;
+    let stretch = [m.x_axis, m.y_axis, m.z_axis].into_iter().map(DVec3::length).fold(0.0, f64::max);
+    (map.translation, own * stretch)
+}
+
+fn size(object: &Object) -> f64 {
+    ball(object).1
+}
