@@ -12,7 +12,7 @@ struct Arc {
 
 const MAX_PIECES: Real = 16.0;
 
-// None where the box of the arc's Bézier points misses the scene's.
+// None where the box of the arc's Bézier points misses the scene's, or where the motion knows that nothing is on its way.
 fn segment_pieces(s: Segment) -> u32 {
     let b1 = s.x0 + (s.h / 3.0) * s.v0;
     let b2 = s.x1 - (s.h / 3.0) * s.v1;
@@ -26,7 +26,7 @@ fn segment_pieces(s: Segment) -> u32 {
     let b = c - s.h * s.v1;
     let sag = 0.25 * max(length(2.0 * a - b), length(a - 2.0 * b));
     let pieces = clamp(ceil(sqrt(sag / arc.tolerance)), 1.0, MAX_PIECES);
-    return select(0u, u32(pieces), near);
+    return select(0u, u32(pieces), near && s.h != 0.0);
 }
 
 fn segment_point(s: Segment, t: Real) -> Real3 {

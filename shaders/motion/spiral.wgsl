@@ -28,6 +28,13 @@ fn spiral_of(p: Phase) -> Spiral {
     return Spiral(r, climb, swing, n, across / max(swing, 1e-30));
 }
 
+struct Stride {
+    // In σ.
+    size: Real,
+    // Is there nothing to meet on the way?
+    free: bool,
+}
+
 fn first_step(p: Phase) -> Real {
     return 0.0;
 }
@@ -59,7 +66,7 @@ fn spiral_tau(p: Phase, sigma: Real) -> Real {
 }
 
 fn own_size(ray: Ray, next: Ray) -> Real {
-    return stride(ray.phase);
+    return stride(ray.phase).size;
 }
 
 fn own_measure(p: Phase, tau: Real) -> Real {
@@ -81,12 +88,13 @@ fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
 }
 
 fn accepted_step(ray: Ray) -> Ray {
-    let sigma = stride(ray.phase);
-    let passed = spiral_tau(ray.phase, sigma);
+    let way = stride(ray.phase);
+    let passed = spiral_tau(ray.phase, way.size);
     var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, sigma));
+    next.phase = opaque_phase(retaken_step(ray.phase, way.size));
     next.tau += passed;
-    next.taken = opaque(passed);
+    // What is free of all objects is no arc to be tested.
+    next.taken = select(opaque(passed), 0.0, way.free);
     next.steps += 1u;
     return next;
 }

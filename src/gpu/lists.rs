@@ -8,7 +8,7 @@ use super::geometry::PlacedShape;
 use super::media::capture_radius;
 use super::records::Value::{self, Float, Uint, Vec2, Vec3, Vec4};
 use super::records::pack;
-use crate::program::{Layout, Purpose, constant};
+use crate::program::{Layout, Obstacle, Purpose, constant};
 use crate::scene::{Falloff, Law, Light, MaterialKind, Medium, Pattern};
 
 impl Source<'_> {
@@ -30,6 +30,7 @@ impl Source<'_> {
             "sided_balls" => pack(name, layout, sided("sphere").map(sided_ball)).map(Some),
             "sided_ellipsoids" => pack(name, layout, sided("ellipsoid").map(sided_space)).map(Some),
             "sided_boxes" => pack(name, layout, sided("box").map(sided_space)).map(Some),
+            "obstacles" => pack(name, layout, g.regions.obstacles.iter().map(obstacle)).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
             "spheres" => placed("sphere"),
             "ellipsoids" => placed("ellipsoid"),
@@ -231,6 +232,10 @@ fn clear_material(kind: u32, bit: usize) -> [(&'static str, Value); 11] {
         ("image", Uint(0)),
         ("bit", Uint(bit as u32)),
     ]
+}
+
+fn obstacle(ball: &Obstacle) -> [(&'static str, Value); 3] {
+    [("center", Vec3(ball.center)), ("radius", Float(ball.radius)), ("place", Uint(ball.place as u32))]
 }
 
 fn sided_ball(shape: &PlacedShape) -> [(&'static str, Value); 3] {

@@ -142,6 +142,11 @@ pub(super) fn regions(regions: &Regions) -> Unit {
     unit("generated/regions.wgsl", text)
 }
 
+/// How many objects spirals may meet.
+pub(super) fn obstacles(count: usize) -> Unit {
+    unit("generated/obstacles.wgsl", format!("const OBSTACLE_COUNT: u32 = {count}u;\n"))
+}
+
 /// How many media a kind of region has.
 pub(super) fn media(count: usize) -> Unit {
     unit("generated/media.wgsl", format!("const MEDIA_COUNT: u32 = {count}u;\n"))

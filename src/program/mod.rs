@@ -25,7 +25,7 @@ pub use link::{Linked, Parts, Unit, link};
 pub use parts::{Part, all_parts, constant, part};
 pub use plan::{plan, shape_kind};
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect, validated};
-pub use regions::{Kind, Motion, Region, Regions, is_mirror, scatters, splits};
+pub use regions::{Kind, Motion, Obstacle, Region, Regions, is_mirror, scatters, splits};
 pub use work::Work;
 
 use crate::scene::Scene;

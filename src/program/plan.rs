@@ -40,7 +40,7 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     }
     let mut shared = names.units()?;
     shared.extend(made);
-    let regions = regions.kinds.iter().map(|kind| region_parts(scene, choice.purpose, kind));
+    let regions = regions.kinds.iter().map(|kind| region_parts(scene, choice.purpose, &regions, kind));
     Ok(Parts { shared, regions: regions.collect::<Result<_, _>>()? })
 }
 

@@ -2,14 +2,19 @@
 
 use super::link::Unit;
 use super::plan::{Names, chosen};
-use super::regions::{Kind, Motion};
+use super::regions::{Kind, Motion, Regions};
 use super::{ProgramError, Purpose, generated};
 use crate::scene::{
     Control, DoublingRule, Falloff, FlowField, FlowOrder, Law, Medium, Method, Scene, SchwarzschildForm, Segment,
 };
 
 /// The parts of one kind of region.
-pub(super) fn region_parts(scene: &Scene, purpose: Purpose, kind: &Kind) -> Result<Vec<Unit>, ProgramError> {
+pub(super) fn region_parts(
+    scene: &Scene,
+    purpose: Purpose,
+    regions: &Regions,
+    kind: &Kind,
+) -> Result<Vec<Unit>, ProgramError> {
     let mut names = Names::default();
     let mut made = Vec::new();
     let leap = kind.leaps;
@@ -38,6 +43,7 @@ pub(super) fn region_parts(scene: &Scene, purpose: Purpose, kind: &Kind) -> Resu
         Motion::Spiral => {
             names.all(&["motion/spiral", "rate/none"]);
             names.add(if leap { "stride/spiral_leap" } else { "stride/spiral_arc" });
+            made.push(generated::obstacles(regions.obstacles.len()));
         }
         Motion::Circle => {
             names.all(&["motion/circle", "rate/none", "start/by_index"]);

@@ -50,7 +50,18 @@ pub struct Region {
     pub kind: Option<usize>,
     /// Which medium of that kind.
     pub place: usize,
-    /// The sphere about the medium's centre that a leap ends on.
+    /// The largest sphere about the medium's centre that is inside of the object: a leap ends on it.
+    pub radius: f64,
+}
+
+/// A ball around what a spiral may meet in an inverse-r medium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Obstacle {
+    /// Which medium of its kind it is in.
+    pub place: usize,
+    /// The ball's.
+    pub center: DVec3,
+    /// The ball's.
     pub radius: f64,
 }
 
@@ -61,13 +72,15 @@ pub struct Regions {
     pub kinds: Vec<Kind>,
     /// By bit.
     pub regions: Vec<Region>,
+    /// What lies in the way of spirals.
+    pub obstacles: Vec<Obstacle>,
 }
 
 impl Regions {
     /// Of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let mut found = Self { kinds: vec![outside(scene)], regions: Vec::new() };
+        let mut found = Self { kinds: vec![outside(scene)], regions: Vec::new(), obstacles: Vec::new() };
         let mut clear: Vec<usize> =
             (0..scene.objects.len()).filter(|&i| scene.objects[i].interior().is_some()).collect();
         let priority = |i: usize| scene.objects[i].interior().map_or(0, |interior| interior.priority);
@@ -99,7 +112,12 @@ impl Regions {
             media.push(medium.clone());
             media.len() - 1
         });
-        self.regions.push(Region { object, kind: Some(kind), place, radius: radius.unwrap_or(0.0) });
+        let radius = radius.unwrap_or_else(|| inscribed(&scene.objects[object], medium));
+        self.regions.push(Region { object, kind: Some(kind), place, radius });
+        if let (Motion::Spiral, Medium::InverseR { center, .. }, false) = (motion, medium, leaps) {
+            let met = in_the_way(scene, object, *center);
+            self.obstacles.extend(met.into_iter().map(|(center, radius)| Obstacle { place, center, radius }));
+        }
     }
 
     /// The bit of an object, if it has one.
@@ -208,25 +226,55 @@ fn leap_radius(motion: Motion, medium: &Medium, object: &Object) -> Option<f64> 
 
 /// Is no other surface in the sphere `object`?
 fn is_alone(scene: &Scene, object: usize) -> bool {
+    in_the_way(scene, object, scene.objects[object].transform.0.translation).is_empty()
+}
+
+/// Balls around what other objects have inside of `object`, seen from the middle of its medium.
+fn in_the_way(scene: &Scene, object: usize, middle: DVec3) -> Vec<(DVec3, f64)> {
     let (center, radius) = ball(&scene.objects[object]);
-    let clear = |other: &Object| {
+    let met = |other: &Object| {
         let (place, reach) = ball(other);
         let apart = center.distance(place) >= radius + reach;
         let around = matches!(other.shape, Shape::Sphere)
             && other.transform.uniform_scale().is_some_and(|outer| center.distance(place) + radius <= outer);
-        apart || around || is_beside_plane(other, center, radius)
+        if apart || around {
+            return None;
+        }
+        match other.shape {
+            Shape::Plane => part_of_plane(other, middle, center, radius),
+            _ => Some((place, reach)),
+        }
     };
-    scene.objects.iter().enumerate().all(|(i, other)| i == object || clear(other))
+    scene.objects.iter().enumerate().filter(|(i, _)| *i != object).filter_map(|(_, other)| met(other)).collect()
 }
 
-/// Planes are large and flat, so that a ball about one says little.
-fn is_beside_plane(other: &Object, center: DVec3, radius: f64) -> bool {
-    if !matches!(other.shape, Shape::Plane) {
-        return false;
-    }
-    let Transform(map) = other.transform;
+/// A ball around the part of a plane that is in another ball, about the foot of the perpendicular from `middle`; none if there is no
+/// such part.
+fn part_of_plane(plane: &Object, middle: DVec3, center: DVec3, radius: f64) -> Option<(DVec3, f64)> {
+    let Transform(map) = plane.transform;
     let normal = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();
-    (center - map.translation).dot(normal).abs() >= radius
+    let height = |x: DVec3| (x - map.translation).dot(normal);
+    let part = (radius * radius - height(center).powi(2)).max(0.0).sqrt();
+    let [foot, place] = [middle, center].map(|x| x - height(x) * normal);
+    (height(center).abs() < radius).then_some((foot, part + foot.distance(place)))
+}
+
+/// The largest ball about the middle of a medium that is inside of its object, or 0 where that is not known.
+fn inscribed(object: &Object, medium: &Medium) -> f64 {
+    let Medium::InverseR { center, .. } = medium else { return 0.0 };
+    let map = object.transform.0;
+    let radius = match object.shape {
+        Shape::Sphere => {
+            object.transform.uniform_scale().map_or(0.0, |radius| radius - center.distance(map.translation))
+        }
+        Shape::Box => {
+            let own = map.inverse().transform_point3(*center);
+            let [x, y, z] = map.inverse().matrix3.transpose().to_cols_array_2d().map(|row| DVec3::from(row).length());
+            ((DVec3::ONE - own.abs()) / DVec3::new(x, y, z)).min_element()
+        }
+        _ => 0.0,
+    };
+    radius.max(0.0)
 }
 
 /// A ball that holds all of the object.

@@ -3,7 +3,7 @@
 //! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
-use super::{ProgramError, constant};
+use super::{Motion, ProgramError, Regions, constant};
 use crate::scene::{Control, Law, Medium, Method, Precision, Scene, Segment, Shape};
 
 fn work_limit() -> u64 {
@@ -34,9 +34,11 @@ impl Work {
         let captures = match &scene.law {
             Law::Schwarzschild { .. } => 1,
             Law::Sources(sources) => sources.iter().filter(|s| s.capture > 0.0).count() as u64,
-            _ => 0,
+            _ => scene.media().filter(|medium| medium.captures()).count() as u64,
         };
-        let step = step_loops(scene, rate, scale) + captures + 1;
+        // Neighbouring rays may be in regions of all kinds, whose loops then run one after the other.
+        let rate = rate.max(scene.media().map(medium_loops).max().unwrap_or(0));
+        let step = step_loops(scene, rate, scale) + closed_loops(scene) + captures + 1;
         let asymptote = if scene.rays.asymptotic { asymptote_loops(scene.rays.precision) } else { 0 };
         let (steps, pieces) = match scene.rays.segment {
             Segment::Chord { steps } => (u64::from(steps), 1),
@@ -77,6 +79,13 @@ fn law_loops(law: &Law) -> (u64, u64) {
         Law::Sources(sources) => (sources.len() as u64, sources.len() as u64),
         Law::Medium(medium) => (medium_loops(medium), 0),
     }
+}
+
+/// Iterations of the steps of closed forms.
+fn closed_loops(scene: &Scene) -> u64 {
+    let regions = Regions::of(scene);
+    let circles = regions.kinds.iter().any(|kind| kind.motion == Motion::Circle);
+    regions.obstacles.len() as u64 + if circles { 16 } else { 0 }
 }
 
 /// Iterations of one evaluation of an index.
