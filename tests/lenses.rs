@@ -1,7 +1,7 @@
 //! The renderer's rays through media inside objects, against answers to 15 digits.
 //!
-//! A traced ray goes on in air after the object, to the bound: the tables' rays are extended to there in 64 bits, and what one
-//! rounding of the input does to a position grows by what it does to the direction, times the way.
+//! A traced ray goes on in air after the object, to the bound: the tables' rays are extended to there in 64 bits, and what
+//! one rounding of the input does to a position grows by what it does to the direction, times the way.
 
 use std::collections::BTreeMap;
 

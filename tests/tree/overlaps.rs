@@ -55,7 +55,8 @@ fn the_higher_priority_is_there() {
     alike(&[&glass, small, WATER], &[&glass, WATER]);
 }
 
-/// Two halves of a ball's box, one beside the other, are one box: where surfaces touch, light goes straight from one to the other.
+/// Two halves of a ball's box, one beside the other, are one box: where surfaces touch, light goes straight from one to the
+/// other.
 #[test]
 fn touching_objects_have_one_surface_between_them() {
     let whole = "shape = \"box\"\nmin = [-1, -1, -1]\nmax = [1, 1, 1]\ninterior = 1.5";
@@ -74,8 +75,8 @@ fn cameras_can_be_inside() {
     unlike(&[around, air, GLASS], &[around, GLASS]);
 }
 
-/// Media that hardly vary, by each kind of path: their pictures are those of a constant index, found in quite another way. In
-/// them lie shapes of every kind.
+/// Media that hardly vary, by each kind of path: their pictures are those of a constant index, found in quite another way.
+/// In them lie shapes of every kind.
 #[test]
 fn paths_that_hardly_bend_show_what_lines_show() {
     let media = [

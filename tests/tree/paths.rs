@@ -132,7 +132,8 @@ fn continued_spirals_go_out() {
     assert!(matches!(tracer.next(&out), Met::Sky(_)));
 }
 
-/// Rays from one point of Maxwell's fisheye meet in the point opposite; parallel rays through Luneburg's lens meet on its surface.
+/// Rays from one point of Maxwell's fisheye meet in the point opposite; parallel rays through Luneburg's lens meet on its
+/// surface.
 #[test]
 fn lenses_have_their_focus() {
     let sphere = |interior: &str| {
@@ -157,7 +158,8 @@ fn lenses_have_their_focus() {
         let x = turn * DVec3::new(-1.0, 0.0, 0.0);
         let d = turn * (aside + 0.3 * DVec3::X).normalize();
         let end = surface(tracer.next(&tracer.ray(x, d)), "fisheye");
-        // The circle that touches d in x goes on through −a² x/|x|²: from its points up to there the chord is seen at the same angle.
+        // The circle that touches d in x goes on through −a² x/|x|²: from its points up to there the chord is seen at the
+        // same angle.
         let image = -4.0 * x / x.length_squared();
         let seen = (x - end.ray.x).angle_between(image - end.ray.x);
         let turned = std::f64::consts::PI - d.angle_between(image - x);

@@ -67,8 +67,8 @@ fn a_slab_reflects_the_whole_series() {
     }
 }
 
-/// From the middle of a glass ball the white sky is n² times as bright, but for what has been cut; of a lamp in it, 1/n² of the
-/// radiance comes out.
+/// From the middle of a glass ball the white sky is n² times as bright, but for what has been cut; of a lamp in it, 1/n² of
+/// the radiance comes out.
 #[test]
 fn radiance_changes_with_the_square_of_the_index() {
     let ball = "[rays]\nbound = { radius = 20 }\nbranches = BRANCHES\n[sky]\ncolor = [1, 1, 1]\n\
@@ -98,7 +98,8 @@ fn what_does_not_branch_is_not_counted() {
         [[objects]]\nshape = \"plane\"\ncenter = [0, -1, 0]\nsize = [1, 1]\nmaterial = \"mirror\"\n";
     let scene = scene(text);
     let lamp = DVec3::new(3.0, 2.0, 1.0);
-    // At 45 degrees: by the upper wall to the lamp; by the mirror and the wall on the right; and straight out, which is cut.
+    // At 45 degrees: by the upper wall to the lamp; by the mirror and the wall on the right; and straight out, which is
+    // cut.
     let ways = [([1.0, 1.0], DVec3::ONE), ([1.0, -1.0], DVec3::new(0.9, 0.8, 0.7)), ([0.0, 1.0], DVec3::ZERO)];
     for ([x, y], part) in ways {
         let seen = Tracer::new(&scene).seen(DVec3::NEG_X, DVec3::new(x, y, 0.0).normalize());
@@ -129,7 +130,8 @@ fn clear_objects_vanish_in_a_white_sky() {
     assert!(cut.windows(2).all(|pair| pair[0] < 0.5 * pair[1]), "{cut:?}");
 }
 
-/// A mirror shows what its mirror image would see, in its own colour; two mirrors that face each other never end, and stay black.
+/// A mirror shows what its mirror image would see, in its own colour; two mirrors that face each other never end, and stay
+/// black.
 #[test]
 fn mirrors_show_the_mirrored_scene() {
     let room = "[rays]\nbound = { radius = 30 }\n[sky]\nimage = \"data/stars.png\"\n\

@@ -1,8 +1,8 @@
 //! Where a ray meets the next surface.
 //!
-//! *Theory.* Lines meet shapes in closed form. Along other paths a shape's level changes its sign, or dips to the other side and
-//! back between two points: the path is cut so finely that it is nearly straight between them, where the level of a convex shape
-//! has one minimum; what is found is bisected until the numbers end.
+//! *Theory.* Lines meet shapes in closed form. Along other paths a shape's level changes its sign, or dips to the other
+//! side and back between two points: the path is cut so finely that it is nearly straight between them, where the level of
+//! a convex shape has one minimum; what is found is bisected until the numbers end.
 //!
 //! Which side of a surface a ray is on is known from where it has been, not asked of a place that lies on the surface.
 
@@ -118,8 +118,8 @@ impl Crossing {
         if self.inside { level } else { -level }
     }
 
-    /// The parameter at which the path crosses between `ends`, if it does; a piece of it is no longer than `length` in the body's
-    /// own space.
+    /// The parameter at which the path crosses between `ends`, if it does; a piece of it is no longer than `length` in the
+    /// body's own space.
     fn find(&self, path: &mut Path, ends: [f64; 2], length: f64) -> Option<f64> {
         let values = [if self.fresh { 0.0 } else { self.beyond(path, ends[0]) }, self.beyond(path, ends[1])];
         if values[1] > 0.0 {

@@ -1,11 +1,12 @@
 //! A ray tracer on the processor, in 64 bits: what a picture with branching rays has to be.
 //!
-//! *Theory.* Whitted's recursion: where a surface both reflects and transmits, both rays are followed, with the weights R, Fresnel's
-//! reflectance, and 1 − R. L/n² is kept along a ray, so what is seen at the end counts by (n at the camera)² / (n at the end)². Paths through
-//! media are closed forms or Taylor series; nothing here is shared with the shaders.
+//! *Theory.* Whitted's recursion: where a surface both reflects and transmits, both rays are followed, with the weights R,
+//! Fresnel's reflectance, and 1 − R. L/n² is kept along a ray, so what is seen at the end counts by (n at the camera)² / (n
+//! at the end)². Paths through media are closed forms or Taylor series; nothing here is shared with the shaders.
 //!
-//! *Practice.* For straight space with interiors, and shapes, media and skies as far as a test has needed them: others make it
-//! panic. [`Tracer::picture`] is the picture at one sample a pixel; [`Tracer::next`] and [`Tracer::cross`] follow one ray.
+//! *Practice.* For straight space with interiors, and shapes, media and skies as far as a test has needed them: others make
+//! it panic. [`Tracer::picture`] is the picture at one sample a pixel; [`Tracer::next`] and [`Tracer::cross`] follow one
+//! ray.
 
 mod interface;
 mod light;
@@ -167,8 +168,8 @@ impl<'s> Tracer<'s> {
         Standing { body, inside, on }
     }
 
-    /// What the surfaces of clear objects do to the ray that has met them, and the rays that go on: the reflected one, and the one
-    /// across.
+    /// What the surfaces of clear objects do to the ray that has met them, and the rays that go on: the reflected one, and
+    /// the one across.
     pub fn cross(&self, meeting: &Meeting) -> (Interface, Ray, Ray) {
         let here = &meeting.ray;
         let mut across = here.clone();

@@ -1,7 +1,8 @@
 //! Taylor series of paths through a Gaussian medium.
 //!
-//! *Theory.* With ρ = x − c and n² = w, x″ = ∇w/2 = −k w ρ and w′ = −k w (ρ·ρ)′, where k = 2b/R². The coefficients of ρ, of q = ρ·ρ and
-//! of w follow from each other by the product rule. A piece ends where the last terms are still under 1e-17 of the sizes.
+//! *Theory.* With ρ = x − c and n² = w, x″ = ∇w/2 = −k w ρ and w′ = −k w (ρ·ρ)′, where k = 2b/R². The coefficients of ρ, of
+//! q = ρ·ρ and of w follow from each other by the product rule. A piece ends where the last terms are still under 1e-17 of
+//! the sizes.
 
 use glam::DVec3;
 
