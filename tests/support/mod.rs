@@ -1,6 +1,8 @@
 //! What several topics need: a device, scenes, comparisons.
 
+pub mod lens;
 pub mod probe;
+pub mod tree;
 
 use std::path::Path;
 

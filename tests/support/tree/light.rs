@@ -1,0 +1,66 @@
+//! What surfaces and the sky send out, in 64 bits.
+
+use bentray::scene::{Light, Material, MaterialKind, Pattern, Picture, Scene, Sky};
+use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
+
+/// The colour of a material at (u, v).
+pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
+    match &material.color {
+        Pattern::Constant(color) => *color,
+        Pattern::Checker { colors, repeat } => {
+            let cell = (uv * *repeat).floor();
+            colors[(cell.x + cell.y).rem_euclid(2.0) as usize]
+        }
+        Pattern::Picture { picture, repeat } => {
+            // Pictures begin at the top left, v at the bottom.
+            let place = DVec2::new(uv.x, 1.0 - uv.y) * *repeat;
+            sample(&scene.pictures[*picture], place - place.floor())
+        }
+    }
+}
+
+/// What a point of a surface sends towards the viewer; the unit vectors `normal` and `view` are on the same side.
+pub fn radiance(scene: &Scene, material: &Material, color: DVec3, x: DVec3, normal: DVec3, view: DVec3) -> DVec3 {
+    let MaterialKind::Phong { ambient, specular, shininess, emission } = material.kind else { return color };
+    let lit = scene.lights.iter().map(|light| {
+        let (to_light, light) = match light {
+            Light::Point { position, color } => ((*position - x).normalize(), *color),
+            Light::Directional { direction, color } => (-*direction, *color),
+        };
+        let facing = normal.dot(to_light);
+        if facing <= 0.0 {
+            return DVec3::ZERO;
+        }
+        let halfway = (to_light + view).normalize();
+        light * (facing * color + normal.dot(halfway).max(1e-6).powf(shininess) * specular)
+    });
+    emission + ambient * color + lit.sum::<DVec3>()
+}
+
+/// What comes from infinity, out of the direction `d`.
+pub fn sky(scene: &Scene, d: DVec3) -> DVec3 {
+    match scene.sky {
+        Sky::Color(color) => color,
+        Sky::Equirectangular(picture, intensity) => {
+            // −z in the middle, +x to its right, +y at the top.
+            let picture = &scene.pictures[picture];
+            let (u, v) = (0.5 + d.x.atan2(-d.z) / (2.0 * PI), 0.5 - d.y.atan2(d.x.hypot(d.z)) / PI);
+            let half = 0.5 / f64::from(picture.size[1]);
+            intensity * sample(picture, DVec2::new(u, v.clamp(half, 1.0 - half)))
+        }
+        Sky::Faces(..) => panic!("the tracer knows no sky of six faces"),
+    }
+}
+
+/// Between the four pixels round a place in [0, 1]² from the top left; the picture repeats.
+fn sample(picture: &Picture, place: DVec2) -> DVec3 {
+    let [width, height] = picture.size.map(i64::from);
+    let p = place * DVec2::new(width as f64, height as f64) - 0.5;
+    let (base, part) = (p.floor(), p - p.floor());
+    let pixel = |dx: i64, dy: i64| {
+        let (column, row) = ((base.x as i64 + dx).rem_euclid(width), (base.y as i64 + dy).rem_euclid(height));
+        DVec3::from(picture.pixels[(row * width + column) as usize].map(f64::from))
+    };
+    pixel(0, 0).lerp(pixel(1, 0), part.x).lerp(pixel(0, 1).lerp(pixel(1, 1), part.x), part.y)
+}

@@ -1,0 +1,231 @@
+//! A ray tracer on the processor, in 64 bits: what a picture with branching rays has to be.
+//!
+//! *Theory.* Whitted's recursion: where a surface both reflects and transmits, both rays are followed, with the weights R,
+//! Fresnel's reflectance, and 1 − R. L/n² is kept along a ray, so what is seen at the end counts by (n at the camera)² / (n
+//! at the end)². Paths through media are closed forms or Taylor series; nothing here is shared with the shaders.
+//!
+//! *Practice.* For straight space with interiors, and shapes, media and skies as far as a test has needed them: others make
+//! it panic. [`Tracer::picture`] is the picture at one sample a pixel; [`Tracer::next`] and [`Tracer::cross`] follow one
+//! ray.
+
+mod interface;
+mod light;
+mod meet;
+mod path;
+mod series;
+mod solid;
+
+use bentray::scene::{Branches, CameraKind, Law, MaterialKind, Medium, Scene, Substance};
+use glam::DVec3;
+
+pub use interface::Interface;
+use meet::{Next, Standing, on_line, on_path};
+use path::{Path, index};
+use solid::Body;
+
+/// Meetings with surfaces along one path, before it is given up.
+const MOST_MEETINGS: u32 = 1000;
+
+/// A ray on its way.
+#[derive(Debug, Clone)]
+pub struct Ray {
+    /// Where it is.
+    pub x: DVec3,
+    /// Its unit direction.
+    pub d: DVec3,
+    /// The clear objects that it is in, in the order in which it has entered them.
+    inside: Vec<usize>,
+    /// The objects on whose surface it is.
+    on: Vec<usize>,
+}
+
+/// What a ray comes to.
+#[derive(Debug, Clone)]
+pub enum Met {
+    /// A surface.
+    Surface(Meeting),
+    /// The sky, in this direction.
+    Sky(DVec3),
+    /// Nothing, for ever.
+    Lost,
+}
+
+/// A ray's arrival at a surface.
+#[derive(Debug, Clone)]
+pub struct Meeting {
+    /// The ray there, not yet across.
+    pub ray: Ray,
+    /// The object; an opaque one, if there is one at the place.
+    pub object: usize,
+    /// Its unit normal, outward.
+    pub normal: DVec3,
+}
+
+/// A scene, ready to be traced.
+pub struct Tracer<'s> {
+    scene: &'s Scene,
+    bodies: Vec<Body>,
+}
+
+impl<'s> Tracer<'s> {
+    /// Fails on what the tracer does not do.
+    pub fn new(scene: &'s Scene) -> Self {
+        assert_eq!(scene.law, Law::Straight, "the tracer knows no other law");
+        assert!(scene.rays.length.is_none(), "the tracer's rays do not end");
+        Self { scene, bodies: scene.objects.iter().map(Body::new).collect() }
+    }
+
+    /// The picture, row by row from the top: what each pixel's centre sees.
+    pub fn picture(&self) -> Vec<DVec3> {
+        let [width, height] = self.scene.image.size;
+        assert_eq!(self.scene.image.samples, 1, "the tracer takes one sample");
+        (0..width * height).map(|i| self.pixel(i % width, i / width)).collect()
+    }
+
+    /// What the centre of one pixel sees.
+    pub fn pixel(&self, column: u32, row: u32) -> DVec3 {
+        let camera = self.scene.camera.as_ref().expect("a camera");
+        let CameraKind::Pinhole { fov } = camera.kind else { panic!("the tracer knows the pinhole camera alone") };
+        let [width, height] = self.scene.image.size.map(f64::from);
+        // Upwards and to the right from the middle, in halves of the picture's height.
+        let right = (2.0 * f64::from(column) + 1.0 - width) / height;
+        let up = 1.0 - (2.0 * f64::from(row) + 1.0) / height;
+        let half = (0.5 * fov).to_radians().tan();
+        let d = camera.forward + half * (right * camera.right + up * camera.up);
+        self.seen(camera.position, d.normalize())
+    }
+
+    /// The radiance that comes to `x` against the unit vector `d`.
+    pub fn seen(&self, x: DVec3, d: DVec3) -> DVec3 {
+        let Branches::Enumerated(branchings) = self.scene.rays.branches else {
+            panic!("the tracer leaves nothing to chance")
+        };
+        let ray = self.ray(x, d);
+        self.medium_index(&ray).powi(2) * self.radiance(ray, branchings)
+    }
+
+    /// A ray that starts at `x`. Of the objects round it, it has entered last the one whose surface is nearest behind.
+    pub fn ray(&self, x: DVec3, d: DVec3) -> Ray {
+        let around = |k: &usize| {
+            self.scene.objects[*k].interior().is_some() && self.bodies[*k].level(self.bodies[*k].own(x)) < 0.0
+        };
+        let mut inside: Vec<usize> = (0..self.bodies.len()).filter(around).collect();
+        let behind = |k: &usize| self.bodies[*k].span(x, -d).map_or(f64::INFINITY, |[_, leaves]| leaves);
+        inside.sort_by(|a, b| behind(b).total_cmp(&behind(a)));
+        Ray { x, d, inside, on: Vec::new() }
+    }
+
+    /// The object that the ray is in: of those of the highest priority, the one that it has entered last.
+    fn current(&self, ray: &Ray) -> Option<usize> {
+        ray.inside.iter().copied().max_by_key(|k| self.scene.objects[*k].interior().map(|interior| interior.priority))
+    }
+
+    fn medium(&self, ray: &Ray) -> &Medium {
+        let interior = self.current(ray).and_then(|k| self.scene.objects[k].interior());
+        interior.map_or(&Medium::Constant { n: 1.0 }, |interior| &interior.medium)
+    }
+
+    /// The index where the ray is, 1 outside everything.
+    pub fn medium_index(&self, ray: &Ray) -> f64 {
+        index(self.medium(ray), ray.x)
+    }
+
+    /// What the ray comes to next, be it in its medium or hidden in it.
+    pub fn next(&self, ray: &Ray) -> Met {
+        let mut path = Path::new(self.medium(ray), ray.x, ray.d);
+        let standings: Vec<Standing> = (0..self.bodies.len()).map(|k| self.standing(ray, k, &mut path)).collect();
+        let bound = self.scene.rays.bound;
+        let found = match path {
+            Path::Line { x, d } => {
+                // Rays do not go on beyond the bound.
+                let within = |x: DVec3| x.distance(bound.center) <= bound.radius * (1.0 + 1e-12);
+                on_line(x, d, bound.radius, &standings, within)
+            }
+            _ => on_path(&mut path, bound.radius, &standings),
+        };
+        let (surfaces, (x, d)) = match found {
+            Next::Surfaces(surfaces, point) => (surfaces, point),
+            Next::Nothing if ray.inside.is_empty() => return Met::Sky(ray.d),
+            Next::Nothing | Next::Lost => return Met::Lost,
+        };
+        let opaque = surfaces.iter().find(|k| self.scene.objects[**k].material().is_some());
+        let object = *opaque.unwrap_or(&surfaces[0]);
+        let normal = self.bodies[object].normal(x);
+        Met::Surface(Meeting { ray: Ray { x, d, inside: ray.inside.clone(), on: surfaces }, object, normal })
+    }
+
+    fn standing(&self, ray: &Ray, k: usize, path: &mut Path) -> Standing {
+        let body = self.bodies[k];
+        let on = ray.on.contains(&k);
+        let inside = if self.scene.objects[k].interior().is_some() {
+            ray.inside.contains(&k)
+        } else if on {
+            // Where an ingoing spiral is taken for an outgoing one, the path does not set out along the ray.
+            path.at(0.0).1.dot(body.normal(ray.x)) < 0.0
+        } else {
+            body.level(body.own(ray.x)) < 0.0
+        };
+        Standing { body, inside, on }
+    }
+
+    /// What the surfaces of clear objects do to the ray that has met them, and the rays that go on: the reflected one, and
+    /// the one across.
+    pub fn cross(&self, meeting: &Meeting) -> (Interface, Ray, Ray) {
+        let here = &meeting.ray;
+        let mut across = here.clone();
+        let left = |k: &usize| across.on.contains(k);
+        let entered: Vec<usize> = across.on.iter().copied().filter(|k| !across.inside.contains(k)).collect();
+        let mut inside: Vec<usize> = across.inside.iter().copied().filter(|k| !left(k)).collect();
+        inside.extend(entered);
+        across.inside = inside;
+        let interface = if self.current(here) == self.current(&across) {
+            Interface::Matched
+        } else {
+            Interface::new(self.medium_index(here), self.medium_index(&across), here.d, meeting.normal)
+        };
+        let mut back = here.clone();
+        match interface {
+            Interface::Matched => {}
+            Interface::Total { reflected } => back.d = reflected,
+            Interface::Split { reflected, transmitted, .. } => (back.d, across.d) = (reflected, transmitted),
+        }
+        (interface, back, across)
+    }
+
+    /// L/n² against the ray; a path that would branch more often than `branchings` times is cut.
+    fn radiance(&self, mut ray: Ray, branchings: u32) -> DVec3 {
+        let mut weight = DVec3::ONE;
+        for _ in 0..MOST_MEETINGS {
+            let meeting = match self.next(&ray) {
+                Met::Sky(d) => return weight * light::sky(self.scene, d),
+                Met::Lost => return DVec3::ZERO,
+                Met::Surface(meeting) => meeting,
+            };
+            let Substance::Opaque(material) = self.scene.objects[meeting.object].substance else {
+                let (interface, back, across) = self.cross(&meeting);
+                ray = match interface {
+                    Interface::Matched => across,
+                    Interface::Total { .. } => back,
+                    Interface::Split { .. } if branchings == 0 => return DVec3::ZERO,
+                    Interface::Split { reflectance, .. } => {
+                        let [back, across] = [back, across].map(|ray| self.radiance(ray, branchings - 1));
+                        return weight * (reflectance * back + (1.0 - reflectance) * across);
+                    }
+                };
+                continue;
+            };
+            let material = &self.scene.materials[material];
+            let Meeting { ray: Ray { x, d, .. }, normal, object } = meeting;
+            let color = light::color(self.scene, material, self.bodies[object].uv(x));
+            if material.kind == MaterialKind::Mirror {
+                weight *= color;
+                ray = Ray { d: interface::mirrored(d, normal), ..meeting.ray };
+                continue;
+            }
+            let facing = if d.dot(normal) > 0.0 { -normal } else { normal };
+            let seen = light::radiance(self.scene, material, color, x, facing, -d);
+            return weight * seen / self.medium_index(&meeting.ray).powi(2);
+        }
+        DVec3::ZERO
+    }
+}
