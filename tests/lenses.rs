@@ -72,7 +72,6 @@ fn lens_scenes_load() {
 }
 
 #[test]
-#[ignore = "interiors are not followed yet"]
 fn closed_forms_lead_through_lenses() {
     let lenses = lenses();
     let leaving: Vec<&Lens> = lenses.iter().filter(|lens| lens.fate == Fate::Exit && !needs_steps(lens)).collect();
@@ -81,7 +80,6 @@ fn closed_forms_lead_through_lenses() {
 }
 
 #[test]
-#[ignore = "interiors are not followed yet"]
 fn closed_forms_in_64_bits_lead_through_lenses() {
     let lenses = lenses();
     let leaving: Vec<&Lens> = lenses.iter().filter(|lens| lens.fate == Fate::Exit && !needs_steps(lens)).collect();
@@ -90,7 +88,6 @@ fn closed_forms_in_64_bits_lead_through_lenses() {
 }
 
 #[test]
-#[ignore = "interiors are not followed yet"]
 fn steps_lead_through_lenses() {
     let lenses = lenses();
     let leaving: Vec<&Lens> = lenses.iter().filter(|lens| lens.fate == Fate::Exit).collect();
@@ -99,7 +96,6 @@ fn steps_lead_through_lenses() {
 
 /// Rays that wind into the centre of an inverse-r sphere are captured there, those too that its surface has turned back.
 #[test]
-#[ignore = "interiors are not followed yet"]
 fn spirals_into_a_centre_are_captured() {
     let lenses = lenses();
     let inward = |lens: &&Lens| {
@@ -115,7 +111,6 @@ fn spirals_into_a_centre_are_captured() {
 
 /// Parallel rays through Luneburg's lens with C = 2 meet in the point of its surface that lies furthest along them.
 #[test]
-#[ignore = "interiors are not followed yet"]
 fn a_luneburg_lens_has_one_focus() {
     let (center, radius) = (DVec3::new(0.5, -0.25, 1.0), 2.0);
     let d = DVec3::new(2.0, 1.0, -2.0) / 3.0;
