@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use bentray::gpu::Gpu;
+use bentray::measure::drift;
 use bentray::render::{Settings, Traced, trace};
 use glam::DVec3;
 
@@ -68,6 +69,45 @@ fn rays_end_where_closed_forms_say() {
         let direction = DVec3::from(end.v).normalize().distance(vector(row[7]));
         let sensitivity = row[9].parse::<f64>().unwrap();
         assert!(direction <= (40.0 * sensitivity).max(2e-5), "{}: direction off by {direction:e}", row[0]);
+    }
+}
+
+/// Media that fill all space, by an embedded pair: bounds in 32 bits as above, and 1e-9 in 64. |v| = n holds at the ends as well
+/// as they are known.
+#[test]
+fn rays_of_media_end_where_closed_forms_say() {
+    let rows = rows(include_str!("tables/media.tsv"));
+    let gpu = gpu();
+    for (precision, tolerance, floor, factor) in [("f32", 1e-6, 2e-5_f64, 40.0), ("f64", 1e-13, 1e-9, 0.0)] {
+        let scene_of = |row: &[&str]| {
+            let stop = row[2].replace(';', "\n");
+            format!(
+                "[law]\nkind = \"medium\"\nindex = {}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
+                 precision = \"{precision}\"\nmax_segments = 20000\nbound = {{ radius = {} }}\n{stop}\n",
+                row[1], row[3]
+            )
+        };
+        let ends = traced(&gpu, &rows, scene_of, |row| (vector(row[4]), vector(row[5])));
+        let mut worst = [0.0_f64; 3];
+        for (row, end) in rows.iter().zip(ends) {
+            let number = |i: usize| row[i].parse::<f64>().unwrap();
+            assert_eq!(end.status.name(), row[6], "{} in {precision}", row[0]);
+            let (radius, law) = (number(3), scene(&scene_of(row)).law);
+            let position = DVec3::from(end.x).distance(vector(row[7])) / radius;
+            let direction = DVec3::from(end.v).normalize().distance(vector(row[8]));
+            let start = [vector(row[4]), law.starting_velocity(vector(row[4]), vector(row[5]))];
+            let [(_, drifted)] = drift(&law, [(start, &end)].into_iter())[..] else {
+                panic!("{}: nothing is kept", row[0])
+            };
+            let bounds = [floor.max(factor * number(9) / radius), floor.max(factor * number(10)), floor];
+            for (k, error) in [position, direction, drifted.max].into_iter().enumerate() {
+                let what = ["position", "direction", "|v| / n"][k];
+                worst[k] = worst[k].max(error / bounds[k]);
+                assert!(error <= bounds[k], "{} in {precision}: {what} off by {error:e}", row[0]);
+            }
+        }
+        let worst = worst.map(|ratio| format!("{ratio:.1e}")).join(", ");
+        println!("media in {precision}: at most {worst} of the bounds on position, direction and |v| / n");
     }
 }
 

@@ -1,7 +1,8 @@
 // The same index everywhere.
 
 struct Medium {
-    n: Real,
+    // Elements of a uniform array are 16 bytes apart, or a multiple of that.
+    @align(16) n: Real,
 }
 
 @group(0) @binding(50) var<uniform> media: array<Medium, MEDIA_COUNT>;

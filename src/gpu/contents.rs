@@ -144,6 +144,7 @@ impl Source<'_> {
             }
             "law" | "flow" => one(&self.law()),
             "media" => one(&self.law_medium()),
+            "profile" => pack(name, layout, self.law_profile()).map(Some),
             "control" => one(&control_values(self.scene.rays.control)),
             "snell" => match self.scene.rays.method {
                 Method::Snell { threshold } => one(&[("threshold", Float(threshold))]),

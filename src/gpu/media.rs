@@ -2,21 +2,45 @@
 
 use super::contents::Source;
 use super::records::Value::{self, Float, Uint, Vec3};
-use crate::scene::{Law, Medium};
+use crate::scene::{Law, Medium, ProfilePoint};
 
 impl Source<'_> {
     /// Of the medium that fills all space.
     pub(super) fn law_medium(&self) -> Vec<(&'static str, Value)> {
         match &self.scene.law {
-            Law::Medium(medium) => medium_values(medium),
+            Law::Medium(medium) => medium_values(medium, 0),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Of the profiles in it.
+    pub(super) fn law_profile(&self) -> Vec<[(&'static str, Value); 5]> {
+        match &self.scene.law {
+            Law::Medium(medium) => profile_values(medium),
             _ => Vec::new(),
         }
     }
 }
 
-/// The members of `Medium` in the medium's part.
+/// The points of a medium's profile, if it is one.
 #[must_use]
-pub fn medium_values(medium: &Medium) -> Vec<(&'static str, Value)> {
+pub fn profile_values(medium: &Medium) -> Vec<[(&'static str, Value); 5]> {
+    let Medium::Profile { profile, .. } = medium else { return Vec::new() };
+    let row = |point: &ProfilePoint| {
+        [
+            ("height", Float(point.height)),
+            ("n", Float(point.n)),
+            ("slope", Float(point.slope)),
+            ("bend", Float(point.bend)),
+            ("twist", Float(point.twist)),
+        ]
+    };
+    profile.points.iter().map(row).collect()
+}
+
+/// The members of `Medium` in the medium's part. The points of a profile begin at `first` in the list of all.
+#[must_use]
+pub fn medium_values(medium: &Medium, first: u32) -> Vec<(&'static str, Value)> {
     match medium {
         Medium::Constant { n } => vec![("n", Float(*n))],
         Medium::Luneburg { center, radius, c } => {
@@ -42,6 +66,20 @@ pub fn medium_values(medium: &Medium) -> Vec<(&'static str, Value)> {
         Medium::Sech { origin, up, n0, g } => {
             vec![("origin", Vec3(*origin)), ("up", Vec3(*up)), ("n0", Float(*n0)), ("g", Float(*g))]
         }
+        Medium::Profile { origin, up, profile } => vec![
+            ("origin", Vec3(*origin)),
+            ("up", Vec3(*up)),
+            ("first", Uint(first)),
+            ("points", Uint(profile.points.len() as u32)),
+        ],
+        Medium::Noise(n) | Medium::Textured(n) => vec![
+            ("center", Vec3(n.center)),
+            ("n0", Float(n.n0)),
+            ("amplitude", Float(n.amplitude)),
+            ("frequency", Float(n.frequency)),
+            ("octaves", Uint(n.octaves)),
+            ("seed", Uint(n.seed)),
+        ],
         Medium::Explosion(n) => vec![
             ("center", Vec3(n.center)),
             ("radius", Float(n.radius)),

@@ -292,20 +292,23 @@ fn control_parts(control: Control, names: &mut Names) {
     }
 }
 
-/// The part that knows a medium's index.
-fn index_part(medium: &Medium) -> &'static str {
+/// The parts that know a medium's index.
+fn index_parts(medium: &Medium) -> &'static [&'static str] {
     match medium {
-        Medium::Constant { .. } => "index/constant",
-        Medium::Luneburg { .. } => "index/luneburg",
-        Medium::Gaussian { .. } => "index/gaussian",
-        Medium::InverseR { .. } => "index/inverse_r",
-        Medium::Fisheye { .. } => "index/fisheye",
-        Medium::Eaton { .. } => "index/eaton",
-        Medium::Rod { .. } => "index/rod",
-        Medium::Linear { .. } => "index/linear",
-        Medium::Exponential { .. } => "index/exponential",
-        Medium::Sech { .. } => "index/sech",
-        Medium::Explosion(_) => "index/explosion",
+        Medium::Constant { .. } => &["index/constant"],
+        Medium::Luneburg { .. } => &["index/luneburg"],
+        Medium::Gaussian { .. } => &["index/gaussian"],
+        Medium::InverseR { .. } => &["index/inverse_r"],
+        Medium::Fisheye { .. } => &["index/fisheye"],
+        Medium::Eaton { .. } => &["index/eaton"],
+        Medium::Rod { .. } => &["index/rod"],
+        Medium::Linear { .. } => &["index/linear"],
+        Medium::Exponential { .. } => &["index/exponential"],
+        Medium::Sech { .. } => &["index/sech"],
+        Medium::Profile { .. } => &["index/profile"],
+        Medium::Noise(_) => &["index/noise", "noise/fractal", "noise/lattice"],
+        Medium::Textured(_) => &["index/textured", "noise/fractal", "noise/lattice"],
+        Medium::Explosion(_) => &["index/explosion", "noise/lattice"],
     }
 }
 
@@ -342,7 +345,8 @@ fn law_parts(law: &Law, names: &mut Names, shared: &mut Vec<Unit>) {
             });
         }
         Law::Medium(medium) => {
-            names.all(&["law/medium", index_part(medium)]);
+            names.add("law/medium");
+            names.all(index_parts(medium));
             shared.push(generated::media(1));
         }
     }

@@ -75,15 +75,21 @@ fn law_loops(law: &Law) -> (u64, u64) {
     match law {
         Law::Straight | Law::Schwarzschild { .. } | Law::Flow { .. } => (0, 0),
         Law::Sources(sources) => (sources.len() as u64, sources.len() as u64),
-        Law::Medium(medium) => (medium_loops(medium), 0),
+        Law::Medium(medium) => medium_loops(medium),
     }
 }
 
-/// Iterations of one evaluation of an index.
-fn medium_loops(medium: &Medium) -> u64 {
+/// Iterations of one evaluation of an index, and of its length.
+fn medium_loops(medium: &Medium) -> (u64, u64) {
     match medium {
-        Medium::Explosion(noise) => u64::from(noise.octaves),
-        _ => 0,
+        Medium::Explosion(noise) => (u64::from(noise.octaves), 0),
+        // Four layers of points an octave.
+        Medium::Noise(noise) | Medium::Textured(noise) => (5 * u64::from(noise.octaves), 0),
+        Medium::Profile { profile, .. } => {
+            let halvings = u64::from(profile.points.len().next_power_of_two().ilog2());
+            (halvings, halvings)
+        }
+        _ => (0, 0),
     }
 }
 

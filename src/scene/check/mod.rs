@@ -49,7 +49,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let root = reader.root();
     let mut files = Files::new(folder);
     let image = image(&root);
-    let law = law::read(&root);
+    let law = law::read(&root, &mut files);
     let rays = rays::read(&root, law.as_ref());
     let camera = camera::read(&root, law.as_ref());
     let sky = materials::sky(&root, &mut files);
