@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use bentray::gpu::Gpu;
-use bentray::render::{Settings, Traced, trace};
+use bentray::measure::drift;
+use bentray::render::{Settings, Status, Traced, trace};
 use glam::DVec3;
 
 use crate::support::{gpu, scene};
@@ -71,6 +72,45 @@ fn rays_end_where_closed_forms_say() {
     }
 }
 
+/// Media that fill all space, by an embedded pair: bounds in 32 bits as above, and 1e-9 in 64. |v| = n holds at the ends as well
+/// as they are known.
+#[test]
+fn rays_of_media_end_where_closed_forms_say() {
+    let rows = rows(include_str!("tables/media.tsv"));
+    let gpu = gpu();
+    for (precision, tolerance, floor, factor) in [("f32", 1e-6, 2e-5_f64, 40.0), ("f64", 1e-13, 1e-9, 0.0)] {
+        let scene_of = |row: &[&str]| {
+            let stop = row[2].replace(';', "\n");
+            format!(
+                "[law]\nkind = \"medium\"\nindex = {}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
+                 precision = \"{precision}\"\nmax_segments = 20000\nbound = {{ radius = {} }}\n{stop}\n",
+                row[1], row[3]
+            )
+        };
+        let ends = traced(&gpu, &rows, scene_of, |row| (vector(row[4]), vector(row[5])));
+        let mut worst = [0.0_f64; 3];
+        for (row, end) in rows.iter().zip(ends) {
+            let number = |i: usize| row[i].parse::<f64>().unwrap();
+            assert_eq!(end.status.name(), row[6], "{} in {precision}", row[0]);
+            let (radius, law) = (number(3), scene(&scene_of(row)).law);
+            let position = DVec3::from(end.x).distance(vector(row[7])) / radius;
+            let direction = DVec3::from(end.v).normalize().distance(vector(row[8]));
+            let start = [vector(row[4]), law.starting_velocity(vector(row[4]), vector(row[5]))];
+            let [(_, drifted)] = drift(&law, [(start, &end)].into_iter())[..] else {
+                panic!("{}: nothing is kept", row[0])
+            };
+            let bounds = [floor.max(factor * number(9) / radius), floor.max(factor * number(10)), floor];
+            for (k, error) in [position, direction, drifted.max].into_iter().enumerate() {
+                let what = ["position", "direction", "|v| / n"][k];
+                worst[k] = worst[k].max(error / bounds[k]);
+                assert!(error <= bounds[k], "{} in {precision}: {what} off by {error:e}", row[0]);
+            }
+        }
+        let worst = worst.map(|ratio| format!("{ratio:.1e}")).join(", ");
+        println!("media in {precision}: at most {worst} of the bounds on position, direction and |v| / n");
+    }
+}
+
 #[test]
 fn flows_follow_their_orbits() {
     let rows = rows(include_str!("tables/orbits.tsv"));
@@ -93,18 +133,56 @@ fn flows_follow_their_orbits() {
 #[test]
 fn rays_keep_what_their_law_keeps() {
     let gpu = gpu();
-    let medium = "[law]\nkind = \"medium\"\nindex = { kind = \"explosion\", radius = 8, amplitude = 0.2, frequency = 0.5, octaves = 2 }\n\
-                  [rays]\nscaled_step = 0.05\nmax_segments = 4000\nlength = 9\nbound = { radius = 20 }\n";
+    let explosion = "{ kind = \"explosion\", radius = 8, amplitude = 0.2, frequency = 0.5, octaves = 2 }";
+    let noise = "{ kind = \"noise\", amplitude = 0.1, frequency = 0.5, octaves = 3 }";
     let rays: Vec<[f64; 6]> = (0..64).map(|i| [-9.0, 0.2 * f64::from(i) - 6.4, 0.7, 1.0, 0.0, 0.0]).collect();
-    // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.
-    let (ends, _) = trace(&gpu, &scene(medium), &Settings::default(), &rays).unwrap();
-    let short = medium.replace("length = 9", "length = 1e-6");
-    let again: Vec<[f64; 6]> =
-        ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2]].map(f64::from)).collect();
-    let (starts, _) = trace(&gpu, &scene(&short), &Settings::default(), &again).unwrap();
-    for (end, start) in ends.iter().zip(starts) {
-        let (kept, index) = (DVec3::from(end.v).length(), DVec3::from(start.v).length());
-        assert!((kept - index).abs() < 2e-5, "|v| = {kept}, n = {index}");
+    for index in [explosion, noise] {
+        let medium = format!(
+            "[law]\nkind = \"medium\"\nindex = {index}\n[rays]\nscaled_step = 0.05\nmax_segments = 4000\nlength = 9\n\
+             bound = {{ radius = 20 }}\n"
+        );
+        // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.
+        let (ends, _) = trace(&gpu, &scene(&medium), &Settings::default(), &rays).unwrap();
+        let short = medium.replace("length = 9", "length = 1e-6");
+        let again: Vec<[f64; 6]> =
+            ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2]].map(f64::from)).collect();
+        let (starts, _) = trace(&gpu, &scene(&short), &Settings::default(), &again).unwrap();
+        for (end, start) in ends.iter().zip(starts) {
+            let (kept, index) = (DVec3::from(end.v).length(), DVec3::from(start.v).length());
+            assert!((kept - index).abs() < 2e-5, "|v| = {kept}, n = {index}");
+        }
+    }
+}
+
+/// Every kind of medium as a scene's law: |v| = n at the end of a path, by the host's own n.
+#[test]
+fn speed_follows_the_index_of_every_medium() {
+    let gpu = gpu();
+    let rays: Vec<[f64; 6]> = (0..32).map(|i| [-3.0, 0.1 * f64::from(i) - 1.5, 0.7, 1.0, 0.2, 0.1]).collect();
+    for index in [
+        "1.5",
+        "{ kind = \"luneburg\", radius = 4, c = 3 }",
+        "{ kind = \"gaussian\", radius = 3, a = 1.5 }",
+        "{ kind = \"inverse-r\", k = 4, center = [-8, 0, 0] }",
+        "{ kind = \"eaton\", radius = 4 }",
+        "{ kind = \"rod\", axis = [1, 0, 0.2], n0 = 1.6, g = 0.25 }",
+        "{ kind = \"exponential\", delta = 0.3, height = 2 }",
+        "{ kind = \"profile\", points = [[-2, 1.25], [-1, 1.375], [0, 1.125], [0.5, 1.25], [2, 1.0625], [9, 1]] }",
+    ] {
+        let text = format!(
+            "[law]\nkind = \"medium\"\nindex = {index}\n[rays]\ntolerance = 1e-6\nmax_segments = 4000\nlength = 3\n\
+             bound = {{ radius = 20 }}\n"
+        );
+        let scene = scene(&text);
+        let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+        assert!(ends.iter().all(|end| end.status == Status::Ended), "{index}");
+        let start = |ray: &[f64; 6]| {
+            let [x, v] = [DVec3::from_slice(&ray[..3]), DVec3::from_slice(&ray[3..])];
+            [x, scene.law.starting_velocity(x, v)]
+        };
+        let [(what, drifted)] = drift(&scene.law, rays.iter().map(start).zip(&ends))[..] else { panic!("{index}") };
+        println!("{index}: {what} drifts by {:.1e}", drifted.max);
+        assert!(drifted.max < 2e-5, "{index}: {what} drifts by {:e}", drifted.max);
     }
 }
 

@@ -1,7 +1,7 @@
 // The same index everywhere.
 
 struct Medium {
-    // Elements of a uniform array lie 16 bytes apart.
+    // Elements of a uniform array are 16 bytes apart, or a multiple of that.
     @align(16) n: Real,
 }
 

@@ -24,15 +24,6 @@ const LATTICE_TURN = mat3x3<Real>(
 );
 const LATTICE_SHIFT = Real3(0.317, 0.731, 0.523);
 
-// In [-1, 1]: a hash of a lattice point (PCG's output function on mixed coordinates).
-fn lattice(cell: vec3i) -> Real {
-    let c = bitcast<vec3u>(cell);
-    let seed = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u) ^ (c.z * 0xcb1ab31fu) ^ (media[place].seed * 0x9e3779b1u);
-    let state = seed * 747796405u + 2891336453u;
-    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return Real(((word >> 22u) ^ word) >> 8u) / 8388607.5 - 1.0;
-}
-
 // Gradient and value of the noise.
 fn lattice_noise(p: Real3) -> Real4 {
     let base = floor(p);
@@ -40,14 +31,15 @@ fn lattice_noise(p: Real3) -> Real4 {
     let i = vec3i(base);
     let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
     let du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
-    let a = lattice(i);
-    let b = lattice(i + vec3i(1, 0, 0));
-    let c = lattice(i + vec3i(0, 1, 0));
-    let d = lattice(i + vec3i(1, 1, 0));
-    let e = lattice(i + vec3i(0, 0, 1));
-    let g = lattice(i + vec3i(1, 0, 1));
-    let h = lattice(i + vec3i(0, 1, 1));
-    let k = lattice(i + vec3i(1, 1, 1));
+    let seed = media[place].seed;
+    let a = lattice(i, seed);
+    let b = lattice(i + vec3i(1, 0, 0), seed);
+    let c = lattice(i + vec3i(0, 1, 0), seed);
+    let d = lattice(i + vec3i(1, 1, 0), seed);
+    let e = lattice(i + vec3i(0, 0, 1), seed);
+    let g = lattice(i + vec3i(1, 0, 1), seed);
+    let h = lattice(i + vec3i(0, 1, 1), seed);
+    let k = lattice(i + vec3i(1, 1, 1), seed);
     // The trilinear form as a polynomial in u, so that its derivatives can be read off.
     let x = b - a;
     let y = c - a;

@@ -1,4 +1,4 @@
-// n = k/r (thesis Eq. 17).
+// n = k/r (thesis Eq. 17): paths are logarithmic spirals. At the centre the index is infinite.
 
 struct Medium {
     center: Real3,
@@ -12,18 +12,17 @@ struct Medium {
 @group(0) @binding(50) var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 fn medium_index(x: Real3) -> Real {
-    return media[place].k / length(x - media[place].center);
+    return media[place].k / distance(x, media[place].center);
 }
 
-// ∇(n²/2) = −k² d/r⁴.
+// ∇(n²/2). Not by r⁴, which leaves the range of f32 long before the pull does.
 fn medium_pull(x: Real3) -> Real3 {
     let d = x - media[place].center;
-    let rr = dot(d, d);
-    let q = media[place].k / rr;
-    return -(q * q) * d;
+    let q = media[place].k / dot(d, d);
+    return -q * (q * d);
 }
 
 // The length over which the index changes.
 fn medium_length(x: Real3) -> Real {
-    return length(x - media[place].center);
+    return distance(x, media[place].center);
 }

@@ -90,7 +90,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) {
-    let start = |[x, y, z, a, b, c]: [f64; 6]| [DVec3::new(x, y, z), scene.law.starting_velocity(DVec3::new(a, b, c))];
+    let start = |[x, y, z, a, b, c]: [f64; 6]| {
+        let x = DVec3::new(x, y, z);
+        [x, scene.law.starting_velocity(x, DVec3::new(a, b, c))]
+    };
     let found = drift(&scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
     if found.is_empty() {
         eprintln!("the law keeps nothing that could drift, or no ray came to an end");

@@ -8,7 +8,6 @@ use wgpu::{
     Buffer, BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
 };
 
-use super::media::medium_values;
 use super::records::Value::{Float, Uint, Uint2, Vec3};
 use super::records::{Value, pack};
 use super::uniforms::{control_values, schedule_values};
@@ -154,10 +153,8 @@ impl Source<'_> {
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
             "law" | "flow" => one(&self.law()),
-            "media" => {
-                let media = self.geometry.regions.kinds.get(kind).map_or(&[][..], |kind| &kind.media);
-                pack(name, layout, media.iter().map(medium_values)).map(Some)
-            }
+            "media" => pack(name, layout, self.media(kind)).map(Some),
+            "profile" => pack(name, layout, self.profiles(kind)).map(Some),
             "regions" => pack(name, layout, self.regions()).map(Some),
             "branching" => match self.scene.rays.branches {
                 Branches::Enumerated(depth) => one(&[("depth", Uint(depth))]),

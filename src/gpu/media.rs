@@ -3,7 +3,7 @@
 use super::contents::Source;
 use super::records::Value::{self, Float, Uint, Vec3};
 use crate::program::Region;
-use crate::scene::{Ingoing, Medium};
+use crate::scene::{Ingoing, Medium, ProfilePoint};
 
 impl Source<'_> {
     /// The rows of `regions`.
@@ -20,11 +20,47 @@ impl Source<'_> {
         };
         regions.regions.iter().map(row).collect()
     }
+
+    fn kind(&self, kind: usize) -> &[Medium] {
+        self.geometry.regions.kinds.get(kind).map_or(&[], |kind| &kind.media)
+    }
+
+    /// Of the media of a kind.
+    pub(super) fn media(&self, kind: usize) -> Vec<Vec<(&'static str, Value)>> {
+        let mut first = 0;
+        let mut row = |medium: &Medium| {
+            let values = medium_values(medium, first);
+            first += profile_values(medium).len() as u32;
+            values
+        };
+        self.kind(kind).iter().map(&mut row).collect()
+    }
+
+    /// Of the profiles in them.
+    pub(super) fn profiles(&self, kind: usize) -> Vec<[(&'static str, Value); 5]> {
+        self.kind(kind).iter().flat_map(profile_values).collect()
+    }
 }
 
-/// The members of `Medium` in the medium's part.
+/// The points of a medium's profile, if it is one.
 #[must_use]
-pub fn medium_values(medium: &Medium) -> Vec<(&'static str, Value)> {
+pub fn profile_values(medium: &Medium) -> Vec<[(&'static str, Value); 5]> {
+    let Medium::Profile { profile, .. } = medium else { return Vec::new() };
+    let row = |point: &ProfilePoint| {
+        [
+            ("height", Float(point.height)),
+            ("n", Float(point.n)),
+            ("slope", Float(point.slope)),
+            ("bend", Float(point.bend)),
+            ("twist", Float(point.twist)),
+        ]
+    };
+    profile.points.iter().map(row).collect()
+}
+
+/// The members of `Medium` in the medium's part. The points of a profile begin at `first` in the list of all.
+#[must_use]
+pub fn medium_values(medium: &Medium, first: u32) -> Vec<(&'static str, Value)> {
     match medium {
         Medium::Constant { n } => vec![("n", Float(*n))],
         Medium::Luneburg { center, radius, c } => {
@@ -55,6 +91,20 @@ pub fn medium_values(medium: &Medium) -> Vec<(&'static str, Value)> {
         Medium::Sech { origin, up, n0, g } => {
             vec![("origin", Vec3(*origin)), ("up", Vec3(*up)), ("n0", Float(*n0)), ("g", Float(*g))]
         }
+        Medium::Profile { origin, up, profile } => vec![
+            ("origin", Vec3(*origin)),
+            ("up", Vec3(*up)),
+            ("first", Uint(first)),
+            ("points", Uint(profile.points.len() as u32)),
+        ],
+        Medium::Noise(n) | Medium::Textured(n) => vec![
+            ("center", Vec3(n.center)),
+            ("n0", Float(n.n0)),
+            ("amplitude", Float(n.amplitude)),
+            ("frequency", Float(n.frequency)),
+            ("octaves", Uint(n.octaves)),
+            ("seed", Uint(n.seed)),
+        ],
         Medium::Explosion(n) => vec![
             ("center", Vec3(n.center)),
             ("radius", Float(n.radius)),

@@ -19,6 +19,7 @@ pub use contents::{SceneBuffers, copy_of};
 pub use device::{AdapterReport, Gpu, adapters};
 pub use error::GpuError;
 pub use geometry::Geometry;
+pub use media::{medium_values, profile_values};
 pub use pipeline::{Pipeline, Pipelines};
 pub use records::{Value, pack};
 pub use tile::{Memory, Slots, TURN_STRIDE, Tile, memory};

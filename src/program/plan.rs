@@ -2,7 +2,7 @@
 
 use super::link::{Parts, Unit};
 use super::region_parts::region_parts;
-use super::regions::{Kind, Motion, Regions, is_mirror, scatters};
+use super::regions::{Kind, Regions, is_mirror, scatters};
 use super::{Choice, ProgramError, Purpose, Schedule, Work, generated, part};
 use crate::scene::{
     Branches, CameraKind, Control, Frame, Law, Light, MaterialKind, Medium, Object, Pattern, Precision, Scene,
@@ -85,8 +85,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
 
 /// Arcs that are not straight need their step's size in the pass that intersects them.
 fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
-    let bends = |kind: &Kind| kind.motion != Motion::Straight && !kind.leaps;
-    let arcs = matches!(scene.rays.segment, Segment::Arc { .. }) && regions.kinds.iter().any(bends);
+    let arcs = matches!(scene.rays.segment, Segment::Arc { .. }) && !regions.kinds.iter().all(Kind::is_line);
     arcs && !scene.objects.is_empty()
 }
 

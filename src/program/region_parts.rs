@@ -20,13 +20,13 @@ pub(super) fn region_parts(
     let leap = kind.leaps;
     names.add(if leap { "leap/sphere" } else { "leap/none" });
     if let Some(index) = kind.index {
-        names.add(index);
+        names.all(index);
         made.push(generated::media(kind.media.len()));
     } else {
         names.add("index/vacuum");
     }
     let chords = matches!(scene.rays.segment, Segment::Chord { .. });
-    let line = chords || leap || kind.motion == Motion::Straight;
+    let line = chords || kind.is_line();
     names.add(if line { "curve/line" } else { "curve/arc" });
     match kind.motion {
         Motion::Law => law_motion(scene, purpose, &mut names, &mut made),

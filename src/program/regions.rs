@@ -35,10 +35,18 @@ pub struct Kind {
     pub motion: Motion,
     /// Does one step lead through the whole region, because nothing else is in it?
     pub leaps: bool,
-    /// The part that knows its index; none for laws that have none.
-    pub index: Option<&'static str>,
+    /// The parts that know its index; none for laws that have none.
+    pub index: Option<&'static [&'static str]>,
     /// Of the regions of this kind, in the order of their places.
     pub media: Vec<Medium>,
+}
+
+impl Kind {
+    /// Are its segments straight, or not tested at all?
+    #[must_use]
+    pub fn is_line(&self) -> bool {
+        self.motion == Motion::Straight || self.leaps
+    }
 }
 
 /// An object with a side that rays can be on.
@@ -100,7 +108,7 @@ impl Regions {
         let medium = &interior.medium;
         let motion = motion(scene, medium);
         let radius = leap_radius(motion, medium, &scene.objects[object]).filter(|_| is_alone(scene, object));
-        let index = Some(index_part(medium));
+        let index = Some(index_parts(medium));
         let leaps = radius.is_some();
         let same = |kind: &Kind| (kind.motion, kind.leaps, kind.index) == (motion, leaps, index);
         let kind = self.kinds.iter().position(same).unwrap_or_else(|| {
@@ -162,7 +170,7 @@ fn outside(scene: &Scene) -> Kind {
     match &scene.law {
         Law::Straight if scatters(scene) => {
             let vacuum = Medium::Constant { n: 1.0 };
-            Kind { motion: Motion::Straight, leaps: false, index: Some(index_part(&vacuum)), media: vec![vacuum] }
+            Kind { motion: Motion::Straight, leaps: false, index: Some(index_parts(&vacuum)), media: vec![vacuum] }
         }
         Law::Straight if scene.rays.method == Method::Exact => {
             Kind { motion: Motion::Straight, leaps: false, index: None, media: Vec::new() }
@@ -173,7 +181,7 @@ fn outside(scene: &Scene) -> Kind {
                 closed => closed,
             },
             leaps: false,
-            index: Some(index_part(medium)),
+            index: Some(index_parts(medium)),
             media: vec![medium.clone()],
         },
         _ => Kind { motion: Motion::Law, leaps: false, index: None, media: Vec::new() },
@@ -183,7 +191,7 @@ fn outside(scene: &Scene) -> Kind {
 /// The cheapest motion that is right for a medium.
 fn motion(scene: &Scene, medium: &Medium) -> Motion {
     let closed = match medium {
-        Medium::Constant { .. } => return Motion::Straight,
+        Medium::Constant { .. } | Medium::Textured(_) => return Motion::Straight,
         Medium::Luneburg { .. } | Medium::Rod { .. } => Motion::Harmonic,
         Medium::InverseR { .. } => Motion::Spiral,
         Medium::Fisheye { .. } => Motion::Circle,
@@ -193,21 +201,23 @@ fn motion(scene: &Scene, medium: &Medium) -> Motion {
     if allowed { closed } else { Motion::Solved }
 }
 
-/// The part that knows a medium's index.
-#[must_use]
-pub fn index_part(medium: &Medium) -> &'static str {
+/// The parts that know a medium's index.
+fn index_parts(medium: &Medium) -> &'static [&'static str] {
     match medium {
-        Medium::Constant { .. } => "index/constant",
-        Medium::Luneburg { .. } => "index/luneburg",
-        Medium::Gaussian { .. } => "index/gaussian",
-        Medium::InverseR { .. } => "index/inverse_r",
-        Medium::Fisheye { .. } => "index/fisheye",
-        Medium::Eaton { .. } => "index/eaton",
-        Medium::Rod { .. } => "index/rod",
-        Medium::Linear { .. } => "index/linear",
-        Medium::Exponential { .. } => "index/exponential",
-        Medium::Sech { .. } => "index/sech",
-        Medium::Explosion(_) => "index/explosion",
+        Medium::Constant { .. } => &["index/constant"],
+        Medium::Luneburg { .. } => &["index/luneburg"],
+        Medium::Gaussian { .. } => &["index/gaussian"],
+        Medium::InverseR { .. } => &["index/inverse_r"],
+        Medium::Fisheye { .. } => &["index/fisheye"],
+        Medium::Eaton { .. } => &["index/eaton"],
+        Medium::Rod { .. } => &["index/rod"],
+        Medium::Linear { .. } => &["index/linear"],
+        Medium::Exponential { .. } => &["index/exponential"],
+        Medium::Sech { .. } => &["index/sech"],
+        Medium::Profile { .. } => &["index/profile"],
+        Medium::Noise(_) => &["index/noise", "noise/fractal", "noise/lattice"],
+        Medium::Textured(_) => &["index/textured", "noise/fractal", "noise/lattice"],
+        Medium::Explosion(_) => &["index/explosion", "noise/lattice"],
     }
 }
 

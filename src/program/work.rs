@@ -3,7 +3,7 @@
 //! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
-use super::{Motion, ProgramError, Regions, constant};
+use super::{Kind, Motion, ProgramError, Regions, constant};
 use crate::scene::{Control, Law, Medium, Method, Precision, Scene, Segment, Shape};
 
 fn work_limit() -> u64 {
@@ -37,12 +37,14 @@ impl Work {
             _ => scene.media().filter(|medium| medium.captures()).count() as u64,
         };
         // Neighbouring rays may be in regions of all kinds, whose loops then run one after the other.
-        let rate = rate.max(scene.media().map(medium_loops).max().unwrap_or(0));
+        let media =
+            scene.media().map(medium_loops).fold((rate, scale), |all, one| (all.0.max(one.0), all.1.max(one.1)));
+        let (rate, scale) = media;
         let step = step_loops(scene, rate, scale) + closed_loops(scene) + captures + 1;
         let asymptote = if scene.rays.asymptotic { asymptote_loops(scene.rays.precision) } else { 0 };
         let (steps, pieces) = match scene.rays.segment {
             Segment::Chord { steps } => (u64::from(steps), 1),
-            Segment::Arc { .. } if scene.rays.method == Method::Exact => (1, 1),
+            Segment::Arc { .. } if Regions::of(scene).kinds.iter().all(Kind::is_line) => (1, 1),
             Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
         };
         let analytic = scene.objects.iter().filter(|o| !matches!(o.shape, Shape::Mesh(_))).count() as u64;
@@ -77,7 +79,7 @@ fn law_loops(law: &Law) -> (u64, u64) {
     match law {
         Law::Straight | Law::Schwarzschild { .. } | Law::Flow { .. } => (0, 0),
         Law::Sources(sources) => (sources.len() as u64, sources.len() as u64),
-        Law::Medium(medium) => (medium_loops(medium), 0),
+        Law::Medium(medium) => medium_loops(medium),
     }
 }
 
@@ -88,11 +90,17 @@ fn closed_loops(scene: &Scene) -> u64 {
     regions.obstacles.len() as u64 + if circles { 16 } else { 0 }
 }
 
-/// Iterations of one evaluation of an index.
-fn medium_loops(medium: &Medium) -> u64 {
+/// Iterations of one evaluation of an index, and of its length.
+fn medium_loops(medium: &Medium) -> (u64, u64) {
     match medium {
-        Medium::Explosion(noise) => u64::from(noise.octaves),
-        _ => 0,
+        Medium::Explosion(noise) => (u64::from(noise.octaves), 0),
+        // Four layers of points an octave.
+        Medium::Noise(noise) | Medium::Textured(noise) => (5 * u64::from(noise.octaves), 0),
+        Medium::Profile { profile, .. } => {
+            let halvings = u64::from(profile.points.len().next_power_of_two().ilog2());
+            (halvings, halvings)
+        }
+        _ => (0, 0),
     }
 }
 

@@ -1,6 +1,8 @@
 //! Media: how the index of refraction n varies with place.
 
+use super::Profile;
 use glam::DVec3;
+use std::sync::Arc;
 
 /// An index of refraction over space, in scene coordinates. Spherical media are functions of r, the distance from their centre.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,6 +99,19 @@ pub enum Medium {
         /// g.
         g: f64,
     },
+    /// Layered air: n by the height over the origin.
+    Profile {
+        /// A point of height 0.
+        origin: DVec3,
+        /// Along which height grows, a unit vector.
+        up: DVec3,
+        /// n by height.
+        profile: Arc<Profile>,
+    },
+    /// Noise everywhere (thesis §2.4).
+    Noise(Noise),
+    /// Noise where light goes in or out, and straight paths between (thesis §5.2.1): for interiors only.
+    Textured(Noise),
     /// Disturbed air: 1 outside a ball, noise in it.
     Explosion(Explosion),
 }
@@ -106,7 +121,11 @@ impl Medium {
     #[must_use]
     pub fn has_closed_form(&self, ends: bool) -> bool {
         match self {
-            Self::Constant { .. } | Self::Luneburg { .. } | Self::Rod { .. } | Self::Linear { .. } => true,
+            Self::Constant { .. }
+            | Self::Textured(_)
+            | Self::Luneburg { .. }
+            | Self::Rod { .. }
+            | Self::Linear { .. } => true,
             Self::InverseR { .. } | Self::Fisheye { .. } => !ends,
             _ => false,
         }
@@ -115,13 +134,39 @@ impl Medium {
     /// Is light bent in it?
     #[must_use]
     pub fn bends(&self) -> bool {
-        !matches!(self, Self::Constant { .. })
+        !matches!(self, Self::Constant { .. } | Self::Textured(_))
     }
 
     /// Do rays end in its middle?
     #[must_use]
     pub fn captures(&self) -> bool {
         matches!(self, Self::InverseR { .. })
+    }
+
+    /// n at a place; 0 where a formula's n² is not positive, and no light comes; none of noise, which only the shaders know.
+    #[must_use]
+    pub fn index(&self, x: DVec3) -> Option<f64> {
+        let root = |square: f64| square.max(0.0).sqrt();
+        Some(match self {
+            Self::Constant { n } => *n,
+            Self::Luneburg { center, radius, c } => root(c - x.distance_squared(*center) / radius.powi(2)),
+            Self::Gaussian { center, radius, a, b } => a * (-b * x.distance_squared(*center) / radius.powi(2)).exp(),
+            Self::InverseR { center, k, .. } => k / x.distance(*center),
+            Self::Fisheye { center, n0, a } => n0 / (1.0 + x.distance_squared(*center) / a.powi(2)),
+            Self::Eaton { center, radius } => root(2.0 * radius / x.distance(*center) - 1.0),
+            Self::Rod { center, axis, n0, g } => {
+                n0 * root(1.0 - g.powi(2) * (x - center).reject_from_normalized(*axis).length_squared())
+            }
+            Self::Linear { origin, n0, gradient } => root(n0.powi(2) + gradient.dot(x - origin)),
+            Self::Exponential { origin, up, delta, height } => {
+                (1.0 + delta * (-up.dot(x - origin) / height).exp()).max(0.0)
+            }
+            Self::Sech { origin, up, n0, g } => n0 / (g * up.dot(x - origin)).cosh(),
+            Self::Profile { origin, up, profile } => profile.index(up.dot(x - origin)),
+            // Outside the disturbed region.
+            Self::Explosion(noise) if x.distance(noise.center) >= noise.radius => 1.0,
+            Self::Noise(_) | Self::Textured(_) | Self::Explosion(_) => return None,
+        })
     }
 }
 
@@ -132,6 +177,32 @@ pub enum Ingoing {
     Black,
     /// They are taken for outgoing ones: |d·b| stands for d·b (thesis Figs. 43 and 46).
     Continued,
+}
+
+/// A fractal sum of noise: n = n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Noise {
+    /// c, a point of the lattice.
+    pub center: DVec3,
+    /// n₀.
+    pub n0: f64,
+    /// So small that n stays positive.
+    pub amplitude: f64,
+    /// Lattice cells a unit length.
+    pub frequency: f64,
+    /// Terms of the sum, 1 to 8.
+    pub octaves: u32,
+    /// Chooses the lattice's values.
+    pub seed: u32,
+}
+
+impl Noise {
+    /// What the sum of so many octaves stays within: at the middle of a cell a Catmull–Rom spline through values of ±1 reaches 5/4,
+    /// and three of them, one along each axis, 125/64.
+    #[must_use]
+    pub fn reach(octaves: u32) -> f64 {
+        125.0 / 64.0 * (2.0 - 2.0_f64.powi(1 - octaves.cast_signed()))
+    }
 }
 
 /// The noise-based index of W04's Fig. 4(d): n = 1 + amplitude · ξ(r/R) · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)).

@@ -13,6 +13,7 @@ mod error;
 mod medium;
 mod mesh;
 mod picture;
+mod profile;
 mod rays;
 mod reference;
 mod transform;
@@ -22,9 +23,10 @@ mod tests;
 
 pub use document::Override;
 pub use error::{Mistake, SceneError};
-pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium};
+pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium, Noise};
 pub use mesh::{Mesh, Vertex};
 pub use picture::Picture;
+pub use profile::{Profile, ProfilePoint};
 pub use rays::{Accuracy, Bound, Branches, Control, DoublingRule, Method, Precision, Rays, Segment};
 pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
 pub use transform::Transform;
@@ -177,11 +179,14 @@ impl Law {
         }
     }
 
-    /// The velocity that a given one stands for, where the law does not take it as it is: a medium's is as long as its index,
-    /// which is 1 outside.
+    /// The velocity that a given one at x stands for, where the law does not take it as it is: a medium's is as long as its index
+    /// (as 1, where the host does not know that).
     #[must_use]
-    pub fn starting_velocity(&self, v: DVec3) -> DVec3 {
-        if matches!(self, Self::Medium(_)) { v.normalize_or_zero() } else { v }
+    pub fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
+        match self {
+            Self::Medium(medium) => medium.index(x).unwrap_or(1.0) * v.normalize_or_zero(),
+            _ => v,
+        }
     }
 
     /// Does its one centre pull by an inverse power, so that an orbit has an asymptote in closed form?

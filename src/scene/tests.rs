@@ -3,6 +3,7 @@
 mod files;
 mod mistakes;
 mod overrides;
+mod profiles;
 mod properties;
 mod scenes;
 

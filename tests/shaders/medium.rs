@@ -14,7 +14,7 @@ const OCTAVES: i32 = 3;
 const SEED: u32 = 77;
 
 fn probe() -> Probe {
-    with_medium(&["ray", "work", "phase/space", "law/medium", "index/explosion"])
+    with_medium(&["ray", "work", "phase/space", "law/medium", "index/explosion", "noise/lattice"])
 }
 
 fn with_medium(parts: &[&str]) -> Probe {
@@ -189,7 +189,7 @@ fn snell_steps() {
         .iter()
         .map(|d| [(CENTER.as_vec3() + *d).extend(random.log(1e-3, 0.1) as f32), random.vector(0.9, 1.15).extend(0.0)])
         .collect();
-    let probe = with_medium(&["ray", "work", "phase/space", "index/explosion", "step/snell"])
+    let probe = with_medium(&["ray", "work", "phase/space", "index/explosion", "noise/lattice", "step/snell"])
         .bind("snell", [vec![("threshold", Float(THRESHOLD))]]);
     let body =
         "let next = step_ray(Phase(p0.xyz, p1.xyz), p0.w); put(0u, vec4f(next[0], 0.0)); put(1u, vec4f(next[1], 0.0));";

@@ -16,6 +16,7 @@ mod ends;
 mod images;
 mod laws;
 mod lights;
+mod media;
 mod medium;
 mod numbers;
 mod paths;
@@ -124,9 +125,10 @@ impl Errors {
     }
 
     /// One value, its exact form, and the bound on the difference.
-    pub fn check(&mut self, got: f32, want: f64, bound: f64, at: impl Debug) {
+    pub fn check(&mut self, got: impl Into<f64>, want: f64, bound: f64, at: impl Debug) {
         self.count += 1;
-        let error = (f64::from(got) - want).abs();
+        let got = got.into();
+        let error = (got - want).abs();
         let error = if error.is_nan() { f64::INFINITY } else { error };
         // Results that f32 has no normal number for may be flushed to 0.
         let ratio = error / (bound + f64::from(f32::MIN_POSITIVE));

@@ -31,16 +31,29 @@ impl Probe {
     pub fn new(parts: &[&str]) -> Self {
         let unit = |name: &str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
         let mut names: Vec<&str> = parts.to_vec();
-        for (folder, usual) in [("math", "math"), ("real/", "real/f32"), ("memory/", "memory/step")] {
+        let usual = [
+            ("math", "math"),
+            ("real/", "real/f32"),
+            ("memory/", "memory/step"),
+            ("region/", "region/none"),
+            ("left/", "left/none"),
+            ("facing/", "facing/any"),
+        ];
+        for (folder, usual) in usual {
             if !names.iter().any(|name| name.starts_with(folder)) {
                 names.push(usual);
             }
         }
         let mut units: Vec<Unit> = names.iter().map(|name| unit(name)).collect();
         // What laws of the second order and steps of a planned size have in common.
-        for (folder, function, common) in
-            [("law/", "fn law_rate(", "law/accelerated"), ("control/", "fn accepted_step(", "control/planned")]
-        {
+        let common = [
+            ("law/", "fn law_rate(", "law/accelerated"),
+            ("control/", "fn accepted_step(", "control/planned"),
+            ("motion/", "fn law_start(", "start/as_given"),
+            ("memory/pair", "fn first_rate(", "rate/law"),
+            ("walk/", "fn first_hit(", "walk/direct"),
+        ];
+        for (folder, function, common) in common {
             let some = names.iter().any(|name| name.starts_with(folder));
             if some && !units.iter().any(|unit| unit.text.contains(function)) {
                 units.push(unit(common));
@@ -60,7 +73,7 @@ impl Probe {
         let scene = super::scene(scene);
         let work = Work::of(&scene, 1, 1).unwrap_or_else(|error| panic!("{error}"));
         let parts = plan(&scene, &Choice::default(), &work).unwrap_or_else(|error| panic!("{error}"));
-        let made = parts.shared.into_iter().find(|unit| unit.file == file);
+        let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);
         self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
         self
     }
@@ -94,6 +107,7 @@ impl Probe {
                 ("size", one),
                 ("image", one),
                 ("sample", Value::Uint(0)),
+                ("branch", Value::Uint(0)),
                 ("zero", Value::Uint(0)),
             ]],
         )

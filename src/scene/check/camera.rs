@@ -91,6 +91,13 @@ fn check_against_law(table: &TableReader, camera: &Camera, law: &Law) {
                 table.fault(&["position"], problem, "move it away from the source");
             }
         }
+        Law::Medium(medium) if medium.index(camera.position) == Some(0.0) => {
+            table.fault(
+                &["position"],
+                "the index is 0 at the camera, where no light comes",
+                "move it to where n is above 0",
+            );
+        }
         Law::Flow { order: FlowOrder::Velocity, .. } if matches!(camera.kind, CameraKind::Pinhole { .. }) => table
             .fault(
                 &["kind"],

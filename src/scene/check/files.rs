@@ -3,7 +3,7 @@
 use crate::scene::document::Node;
 use crate::scene::document::reader::Reader;
 use crate::scene::document::values::text;
-use crate::scene::{Mesh, Picture, SceneError};
+use crate::scene::{Mesh, Picture, Profile, SceneError};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -14,12 +14,19 @@ pub struct Files {
     pictures: Vec<Picture>,
     picture_of: HashMap<PathBuf, Option<usize>>,
     mesh_of: HashMap<PathBuf, Option<Arc<Mesh>>>,
+    profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
 }
 
 impl Files {
     /// Names are relative to `folder`.
     pub fn new(folder: &Path) -> Self {
-        Self { folder: folder.to_owned(), pictures: Vec::new(), picture_of: HashMap::new(), mesh_of: HashMap::new() }
+        Self {
+            folder: folder.to_owned(),
+            pictures: Vec::new(),
+            picture_of: HashMap::new(),
+            mesh_of: HashMap::new(),
+            profile_of: HashMap::new(),
+        }
     }
 
     /// All pictures, in the order that indices count.
@@ -47,6 +54,13 @@ impl Files {
         let (path, identity) = self.find(reader, node)?;
         let load = || accept(reader, node, Mesh::load(&path)).map(Arc::new);
         self.mesh_of.entry(identity).or_insert_with(load).clone()
+    }
+
+    /// The profile that a node names.
+    pub fn profile(&mut self, reader: &Reader, node: &Node) -> Option<Arc<Profile>> {
+        let (path, identity) = self.find(reader, node)?;
+        let load = || accept(reader, node, Profile::load(&path)).map(Arc::new);
+        self.profile_of.entry(identity).or_insert_with(load).clone()
     }
 
     /// The path, and one that is the same for all names of the same file.

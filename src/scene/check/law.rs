@@ -1,10 +1,11 @@
 //! `[law]`: how light travels.
 
+use super::files::Files;
 use super::media::{self, Surroundings};
 use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{not_negative, not_zero, number, positive, text, vector, whole, word};
 use crate::scene::document::{Node, Value};
-use crate::scene::{Falloff, FlowField, FlowOrder, Law, SchwarzschildForm, Source};
+use crate::scene::{Falloff, FlowField, FlowOrder, Law, Medium, SchwarzschildForm, Source};
 use glam::DVec3;
 
 #[derive(Clone, Copy)]
@@ -27,7 +28,7 @@ const KINDS: &[(&str, Kind)] = &[
 ];
 
 /// None if the law cannot be used; straight lines if there is none.
-pub fn read(root: &TableReader) -> Option<Law> {
+pub fn read(root: &TableReader, files: &mut Files) -> Option<Law> {
     if root.node("law").is_none() {
         return Some(Law::Straight);
     }
@@ -39,7 +40,7 @@ pub fn read(root: &TableReader) -> Option<Law> {
         Kind::Sources => sources(&table),
         Kind::Lorenz => Some(lorenz(&table)),
         Kind::Rossler => Some(rossler(&table)),
-        Kind::Medium => medium(&table),
+        Kind::Medium => medium(&table, files),
     });
     table.finish();
     law
@@ -132,7 +133,13 @@ fn falloff(table: &TableReader, node: &Node) -> Option<Falloff> {
     })
 }
 
-fn medium(table: &TableReader) -> Option<Law> {
+fn medium(table: &TableReader, files: &mut Files) -> Option<Law> {
     let node = table.required_node("index", "{ kind = \"maxwell-fisheye\", n0 = 2, a = 1 }")?;
-    media::read(table, node, "medium", Surroundings::default()).map(Law::Medium)
+    let medium = media::read(table, node, "medium", Surroundings::default(), files)?;
+    if matches!(medium, Medium::Textured(_)) {
+        let problem = "a textured index is that of surfaces, and space has none";
+        table.fault(&["index"], problem, "use kind = \"noise\", or give it to an object as `interior`");
+        return None;
+    }
+    Some(Law::Medium(medium))
 }

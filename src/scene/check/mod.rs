@@ -52,7 +52,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let root = reader.root();
     let mut files = Files::new(folder);
     let image = image(&root);
-    let law = law::read(&root);
+    let law = law::read(&root, &mut files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
     let camera = camera::read(&root, law.as_ref());

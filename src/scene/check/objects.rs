@@ -42,7 +42,7 @@ fn object(table: &TableReader, materials: &[&str], bound: Option<Bound>, files: 
         _ => positive(node).map(DVec3::splat),
     });
     let place = shape.as_ref().map(|(_, own)| Transform(Transform::new(scale, rotate, translate).0 * *own));
-    let substance = substance(table, shape.as_ref().map(|(shape, _)| shape).zip(place), materials);
+    let substance = substance(table, shape.as_ref().map(|(shape, _)| shape).zip(place), materials, files);
     let (shape, _) = shape?;
     let transform = place?;
     if let Some(bound) = bound {
@@ -52,12 +52,17 @@ fn object(table: &TableReader, materials: &[&str], bound: Option<Bound>, files: 
 }
 
 /// A material by name, or a medium inside.
-fn substance(table: &TableReader, object: Option<(&Shape, Transform)>, materials: &[&str]) -> Option<Substance> {
+fn substance(
+    table: &TableReader,
+    object: Option<(&Shape, Transform)>,
+    materials: &[&str],
+    files: &mut Files,
+) -> Option<Substance> {
     let Some(("interior", node)) = table.one_of(&["material", "interior"]) else {
         return table.required("material", "\"red\"", |node| material(node, materials)).map(Substance::Opaque);
     };
     let around = object.map_or_else(Surroundings::default, |(shape, place)| surroundings(shape, place));
-    let medium = media::read(table, node, "medium", around);
+    let medium = media::read(table, node, "medium", around, files);
     let priority = table.or("priority", 0, whole(0..=1000));
     if let Some((shape, _)) = object {
         check_closed(table, shape);

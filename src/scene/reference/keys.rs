@@ -81,11 +81,11 @@ pub const REFERENCE: &[KeyReference] = keys! {
         yukawa if "no cubic": "number above 0" = "none", "μ: the force is e^(−μr)(1 + μr)/r²; per scene unit";
     }
     "medium" {
-        kind: "constant | luneburg | gaussian | inverse-r | maxwell-fisheye | eaton | rod | linear | exponential | sech | explosion" = "required",
+        kind: "constant | luneburg | gaussian | inverse-r | maxwell-fisheye | eaton | rod | linear | exponential | sech | profile | noise | textured | explosion" = "required",
             "how n varies: a number stands for { kind = \"constant\", n }, and so do vacuum, air, ice, water, ethyl-alcohol, fused-quartz, acrylic, crown-glass, polyester-resin, flint-glass and diamond";
-        n if r#"kind = "constant""#: "number above 0" = "required", "the index";
-        center if r#"kind = "luneburg", "gaussian", "inverse-r", "maxwell-fisheye", "eaton", "rod" or "explosion""#: "[x, y, z]" = "the object's, or [0, 0, 0]",
-            "where r is 0, or a point of the rod's axis; scene units";
+        n if r#"kind = "constant" or "textured""#: "number above 0" = "required", "the index";
+        center if r#"kind = "luneburg", "gaussian", "inverse-r", "maxwell-fisheye", "eaton", "rod", "noise", "textured" or "explosion""#: "[x, y, z]" = "the object's, or [0, 0, 0]",
+            "where r is 0, a point of the rod's axis, or of the noise's lattice; scene units";
         radius if r#"kind = "luneburg", "gaussian", "eaton" or "explosion""#: "number above 0" = "the object's, or required", "R, scene units";
         c if r#"kind = "luneburg""#: "number, 2 or above" = "2", "C: n = √(C − r²/R²)";
         a if r#"kind = "gaussian""#: "number above 0" = "required", "n = a e^(−b r²/R²)";
@@ -98,17 +98,24 @@ pub const REFERENCE: &[KeyReference] = keys! {
         n0 if r#"kind = "rod" or "sech""#: "number above 0" = "required", "the index on the axis, or on the plane";
         g if r#"kind = "rod""#: "number above 0" = "required", "n = n₀ √(1 − g²ρ²), ρ the distance from the axis";
         axis if r#"kind = "rod""#: "[x, y, z]" = "the cylinder's, or [0, 0, 1]", "along the rod";
-        origin if r#"kind = "linear", "exponential" or "sech""#: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point of height 0";
+        origin if r#"kind = "linear", "exponential", "sech" or "profile""#: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point of height 0";
         n0 if r#"kind = "linear""#: "number above 0" = "1", "the index at the origin";
-        gradient if r#"kind = "linear""#: "[x, y, z]" = "required", "n² = n₀² + gradient · (x − origin)";
-        up if r#"kind = "exponential" or "sech""#: "[x, y, z]" = "[0, 1, 0]", "where height grows";
-        delta if r#"kind = "exponential""#: "number other than 0" = "required", "n = 1 + δ e^(−y/H), y the height";
+        gradient if r#"kind = "linear""#: "[x, y, z], not all 0" = "required", "n² = n₀² + gradient · (x − origin)";
+        up if r#"kind = "exponential", "sech" or "profile""#: "[x, y, z]" = "[0, 1, 0]", "where height grows";
+        delta if r#"kind = "exponential""#: "number above -1, other than 0" = "required", "n = 1 + δ e^(−y/H), y the height";
         height if r#"kind = "exponential""#: "number above 0" = "required", "H, scene units";
         g if r#"kind = "sech""#: "number above 0" = "required", "n = n₀ sech(g y), y the height";
+        file if r#"kind = "profile" and no points"#: "file" = "none",
+            "layered air, measured: CSV with the header height,n and a line for each point, heights over the origin in scene units";
+        points if r#"kind = "profile" and no file"#: "[[height, n], ...]" = "none",
+            "the points of the profile, by rising height: a smooth curve goes through them (the natural cubic spline), constant outside";
+        n0 if r#"kind = "noise""#: "number above 0" = "1", "n₀ of n = n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − center))";
+        amplitude if r#"kind = "noise" or "textured""#: "number" = "required",
+            "of the noise, which reaches 125/64 · (2 − 2^(1 − octaves)) times it: n must stay above 0; textured: where light goes in or out, with straight paths inside";
         amplitude if r#"kind = "explosion""#: "number between -0.5 and 0.5" = "required", "of the noise: n = 1 + amplitude · noise, falling to 1 at R";
-        frequency if r#"kind = "explosion""#: "number above 0" = "required", "lattice cells a unit length";
-        octaves if r#"kind = "explosion""#: "whole number, 1 to 8" = "1", "terms of the noise";
-        seed if r#"kind = "explosion""#: "whole number" = "0", "chooses the noise";
+        frequency if r#"kind = "noise", "textured" or "explosion""#: "number above 0" = "required", "lattice cells a unit length";
+        octaves if r#"kind = "noise", "textured" or "explosion""#: "whole number, 1 to 8" = "1", "terms of the noise";
+        seed if r#"kind = "noise", "textured" or "explosion""#: "whole number" = "0", "chooses the noise";
     }
     "rays" {
         method: "auto | exact | planar | euler | leapfrog | rkn4 | rk4 | euler-doubling | rk4-doubling | bogacki-shampine | dormand-prince | snell"

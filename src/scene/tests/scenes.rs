@@ -35,6 +35,9 @@ const KINDS: &[&str] = &[
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"rod\", n0 = 1.6, g = 0.3 }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"linear\", gradient = [0, 0.1, 0] }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"exponential\", delta = 0.1, height = 1 }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"profile\", points = [[0, 1.2], [1, 1.1]] }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"textured\", n = 1.5, amplitude = 0.2, frequency = 2 }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"noise\", amplitude = 0.2, frequency = 2, octaves = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"luneburg\", radius = 1, c = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"constant\", n = 1.5 }\npriority = 1\n",
 ];

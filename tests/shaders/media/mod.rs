@@ -1,0 +1,169 @@
+//! Every medium's index, pull and length, in 32 and in 64 bits, against the same written anew in f64.
+//!
+//! The pull that is asked for is the index's analytic derivative, and is itself held to central differences of the index. Bounds
+//! count roundings: u is that of the precision.
+
+mod formulas;
+mod noise;
+mod profile;
+
+use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::gpu::{medium_values, profile_values};
+use bentray::scene::Medium;
+use glam::{DVec3, Vec4};
+
+use super::reals::{REALS, U64, joined, joined3, split};
+use super::{Errors, Random, U, vectors, wide};
+use crate::support::{gpu, probe::Probe, scene};
+
+/// The radius of the bounding sphere, through which a medium that never changes is crossed in one go.
+const BOUND: f64 = 64.0;
+
+/// What a medium should say of a place, each value with the bound on its error.
+struct Want {
+    n: (f64, f64),
+    pull: (DVec3, f64),
+    length: (f64, f64),
+}
+
+/// A medium, and what is known of it.
+struct Case {
+    name: &'static str,
+    parts: &'static [&'static str],
+    /// As a scene has it; every number is exact in f32.
+    index: &'static str,
+    center: DVec3,
+    /// How near to the centre and how far from it the index is tried.
+    reach: [f64; 2],
+    /// Is it as regular in its centre as elsewhere?
+    regular: bool,
+    /// At a place, with roundings of a size.
+    want: fn(DVec3, f64) -> Want,
+    /// Where slope or length jump, within this distance of the place, rounding decides.
+    undecided: fn(DVec3, f64) -> bool,
+}
+
+impl Case {
+    fn medium(&self) -> Medium {
+        let text = format!(
+            "[rays]\nbound = {{ radius = {BOUND} }}\n[[objects]]\nshape = \"box\"\ninterior = {}\n",
+            self.index
+        );
+        scene(&text).objects[0].interior().expect("an interior").medium.clone()
+    }
+
+    fn probe(&self, real: &'static str) -> Probe {
+        let medium = self.medium();
+        let parts = [self.parts, &["work", "bound", "region/none", real]].concat();
+        let profile: Vec<_> = profile_values(&medium).into_iter().map(Vec::from).collect();
+        Probe::new(&parts)
+            .list("media", "MEDIA_COUNT", [medium_values(&medium, 0)])
+            .bind("profile", profile)
+            .bind("bound", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(BOUND))]])
+    }
+
+    fn check(&self) {
+        self.in_32_bits();
+        self.in_64_bits();
+    }
+
+    fn in_32_bits(&self) {
+        let mut random = Random::new(51);
+        let center = self.center.as_vec3();
+        let mut places: Vec<_> =
+            vectors(&mut random, 3000, self.reach[0], self.reach[1]).iter().map(|d| center + *d).collect();
+        if self.regular {
+            places.push(center);
+        }
+        let inputs: Vec<[Vec4; 1]> = places.iter().map(|x| [x.extend(0.0)]).collect();
+        let body = "let x = p0.xyz;
+            put(0u, vec4f(medium_pull(x), medium_index(x)));
+            put(1u, vec4f(medium_length(x)));";
+        let out = self.probe("real/f32").run::<1, 2>(&gpu(), body, &inputs);
+        let found = inputs
+            .iter()
+            .zip(&out)
+            .map(|(input, [pull, length])| (wide(input[0]), f64::from(pull.w), wide(*pull), f64::from(length.x)));
+        self.compare("32 bits", U, found);
+    }
+
+    fn in_64_bits(&self) {
+        let mut random = Random::new(52);
+        let [near, far] = self.reach;
+        let mut places: Vec<DVec3> =
+            (0..3000).map(|_| self.center + random.direction() * random.log(near, far)).collect();
+        places.extend(DVec3::AXES.iter().flat_map(|axis| [near, far].map(|r| self.center + r * *axis)));
+        if self.regular {
+            places.push(self.center);
+        }
+        let inputs: Vec<[Vec4; 3]> = places.iter().map(|x| x.to_array().map(split)).collect();
+        let body = "let x = Real3(real(p0), real(p1), real(p2));
+            put_real(0u, medium_index(x));
+            put_real3(1u, medium_pull(x));
+            put_real(4u, medium_length(x));";
+        let out = self.probe("real/f64").stub(REALS).run::<3, 5>(&gpu(), body, &inputs);
+        let found =
+            places.iter().zip(&out).map(|(x, rows)| (*x, joined(rows[0]), joined3(&rows[1..]), joined(rows[4])));
+        self.compare("64 bits", U64, found);
+    }
+
+    fn compare(&self, bits: &str, u: f64, found: impl Iterator<Item = (DVec3, f64, DVec3, f64)>) {
+        println!("{} in {bits}", self.name);
+        let medium = self.medium();
+        let [mut indices, mut pulls, mut lengths] = ["index", "pull", "length"].map(Errors::of);
+        let mut known = Errors::of("the host's index");
+        for (x, n, pull, length) in found {
+            if (self.undecided)(x, 16.0 * u * x.distance(self.center)) {
+                continue;
+            }
+            let want = (self.want)(x, u);
+            indices.check(n, want.n.0, want.n.1, x);
+            lengths.check(length, want.length.0, want.length.1, x);
+            for k in 0..3 {
+                pulls.check(pull[k], want.pull.0[k], want.pull.1, x);
+            }
+            if let Some(n) = medium.index(x) {
+                known.check(n, want.n.0, (self.want)(x, 2.0 * U64).n.1, x);
+            }
+        }
+        indices.report();
+        pulls.report();
+        lengths.report();
+        if !matches!(medium, Medium::Noise(_) | Medium::Textured(_)) {
+            known.report();
+        }
+    }
+
+    /// The wanted pull is the slope of n²/2, by differences over 10⁻⁴ of the length: their own error is 10⁻⁸ of third derivatives.
+    fn pull_is_the_slope(&self, tolerance: f64) {
+        let mut random = Random::new(53);
+        let mut tried = 0;
+        for _ in 0..3000 {
+            let x = self.center + random.direction() * random.log(self.reach[0], self.reach[1]);
+            let want = (self.want)(x, U64);
+            let h = 1e-4 * want.length.0;
+            let n = |x: DVec3| (self.want)(x, U64).n.0;
+            // Near n = 0 the root is no smooth function.
+            if (self.undecided)(x, 2.0 * h) || n(x) < 1e-2 {
+                continue;
+            }
+            tried += 1;
+            let slope = DVec3::AXES.map(|e| (n(x + h * e).powi(2) - n(x - h * e).powi(2)) / (4.0 * h));
+            let off = (DVec3::from_array(slope) - want.pull.0).length();
+            let size = want.pull.0.length() + n(x).powi(2) / want.length.0;
+            assert!(off <= tolerance * size, "{}: {off:e} of {size:e} at {x}", self.name);
+        }
+        assert!(tried > 1000, "{}: only {tried}", self.name);
+    }
+}
+
+/// √square where square may be wrong by some error: what the root may be wrong by.
+fn root_error(square: f64, error: f64) -> f64 {
+    if square > 2.0 * error { error / square.sqrt() } else { 2.0 * error.sqrt() }
+}
+
+/// What the exponential function may err by, relatively, if its argument is wrong by δ: WGSL allows 3 + 2 |z| units in the last
+/// place, of 2u each.
+fn exp_error(z: f64, delta: f64, u: f64) -> f64 {
+    delta + (6.0 + 4.0 * z.abs()) * u
+}
