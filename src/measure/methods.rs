@@ -1,6 +1,7 @@
 //! The methods that a law allows, each with its range of settings.
 
-use crate::scene::{Control, DoublingRule, FlowOrder, Law, Method, Scene, SchwarzschildForm, Segment};
+use crate::program::Regions;
+use crate::scene::{Control, DoublingRule, FlowOrder, Law, Medium, Method, Scene, SchwarzschildForm, Segment};
 
 /// A method with its settings, from coarse to fine: numbers of one and the same kind of control.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,11 +12,14 @@ pub struct Candidate {
     pub method: Method,
     /// Its settings.
     pub controls: Vec<Control>,
+    /// Do closed forms stand for it where there are some?
+    pub closed_forms: bool,
 }
 
 impl Candidate {
     fn new(name: &'static str, method: Method, controls: Vec<Control>) -> Self {
-        Self { name, method, controls }
+        let closed_forms = matches!(method, Method::Exact | Method::Planar);
+        Self { name, method, controls, closed_forms }
     }
 
     /// The scene with this method at a setting.
@@ -25,6 +29,7 @@ impl Candidate {
         scene.rays.auto = None;
         scene.rays.method = self.method;
         scene.rays.control = control;
+        scene.rays.closed_forms = self.closed_forms;
         scene
     }
 }
@@ -74,16 +79,25 @@ fn is_second_order(law: &Law) -> bool {
     )
 }
 
+/// Can all its rays be followed in closed form?
+fn closed(scene: &Scene) -> bool {
+    let scene = Candidate::new("exact", Method::Exact, Vec::new()).applied(scene, Control::Exact);
+    !Regions::of(&scene).need_method()
+}
+
 fn allows_planar(scene: &Scene) -> bool {
     let arcs = matches!(scene.rays.segment, Segment::Arc { .. });
-    scene.law.only_center().is_some() && scene.rays.length.is_none() && arcs
+    let ends = scene.rays.length.is_some();
+    let interiors = || scene.objects.iter().filter_map(|object| object.interior());
+    let closed = interiors().all(|interior| interior.medium.has_closed_form(ends));
+    closed && scene.law.only_center().is_some() && scene.rays.length.is_none() && arcs
 }
 
 /// Every method that the scene's law allows.
 #[must_use]
 pub fn all_methods(scene: &Scene) -> Vec<Candidate> {
     let mut all = Vec::new();
-    if scene.law == Law::Straight {
+    if closed(scene) {
         all.push(Candidate::new("exact", Method::Exact, vec![Control::Exact]));
     }
     if allows_planar(scene) {
@@ -102,7 +116,7 @@ pub fn all_methods(scene: &Scene) -> Vec<Candidate> {
     all.push(Candidate::new("rk4-doubling", Method::Rk4, doubling(rejecting, 12)));
     all.push(Candidate::new("bogacki-shampine", Method::BogackiShampine, embedded(14)));
     all.push(Candidate::new("dormand-prince", Method::DormandPrince, embedded(14)));
-    if matches!(scene.law, Law::Medium(_)) {
+    if scene.media().any(Medium::bends) {
         all.push(Candidate::new("snell", Method::Snell { threshold: 0.001 }, scaled(16)));
     }
     all
@@ -111,8 +125,14 @@ pub fn all_methods(scene: &Scene) -> Vec<Candidate> {
 /// Those that a chart has shown to be the fastest somewhere.
 #[must_use]
 pub fn fast_methods(scene: &Scene) -> Vec<Candidate> {
+    if closed(scene) {
+        return vec![Candidate::new("exact", Method::Exact, vec![Control::Exact])];
+    }
     let fast = ["exact", "planar", "rkn4", "rk4", "dormand-prince"];
     let mut methods: Vec<_> = all_methods(scene).into_iter().filter(|method| fast.contains(&method.name)).collect();
+    for method in &mut methods {
+        method.closed_forms = true;
+    }
     if methods.iter().any(|method| method.name == "rkn4") {
         // The same order for three evaluations where the other has four.
         methods.retain(|method| method.name != "rk4");

@@ -1,7 +1,7 @@
 //! The rays' true ends.
 
 use crate::gpu::{Gpu, GpuError, adapters};
-use crate::program::{Choice, Purpose};
+use crate::program::{Choice, Purpose, Regions};
 use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
 use crate::scene::{Control, Law, Method, Precision, Scene, Segment};
 
@@ -28,12 +28,12 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
         Segment::Chord { .. } => 1e-4 * rays.bound.radius,
     };
     rays.segment = Segment::Arc { tolerance: arc.min(1e-5 * rays.bound.radius) };
-    if scene.law == Law::Straight {
-        rays.method = Method::Exact;
-        rays.control = Control::Exact;
-    } else {
-        rays.method = Method::DormandPrince;
-        rays.control = Control::Embedded { tolerance: tolerance.max(FINEST), eta: 0.3 };
+    rays.closed_forms = true;
+    rays.method = Method::DormandPrince;
+    rays.control = Control::Embedded { tolerance: tolerance.max(FINEST), eta: 0.3 };
+    if scene.law == Law::Straight && !Regions::of(&scene).need_method() {
+        scene.rays.method = Method::Exact;
+        scene.rays.control = Control::Exact;
     }
     scene
 }

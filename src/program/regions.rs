@@ -128,6 +128,12 @@ impl Regions {
         }
     }
 
+    /// Is there a kind of region whose rays are followed by the scene's method?
+    #[must_use]
+    pub fn need_method(&self) -> bool {
+        self.kinds.iter().any(|kind| matches!(kind.motion, Motion::Law | Motion::Solved))
+    }
+
     /// The bit of an object, if it has one.
     #[must_use]
     pub fn bit(&self, object: usize) -> Option<usize> {

@@ -27,6 +27,7 @@ fn material(k: usize) -> Record {
         ("ambient", Float(AMBIENT)),
         ("repeat", V2(DVec2::new(4.0, 2.0))),
         ("image", Uint(0)),
+        ("bit", Uint(0)),
     ]
 }
 
