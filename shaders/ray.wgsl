@@ -54,6 +54,8 @@ const STALLED: u32 = 6u;
 const FAILED: u32 = 7u;
 // Never entered the bounding sphere: escaped where it started.
 const MISSED: u32 = 8u;
+// There is no ray: the picture shows nothing there.
+const OUTSIDE: u32 = 9u;
 
 // The status texture's word: code, the slot of the state pair where the ray's state lies, and its segment index.
 fn status_word(code: u32, slot: u32, index: u32) -> u32 {

@@ -31,6 +31,7 @@ fn shade(
             color = sky_radiance(vec3f(normalize(seen.end.v)));
         }
         add_color(pixel, color);
+        add_coverage(pixel, code);
         keep_layers(pixel, ray, seen);
     }
     tally_fate(valid, code, lane);

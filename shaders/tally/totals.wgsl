@@ -9,7 +9,7 @@ struct Tally {
     rejected: atomic<u32>,
     rejected_over: atomic<u32>,
     // By status code.
-    fates: array<atomic<u32>, 9>,
+    fates: array<atomic<u32>, 10>,
 }
 
 @group(0) @binding(7) var<storage, read_write> tally: Tally;
@@ -40,15 +40,15 @@ fn tally_segments(n: u32, lane: u32) {
     }
 }
 
-var<workgroup> group_fates: array<atomic<u32>, 9>;
+var<workgroup> group_fates: array<atomic<u32>, 10>;
 
 // Called by every lane of the group.
 fn tally_fate(counts: bool, code: u32, lane: u32) {
     if counts {
-        atomicAdd(&group_fates[min(code, MISSED)], 1u);
+        atomicAdd(&group_fates[min(code, OUTSIDE)], 1u);
     }
     workgroupBarrier();
-    if lane <= MISSED {
+    if lane <= OUTSIDE {
         let n = atomicLoad(&group_fates[lane]);
         if n > 0u {
             atomicAdd(&tally.fates[lane], n);

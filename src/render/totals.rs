@@ -25,12 +25,22 @@ pub enum Status {
     Stalled,
     /// Not finite any more.
     Failed,
+    /// Not a ray: the picture has none there, as outside a fisheye's disk.
+    Outside,
 }
 
 impl Status {
     /// Every status but those of rays under way.
-    pub const ENDS: [Self; 7] =
-        [Self::Hit, Self::Escaped, Self::Captured, Self::Ended, Self::Exhausted, Self::Stalled, Self::Failed];
+    pub const ENDS: [Self; 8] = [
+        Self::Hit,
+        Self::Escaped,
+        Self::Captured,
+        Self::Ended,
+        Self::Exhausted,
+        Self::Stalled,
+        Self::Failed,
+        Self::Outside,
+    ];
 
     /// The status of a code of `shaders/ray.wgsl`.
     #[must_use]
@@ -61,6 +71,7 @@ impl Status {
             Self::Exhausted => "exhausted",
             Self::Stalled => "stalled",
             Self::Failed => "failed",
+            Self::Outside => "outside",
         }
     }
 }
@@ -68,7 +79,7 @@ impl Status {
 /// Sums over all rays.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Totals {
-    /// Rays set up.
+    /// Rays set up, with those samples that have none.
     pub rays: u64,
     /// Accepted integration steps.
     pub steps: u64,
@@ -103,7 +114,7 @@ impl Totals {
         self.steps += wide(0);
         self.segments += wide(2);
         self.rejected += wide(4);
-        for (code, &n) in words[6..].iter().take(9).enumerate() {
+        for (code, &n) in words[6..].iter().enumerate() {
             self.rays += u64::from(n);
             let status = Status::from_code(code as u32);
             match self.fates.iter_mut().find(|(s, _)| *s == status) {

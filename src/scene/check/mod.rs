@@ -51,7 +51,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let image = image(&root);
     let law = law::read(&root);
     let rays = rays::read(&root, law.as_ref());
-    let camera = camera::read(&root, law.as_ref());
+    let camera = camera::read(&root, law.as_ref(), image.size);
     let sky = materials::sky(&root, &mut files);
     let output = output(&root);
     let (names, materials) = materials::read(&root, &mut files);
