@@ -73,7 +73,8 @@ fn open_guess(code: u32, hit: Hit, step: LastStep) -> Real {
 fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let x = ray.phase[0].xyz;
     let v = ray.phase[1].xyz;
-    let nowhere = ray.status == ALIVE || ray.status == MISSED || (ray.status == CAPTURED && law_captured(x, v));
+    let unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
+    let nowhere = unfollowed || (ray.status == CAPTURED && law_captured(x, v));
     if nowhere {
         let far = departed(ray.status, x, v);
         return PathPoint(far[0], far[1], ray.tau, 0.0);

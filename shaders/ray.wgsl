@@ -54,6 +54,8 @@ const STALLED: u32 = 6u;
 const FAILED: u32 = 7u;
 // Never entered the bounding sphere: escaped where it started.
 const MISSED: u32 = 8u;
+// There is no ray: the picture shows nothing there.
+const OUTSIDE: u32 = 9u;
 // Would have split once more than rays.branches allows, or weighs nothing any more.
 const CUT: u32 = 10u;
 // All of its pixel's branches have been followed.

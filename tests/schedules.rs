@@ -137,6 +137,21 @@ fn what_is_kept_between_passes_is_all_that_matters() {
     }
 }
 
+/// Pairs of views, disks with nothing around them, and panoramas.
+#[test]
+fn cameras_do_not_depend_on_the_schedule() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = hole(folder.path());
+    let pair = "camera.stereo={ separation = 0.5, convergence = 9 }";
+    let disk = ["camera.kind=fisheye", "camera.fov=500", "camera.corners=transparent", "image.samples=3", pair];
+    let around =
+        ["camera.kind=panorama", "camera.frame=static", "camera.stereo={ separation = 0.5, layout = \"top-bottom\" }"];
+    for keys in [&disk[..], &around] {
+        let more: Vec<&str> = keys.iter().flat_map(|key| ["--set", key]).collect();
+        assert_all_the_same(&scene, &more);
+    }
+}
+
 /// In 16 bits schedules round at different times: `paper` after every step, which for arcs is after every segment.
 #[test]
 fn in_16_bits_paper_and_segment_round_alike() {

@@ -80,6 +80,7 @@ fn shared_constants_are_in_the_shaders() {
         ("pattern/checker", "CHECKER"),
         ("pattern/image", "IMAGE"),
         ("ray", "MISSED"),
+        ("ray", "OUTSIDE"),
         ("ray", "FAILED"),
     ] {
         assert!(constant(part, name).is_finite());

@@ -3,6 +3,7 @@
 mod support;
 
 mod accuracy;
+mod cameras;
 mod cli;
 mod exactness;
 mod lenses;

@@ -4,7 +4,7 @@ fn arrived(ray: CameraRay) -> CameraRay {
     let v = frame_velocity(ray.x, ray.d);
     let entry = bound_entry(ray.x, v);
     if entry == 0.0 || entry < 0.0 {
-        return CameraRay(ray.x, v, entry < 0.0);
+        return CameraRay(ray.x, v, entering(ray.status, entry < 0.0));
     }
-    return arriving(orbit_of(ray.x, v), 1.0 / bound.radius, false);
+    return arriving(orbit_of(ray.x, v), 1.0 / bound.radius, ray.status);
 }

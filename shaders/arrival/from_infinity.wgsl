@@ -10,5 +10,6 @@ fn arrived(ray: CameraRay) -> CameraRay {
     }
     let o = orbit_from_infinity(ray.x, ray.d);
     let well_before = min(0.5 / bound.radius, 0.5 * o.w / max(o.h, 1e-30));
-    return arriving(o, select(1.0 / bound.radius, well_before, entry < 0.0), ray.missed || entry < 0.0);
+    let aim = select(1.0 / bound.radius, well_before, entry < 0.0);
+    return arriving(o, aim, entering(ray.status, entry < 0.0));
 }

@@ -3,5 +3,5 @@
 fn arrived(ray: CameraRay) -> CameraRay {
     let entry = bound_entry(ray.x, ray.d);
     let x = ray.x + max(entry, 0.0) * ray.d;
-    return CameraRay(x, frame_velocity(x, ray.d), entry < 0.0);
+    return CameraRay(x, frame_velocity(x, ray.d), entering(ray.status, entry < 0.0));
 }

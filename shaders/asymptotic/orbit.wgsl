@@ -38,9 +38,9 @@ fn orbit_from_infinity(x: Real3, v: Real3) -> Orbit {
 }
 
 // The start of an orbit's ray where it comes in to u = aim.
-fn arriving(o: Orbit, aim: Real, missed: bool) -> CameraRay {
+fn arriving(o: Orbit, aim: Real, status: u32) -> CameraRay {
     let p = orbit_point(orbit_onto(o, aim, false));
-    return CameraRay(p[0], p[1], missed);
+    return CameraRay(p[0], p[1], status);
 }
 
 // A path's end and velocity there, or its velocity at infinity if it escaped.

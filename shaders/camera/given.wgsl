@@ -12,5 +12,5 @@ fn camera_ray(point: vec2f) -> CameraRay {
     let last = arrayLength(&given) - 1u;
     let ray = given[min(index, last)];
     // Pixels past the last ray have none.
-    return CameraRay(ray.x, ray.v, index > last);
+    return CameraRay(ray.x, ray.v, select(ALIVE, OUTSIDE, index > last));
 }

@@ -13,5 +13,5 @@ struct Camera {
 // point: on the image plane, x to the right and y up, both in [-1, 1].
 fn camera_ray(point: vec2f) -> CameraRay {
     let d = normalize(camera.forward + Real(point.x) * camera.right + Real(point.y) * camera.up);
-    return CameraRay(camera.position, d, false);
+    return CameraRay(camera.position, d, ALIVE);
 }

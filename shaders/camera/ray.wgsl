@@ -3,6 +3,11 @@
 struct CameraRay {
     x: Real3,
     d: Real3,
-    // There is no ray, or it never comes inside the bounding sphere.
-    missed: bool,
+    // ALIVE, or why there is nothing to follow: MISSED or OUTSIDE.
+    status: u32,
+}
+
+// The status of a ray that may be found to never come inside the bounding sphere.
+fn entering(status: u32, missed: bool) -> u32 {
+    return select(status, MISSED, status == ALIVE && missed);
 }

@@ -8,17 +8,14 @@ fn setup(
 ) {
     let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
     let valid = all(pixel < frame.size);
-    let start = arrived(camera_ray(image_plane(sample_point(sampled_pixel(pixel)))));
+    let start = arrived(picture_ray(sampled_pixel(pixel)));
     start_region(start.x, start.d, pixel);
     let phase = law_start(start.x, start.d);
-    var ray = Ray(phase, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, ALIVE);
-    if law_captured(phase[0].xyz, phase[1].xyz) {
+    var ray = Ray(phase, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, start.status);
+    if ray.status == ALIVE && law_captured(phase[0].xyz, phase[1].xyz) {
         ray.status = CAPTURED;
     }
-    if start.missed {
-        ray.status = MISSED;
-    }
-    if !finite(phase[0].xyz) || !finite(phase[1].xyz) {
+    if ray.status != OUTSIDE && (!finite(phase[0].xyz) || !finite(phase[1].xyz)) {
         ray.status = FAILED;
     }
     if valid && !begin_branches(pixel) {

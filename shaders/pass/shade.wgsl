@@ -33,6 +33,7 @@ fn shade(
             color = sky_radiance(vec3f(normalize(seen.end.v)));
         }
         add_color(pixel, color * end_weight(pixel, seen.end.x));
+        add_coverage(pixel, code);
         keep_layers(pixel, ray, seen);
     }
     tally_fate(followed, code, lane);

@@ -65,6 +65,21 @@ fn real_sin_cos(a: Real) -> Real2 {
     return Real2(sin(a), cos(a));
 }
 
+// Sine and cosine of q quarter turns. Whole ones come off without rounding, so that an angle of many turns is as good as its q;
+// built-in forms may lose all digits beyond ±π. Polynomials of Moshier's Cephes library (sinf, cosf).
+fn quarters_sin_cos(q: Real) -> Real2 {
+    let n = floor(q + 0.5);
+    let r = (q - n) * (0.5 * PI);
+    let z = r * r;
+    let sine = r + r * z * (-1.6666654611e-1 + z * (8.3321608736e-3 - z * 1.9515295891e-4));
+    let cosine = 1.0 - z * (0.5 - z * (4.166664568298827e-2 + z * (-1.388731625493765e-3 + z * 2.443315711809948e-5)));
+    let k = i32(n);
+    let odd = (k & 1) != 0;
+    let y = select(sine, cosine, odd);
+    let x = select(cosine, sine, odd);
+    return Real2(select(y, -y, (k & 2) != 0), select(x, -x, ((k + 1) & 2) != 0));
+}
+
 // atan2 with an absolute error under 4e-7: atan on [0, tan π/8] by the minimax polynomial of Moshier's Cephes library
 // (atanf), moved to the right octant.
 fn arc_tangent(y: Real, x: Real) -> Real {

@@ -125,11 +125,21 @@ fn log_ratio(a: Real, b: Real) -> Real {
     return select(real_log(a / b), s * (2.0 + s * s * artanh_tail(s * s)), abs(s) < 0.17);
 }
 
-// Sine and cosine, for |a| up to 1e6: those of r = a − n π/2, |r| ≤ π/4, exchanged and signed by n.
+// Sine and cosine, for |a| up to 1e6: those of r = a − n π/2, exchanged and signed by n.
 fn real_sin_cos(a: Real) -> Real2 {
     let n = floor(a * QUARTERS_PER_RADIAN + 0.5);
     // Not by fma: drivers may merge two of the same factor into one, n times π/2 rounded.
-    let r = (a - n * QUARTER_TURN_HIGH) - n * QUARTER_TURN_LOW;
+    return quadrant_sin_cos((a - n * QUARTER_TURN_HIGH) - n * QUARTER_TURN_LOW, i32(n));
+}
+
+// Sine and cosine of q quarter turns: whole ones come off without rounding, so that an angle of many turns is as good as its q.
+fn quarters_sin_cos(q: Real) -> Real2 {
+    let n = floor(q + 0.5);
+    return quadrant_sin_cos((q - n) * (2.0 * EIGHTH_TURN), i32(n));
+}
+
+// Sine and cosine of r + k π/2, |r| ≤ π/4.
+fn quadrant_sin_cos(r: Real, k: i32) -> Real2 {
     let z = r * r;
     // (sin r − r) / r³
     var p: Real = 1.5896067488478526e-10;
@@ -147,7 +157,6 @@ fn real_sin_cos(a: Real) -> Real2 {
     q = q * z + 4.1666666666666595e-2;
     let sine = r + r * z * p;
     let cosine = 1.0 - z * (0.5 - z * q);
-    let k = i32(n);
     let odd = (k & 1) != 0;
     let y = select(sine, cosine, odd);
     let x = select(cosine, sine, odd);

@@ -26,7 +26,7 @@ var<private> region: u32;
 var<private> place: u32;
 
 // Of the space outside of everything.
-const OUTSIDE: Region = Region(0u, 0u, NOTHING, 0u, 0.0);
+const EMPTY_SPACE: Region = Region(0u, 0u, NOTHING, 0u, 0.0);
 
 // The object whose medium a ray is in, if it is in one.
 fn medium_object() -> u32 {
@@ -38,7 +38,7 @@ fn here() -> Region {
     if object < REGION_COUNT {
         return regions[object];
     }
-    return OUTSIDE;
+    return EMPTY_SPACE;
 }
 
 fn enter_set(bits: u32) {

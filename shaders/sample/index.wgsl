@@ -4,6 +4,6 @@ fn sample_point(pixel: vec2u) -> vec2f {
     return vec2f(pixel);
 }
 
-fn image_plane(point: vec2f) -> vec2f {
+fn image_plane(point: vec2f, size: vec2u) -> vec2f {
     return point;
 }

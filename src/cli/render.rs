@@ -144,6 +144,7 @@ fn file_settings(scene: &Scene, path: &Path, layers: &[Layer], metadata: &[(Stri
         exposure: scene.output.exposure,
         tonemap: scene.output.tonemap,
         bits: scene.output.bits,
+        alpha: scene.is_transparent(),
         layers: if is_exr(path) { layers.to_vec() } else { Vec::new() },
         metadata: metadata.to_vec(),
     }

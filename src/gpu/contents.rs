@@ -148,6 +148,7 @@ impl Source<'_> {
             }
             "schedule" => one(&schedule_values(self.scene.rays.max_segments, self.segments, &self.program.work)),
             "camera" => one(&self.camera()),
+            "stereo" => one(&self.stereo()),
             "sampling" => {
                 let columns = f64::from(self.scene.image.samples).sqrt().ceil() as u32;
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])

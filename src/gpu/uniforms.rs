@@ -1,24 +1,41 @@
 //! The values of a scene's uniforms, by the names of their members in WGSL.
 
 use super::contents::Source;
-use super::records::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
+use glam::DVec2;
+
+use super::records::Value::{self, Float, Uint, Uint2, Uint4, Vec2, Vec3};
 use crate::program::Work;
 use crate::scene::{CameraKind, Control, FlowField, Law, Sky};
 
 impl Source<'_> {
     pub(super) fn camera(&self) -> Vec<(&'static str, Value)> {
         let Some(camera) = &self.scene.camera else { return Vec::new() };
-        let [width, height] = self.scene.image.size.map(f64::from);
-        let half = match camera.kind {
-            CameraKind::Pinhole { fov } => (0.5 * fov).to_radians().tan(),
-            CameraKind::Plane { height } => 0.5 * height,
+        let [width, height] = camera.view_size(self.scene.image.size).map(f64::from);
+        let to_edges = |half: f64| [half * width / height, half];
+        let ([right, up], own) = match camera.kind {
+            CameraKind::Pinhole { fov } => (to_edges((0.5 * fov).to_radians().tan()), Vec::new()),
+            CameraKind::Plane { height } => (to_edges(0.5 * height), Vec::new()),
+            CameraKind::Fisheye { fov, .. } => {
+                let sides = DVec2::new(width, height) / width.min(height);
+                ([1.0; 2], vec![("sides", Vec2(sides)), ("quarters", Float(fov / 180.0))])
+            }
+            CameraKind::Panorama { fov } => ([1.0; 2], vec![("quarters", Vec2(DVec2::from(fov) / 180.0))]),
         };
-        vec![
+        let axes = [
             ("position", Vec3(camera.position)),
             ("forward", Vec3(camera.forward)),
-            ("right", Vec3(camera.right * half * width / height)),
-            ("up", Vec3(camera.up * half)),
-        ]
+            ("right", Vec3(camera.right * right)),
+            ("up", Vec3(camera.up * up)),
+        ];
+        axes.into_iter().chain(own).collect()
+    }
+
+    pub(super) fn stereo(&self) -> Vec<(&'static str, Value)> {
+        let Some((camera, stereo)) = self.scene.camera.as_ref().and_then(|c| Some((c, c.stereo?))) else {
+            return Vec::new();
+        };
+        let offset = ("offset", Vec3(0.5 * stereo.separation * camera.right));
+        [offset].into_iter().chain(stereo.convergence.map(|distance| ("distance", Float(distance)))).collect()
     }
 
     pub(super) fn law(&self) -> Vec<(&'static str, Value)> {

@@ -58,11 +58,13 @@ pub struct Deviations {
 }
 
 impl Deviations {
-    /// Of `rays` from the truth. What was captured is black wherever it crossed the horizon: only its fate is compared.
+    /// Of `rays` from the truth. What was captured is black wherever it crossed the horizon: only its fate is compared. Where
+    /// the picture has no rays there is nothing to compare.
     #[must_use]
     pub fn new(rays: &[Traced], truth: &Truth) -> Self {
+        let there = |(_, truth): &(&Traced, &Traced)| truth.status != Status::Outside;
         let known: Vec<(&Traced, &Traced)> =
-            rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, truth.as_ref()?))).collect();
+            rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, truth.as_ref()?))).filter(there).collect();
         let right = |(ray, truth): &(&Traced, &Traced)| (ray.status, ray.object) == (truth.status, truth.object);
         let lost =
             |ray: &Traced| matches!(ray.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed);

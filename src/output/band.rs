@@ -42,8 +42,8 @@ fn suits(plane: &Plane, layer: Layer) -> bool {
     }
 }
 
-/// What keeps `band` from being the one at row `next` of a picture of `size` with `layers`, if anything.
-fn problem(band: &Band, next: u32, [width, height]: [u32; 2], layers: &[Layer]) -> Option<String> {
+/// What keeps `band` from being the one at row `next` of a picture of `size` with `alpha` and `layers`, if anything.
+fn problem(band: &Band, next: u32, [width, height]: [u32; 2], alpha: bool, layers: &[Layer]) -> Option<String> {
     if band.first_row != next {
         return Some(format!("the next row is {next}; write bands in order"));
     }
@@ -59,6 +59,9 @@ fn problem(band: &Band, next: u32, [width, height]: [u32; 2], layers: &[Layer]) 
     if band.color.iter().any(|c| size_of_val(c.as_slice()) != bytes) {
         return Some("a colour plane does not have one value per pixel".into());
     }
+    if alpha && band.alpha.as_ref().is_none_or(|a| size_of_val(a.as_slice()) != bytes) {
+        return Some("the alpha plane is missing, or does not have one value per pixel".into());
+    }
     layers.iter().find_map(|&layer| {
         let Some(plane) = band.layer(layer) else {
             return Some(format!("the {layer:?} plane is missing"));
@@ -73,18 +76,19 @@ fn problem(band: &Band, next: u32, [width, height]: [u32; 2], layers: &[Layer]) 
 pub(super) struct Rows {
     pub path: PathBuf,
     pub size: [u32; 2],
+    pub alpha: bool,
     pub layers: Vec<Layer>,
     next: u32,
 }
 
 impl Rows {
-    pub fn new(path: PathBuf, size: [u32; 2], layers: Vec<Layer>) -> Self {
-        Self { path, size, layers, next: 0 }
+    pub fn new(path: PathBuf, size: [u32; 2], alpha: bool, layers: Vec<Layer>) -> Self {
+        Self { path, size, alpha, layers, next: 0 }
     }
 
     /// Counts a band, if it is the next one and has what the picture carries.
     pub fn accept(&mut self, band: &Band) -> Result<(), OutputError> {
-        if let Some(problem) = problem(band, self.next, self.size, &self.layers) {
+        if let Some(problem) = problem(band, self.next, self.size, self.alpha, &self.layers) {
             return Err(OutputError::Band { path: self.path.clone(), row: band.first_row, problem });
         }
         self.next += band.rows;

@@ -5,8 +5,8 @@
 //! header, a table of where each block lies (filled in at the end), blocks. Attributes are sorted by name, since the
 //! crate keeps them in a map without an order. Host memory: one band as bytes, and its compressed blocks.
 //!
-//! Channels: `R`, `G`, `B` and those of [`channels`](super::band::channels); floats are 32 bit, ids are
-//! unsigned integers.
+//! Channels: `R`, `G`, `B`, `A` where the picture has alpha (the colours are multiplied by it), and those of
+//! [`channels`](super::band::channels); floats are 32 bit, ids are unsigned integers.
 
 use std::{
     io::{Seek, SeekFrom, Write},
@@ -52,7 +52,7 @@ impl ExrWriter {
         let mut layers = settings.layers.clone();
         layers.sort_unstable();
         layers.dedup();
-        let rows = Rows::new(path.to_owned(), settings.size, layers);
+        let rows = Rows::new(path.to_owned(), settings.size, settings.alpha, layers);
         let header = header(&rows, &settings.metadata);
         let mut file = AtomicFile::create(path)?;
         let table_at = write_head(&header, &mut file).map_err(|e| encode_error(&file, e))?;
@@ -67,6 +67,9 @@ impl ExrWriter {
     fn gather(&mut self, band: &Band) {
         let mut channels: Vec<(&str, &[u8])> =
             ["R", "G", "B"].into_iter().zip(band.color.iter().map(|c| bytemuck::cast_slice(c))).collect();
+        if let (true, Some(alpha)) = (self.rows.alpha, &band.alpha) {
+            channels.push(("A", bytemuck::cast_slice(alpha)));
+        }
         for &layer in &self.rows.layers {
             let planes = band.layer(layer).map_or_else(Vec::new, components);
             channels.extend(channels_of(layer).iter().copied().zip(planes));
@@ -157,6 +160,9 @@ fn compress(header: &Header, index: usize, rows: usize, data: &[u8]) -> Result<C
 fn header(rows: &Rows, metadata: &[(String, String)]) -> Header {
     let size = Vec2(rows.size[0] as usize, rows.size[1] as usize);
     let mut names: Vec<(&str, SampleType)> = ["R", "G", "B"].map(|c| (c, SampleType::F32)).into();
+    if rows.alpha {
+        names.push(("A", SampleType::F32));
+    }
     for layer in &rows.layers {
         let kind = if is_id(*layer) { SampleType::U32 } else { SampleType::F32 };
         names.extend(channels_of(*layer).iter().map(|name| (*name, kind)));

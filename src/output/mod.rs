@@ -40,6 +40,8 @@ pub struct Settings {
     pub tonemap: Tonemap,
     /// Bits per channel, 8 or 16 (PNG only).
     pub bits: u8,
+    /// Does the picture carry alpha?
+    pub alpha: bool,
     /// The planes to write besides colour (EXR only).
     pub layers: Vec<Layer>,
     /// Pairs of key and text stored in the file: PNG text chunks, EXR text attributes.
@@ -48,10 +50,18 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Eight bits of plain colour: no exposure, tone map, layers or metadata.
+    /// Eight bits of plain colour: no exposure, tone map, alpha, layers or metadata.
     #[must_use]
     pub fn new(size: [u32; 2]) -> Self {
-        Self { size, exposure: 0.0, tonemap: Tonemap::None, bits: 8, layers: Vec::new(), metadata: Vec::new() }
+        Self {
+            size,
+            exposure: 0.0,
+            tonemap: Tonemap::None,
+            bits: 8,
+            alpha: false,
+            layers: Vec::new(),
+            metadata: Vec::new(),
+        }
     }
 
     /// What is wrong with these settings whatever the format, if anything.

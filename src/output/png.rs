@@ -54,7 +54,7 @@ impl PngWriter {
         let (sender, encoded) = channel();
         let encoder = encoder(Outbox(sender), settings).map_err(|e| encode_error(path, &e))?;
         Ok(Self {
-            rows: Rows::new(path.to_owned(), settings.size, Vec::new()),
+            rows: Rows::new(path.to_owned(), settings.size, settings.alpha, Vec::new()),
             gain: settings.exposure.exp2(),
             tonemap: settings.tonemap,
             wide: settings.bits == 16,
@@ -69,7 +69,10 @@ impl PngWriter {
         out.clear();
         for i in start..start + band.width as usize {
             let color = [band.color[0][i], band.color[1][i], band.color[2][i]];
-            for value in display(color, self.gain, self.tonemap) {
+            // A PNG's colour is that of the part that shows something.
+            let alpha = band.alpha.as_ref().filter(|_| self.rows.alpha).map(|alpha| alpha[i]);
+            let shown = alpha.map_or(color, |alpha| color.map(|c| if alpha > 0.0 { c / alpha } else { c }));
+            for value in display(shown, self.gain, self.tonemap).into_iter().chain(alpha.map(f64::from)) {
                 if self.wide {
                     out.extend(((value * 65535.0).round() as u16).to_be_bytes());
                 } else {
@@ -122,7 +125,7 @@ fn problem(settings: &Settings) -> Option<String> {
 fn encoder(outbox: Outbox, settings: &Settings) -> Result<StreamWriter<'static, Outbox>, EncodingError> {
     let [width, height] = settings.size;
     let mut encoder = Encoder::new(outbox, width, height);
-    encoder.set_color(ColorType::Rgb);
+    encoder.set_color(if settings.alpha { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(if settings.bits == 16 { BitDepth::Sixteen } else { BitDepth::Eight });
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     for (key, text) in &settings.metadata {

@@ -6,7 +6,7 @@ use super::regions::{Kind, Regions, is_mirror, scatters};
 use super::{Choice, ProgramError, Purpose, Schedule, Work, generated, part};
 use crate::scene::{
     Branches, CameraKind, Control, Frame, Law, Light, MaterialKind, Medium, Object, Pattern, Precision, Scene,
-    SchwarzschildForm, Segment, Shape, Sky,
+    SchwarzschildForm, Segment, Shape, Sky, Stereo, StereoLayout,
 };
 
 /// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
@@ -130,22 +130,41 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
 fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if choice.purpose == Purpose::Pixels { "sample/chosen_pixels" } else { "sample/every_pixel" });
     if choice.purpose == Purpose::Trace {
-        names.all(&["camera/ray", "camera/given", "sample/index"]);
+        names.all(&["camera/ray", "camera/given", "view/one", "sample/index"]);
         names.add(if scene.rays.asymptotic { "arrival/from_infinity" } else { "arrival/as_given" });
         return;
     }
-    let camera = scene.camera.as_ref();
     names.all(&["camera/ray", "sample/image_plane"]);
     names.add(if scene.rays.asymptotic { "arrival/along_orbit" } else { "arrival/straight" });
+    names.add(if scene.image.samples > 1 { "sample/multi_jittered" } else { "sample/center" });
+    let camera = scene.camera.as_ref();
     names.add(match camera.map(|c| c.kind) {
         Some(CameraKind::Plane { .. }) => "camera/plane",
-        _ => "camera/pinhole",
+        Some(CameraKind::Fisheye { .. }) => "camera/fisheye",
+        Some(CameraKind::Panorama { .. }) => "camera/panorama",
+        Some(CameraKind::Pinhole { .. }) | None => "camera/pinhole",
     });
     names.add(match camera.map(|c| c.frame) {
         Some(Frame::Static) => "frame/static",
         _ => "frame/coordinate",
     });
-    names.add(if scene.image.samples > 1 { "sample/multi_jittered" } else { "sample/center" });
+    match camera.and_then(|camera| Some((camera.kind, camera.stereo?))) {
+        Some((kind, stereo)) => stereo_parts(kind, stereo, names),
+        None => names.add("view/one"),
+    }
+}
+
+/// A picture of two views.
+fn stereo_parts(kind: CameraKind, stereo: Stereo, names: &mut Names) {
+    names.add(match stereo.layout {
+        StereoLayout::SideBySide => "view/side_by_side",
+        StereoLayout::TopBottom => "view/top_bottom",
+    });
+    names.add(match (stereo.convergence, kind) {
+        (None, _) => "eyes/parallel",
+        (Some(_), CameraKind::Pinhole { .. } | CameraKind::Plane { .. }) => "eyes/crossing_plane",
+        (Some(_), CameraKind::Fisheye { .. } | CameraKind::Panorama { .. }) => "eyes/crossing_sphere",
+    });
 }
 
 fn end_parts(scene: &Scene, names: &mut Names) {
@@ -238,6 +257,7 @@ fn surface_parts(
 }
 
 fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names, made: &mut Vec<Unit>) {
+    names.add(if scene.is_transparent() { "coverage/kept" } else { "coverage/none" });
     names.add(match scene.sky {
         Sky::Color(_) => "sky/color",
         Sky::Equirectangular(..) => "sky/equirectangular",

@@ -32,6 +32,8 @@ pub struct Band {
     pub width: u32,
     /// Linear red, green and blue, the mean of the samples.
     pub color: [Vec<f32>; 3],
+    /// The share of the samples that show something, by which the colours are multiplied already; none where all do.
+    pub alpha: Option<Vec<f32>>,
     /// The layers that the settings ask for, in their order.
     pub layers: Vec<(Layer, Plane)>,
 }
@@ -63,7 +65,7 @@ impl Renderer<'_> {
         let mut pixels_done = 0.0;
         for first_row in (0..height).step_by(tile_height as usize) {
             let tile_rows = tile_height.min(height - first_row);
-            let mut band = Band::new(first_row, tile_rows, width);
+            let mut band = self.band(first_row, tile_rows);
             for left in (0..width).step_by(tile_width as usize) {
                 let size = [tile_width.min(width - left), tile_rows];
                 let tile = match &tile {
@@ -93,8 +95,17 @@ impl Renderer<'_> {
             Ok(())
         };
         let totals = self.render(&mut append, &|_| {})?;
-        let band = whole.unwrap_or_else(|| Band::new(0, 0, self.scene.image.size[0]));
+        let band = whole.unwrap_or_else(|| self.band(0, 0));
         Ok(Picture { band, totals })
+    }
+
+    /// Some black rows of the picture.
+    fn band(&self, first_row: u32, rows: u32) -> Band {
+        let width = self.scene.image.size[0];
+        let black = || vec![0.0; rows as usize * width as usize];
+        let color = [black(), black(), black()];
+        let alpha = self.scene.is_transparent().then(black);
+        Band { first_row, rows, width, color, alpha, layers: Vec::new() }
     }
 
     /// As wide as the device allows, and as high as the memory for a tile.
@@ -137,7 +148,8 @@ impl Renderer<'_> {
 
     fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band) -> Result<(), RenderError> {
         let weight = 1.0 / self.scene.image.samples as f32;
-        for (channel, name) in band.color.iter_mut().zip(["red", "green", "blue"]) {
+        let planes = band.color.iter_mut().chain(&mut band.alpha);
+        for (channel, name) in planes.zip(["red", "green", "blue", "alpha"]) {
             if let Some(texture) = tile.texture(name) {
                 let sums = read_texture(self.gpu, texture)?;
                 let means = sums.iter().map(|bits| f32::from_bits(*bits) * weight);
@@ -191,14 +203,10 @@ impl Band {
         self.layers.iter().find_map(|(l, plane)| (*l == layer).then_some(plane))
     }
 
-    fn new(first_row: u32, rows: u32, width: u32) -> Self {
-        let black = || vec![0.0; rows as usize * width as usize];
-        Self { first_row, rows, width, color: [black(), black(), black()], layers: Vec::new() }
-    }
-
     fn append(&mut self, below: Self) {
         self.rows += below.rows;
-        for (channel, more) in self.color.iter_mut().zip(below.color) {
+        let planes = self.color.iter_mut().chain(&mut self.alpha);
+        for (channel, more) in planes.zip(below.color.into_iter().chain(below.alpha)) {
             channel.extend(more);
         }
         for ((_, plane), (_, more)) in self.layers.iter_mut().zip(below.layers) {

@@ -27,11 +27,13 @@ pub enum Status {
     Failed,
     /// Would have split once more than `rays.branches` allows, or weighs nothing any more.
     Cut,
+    /// Not a ray: the picture has none there, as outside a fisheye's disk.
+    Outside,
 }
 
 impl Status {
     /// Every status but those of rays under way.
-    pub const ENDS: [Self; 8] = [
+    pub const ENDS: [Self; 9] = [
         Self::Hit,
         Self::Escaped,
         Self::Captured,
@@ -40,6 +42,7 @@ impl Status {
         Self::Stalled,
         Self::Failed,
         Self::Cut,
+        Self::Outside,
     ];
 
     /// The status of a code of `shaders/ray.wgsl`.
@@ -72,6 +75,7 @@ impl Status {
             Self::Stalled => "stalled",
             Self::Failed => "failed",
             Self::Cut => "cut",
+            Self::Outside => "outside",
         }
     }
 }
@@ -79,7 +83,7 @@ impl Status {
 /// Sums over all rays.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Totals {
-    /// Rays set up.
+    /// Rays set up, with those samples that have none.
     pub rays: u64,
     /// Accepted integration steps.
     pub steps: u64,

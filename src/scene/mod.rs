@@ -7,6 +7,7 @@
 //! the file), then `check` (documents to the values below, all mistakes found in one run), with `mesh` and
 //! `picture` loading what the file names. Nothing here knows of a GPU.
 
+mod camera;
 mod check;
 mod document;
 mod error;
@@ -21,6 +22,7 @@ mod transform;
 #[cfg(test)]
 mod tests;
 
+pub use camera::{Camera, CameraKind, Corners, Frame, Stereo, StereoLayout};
 pub use document::Override;
 pub use error::{Mistake, SceneError};
 pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium, Noise};
@@ -65,47 +67,6 @@ pub struct Image {
     pub size: [u32; 2],
     /// Rays per pixel; more than one are multi-jittered.
     pub samples: u32,
-}
-
-/// `[camera]`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Camera {
-    /// Position, in scene units.
-    pub position: DVec3,
-    /// Unit vector into the picture.
-    pub forward: DVec3,
-    /// Unit vector to the picture's right.
-    pub right: DVec3,
-    /// Unit vector to the picture's top.
-    pub up: DVec3,
-    /// How a point of the picture becomes a ray.
-    pub kind: CameraKind,
-    /// Whose directions the camera's are.
-    pub frame: Frame,
-}
-
-/// The projections.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CameraKind {
-    /// All rays start at the position; `fov` is the vertical opening angle in degrees.
-    Pinhole {
-        /// Degrees, in (0, 180).
-        fov: f64,
-    },
-    /// Rays start on a plane through the position, all in the direction `forward` (a flow takes its own direction).
-    Plane {
-        /// The plane's height in scene units; its width follows from the picture's shape.
-        height: f64,
-    },
-}
-
-/// Whose unit directions the camera's are (Schwarzschild only; elsewhere both are the same).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Frame {
-    /// Directions are coordinate directions (W04 §5.4).
-    Coordinate,
-    /// Directions are those that an observer at rest measures.
-    Static,
 }
 
 /// `[law]`: how light travels.
@@ -158,10 +119,13 @@ impl Scene {
     /// The angle of a pixel at the picture's centre, in radians.
     #[must_use]
     pub fn pixel_angle(&self) -> Option<f64> {
-        match self.camera.as_ref()?.kind {
-            CameraKind::Pinhole { fov } => Some(2.0 * (0.5 * fov).to_radians().tan() / f64::from(self.image.size[1])),
-            CameraKind::Plane { .. } => None,
-        }
+        self.camera.as_ref()?.pixel_angle(self.image.size)
+    }
+
+    /// Does its picture have pixels that show nothing, so that its files carry alpha?
+    #[must_use]
+    pub fn is_transparent(&self) -> bool {
+        self.camera.as_ref().is_some_and(Camera::is_transparent)
     }
 }
 

@@ -119,6 +119,51 @@ fn exr_layers_are_those_that_were_named() {
     assert!(colors.windows(2).all(|pair| pair[0] == pair[1]), "the colour depends on the layers");
 }
 
+/// Transparent corners have alpha 0, the disk has 1, and its rim what of it is inside; nothing else has alpha at all.
+#[test]
+fn only_transparent_corners_have_alpha() {
+    let folder = Folder::with(BALL);
+    let render = |more: &str| {
+        let fisheye = "--set camera.kind=fisheye --size 40x32 --samples 4 --layers none --strict";
+        folder.run(&format!("render scene.toml -o a.png -o a.exr {fisheye} {more}")).succeeds()
+    };
+    let ran = render("");
+    assert!(ran.err.lines().last().unwrap().contains(" outside "), "{}", ran.err);
+    assert!(!ran.err.contains("warning"), "{}", ran.err);
+    assert_eq!(
+        (decoded(&folder, "a.png").color(), channels(&folder, "a.exr")),
+        (ColorType::Rgb8, vec!["B".to_owned(), "G".to_owned(), "R".to_owned()])
+    );
+    let black = (decoded(&folder, "a.png").into_rgb8(), decoded(&folder, "a.exr").into_rgb32f());
+    for bits in [8, 16] {
+        render(&format!("--set camera.corners=transparent --set output.bits={bits}"));
+        let (png, exr) = (decoded(&folder, "a.png"), decoded(&folder, "a.exr"));
+        assert_eq!(png.color(), if bits == 8 { ColorType::Rgba8 } else { ColorType::Rgba16 });
+        assert_eq!(channels(&folder, "a.exr"), ["A", "B", "G", "R"]);
+        let (png, exr) = (png.into_rgba8(), exr.into_rgba32f());
+        let mut partly = 0;
+        for (x, y, pixel) in exr.enumerate_pixels() {
+            let rho = f64::hypot(f64::from(x) - 19.5, f64::from(y) - 15.5);
+            let alpha = pixel.0[3];
+            assert!(!(15.2..=16.8).contains(&rho) || [0.0, 0.25, 0.5, 0.75, 1.0].contains(&alpha), "{x} {y}: {alpha}");
+            assert!(!(rho > 16.8 && alpha != 0.0 || rho < 15.2 && alpha != 1.0), "{x} {y}: {alpha}");
+            assert_eq!(f64::from(png.get_pixel(x, y).0[3]), (f64::from(alpha) * 255.0).round(), "{x} {y}");
+            // EXR has colour multiplied by alpha, which is what black corners leave.
+            assert_eq!(pixel.0[..3], black.1.get_pixel(x, y).0, "{x} {y}");
+            if alpha == 1.0 && bits == 8 {
+                assert_eq!(png.get_pixel(x, y).0[..3], black.0.get_pixel(x, y).0, "{x} {y}");
+            }
+            if alpha > 0.0 && alpha < 1.0 {
+                partly += 1;
+                // On the rim a PNG shows the sky's own colour.
+                let sky = [0.2, 0.3, 0.4].map(|c| (srgb(c) * 255.0).round() as u8);
+                assert_eq!(png.get_pixel(x, y).0[..3], sky, "{x} {y}");
+            }
+        }
+        assert!(partly > 20, "{partly} pixels on the rim");
+    }
+}
+
 #[test]
 fn exr_layers_hold_what_their_names_say() {
     let folder = Folder::with(BALL);

@@ -9,7 +9,6 @@ use crate::support::{gpu, probe::Probe};
 
 /// `frame` as a variable of the probe's own, so that one program takes every sample.
 const FRAME: &str = "struct Frame {
-    image: vec2u,
     sample: u32,
 }
 
@@ -71,8 +70,8 @@ fn multi_jittered_samples() {
 fn image_plane_and_centre() {
     let inputs = [[0.0_f32, 0.0], [640.0, 480.0], [320.0, 240.0], [640.0, 0.0], [0.0, 480.0], [160.0, 120.0]]
         .map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]);
-    let probe = Probe::new(&["sample/image_plane", "sample/center"]).stub(FRAME);
-    let body = "frame.image = vec2u(640u, 480u); put(0u, vec4f(image_plane(p0.xy), sample_point(vec2u(p0.xy))));";
+    let probe = Probe::new(&["sample/image_plane", "sample/center"]);
+    let body = "put(0u, vec4f(image_plane(p0.xy, vec2u(640u, 480u)), sample_point(vec2u(p0.xy))));";
     let want = [[-1.0, 1.0], [1.0, -1.0], [0.0, 0.0], [1.0, 1.0], [-1.0, -1.0], [-0.5, 0.5]];
     for ((input, [got]), want) in inputs.iter().zip(probe.run::<1, 1>(&gpu(), body, &inputs)).zip(want) {
         assert_eq!(([got.x, got.y], [got.z, got.w]), (want, [input[0].x + 0.5, input[0].y + 0.5]));

@@ -33,6 +33,7 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
             rows,
             width,
             color: [plane(1), plane(2), plane(3)],
+            alpha: Some(plane(11)),
             layers: vec![
                 (Layer::Steps, id(u32::MAX)),
                 (Layer::Depth, Plane::Scalar(plane(4))),
@@ -162,6 +163,7 @@ fn grey_row(values: &[f32]) -> Band {
         rows: 1,
         width: values.len() as u32,
         color: [(); 3].map(|()| values.to_vec()),
+        alpha: None,
         layers: Vec::new(),
     }
 }
@@ -202,6 +204,40 @@ fn png_rows_come_in_order_whatever_the_bands() {
     write(&many, &settings, &bands(200, &[1, 30, 7, 52]));
     assert_eq!(fs::read(&one).unwrap(), fs::read(&many).unwrap());
     image::open(&one).unwrap();
+}
+
+/// A picture with alpha stores it; without, it is the same file to the last byte whether its bands have alpha or not.
+#[test]
+fn alpha_is_stored_where_it_is_asked_for() {
+    let folder = folder();
+    let mut band = grey_row(&[0.0, 0.125, 0.25, 0.5]);
+    for name in ["a.png", "a.exr"] {
+        let path = folder.path().join(name);
+        write(&path, &Settings::new([4, 1]), std::slice::from_ref(&band));
+        let plain = fs::read(&path).unwrap();
+        let settings = Settings { alpha: true, ..Settings::new([4, 1]) };
+        let mut writer = open(&path, &settings).unwrap();
+        assert!(writer.write_band(&band).is_err(), "{name} without alpha");
+        drop(writer);
+        band.alpha = Some(vec![0.0, 0.25, 0.5, 1.0]);
+        write(&path, &Settings::new([4, 1]), std::slice::from_ref(&band));
+        assert!(fs::read(&path).unwrap() == plain, "{name} depends on what it does not store");
+        write(&path, &settings, std::slice::from_ref(&band));
+        if name == "a.exr" {
+            let bits = exr_bits(&path);
+            assert_eq!(bits.keys().collect::<Vec<_>>(), ["A", "B", "G", "R"]);
+            // Colours stay multiplied by alpha.
+            assert_eq!(bits["R"], [0.0_f32, 0.125, 0.25, 0.5].map(f32::to_bits));
+            assert_eq!(bits["A"], [0.0_f32, 0.25, 0.5, 1.0].map(f32::to_bits));
+        } else {
+            let picture = image::open(&path).unwrap();
+            assert_eq!(picture.color(), image::ColorType::Rgba8);
+            // 188 is 0.5.
+            let pixels: Vec<_> = picture.into_rgba8().pixels().map(|p| p.0).collect();
+            assert_eq!(pixels, [[0; 4], [188, 188, 188, 64], [188, 188, 188, 128], [188, 188, 188, 255]]);
+        }
+        band.alpha = None;
+    }
 }
 
 #[test]

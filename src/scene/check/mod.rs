@@ -55,7 +55,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let law = law::read(&root, &mut files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
-    let camera = camera::read(&root, law.as_ref());
+    let camera = camera::read(&root, law.as_ref(), image.size);
     let sky = materials::sky(&root, &mut files);
     let output = output(&root);
     let (names, materials) = materials::read(&root, &mut files);

@@ -38,14 +38,29 @@ pub const REFERENCE: &[KeyReference] = keys! {
         samples: "whole number, 1 to 4096" = "1", "rays a pixel";
     }
     "camera" {
-        kind: "pinhole | plane" = "pinhole", "rays from one point, or parallel rays from a plane";
+        kind: "pinhole | plane | fisheye | panorama" = "pinhole",
+            "rays from one point as through a window, parallel rays from a plane, or rays from one point by their angle from the middle, or by longitude and latitude";
         position: "[x, y, z]" = "required", "the point, or the centre of the plane; scene units";
         look_at: "[x, y, z]" = "[0, 0, 0]", "the point in the middle of the picture; differs from position";
         up: "[x, y, z]" = "[0, 1, 0]", "what is up in the picture; not parallel to the view";
         fov if r#"kind = "pinhole""#: "number between 0 and 180" = "50", "vertical opening angle, degrees";
+        fov if r#"kind = "fisheye""#: "number above 0, up to 1000000" = "180",
+            "opening angle of the disk in the middle of the picture, degrees: above 360 the view goes round again";
+        corners if r#"kind = "fisheye""#: "black | transparent" = "black",
+            "what is outside the disk; transparent gives PNG and EXR alpha";
+        fov if r#"kind = "panorama""#: "[across, upwards], up to [360, 180]" = "[360, 180]",
+            "opening angles, degrees; the whole is laid out like an equirectangular sky";
         height if r#"kind = "plane""#: "number above 0" = "required", "height of the plane, scene units";
         frame: "coordinate | static" = "coordinate",
             "whose directions the camera sees: the coordinates', or those of an observer at rest (schwarzschild only)";
+        stereo: "{ separation, layout, convergence }" = "none",
+            "two views in one picture, of eyes to the left and right of the position";
+    }
+    "camera.stereo" {
+        separation: "number above 0" = "required", "from eye to eye, scene units";
+        layout: "side-by-side | top-bottom" = "side-by-side", "the left eye's view is at the left, or at the top";
+        convergence: "number above 0" = "none",
+            "the distance at which both views show the same, scene units; without it both look the same way";
     }
     "law" {
         kind: "straight | schwarzschild | sources | lorenz | rossler | medium" = "straight",

@@ -5,8 +5,8 @@ use crate::scene::check::scene;
 use crate::scene::document::Document;
 use crate::scene::document::reader::Reader;
 use crate::scene::{
-    CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Method, Pattern,
-    REFERENCE, Scene, SceneError, Segment, Shape, Sky, TEMPLATE, reference_markdown,
+    CameraKind, Control, Corners, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Method,
+    Pattern, REFERENCE, Scene, SceneError, Segment, Shape, Sky, Stereo, StereoLayout, TEMPLATE, reference_markdown,
 };
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -40,6 +40,8 @@ const KINDS: &[&str] = &[
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"noise\", amplitude = 0.2, frequency = 2, octaves = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"luneburg\", radius = 1, c = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"constant\", n = 1.5 }\npriority = 1\n",
+    "[camera]\nkind = \"fisheye\"\nposition = [1, 2, 3]\ncorners = \"transparent\"\n\
+     stereo = { separation = 0.5, layout = \"top-bottom\", convergence = 3 }\n[rays]\nbound = { radius = 1 }\n",
 ];
 
 #[test]
@@ -101,6 +103,46 @@ fn a_camera_has_orthonormal_axes() {
     let axes = glam::DMat3::from_cols(camera.right, camera.up, -camera.forward);
     assert!((axes.transpose() * axes).abs_diff_eq(glam::DMat3::IDENTITY, 1e-12));
     assert!(axes.determinant() > 0.0);
+}
+
+#[test]
+fn cameras_become_values() {
+    let camera = |text: &str| good(&format!("{RAYS}[camera]\nposition = [0, 0, 5]\n{text}")).camera.expect("a camera");
+    let black = Corners::Black;
+    assert_eq!(camera("kind = \"fisheye\"").kind, CameraKind::Fisheye { fov: 180.0, corners: black });
+    let around = camera("kind = \"fisheye\"\nfov = 3600\ncorners = \"transparent\"");
+    assert_eq!(around.kind, CameraKind::Fisheye { fov: 3600.0, corners: Corners::Transparent });
+    assert!(around.is_transparent() && !camera("kind = \"fisheye\"").is_transparent());
+    assert_eq!(camera("kind = \"panorama\"").kind, CameraKind::Panorama { fov: [360.0, 180.0] });
+    assert_eq!(camera("kind = \"panorama\"\nfov = [90, 45.5]").kind, CameraKind::Panorama { fov: [90.0, 45.5] });
+    let one = camera("");
+    assert_eq!((one.eyes(), one.view_size([9, 5]), one.stereo), (vec![DVec3::Z * 5.0], [9, 5], None));
+    let beside = camera("stereo = { separation = 0.5 }");
+    let layout = StereoLayout::SideBySide;
+    assert_eq!(beside.stereo, Some(Stereo { separation: 0.5, layout, convergence: None }));
+    assert_eq!(beside.eyes(), [DVec3::new(-0.25, 0.0, 5.0), DVec3::new(0.25, 0.0, 5.0)]);
+    assert_eq!(beside.view_size([8, 6]), [4, 6]);
+    let stacked = camera("stereo = { separation = 1, layout = \"top-bottom\", convergence = 3 }");
+    assert_eq!(stacked.stereo.and_then(|stereo| stereo.convergence), Some(3.0));
+    assert_eq!(stacked.view_size([8, 6]), [8, 3]);
+}
+
+/// What a pixel in the middle sees, in closed form: a tangent over half the height, and equal parts of the other angles.
+#[test]
+fn pixels_have_angles() {
+    let angle = |text: &str| {
+        let text = format!("{RAYS}[image]\nsize = [80, 20]\n[camera]\nposition = [0, 0, 5]\n{text}");
+        good(&text).pixel_angle().map(f64::to_degrees)
+    };
+    let near = |text: &str, want: f64| assert!((angle(text).expect(text) - want).abs() < 1e-12, "{text}");
+    let height = |degrees: f64| (degrees.to_radians().tan() * 2.0).to_degrees();
+    near("fov = 60", height(30.0) / 20.0);
+    near("fov = 60\nstereo = { separation = 1, layout = \"top-bottom\" }", height(30.0) / 10.0);
+    near("kind = \"fisheye\"\nfov = 720", 36.0);
+    near("kind = \"panorama\"", 4.5);
+    near("kind = \"panorama\"\nfov = [360, 40]", 2.0);
+    near("kind = \"panorama\"\nfov = [80, 180]\nstereo = { separation = 1 }", 2.0);
+    assert_eq!(angle("kind = \"plane\"\nheight = 2"), None);
 }
 
 #[test]

@@ -1,0 +1,216 @@
+//! Pictures of cameras that are no window: fisheyes, panoramas and pairs of views.
+
+#![allow(clippy::float_cmp)] // shares of four samples are exact
+
+use bentray::program::{Choice, Layer};
+use bentray::render::{Picture, Plane, Renderer, Settings, Status};
+use bentray::scene::{CameraKind, Corners, Scene};
+use glam::DVec3;
+
+use crate::support::{gpu, scene};
+
+/// A glowing ball before a sky, in straight space.
+const BALL: &str = "[rays]\nbound = { radius = 20 }\n[sky]\ncolor = [0.1, 0.2, 0.3]\n\
+    [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.5, 0.2], [0.2, 0.9, 1]] }\n\
+    [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n";
+
+fn rendered(scene: &Scene, settings: Settings) -> Picture {
+    let gpu = gpu();
+    Renderer::new(&gpu, scene, settings).unwrap().picture().unwrap()
+}
+
+fn with_status() -> Settings {
+    Settings { choice: Choice { layers: vec![Layer::Status], ..Choice::default() }, ..Settings::default() }
+}
+
+/// From pixel centre to pixel centre: a panorama as large as the sky, from anywhere in straight space, is that sky.
+#[test]
+fn a_panorama_of_a_bare_sky_is_the_sky() {
+    let text = "[camera]\nkind = \"panorama\"\nposition = [1, 2, 3]\nlook_at = [1, 2, -9]\n\
+        [rays]\nbound = { radius = 1e-3, center = [1, 2, 3] }\n[sky]\nimage = \"data/stars.png\"\n";
+    let mut scene = scene(text);
+    let size = scene.pictures[0].size;
+    let sky = scene.pictures[0].pixels.clone();
+    let brightest = sky.iter().flatten().copied().fold(0.0, f32::max);
+    let mut check = |fov: [f64; 2], first: [u32; 2], cut: [u32; 2]| {
+        scene.image.size = cut;
+        scene.camera.as_mut().unwrap().kind = CameraKind::Panorama { fov };
+        let picture = rendered(&scene, Settings::default());
+        assert_eq!(picture.totals.unfollowed(), 0);
+        let mut off = 0.0_f32;
+        for i in 0..cut[0] * cut[1] {
+            let (x, y) = (first[0] + i % cut[0], first[1] + i / cut[0]);
+            for (channel, want) in picture.band.color.iter().zip(sky[(y * size[0] + x) as usize]) {
+                off = off.max((channel[i as usize] - want).abs());
+            }
+        }
+        println!("{fov:?}: off by {off:e} of {brightest}");
+        // Places in the sky err by 4e-7/π of its width (the arc tangent's), and a texel's neighbour may differ by all there is;
+        // the sky is stored in 16 bits.
+        let place = size[0] as f32 * (4e-7 / std::f32::consts::PI + 6.0 * f32::EPSILON);
+        assert!(off <= brightest * (2.0 * place + 0.5 / 1024.0), "{fov:?}: off by {off}");
+    };
+    check([360.0, 180.0], [0, 0], size);
+    let part = size.map(|side| side / 4);
+    let first = [(size[0] - part[0]) / 2, (size[1] - part[1]) / 2];
+    check([90.0, 45.0], first, part);
+}
+
+/// Each half of a pair is, bit for bit, what a camera in the place of that eye sees.
+#[test]
+fn each_view_is_the_picture_of_its_eye() {
+    for kind in
+        ["kind = \"pinhole\"", "kind = \"plane\"\nheight = 3", "kind = \"fisheye\"\nfov = 100", "kind = \"panorama\""]
+    {
+        for (layout, view) in [("side-by-side", [24_u32, 20]), ("top-bottom", [48, 10])] {
+            let text = format!(
+                "[image]\nsize = [48, 20]\n[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\n{kind}\n\
+                 stereo = {{ separation = 0.5, layout = \"{layout}\" }}\n{BALL}"
+            );
+            let mut scene = scene(&text);
+            let pair = rendered(&scene, with_status());
+            let camera = scene.camera.as_mut().unwrap();
+            let eyes = camera.eyes();
+            assert_eq!(eyes, [DVec3::new(-0.25, 0.0, 5.0), DVec3::new(0.25, 0.0, 5.0)]);
+            camera.stereo = None;
+            scene.image.size = view;
+            for (k, eye) in eyes.into_iter().enumerate() {
+                scene.camera.as_mut().unwrap().position = eye;
+                let alone = rendered(&scene, with_status());
+                assert!(alone.totals.count(Status::Hit) > 0, "{kind}: {}", alone.totals);
+                let corner = if layout == "top-bottom" { [0, k * 10] } else { [k * 24, 0] };
+                for (whole, half) in pair.band.color.iter().zip(&alone.band.color) {
+                    for (i, value) in half.iter().enumerate() {
+                        let (x, y) = (corner[0] + i % view[0] as usize, corner[1] + i / view[0] as usize);
+                        assert!(
+                            whole[y * 48 + x].to_bits() == value.to_bits(),
+                            "{kind}, {layout}: view {k}, pixel {i}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Where the ball's middle is in each view, in parts of half of the view's width.
+fn places(camera: &str) -> [f64; 2] {
+    let text = format!("[image]\nsize = [800, 400]\n[camera]\nposition = [0, 0, 5]\n{camera}\n{BALL}radius = 0.25\n");
+    let picture = rendered(&scene(&text), with_status());
+    let Some(Plane::Id(statuses)) = picture.band.layer(Layer::Status) else { panic!("a status layer") };
+    let hit = Status::Hit.code();
+    [0, 400].map(|left| {
+        let hits = |(i, code): (usize, &u32)| (*code == hit).then_some(i % 800);
+        let columns: Vec<usize> =
+            statuses.iter().enumerate().filter_map(hits).filter(|x| x / 400 == left / 400).collect();
+        let mean = columns.iter().sum::<usize>() as f64 / columns.len() as f64 + 0.5 - left as f64;
+        mean / 200.0 - 1.0
+    })
+}
+
+/// With parallel views a ball 5 away is shifted by its parallax; where views cross at it, it is not shifted; nearer than that
+/// the left eye has it further right.
+#[test]
+fn views_cross_where_they_shall() {
+    let stereo = |more: &str| format!("stereo = {{ separation = 0.5{more} }}");
+    let ball = |camera: &str, want: f64, slack: f64| {
+        let [left, right] = places(camera);
+        assert!((left - want).abs() < slack && (right + want).abs() < slack, "{camera}: {left} {right}, not ±{want}");
+    };
+    // A pixel is 1/200. The ball's outline is an ellipse about a point a little further out than its middle, by 1e-4.
+    let shift = 0.25 / 5.0;
+    ball(&format!("fov = 90\n{}", stereo("")), shift, 4e-3);
+    ball(&format!("fov = 90\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
+    ball(&format!("fov = 90\n{}", stereo(", convergence = 10")), shift / 2.0, 3e-3);
+    let fisheye = |fov: f64, more: &str| format!("kind = \"fisheye\"\nfov = {fov}\n{}", stereo(more));
+    ball(&fisheye(90.0, ""), shift.atan() / 45.0_f64.to_radians(), 2e-3);
+    ball(&fisheye(90.0, ", convergence = 5"), 0.0, 1e-3);
+    ball(&format!("kind = \"panorama\"\nfov = [90, 90]\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
+    // Parallel rays from parallel planes have no parallax but the eyes' distance; that of crossing ones depends on depth.
+    ball(&format!("kind = \"plane\"\nheight = 4\n{}", stereo("")), 0.125, 1e-3);
+    ball(&format!("kind = \"plane\"\nheight = 4\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
+}
+
+const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 30 }\nmethod = \"planar\"\n\
+    [sky]\ncolor = [0.1, 0.2, 0.3]\n";
+
+/// Outside the disk there are no rays, also where the others come from far away, in either frame: what is counted there is
+/// neither sky nor an error, and every pixel's alpha is the share of its samples inside.
+#[test]
+fn outside_the_disk_there_is_nothing() {
+    for (frame, more) in [("coordinate", ""), ("static", ""), ("static", "asymptotic = true\n")] {
+        for corners in ["black", "transparent"] {
+            let text = format!(
+                "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 40]\nframe = \"{frame}\"\nkind = \"fisheye\"\nfov = 300\n\
+                 corners = \"{corners}\"\n{}",
+                HOLE.replace("[sky]", &format!("{more}[sky]"))
+            );
+            let mut scene = scene(&text);
+            scene.image.samples = 4;
+            let picture = rendered(&scene, with_status());
+            let totals = &picture.totals;
+            assert_eq!((totals.rays, totals.unfollowed()), (4 * 96 * 64, 0), "{totals}");
+            let inside = (totals.rays - totals.count(Status::Outside)) as f64;
+            let disk = 4.0 * std::f64::consts::PI * 32.0 * 32.0;
+            assert!((inside / disk - 1.0).abs() < 0.01, "{frame}: {inside} samples, where the disk has {disk}");
+            assert!(totals.count(Status::Captured) > 20 && totals.count(Status::Escaped) > 9000, "{totals}");
+            let Some(Plane::Id(statuses)) = picture.band.layer(Layer::Status) else { panic!("a status layer") };
+            let (mut covered, outside) = (0.0, Status::Outside.code());
+            for (i, status) in statuses.iter().enumerate() {
+                let (x, y) = ((i % 96) as f64 - 47.5, (i / 96) as f64 - 31.5);
+                let (near, far) = (x.hypot(y) < 32.0 - 0.71, x.hypot(y) > 32.0 + 0.71);
+                assert!(!near || *status != outside, "{x} {y}");
+                assert!(!far || *status == outside && picture.band.color.iter().all(|c| c[i] == 0.0), "{x} {y}");
+                if let Some(alpha) = &picture.band.alpha {
+                    assert!(!(near && alpha[i] != 1.0 || far && alpha[i] != 0.0), "{x} {y}: {}", alpha[i]);
+                    covered += 4.0 * f64::from(alpha[i]);
+                }
+            }
+            assert_eq!(picture.band.alpha.is_some(), corners == "transparent");
+            assert!(corners == "black" || covered == inside, "{covered} of {inside}");
+        }
+    }
+}
+
+/// The shadow of a hole, in a picture whose angles are even, seen by an observer at rest: sin θ = 3√3 M √(1 − 2M/r)/r. Round
+/// and round it is seen again, every 360°, at the angles 2πk ± θ.
+#[test]
+fn the_shadow_has_its_size_in_a_fisheye() {
+    let r: f64 = 6.0;
+    let angle = f64::asin((27.0 * (1.0 - 2.0 / r)).sqrt() / r);
+    for fov in [120.0, 900.0_f64] {
+        let text = format!(
+            "[image]\nsize = [2001, 2001]\n[camera]\nkind = \"fisheye\"\nposition = [0, 0, 6]\nfov = {fov}\nframe = \"static\"\n{}",
+            HOLE.replace("color = [0.1, 0.2, 0.3]", "color = [1, 1, 1]")
+        );
+        let gpu = gpu();
+        let scene = scene(&text);
+        let pixels: Vec<[u32; 2]> = (0..2001).map(|x| [x, 1000]).collect();
+        let (rays, _) = bentray::render::trace_pixels(&gpu, &scene, &Settings::default(), &pixels).unwrap();
+        let half = 0.5 * fov.to_radians();
+        let shadow = |x: i32| {
+            let turned = (f64::from(x - 1000) / 1000.5 * half).abs() % std::f64::consts::TAU;
+            turned.min(std::f64::consts::TAU - turned) < angle
+        };
+        let wrong = (0..2001).filter(|x| (rays[*x as usize].status == Status::Captured) != shadow(*x)).count();
+        assert!(wrong <= 2, "{fov}: {wrong} of 2001 pixels are wrong");
+        assert!(rays.iter().all(|ray| ray.status != Status::Outside));
+    }
+}
+
+/// Tiles of any size give the same pair of views, with samples and alpha.
+#[test]
+fn tiles_do_not_show_in_pairs() {
+    let text = format!(
+        "[image]\nsize = [64, 48]\nsamples = 3\n[camera]\nposition = [0, 0, 5]\nkind = \"fisheye\"\nfov = 400\n\
+         corners = \"transparent\"\nstereo = {{ separation = 0.5, convergence = 4 }}\n{BALL}"
+    );
+    let scene = scene(&text);
+    assert!(matches!(scene.camera.as_ref().unwrap().kind, CameraKind::Fisheye { corners: Corners::Transparent, .. }));
+    let whole = rendered(&scene, with_status());
+    for tile_pixels in [64, 1000] {
+        let tiled = rendered(&scene, Settings { tile_pixels, ..with_status() });
+        assert!(whole.band == tiled.band, "tiles of {tile_pixels} pixels");
+        assert_eq!(whole.totals.fates, tiled.totals.fates);
+    }
+}
