@@ -13,3 +13,4 @@ mod pictures;
 mod schedules;
 mod shaders;
 mod structure;
+mod written_media;

@@ -35,6 +35,35 @@ fn real_exp(a: Real) -> Real {
     return exp(a);
 }
 
+// ln x for a normal x > 0 (the built-in form is wrong by 7e-5 near 1 on lavapipe): x = 2^k m with m from √½ to √2, and ln m by the
+// minimax polynomial of FreeBSD's logf (Sun's fdlibm, with the terms that f32 needs).
+fn real_log(x: Real) -> Real {
+    // The distance from √2's fraction to the next exponent's carries everything above √2 over.
+    let k = ((bitcast<i32>(x) + 0x4afb0d) >> 23u) - 127;
+    // 2⁻ᵏ in two factors, for it may be too small or too large for one.
+    let half = k / 2;
+    let f = x * bitcast<f32>((127 - half) << 23u) * bitcast<f32>((127 - (k - half)) << 23u) - 1.0;
+    let s = f / (2.0 + f);
+    let z = s * s;
+    let p = z * (0.66666662693 + z * (0.40000972152 + z * (0.28498786688 + z * 0.24279078841)));
+    let square = 0.5 * f * f;
+    let n = Real(k);
+    return s * (square + p) + n * 9.0580006145e-6 - square + f + n * 6.9313812256e-1;
+}
+
+// What no calculation goes on from, and what stands for no value: no compiler knows them, for none could be written.
+fn infinite() -> Real {
+    return bitcast<f32>(0x7f800000u ^ frame.zero);
+}
+
+fn not_a_number() -> Real {
+    return bitcast<f32>(0x7fc00000u ^ frame.zero);
+}
+
+fn is_not_a_number(a: Real) -> bool {
+    return (bitcast<u32>(a) & 0x7fffffffu) > 0x7f800000u;
+}
+
 // Sine and cosine.
 fn real_sin_cos(a: Real) -> Real2 {
     return Real2(sin(a), cos(a));

@@ -74,6 +74,7 @@ impl Source<'_> {
                 Ok(Some(bytemuck::cast_slice(&materials).to_vec()))
             }
             "materials" => self.materials(layout).map(Some),
+            "index_samples" => Ok(Some(bytemuck::cast_slice(self.index_samples()).to_vec())),
             _ => self.lights_and_sources(name, layout),
         }
     }

@@ -1,7 +1,7 @@
 //! The values of media, by the names of their members in WGSL.
 
 use super::contents::Source;
-use super::records::Value::{self, Float, Uint, Vec3};
+use super::records::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::scene::{Law, Medium};
 
 impl Source<'_> {
@@ -10,6 +10,14 @@ impl Source<'_> {
         match &self.scene.law {
             Law::Medium(medium) => medium_values(medium),
             _ => Vec::new(),
+        }
+    }
+
+    /// Of the medium that fills all space.
+    pub(super) fn index_samples(&self) -> &[f32] {
+        match &self.scene.law {
+            Law::Medium(Medium::Grid(grid)) => &grid.samples,
+            _ => &[],
         }
     }
 }
@@ -49,6 +57,12 @@ pub fn medium_values(medium: &Medium) -> Vec<(&'static str, Value)> {
             ("frequency", Float(n.frequency)),
             ("octaves", Uint(n.octaves)),
             ("seed", Uint(n.seed)),
+        ],
+        Medium::Expression { center, scale, .. } => vec![("center", Vec3(*center)), ("scale", Float(*scale))],
+        Medium::Grid(grid) => vec![
+            ("origin", Vec3(grid.origin)),
+            ("cell", Vec3(grid.cell)),
+            ("size", Uint4([grid.size[0], grid.size[1], grid.size[2], 0])),
         ],
     }
 }

@@ -1,7 +1,7 @@
 //! The plan: which parts a scene is made of. One file per contract; the cheapest that is right for the scene.
 
 use super::link::{Parts, Unit};
-use super::{Choice, ProgramError, Purpose, Schedule, Work, generated, part};
+use super::{Choice, ProgramError, Purpose, Schedule, Work, formula, generated, part};
 use crate::scene::{
     CameraKind, Control, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Medium, Method,
     Pattern, Precision, Scene, SchwarzschildForm, Segment, Shape, Sky,
@@ -306,6 +306,24 @@ fn index_part(medium: &Medium) -> &'static str {
         Medium::Exponential { .. } => "index/exponential",
         Medium::Sech { .. } => "index/sech",
         Medium::Explosion(_) => "index/explosion",
+        Medium::Expression { .. } => "index/expression",
+        Medium::Grid(_) => "index/grid",
+    }
+}
+
+/// What indices that the user gives need besides: `media` are those of one kind, in the order of their places.
+fn written_parts(media: &[&Medium], names: &mut Names, shared: &mut Vec<Unit>) {
+    let formula = |medium: &&Medium| match medium {
+        Medium::Expression { n, .. } => Some(n.clone()),
+        _ => None,
+    };
+    let formulas: Vec<_> = media.iter().filter_map(formula).collect();
+    if !formulas.is_empty() {
+        names.add("formula");
+        shared.push(formula::formulas(&formulas));
+    }
+    if media.iter().any(|medium| matches!(medium, Medium::Expression { .. } | Medium::Grid(_))) {
+        names.add("index_limit");
     }
 }
 
@@ -344,6 +362,7 @@ fn law_parts(law: &Law, names: &mut Names, shared: &mut Vec<Unit>) {
         Law::Medium(medium) => {
             names.all(&["law/medium", index_part(medium)]);
             shared.push(generated::media(1));
+            written_parts(&[medium], names, shared);
         }
     }
 }

@@ -83,6 +83,8 @@ fn law_loops(law: &Law) -> (u64, u64) {
 fn medium_loops(medium: &Medium) -> u64 {
     match medium {
         Medium::Explosion(noise) => u64::from(noise.octaves),
+        // Rows of samples round a place.
+        Medium::Grid(_) => 16,
         _ => 0,
     }
 }

@@ -1,6 +1,8 @@
 //! Media: how the index of refraction n varies with place.
 
+use super::{Formula, IndexGrid};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// An index of refraction over space, in scene coordinates. Spherical media are functions of r, the distance from their centre.
 #[derive(Debug, Clone, PartialEq)]
@@ -99,6 +101,17 @@ pub enum Medium {
     },
     /// Disturbed air: 1 outside a ball, noise in it.
     Explosion(Explosion),
+    /// What the user wrote.
+    Expression {
+        /// Where x, y, z and r are 0.
+        center: DVec3,
+        /// The length over which it changes.
+        scale: f64,
+        /// n of the place relative to the centre. It may have no value, or none above 0, at some places: rays fail there.
+        n: Formula,
+    },
+    /// Samples.
+    Grid(Arc<IndexGrid>),
 }
 
 /// What becomes of rays that move towards the centre of an inverse-r sphere.

@@ -10,6 +10,8 @@
 mod check;
 mod document;
 mod error;
+mod expression;
+mod grid;
 mod medium;
 mod mesh;
 mod picture;
@@ -22,6 +24,8 @@ mod tests;
 
 pub use document::Override;
 pub use error::{Mistake, SceneError};
+pub use expression::{Axis, Formula, FormulaError, Function, Graph, Id, Node};
+pub use grid::IndexGrid;
 pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium};
 pub use mesh::{Mesh, Vertex};
 pub use picture::Picture;

@@ -1,5 +1,6 @@
 //! Media: a number, the name of a common one, or a table with a `kind`.
 
+use super::written;
 use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{
     direction, not_zero, number, number_where, positive, suggest, vector, whole, word,
@@ -21,6 +22,8 @@ enum Kind {
     Exponential,
     Sech,
     Explosion,
+    Expression,
+    Grid,
 }
 
 const KINDS: &[(&str, Kind)] = &[
@@ -35,6 +38,8 @@ const KINDS: &[(&str, Kind)] = &[
     ("exponential", Kind::Exponential),
     ("sech", Kind::Sech),
     ("explosion", Kind::Explosion),
+    ("expression", Kind::Expression),
+    ("grid", Kind::Grid),
 ];
 
 /// What a medium's own keys default to: the place and size of the object that it fills.
@@ -137,6 +142,8 @@ fn medium(table: &TableReader, kind: Kind, around: Surroundings) -> Option<Mediu
             Medium::Sech { origin, up, n0: n0?, g: g? }
         }
         Kind::Explosion => Medium::Explosion(explosion(table, around)?),
+        Kind::Expression => written::expression(table, around)?,
+        Kind::Grid => written::grid(table)?,
     })
 }
 

@@ -12,6 +12,7 @@ mod materials;
 mod media;
 mod objects;
 mod rays;
+mod written;
 
 use super::document::reader::{Reader, TableReader};
 use super::document::values::{array, color, direction, number_where, vector, whole, word};
