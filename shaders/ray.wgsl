@@ -82,3 +82,17 @@ fn status_slot(word: u32) -> u32 {
 fn status_index(word: u32) -> u32 {
     return word >> 6u;
 }
+
+fn finite_phase(p: Phase) -> bool {
+    return finite(p[0].xyz) && finite(p[1].xyz);
+}
+
+// The ray after a step. Before a place where its law has no finite value tries that reach it are rejected (`lost`), however short:
+// a ray that then does not move is not stalled for want of digits, but has failed.
+fn failed_if(lost: bool, before: Ray, after: Ray) -> Ray {
+    var next = after;
+    if lost && all(next.phase[0].xyz == before.phase[0].xyz) {
+        next.phase = next.phase * infinite();
+    }
+    return next;
+}

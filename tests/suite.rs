@@ -16,3 +16,4 @@ mod schedules;
 mod shaders;
 mod structure;
 mod tree;
+mod written_media;

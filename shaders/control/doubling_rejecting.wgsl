@@ -1,6 +1,7 @@
 // Step doubling that keeps its promise: a step whose difference exceeds the tolerance is tried again, shorter. The next size
 // is the one whose leading error term would just meet the tolerance, with a safety factor and limits on its change (Hairer,
-// Nørsett, Wanner, Solving ODEs I, §II.4). A ray that no try moves is stalled.
+// Nørsett, Wanner, Solving ODEs I, §II.4). A ray that no try moves is stalled; or it has
+// failed, if the shortest way on leads to where the law has no finite value.
 
 const MAX_TRIES: u32 = 16u;
 const SAFETY: Real = 0.9;
@@ -20,6 +21,7 @@ fn step_factor(error: Real) -> Real {
 fn accepted_step(ray: Ray) -> Ray {
     var next = ray;
     var h = capped_step(ray);
+    var lost = false;
     next.taken = 0.0;
     for (var tries = 0u; tries < MAX_TRIES; tries++) {
         work += 1u;
@@ -33,7 +35,8 @@ fn accepted_step(ray: Ray) -> Ray {
             break;
         }
         next.rejected += 1u;
+        lost = lost || !finite_phase(step.end);
         h *= select(MIN_FACTOR, min(step_factor(step.error), 0.9), step.error < 1e30);
     }
-    return next;
+    return failed_if(lost, ray, next);
 }

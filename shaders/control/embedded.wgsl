@@ -1,7 +1,7 @@
 // Embedded pairs under a PI controller (Hairer, Nørsett, Wanner, Solving ODEs I, §II.4; Gustafsson 1991), with the names of their
 // DOPRI5: a step whose error exceeds the tolerance is tried again, shorter; the next size follows from this error and the
 // last one's; and h ≤ η · scale, without which a controller far from a hole sees flat space, grows, and jumps over it. A ray
-// that no try moves is stalled.
+// that no try moves is stalled; or it has failed, if the shortest way on leads to where the law has no finite value.
 
 struct Control {
     // Of the whole path's error: of positions over the law's length, of velocities over the speed.
@@ -45,6 +45,7 @@ fn accepted_step(ray: Ray) -> Ray {
     var next = ray;
     var h = limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray.tau);
     var longest = FAC2;
+    var lost = false;
     next.taken = 0.0;
     for (var tries = 0u; tries < MAX_TRIES; tries++) {
         work += 1u;
@@ -63,10 +64,11 @@ fn accepted_step(ray: Ray) -> Ray {
             break;
         }
         next.rejected += 1u;
+        lost = lost || !finite_phase(step.end);
         // Not a number is not less than anything either.
         h *= Real(select(FAC1, max(FAC1, SAFETY / factor), error < 1e30));
         // A step that follows a rejection does not grow.
         longest = 1.0;
     }
-    return next;
+    return failed_if(lost, ray, next);
 }

@@ -41,6 +41,19 @@ fn opaque4(a: Real4) -> Real4 {
     return a * Real(1u - frame.zero);
 }
 
+// What no calculation goes on from, and what stands for no value: no compiler knows them, for none could be written.
+fn infinite() -> Real {
+    return Real(bitcast<f32>(0x7f800000u ^ frame.zero));
+}
+
+fn not_a_number() -> Real {
+    return Real(bitcast<f32>(0x7fc00000u ^ frame.zero));
+}
+
+fn is_not_a_number(a: Real) -> bool {
+    return (bitcast<u32>(f32(a)) & 0x7fffffffu) > 0x7f800000u;
+}
+
 const ONE: Real = 1.0;
 
 // ln 2 and π/2 in two parts, the first with so few bits that its multiples are exact.

@@ -156,6 +156,7 @@ impl Source<'_> {
             "law" | "flow" => one(&self.law()),
             "media" => pack(name, layout, self.media(kind)).map(Some),
             "profile" => pack(name, layout, self.profiles(kind)).map(Some),
+            "index_samples" => Ok(Some(bytemuck::cast_slice(&self.index_samples(kind)).to_vec())),
             "regions" => pack(name, layout, self.regions()).map(Some),
             "branching" => match self.scene.rays.branches {
                 Branches::Enumerated(depth) => one(&[("depth", Uint(depth))]),

@@ -1,7 +1,7 @@
 //! The values of media, by the names of their members in WGSL.
 
 use super::contents::Source;
-use super::records::Value::{self, Float, Uint, Vec3};
+use super::records::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::program::Region;
 use crate::scene::{Ingoing, Medium, ProfilePoint};
 
@@ -30,7 +30,7 @@ impl Source<'_> {
         let mut first = 0;
         let mut row = |medium: &Medium| {
             let values = medium_values(medium, first);
-            first += profile_values(medium).len() as u32;
+            first += (profile_values(medium).len() + samples(medium).len()) as u32;
             values
         };
         self.kind(kind).iter().map(&mut row).collect()
@@ -39,6 +39,11 @@ impl Source<'_> {
     /// Of the profiles in them.
     pub(super) fn profiles(&self, kind: usize) -> Vec<[(&'static str, Value); 5]> {
         self.kind(kind).iter().flat_map(profile_values).collect()
+    }
+
+    /// Of the grids in them.
+    pub(super) fn index_samples(&self, kind: usize) -> Vec<f32> {
+        self.kind(kind).iter().flat_map(|medium| samples(medium).iter().copied()).collect()
     }
 }
 
@@ -58,7 +63,16 @@ pub fn profile_values(medium: &Medium) -> Vec<[(&'static str, Value); 5]> {
     profile.points.iter().map(row).collect()
 }
 
-/// The members of `Medium` in the medium's part. The points of a profile begin at `first` in the list of all.
+/// The samples of a medium, if it is a grid.
+fn samples(medium: &Medium) -> &[f32] {
+    match medium {
+        Medium::Grid(grid) => &grid.samples,
+        _ => &[],
+    }
+}
+
+/// The members of `Medium` in the medium's part. The points of a profile or the samples of a grid begin at `first` in the list of
+/// all.
 #[must_use]
 pub fn medium_values(medium: &Medium, first: u32) -> Vec<(&'static str, Value)> {
     match medium {
@@ -112,6 +126,12 @@ pub fn medium_values(medium: &Medium, first: u32) -> Vec<(&'static str, Value)> 
             ("frequency", Float(n.frequency)),
             ("octaves", Uint(n.octaves)),
             ("seed", Uint(n.seed)),
+        ],
+        Medium::Expression { center, scale, .. } => vec![("center", Vec3(*center)), ("scale", Float(*scale))],
+        Medium::Grid(grid) => vec![
+            ("origin", Vec3(grid.origin)),
+            ("cell", Vec3(grid.cell)),
+            ("size", Uint4([grid.size[0], grid.size[1], grid.size[2], first])),
         ],
     }
 }

@@ -10,6 +10,7 @@ mod block;
 mod choice;
 mod declarations;
 mod error;
+mod formula;
 mod generated;
 mod link;
 mod parts;

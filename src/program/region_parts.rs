@@ -3,9 +3,10 @@
 use super::link::Unit;
 use super::plan::{Names, chosen};
 use super::regions::{Kind, Motion, Regions};
-use super::{ProgramError, Purpose, generated};
+use super::{ProgramError, Purpose, formula, generated};
 use crate::scene::{
-    Control, DoublingRule, Falloff, FlowField, FlowOrder, Law, Medium, Method, Scene, SchwarzschildForm, Segment,
+    Control, DoublingRule, Falloff, FlowField, FlowOrder, Formula, Law, Medium, Method, Scene, SchwarzschildForm,
+    Segment,
 };
 
 /// The parts of one kind of region.
@@ -22,6 +23,10 @@ pub(super) fn region_parts(
     if let Some(index) = kind.index {
         names.all(index);
         made.push(generated::media(kind.media.len()));
+        let formulas: Vec<_> = kind.media.iter().filter_map(formula).collect();
+        if !formulas.is_empty() {
+            made.push(formula::formulas(&formulas));
+        }
     } else {
         names.add("index/vacuum");
     }
@@ -59,6 +64,14 @@ pub(super) fn region_parts(
     let mut units = names.units()?;
     units.extend(made);
     Ok(units)
+}
+
+/// What a user wrote for the index.
+fn formula(medium: &Medium) -> Option<Formula> {
+    match medium {
+        Medium::Expression { n, .. } => Some(n.clone()),
+        _ => None,
+    }
 }
 
 /// The scene's own law, by the scene's own method.

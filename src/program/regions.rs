@@ -224,6 +224,8 @@ fn index_parts(medium: &Medium) -> &'static [&'static str] {
         Medium::Noise(_) => &["index/noise", "noise/fractal", "noise/lattice"],
         Medium::Textured(_) => &["index/textured", "noise/fractal", "noise/lattice"],
         Medium::Explosion(_) => &["index/explosion", "noise/lattice"],
+        Medium::Expression { .. } => &["index/expression", "formula", "index_limit"],
+        Medium::Grid(_) => &["index/grid", "index_limit"],
     }
 }
 

@@ -100,6 +100,8 @@ fn medium_loops(medium: &Medium) -> (u64, u64) {
             let halvings = u64::from(profile.points.len().next_power_of_two().ilog2());
             (halvings, halvings)
         }
+        // Rows of samples round a place.
+        Medium::Grid(_) => (16, 0),
         _ => (0, 0),
     }
 }

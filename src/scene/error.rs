@@ -22,6 +22,14 @@ pub enum SceneError {
         /// What is wrong with it.
         problem: String,
     },
+    /// A file of samples that can be read but not used.
+    #[error("cannot use the grid `{}`: {problem}", path.display())]
+    Grid {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A `--set` argument that is not `KEY=VALUE`.
     #[error("{0}")]
     Override(String),

@@ -1,6 +1,6 @@
 //! Media: how the index of refraction n varies with place.
 
-use super::Profile;
+use super::{Formula, IndexGrid, Profile};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -114,6 +114,17 @@ pub enum Medium {
     Textured(Noise),
     /// Disturbed air: 1 outside a ball, noise in it.
     Explosion(Explosion),
+    /// What the user wrote.
+    Expression {
+        /// Where x, y, z and r are 0.
+        center: DVec3,
+        /// The length over which it changes.
+        scale: f64,
+        /// n of the place relative to the centre. It may have no value, or none above 0, at some places: rays fail there.
+        n: Formula,
+    },
+    /// Samples.
+    Grid(Arc<IndexGrid>),
 }
 
 impl Medium {
@@ -165,7 +176,8 @@ impl Medium {
             Self::Profile { origin, up, profile } => profile.index(up.dot(x - origin)),
             // Outside the disturbed region.
             Self::Explosion(noise) if x.distance(noise.center) >= noise.radius => 1.0,
-            Self::Noise(_) | Self::Textured(_) | Self::Explosion(_) => return None,
+            Self::Expression { center, n, .. } => n.value(x - *center),
+            Self::Noise(_) | Self::Textured(_) | Self::Explosion(_) | Self::Grid(_) => return None,
         })
     }
 }

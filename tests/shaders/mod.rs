@@ -13,6 +13,8 @@ mod curves;
 mod doubles;
 mod embedded;
 mod ends;
+mod expressions;
+mod grid;
 mod images;
 mod laws;
 mod lights;

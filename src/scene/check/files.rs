@@ -72,7 +72,7 @@ impl Files {
 }
 
 /// Records an error: mistakes in the file with their own places, all else where the file was named.
-fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Option<T> {
+pub fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Option<T> {
     let error = match loaded {
         Ok(value) => return Some(value),
         Err(error) => error,

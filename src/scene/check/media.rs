@@ -1,6 +1,7 @@
 //! Media: a number, the name of a common one, or a table with a `kind`.
 
 use super::files::Files;
+use super::written;
 use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{
     Read, array, direction, number, number_where, positive, suggest, vector, whole, word,
@@ -27,6 +28,8 @@ enum Kind {
     Noise,
     Textured,
     Explosion,
+    Expression,
+    Grid,
 }
 
 const KINDS: &[(&str, Kind)] = &[
@@ -44,6 +47,8 @@ const KINDS: &[(&str, Kind)] = &[
     ("noise", Kind::Noise),
     ("textured", Kind::Textured),
     ("explosion", Kind::Explosion),
+    ("expression", Kind::Expression),
+    ("grid", Kind::Grid),
 ];
 
 /// What a medium's own keys default to: the place and size of the object that it fills.
@@ -164,6 +169,8 @@ fn medium(table: &TableReader, kind: Kind, around: Surroundings, files: &mut Fil
             Medium::Textured(Noise { n0: n?, ..noise? })
         }
         Kind::Explosion => Medium::Explosion(explosion(table, around)?),
+        Kind::Expression => written::expression(table, around)?,
+        Kind::Grid => written::grid(table)?,
     })
 }
 

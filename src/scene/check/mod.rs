@@ -14,6 +14,7 @@ mod objects;
 mod optics;
 mod rays;
 mod regions;
+mod written;
 
 use super::document::reader::{Reader, TableReader};
 use super::document::values::{array, color, direction, number_where, vector, whole, word};

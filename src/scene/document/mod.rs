@@ -117,6 +117,25 @@ impl Document {
         Ok(document)
     }
 
+    /// The file's path.
+    pub fn path(&self) -> &Path {
+        &self.sources[0].name
+    }
+
+    /// The place of a part of a string, in bytes of its text: exact unless the string is written with escapes.
+    pub fn inside(&self, node: &Node, part: Range<usize>) -> Place {
+        let Place { source, start, end } = node.place;
+        let written = self.sources[source].text.get(start..end);
+        let offset = match &node.value {
+            Value::Text(text) => written.and_then(|written| written.find(text.as_str())),
+            _ => None,
+        };
+        match offset {
+            Some(offset) => Place { source, start: start + offset + part.start, end: start + offset + part.end },
+            None => node.place,
+        }
+    }
+
     /// Looks a fault's place up.
     pub fn locate(&self, fault: Fault) -> Mistake {
         let Place { source, start, end } = fault.place;

@@ -10,6 +10,8 @@ use crate::scene::error::Mistake;
 use crate::scene::reference::REFERENCE;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
+use std::ops::Range;
+use std::path::Path;
 
 /// Collects what is wrong while a document is read.
 pub struct Reader<'a> {
@@ -37,6 +39,16 @@ impl<'a> Reader<'a> {
     /// Records a fault.
     pub fn fault(&self, fault: Fault) {
         self.mistake(self.document.locate(fault));
+    }
+
+    /// The folder of the scene file: names of files are relative to it.
+    pub fn folder(&self) -> &Path {
+        self.document.path().parent().unwrap_or(Path::new(""))
+    }
+
+    /// Records what is wrong with a part of a string, in bytes of its text.
+    pub fn fault_inside(&self, node: &Node, part: Range<usize>, problem: String, help: String) {
+        self.fault(Fault { place: self.document.inside(node, part), problem, help });
     }
 
     /// Records a mistake of another file.

@@ -9,8 +9,10 @@ use std::ops::RangeInclusive;
 /// A value, or what is wrong with the node.
 pub type Read<T> = Result<T, Fault>;
 
-const LARGEST: f64 = 1e30;
-const SMALLEST: f64 = 1e-30;
+/// The largest number that a scene may have.
+pub const LARGEST: f64 = 1e30;
+/// The smallest but 0.
+pub const SMALLEST: f64 = 1e-30;
 
 impl Node {
     /// The mistake of this node.

@@ -96,7 +96,7 @@ pub const REFERENCE: &[KeyReference] = keys! {
         yukawa if "no cubic": "number above 0" = "none", "μ: the force is e^(−μr)(1 + μr)/r²; per scene unit";
     }
     "medium" {
-        kind: "constant | luneburg | gaussian | inverse-r | maxwell-fisheye | eaton | rod | linear | exponential | sech | profile | noise | textured | explosion" = "required",
+        kind: "constant | luneburg | gaussian | inverse-r | maxwell-fisheye | eaton | rod | linear | exponential | sech | profile | noise | textured | explosion | expression | grid" = "required",
             "how n varies: a number stands for { kind = \"constant\", n }, and so do vacuum, air, ice, water, ethyl-alcohol, fused-quartz, acrylic, crown-glass, polyester-resin, flint-glass and diamond";
         n if r#"kind = "constant" or "textured""#: "number above 0" = "required", "the index";
         center if r#"kind = "luneburg", "gaussian", "inverse-r", "maxwell-fisheye", "eaton", "rod", "noise", "textured" or "explosion""#: "[x, y, z]" = "the object's, or [0, 0, 0]",
@@ -131,6 +131,22 @@ pub const REFERENCE: &[KeyReference] = keys! {
         frequency if r#"kind = "noise", "textured" or "explosion""#: "number above 0" = "required", "lattice cells a unit length";
         octaves if r#"kind = "noise", "textured" or "explosion""#: "whole number, 1 to 8" = "1", "terms of the noise";
         seed if r#"kind = "noise", "textured" or "explosion""#: "whole number" = "0", "chooses the noise";
+        n if r#"kind = "expression""#: "formula" = "required",
+            "the index as a function of x, y, z and r, with numbers, pi, + - * / ^ ( ), sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh, atan, abs, min and max; its gradient is derived; rays fail where it is not above 0";
+        center if r#"kind = "expression""#: "[x, y, z]" = "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units";
+        scale if r#"kind = "expression""#: "number above 0" = "the object's radius, or 1",
+            "the length over which n changes, scene units: steps are a fraction of it";
+        file if r#"kind = "grid""#: "file" = "required",
+            "samples of the index, n = offset + scale · value, between which it is a Catmull-Rom spline: NRRD if it ends in .nrrd, else bare numbers, x fastest";
+        min if r#"kind = "grid""#: "[x, y, z]" = "as the NRRD file says, or required",
+            "where the first sample is, scene units; with max";
+        max if r#"kind = "grid""#: "[x, y, z]" = "as the NRRD file says, or required",
+            "where the last sample is; beyond the grid the index is that at its border";
+        scale if r#"kind = "grid""#: "number other than 0" = "1", "see file";
+        offset if r#"kind = "grid""#: "number" = "0", "see file";
+        size if r#"kind = "grid", unless the file is NRRD"#: "[nx, ny, nz], 2 or more" = "required", "samples along x, y and z";
+        type if r#"kind = "grid", unless the file is NRRD"#: "u8 | u16 | f32 | f64" = "required", "what a sample is";
+        endian if r#"kind = "grid", unless the file is NRRD"#: "little | big" = "little", "which end of a number comes first";
     }
     "rays" {
         method: "auto | exact | planar | euler | leapfrog | rkn4 | rk4 | euler-doubling | rk4-doubling | bogacki-shampine | dormand-prince | snell"

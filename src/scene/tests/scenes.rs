@@ -29,6 +29,8 @@ const KINDS: &[&str] = &[
      material = \"b\"\nmin = [0, 0, 0]\nmax = [1, 2, 3]\n[[objects]]\nshape = \"plane\"\nmaterial = \"a\"\n\
      [[objects]]\nshape = \"mesh\"\nmaterial = \"a\"\nfile = \"mesh.obj\"\n[[lights]]\nkind = \"directional\"\n\
      direction = [0, -2, 0]\n",
+    "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"expression\", n = \"1 + x^2\" }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"grid\", file = \"n.raw\", size = [2, 2, 2], type = \"u8\" }\n",
     "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"gaussian\", a = 1.4 }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"inverse-r\" }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"maxwell-fisheye\" }\n\

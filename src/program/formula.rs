@@ -1,0 +1,248 @@
+//! WGSL for formulas: each with its gradient, what they have in common bound once.
+//!
+//! *Practice.* Nodes of the formula's graph that are used more than once become a `let`, all others stand where they are used.
+//! Powers are multiplied out by repeated squaring. Numbers are written so that they are a `Real` in either precision: WGSL takes a
+//! bare literal for an f32 wherever nothing beside it says otherwise.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::generated::{switch, unit};
+use super::link::Unit;
+use crate::scene::{Axis, Formula, Function, Graph, Id, Node};
+
+/// `formula(q)`: gradient and value at q, of the formula that `place` counts.
+pub(super) fn formulas(formulas: &[Formula]) -> Unit {
+    let mut text = String::new();
+    let mut calls = Vec::new();
+    for (k, formula) in formulas.iter().enumerate() {
+        let _ = writeln!(text, "// ∇n and n = {formula}\n{}", function(&format!("formula_{k}"), formula));
+        calls.push((format!("{k}u"), format!("formula_{k}(q)")));
+    }
+    text += &switch("fn formula(q: Real3) -> Real4", "place", &calls);
+    unit("generated/formula.wgsl", text)
+}
+
+fn function(name: &str, formula: &Formula) -> String {
+    let (graph, roots) = formula.graph();
+    let reached = graph.reached(&roots);
+    let mut writer =
+        Writer { graph, uses: uses(graph, &reached, &roots), names: BTreeMap::new(), lines: String::new() };
+    writer.common_places(&reached);
+    for id in reached {
+        writer.bind(id);
+    }
+    let [x, y, z, n] = roots.map(|id| writer.argument(id));
+    let lines = writer.lines;
+    format!("fn {name}(q: Real3) -> Real4 {{\n{lines}    return Real4({x}, {y}, {z}, {n});\n}}\n")
+}
+
+/// How often each node is written where it stands.
+fn uses(graph: &Graph, reached: &[Id], roots: &[Id]) -> BTreeMap<Id, usize> {
+    let mut uses = BTreeMap::new();
+    let parts = reached.iter().flat_map(|id| graph.parts(*id));
+    for id in parts.chain(roots.iter().copied()) {
+        *uses.entry(id).or_default() += 1;
+    }
+    // Repeated squaring writes its base again and again, and so do sines and cosines of one angle.
+    for id in reached {
+        if let Node::Power(a, _) | Node::Call(Function::Sin | Function::Cos | Function::Tan, a) = graph.node(*id) {
+            *uses.entry(a).or_default() += 1;
+        }
+    }
+    uses
+}
+
+/// How strongly a piece of WGSL holds together.
+const SUM: u8 = 1;
+const PRODUCT: u8 = 2;
+const MINUS: u8 = 3;
+const WHOLE: u8 = 4;
+
+struct Writer<'a> {
+    graph: &'a Graph,
+    uses: BTreeMap<Id, usize>,
+    /// Of what is bound.
+    names: BTreeMap<Key, String>,
+    lines: String,
+}
+
+/// What a name can be bound to.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum Key {
+    Node(Id),
+    Power(Id, u32),
+    /// Sine and cosine.
+    Sines(Id),
+}
+
+impl Writer<'_> {
+    /// r², r and the direction are sums of all three coordinates.
+    fn common_places(&mut self, reached: &[Id]) {
+        let has = |wanted: fn(&Node) -> bool| reached.iter().any(|id| wanted(&self.graph.node(*id)));
+        let direction = has(|node| matches!(node, Node::Direction(_)));
+        if has(|node| *node == Node::Square) {
+            self.lines += "    let square = dot(q, q);\n";
+        }
+        if direction || has(|node| *node == Node::Distance) {
+            self.lines += "    let r = length(q);\n";
+        }
+        if direction {
+            self.lines += "    let outward = q / max(r, 1e-30);\n";
+        }
+    }
+
+    /// Binds a name to the node, if it is worth one.
+    fn bind(&mut self, id: Id) {
+        if self.graph.parts(id).is_empty() || self.uses.get(&id).is_none_or(|uses| *uses < 2) {
+            return;
+        }
+        let (text, _) = self.piece(id);
+        // Powers and sines have names already.
+        let named = text.chars().all(|c| c.is_ascii_alphanumeric() || c == '.');
+        let name = if named { text } else { self.line(&text) };
+        self.names.insert(Key::Node(id), name);
+    }
+
+    fn line(&mut self, text: &str) -> String {
+        let name = format!("a{}", self.names.len());
+        let _ = writeln!(self.lines, "    let {name} = {text};");
+        name
+    }
+
+    /// As an operand: in parentheses unless it holds at least so strongly.
+    fn operand(&mut self, id: Id, strength: u8) -> String {
+        let (text, own) = self.named(id);
+        if own < strength { format!("({text})") } else { text }
+    }
+
+    /// As an argument: a `Real` by itself.
+    fn argument(&mut self, id: Id) -> String {
+        match self.graph.number(id) {
+            Some(value) => format!("Real({value:?})"),
+            None => self.named(id).0,
+        }
+    }
+
+    fn named(&mut self, id: Id) -> (String, u8) {
+        match self.names.get(&Key::Node(id)) {
+            Some(name) => (name.clone(), WHOLE),
+            None => self.piece(id),
+        }
+    }
+
+    fn piece(&mut self, id: Id) -> (String, u8) {
+        let axis = |axis: Axis| ["x", "y", "z"][axis as usize];
+        match self.graph.node(id) {
+            Node::Number(bits) => {
+                let value = f64::from_bits(bits);
+                (format!("{value:?}"), if value < 0.0 { MINUS } else { WHOLE })
+            }
+            Node::Place(a) => (format!("q.{}", axis(a)), WHOLE),
+            Node::Square => ("square".to_owned(), WHOLE),
+            Node::Distance => ("r".to_owned(), WHOLE),
+            Node::Direction(a) => (format!("outward.{}", axis(a)), WHOLE),
+            Node::Sum(a, b) => (format!("{} + {}", self.operand(a, SUM), self.operand(b, PRODUCT)), SUM),
+            Node::Difference(a, b) => (format!("{} - {}", self.operand(a, SUM), self.operand(b, PRODUCT)), SUM),
+            Node::Product(a, b) => (format!("{} * {}", self.operand(a, PRODUCT), self.operand(b, WHOLE)), PRODUCT),
+            Node::Quotient(a, b) => (format!("{} / {}", self.operand(a, PRODUCT), self.operand(b, WHOLE)), PRODUCT),
+            Node::Negative(a) => (format!("-{}", self.operand(a, WHOLE)), MINUS),
+            Node::Power(a, k) => {
+                let power = self.power(a, k.unsigned_abs());
+                if k < 0 { (format!("1.0 / {power}"), PRODUCT) } else { (power, WHOLE) }
+            }
+            Node::Call(function, a) => self.call(function, a),
+            Node::Min(a, b) => (format!("formula_min({}, {})", self.argument(a), self.argument(b)), WHOLE),
+            Node::Max(a, b) => (format!("formula_max({}, {})", self.argument(a), self.argument(b)), WHOLE),
+            Node::Choice([a, b, c, d]) => {
+                let [a, b, c, d] = [a, b, c, d].map(|id| self.argument(id));
+                (format!("select({d}, {c}, {a} < {b})"), WHOLE)
+            }
+        }
+    }
+
+    /// aᵏ as a name, k ≥ 1.
+    fn power(&mut self, a: Id, k: u32) -> String {
+        if k == 1 {
+            return self.operand(a, WHOLE);
+        }
+        if let Some(name) = self.names.get(&Key::Power(a, k)) {
+            return name.clone();
+        }
+        // Odd powers by the even one below, which their derivative is made of.
+        let (one, other) = if k.is_multiple_of(2) { (k / 2, k / 2) } else { (k - 1, 1) };
+        let (one, other) = (self.power(a, one), self.power(a, other));
+        let name = self.line(&format!("{one} * {other}"));
+        self.names.insert(Key::Power(a, k), name.clone());
+        name
+    }
+
+    fn call(&mut self, function: Function, a: Id) -> (String, u8) {
+        let text = match function {
+            Function::Sin => format!("{}.x", self.sines(a)),
+            Function::Cos => format!("{}.y", self.sines(a)),
+            Function::Tan => {
+                let both = self.sines(a);
+                return (format!("{both}.x / {both}.y"), PRODUCT);
+            }
+            Function::Exp => format!("real_exp({})", self.argument(a)),
+            Function::Abs => format!("abs({})", self.argument(a)),
+            Function::Atan => format!("arc_tangent({}, 1.0)", self.argument(a)),
+            Function::Sqrt | Function::Log | Function::Sinh | Function::Cosh | Function::Tanh | Function::Sign => {
+                format!("formula_{}({})", function.name(), self.argument(a))
+            }
+        };
+        (text, WHOLE)
+    }
+
+    fn sines(&mut self, a: Id) -> String {
+        if let Some(name) = self.names.get(&Key::Sines(a)) {
+            return name.clone();
+        }
+        let text = format!("formula_sin_cos({})", self.argument(a));
+        let name = self.line(&text);
+        self.names.insert(Key::Sines(a), name.clone());
+        name
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(formulas_of: &[&str]) -> String {
+        let parsed: Vec<_> = formulas_of.iter().map(|text| Formula::parse(text).unwrap()).collect();
+        formulas(&parsed).text.into_owned()
+    }
+
+    #[test]
+    fn what_is_common_is_bound_once() {
+        let text = text(&["1 + 0.1*exp(-r^2)"]);
+        let want = "// ∇n and n = 1 + 0.1 * exp(-r^2)\n\
+            fn formula_0(q: Real3) -> Real4 {\n    let square = dot(q, q);\n    let a0 = real_exp(-square);\n";
+        assert!(text.starts_with(want), "{text}");
+        assert_eq!(text.matches("real_exp").count(), 1, "{text}");
+        assert!(!text.contains("switch") && text.contains("return formula_0(q);"), "{text}");
+    }
+
+    #[test]
+    fn several_are_chosen_by_place() {
+        let text = text(&["1 + x^2", "2 - y", "1.5"]);
+        for part in [
+            "switch place",
+            "case 0u",
+            "case 1u",
+            "return formula_2(q);",
+            "Real4(Real(0.0), Real(0.0), Real(0.0), Real(1.5))",
+        ] {
+            assert!(text.contains(part), "{part}\n{text}");
+        }
+    }
+
+    #[test]
+    fn powers_are_squared_up() {
+        let text = text(&["1 + x^7"]);
+        // x², x³, x⁶ and x⁷.
+        assert_eq!(text.matches("let ").count(), 4, "{text}");
+    }
+}

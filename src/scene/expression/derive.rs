@@ -1,0 +1,103 @@
+//! Derivatives of a graph's nodes, as nodes of the same graph.
+
+use super::Function;
+use super::graph::{Axis, Graph, Id, Node};
+
+impl Graph {
+    /// ∂a/∂axis. Where a has a kink, such as |x| at 0, it is that of one side or between the two.
+    pub(super) fn derivative(&mut self, a: Id, axis: Axis) -> Id {
+        // Parts come before what they are part of, so that a single pass upwards has all that it needs.
+        let mut known: Vec<Option<Id>> = vec![None; a.index() + 1];
+        for id in self.reached(&[a]) {
+            let derivative = self.derivative_of(id, axis, &|part| known[part.index()].unwrap_or(part));
+            known[id.index()] = Some(derivative);
+        }
+        known[a.index()].unwrap_or(a)
+    }
+
+    /// With the derivatives of the parts given by `of`.
+    fn derivative_of(&mut self, id: Id, axis: Axis, of: &dyn Fn(Id) -> Id) -> Id {
+        match self.node(id) {
+            Node::Number(_) | Node::Direction(_) | Node::Choice(_) => self.constant(0.0),
+            Node::Place(own) => self.constant(f64::from(u8::from(own == axis))),
+            Node::Square => {
+                let (two, place) = (self.constant(2.0), self.make(Node::Place(axis)));
+                self.product(two, place)
+            }
+            Node::Distance => self.make(Node::Direction(axis)),
+            Node::Sum(a, b) => self.sum(of(a), of(b)),
+            Node::Difference(a, b) => self.difference(of(a), of(b)),
+            Node::Product(a, b) => {
+                let left = self.product(of(a), b);
+                let right = self.product(a, of(b));
+                self.sum(left, right)
+            }
+            Node::Quotient(a, b) => {
+                // (a′ − (a/b) b′)/b
+                let change = self.product(id, of(b));
+                let above = self.difference(of(a), change);
+                self.quotient(above, b)
+            }
+            Node::Negative(a) => self.negative(of(a)),
+            Node::Power(a, k) => self.derivative_of_power(a, k, axis, of),
+            Node::Call(function, a) => {
+                let zero = self.number(of(a)) == Some(0.0);
+                if zero { of(a) } else { self.derivative_of_call(function, id, a, of(a)) }
+            }
+            Node::Min(a, b) => self.choice(a, b, of(a), of(b)),
+            Node::Max(a, b) => self.choice(b, a, of(a), of(b)),
+        }
+    }
+
+    fn choice(&mut self, a: Id, b: Id, c: Id, d: Id) -> Id {
+        if c == d { c } else { self.make(Node::Choice([a, b, c, d])) }
+    }
+
+    /// k aᵏ⁻¹ a′; of rᵏ it is k rᵏ⁻² x, without a division by r for k ≥ 2.
+    fn derivative_of_power(&mut self, a: Id, k: i32, axis: Axis, of: &dyn Fn(Id) -> Id) -> Id {
+        let factor = self.constant(f64::from(k));
+        let (less, inner) = match self.node(a) {
+            Node::Distance => (self.power(a, k - 2), self.make(Node::Place(axis))),
+            _ => (self.power(a, k - 1), of(a)),
+        };
+        let product = self.product(less, inner);
+        self.product(factor, product)
+    }
+
+    /// `id` is f(a); `inner` is a′.
+    fn derivative_of_call(&mut self, function: Function, id: Id, a: Id, inner: Id) -> Id {
+        let one = self.constant(1.0);
+        let outer = match function {
+            Function::Sqrt => {
+                let two = self.constant(2.0);
+                let below = self.product(two, id);
+                return self.quotient(inner, below);
+            }
+            Function::Log => return self.quotient(inner, a),
+            Function::Atan => {
+                let square = self.product(a, a);
+                let below = self.sum(one, square);
+                return self.quotient(inner, below);
+            }
+            Function::Exp => id,
+            Function::Sin => self.call(Function::Cos, a),
+            Function::Cos => {
+                let sine = self.call(Function::Sin, a);
+                self.negative(sine)
+            }
+            Function::Tan => {
+                let square = self.product(id, id);
+                self.sum(one, square)
+            }
+            Function::Sinh => self.call(Function::Cosh, a),
+            Function::Cosh => self.call(Function::Sinh, a),
+            Function::Tanh => {
+                let square = self.product(id, id);
+                self.difference(one, square)
+            }
+            Function::Abs => self.call(Function::Sign, a),
+            Function::Sign => self.constant(0.0),
+        };
+        self.product(outer, inner)
+    }
+}

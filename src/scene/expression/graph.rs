@@ -1,0 +1,208 @@
+//! A formula as a graph in which equal parts are one node.
+//!
+//! *Practice.* Parts come before what they are part of, so that one pass over the list of nodes evaluates all.
+
+use super::Function;
+use super::tree::{Extreme, Name, Operator, Tree};
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// A node's place in its graph: parts of a node come before it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Id(u32);
+
+impl Id {
+    /// The place, from 0.
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// x, y or z.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
+}
+
+impl Axis {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+}
+
+/// A part of a formula or of its gradient.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// An f64, by its bits.
+    Number(u64),
+    /// x, y or z.
+    Place(Axis),
+    /// r².
+    Square,
+    /// r.
+    Distance,
+    /// x/r, y/r or z/r: the derivative of r, 0 at r = 0.
+    Direction(Axis),
+    /// a + b.
+    Sum(Id, Id),
+    /// a − b.
+    Difference(Id, Id),
+    /// a b.
+    Product(Id, Id),
+    /// a/b.
+    Quotient(Id, Id),
+    /// −a.
+    Negative(Id),
+    /// aᵏ, k neither 0 nor 1.
+    Power(Id, i32),
+    /// f(a).
+    Call(Function, Id),
+    /// The lesser of two; not a number if either is not.
+    Min(Id, Id),
+    /// The greater of two; not a number if either is not.
+    Max(Id, Id),
+    /// `[a, b, c, d]`: c where a < b, else d.
+    Choice([Id; 4]),
+}
+
+/// The nodes of a formula and its gradient.
+#[derive(Debug, Clone, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    places: HashMap<Node, Id>,
+}
+
+impl Graph {
+    /// The node itself.
+    #[must_use]
+    pub fn node(&self, id: Id) -> Node {
+        self.nodes[id.index()]
+    }
+
+    /// Its value, if it is a number.
+    #[must_use]
+    pub fn number(&self, id: Id) -> Option<f64> {
+        match self.node(id) {
+            Node::Number(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// The nodes that a node is made of.
+    #[must_use]
+    pub fn parts(&self, id: Id) -> Vec<Id> {
+        match self.node(id) {
+            Node::Number(_) | Node::Place(_) | Node::Square | Node::Distance | Node::Direction(_) => Vec::new(),
+            Node::Negative(a) | Node::Power(a, _) | Node::Call(_, a) => vec![a],
+            Node::Sum(a, b)
+            | Node::Difference(a, b)
+            | Node::Product(a, b)
+            | Node::Quotient(a, b)
+            | Node::Min(a, b)
+            | Node::Max(a, b) => vec![a, b],
+            Node::Choice(parts) => parts.to_vec(),
+        }
+    }
+
+    /// What these nodes are made of, and they themselves, each behind its parts.
+    #[must_use]
+    pub fn reached(&self, roots: &[Id]) -> Vec<Id> {
+        let mut wanted = vec![false; self.nodes.len()];
+        for root in roots {
+            wanted[root.index()] = true;
+        }
+        let all = || (0..self.nodes.len() as u32).map(Id);
+        for id in all().rev() {
+            if wanted[id.index()] {
+                self.parts(id).into_iter().for_each(|part| wanted[part.index()] = true);
+            }
+        }
+        all().filter(|id| wanted[id.index()]).collect()
+    }
+
+    /// The values of all nodes at a place.
+    #[must_use]
+    pub fn evaluate(&self, place: DVec3) -> Vec<f64> {
+        let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
+        let axis = |axis: Axis| place[axis as usize];
+        for node in &self.nodes {
+            let of = |id: Id| values[id.index()];
+            values.push(match *node {
+                Node::Number(bits) => f64::from_bits(bits),
+                Node::Place(a) => axis(a),
+                Node::Square => place.length_squared(),
+                Node::Distance => place.length(),
+                Node::Direction(a) => axis(a) / place.length().max(f64::MIN_POSITIVE),
+                Node::Sum(a, b) => of(a) + of(b),
+                Node::Difference(a, b) => of(a) - of(b),
+                Node::Product(a, b) => of(a) * of(b),
+                Node::Quotient(a, b) => of(a) / of(b),
+                Node::Negative(a) => -of(a),
+                Node::Power(a, k) => of(a).powi(k),
+                Node::Call(function, a) => function.of(of(a)),
+                Node::Min(a, b) | Node::Max(a, b) if of(a).is_nan() || of(b).is_nan() => f64::NAN,
+                Node::Min(a, b) => of(a).min(of(b)),
+                Node::Max(a, b) => of(a).max(of(b)),
+                Node::Choice([a, b, c, d]) => {
+                    if of(a) < of(b) {
+                        of(c)
+                    } else {
+                        of(d)
+                    }
+                }
+            });
+        }
+        values
+    }
+
+    /// The node of a tree.
+    pub(super) fn of_tree(&mut self, tree: &Tree) -> Id {
+        match tree {
+            Tree::Number(value) => self.constant(*value),
+            Tree::Name(Name::X) => self.make(Node::Place(Axis::X)),
+            Tree::Name(Name::Y) => self.make(Node::Place(Axis::Y)),
+            Tree::Name(Name::Z) => self.make(Node::Place(Axis::Z)),
+            Tree::Name(Name::R) => self.make(Node::Distance),
+            Tree::Name(Name::Pi) => self.constant(std::f64::consts::PI),
+            Tree::Negative(a) => {
+                let a = self.of_tree(a);
+                self.negative(a)
+            }
+            Tree::Call(function, a) => {
+                let a = self.of_tree(a);
+                self.call(*function, a)
+            }
+            Tree::Binary(operator, a, b) => {
+                let (a, b) = (self.of_tree(a), self.of_tree(b));
+                match operator {
+                    Operator::Plus => self.sum(a, b),
+                    Operator::Minus => self.difference(a, b),
+                    Operator::Times => self.product(a, b),
+                    Operator::Over => self.quotient(a, b),
+                    Operator::Power => self.raised(a, b),
+                }
+            }
+            Tree::Extreme(extreme, a, b) => {
+                let (a, b) = (self.of_tree(a), self.of_tree(b));
+                let node = if *extreme == Extreme::Min { Node::Min(a, b) } else { Node::Max(a, b) };
+                self.folded(node)
+            }
+        }
+    }
+
+    /// The node's place, perhaps one that it has already.
+    pub(super) fn make(&mut self, node: Node) -> Id {
+        if let Some(known) = self.places.get(&node) {
+            return *known;
+        }
+        let id = Id(self.nodes.len() as u32);
+        self.nodes.push(node);
+        self.places.insert(node, id);
+        id
+    }
+}

@@ -1,0 +1,124 @@
+//! Formulas: a function of place as the user writes it, `1 + 0.1 * exp(-r^2)`, with its exact gradient.
+//!
+//! *Theory.* A formula has x, y, z, r = √(x² + y² + z²), numbers, pi, + − * / ^, parentheses and a few functions. Its text becomes
+//! a tree (`tokens`, `parse`, `tree`), and the tree a graph in which equal parts are one node (`graph`): there derivatives,
+//! which repeat the function's own parts over and over, stay about as small as the formula (`derive`, `rules`).
+//!
+//! *Practice.* A formula is valid once it is made: every number in it is one of 32-bit floats, no part of it is a constant without
+//! a value. It may still have no value at some places, such as log(x) at x = 0: that is for who evaluates it.
+
+mod derive;
+mod functions;
+mod graph;
+mod parse;
+mod rules;
+#[cfg(test)]
+mod tests;
+mod tokens;
+mod tree;
+
+pub use functions::Function;
+pub use graph::{Axis, Graph, Id, Node};
+
+use glam::DVec3;
+use std::fmt;
+use std::ops::Range;
+use tree::Tree;
+
+/// A function of place and its gradient.
+#[derive(Debug, Clone)]
+pub struct Formula {
+    tree: Tree,
+    graph: Graph,
+    value: Id,
+    gradient: [Id; 3],
+}
+
+/// What is wrong with the text of a formula.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FormulaError {
+    /// Where, in bytes of the text.
+    pub place: Range<usize>,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right; may be empty.
+    pub help: String,
+}
+
+impl Formula {
+    /// Reads a formula and derives its gradient.
+    pub fn parse(text: &str) -> Result<Self, FormulaError> {
+        let tree = parse::parse(text)?;
+        let mut graph = Graph::default();
+        let value = graph.of_tree(&tree);
+        let gradient = Axis::ALL.map(|axis| graph.derivative(value, axis));
+        let formula = Self { tree, graph, value, gradient };
+        formula.check().map_err(|problem| FormulaError {
+            place: 0..text.len(),
+            problem,
+            help: "all numbers, also those that follow from others, are 0 or from 1e-37 to 1e38 in magnitude"
+                .to_owned(),
+        })?;
+        Ok(formula)
+    }
+
+    /// Its value at a place; not finite where it has none.
+    #[must_use]
+    pub fn value(&self, place: DVec3) -> f64 {
+        self.graph.evaluate(place)[self.value.index()]
+    }
+
+    /// Its gradient at a place.
+    #[must_use]
+    pub fn gradient(&self, place: DVec3) -> DVec3 {
+        let values = self.graph.evaluate(place);
+        DVec3::from_array(self.gradient.map(|id| values[id.index()]))
+    }
+
+    /// Its value if it is the same everywhere.
+    #[must_use]
+    pub fn constant(&self) -> Option<f64> {
+        self.graph.number(self.value)
+    }
+
+    /// The graph, and in it the three parts of the gradient and the value.
+    #[must_use]
+    pub fn graph(&self) -> (&Graph, [Id; 4]) {
+        let [x, y, z] = self.gradient;
+        (&self.graph, [x, y, z, self.value])
+    }
+
+    /// Numbers that 32 bits hold, and no constant that could not be worked out.
+    fn check(&self) -> Result<(), String> {
+        let (graph, roots) = self.graph();
+        for id in graph.reached(&roots) {
+            if let Some(number) = graph.number(id) {
+                if number != 0.0 && !(1e-37..=1e38).contains(&number.abs()) {
+                    return Err(format!(
+                        "the number {number:e}, which follows from it, is beyond the range of 32-bit floats"
+                    ));
+                }
+            } else {
+                let parts = graph.parts(id);
+                if !parts.is_empty() && parts.iter().all(|part| graph.number(*part).is_some()) {
+                    return Err("a constant part of it has no finite value".to_owned());
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// As it would be written, without needless parentheses.
+impl fmt::Display for Formula {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        self.tree.fmt(f)
+    }
+}
+
+/// The same formula, not only the same function.
+impl PartialEq for Formula {
+    fn eq(&self, other: &Self) -> bool {
+        self.tree == other.tree
+    }
+}

@@ -1,0 +1,263 @@
+//! Reading and printing, values, gradients: the graph's against the tree's own value, worked out directly.
+
+#![allow(clippy::float_cmp, reason = "constants are folded exactly")]
+
+use super::parse::parse;
+use super::tree::{Extreme, Name, Operator, Tree};
+use super::{Formula, FormulaError, Function, Node};
+use glam::DVec3;
+use proptest::prelude::*;
+
+fn formula(text: &str) -> Formula {
+    Formula::parse(text).unwrap_or_else(|error| panic!("{text}: {error:?}"))
+}
+
+/// The value of a tree as arithmetic has it, without any graph.
+fn value(tree: &Tree, q: DVec3) -> f64 {
+    let of = |tree: &Tree| value(tree, q);
+    match tree {
+        Tree::Number(value) => *value,
+        Tree::Name(Name::X) => q.x,
+        Tree::Name(Name::Y) => q.y,
+        Tree::Name(Name::Z) => q.z,
+        Tree::Name(Name::R) => (q.x * q.x + q.y * q.y + q.z * q.z).sqrt(),
+        Tree::Name(Name::Pi) => std::f64::consts::PI,
+        Tree::Negative(a) => -of(a),
+        Tree::Binary(Operator::Plus, a, b) => of(a) + of(b),
+        Tree::Binary(Operator::Minus, a, b) => of(a) - of(b),
+        Tree::Binary(Operator::Times, a, b) => of(a) * of(b),
+        Tree::Binary(Operator::Over, a, b) => of(a) / of(b),
+        Tree::Binary(Operator::Power, a, b) => of(a).powf(of(b)),
+        Tree::Call(function, a) => function.of(of(a)),
+        // What is not a number stays so.
+        Tree::Extreme(Extreme::Min, a, b) => {
+            if of(a) < of(b) {
+                of(a)
+            } else {
+                of(b) + 0.0 * of(a)
+            }
+        }
+        Tree::Extreme(Extreme::Max, a, b) => {
+            if of(a) > of(b) {
+                of(a)
+            } else {
+                of(b) + 0.0 * of(a)
+            }
+        }
+    }
+}
+
+#[test]
+fn operators_bind_as_in_mathematics() {
+    for (text, same) in [
+        ("1 + 2 * x", "1 + (2 * x)"),
+        ("1 - x - y", "(1 - x) - y"),
+        ("1 / x / y * z", "((1 / x) / y) * z"),
+        ("-x^2", "-(x^2)"),
+        ("2^-x", "2^(-x)"),
+        ("x^y^z", "x^(y^z)"),
+        ("-x * y", "(-x) * y"),
+        ("1 - -x", "1 - (-x)"),
+        ("x*-y", "x * (-y)"),
+        ("  min( x ,1)/2. ", "min(x, 1) / 2"),
+        (".5e1", "5"),
+    ] {
+        assert_eq!(parse(text), parse(same), "{text}");
+    }
+    let at = DVec3::new(2.0, 3.0, 5.0);
+    for (text, want) in [
+        ("2 - 3 - 4", -5.0),
+        ("2^3^2", 512.0),
+        ("-x^2", -4.0),
+        ("12 / x / 3", 2.0),
+        ("2^-1", 0.5),
+        ("max(x, y) * min(x, y) + abs(-z)", 11.0),
+        ("r^2", 38.0),
+        ("2 * pi", std::f64::consts::TAU),
+        ("sqrt(x + 2) + 1e1", 12.0),
+        ("4^0.5 + 4^1.5 + x^-1", 10.5),
+    ] {
+        assert_eq!(formula(text).value(at), want, "{text}");
+    }
+}
+
+/// In text the place is marked by «».
+#[test]
+fn mistakes_have_their_place() {
+    for (marked, problem, help) in [
+        ("«»", "the formula is empty", "for example"),
+        ("«   »", "the formula is empty", ""),
+        ("1 + «»", "the formula ends too soon", "expected a number"),
+        ("2«(»x)", "expected an operator before this", "2 * x"),
+        ("2«x»", "expected an operator before this", "2 * x"),
+        ("1 + «*» 2", "expected a number, a name or (, found `*`", ""),
+        ("«(»1 + x", "there is no ) for this (", ""),
+        ("exp«(»-r^2", "there is no ) for this (", ""),
+        ("1 + x«)»", "there is no ( for this )", ""),
+        ("1 + «xx»", "unknown name `xx`", "did you mean `x`?"),
+        ("«ln»(x)", "unknown name `ln`", "the natural logarithm is log"),
+        ("«sine»(x)", "unknown name `sine`", "did you mean `sin"),
+        ("«exp» + 1", "`exp` is a function", "exp(x)"),
+        ("«min» + 1", "`min` is a function", "min(1, x)"),
+        ("«min»(x)", "`min` takes two numbers", "min(1, x)"),
+        ("exp(x«,» y)", "unexpected `,`", "only min and max"),
+        ("min(x, y«,» z)", "unexpected `,`", "only min and max"),
+        ("1 «,» 2", "unexpected `,`", ""),
+        ("2 * «x»(y)", "`x` is not a function", "x * (..)"),
+        ("x «**» 2", "unknown operator `**`", "^"),
+        ("1 «−» x", "unexpected character `−`", "minus is written -"),
+        ("r«²»", "unexpected character `²`", "as in r^2"),
+        ("é + «§»", "unexpected character `§`", ""),
+        ("1 + «.»", "expected a number, found `.`", ""),
+        ("1 + «1.2.3»", "expected an operator before this", ""),
+        ("«1e31» * x", "beyond the range of 32-bit floats", "1e-30"),
+        ("«1e-40» * x", "beyond the range of 32-bit floats", "1e-30"),
+        ("«1 / 0»", "a constant part of it has no finite value", ""),
+        ("«x + sqrt(-1)»", "a constant part of it has no finite value", ""),
+        ("«1e30 * 1e30 * x»", "beyond the range of 32-bit floats", ""),
+    ] {
+        // Where one number follows another the second is what is wrong.
+        let marked = marked.replace("«1.2.3»", "1.2«.3»");
+        let start = marked.find('«').unwrap();
+        let end = marked.find('»').unwrap() - '«'.len_utf8();
+        let text = marked.replace(['«', '»'], "");
+        let FormulaError { place, problem: said, help: helped } = Formula::parse(&text).expect_err(&text);
+        let unknown = marked.starts_with("é +");
+        if !unknown {
+            assert_eq!((&place, &said.contains(problem)), (&(start..end), &true), "{text}: {said}");
+        }
+        assert!(helped.contains(help) || unknown, "{text}: {helped}");
+    }
+    assert!(Formula::parse(&"(".repeat(900)).unwrap_err().problem.contains("more than 100 parts"));
+    assert!(Formula::parse(&"-".repeat(900)).unwrap_err().problem.contains("more than 100 parts"));
+    assert!(Formula::parse(&"2^".repeat(400)).unwrap_err().problem.contains("more than 100 parts"));
+    assert!(Formula::parse(&"x + ".repeat(400)).unwrap_err().problem.contains("longer than 1000"));
+}
+
+#[test]
+fn gradients_are_simple() {
+    // Of a Gaussian: a single e^(−r²), a constant in front, and no division.
+    let gaussian = formula("1 + 0.1 * exp(-r^2)");
+    let (graph, roots) = gaussian.graph();
+    let reached = graph.reached(&roots);
+    let count = |wanted: fn(Node) -> bool| reached.iter().filter(|id| wanted(graph.node(**id))).count();
+    assert_eq!(count(|node| matches!(node, Node::Call(..))), 1);
+    assert_eq!(count(|node| matches!(node, Node::Distance | Node::Direction(_) | Node::Quotient(..))), 0);
+    assert_eq!(gaussian.gradient(DVec3::ZERO), DVec3::ZERO);
+    // What is the same everywhere has no gradient.
+    assert_eq!(formula("2 * pi / 4").constant(), Some(std::f64::consts::FRAC_PI_2));
+    assert_eq!(formula("x^0 + 0 * y").constant(), Some(1.0));
+    // Odd functions of r have a gradient at the centre too: 0, between the directions.
+    for text in ["r", "sin(r)", "r^3 + r", "exp(-r)", "cos(r)"] {
+        assert_eq!(formula(text).gradient(DVec3::ZERO), DVec3::ZERO, "{text}");
+    }
+    assert_eq!(
+        formula("abs(x) + max(y, 2) - min(z, 2)").gradient(DVec3::new(-1.0, 3.0, 1.0)),
+        DVec3::new(-1.0, 1.0, -1.0)
+    );
+}
+
+/// Each function where it is steep and curved; the central difference itself errs by h² f‴/6, some 1e-9.
+#[test]
+fn every_function_has_its_derivative() {
+    for (name, _) in Function::WRITTEN {
+        for inner in ["x + 0.3 * y * z", "0.5 * r", "(1 + x^2) / (2 + y)"] {
+            let f = formula(&format!("{name}({inner})"));
+            for q in [DVec3::new(0.7, 0.2, -0.4), DVec3::new(1.3, -0.9, 0.1)] {
+                assert_gradient(&f, q, 1e-7);
+            }
+        }
+    }
+}
+
+fn difference(f: &Formula, q: DVec3, h: f64) -> DVec3 {
+    DVec3::from_array(DVec3::AXES.map(|e| (f.value(q + h * e) - f.value(q - h * e)) / (2.0 * h)))
+}
+
+fn assert_gradient(f: &Formula, q: DVec3, tolerance: f64) {
+    let (got, want) = (f.gradient(q), difference(f, q, 1e-5));
+    assert!(got.distance(want) <= tolerance * (1.0 + want.length()), "{f} at {q}: {got}, not {want}");
+}
+
+fn trees() -> impl Strategy<Value = Tree> {
+    let leaf = prop_oneof![
+        (0..40_u8).prop_map(|n| Tree::Number(f64::from(n) / 8.0)),
+        prop::sample::select(Name::ALL.map(|(_, name)| name).to_vec()).prop_map(Tree::Name),
+    ];
+    leaf.prop_recursive(5, 24, 2, |inner| {
+        let operators = vec![Operator::Plus, Operator::Minus, Operator::Times, Operator::Over];
+        let functions = Function::WRITTEN.map(|(_, function)| function).to_vec();
+        let exponents = [-3.0, -1.0, -0.5, 0.0, 0.5, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0].to_vec();
+        prop_oneof![
+            4 => (prop::sample::select(operators), inner.clone(), inner.clone())
+                .prop_map(|(o, a, b)| Tree::Binary(o, Box::new(a), Box::new(b))),
+            1 => inner.clone().prop_map(|a| Tree::Negative(Box::new(a))),
+            2 => (prop::sample::select(functions), inner.clone()).prop_map(|(f, a)| Tree::Call(f, Box::new(a))),
+            2 => (inner.clone(), prop::sample::select(exponents)).prop_map(|(a, k): (Tree, f64)| {
+                let size = Tree::Number(k.abs());
+                let k = if k < 0.0 { Tree::Negative(Box::new(size)) } else { size };
+                Tree::Binary(Operator::Power, Box::new(a), Box::new(k))
+            }),
+            1 => (any::<bool>(), inner.clone(), inner).prop_map(|(min, a, b)| {
+                Tree::Extreme(if min { Extreme::Min } else { Extreme::Max }, Box::new(a), Box::new(b))
+            }),
+        ]
+    })
+}
+
+fn places() -> impl Strategy<Value = DVec3> {
+    prop::array::uniform3(-2.0..2.0_f64).prop_map(DVec3::from_array)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn printing_and_reading_gives_the_same_tree(tree in trees()) {
+        let text = tree.to_string();
+        prop_assert_eq!(parse(&text), Ok(tree), "{}", text);
+    }
+
+    #[test]
+    fn any_text_is_read_or_refused(text in "[-+*/^(), .0-9xyzrpiexpminlogé]{0,60}") {
+        if let Err(error) = Formula::parse(&text) {
+            prop_assert!(text.get(error.place).is_some() && !error.problem.is_empty());
+        }
+    }
+
+    /// Where the tree has a value, and neither it nor its slope is of an extreme size, the graph has the same.
+    #[test]
+    fn the_graph_has_the_value_of_the_tree(tree in trees(), q in places()) {
+        let want = value(&tree, q);
+        if let Ok(f) = Formula::parse(&tree.to_string()) && want.is_finite() && want.abs() < 1e3 {
+            // Near a pole roundings grow: as far as an input moved by some roundings would take it.
+            let moved = value(&tree, q * (1.0 + 1e-13));
+            let slack = 1e-9 * (1.0 + want.abs()) + 1e2 * (moved - want).abs();
+            let got = f.value(q);
+            prop_assert!((got - want).abs() <= slack || slack.is_nan(), "{} at {}: {}, not {}", f, q, got, want);
+        }
+    }
+
+    /// Two differences that agree are the slope; where they do not there is a kink, a pole or a wild place.
+    #[test]
+    fn the_gradient_is_the_central_difference(tree in trees(), q in places()) {
+        if let Ok(f) = Formula::parse(&tree.to_string()) {
+            let (coarse, fine) = (difference(&f, q, 2e-5), difference(&f, q, 1e-5));
+            let size = f.value(q).abs() + fine.length();
+            if size < 1e4 && coarse.distance(fine) <= 1e-7 * (1.0 + size) && !has_kink_near(&f, q) {
+                let got = f.gradient(q);
+                prop_assert!(got.distance(fine) <= 1e-5 * (1.0 + size), "{} at {}: {}, not {}", f, q, got, fine);
+            }
+        }
+    }
+}
+
+/// Does the gradient change abruptly within the reach of the differences?
+fn has_kink_near(f: &Formula, q: DVec3) -> bool {
+    let here = f.gradient(q);
+    DVec3::AXES.iter().flat_map(|e| [q + 3e-5 * *e, q - 3e-5 * *e]).any(|p| {
+        let there = f.gradient(p);
+        let off = there.distance(here);
+        off.is_nan() || off > 1e-3 * (1.0 + here.length())
+    })
+}

@@ -1,0 +1,122 @@
+//! A formula as it is written.
+
+use super::Function;
+use std::fmt::{self, Display as _};
+
+/// A formula or a part of one.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Tree {
+    /// Not negative: a minus is a part of its own.
+    Number(f64),
+    /// x, y, z, r or pi.
+    Name(Name),
+    /// −a.
+    Negative(Box<Tree>),
+    /// a + b and so on.
+    Binary(Operator, Box<Tree>, Box<Tree>),
+    /// f(a).
+    Call(Function, Box<Tree>),
+    /// The lesser or the greater of two.
+    Extreme(Extreme, Box<Tree>, Box<Tree>),
+}
+
+/// What is not a function but has a name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Name {
+    X,
+    Y,
+    Z,
+    /// √(x² + y² + z²).
+    R,
+    Pi,
+}
+
+impl Name {
+    /// All of them, as they are written.
+    pub const ALL: [(&str, Self); 5] =
+        [("x", Self::X), ("y", Self::Y), ("z", Self::Z), ("r", Self::R), ("pi", Self::Pi)];
+}
+
+/// Of two numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operator {
+    Plus,
+    Minus,
+    Times,
+    Over,
+    Power,
+}
+
+/// min or max.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Extreme {
+    Min,
+    Max,
+}
+
+impl Extreme {
+    /// As it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Min => "min",
+            Self::Max => "max",
+        }
+    }
+}
+
+/// How strongly a part holds together: sums, products, minus, powers, and what needs no parentheses anywhere.
+const SUM: u8 = 1;
+const PRODUCT: u8 = 2;
+const MINUS: u8 = 3;
+const POWER: u8 = 4;
+const WHOLE: u8 = 5;
+
+impl Tree {
+    fn strength(&self) -> u8 {
+        match self {
+            Self::Binary(Operator::Plus | Operator::Minus, ..) => SUM,
+            Self::Binary(Operator::Times | Operator::Over, ..) => PRODUCT,
+            Self::Binary(Operator::Power, ..) => POWER,
+            Self::Negative(_) => MINUS,
+            Self::Number(_) | Self::Name(_) | Self::Call(..) | Self::Extreme(..) => WHOLE,
+        }
+    }
+
+    /// In parentheses unless it holds at least so strongly.
+    fn part(&self, strength: u8, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.strength() < strength { write!(f, "({self})") } else { self.fmt(f) }
+    }
+}
+
+impl fmt::Display for Tree {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            // Without an exponent where it is short.
+            Self::Number(value) if (1e-4..1e6).contains(value) => write!(f, "{value}"),
+            Self::Number(value) => write!(f, "{value:?}"),
+            Self::Name(name) => {
+                let text = Name::ALL.iter().find(|(_, known)| known == name).map_or("", |(text, _)| text);
+                f.write_str(text)
+            }
+            Self::Negative(a) => {
+                f.write_str("-")?;
+                a.part(MINUS, f)
+            }
+            Self::Binary(operator, a, b) => {
+                // Sums and products are read from the left, powers from the right.
+                let (left, sign, right) = match operator {
+                    Operator::Plus => (SUM, " + ", PRODUCT),
+                    Operator::Minus => (SUM, " - ", PRODUCT),
+                    Operator::Times => (PRODUCT, " * ", MINUS),
+                    Operator::Over => (PRODUCT, " / ", MINUS),
+                    Operator::Power => (WHOLE, "^", MINUS),
+                };
+                a.part(left, f)?;
+                f.write_str(sign)?;
+                b.part(right, f)
+            }
+            Self::Call(function, a) => write!(f, "{}({a})", function.name()),
+            Self::Extreme(extreme, a, b) => write!(f, "{}({a}, {b})", extreme.name()),
+        }
+    }
+}
