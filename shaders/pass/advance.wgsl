@@ -51,7 +51,7 @@ fn advance(
     if alive {
         store_ray(spot.pixel, ray);
         store_counts(spot.pixel, ray);
-        store_status(spot.pixel, status_word(ray.status, turn.end, ray.index));
+        store_status(spot.pixel, status_word(word, ray.status, turn.end, ray.index));
         if ray.status == HIT {
             store_hit(spot.pixel, end);
         }

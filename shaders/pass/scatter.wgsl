@@ -27,19 +27,19 @@ fn scatter(
             next.index += 1u;
             let left = scale_weight(pixel, scattered.weight);
             if scattered.cut || left < DARK {
-                store_status(pixel, status_word(CUT, status_slot(word), ray.index));
-            } else if next.index >= schedule.max_segments {
-                store_status(pixel, status_word(EXHAUSTED, status_slot(word), ray.index));
+                store_status(pixel, status_word(word, CUT, status_slot(word), ray.index));
+            } else if next.index >= schedule.max_segments || status_surfaces(word) >= schedule.max_surfaces {
+                store_status(pixel, status_word(word, EXHAUSTED, status_slot(word), ray.index));
             } else {
                 store_ray(pixel, next);
                 store_region(pixel);
                 store_hit(pixel, Hit(Real(next.index), hit.primitive));
-                store_status(pixel, status_word(ALIVE, turn.end, next.index));
+                store_status(pixel, status_word(word + ONE_SURFACE, ALIVE, turn.end, next.index));
             }
         }
     }
     if code == ALIVE && turn.again == 1u {
         store_ray(pixel, ray);
-        store_status(pixel, status_word(ALIVE, turn.end, ray.index));
+        store_status(pixel, status_word(word, ALIVE, turn.end, ray.index));
     }
 }

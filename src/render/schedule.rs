@@ -35,7 +35,7 @@ pub struct Step {
 /// Every dispatch of one sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
 #[must_use]
 pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, segments: u32) -> Vec<Step> {
-    let mut recorded = Recorder { choice, max_segments, steps: Vec::new() };
+    let mut recorded = Recorder { choice, max_segments, max_surfaces: scene.rays.max_surfaces, steps: Vec::new() };
     recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: 1 }, 0, 1);
     let n = match scene.rays.segment {
         Segment::Chord { steps } => u64::from(steps),
@@ -54,6 +54,7 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
 struct Recorder<'a> {
     choice: &'a Choice,
     max_segments: u32,
+    max_surfaces: u32,
     steps: Vec<Step>,
 }
 
@@ -74,10 +75,12 @@ impl Recorder<'_> {
     }
 
     /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing. Where rays go on from
-    /// surfaces, every segment may end on one, and the scattering pass brings all back to the first slot.
+    /// surfaces, each of those ends a round, and the scattering pass brings all back to the first slot.
     fn fused(&mut self, work: &Work, segments: u32, n: u64, scatters: bool) {
-        let sure = if scatters { 1 } else { work.segments_per_pass(segments) };
-        let rounds = u64::from(self.max_segments.div_ceil(sure)) * work.passes_per_segment;
+        let sure = work.segments_per_pass(segments);
+        let surfaces = if scatters { u64::from(self.max_surfaces) + 1 } else { 0 };
+        let whole = u64::from(self.max_segments.div_ceil(sure));
+        let rounds = (whole + surfaces).min(u64::from(self.max_segments)) * work.passes_per_segment;
         for round in 0..rounds {
             let list = (round % 2) as usize;
             let input = if scatters { 0 } else { list };
