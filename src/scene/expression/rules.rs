@@ -151,10 +151,8 @@ impl Graph {
                 let square = self.make(Node::Square);
                 self.power(square, k / 2)
             }
-            (Node::Power(b, i), k) => match i.checked_mul(k) {
-                Some(ik) => self.power(b, ik),
-                None => self.make(Node::Power(a, k)),
-            },
+            // No sum of exponents of one formula may pass what 32 bits hold.
+            (Node::Power(b, i), k) if i.checked_mul(k).is_some_and(|ik| ik.abs() < 1 << 20) => self.power(b, i * k),
             (Node::Negative(b), k) => {
                 let power = self.power(b, k);
                 if k % 2 == 0 { power } else { self.negative(power) }

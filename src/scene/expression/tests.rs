@@ -128,6 +128,8 @@ fn mistakes_have_their_place() {
         }
         assert!(helped.contains(help) || unknown, "{text}: {helped}");
     }
+    let tower = format!("{}x{}", "(".repeat(30), "^64)".repeat(30));
+    assert!(Formula::parse(&format!("{tower} * {tower}")).unwrap_err().problem.contains("beyond the range"));
     assert!(Formula::parse(&"(".repeat(900)).unwrap_err().problem.contains("more than 100 parts"));
     assert!(Formula::parse(&"-".repeat(900)).unwrap_err().problem.contains("more than 100 parts"));
     assert!(Formula::parse(&"2^".repeat(400)).unwrap_err().problem.contains("more than 100 parts"));
