@@ -8,6 +8,7 @@
 //! `picture` loading what the file names. Nothing here knows of a GPU.
 
 mod check;
+mod cut;
 mod document;
 mod error;
 mod medium;
@@ -20,6 +21,7 @@ mod transform;
 #[cfg(test)]
 mod tests;
 
+pub use cut::{CORNERS, CutPlane, Landmark, Outline};
 pub use document::Override;
 pub use error::{Mistake, SceneError};
 pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium};
