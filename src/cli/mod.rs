@@ -14,6 +14,7 @@ mod bench;
 mod chart;
 mod check;
 mod devices;
+mod formula;
 mod new;
 mod options;
 mod render;
@@ -45,6 +46,7 @@ enum Command {
     Wgsl(wgsl::Arguments),
     Chart(chart::Arguments),
     Bench(bench::Arguments),
+    Formula(formula::Arguments),
     New(new::Arguments),
 }
 
@@ -58,6 +60,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Wgsl(arguments) => wgsl::run(&arguments),
         Command::Chart(arguments) => chart::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
+        Command::Formula(arguments) => formula::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
     }
 }

@@ -10,17 +10,23 @@
 //! are numbers.
 
 mod calibrate;
+mod curve;
 mod deviation;
 mod drift;
+mod focus;
 mod methods;
 mod sample;
 mod truth;
 mod verify;
+mod winding;
 
 pub use calibrate::{Calibration, Trial, calibrate};
+pub use curve::Curve;
 pub use deviation::{Deviations, Quantiles};
 pub use drift::{drift, kept};
+pub use focus::{Focus, focus};
 pub use methods::{Candidate, all_methods, evaluations, fast_methods, method_words};
 pub use sample::{blocks, every_pixel, scattered};
 pub use truth::{Truth, double_device, reference};
 pub use verify::{Verification, verify};
+pub use winding::windings;

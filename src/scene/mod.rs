@@ -9,6 +9,7 @@
 
 mod camera;
 mod check;
+mod cut;
 mod document;
 mod error;
 mod expression;
@@ -25,6 +26,7 @@ mod transform;
 mod tests;
 
 pub use camera::{Camera, CameraKind, Corners, Frame, Stereo, StereoLayout};
+pub use cut::{CORNERS, CutPlane, Landmark, Outline};
 pub use document::Override;
 pub use error::{Mistake, SceneError};
 pub use expression::{Axis, Formula, FormulaError, Function, Graph, Id, Node};

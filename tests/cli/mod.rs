@@ -6,6 +6,7 @@ mod bad_files;
 mod bad_options;
 mod bad_scenes;
 mod commands;
+mod diagrams;
 mod interrupted;
 mod measures;
 mod pictures;

@@ -31,6 +31,11 @@ impl Axis {
         Self { label: label.to_owned(), range: low - padding..high + padding, log }
     }
 
+    /// A linear axis over exactly this range.
+    pub fn over(label: &str, range: Range<f64>) -> Self {
+        Self { label: label.to_owned(), range, log: false }
+    }
+
     /// The extent in plot coordinates.
     pub fn span(&self) -> f64 {
         self.range.end - self.range.start

@@ -10,7 +10,7 @@ use tiny_skia::{Path, PathBuilder, Transform};
 use super::{Drawn, words};
 
 /// The library's size of a font, in ems: that of its SVG.
-const SIZE: f64 = 1.24;
+pub(super) const SIZE: f64 = 1.24;
 /// From the anchor of text that hangs down to its baseline, in ems.
 const HANG: f32 = 0.76;
 

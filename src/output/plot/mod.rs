@@ -10,6 +10,7 @@
 //! pixels. Time and memory grow with the number of points.
 
 mod axis;
+mod figure;
 mod glyphs;
 mod legend;
 mod lines;
@@ -18,6 +19,7 @@ mod paths;
 mod precision;
 mod raster;
 mod style;
+mod vector;
 
 use std::{fmt::Display, io::Write, path::Path};
 
@@ -37,7 +39,7 @@ use self::{
 use super::{AtomicFile, OutputError};
 
 pub use lines::{Chart, Series, plot_lines};
-pub use paths::{PathLine, plot_paths};
+pub use paths::{Frame, PathLine, PathPlot, Surface, SurfaceKind, plot_paths};
 pub use precision::{PrecisionPlot, pareto_front, plot_precision};
 
 /// Width and height of a plot in pixels, the legend included.

@@ -4,10 +4,10 @@
 
 use std::{io, path::Path};
 
-use plotters::prelude::{DrawingBackend, SVGBackend};
+use plotters::prelude::DrawingBackend;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind};
 
-use super::{CANVAS, Drawn, OutputError, raster::Raster, words};
+use super::{CANVAS, Drawn, OutputError, figure::Figure, raster::Raster, vector::Vector, words};
 
 /// The formats of a plot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,9 +31,9 @@ impl Format {
     pub fn paint(self, draw: impl FnOnce(Paper) -> Drawn<()>) -> Drawn<Vec<u8>> {
         match self {
             Self::Svg => {
-                let mut svg = String::new();
-                draw(Paper::Svg(SVGBackend::with_string(&mut svg, CANVAS)))?;
-                Ok(svg.into_bytes())
+                let mut vector = Vector::new(CANVAS);
+                draw(Paper::Svg(&mut vector))?;
+                Ok(vector.encode().into_bytes())
             }
             Self::Png => {
                 let mut raster = Raster::new(CANVAS)?;
@@ -46,11 +46,20 @@ impl Format {
 
 /// The backend of a plot.
 pub(super) enum Paper<'a> {
-    Svg(SVGBackend<'a>),
+    Svg(&'a mut Vector),
     Png(&'a mut Raster),
 }
 
 type Done = Result<(), DrawingErrorKind<io::Error>>;
+
+impl Paper<'_> {
+    pub fn figure(&mut self, figure: &Figure) {
+        match self {
+            Self::Svg(vector) => vector.figure(figure),
+            Self::Png(raster) => raster.figure(figure),
+        }
+    }
+}
 
 impl DrawingBackend for Paper<'_> {
     type ErrorType = io::Error;
@@ -64,10 +73,7 @@ impl DrawingBackend for Paper<'_> {
     }
 
     fn present(&mut self) -> Done {
-        match self {
-            Self::Svg(svg) => svg.present(),
-            Self::Png(_) => Ok(()),
-        }
+        Ok(())
     }
 
     fn draw_pixel(&mut self, (x, y): BackendCoord, color: BackendColor) -> Done {
@@ -76,43 +82,49 @@ impl DrawingBackend for Paper<'_> {
 
     fn draw_line<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S) -> Done {
         match self {
-            Self::Svg(svg) => svg.draw_line(from, to, style),
+            Self::Svg(vector) => vector.line(from, to, style),
             Self::Png(raster) => raster.stroke([from, to], style),
         }
+        Ok(())
     }
 
     fn draw_rect<S: BackendStyle>(&mut self, from: BackendCoord, to: BackendCoord, style: &S, fill: bool) -> Done {
         match self {
-            Self::Svg(svg) => svg.draw_rect(from, to, style, fill),
+            Self::Svg(vector) => vector.rectangle(from, to, style, fill),
             Self::Png(raster) => raster.rectangle(from, to, style, fill),
         }
+        Ok(())
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Done {
         match self {
-            Self::Svg(svg) => svg.draw_path(path, style),
+            Self::Svg(vector) => vector.stroke(path, style),
             Self::Png(raster) => raster.stroke(path, style),
         }
+        Ok(())
     }
 
     fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, style: &S) -> Done {
         match self {
-            Self::Svg(svg) => svg.fill_polygon(path, style),
+            Self::Svg(vector) => vector.polygon(path, style),
             Self::Png(raster) => raster.polygon(path, style),
         }
+        Ok(())
     }
 
     fn draw_circle<S: BackendStyle>(&mut self, center: BackendCoord, radius: u32, style: &S, fill: bool) -> Done {
         match self {
-            Self::Svg(svg) => svg.draw_circle(center, radius, style, fill),
+            Self::Svg(vector) => vector.circle(center, radius, style, fill),
             Self::Png(raster) => raster.circle(center, radius, style, fill),
         }
+        Ok(())
     }
 
     fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, at: BackendCoord) -> Done {
         match self {
-            Self::Svg(svg) => svg.draw_text(text, style, at),
-            Self::Png(raster) => raster.text(text, style, at),
+            Self::Svg(vector) => vector.text(text, style, at),
+            Self::Png(raster) => raster.text(text, style, at)?,
         }
+        Ok(())
     }
 }

@@ -7,9 +7,9 @@ use std::io;
 
 use ::png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
 use plotters_backend::{BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind, FontTransform};
-use tiny_skia::{Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, Transform};
+use tiny_skia::{Color, FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, Stroke, StrokeDash, Transform};
 
-use super::{Drawn, glyphs::Line};
+use super::{Drawn, figure::Figure, glyphs::Line};
 
 /// The middle of a pixel, from its corner.
 const MIDDLE: f32 = 0.5;
@@ -21,7 +21,6 @@ pub(super) struct Raster {
 
 type Done = Result<(), DrawingErrorKind<io::Error>>;
 
-#[allow(clippy::unnecessary_wraps)] // the drawing library's backends answer with results
 impl Raster {
     pub fn new((width, height): (u32, u32)) -> Drawn<Self> {
         let mut pixels =
@@ -44,28 +43,25 @@ impl Raster {
         Ok(bytes)
     }
 
-    pub fn stroke(&mut self, line: impl IntoIterator<Item = BackendCoord>, style: &impl BackendStyle) -> Done {
+    pub fn stroke(&mut self, line: impl IntoIterator<Item = BackendCoord>, style: &impl BackendStyle) {
         self.outline(joined(line, false), style);
-        Ok(())
     }
 
-    pub fn polygon(&mut self, corners: impl IntoIterator<Item = BackendCoord>, style: &impl BackendStyle) -> Done {
+    pub fn polygon(&mut self, corners: impl IntoIterator<Item = BackendCoord>, style: &impl BackendStyle) {
         self.fill(joined(corners, true), style);
-        Ok(())
     }
 
     /// A rectangle between two corners; filled, it covers whole pixels.
-    pub fn rectangle(&mut self, from: BackendCoord, to: BackendCoord, style: &impl BackendStyle, fill: bool) -> Done {
+    pub fn rectangle(&mut self, from: BackendCoord, to: BackendCoord, style: &impl BackendStyle, fill: bool) {
         if !fill {
             self.outline(joined([from, (to.0, from.1), to, (from.0, to.1)], true), style);
-            return Ok(());
+            return;
         }
         let [x0, y0, x1, y1] = [from.0.min(to.0), from.1.min(to.1), from.0.max(to.0), from.1.max(to.1)];
         self.fill(Rect::from_ltrb(x0 as f32, y0 as f32, x1 as f32, y1 as f32).map(PathBuilder::from_rect), style);
-        Ok(())
     }
 
-    pub fn circle(&mut self, center: BackendCoord, radius: u32, style: &impl BackendStyle, fill: bool) -> Done {
+    pub fn circle(&mut self, center: BackendCoord, radius: u32, style: &impl BackendStyle, fill: bool) {
         let (x, y) = middle(center);
         let circle = PathBuilder::from_circle(x, y, radius as f32);
         if fill {
@@ -73,7 +69,19 @@ impl Raster {
         } else {
             self.outline(circle, style);
         }
-        Ok(())
+    }
+
+    /// Curves, shifted as all else is, so that they fit it.
+    pub fn figure(&mut self, figure: &Figure) {
+        let place = Transform::from_translate(MIDDLE, MIDDLE);
+        if let Some(color) = figure.fill {
+            self.pixels.fill_path(&figure.path, &paint(&color), FillRule::EvenOdd, place, None);
+        }
+        if let Some(pen) = figure.stroke {
+            let dash = pen.dash.and_then(|(dash, gap)| StrokeDash::new(vec![dash as f32, gap as f32], 0.0));
+            let stroke = Stroke { width: pen.width as f32, line_join: LineJoin::Round, dash, ..Stroke::default() };
+            self.pixels.stroke_path(&figure.path, &paint(&pen.color), &stroke, place, None);
+        }
     }
 
     /// Text about a place, as a browser would set it there: see [`Line`].

@@ -2,10 +2,11 @@
 
 use plotters::{
     element::DashedPathElement,
-    prelude::{Circle, Color, PathElement, Polygon, RGBColor, WHITE},
+    prelude::{BLACK, Circle, Color, PathElement, Polygon, RGBColor, WHITE},
 };
+use plotters_backend::BackendColor;
 
-use super::{Area, Drawn, words};
+use super::{Area, Drawn, figure::Pen, paths::SurfaceKind, words};
 
 /// A place on the canvas, in pixels from its top left corner.
 pub(super) type Place = (i32, i32);
@@ -28,6 +29,11 @@ const COLORS: [RGBColor; 7] = [
 
 /// Of what is not data.
 const GREY: RGBColor = RGBColor(0x80, 0x80, 0x80);
+
+/// Of surfaces.
+const DARK: RGBColor = RGBColor(0x40, 0x40, 0x40);
+/// Of media.
+const GLASS: RGBColor = RGBColor(0x78, 0x9c, 0xc8);
 
 /// Lengths of dash and gap in pixels.
 const DASHES: [Option<(i32, i32)>; 5] = [None, Some((18, 9)), Some((5, 7)), Some((32, 8)), Some((10, 14))];
@@ -106,6 +112,45 @@ impl Look {
     /// A thin grey line through wide rings, for the best of the data.
     pub fn best() -> Self {
         Self { color: GREY, dash: None, marker: Some(Marker(Shape::Halo, true)), width: THIN }
+    }
+
+    /// A dark line, for an opaque surface.
+    pub fn solid() -> Self {
+        Self { color: DARK, dash: None, marker: None, width: STROKE_WIDTH }
+    }
+
+    /// A light line, for the surface of a medium.
+    pub fn glass() -> Self {
+        Self { color: GLASS, dash: None, marker: None, width: STROKE_WIDTH }
+    }
+
+    /// A thin dark line, for what swallows rays.
+    pub fn hole() -> Self {
+        Self { color: DARK, dash: None, marker: None, width: THIN }
+    }
+
+    /// A black cross, for a place that was found.
+    pub fn focus() -> Self {
+        Self { color: BLACK, dash: None, marker: Some(Marker(Shape::Cross, false)), width: STROKE_WIDTH }
+    }
+
+    /// A black plus, for a place that was given.
+    pub fn center() -> Self {
+        Self { marker: Some(Marker(Shape::Plus, false)), ..Self::focus() }
+    }
+
+    /// What the inside of a surface is filled with, if it has one that light comes or stays in.
+    pub fn inside(kind: SurfaceKind) -> Option<BackendColor> {
+        match kind {
+            SurfaceKind::Medium => Some(GLASS.mix(0.2).to_backend_color()),
+            SurfaceKind::Landmark("horizon" | "capture") => Some(DARK.mix(0.6).to_backend_color()),
+            SurfaceKind::Opaque | SurfaceKind::Landmark(_) => None,
+        }
+    }
+
+    /// How its line is stroked where it is a curve.
+    pub fn pen(self) -> Pen {
+        Pen { color: self.color.to_backend_color(), width: self.width, dash: self.dash }
     }
 
     /// Draws a line through places of the canvas.

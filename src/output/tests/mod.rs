@@ -1,5 +1,6 @@
 //! Files as they come out.
 
+mod diagrams;
 mod files;
 mod images;
 mod plots;

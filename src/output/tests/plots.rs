@@ -7,10 +7,11 @@ use std::{
 
 use image::{ColorType, Rgb, RgbImage};
 
+use super::diagrams::{all, lines};
 use super::{folder, names};
 use crate::output::{
     OutputError,
-    plot::{Chart, PathLine, Series, check_plot, plot_lines, plot_paths},
+    plot::{Chart, Series, check_plot, plot_lines, plot_paths},
 };
 
 /// Runs a plot and returns its file.
@@ -97,39 +98,6 @@ fn odd_charts_are_drawn() {
     assert!(svg.contains("and 36 more"), "{}", svg.len());
 }
 
-/// Straight lines past a centre, bent towards it, in the plane of x and z.
-fn lines() -> Vec<PathLine<'static>> {
-    let status = ["escaped", "captured", "hit", "step limit"];
-    (0..12)
-        .map(|i| {
-            let impact = -6.0 + f64::from(i);
-            let path = |t: f64| [t, 0.01 * t, impact - impact * (t + 10.0).powi(2) / 300.0];
-            PathLine {
-                points: (0..200).map(|k| path(-10.0 + f64::from(k) * 0.09)).collect(),
-                status: status[i as usize % 4],
-            }
-        })
-        .collect()
-}
-
-#[test]
-fn paths_are_shown_along_their_narrowest_axis() {
-    let mut lines = lines();
-    lines[3].points[100] = [f64::NAN; 3];
-    let bound = Some(([0.0; 3], 12.0));
-    let svg = svg("paths.svg", |path| plot_paths(path, &lines, bound).unwrap());
-    for text in ["x (scene units)", "z (scene units)", "escaped", "step limit", "bound"] {
-        assert!(svg.contains(text), "{text}");
-    }
-    assert!(!svg.contains("y (scene units)"));
-}
-
-#[test]
-fn no_paths_are_drawn_too() {
-    let svg = svg("none.svg", |path| plot_paths(path, &[], None).unwrap());
-    assert!(svg.contains("x (scene units)") && svg.contains("y (scene units)"));
-}
-
 /// The part of a picture where something is, `[left, top, right, bottom]`.
 fn extent(picture: &RgbImage) -> [u32; 4] {
     let drawn = picture.enumerate_pixels().filter(|(_, _, p)| **p != Rgb([255; 3]));
@@ -154,7 +122,7 @@ fn a_png_shows_the_colours_and_words_of_the_svg() {
     let [left, top, ..] = extent(&png("wordless.png", |path| plot_lines(path, &wordless).unwrap()));
     assert!(left >= 30 && top >= 30, "{left} {top}");
     let lines = lines();
-    png("paths.PNG", |path| plot_paths(path, &lines, Some(([0.0; 3], 12.0))).unwrap());
+    png("paths.PNG", |path| plot_paths(path, &all(lines)).unwrap());
 }
 
 #[test]
@@ -170,7 +138,7 @@ fn a_name_that_is_no_plot_is_refused_before_the_work() {
     let folder = folder();
     for name in ["a.pdf", "a", "svg", "a.svg.gz"] {
         let path = folder.path().join(name);
-        for error in [check_plot(&path), plot_lines(&path, &chart(true)), plot_paths(&path, &[], None)] {
+        for error in [check_plot(&path), plot_lines(&path, &chart(true)), plot_paths(&path, &all(Vec::new()))] {
             let error = error.unwrap_err();
             assert!(matches!(error, OutputError::PlotFormat { .. }), "{error}");
             assert!(error.to_string().contains(name) && error.to_string().contains(".svg"), "{error}");

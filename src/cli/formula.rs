@@ -1,0 +1,115 @@
+//! `bentray formula`: what the formulas look like, without a scene or a device.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Subcommand};
+
+use crate::chart::{beer_chart, fresnel_chart, snell_chart, spiral_chart, spiral_plot};
+use crate::error::Error;
+use crate::output::plot::{plot_lines, plot_paths};
+
+/// Draw a formula, to teach with
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    formula: Formula,
+}
+
+#[derive(Debug, Args)]
+struct Drawing {
+    /// Where to draw it, as SVG or PNG
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+}
+
+#[derive(Debug, Subcommand)]
+enum Formula {
+    /// How much light a surface reflects and transmits, against the angle of incidence
+    Fresnel {
+        /// η, the index behind the surface over that before it (several with commas)
+        #[arg(long, value_name = "ETA", value_delimiter = ',', default_values_t = [1.4], value_parser = positive)]
+        eta: Vec<f64>,
+        #[command(flatten)]
+        drawing: Drawing,
+    },
+    /// How a surface refracts
+    Snell {
+        /// η, the index behind the surface over that before it (several with commas)
+        #[arg(long, value_name = "ETA", value_delimiter = ',', default_values_t = [1.33, 1.52, 1.0 / 1.52], value_parser = positive)]
+        eta: Vec<f64>,
+        #[command(flatten)]
+        drawing: Drawing,
+    },
+    /// How much light is left after a distance in a filter
+    Beer {
+        /// The part that is left after a distance of 1 (several with commas)
+        #[arg(long, value_name = "C", value_delimiter = ',', default_values_t = [0.95, 0.8, 0.65, 0.45, 0.2], value_parser = part)]
+        c: Vec<f64>,
+        /// The longest distance
+        #[arg(long, value_name = "D", default_value_t = 5.0, value_parser = positive)]
+        distance: f64,
+        #[command(flatten)]
+        drawing: Drawing,
+    },
+    /// How far a ray goes round in an inverse-r sphere, against the angle at which it starts
+    Spiral {
+        /// R/S: the sphere's radius over that of the start
+        #[arg(long, value_name = "R/S", default_value_t = std::f64::consts::E, value_parser = beyond_one)]
+        ratio: f64,
+        #[command(flatten)]
+        drawing: Drawing,
+    },
+    /// Rays in an inverse-r sphere: logarithmic spirals
+    Spirals {
+        /// Degrees between the ray and the circle where it starts: to 90 and on to 180 outwards, then inwards (several with commas)
+        #[arg(long, value_name = "DEGREES", value_delimiter = ',', default_values_t = [0.0, 30.0, 90.0, 150.0, 210.0, 270.0, 330.0])]
+        #[arg(allow_negative_numbers = true, value_parser = angle)]
+        psi: Vec<f64>,
+        /// R/S: the sphere's radius over that of the start
+        #[arg(long, value_name = "R/S", default_value_t = 2.0, value_parser = beyond_one)]
+        ratio: f64,
+        #[command(flatten)]
+        drawing: Drawing,
+    },
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    let (chart, drawing) = match &arguments.formula {
+        Formula::Fresnel { eta, drawing } => (fresnel_chart(eta), drawing),
+        Formula::Snell { eta, drawing } => (snell_chart(eta), drawing),
+        Formula::Beer { c, distance, drawing } => (beer_chart(c, *distance), drawing),
+        Formula::Spiral { ratio, drawing } => (spiral_chart(*ratio), drawing),
+        Formula::Spirals { psi, ratio, drawing } => {
+            let names: Vec<String> = psi.iter().map(|psi| format!("{psi}° to the circle")).collect();
+            plot_paths(&drawing.output, &spiral_plot(*ratio, psi, &names))?;
+            return Ok(ExitCode::SUCCESS);
+        }
+    };
+    plot_lines(&drawing.output, &chart)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    number(text, |n| n > 0.0 && n <= 1e6).ok_or_else(|| format!("`{text}` is not a number above 0, at most 1e6"))
+}
+
+fn part(text: &str) -> Result<f64, String> {
+    number(text, |n| n > 0.0 && n <= 1.0).ok_or_else(|| format!("`{text}` is not a number above 0, at most 1"))
+}
+
+fn beyond_one(text: &str) -> Result<f64, String> {
+    number(text, |n| n > 1.0 && n <= 1e6).ok_or_else(|| format!("`{text}` is not a number above 1, at most 1e6"))
+}
+
+/// Degrees for which a spiral can be drawn: so near to a circle it winds a thousand times.
+fn angle(text: &str) -> Result<f64, String> {
+    let drawable = |n: f64| (0.0..360.0).contains(&n) && (n % 180.0 == 0.0 || n.to_radians().tan().abs() > 1e-3);
+    number(text, drawable).ok_or_else(|| {
+        format!("`{text}` is not an angle from 0 to 360, at least 0.06 from 0 and 180 or these themselves")
+    })
+}
+
+fn number(text: &str, right: impl Fn(f64) -> bool) -> Option<f64> {
+    text.trim().parse().ok().filter(|n| right(*n))
+}

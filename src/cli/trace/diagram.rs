@@ -1,0 +1,206 @@
+//! The ray diagram: its plane, its frame, and what is found in it.
+
+use std::path::Path;
+
+use clap::Args;
+use glam::DVec3;
+
+use super::beams::Beam;
+use super::pairs::{Pairs, numbers, vector};
+use crate::error::Error;
+use crate::measure::{Curve, Focus, focus, windings};
+use crate::output::plot::{Frame, PathLine, PathPlot, Surface, SurfaceKind, plot_paths};
+use crate::render::{PathPoint, Status};
+use crate::scene::{CutPlane, Scene};
+
+/// What a diagram shows and what is measured in it.
+#[derive(Debug, Args)]
+pub(super) struct DiagramOptions {
+    /// The plane that is shown: x, y or z (the axis that it is perpendicular to, through the first ray's start), z=25, or
+    /// "normal=[1,0,1] point=[0,0,0]". Without it, the plane in which the paths lie, else the two axes along which they extend most
+    #[arg(long, value_name = "PLANE", value_parser = Cut::parse)]
+    cut: Option<Cut>,
+    /// The part of it that is shown: "[left, right, bottom, top]" in scene units, objects (their box and half of it more) or all
+    /// (every path and the bounding sphere). Without it objects, if the plane crosses any
+    #[arg(long, value_name = "FRAME", value_parser = parse_frame)]
+    frame: Option<Frame>,
+    /// Find and mark where the rays of each fan, bundle or file come closest together, and by how much they miss each other there
+    #[arg(long)]
+    pub focus: bool,
+    /// Measure and write how many turns each path makes about "[x, y, z]", counter-clockwise as shown
+    #[arg(long, value_name = "POINT", value_parser = vector)]
+    pub windings: Option<DVec3>,
+}
+
+/// `--cut`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Cut {
+    normal: DVec3,
+    /// A point of the plane, if it is named.
+    point: Option<DVec3>,
+}
+
+impl Cut {
+    fn parse(text: &str) -> Result<Self, String> {
+        let axis = |name: &str| match name.trim() {
+            "x" => Some(DVec3::X),
+            "y" => Some(DVec3::Y),
+            "z" => Some(DVec3::Z),
+            _ => None,
+        };
+        if let Some(normal) = axis(text) {
+            return Ok(Self { normal, point: None });
+        }
+        if let Some((normal, at)) = text.split_once('=').and_then(|(name, at)| Some((axis(name)?, at))) {
+            let at = at.trim().parse().ok().filter(|at: &f64| at.abs() <= 1e30);
+            let at = at.ok_or_else(|| format!("`{text}`: expected a number, as in `z=2.5`"))?;
+            return Ok(Self { normal, point: Some(normal * at) });
+        }
+        if !text.contains('=') {
+            return Err(format!(
+                "`{text}`: expected x, y, z, one of them with a number (z=2.5), or a normal and a point"
+            ));
+        }
+        let pairs = Pairs::read(text, &["normal", "point"], "normal=[1,0,1] point=[0,0,0]")?;
+        let normal = pairs.vector("normal")?;
+        if normal == DVec3::ZERO {
+            return Err("`normal` has no direction".to_owned());
+        }
+        let point = pairs.get("point").map(|_| pairs.vector("point")).transpose()?;
+        Ok(Self { normal, point })
+    }
+}
+
+fn parse_frame(text: &str) -> Result<Frame, String> {
+    match text.trim() {
+        "all" => Ok(Frame::All),
+        "objects" => Ok(Frame::Objects),
+        _ => match numbers(text) {
+            Some(sides @ [left, right, bottom, top]) if left < right && bottom < top => Ok(Frame::Given(sides)),
+            Some(_) => Err(format!("`{text}`: left must be less than right, and bottom less than top")),
+            None => Err(format!("`{text}`: expected all, objects, or four numbers [left, right, bottom, top]")),
+        },
+    }
+}
+
+/// Rays that belong together: those of a file, a fan or a bundle.
+#[derive(Debug)]
+pub(super) struct Group {
+    /// What they are, in messages.
+    pub name: String,
+    /// How many.
+    pub count: usize,
+}
+
+/// Rays followed, ready to be drawn.
+pub(super) struct Diagram<'a> {
+    options: &'a DiagramOptions,
+    groups: &'a [Group],
+    lines: Vec<PathLine<'static>>,
+    plane: CutPlane,
+}
+
+impl DiagramOptions {
+    /// The plane that is asked for.
+    pub fn asked_plane(&self, beams: &[Beam], given: &[[f64; 6]]) -> Option<CutPlane> {
+        let cut = self.cut?;
+        let first = beams.first().map(Beam::from).or(given.first().map(|&[x, y, z, ..]| DVec3::new(x, y, z)));
+        CutPlane::new(cut.point.or(first).unwrap_or_default(), cut.normal)
+    }
+
+    /// A diagram of paths in the plane that is asked for, else in theirs.
+    pub fn of<'a>(
+        &'a self,
+        asked: Option<CutPlane>,
+        groups: &'a [Group],
+        paths: &[(Status, Vec<PathPoint>)],
+    ) -> Diagram<'a> {
+        let line =
+            |(status, path): &(Status, Vec<PathPoint>)| PathLine { curve: Curve::of(path), status: status.name() };
+        let lines: Vec<PathLine> = paths.iter().map(line).collect();
+        let plane = asked.unwrap_or_else(|| plane_of(&lines));
+        Diagram { options: self, groups, lines, plane }
+    }
+}
+
+impl Diagram<'_> {
+    /// Measures, prints and draws what is asked for.
+    pub fn finish(self, scene: &Scene, plot: Option<&Path>) -> Result<(), Error> {
+        let foci = if self.options.focus { self.foci() } else { Vec::new() };
+        let turns = self.options.windings.map(|about| (about, self.turns(about)));
+        let Some(path) = plot else { return Ok(()) };
+        let surfaces = surfaces(scene, &self.plane);
+        let frame = self.options.frame.unwrap_or(Frame::Objects);
+        let bound = Some((scene.rays.bound.center, scene.rays.bound.radius));
+        let plot = PathPlot { frame, surfaces, bound, foci, windings: turns, ..PathPlot::new(self.plane, self.lines) };
+        Ok(plot_paths(path, &plot)?)
+    }
+
+    /// The focus of every group, of the rays that came through.
+    fn foci(&self) -> Vec<Focus> {
+        let mut foci = Vec::new();
+        let mut rest = &self.lines[..];
+        for group in self.groups {
+            let (lines, after) = rest.split_at(group.count);
+            rest = after;
+            let lost = [Status::Captured, Status::Failed, Status::Stalled].map(Status::name);
+            let through = lines.iter().filter(|line| !lost.contains(&line.status));
+            let curves: Vec<Curve> = through.map(|line| line.curve.clone()).collect();
+            let Some(found) = focus(&curves) else {
+                eprintln!("no focus of {}: fewer than two rays come through, or all stay parallel", group.name);
+                continue;
+            };
+            let [x, y, z] = (found.place + DVec3::ZERO).to_array();
+            let how = if found.real { "" } else { ", where straight lines that continue them meet" };
+            let (count, spread) = (curves.len(), found.spread);
+            eprintln!("focus of {}: [{x:.6}, {y:.6}, {z:.6}], spread {spread:.3e} of {count} rays{how}", group.name);
+            foci.push(found);
+        }
+        foci
+    }
+
+    fn turns(&self, about: DVec3) -> Vec<f64> {
+        let turns: Vec<f64> = self.lines.iter().map(|line| windings(&line.curve, about, &self.plane)).collect();
+        let [x, y, z] = about.to_array();
+        eprintln!("{:>8}{:>14}  about [{x}, {y}, {z}]", "ray", "turns");
+        for (i, turns) in turns.iter().enumerate() {
+            eprintln!("{i:>8}{turns:>14.6}");
+        }
+        turns
+    }
+}
+
+/// The plane in which paths lie, else the two axes along which they extend most, through the middle of where they start.
+fn plane_of(lines: &[PathLine]) -> CutPlane {
+    let points: Vec<DVec3> = lines.iter().flat_map(|line| line.curve.flattened()).collect();
+    if let Some(plane) = CutPlane::fit(&points) {
+        return plane;
+    }
+    let (low, high) =
+        points.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
+    let extent = high - low;
+    // Of equal extents the later axis is left out.
+    let least = (0..3).fold(2, |least, axis| if extent[axis] < extent[least] { axis } else { least });
+    let starts = || lines.iter().filter_map(|line| line.curve.0.first()).map(|arc| arc[0]);
+    let middle = starts().sum::<DVec3>() / starts().count().max(1) as f64;
+    let [right, up] = match least {
+        0 => [DVec3::Y, DVec3::Z],
+        1 => [DVec3::X, DVec3::Z],
+        _ => [DVec3::X, DVec3::Y],
+    };
+    CutPlane { point: middle, right, up }
+}
+
+/// What of a scene crosses the plane, the filled first.
+fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<Surface> {
+    let objects = scene.objects.iter().map(|object| {
+        let kind = if object.interior().is_some() { SurfaceKind::Medium } else { SurfaceKind::Opaque };
+        Surface { kind, outlines: object.cut(plane) }
+    });
+    let landmark = |landmark: crate::scene::Landmark| Surface {
+        kind: SurfaceKind::Landmark(landmark.name),
+        outlines: vec![landmark.outline],
+    };
+    let landmarks = scene.law.cut(plane).into_iter().map(landmark);
+    landmarks.chain(objects).filter(|surface| !surface.outlines.is_empty()).collect()
+}

@@ -1,0 +1,152 @@
+//! `bentray trace --plot`: ray diagrams, and what is measured in them.
+
+use super::tables::{HEADER, Rows, table};
+use super::{BALL, Folder};
+
+/// Luneburg's lens, whose ball is all that there is: rays that enter it in parallel meet where the middle one leaves it.
+const LENS: &str = "[law]\nkind = \"medium\"\nindex = { kind = \"luneburg\", radius = 1, c = 2 }\n\
+                    [rays]\nmethod = \"rk4\"\nbound = { radius = 1 }\n";
+
+/// The number after a text.
+fn number_after(text: &str, before: &str) -> f64 {
+    let rest = text.split(before).nth(1).unwrap_or_else(|| panic!("no `{before}` in {text}"));
+    let number: String = rest.chars().take_while(|c| c.is_ascii_digit() || "+-.e".contains(*c)).collect();
+    number.parse().unwrap_or_else(|_| panic!("{number} in {text}"))
+}
+
+#[test]
+fn fans_and_bundles_are_followed_like_rays_of_a_file() {
+    let folder = Folder::with(BALL);
+    folder.write("rays.csv", "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n");
+    let more =
+        "--bundle from=[5,0,0],toward=[0,0,0],width=4,count=3 --fan from=[0,5,0],toward=[0,0,0],spread=90,count=2";
+    folder.run(&format!("trace scene.toml --rays rays.csv -o out.csv {more}")).succeeds();
+    let rows = Rows::of(&folder.text("out.csv"), HEADER);
+    // The file's ray, the fan's, the bundle's.
+    assert_eq!(rows.column("status"), ["hit", "escaped", "escaped", "escaped", "hit", "escaped"]);
+    let [x, y, z, ..] = rows.numbers(4);
+    assert!(f64::from(x - 1.0).abs() < 1e-6 && y == 0.0 && z == 0.0);
+    assert_eq!(folder.names(), ["out.csv", "rays.csv", "scene.toml"]);
+}
+
+#[test]
+fn a_diagram_needs_no_table() {
+    let folder = Folder::with(BALL);
+    let rays = "--bundle from=[-5,0,0],toward=[0,0,0],width=4,count=9";
+    let ran = folder.run(&format!("trace scene.toml {rays} --plot a.svg")).succeeds();
+    assert_eq!(ran.out, "");
+    assert_eq!(folder.names(), ["a.svg", "scene.toml"]);
+    let svg = folder.text("a.svg");
+    for text in ["x (scene units)", "y (scene units)", ">surface<", ">hit<", ">escaped<"] {
+        assert!(svg.contains(&text.replace(['>', '<'], "")), "{text}");
+    }
+    // The frame is the ball's, and the bound beyond it.
+    assert!(!svg.contains("bound"));
+    folder
+        .run(&format!("trace scene.toml {rays} --plot b.svg --frame all --cut y=0.5"))
+        .fails(1, &["the bundle from [-5, 0, 0]"]);
+    folder.run(&format!("trace scene.toml {rays} --plot b.png --frame all --cut y")).succeeds();
+    folder.run(&format!("trace scene.toml {rays} --plot c.svg --frame all --cut y")).succeeds();
+    let svg = folder.text("c.svg");
+    assert!(svg.contains("bound") && svg.contains("z (scene units)") && !svg.contains("y (scene units)"));
+    assert_eq!(folder.names(), ["a.svg", "b.png", "c.svg", "scene.toml"]);
+}
+
+#[test]
+fn a_lens_has_its_focus_where_it_should() {
+    let folder = Folder::with(LENS);
+    let rays = (-4..=4).map(|i| f64::from(i) * 0.2).map(|y| [-(1.0 - y * y).sqrt(), y, 0.0, 1.0, 0.0, 0.0]);
+    folder.write("rays.csv", table(&rays.collect::<Vec<_>>()));
+    let ran = folder.run("trace scene.toml --rays rays.csv --focus --plot a.svg").succeeds();
+    assert!((number_after(&ran.err, "focus of rays.csv: [") - 1.0).abs() < 2e-3, "{}", ran.err);
+    assert!(number_after(&ran.err, "spread ") < 2e-3, "{}", ran.err);
+    assert!(ran.err.contains("of 9 rays"), "{}", ran.err);
+    let svg = folder.text("a.svg");
+    assert!(svg.contains("F1") && svg.contains("r = R"));
+    let folder = Folder::with(BALL);
+    let parallel =
+        folder.run("trace scene.toml --bundle from=[-2,2,0],toward=[0,2,0],width=1,count=3 --focus").succeeds();
+    parallel.says(&["no focus of the bundle from [-2, 2, 0]: fewer than two rays come through, or all stay parallel"]);
+}
+
+#[test]
+fn windings_are_counted() {
+    let folder = Folder::with(BALL);
+    // Past the ball at a distance of 2, from (−3, 2) to the bound at (√96, 2): seen from the origin, counter-clockwise downwards.
+    let ran = folder.run("trace scene.toml --bundle from=[-3,2,0],toward=[0,2,0],width=1,count=1 --windings [0,0,0]");
+    let ran = ran.succeeds();
+    let turns = -(2.0_f64.atan2(-3.0) - 2.0_f64.atan2(96.0_f64.sqrt())) / std::f64::consts::TAU;
+    let row = ran.err.lines().last().unwrap();
+    let found: f64 = row.split_whitespace().nth(1).unwrap().parse().unwrap();
+    assert!((found - turns).abs() < 1e-5, "{found} {turns}");
+}
+
+#[test]
+fn mistakes_in_a_diagram_exit_with_2() {
+    let folder = Folder::with(BALL);
+    let cases: [(&str, &[&str]); 12] = [
+        ("--plot a.svg", &["--rays <FILE>", "--fan <FAN>", "--bundle <BUNDLE>"]),
+        ("--fan from=[0,0,5],toward=[0,0,0],spread=9,count=2", &["--output <FILE>", "--plot <FILE>"]),
+        ("--plot a.svg --fan from=[0,0,5]", &["`toward` is missing; as in `from="]),
+        ("--plot a.svg --fan from=[0,5],toward=[0,0,0],spread=9,count=2", &["`[0,5]` is not three numbers"]),
+        (
+            "--plot a.svg --bundle from=[0,0,5],toward=[0,0,0],spread=9",
+            &["there is no `spread`, but from, toward, width"],
+        ),
+        (
+            "--plot a.svg --bundle from=[0,0,5],toward=[0,0,0],width=-1,count=2",
+            &["`width=-1`: expected a number above 0"],
+        ),
+        ("--plot a.svg --cut w", &["`w`: expected x, y, z"]),
+        ("--plot a.svg --cut z=high", &["`z=high`: expected a number"]),
+        ("--plot a.svg --cut normal=[0,0,0]", &["`normal` has no direction"]),
+        ("--plot a.svg --frame [0,1,2]", &["four numbers [left, right, bottom, top]"]),
+        ("--plot a.svg --frame [1,0,0,1]", &["left must be less than right"]),
+        ("--plot a.svg --windings [0,0]", &["`[0,0]` is not three numbers"]),
+    ];
+    for (arguments, texts) in cases {
+        folder.run(&format!("trace scene.toml {arguments}")).fails(2, texts);
+    }
+    let rays = "--fan from=[0,0,5],toward=[0,0,0],spread=9,count=2";
+    folder.run(&format!("trace scene.toml {rays} --plot a.pdf")).fails(1, &["a.pdf", ".svg"]);
+    folder.run(&format!("trace scene.toml {rays} --plot no/a.svg")).fails(1, &["the folder no does not exist"]);
+    folder.run(&format!("trace scene.toml {rays} --plot a.svg --path")).fails(2, &["--output <FILE>"]);
+    assert_eq!(folder.names(), ["scene.toml"]);
+}
+
+#[test]
+fn formulas_are_drawn_without_a_scene() {
+    let folder = Folder::new();
+    let charts: [(&str, &[&str]); 5] = [
+        ("fresnel --eta 1.4", &["reflected, η = 1.4", "transmitted, η = 1.4", "angle of incidence (degrees)"]),
+        ("snell", &["η = 1.33", "angle of refraction (degrees)"]),
+        ("beer --c 0.9,0.5 --distance 8", &["c = 0.9", "c = 0.5", "distance d in the medium"]),
+        ("spiral", &["I and II: outwards", "III and IV: inwards"]),
+        ("spirals --psi 5.73,90", &["5.73° to the circle", "90° to the circle", "medium"]),
+    ];
+    for (arguments, texts) in charts {
+        folder.run(&format!("formula {arguments} -o a.svg")).succeeds();
+        let svg = folder.text("a.svg");
+        for text in texts {
+            assert!(svg.contains(text), "{arguments}: no {text}");
+        }
+        assert!(!svg.contains("no place") && !svg.contains("NaN"), "{arguments}");
+        folder.run(&format!("formula {arguments} -o a.png")).succeeds();
+    }
+    for (arguments, text) in [
+        ("", "fresnel"),
+        ("tangent", "'tangent'"),
+        ("fresnel", "--output <FILE>"),
+        ("fresnel --eta 0", "`0` is not a number above 0"),
+        ("beer --c 1.5", "`1.5` is not a number above 0, at most 1"),
+        ("spiral --ratio 1", "`1` is not a number above 1"),
+        ("spirals --psi 0.01", "`0.01` is not an angle"),
+        ("spirals --psi -90", "`-90` is not an angle"),
+    ] {
+        let ran = folder.run(&format!("formula {arguments}"));
+        assert_eq!(ran.code, Some(2), "{arguments}");
+        ran.says(&[text]);
+    }
+    folder.run("formula beer -o a.pdf").fails(1, &["a.pdf", ".svg"]);
+    assert_eq!(folder.names(), ["a.png", "a.svg"]);
+}
