@@ -29,11 +29,18 @@ impl Source<'_> {
             }
             "ellipsoid_spaces" => spaces("ellipsoid"),
             "box_spaces" => spaces("box"),
+            "cylinder_spaces" => spaces("cylinder"),
             "plane_spaces" => spaces("plane"),
+            "disk_spaces" => {
+                let shapes = g.placed.get("disk").map_or(&[][..], Vec::as_slice);
+                pack(name, layout, shapes.iter().map(disk_row)).map(Some)
+            }
             "spheres" => placed("sphere"),
             "ellipsoids" => placed("ellipsoid"),
             "boxes" => placed("box"),
+            "cylinders" => placed("cylinder"),
             "planes" => placed("plane"),
+            "disks" => placed("disk"),
             "nodes" => pack(
                 name,
                 layout,
@@ -197,6 +204,11 @@ impl Source<'_> {
 
 fn space_rows(shape: &PlacedShape) -> [(&'static str, Value); 3] {
     [("row_x", Vec4(shape.rows[0])), ("row_y", Vec4(shape.rows[1])), ("row_z", Vec4(shape.rows[2]))]
+}
+
+fn disk_row(shape: &PlacedShape) -> [(&'static str, Value); 4] {
+    let [x, y, z] = space_rows(shape);
+    [x, y, z, ("hole", Float(shape.hole))]
 }
 
 fn placed_row(shape: &PlacedShape) -> [(&'static str, Value); 7] {

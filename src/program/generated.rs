@@ -127,7 +127,7 @@ pub(super) fn counts(scene: &Scene) -> Unit {
     let mut count = |name: &str, n: usize| {
         let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
     };
-    for kind in ["sphere", "ellipsoid", "box", "plane"] {
+    for kind in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
         let is = |object: &&crate::scene::Object| shape_kind(&object.shape, &object.transform) == kind;
         count(&kind.to_uppercase(), scene.objects.iter().filter(is).count());
     }

@@ -139,6 +139,8 @@ pub fn shape_kind(shape: &Shape, transform: &crate::scene::Transform) -> &'stati
         Shape::Sphere => "ellipsoid",
         Shape::Plane => "plane",
         Shape::Box => "box",
+        Shape::Cylinder => "cylinder",
+        Shape::Disk { .. } => "disk",
         Shape::Mesh(_) => "triangle",
     }
 }

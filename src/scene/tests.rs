@@ -1,6 +1,7 @@
 //! Scenes as a user writes them, right and wrong.
 
 mod files;
+mod inside;
 mod mistakes;
 mod overrides;
 mod properties;
