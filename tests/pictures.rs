@@ -5,8 +5,9 @@ use std::process::Command;
 
 use bentray::gpu::{Geometry, memory};
 use bentray::program::{Choice, Layer, Program, Schedule};
-use bentray::render::{Picture, Renderer, Settings, Status};
-use bentray::scene::Scene;
+use bentray::render::{Picture, Plane, Renderer, Settings, Status};
+use bentray::scene::{Object, Scene, Shape};
+use glam::DVec3;
 
 use crate::support::{gpu, scene, shipped_scenes};
 
@@ -107,6 +108,56 @@ fn the_shadow_has_its_size() {
         let expected = 2.0 * angle.tan() * 401.0;
         assert!((dark - expected).abs() <= 2.0, "{frame}: {dark} dark pixels, {expected} expected");
     }
+}
+
+/// A cylinder that is tilted and flattened, inside a ring, over a disk.
+const ROUND: &str = "[image]\nsize = [96, 72]\n[camera]\nposition = [1, 5, 12]\n[rays]\nbound = { radius = 30 }\n\
+    [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.2, 0.1], [0.1, 0.3, 0.9]] }\n\
+    [[objects]]\nshape = \"cylinder\"\nradius = 1.5\nheight = 4\naxis = [1, 2, 1]\nscale = [1, 1, 0.5]\nmaterial = \"m\"\n\
+    [[objects]]\nshape = \"disk\"\nradius = 4\nhole = 2.5\nnormal = [0, 1, 0.3]\nmaterial = \"m\"\n\
+    [[objects]]\nshape = \"disk\"\ncenter = [0, -3, 0]\nradius = 5\nmaterial = \"m\"\n";
+
+/// Every crossing of a line with an object's faces that lies on it, by where the line is at the planes and circles themselves.
+fn crossings(object: &Object, from: DVec3, along: DVec3) -> Vec<f64> {
+    let inverse = object.transform.0.inverse();
+    let (p, d) = (inverse.transform_point3(from), inverse.transform_vector3(along));
+    let rho = |t: f64| (p.x + t * d.x).hypot(p.z + t * d.z);
+    let flat = |y: f64| (y - p.y) / d.y;
+    match object.shape {
+        Shape::Disk { hole } => [flat(0.0)].into_iter().filter(|t| (hole..=1.0).contains(&rho(*t))).collect(),
+        Shape::Cylinder => {
+            let (dd, pd, pp) = (d.x * d.x + d.z * d.z, p.x * d.x + p.z * d.z, p.x * p.x + p.z * p.z);
+            let root = (pd * pd - dd * (pp - 1.0)).sqrt();
+            let mantle = [(-pd - root) / dd, (-pd + root) / dd].into_iter().filter(|t| (p.y + t * d.y).abs() <= 1.0);
+            mantle.chain([flat(1.0), flat(-1.0)].into_iter().filter(|t| rho(*t) <= 1.0)).collect()
+        }
+        _ => panic!("no other shape here"),
+    }
+}
+
+/// Which object each pixel shows, against the nearest of all crossings.
+#[test]
+fn cylinders_and_disks_are_where_they_are() {
+    let scene = scene(ROUND);
+    let choice = Choice { layers: vec![Layer::Object], ..Choice::default() };
+    let picture = rendered(&scene, Settings { choice, ..Settings::default() });
+    let [(_, Plane::Id(seen))] = &picture.band.layers[..] else { panic!("one layer") };
+    let camera = scene.camera.as_ref().expect("a camera");
+    let half = 25_f64.to_radians().tan();
+    let (mut off, mut count) = (0, [0; 4]);
+    for (i, seen) in seen.iter().enumerate() {
+        let (column, row) = ((i % 96) as f64 + 0.5, (i / 96) as f64 + 0.5);
+        let v = camera.forward + half * ((column - 48.0) / 36.0 * camera.right - (row - 36.0) / 36.0 * camera.up);
+        let all = scene.objects.iter().enumerate();
+        let all = all.flat_map(|(k, object)| crossings(object, camera.position, v).into_iter().map(move |t| (t, k)));
+        let nearest = all.filter(|(t, _)| *t > 0.0).min_by(|a, b| a.0.total_cmp(&b.0));
+        let expected = nearest.map_or(0, |(_, k)| k as u32 + 1);
+        off += u32::from(*seen != expected);
+        count[expected as usize] += 1;
+    }
+    println!("{off} pixels differ, of {count:?}");
+    assert!(count.iter().all(|n| *n > 300), "{count:?}");
+    assert!(off <= 3, "{off} pixels differ");
 }
 
 /// The picture that the README opens with is the one that `make render` makes: compared small, in what the eye sees (sRGB

@@ -15,15 +15,11 @@ fn is_inside(bit: u32) -> bool {
     return ((inside >> bit) & 1u) == 1u;
 }
 
-// The fraction at which a piece crosses a convex surface, or 2. span: where the piece's line enters and leaves it.
-fn crossing(span: Real2, bit: u32) -> Real {
-    let leaves = max(span.y, 0.0);
-    let enters = select(2.0, max(span.x, 0.0), span.y > 0.0 && span.x + span.y > 0.0);
-    let t = select(enters, leaves, is_inside(bit));
+// The fraction at which a piece crosses a convex surface, or 2. span: where the piece's line is inside it.
+fn crossing(span: Interval, bit: u32) -> Real {
+    let missed = span.enters > span.leaves;
+    let leaves = select(max(span.leaves, 0.0), 0.0, missed);
+    let ahead = !missed && span.leaves > 0.0 && span.enters + span.leaves > 0.0;
+    let t = select(select(2.0, max(span.enters, 0.0), ahead), leaves, is_inside(bit));
     return select(2.0, t, t <= 1.0 + OVERLAP);
-}
-
-// A span without any point in it.
-fn no_span() -> Real2 {
-    return Real2(2.0, -2.0);
 }

@@ -9,7 +9,7 @@ fn cross_ellipsoid(a: Real3, b: Real3, best: Hit) -> Hit {
         let sided = sided_ellipsoids[i];
         let own = OwnSpace(sided.row_x, sided.row_y, sided.row_z);
         let d = own_vector(own, b - a);
-        let t = crossing(ball_span(own_point(own, a), d, 1.0 / dot(d, d), 1.0), sided.bit);
+        let t = crossing(ball_interval(own_point(own, a), d, 1.0 / dot(d, d), 1.0), sided.bit);
         if t < hit.t {
             hit = Hit(t, ELLIPSOID | (ELLIPSOID_COUNT + i));
         }

@@ -62,11 +62,13 @@ fn start_region(x: Real3, v: Real3, pixel: vec2u) {
     for (var i = 0u; i < REGION_COUNT; i++) {
         work += 1u;
         let start = regions[i];
-        var within = start.start == 1u;
+        var within = false;
         if start.primitive != NOTHING {
             let surface = hit_surface(start.primitive, x);
             let near = SURFACE_SLACK * (length(x) + abs(surface.gap));
             within = surface.gap < -near || (surface.gap <= near && dot(surface.across, v) < 0.0);
+        } else {
+            within = starts_inside(i, pixel);
         }
         bits |= u32(within) << i;
     }

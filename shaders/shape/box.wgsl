@@ -5,20 +5,17 @@ const BOX: u32 = 0x20000000u;
 @group(0) @binding(82) var<storage, read> boxes: array<Placed>;
 @group(0) @binding(76) var<uniform> box_spaces: array<OwnSpace, BOX_COUNT>;
 
+// Of the cube itself: p and v are in its own space.
+fn box_interval(p: Real3, v: Real3) -> Interval {
+    return both_inside(both_inside(slab_interval(p.x, v.x), slab_interval(p.y, v.y)), slab_interval(p.z, v.z));
+}
+
 fn hit_box(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < BOX_COUNT; i++) {
         work += 1u;
-        let p = own_point(box_spaces[i], a);
-        let d = own_vector(box_spaces[i], b - a);
-        // A component that is 0 gets a slab that is entered at −∞ and left at +∞, or never.
-        let inverse = 1.0 / select(d, Real3(1e-30), d == Real3(0.0));
-        let near = -p * inverse - abs(inverse);
-        let far = -p * inverse + abs(inverse);
-        let enters = max(max(near.x, near.y), near.z);
-        let leaves = min(min(far.x, far.y), far.z);
-        let t = select(leaves, enters, enters >= -OVERLAP);
-        if enters <= leaves && t >= -OVERLAP && t <= 1.0 + OVERLAP && t < hit.t {
+        let t = first_end(box_interval(own_point(box_spaces[i], a), own_vector(box_spaces[i], b - a)));
+        if t < hit.t {
             hit = Hit(t, BOX | i);
         }
     }

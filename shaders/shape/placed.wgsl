@@ -1,6 +1,7 @@
-// What sphere, ellipsoid, box and plane have in common: a place, and what is known of a point on them.
+// What all shapes but meshes have in common: a place, where a line is inside, and what is known of a point on them.
 
-// A shape in its own space (unit sphere, cube |x|, |y|, |z| ≤ 1, square |x|, |z| ≤ 1) and where that is.
+// A shape in its own space (unit sphere, cube |x|, |y|, |z| ≤ 1, cylinder x² + z² ≤ 1, |y| ≤ 1, square |x|, |z| ≤ 1, disk
+// x² + z² ≤ 1) and where that is.
 //
 // What every segment is tested against lies apart, in uniform arrays of a length that is known when the program is compiled:
 // lavapipe loads storage lane by lane, and that alone would cost more than the test.
@@ -21,6 +22,13 @@ struct OwnSpace {
     row_x: Real4,
     row_y: Real4,
     row_z: Real4,
+}
+
+// Where the line along a piece is inside a closed convex shape, in fractions of the piece. It is never inside where `enters` is
+// above `leaves`, or is not a number.
+struct Interval {
+    enters: Real,
+    leaves: Real,
 }
 
 // A surface near a point.
@@ -54,20 +62,40 @@ fn scene_gradient(p: OwnSpace, g: Real3) -> Real3 {
     return g.x * p.row_x.xyz + g.y * p.row_y.xyz + g.z * p.row_z.xyz;
 }
 
-// Where a ball of squared radius r2 about 0 first meets the piece from a along d: the fraction, or 2. inverse_dd is 1/|d|²,
-// the same for every ball. The nearest point's own distance is used, for the difference b² − a c loses all digits far away.
-fn ball_fraction(a: Real3, d: Real3, inverse_dd: Real, r2: Real) -> Real {
+// The first end of an interval that lies on the piece, or 2.
+fn first_end(inside: Interval) -> Real {
+    let t = select(inside.leaves, inside.enters, inside.enters >= -overlap());
+    return select(2.0, t, inside.enters <= inside.leaves && t >= -overlap() && t <= 1.0 + OVERLAP);
+}
+
+// What two intervals share.
+fn both_inside(p: Interval, q: Interval) -> Interval {
+    return Interval(max(p.enters, q.enters), min(p.leaves, q.leaves));
+}
+
+// Where the line from a along d is inside a ball of squared radius r2 about 0. inverse_dd is 1/|d|², the same for every ball.
+// The nearest point's own distance is used, for the difference b² − a c loses all digits far away.
+fn ball_interval(a: Real3, d: Real3, inverse_dd: Real, r2: Real) -> Interval {
     let nearest = -dot(a, d) * inverse_dd;
     let miss = a + nearest * d;
     let inside = r2 - dot(miss, miss);
-    let half = sqrt(max(inside, 0.0) * inverse_dd);
-    let first = nearest - half;
-    let t = select(nearest + half, first, first >= -OVERLAP);
-    return select(2.0, t, inside >= 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP);
+    let half = select(-1.0, sqrt(max(inside, 0.0) * inverse_dd), inside >= 0.0);
+    return Interval(nearest - half, nearest + half);
+}
+
+// Where a coordinate that is p at the piece's start and moves by d along it is within ±1.
+fn slab_interval(p: Real, d: Real) -> Interval {
+    // One that stays gets a slab that is entered at −∞ and left at +∞, or never.
+    let inverse = 1.0 / select(d, 1e-30, d == 0.0);
+    return Interval(-p * inverse - abs(inverse), abs(inverse) - p * inverse);
 }
 
 // Round y, from the south to the north pole.
 fn sphere_uv(p: Real3) -> vec2f {
-    let u = 0.5 + arc_tangent(p.x, p.z) / (2.0 * PI);
-    return vec2f(f32(u), f32(0.5 + arc_tangent(p.y, length(p.xz)) / PI));
+    return vec2f(turn_round(p), f32(0.5 + arc_tangent(p.y, length(p.xz)) / PI));
+}
+
+// Once round y, from −z over −x, z and x.
+fn turn_round(p: Real3) -> f32 {
+    return f32(0.5 + arc_tangent(p.x, p.z) / (2.0 * PI));
 }

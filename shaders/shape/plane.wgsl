@@ -13,7 +13,7 @@ fn hit_plane(a: Real3, b: Real3, best: Hit) -> Hit {
         let d = own_vector(plane_spaces[i], b - a);
         let t = -p.y / d.y;
         let q = abs(p.xz + t * d.xz);
-        if d.y != 0.0 && t >= -OVERLAP && t <= 1.0 + OVERLAP && max(q.x, q.y) <= 1.0 && t < hit.t
+        if d.y != 0.0 && t >= -overlap() && t <= 1.0 + OVERLAP && max(q.x, q.y) <= 1.0 && t < hit.t
             && !just_left(PLANE | i) {
             hit = Hit(t, PLANE | i);
         }

@@ -10,14 +10,16 @@ struct Ball {
 @group(0) @binding(80) var<storage, read> spheres: array<Placed>;
 @group(0) @binding(74) var<uniform> balls: array<Ball, SPHERE_COUNT>;
 
+fn sphere_interval(i: u32, a: Real3, d: Real3) -> Interval {
+    let r = balls[i].radius;
+    return ball_interval(a - balls[i].center, d, 1.0 / dot(d, d), r * r);
+}
+
 fn hit_sphere(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
-    let d = b - a;
-    let inverse_dd = 1.0 / dot(d, d);
     for (var i = 0u; i < SPHERE_COUNT; i++) {
         work += 1u;
-        let r = balls[i].radius;
-        let t = ball_fraction(a - balls[i].center, d, inverse_dd, r * r);
+        let t = first_end(sphere_interval(i, a, b - a));
         if t < hit.t {
             hit = Hit(t, SPHERE | i);
         }

@@ -56,7 +56,7 @@ fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let through = dot(n, d);
     let t = dot(n, p) / through;
     let met = inside && through != 0.0 && may_cross(triangle.object, through) && !just_left(TRIANGLE | i);
-    return select(2.0, t, met && t >= -OVERLAP && t <= 1.0 + OVERLAP);
+    return select(2.0, t, met && t >= -overlap() && t <= 1.0 + OVERLAP);
 }
 
 // Does the piece from a, with 1/d given, meet the box before the fraction limit? The box is grown by what rounding may hide.
@@ -66,7 +66,7 @@ fn meets_box(node: Node, a: Real3, inverse: Real3, limit: Real) -> bool {
     let t1 = (node.hi + grown - a) * inverse;
     let near = min(t0, t1);
     let far = max(t0, t1);
-    let enters = max(max(near.x, near.y), max(near.z, -OVERLAP));
+    let enters = max(max(near.x, near.y), max(near.z, -overlap()));
     let leaves = min(min(far.x, far.y), min(far.z, min(limit, 1.0 + OVERLAP)));
     return enters <= leaves;
 }

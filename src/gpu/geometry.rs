@@ -9,13 +9,15 @@ use obvhs::triangle::Triangle;
 use crate::program::{Regions, constant, shape_kind};
 use crate::scene::{Mesh, Object, Scene, Shape, Vertex};
 
-/// A sphere, ellipsoid, box or plane in its place.
+/// A shape other than a mesh, in its place.
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedShape {
     /// Its centre.
     pub center: DVec3,
     /// For spheres: the radius.
     pub radius: f64,
+    /// For disks: the hole's radius, in own units.
+    pub hole: f64,
     /// Rows of the affine map from the scene's space to the shape's own.
     pub rows: [DVec4; 3],
     /// Its place in the list of materials: the scene's own, and behind them one for each object that light goes through.
@@ -42,7 +44,7 @@ pub struct Node {
 /// Everything that can be hit.
 #[derive(Debug, Clone, Default)]
 pub struct Geometry {
-    /// By kind of shape (`sphere`, `ellipsoid`, `box`, `plane`).
+    /// By kind of shape (`sphere`, `ellipsoid`, `box`, `cylinder`, `plane`, `disk`).
     pub placed: std::collections::BTreeMap<&'static str, Vec<PlacedShape>>,
     /// The hierarchy's nodes.
     pub nodes: Vec<Node>,
@@ -112,12 +114,13 @@ impl Geometry {
         let inverse = map.inverse();
         let m = inverse.matrix3.transpose();
         let t = inverse.translation;
-        // A transformed cube's half extents; they bound the sphere and the square in it.
+        // A transformed cube's half extents; they bound what is in it.
         let half =
             DMat3::from_cols(map.matrix3.x_axis.abs(), map.matrix3.y_axis.abs(), map.matrix3.z_axis.abs()) * DVec3::ONE;
         self.placed.entry(shape_kind(&object.shape, &object.transform)).or_default().push(PlacedShape {
             center: map.translation,
             radius: object.transform.uniform_scale().unwrap_or(0.0),
+            hole: if let Shape::Disk { hole } = object.shape { hole } else { 0.0 },
             rows: [m.x_axis.extend(t.x), m.y_axis.extend(t.y), m.z_axis.extend(t.z)],
             material: self.materials[index as usize],
             object: index,

@@ -26,16 +26,21 @@ impl Source<'_> {
             }
             "ellipsoid_spaces" => spaces("ellipsoid"),
             "box_spaces" => spaces("box"),
+            "cylinder_spaces" => spaces("cylinder"),
             "plane_spaces" => spaces("plane"),
+            "disk_spaces" => pack(name, layout, opaque("disk").map(disk_row)).map(Some),
             "sided_balls" => pack(name, layout, sided("sphere").map(sided_ball)).map(Some),
             "sided_ellipsoids" => pack(name, layout, sided("ellipsoid").map(sided_space)).map(Some),
             "sided_boxes" => pack(name, layout, sided("box").map(sided_space)).map(Some),
+            "sided_cylinders" => pack(name, layout, sided("cylinder").map(sided_space)).map(Some),
             "obstacles" => pack(name, layout, g.regions.obstacles.iter().map(obstacle)).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
             "spheres" => placed("sphere"),
             "ellipsoids" => placed("ellipsoid"),
             "boxes" => placed("box"),
+            "cylinders" => placed("cylinder"),
             "planes" => placed("plane"),
+            "disks" => placed("disk"),
             "nodes" => pack(
                 name,
                 layout,
@@ -249,6 +254,11 @@ fn sided_space(shape: &PlacedShape) -> [(&'static str, Value); 4] {
 
 fn space_rows(shape: &PlacedShape) -> [(&'static str, Value); 3] {
     [("row_x", Vec4(shape.rows[0])), ("row_y", Vec4(shape.rows[1])), ("row_z", Vec4(shape.rows[2]))]
+}
+
+fn disk_row(shape: &PlacedShape) -> [(&'static str, Value); 4] {
+    let [x, y, z] = space_rows(shape);
+    [x, y, z, ("hole", Float(shape.hole))]
 }
 
 fn placed_row(shape: &PlacedShape) -> [(&'static str, Value); 7] {

@@ -2,8 +2,8 @@
 
 use super::contents::Source;
 use super::records::Value::{self, Float, Uint, Uint4, Vec3};
-use crate::program::Region;
-use crate::scene::{Ingoing, Medium, ProfilePoint};
+use crate::program::{Purpose, Region};
+use crate::scene::{Ingoing, Medium, ProfilePoint, Shape};
 
 impl Source<'_> {
     /// The rows of `regions`.
@@ -14,11 +14,18 @@ impl Source<'_> {
                 ("kind", Uint(region.kind.unwrap_or(0) as u32)),
                 ("place", Uint(region.place as u32)),
                 ("primitive", Uint(self.geometry.primitive(region.object))),
-                ("start", Uint(0)),
+                ("start", Uint(u32::from(self.starts_in(region.object)))),
                 ("radius", Float(region.radius)),
             ]
         };
         regions.regions.iter().map(row).collect()
+    }
+
+    /// Do the camera's rays start inside of this mesh? Where an analytic shape is concerned every ray finds out for itself.
+    fn starts_in(&self, object: usize) -> bool {
+        let object = &self.scene.objects[object];
+        let camera = self.scene.camera.as_ref().filter(|_| self.program.choice.purpose != Purpose::Trace);
+        matches!(object.shape, Shape::Mesh(_)) && camera.is_some_and(|camera| object.contains(camera.position))
     }
 
     fn kind(&self, kind: usize) -> &[Medium] {

@@ -159,7 +159,7 @@ pub(super) fn counts(scene: &Scene) -> Unit {
         let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
     };
     let regions = Regions::of(scene);
-    for kind in ["sphere", "ellipsoid", "box", "plane"] {
+    for kind in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
         let of_kind = |sided: bool| {
             let is = |(i, object): &(usize, &Object)| {
                 shape_kind(&object.shape, &object.transform) == kind && regions.bit(*i).is_some() == sided

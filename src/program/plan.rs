@@ -110,6 +110,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     let sided_mesh = regions.regions.iter().any(|r| matches!(scene.objects[r.object].shape, Shape::Mesh(_)));
     names.all(&["scatter/some", "scatter/scattered", "branch/branch"]);
     names.add(if regions.regions.is_empty() { "region/none" } else { "region/set" });
+    names.add(if choice.purpose == Purpose::Trace { "origin/given" } else { "origin/camera" });
     names.add(if flat { "left/kept" } else { "left/none" });
     names.add(if sided_mesh { "facing/sided" } else { "facing/any" });
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
@@ -205,6 +206,8 @@ pub fn shape_kind(shape: &Shape, transform: &crate::scene::Transform) -> &'stati
         Shape::Sphere => "ellipsoid",
         Shape::Plane => "plane",
         Shape::Box => "box",
+        Shape::Cylinder => "cylinder",
+        Shape::Disk { .. } => "disk",
         Shape::Mesh(_) => "triangle",
     }
 }
@@ -240,10 +243,6 @@ fn surface_parts(
     let hit: Vec<&str> = opaque.into_iter().chain(only_sided.then_some("triangle")).collect();
     if !sided.is_empty() {
         names.add("crossing/crossing");
-        // An ellipsoid is a ball in its own space.
-        if sided.contains(&"ellipsoid") && !sided.contains(&"sphere") {
-            names.add("crossing/sphere");
-        }
         names.each("crossing", sided.iter().copied());
     } else if regions.regions.iter().any(|region| matches!(scene.objects[region.object].shape, Shape::Mesh(_))) {
         names.add("crossing/crossing");

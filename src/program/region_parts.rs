@@ -33,6 +33,8 @@ pub(super) fn region_parts(
     let chords = matches!(scene.rays.segment, Segment::Chord { .. });
     let line = chords || kind.is_line();
     names.add(if line { "curve/line" } else { "curve/arc" });
+    let whole = kind.motion == Motion::Straight && !chords;
+    names.add(if whole { "join/whole" } else { "join/pieces" });
     match kind.motion {
         Motion::Law => law_motion(scene, purpose, &mut names, &mut made),
         Motion::Straight => {

@@ -165,8 +165,8 @@ fn is_closed_mirror(scene: &Scene, object: &Object) -> bool {
 
 fn is_closed(shape: &Shape) -> bool {
     match shape {
-        Shape::Sphere | Shape::Box => true,
-        Shape::Plane => false,
+        Shape::Sphere | Shape::Box | Shape::Cylinder => true,
+        Shape::Plane | Shape::Disk { .. } => false,
         Shape::Mesh(mesh) => mesh.hole().is_none(),
     }
 }
@@ -299,8 +299,8 @@ fn inscribed(object: &Object, medium: &Medium) -> f64 {
 fn ball(object: &Object) -> (DVec3, f64) {
     let map = object.transform.0;
     let own = match &object.shape {
-        Shape::Sphere => 1.0,
-        Shape::Plane => 2.0_f64.sqrt(),
+        Shape::Sphere | Shape::Disk { .. } => 1.0,
+        Shape::Plane | Shape::Cylinder => 2.0_f64.sqrt(),
         Shape::Box => 3.0_f64.sqrt(),
         Shape::Mesh(mesh) => mesh.vertices.iter().map(|v| v.position.as_dvec3().length()).fold(0.0, f64::max),
     };

@@ -54,7 +54,7 @@ impl Work {
             return Err(ProgramError::TooMuchWork {
                 needed: segment,
                 limit: LARGEST,
-                what: if integration { "force centres" } else { "spheres, boxes and planes" },
+                what: if integration { "force centres" } else { "shapes other than meshes" },
             });
         }
         let walk = pieces * (nodes + triangles) as u64;

@@ -9,8 +9,8 @@ use super::schedule::Step;
 use super::{RenderError, Renderer, Settings, Status, Totals};
 use crate::gpu::Value::Vec3;
 use crate::gpu::{Gpu, GpuError, Tile, pack};
-use crate::program::{Choice, Field, Layout, Pass, Purpose, Schedule};
-use crate::scene::Scene;
+use crate::program::{Choice, Field, Layout, Pass, Purpose, Regions, Schedule};
+use crate::scene::{Object, Scene, Shape};
 
 /// Where a ray ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -186,9 +186,26 @@ fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), Re
         [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
     };
     let bytes = pack("given", given, batch.iter().map(row))?;
-    let tile = list_tile(renderer, batch.len(), ROW, "given", &bytes)?;
+    let mut tile = list_tile(renderer, batch.len(), ROW, "given", &bytes)?;
+    if layout(renderer, "given_sets").is_ok() {
+        let sets: Vec<u32> = batch.iter().map(|ray| starting_set(renderer.scene, ray)).collect();
+        let bytes: &[u8] = bytemuck::cast_slice(&sets);
+        tile.add_buffer(renderer.gpu, "given_sets", bytes.len() as u64, BufferUsages::STORAGE)?;
+        if let Some(buffer) = tile.buffer("given_sets") {
+            renderer.gpu.queue.write_buffer(buffer, 0, bytes);
+        }
+    }
     let image = tile.size;
     Ok((tile, Frame { origin: [0, 0], image, sample: 0, branch: 0 }))
+}
+
+/// The meshes that a ray starts in, as bits of the set of regions.
+fn starting_set(scene: &Scene, ray: &[f64; 6]) -> u32 {
+    let regions = Regions::of(scene).regions;
+    let starts =
+        |object: &Object| matches!(object.shape, Shape::Mesh(_)) && object.contains(DVec3::new(ray[0], ray[1], ray[2]));
+    let bits = regions.iter().enumerate().filter(|(_, region)| starts(&scene.objects[region.object]));
+    bits.fold(0, |set, (bit, _)| set | 1 << bit)
 }
 
 /// A tile whose pixels stand for pixels of the picture.

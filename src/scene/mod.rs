@@ -14,6 +14,7 @@ mod document;
 mod error;
 mod expression;
 mod grid;
+mod inside;
 mod medium;
 mod mesh;
 mod picture;
@@ -373,6 +374,14 @@ pub enum Shape {
     Plane,
     /// The cube |x|, |y|, |z| ≤ 1; each face has (u, v) in [0, 1].
     Box,
+    /// The cylinder x² + z² ≤ 1, |y| ≤ 1 with both faces. u runs round y; v runs upwards, over each of the lower face (from
+    /// its middle to the rim), the mantle and the upper face (from the rim to its middle).
+    Cylinder,
+    /// The disk x² + z² ≤ 1 in y = 0, its normal +y. u runs round y, v from the rim to the middle, or to the hole.
+    Disk {
+        /// The radius of a round hole in it, below 1; zero for none.
+        hole: f64,
+    },
     /// Triangles.
     Mesh(std::sync::Arc<Mesh>),
 }

@@ -2,6 +2,7 @@
 
 mod cut;
 mod files;
+mod inside;
 mod mistakes;
 mod overrides;
 mod profiles;

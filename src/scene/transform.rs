@@ -23,4 +23,13 @@ impl Transform {
         let lengths = [m.x_axis.length(), m.y_axis.length(), m.z_axis.length()];
         lengths.iter().all(|l| (l - lengths[0]).abs() <= 1e-12 * lengths[0]).then_some(lengths[0])
     }
+
+    /// If circles about y stay circles about what y becomes: the one factor by which their radii grow.
+    #[must_use]
+    pub fn round_scale(&self) -> Option<f64> {
+        let [x, y, z] = [self.0.matrix3.x_axis, self.0.matrix3.y_axis, self.0.matrix3.z_axis];
+        let square = |a: DVec3, b: DVec3| a.dot(b).abs() <= 1e-12 * a.length() * b.length();
+        let same = (x.length() - z.length()).abs() <= 1e-12 * x.length();
+        (same && square(x, y) && square(y, z) && square(z, x)).then_some(x.length())
+    }
 }

@@ -1,15 +1,28 @@
-//! Where straight pieces meet spheres, ellipsoids, boxes and planes.
+//! Where straight pieces meet spheres, ellipsoids, boxes, cylinders, planes and disks, and where they are inside.
 
 use bentray::gpu::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec4};
 
-use super::{Random, U, Verdict, awkward_directions, check_hits, row, wide};
+use super::{Errors, Random, U, Verdict, awkward_directions, check_hits, row, wide};
 use crate::support::{
     gpu,
     probe::{Probe, Record},
 };
 
-pub const PARTS: [&str; 6] = ["ray", "work", "shape/placed", "shape/sphere", "shape/ellipsoid", "shape/box"];
+pub const PARTS: [&str; 9] = [
+    "ray",
+    "work",
+    "shape/placed",
+    "shape/sphere",
+    "shape/ellipsoid",
+    "shape/box",
+    "shape/cylinder",
+    "shape/plane",
+    "shape/disk",
+];
+
+/// Of every disk: in own units, and exact in f32.
+pub const HOLE: f64 = 0.25;
 
 /// A shape's place: the affine map from the scene's space to its own, rounded to f32 first.
 #[derive(Clone, Copy)]
@@ -49,9 +62,11 @@ impl Place {
     }
 
     /// What a segment is tested against: a ball, or the map alone.
-    fn tested(&self, kind: &str) -> Record {
+    pub fn tested(&self, kind: &str) -> Record {
         let wanted: &[&str] = if kind == "sphere" { &["center", "radius"] } else { &["row_x", "row_y", "row_z"] };
-        self.record(0).into_iter().filter(|(name, _)| wanted.contains(name)).collect()
+        let mut record: Record = self.record(0).into_iter().filter(|(name, _)| wanted.contains(name)).collect();
+        record.extend((kind == "disk").then_some(("hole", Float(HOLE))));
+        record
     }
 
     /// By how much the shader's own coordinates of a point of the piece may be off: four roundings of terms as large as
@@ -72,6 +87,12 @@ pub fn balls(seed: u64) -> [Place; 2] {
     [1.0, 0.375].map(|radius| Place::new(&mut random, DVec3::splat(radius)))
 }
 
+/// A small shape and a large one.
+fn extremes(seed: u64) -> [Place; 2] {
+    let mut random = Random::new(seed);
+    [DVec3::new(0.03, 0.02, 0.04), DVec3::new(300.0, 100.0, 200.0)].map(|scale| Place::new(&mut random, scale))
+}
+
 /// Pieces short and long, near and far, from outside, inside and along the axes, most of them aimed at a shape.
 fn pieces(seed: u64, targets: [Place; 2]) -> Vec<[Vec4; 2]> {
     let mut random = Random::new(seed);
@@ -80,7 +101,8 @@ fn pieces(seed: u64, targets: [Place; 2]) -> Vec<[Vec4; 2]> {
         let target = targets[k % 2];
         let own = DVec3::from_array([0; 3].map(|_| random.within(-1.6, 1.6)));
         let aim = target.linear.inverse() * (own - target.offset);
-        let away = random.direction() * random.log(0.1, 200.0);
+        let size = if (0.1..10.0).contains(&target.radius) { 1.0 } else { target.radius };
+        let away = random.direction() * (size * random.log(0.1, 200.0));
         let a = aim + away;
         let b = aim - away * random.within(-0.5, 1.5);
         all.push([row(a.as_vec3(), 0.0), row(b.as_vec3(), 0.0)]);
@@ -92,28 +114,61 @@ fn pieces(seed: u64, targets: [Place; 2]) -> Vec<[Vec4; 2]> {
             all.push([row(a - d * 8.0, 0.0), row(a + d * 8.0, 0.0)]);
         }
     }
+    for target in targets {
+        all.extend(
+            own_pieces()
+                .into_iter()
+                .map(|ends| ends.map(|own| row((target.linear.inverse() * (own - target.offset)).as_vec3(), 0.0))),
+        );
+    }
+    all
+}
+
+/// In a shape's own space: along y from outside and from inside, along the mantle, through the rims, and grazing.
+fn own_pieces() -> Vec<[DVec3; 2]> {
+    let mut all = Vec::new();
+    for k in 0..24 {
+        let (sin, cos) = (f64::from(k) * 0.261).sin_cos();
+        let across = |rho: f64, y: f64| DVec3::new(rho * cos, y, rho * sin);
+        let tangent = 3.0 * DVec3::new(-sin, 0.0, cos);
+        for rho in [0.0, 0.2, 0.3, 0.5, 0.99, 1.01, 1.5] {
+            all.push([across(rho, 3.0), across(rho, -3.0)]);
+            all.push([across(rho, 0.3), across(rho, 4.0)]);
+        }
+        for rho in [0.99, 1.01] {
+            for y in [-1.01, -0.99, 0.3, 0.99, 1.01] {
+                all.push([across(rho, y) - tangent, across(rho, y) + tangent]);
+                all.push([across(-3.0, y), across(3.0, y)]);
+            }
+            // Through a rim on a slant, just inside and just outside.
+            let slant = DVec3::new(2.0 * cos - sin, -2.0, 2.0 * sin + cos);
+            all.push([across(rho, 1.0) + slant, across(rho, 1.0) - slant]);
+        }
+    }
     all
 }
 
 const OVERLAP: f64 = 1e-5;
 
 /// The first of two crossings that lies on the piece, ends taken `eta` wider.
-fn first(enters: f64, leaves: f64, eta: f64) -> Option<f64> {
+fn first([enters, leaves]: [f64; 2], eta: f64) -> Option<f64> {
     let t = if enters >= -OVERLAP - eta { enters } else { leaves };
     (enters <= leaves && t >= -OVERLAP - eta && t <= 1.0 + OVERLAP + eta).then_some(t)
 }
 
-fn ball(p: DVec3, d: DVec3, radius: f64, eta: f64) -> Option<f64> {
+/// Where a line enters and leaves a ball.
+fn ball(p: DVec3, d: DVec3, radius: f64) -> Option<[f64; 2]> {
     let (dd, pd) = (d.length_squared(), p.dot(d));
     let miss = p - pd / dd * d;
     let inside = radius * radius - miss.length_squared();
     let half = (inside.max(0.0) / dd).sqrt();
-    if inside < 0.0 { None } else { first(-pd / dd - half, -pd / dd + half, eta) }
+    (inside >= 0.0).then_some([-pd / dd - half, -pd / dd + half])
 }
 
-fn cube(p: DVec3, d: DVec3, size: f64, eta: f64) -> Option<f64> {
+/// Where it enters and leaves what is within ±size in some of the coordinates.
+fn slabs(axes: &[usize], p: DVec3, d: DVec3, size: f64) -> Option<[f64; 2]> {
     let (mut enters, mut leaves) = (f64::NEG_INFINITY, f64::INFINITY);
-    for axis in 0..3 {
+    for &axis in axes {
         if d[axis] == 0.0 {
             if p[axis].abs() > size {
                 return None;
@@ -123,7 +178,21 @@ fn cube(p: DVec3, d: DVec3, size: f64, eta: f64) -> Option<f64> {
         let (t0, t1) = ((-size - p[axis]) / d[axis], (size - p[axis]) / d[axis]);
         (enters, leaves) = (enters.max(t0.min(t1)), leaves.min(t0.max(t1)));
     }
-    first(enters, leaves, eta)
+    (enters <= leaves).then_some([enters, leaves])
+}
+
+/// By the roots of |p + t d|² = r² across the axis, and its height.
+fn cylinder(p: DVec3, d: DVec3, radius: f64, height: f64) -> Option<[f64; 2]> {
+    let [enters, leaves] = slabs(&[1], p, d, height)?;
+    let (a, b) = (d.x * d.x + d.z * d.z, p.x * d.x + p.z * d.z);
+    let c = p.x * p.x + p.z * p.z - radius * radius;
+    if a == 0.0 {
+        return (c <= 0.0).then_some([enters, leaves]);
+    }
+    let root = (b * b - a * c).sqrt();
+    // A root of what is below 0 is no number, and no comparison with it holds.
+    let ends = [enters.max((-b - root) / a), leaves.min((-b + root) / a)];
+    (!root.is_nan() && ends[0] <= ends[1]).then_some(ends)
 }
 
 /// Both the square's size and its height may be off, and the height's error moves the point along the square.
@@ -131,7 +200,26 @@ fn square(p: DVec3, d: DVec3, lift: f64, grown: f64, eta: f64) -> Option<f64> {
     let t = -(p.y + lift) / d.y;
     let size = 1.0 + grown * (1.0 + d.x.hypot(d.z) / d.y.abs());
     let q = p + t * d;
-    first(t, t, eta).filter(|_| d.y != 0.0 && q.x.abs().max(q.z.abs()) <= size)
+    first([t, t], eta).filter(|_| d.y != 0.0 && q.x.abs().max(q.z.abs()) <= size)
+}
+
+fn ring(p: DVec3, d: DVec3, lift: f64, grown: f64, eta: f64) -> Option<f64> {
+    let t = -(p.y + lift) / d.y;
+    let more = grown * (1.0 + d.x.hypot(d.z) / d.y.abs());
+    let rho = (p.x + t * d.x).hypot(p.z + t * d.z);
+    first([t, t], eta).filter(|_| d.y != 0.0 && rho <= 1.0 + more && rho >= HOLE - more)
+}
+
+/// Where the line is inside a closed shape, its size off by so much in its own space.
+fn intervals(kind: &str, place: &Place, a: DVec3, b: DVec3, grown: f64) -> Vec<Option<[f64; 2]>> {
+    let (p, d) = (place.own(a), place.linear * (b - a));
+    match kind {
+        "sphere" => vec![ball(a - place.center, b - a, place.radius + grown * place.radius)],
+        "ellipsoid" => vec![ball(p, d, 1.0 + grown)],
+        "box" => vec![slabs(&[0, 1, 2], p, d, 1.0 + grown)],
+        "cylinder" => [grown, -grown].map(|taller| cylinder(p, d, 1.0 + grown, 1.0 + taller)).to_vec(),
+        _ => Vec::new(),
+    }
 }
 
 /// All results of a shape under errors of either sign in its size and in t.
@@ -141,15 +229,18 @@ fn results(kind: &str, place: &Place, a: DVec3, b: DVec3) -> Vec<Option<f64>> {
     let mut all = Vec::new();
     for grown in [moved, -moved] {
         for eta in [4.0 * U, -4.0 * U] {
+            let eta = match kind {
+                "sphere" => eta * (2.0 + 2.0 * a.distance(place.center) / a.distance(b)),
+                "ellipsoid" | "cylinder" => eta * (2.0 + 2.0 * p.length() / d.length()),
+                _ => eta,
+            };
             match kind {
-                "sphere" => {
-                    let from = a - place.center;
-                    let eta = eta * (2.0 + 2.0 * from.length() / (b - a).length());
-                    all.push(ball(from, b - a, place.radius + grown * place.radius, eta));
+                "plane" => all.extend([moved, -moved].map(|lift| square(p, d, lift, grown, eta))),
+                "disk" => all.extend([moved, -moved].map(|lift| ring(p, d, lift, grown, eta))),
+                _ => {
+                    let inside = intervals(kind, place, a, b, grown).into_iter();
+                    all.extend(inside.map(|inside| inside.and_then(|ends| first(ends, eta))));
                 }
-                "ellipsoid" => all.push(ball(p, d, 1.0 + grown, eta * (2.0 + 2.0 * p.length() / d.length()))),
-                "box" => all.push(cube(p, d, 1.0 + grown, eta)),
-                _ => all.extend([moved, -moved].map(|lift| square(p, d, lift, grown, eta))),
             }
         }
     }
@@ -157,36 +248,53 @@ fn results(kind: &str, place: &Place, a: DVec3, b: DVec3) -> Vec<Option<f64>> {
 }
 
 fn probe(kind: &str, targets: &[Place]) -> Probe {
-    let mut parts = PARTS.to_vec();
-    parts.push("shape/plane");
     let name = match kind {
         "sphere" => "balls",
         "ellipsoid" => "ellipsoid_spaces",
         "box" => "box_spaces",
-        _ => "plane_spaces",
+        "cylinder" => "cylinder_spaces",
+        "plane" => "plane_spaces",
+        _ => "disk_spaces",
     };
     let records: Vec<Record> = targets.iter().map(|place| place.tested(kind)).collect();
-    Probe::new(&parts).list(name, &format!("{}_COUNT", kind.to_uppercase()), records)
+    Probe::new(&PARTS).list(name, &format!("{}_COUNT", kind.to_uppercase()), records)
 }
 
 #[test]
 fn analytic_shapes() {
     let gpu = gpu();
-    for (kind, targets) in
-        [("sphere", balls(81)), ("ellipsoid", places(82)), ("box", places(83)), ("plane", places(84))]
-    {
+    for (kind, targets) in [
+        ("sphere", balls(81)),
+        ("ellipsoid", places(82)),
+        ("box", places(83)),
+        ("plane", places(84)),
+        ("cylinder", places(86)),
+        ("disk", places(87)),
+        ("cylinder", extremes(88)),
+        ("disk", extremes(89)),
+    ] {
         let inputs = pieces(85, targets);
+        let inside = match kind {
+            "plane" | "disk" => "Interval(0.0, 0.0)".to_owned(),
+            "sphere" | "ellipsoid" => format!("{kind}_interval(1u, p0.xyz, p1.xyz - p0.xyz)"),
+            _ => {
+                let space = format!("{kind}_spaces[1]");
+                format!("{kind}_interval(own_point({space}, p0.xyz), own_vector({space}, p1.xyz - p0.xyz))")
+            }
+        };
         let body = format!(
-            "let hit = hit_{kind}(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
+            "let inside = {inside};
+            put(1u, vec4f(inside.enters, inside.leaves, 0.0, 0.0));
+            let hit = hit_{kind}(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
             let other = hit_{kind}(p0.xyz, p1.xyz, Hit(0.3, 5u));
             put(0u, vec4f(hit.t, select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, hit.primitive == NOTHING), other.t,
                 select(f32(other.primitive & PRIMITIVE_INDEX), -1.0, other.primitive == 5u)));"
         );
-        let out = probe(kind, &targets).run::<2, 1>(&gpu, &body, &inputs);
+        let out = probe(kind, &targets).run::<2, 2>(&gpu, &body, &inputs);
         let cases: Vec<_> = inputs
             .iter()
             .zip(&out)
-            .map(|(input, [hit])| {
+            .map(|(input, [hit, _])| {
                 let (a, b) = (wide(input[0]), wide(input[1]));
                 let each = targets.map(|place| Verdict::of(&results(kind, &place, a, b)));
                 let verdict = nearest(each);
@@ -203,8 +311,39 @@ fn analytic_shapes() {
             })
             .collect();
         check_hits(kind, 0.02, cases);
+        if !["plane", "disk"].contains(&kind) {
+            check_intervals(kind, &targets[1], inputs.iter().zip(&out).map(|(input, out)| (input, out[1])));
+        }
         standing_still(&gpu, &probe(kind, &targets[..1]), kind, &targets[0]);
     }
+}
+
+/// Both ends, where they are on the piece or near it; and that there are none where a line passes by.
+fn check_intervals<'a>(kind: &'static str, place: &Place, cases: impl Iterator<Item = (&'a [Vec4; 2], Vec4)>) {
+    let (mut ends, mut missed) = (Errors::of("interval"), 0);
+    for (input, got) in cases {
+        let (a, b) = (wide(input[0]), wide(input[1]));
+        // Up to twice the piece's length away, where errors of the direction count twice.
+        let moved = 3.0 * place.moved(a, b);
+        let all: Vec<_> = [moved, -moved].iter().flat_map(|grown| intervals(kind, place, a, b, *grown)).collect();
+        if all.iter().all(Option::is_none) {
+            missed += 1;
+            assert!(got.x > got.y, "{kind}: [{}, {}] at {input:?}, which passes by", got.x, got.y);
+        }
+        if all.iter().any(Option::is_none) {
+            continue;
+        }
+        for k in 0..2 {
+            let found = all.iter().flatten().map(|ends| ends[k]);
+            let (lo, hi) = (found.clone().fold(f64::INFINITY, f64::min), found.fold(f64::NEG_INFINITY, f64::max));
+            if lo > -1.0 && hi < 2.0 && hi - lo < 0.02 {
+                let far = (a.length() + b.length() + 8.0) / (b - a).length();
+                ends.check(got[k], 0.5 * (lo + hi), 0.5 * (hi - lo) + 8.0 * U * (1.0 + far), input);
+            }
+        }
+    }
+    ends.report();
+    assert!(missed > 500, "{kind}: only {missed} pass by");
 }
 
 fn nearest(each: [Verdict; 2]) -> Verdict {

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3, Vec4};
 
-use super::shapes::{PARTS, Place, balls, places};
+use super::shapes::{HOLE, PARTS, Place, balls, places};
 use super::{Errors, Random, U, wide};
 use crate::support::{gpu, probe::Probe};
 
@@ -43,9 +43,10 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         put(1u, vec4f(s.normal, f32(s.material)));
         put(2u, vec4f(s.uv, f32(s.object), 0.0));"
     );
-    let mut parts = PARTS.to_vec();
-    parts.push("shape/plane");
-    let probe = Probe::new(&parts).bind(list, [0, 1].map(|k| targets[k].record(k as u32)));
+    let mut probe = Probe::new(&PARTS).bind(list, [0, 1].map(|k| targets[k].record(k as u32)));
+    if kind == "disk" {
+        probe = probe.list("disk_spaces", "DISK_COUNT", targets.map(|place| place.tested(kind)));
+    }
     let (mut normals, mut gaps, mut uvs) = (Errors::of("normal"), Errors::of("gap"), Errors::of("uv"));
     for ((e, input), output) in expected.iter().zip(&inputs).zip(&probe.run::<1, 3>(&gpu(), &body, &inputs)) {
         let place = targets[e.place];
@@ -57,7 +58,7 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         let moved = 8.0 * U * (1.0 + size * x.length() + place.offset.length());
         // The longest of its axes: by that much the map back stretches.
         let stretch = norm(place.linear.inverse());
-        let turned = if ["sphere", "ellipsoid"].contains(&kind) { 2.0 * moved } else { 0.0 };
+        let turned = if ["sphere", "ellipsoid", "cylinder"].contains(&kind) { 2.0 * moved } else { 0.0 };
         normals.check3(output[0], steep.normalize(), (turned + 4.0 * U) * size * stretch, input);
         gaps.check(output[0].w, e.value / steep.length(), 2.0 * moved * stretch, input);
         assert_eq!(output[0].truncate(), output[1].truncate(), "{kind}: shaded with the geometric normal");
@@ -137,5 +138,41 @@ fn planes() {
         let own = DVec3::new(random.within(-1.0, 1.0), random.within(-0.01, 0.01), random.within(-1.0, 1.0));
         let uv = [0.5 + 0.5 * own.x, 0.5 - 0.5 * own.z];
         Expected { place: k % 2, own, gradient: DVec3::Y, value: own.y, uv }
+    });
+}
+
+/// Round y, from -z over -x, z and x.
+fn turned(p: DVec3) -> f64 {
+    0.5 + p.x.atan2(p.z) / TAU
+}
+
+/// Unmirrored on each of the three faces as seen from outside: u grows with the angle, v towards what is up there.
+#[test]
+fn cylinders() {
+    check("cylinder", "cylinders", places(96), |random, k| {
+        let (sin, cos) = random.within(-PI, PI).sin_cos();
+        let value = random.within(-0.01, 0.01);
+        let place = (k / 3) % 2;
+        if k % 3 == 0 {
+            let y = random.within(-0.97, 0.97);
+            let out = DVec3::new(sin, 0.0, cos);
+            let own = (1.0 + value) * out + y * DVec3::Y;
+            return Expected { place, own, gradient: out, value, uv: [turned(own), 0.5 * (1.0 + y)] };
+        }
+        let rho = random.within(0.02, 0.97);
+        let (out, v) = if k % 3 == 1 { (DVec3::Y, 1.0 - rho) } else { (DVec3::NEG_Y, rho) };
+        let own = (1.0 + value) * out + rho * DVec3::new(sin, 0.0, cos);
+        Expected { place, own, gradient: out, value, uv: [turned(own), v] }
+    });
+}
+
+#[test]
+fn disks() {
+    check("disk", "disks", places(97), |random, k| {
+        let (sin, cos) = random.within(-PI, PI).sin_cos();
+        let rho = random.within(HOLE + 0.01, 0.99);
+        let own = DVec3::new(rho * sin, random.within(-0.01, 0.01), rho * cos);
+        let v = (1.0 - rho) / (1.0 - HOLE);
+        Expected { place: k % 2, own, gradient: DVec3::Y, value: own.y, uv: [turned(own), v] }
     });
 }

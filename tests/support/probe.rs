@@ -38,6 +38,7 @@ impl Probe {
             ("region/", "region/none"),
             ("left/", "left/none"),
             ("facing/", "facing/any"),
+            ("join/", "join/pieces"),
         ];
         for (folder, usual) in usual {
             if !names.iter().any(|name| name.starts_with(folder)) {

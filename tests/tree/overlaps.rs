@@ -86,12 +86,13 @@ fn paths_that_hardly_bend_show_what_lines_show() {
         "{ kind = \"rod\", n0 = 1.5, g = 1e-8, axis = [0, 0.6, 0.8] }",
         "{ kind = \"linear\", n0 = 1.5, gradient = [1e-14, -1e-14, 0] }",
     ];
-    let inside = [
+    let water = format!("{WATER}\npriority = 1");
+    let inside: [&str; 5] = [
         "shape = \"box\"\nsize = [0.3, 0.4, 0.5]\ncenter = [0.4, 0.3, 0.5]\nrotate = [10, 20, 30]\nmaterial = \"m\"",
         "shape = \"plane\"\nsize = [1, 0.6]\ncenter = [-0.3, 0.3, 0]\nnormal = [0.5, 1, 0.4]\nmaterial = \"m\"",
         "shape = \"sphere\"\nradius = 0.1\ncenter = [-0.6, 0, 0.9]\nmaterial = \"m\"",
-        "shape = \"sphere\"\nradius = 0.4\ncenter = [-0.4, -0.6, 0.2]\nscale = [1, 0.5, 1]\ninterior = 1",
-        WATER,
+        "shape = \"sphere\"\nradius = 0.4\ncenter = [-0.4, -0.6, 0.2]\nscale = [1, 0.5, 1]\ninterior = 1\npriority = 2",
+        &water,
     ];
     let glass = |medium: &str| format!("shape = \"sphere\"\nradius = 1.5\ninterior = {medium}");
     let scene = |medium: &str| {

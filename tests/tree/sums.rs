@@ -115,7 +115,7 @@ fn clear_objects_vanish_in_a_white_sky() {
             "[image]\nsize = [16, 12]\n[camera]\nposition = [1, 2, 7]\nfov = 40\n[sky]\ncolor = [1, 1, 1]\n\
              [rays]\nbound = {{ radius = 20 }}\nbranches = {branches}\n\
              [[objects]]\nshape = \"sphere\"\nradius = 1.5\ninterior = {{ kind = \"luneburg\", c = 3 }}\n\
-             [[objects]]\nshape = \"box\"\ncenter = [1.5, 0, 0]\nsize = [2, 2, 2]\nrotate = [10, 20, 30]\ninterior = \"water\"\n\
+             [[objects]]\nshape = \"box\"\ncenter = [1.5, 0, 0]\nsize = [2, 2, 2]\nrotate = [10, 20, 30]\ninterior = \"water\"\npriority = 2\n\
              [[objects]]\nshape = \"sphere\"\ncenter = [-1, 0.5, 1]\nradius = 0.7\ninterior = 1.2\npriority = 1\n"
         )
     };

@@ -3,8 +3,11 @@
 use super::bounds;
 use super::files::Files;
 use super::media::{self, Surroundings};
+use super::regions;
 use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{Read, array, direction, extents, positive, suggest, text, vector, whole, word};
+use crate::scene::document::values::{
+    Read, array, direction, extents, not_negative, positive, suggest, text, vector, whole, word,
+};
 use crate::scene::document::{Node, Value};
 use crate::scene::{Bound, Interior, Object, Shape, Substance, Transform};
 use glam::{DAffine3, DQuat, DVec2, DVec3};
@@ -14,26 +17,37 @@ enum Name {
     Sphere,
     Plane,
     Box,
+    Cylinder,
+    Disk,
     Mesh,
 }
 
-const NAMES: &[(&str, Name)] =
-    &[("sphere", Name::Sphere), ("plane", Name::Plane), ("box", Name::Box), ("mesh", Name::Mesh)];
+const NAMES: &[(&str, Name)] = &[
+    ("sphere", Name::Sphere),
+    ("plane", Name::Plane),
+    ("box", Name::Box),
+    ("cylinder", Name::Cylinder),
+    ("disk", Name::Disk),
+    ("mesh", Name::Mesh),
+];
 
 /// All objects that can be used, in the order of the file; `materials` are the names of the materials.
 pub fn read(root: &TableReader, materials: &[&str], bound: Option<Bound>, files: &mut Files) -> Vec<Object> {
     let tables = root.subtables("objects", "objects").into_iter();
-    tables
+    let objects: Vec<_> = tables
         .filter_map(|table| {
             let object = object(&table, materials, bound, files);
+            let place = table.place;
             table.finish();
-            object
+            Some((place, object?))
         })
-        .collect()
+        .collect();
+    regions::check(root.reader, &objects);
+    objects.into_iter().map(|(_, object)| object).collect()
 }
 
 fn object(table: &TableReader, materials: &[&str], bound: Option<Bound>, files: &mut Files) -> Option<Object> {
-    let name = table.decide_required("shape", "\"sphere\"", word(NAMES, &["cylinder", "disk"]));
+    let name = table.decide_required("shape", "\"sphere\"", word(NAMES, &[]));
     let shape = name.and_then(|name| shape(table, name, bound, files));
     let translate = table.or("translate", DVec3::ZERO, vector);
     let rotate = table.or("rotate", DVec3::ZERO, vector);
@@ -81,17 +95,22 @@ fn material(node: &Node, materials: &[&str]) -> Read<usize> {
 
 /// What a medium in the object takes its place and size from.
 fn surroundings(shape: &Shape, place: Transform) -> Surroundings {
-    let radius = matches!(shape, Shape::Sphere).then(|| place.uniform_scale()).flatten();
-    Surroundings { center: place.0.translation, radius, axis: None }
+    let (radius, axis) = match shape {
+        Shape::Sphere => (place.uniform_scale(), None),
+        Shape::Cylinder => (place.round_scale(), Some(place.0.matrix3.y_axis.normalize())),
+        _ => (None, None),
+    };
+    Surroundings { center: place.0.translation, radius, axis }
 }
 
 fn check_closed(table: &TableReader, shape: &Shape) {
     let open = match shape {
         Shape::Plane => Some("a plane has no inside".to_owned()),
+        Shape::Disk { .. } => Some("a disk has no inside".to_owned()),
         Shape::Mesh(mesh) => mesh.hole().map(|[a, b, c]| {
-            format!("the mesh is not closed: an edge at [{a:.4}, {b:.4}, {c:.4}] has not two triangles")
+            format!("the mesh is not closed: an edge at [{a:.4}, {b:.4}, {c:.4}] has not two triangles of one sense")
         }),
-        Shape::Sphere | Shape::Box => None,
+        Shape::Sphere | Shape::Box | Shape::Cylinder => None,
     };
     if let Some(problem) = open {
         table.fault(&["interior"], problem, "give it a material, or close it");
@@ -109,6 +128,22 @@ fn shape(table: &TableReader, name: Name, bound: Option<Bound>, files: &mut File
         }
         Name::Plane => Some((Shape::Plane, plane(table, bound))),
         Name::Box => Some((Shape::Box, cuboid(table)?)),
+        Name::Cylinder => {
+            let place = upright(table, "axis");
+            let radius = table.or("radius", 1.0, positive);
+            let height = table.or("height", 2.0, positive);
+            Some((Shape::Cylinder, place * DAffine3::from_scale(DVec3::new(radius, height / 2.0, radius))))
+        }
+        Name::Disk => {
+            let place = upright(table, "normal");
+            let radius = table.or("radius", 1.0, positive);
+            let hole = table.or("hole", 0.0, not_negative);
+            if hole >= radius {
+                table.fault(&["hole"], format!("the hole must be smaller than the radius, {radius}"), "");
+                return None;
+            }
+            Some((Shape::Disk { hole: hole / radius }, place * DAffine3::from_scale(DVec3::splat(radius))))
+        }
         Name::Mesh => {
             let file = table.required_node("file", "\"teapot.obj\"")?;
             let mesh = files.mesh(table.reader, file)?;
@@ -118,14 +153,18 @@ fn shape(table: &TableReader, name: Name, bound: Option<Bound>, files: &mut File
 }
 
 fn plane(table: &TableReader, bound: Option<Bound>) -> DAffine3 {
-    let center = table.or("center", DVec3::ZERO, vector);
-    let normal = table.or("normal", DVec3::Y, direction);
+    let place = upright(table, "normal");
     let across = DVec2::splat(2.0 * bound.map_or(1.0, |bound| bound.radius));
     let size = table
         .or("size", across, |node| array("two numbers above 0, [width, depth]", positive)(node).map(DVec2::from_array));
-    let scale = DVec3::new(size.x / 2.0, 1.0, size.y / 2.0);
-    let rotation = DQuat::from_rotation_arc(DVec3::Y, normal);
-    DAffine3::from_scale_rotation_translation(scale, rotation, center)
+    place * DAffine3::from_scale(DVec3::new(size.x / 2.0, 1.0, size.y / 2.0))
+}
+
+/// To `center`, turned so that y goes where `key` says.
+fn upright(table: &TableReader, key: &'static str) -> DAffine3 {
+    let center = table.or("center", DVec3::ZERO, vector);
+    let rotation = DQuat::from_rotation_arc(DVec3::Y, table.or(key, DVec3::Y, direction));
+    DAffine3::from_rotation_translation(rotation, center)
 }
 
 /// From center and size, or from min and max.

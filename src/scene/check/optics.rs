@@ -1,6 +1,5 @@
 //! What light goes through: the law and the interiors together, for what neither can say alone.
 
-use super::regions::ambiguous;
 use crate::scene::document::reader::TableReader;
 use crate::scene::{
     FlowOrder, Law, Material, MaterialKind, Medium, Object, Precision, SchwarzschildForm, Segment, Substance,
@@ -83,9 +82,6 @@ impl Optics<'_> {
         };
         if let Some(problem) = refused {
             table.fault(&[], problem, "take the interiors and mirrors out of the scene, or change its law");
-        }
-        if let Some((problem, help)) = ambiguous(self.objects) {
-            table.fault(&["bound"], problem, help);
         }
     }
 }

@@ -1,14 +1,97 @@
 //! Interiors that overlap: which of them is there has to be said.
+//!
+//! One object inside of another needs no word: the inner one is there. Where two of the same priority overlap in part, nothing
+//! says which; that is found by points of each one's surface, so that an overlap smaller than their spacing may pass.
 
-use crate::scene::Object;
+use crate::scene::document::reader::Reader;
+use crate::scene::document::{Fault, Place};
+use crate::scene::{Object, Shape, Substance};
+use glam::DVec3;
 
-/// What is wrong with the interiors, and what would be right.
-pub fn ambiguous(objects: &[Object]) -> Option<(String, String)> {
-    const MOST: usize = 32;
-    let count = objects.iter().filter(|object| object.interior().is_some()).count();
-    if count > MOST {
-        let problem = format!("{count} objects with an interior are more than {MOST}, which a ray can be in at once");
-        return Some((problem, "make one mesh of those that have the same medium".to_owned()));
+/// Rays carry the set of the objects that they are in as so many bits.
+const MOST: usize = 32;
+/// Points on a surface.
+const POINTS: usize = 400;
+/// What is nearer to a surface than this part of its distance from the origin lies on it.
+const TOUCHES: f64 = 1e-6;
+
+/// Records what is wrong with the interiors of objects, each given with its place in the file.
+pub fn check(reader: &Reader, objects: &[(Place, Object)]) {
+    let clear: Vec<_> = objects.iter().filter(|(_, object)| object.interior().is_some()).collect();
+    if let Some((place, _)) = clear.get(MOST) {
+        let problem = format!("{} objects with an interior are more than {MOST}, which a ray can be in", clear.len());
+        let help = "make one mesh of those that have the same medium".to_owned();
+        reader.fault(Fault { place: *place, problem, help });
+        return;
     }
-    None
+    for (i, (place, second)) in clear.iter().enumerate() {
+        let partly = |(_, first): &&&(Place, Object)| same_priority(first, second) && overlap_in_part(first, second);
+        if let Some((first, _)) = clear[..i].iter().find(partly) {
+            let problem =
+                "this interior and another of the same priority overlap in part, and nothing says which is there";
+            let help = format!(
+                "the other is the object at line {}: give one of them a higher `priority`",
+                reader.line(*first)
+            );
+            reader.fault(Fault { place: *place, problem: problem.to_owned(), help });
+        }
+    }
+}
+
+fn same_priority(first: &Object, second: &Object) -> bool {
+    let priority = |object: &Object| match &object.substance {
+        Substance::Clear(interior) => Some((interior.priority, interior.medium.clone())),
+        Substance::Opaque(_) => None,
+    };
+    // Two parts of one and the same medium may overlap as they like.
+    matches!((priority(first), priority(second)), (Some((a, m)), Some((b, n))) if a == b && m != n)
+}
+
+/// Are some points of each one's surface inside of the other, and some outside?
+fn overlap_in_part(first: &Object, second: &Object) -> bool {
+    let inside = |of: &Object, other: &Object| {
+        let decided = surface_points(of).into_iter().filter(|x| !touches(other, *x));
+        let (within, without): (Vec<DVec3>, Vec<DVec3>) = decided.partition(|x| other.contains(*x));
+        (within.len(), without.len())
+    };
+    let ((a_in, a_out), (b_in, b_out)) = (inside(first, second), inside(second, first));
+    let apart = a_in == 0 && b_in == 0;
+    let nested = a_out == 0 || b_out == 0;
+    !apart && !nested
+}
+
+fn touches(object: &Object, x: DVec3) -> bool {
+    object.gap(x).is_some_and(|gap| gap.abs() <= TOUCHES * (x.length() + gap.abs()))
+}
+
+/// Points all over a surface, in the scene.
+fn surface_points(object: &Object) -> Vec<DVec3> {
+    let own: Vec<DVec3> = match &object.shape {
+        Shape::Mesh(mesh) => {
+            let step = mesh.triangles.len().div_ceil(POINTS).max(1);
+            let corner = |i: u32| mesh.vertices[i as usize].position.as_dvec3();
+            mesh.triangles.iter().step_by(step).map(|t| t.map(corner).iter().sum::<DVec3>() / 3.0).collect()
+        }
+        shape => directions().map(|d| d / reach(shape, d)).collect(),
+    };
+    own.into_iter().map(|p| object.transform.0.transform_point3(p)).collect()
+}
+
+/// The length of a vector in the norm whose unit ball the shape is.
+fn reach(shape: &Shape, d: DVec3) -> f64 {
+    match shape {
+        Shape::Box => d.abs().max_element(),
+        Shape::Cylinder => d.y.abs().max(DVec3::new(d.x, 0.0, d.z).length()),
+        _ => d.length(),
+    }
+}
+
+/// Evenly spread, as the seeds of a sunflower.
+fn directions() -> impl Iterator<Item = DVec3> {
+    (0..POINTS).map(|i| {
+        let y = 1.0 - (2.0 * i as f64 + 1.0) / POINTS as f64;
+        let (sin, cos) = (2.399_963_229_728_653 * i as f64).sin_cos();
+        let ring = (1.0 - y * y).sqrt();
+        DVec3::new(ring * cos, y, ring * sin)
+    })
 }

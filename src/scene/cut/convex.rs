@@ -1,19 +1,37 @@
 //! Shapes with straight edges, cut by clipping.
 
+use std::f64::consts::TAU;
+
 use glam::DVec3;
 
-use super::{Outline, OwnPlane};
+use super::{CORNERS, Outline, OwnPlane};
 
 /// Half the side of a square that covers the unit cube from wherever in it.
 const COVER: f64 = 4.0;
 /// Planes nearer to parallel than this are parallel.
-const PARALLEL: f64 = 1e-12;
+pub(super) const PARALLEL: f64 = 1e-12;
 /// Outlines within this of a surface lie in it.
-const ON: f64 = 1e-9;
+pub(super) const ON: f64 = 1e-9;
 
 /// Where the cube |x|, |y|, |z| ≤ 1 crosses a plane: a square of the plane, clipped by the cube's six half-spaces. Unlike the
 /// crossings of its edges, that also holds for a plane through an edge or a face.
 pub(super) fn cuboid(plane: OwnPlane) -> Option<Outline> {
+    cut_by(plane, &[DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z])
+}
+
+/// Where the cylinder |y| ≤ 1, x² + z² ≤ 1 crosses a plane: as for the cube, its mantle made of as many flat strips as an ellipse has
+/// corners.
+pub(super) fn cylinder(plane: OwnPlane) -> Option<Outline> {
+    let strips = (0..CORNERS).map(|i| {
+        let (sin, cos) = (TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
+        DVec3::new(cos, 0.0, sin)
+    });
+    let faces: Vec<DVec3> = strips.chain([DVec3::Y, DVec3::NEG_Y]).collect();
+    cut_by(plane, &faces)
+}
+
+/// The part of a plane that lies within distance 1 of the origin along each of these normals.
+fn cut_by(plane: OwnPlane, normals: &[DVec3]) -> Option<Outline> {
     let foot = plane.normal * plane.offset;
     if foot.length() > COVER / 2.0 {
         return None;
@@ -21,10 +39,8 @@ pub(super) fn cuboid(plane: OwnPlane) -> Option<Outline> {
     let (a, b) = plane.normal.any_orthonormal_pair();
     let mut polygon =
         [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[s, t]| foot + COVER * (s * a + t * b)).to_vec();
-    for axis in 0..3 {
-        for side in [-1.0, 1.0] {
-            polygon = clipped(&polygon, |p| 1.0 + ON - side * p[axis]);
-        }
+    for normal in normals {
+        polygon = clipped(&polygon, |p| 1.0 + ON - normal.dot(p));
     }
     polygon.dedup_by(|p, q| p.distance(*q) < ON);
     (polygon.len() >= 3).then_some(Outline { points: polygon, closed: true })

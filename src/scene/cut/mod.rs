@@ -48,7 +48,9 @@ impl Object {
         let outlines = match &self.shape {
             Shape::Sphere => sphere(own).into_iter().collect(),
             Shape::Box => convex::cuboid(own).into_iter().collect(),
+            Shape::Cylinder => convex::cylinder(own).into_iter().collect(),
             Shape::Plane => convex::square(own).into_iter().collect(),
+            Shape::Disk { hole } => disk(own, *hole),
             Shape::Mesh(mesh) => mesh::cut(mesh, own),
         };
         let placed = |outline: Outline| Outline {
@@ -74,6 +76,22 @@ impl OwnPlane {
 fn sphere(plane: OwnPlane) -> Option<Outline> {
     let radius = (1.0 - plane.offset * plane.offset).sqrt();
     (radius > 0.0).then(|| circle(plane.normal * plane.offset, plane.normal, radius))
+}
+
+/// The part of the disk hole² ≤ x² + z² ≤ 1 of y = 0: a line, or two beside the hole; its edges if it lies in the plane.
+fn disk(plane: OwnPlane, hole: f64) -> Vec<Outline> {
+    let slope = DVec3::new(plane.normal.x, 0.0, plane.normal.z);
+    if slope.length() <= convex::PARALLEL {
+        let edges = [1.0, hole].into_iter().filter(|radius| *radius > 0.0 && plane.offset.abs() <= convex::ON);
+        return edges.map(|radius| circle(DVec3::ZERO, DVec3::Y, radius)).collect();
+    }
+    let foot = slope * (plane.offset / slope.length_squared());
+    let along = slope.cross(DVec3::Y).normalize();
+    let half = |radius: f64| (radius * radius - foot.length_squared()).max(0.0).sqrt();
+    let (outer, inner) = (half(1.0), half(hole));
+    let stretches = if inner > 0.0 { vec![[-outer, -inner], [inner, outer]] } else { vec![[-outer, outer]] };
+    let line = |ends: [f64; 2]| Outline { points: ends.map(|t| foot + t * along).to_vec(), closed: false };
+    stretches.into_iter().filter(|[from, to]| from < to).map(line).collect()
 }
 
 fn circle(center: DVec3, normal: DVec3, radius: f64) -> Outline {

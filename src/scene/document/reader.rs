@@ -46,6 +46,11 @@ impl<'a> Reader<'a> {
         self.document.path().parent().unwrap_or(Path::new(""))
     }
 
+    /// The line of a place, from 1.
+    pub fn line(&self, place: Place) -> usize {
+        self.document.locate(Fault { place, problem: String::new(), help: String::new() }).line
+    }
+
     /// Records what is wrong with a part of a string, in bytes of its text.
     pub fn fault_inside(&self, node: &Node, part: Range<usize>, problem: String, help: String) {
         self.fault(Fault { place: self.document.inside(node, part), problem, help });

@@ -226,13 +226,16 @@ pub const REFERENCE: &[KeyReference] = keys! {
             "cells, or pictures, along u and v";
     }
     "objects" {
-        shape: "sphere | plane | box | mesh" = "required", "what it is";
+        shape: "sphere | plane | box | cylinder | disk | mesh" = "required", "what it is";
         material if "no interior": "name" = "required", "what its surface is made of: one of [materials]";
         interior if "no material": "number, name or { kind, .. }" = "none", "the medium that fills it: see medium";
         priority if "interior": "whole number, 0 to 1000" = "0", "where interiors overlap, the higher one is there";
-        center if r#"shape = "sphere", "plane" or "box""#: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units";
-        radius if r#"shape = "sphere""#: "number above 0" = "1", "scene units";
-        normal if r#"shape = "plane""#: "[x, y, z]" = "[0, 1, 0]", "where the plane faces";
+        center if r#"any shape but "mesh""#: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units";
+        radius if r#"shape = "sphere", "cylinder" or "disk""#: "number above 0" = "1", "scene units";
+        height if r#"shape = "cylinder""#: "number above 0" = "2", "from face to face, scene units";
+        axis if r#"shape = "cylinder""#: "[x, y, z]" = "[0, 1, 0]", "from the lower face to the upper";
+        normal if r#"shape = "plane" or "disk""#: "[x, y, z]" = "[0, 1, 0]", "where it faces";
+        hole if r#"shape = "disk""#: "number, 0 or above, below the radius" = "0", "radius of a round hole, scene units";
         size if r#"shape = "plane""#: "[width, depth], above 0" = "twice the bound's radius", "edges, scene units";
         size if r#"shape = "box""#: "[x, y, z], above 0" = "[1, 1, 1]", "edges, scene units";
         min if r#"shape = "box""#: "[x, y, z]" = "none", "its lowest corner; with max in place of center and size";

@@ -66,6 +66,40 @@ proptest! {
     }
 
     #[test]
+    fn a_cylinder_reaches_as_far_as_its_rims(
+        own in vector(0.1..5.0), tilt in vector(-180.0..180.0), scale in vector(0.1..5.0), rotate in vector(-180.0..180.0),
+        translate in vector(-3.0..3.0), center in vector(-3.0..3.0),
+    ) {
+        // A tilted cylinder that is then scaled unevenly is sheared.
+        let own = Transform::new(own, tilt, DVec3::ZERO).0;
+        let transform = Transform(Transform::new(scale, rotate, translate).0 * own);
+        let sampled = |y: f64| (0..2000).map(|i| {
+            let (z, x) = (f64::from(i) * std::f64::consts::TAU / 2000.0).sin_cos();
+            transform.0.transform_point3(DVec3::new(x, y, z)).distance(center)
+        }).fold(0.0, f64::max);
+        for (shape, sampled) in
+            [(Shape::Cylinder, sampled(1.0).max(sampled(-1.0))), (Shape::Disk { hole: 0.5 }, sampled(0.0))]
+        {
+            let far = reach(&shape, transform, center).expect("a reach");
+            prop_assert!(sampled <= far * (1.0 + 1e-9), "{sampled} {far}");
+            prop_assert!(far <= sampled * 1.0001, "{sampled} {far}");
+        }
+    }
+
+    /// Where the centre is the object's own but for rounding, λ is not to be told from the square of the longest axis.
+    #[test]
+    fn reaches_from_the_middle_are_numbers(scale in vector(0.1..5.0), tilt in vector(-180.0..180.0)) {
+        let transform = Transform::new(scale, tilt, DVec3::ZERO);
+        let x = transform.0.matrix3.x_axis.length().max(transform.0.matrix3.z_axis.length());
+        for center in [DVec3::ZERO, DVec3::splat(1e-18)] {
+            let ball = reach(&Shape::Sphere, transform, center).expect("a reach");
+            prop_assert!((ball - scale.max_element()).abs() < 1e-9, "{ball}");
+            let rims = reach(&Shape::Cylinder, transform, center).expect("a reach");
+            prop_assert!((rims - x.hypot(scale.y)).abs() < 1e-9, "{rims}");
+        }
+    }
+
+    #[test]
     fn rounding_up_is_up_but_little(x in 1e-6..1e6_f64) {
         let up = round_up(x);
         prop_assert!(up >= x * (1.0 - 1e-12) && up <= x * 1.0101, "{x} {up}");

@@ -27,6 +27,7 @@ const KINDS: &[&str] = &[
     "[rays]\nbound = { radius = 10 }\n[sky]\nimage = \"sky.png\"\n[materials.a]\ndiffuse = { image = \"sky.png\" }\n\
      [materials.b]\nkind = \"emissive\"\ncolor = { checker = [[1, 1, 1], [0, 0, 0]] }\n[[objects]]\nshape = \"box\"\n\
      material = \"b\"\nmin = [0, 0, 0]\nmax = [1, 2, 3]\n[[objects]]\nshape = \"plane\"\nmaterial = \"a\"\n\
+     [[objects]]\nshape = \"cylinder\"\nmaterial = \"a\"\n[[objects]]\nshape = \"disk\"\nmaterial = \"a\"\n\
      [[objects]]\nshape = \"mesh\"\nmaterial = \"a\"\nfile = \"mesh.obj\"\n[[lights]]\nkind = \"directional\"\n\
      direction = [0, -2, 0]\n",
     "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"expression\", n = \"1 + x^2\" }\n\
@@ -64,7 +65,7 @@ fn the_reference_is_a_table_for_each_table() {
     let text = reference_markdown();
     assert!(text.starts_with("### Top level\n\n| key | value |"), "{text}");
     assert!(text.contains("\n\n### `[[objects]]`\n\n| key"), "{text}");
-    assert!(text.contains("| `radius` | number above 0 | 1 | With shape = \"sphere\": scene units |"), "{text}");
+    assert!(text.contains("| `radius` | number above 0 | 1 | With shape = \"sphere\", \"cylinder\" or"), "{text}");
 }
 
 #[test]

@@ -1,0 +1,46 @@
+// Closed cylinders about y, mantle and both faces, in their own space.
+
+const CYLINDER: u32 = 0x50000000u;
+
+@group(0) @binding(88) var<storage, read> cylinders: array<Placed>;
+@group(0) @binding(78) var<uniform> cylinder_spaces: array<OwnSpace, CYLINDER_COUNT>;
+
+// Of the unit cylinder itself: p and v are in its own space.
+fn cylinder_interval(p: Real3, v: Real3) -> Interval {
+    // A piece that moves less than 1e-15 across the axis is along it: the square of its motion might be 0.
+    let across = Real3(v.x, 0.0, v.z);
+    let vv = dot(across, across);
+    let along = vv < 1e-30;
+    let inverse_vv = 1.0 / select(vv, 1e-30, along);
+    let mantle = ball_interval(Real3(p.x, 0.0, p.z), select(across, Real3(0.0), along), inverse_vv, 1.0);
+    return both_inside(mantle, slab_interval(p.y, v.y));
+}
+
+fn hit_cylinder(a: Real3, b: Real3, best: Hit) -> Hit {
+    var hit = best;
+    for (var i = 0u; i < CYLINDER_COUNT; i++) {
+        work += 1u;
+        let t = first_end(cylinder_interval(own_point(cylinder_spaces[i], a), own_vector(cylinder_spaces[i], b - a)));
+        if t < hit.t {
+            hit = Hit(t, CYLINDER | i);
+        }
+    }
+    return hit;
+}
+
+// u runs round the axis, and v upwards: on the lower face from its middle to the rim, on the mantle from rim to rim, on the
+// upper face from the rim to its middle. So each of the three is unmirrored as seen from outside, and they meet in u.
+fn surface_cylinder(i: u32, x: Real3) -> Surface {
+    let p = own_point(own_space(cylinders[i]), x);
+    let rho = length(p.xz);
+    // Off the mantle, or off a face: what is farther out.
+    let flat = abs(p.y) > rho;
+    let side = select(Real(-1.0), Real(1.0), p.y > 0.0);
+    let out = select(Real3(p.x, 0.0, p.z) / rho, Real3(0.0, side, 0.0), flat);
+    let g = scene_gradient(own_space(cylinders[i]), out);
+    let steep = length(g);
+    let n = g / steep;
+    let v = select(0.5 + 0.5 * p.y, select(rho, 1.0 - rho, p.y > 0.0), flat);
+    let uv = vec2f(turn_round(p), f32(v));
+    return Surface((max(abs(p.y), rho) - 1.0) / steep, n, vec3f(n), uv, cylinders[i].material, cylinders[i].object);
+}

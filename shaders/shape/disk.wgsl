@@ -1,0 +1,43 @@
+// Flat round disks, perhaps with a round hole: hole² ≤ x² + z² ≤ 1 in y = 0 of their own space.
+
+const DISK: u32 = 0x60000000u;
+
+struct DiskSpace {
+    row_x: Real4,
+    row_y: Real4,
+    row_z: Real4,
+    // The hole's radius, in own units; 0 for none.
+    hole: Real,
+}
+
+@group(0) @binding(89) var<storage, read> disks: array<Placed>;
+@group(0) @binding(79) var<uniform> disk_spaces: array<DiskSpace, DISK_COUNT>;
+
+fn hit_disk(a: Real3, b: Real3, best: Hit) -> Hit {
+    var hit = best;
+    for (var i = 0u; i < DISK_COUNT; i++) {
+        work += 1u;
+        let space = OwnSpace(disk_spaces[i].row_x, disk_spaces[i].row_y, disk_spaces[i].row_z);
+        let hole = disk_spaces[i].hole;
+        let p = own_point(space, a);
+        let d = own_vector(space, b - a);
+        let t = -p.y / d.y;
+        let q = p.xz + t * d.xz;
+        let rr = dot(q, q);
+        if d.y != 0.0 && t >= -overlap() && t <= 1.0 + OVERLAP && rr <= 1.0 && rr >= hole * hole && t < hit.t
+            && !just_left(DISK | i) {
+            hit = Hit(t, DISK | i);
+        }
+    }
+    return hit;
+}
+
+// u runs round the normal, v from the rim to the middle, or to the hole.
+fn surface_disk(i: u32, x: Real3) -> Surface {
+    let p = own_point(own_space(disks[i]), x);
+    let g = disks[i].row_y.xyz;
+    let steep = length(g);
+    let n = g / steep;
+    let v = (1.0 - length(p.xz)) / (1.0 - disk_spaces[i].hole);
+    return Surface(p.y / steep, n, vec3f(n), vec2f(turn_round(p), f32(v)), disks[i].material, disks[i].object);
+}
