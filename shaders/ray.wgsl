@@ -97,11 +97,11 @@ fn finite_phase(p: Phase) -> bool {
 }
 
 // The ray after a step. Before a place where its law has no finite value tries that reach it are rejected (`lost`), however short:
-// a ray that then does not move is not stalled for want of digits, but has failed.
+// a ray that then does not move is not stalled for want of digits, but has failed. Its place stays, its velocity is none any more.
 fn failed_if(lost: bool, before: Ray, after: Ray) -> Ray {
     var next = after;
-    if lost && all(next.phase[0].xyz == before.phase[0].xyz) {
-        next.phase = next.phase * infinite();
+    if lost && finite_phase(before.phase) && all(next.phase[0].xyz == before.phase[0].xyz) {
+        next.phase[1] = next.phase[1] * infinite();
     }
     return next;
 }

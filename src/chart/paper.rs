@@ -115,7 +115,7 @@ impl PaperBench<'_> {
         let mut samples = Vec::new();
         for _ in 0..=self.repeats {
             let totals = renderer.picture()?.totals;
-            let advance = totals.device.map_or(totals.wall, |[_, advance, _]| advance);
+            let advance = totals.device.map_or(totals.wall, |[_, advance, _, _]| advance);
             // Without masks every ray takes every step, though only those of living rays are kept and counted.
             let [width, height] = scene.image.size.map(u64::from);
             let every = width * height * u64::from(scene.rays.max_segments) * 10;

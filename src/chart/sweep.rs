@@ -188,7 +188,7 @@ fn timed(renderer: &Renderer, repeats: usize) -> Result<Measured, RenderError> {
     for _ in 0..repeats {
         let picture = renderer.picture()?;
         let totals = &picture.totals;
-        let advance = totals.device.map_or(totals.wall, |[_, advance, _]: [Duration; 3]| advance);
+        let advance = totals.device.map_or(totals.wall, |[_, advance, _, _]: [Duration; 4]| advance);
         seconds.push(advance.as_secs_f64());
         colors = picture.band.color.concat();
     }

@@ -14,6 +14,7 @@ use crate::gpu::{Gpu, GpuError};
 pub(super) enum Stage {
     Setup,
     Advance,
+    Scatter,
     Shade,
 }
 
@@ -23,13 +24,21 @@ pub(super) struct Clock {
     sets: Vec<QuerySet>,
     stages: Vec<Stage>,
     enabled: bool,
+    /// Is scattering timed apart from advancing? That takes a pass of the encoder for each round, which costs more than the round
+    /// where nothing lives.
+    pub(super) fine: bool,
 }
 
 const QUERIES: u32 = wgpu::QUERY_SET_MAX_QUERIES;
 
 impl Clock {
     pub(super) fn new(gpu: &Gpu) -> Self {
-        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps }
+        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, fine: false }
+    }
+
+    /// For measurements.
+    pub(super) fn fine(gpu: &Gpu) -> Self {
+        Self { fine: true, ..Self::new(gpu) }
     }
 
     /// Where the next pass of this stage writes its times.
@@ -52,11 +61,11 @@ impl Clock {
     }
 
     /// Seconds by stage, once all passes are done.
-    pub(super) fn read(&self, gpu: &Gpu) -> Result<Option<[Duration; 3]>, GpuError> {
+    pub(super) fn read(&self, gpu: &Gpu) -> Result<Option<[Duration; 4]>, GpuError> {
         if !self.enabled {
             return Ok(None);
         }
-        let mut sums = [0.0_f64; 3];
+        let mut sums = [0.0_f64; 4];
         for (set, stages) in self.sets.iter().zip(self.stages.chunks(QUERIES as usize / 2)) {
             let count = 2 * stages.len() as u32;
             let buffer = gpu.device.create_buffer(&BufferDescriptor {

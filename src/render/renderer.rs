@@ -195,16 +195,15 @@ impl<'a> Renderer<'a> {
         let weights: u64 = self.steps.iter().map(|step| step.weight).sum();
         let mut done = 0;
         let mut rest = self.steps.as_slice();
-        while let Some(first) = rest.first() {
-            let stage = stage_of(first.pass);
+        while !rest.is_empty() {
             let mut weight = 0;
             let fits = |step: &&Step| {
                 weight += step.weight;
-                stage_of(step.pass) == stage && (weight == step.weight || weight * pixels <= SUBMISSION)
+                weight == step.weight || weight * pixels <= SUBMISSION
             };
             let count = rest.iter().take_while(fits).count();
             let (now, later) = rest.split_at(count.max(1));
-            runner.submit(now, stage, clock)?;
+            runner.submit(now, clock)?;
             done += now.iter().map(|step| step.weight).sum::<u64>();
             progress(done as f64 / weights as f64);
             rest = later;
@@ -235,14 +234,15 @@ impl<'a> Renderer<'a> {
         if steps.first().is_some_and(|step| step.pass == Pass::Setup) {
             runner.clear_living();
         }
-        runner.submit(steps, Stage::Advance, &mut Clock::new(self.gpu))?;
+        runner.submit(steps, &mut Clock::new(self.gpu))?;
         runner.wait(0)
     }
 }
 
-fn stage_of(pass: Pass) -> Stage {
+fn stage_of(pass: Pass, fine: bool) -> Stage {
     match pass {
         Pass::Setup => Stage::Setup,
+        Pass::Scatter if fine => Stage::Scatter,
         Pass::Shade | Pass::Record => Stage::Shade,
         _ => Stage::Advance,
     }
@@ -269,15 +269,17 @@ impl Runner<'_, '_> {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    fn submit(&mut self, steps: &[Step], stage: Stage, clock: &mut Clock) -> Result<(), GpuError> {
+    /// The steps in one submission, those of the same stage that follow each other in one pass.
+    fn submit(&mut self, steps: &[Step], clock: &mut Clock) -> Result<(), GpuError> {
         let gpu = self.renderer.gpu;
         for step in steps {
             self.prepare(step)?;
         }
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
-        {
-            let mut pass = encoder
-                .begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: clock.next(gpu, stage) });
+        let fine = clock.fine;
+        for steps in steps.chunk_by(|a, b| stage_of(a.pass, fine) == stage_of(b.pass, fine)) {
+            let timestamp_writes = steps.first().and_then(|step| clock.next(gpu, stage_of(step.pass, fine)));
+            let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes });
             let mut current = None;
             for step in steps {
                 let (Some(pipeline), Some(group)) =

@@ -93,8 +93,8 @@ pub struct Totals {
     pub segments: u64,
     /// Rays by how they ended.
     pub fates: Vec<(Status, u64)>,
-    /// Time on the device by stage (setup, advance, shade); none without timestamp queries.
-    pub device: Option<[Duration; 3]>,
+    /// Time on the device by stage (setup, advance, scatter, shade; in pictures advancing includes scattering); none without timestamp queries.
+    pub device: Option<[Duration; 4]>,
     /// Time from start to end.
     pub wall: Duration,
 }

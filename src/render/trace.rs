@@ -107,7 +107,7 @@ impl Renderer<'_> {
     /// Follows rays to their ends; the program's purpose is to record them.
     pub fn follow(&self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
         let mut totals = Totals::default();
-        let mut clock = super::clock::Clock::new(self.gpu);
+        let mut clock = super::clock::Clock::fine(self.gpu);
         let started = std::time::Instant::now();
         let count = match starts {
             Starts::Given(rays) => rays.len(),
