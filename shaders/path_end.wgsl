@@ -39,6 +39,10 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         let slope = dot(gap.xyz, p[1].xyz);
         let steep = abs(slope) > 1e-3 * length(p[1].xyz);
         let correction = select(0.0, gap.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
+        // Straight lines and leaps are there at once.
+        if abs(correction) <= LAST_PART * step.h {
+            break;
+        }
         h = clamp(h - correction, 0.0, step.h);
     }
     let tau = step.tau + own_tau(step.phase, p, h);

@@ -66,18 +66,9 @@ fn ends_on_surface(code: u32) -> bool {
     return code == HIT || code == CUT;
 }
 
-// The status texture's word: code, the slot of the state pair where the ray's state lies, its segment index, and how many surfaces it
-// has gone on from: as many as in the word before.
-fn status_word(before: u32, code: u32, slot: u32, index: u32) -> u32 {
-    return code | (slot << 4u) | (before & SURFACES) | (index << 13u);
-}
-
-const SURFACES: u32 = 0x1fc0u;
-// One more of them.
-const ONE_SURFACE: u32 = 0x40u;
-
-fn status_surfaces(word: u32) -> u32 {
-    return (word & SURFACES) / ONE_SURFACE;
+// The status texture's word: code, the slot of the state pair where the ray's state lies, and its segment index.
+fn status_word(code: u32, slot: u32, index: u32) -> u32 {
+    return code | (slot << 4u) | (index << 6u);
 }
 
 fn status_code(word: u32) -> u32 {
@@ -89,7 +80,7 @@ fn status_slot(word: u32) -> u32 {
 }
 
 fn status_index(word: u32) -> u32 {
-    return word >> 13u;
+    return word >> 6u;
 }
 
 fn finite_phase(p: Phase) -> bool {

@@ -3,8 +3,6 @@
 struct Schedule {
     // A ray with this many segments is exhausted.
     max_segments: u32,
-    // A ray that has gone on from so many surfaces is exhausted at the next.
-    max_surfaces: u32,
     // Segments a pass, at most (fused).
     segments: u32,
     // Loop iterations that one more segment may need.

@@ -3,6 +3,12 @@
 fn load_left(pixel: vec2u, index: u32) {
 }
 
+fn store_left(pixel: vec2u, index: u32) {
+}
+
+fn leave_surface(primitive: u32) {
+}
+
 fn forget_left() {
 }
 

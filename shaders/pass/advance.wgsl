@@ -1,5 +1,6 @@
-// K segments with all their stages in one pass (`fused`): integrate, intersect, terminate, the state through the textures only
-// between passes. A pass ends at a segment's boundary, before the device's limit of loop iterations, or where a walk is suspended.
+// K segments with all their stages in one pass (`fused`): integrate, intersect, terminate, scatter, the state through the textures
+// only between passes. A pass ends at a segment's boundary, before the device's limit of loop iterations, or where a walk is
+// suspended.
 
 @compute @workgroup_size(8, 8)
 fn advance(
@@ -19,46 +20,58 @@ fn advance(
     }
     let before = ray;
     var end = Hit(0.0, NOTHING);
-    // What runs on: the same as long as the ray lives.
-    var path = ray;
-    for (var n = 0u; n < schedule.segments && spot.valid && ray_wanted(ray.status); n++) {
+    var segments = 0u;
+    loop {
         work += 1u;
-        if work + schedule.segment_work > WORK_LIMIT {
-            break;
-        }
-        var next = path;
-        let segment = follow_segment(&next);
-        let hit = first_hit(segment, spot.pixel);
-        if walk_suspended() {
-            break;
-        }
-        let fate = segment_fate(segment, next.tau, path.index, hit);
-        forget_left();
-        next.index += 1u;
-        if ray.status == ALIVE {
-            ray.steps = next.steps;
-            ray.rejected = next.rejected;
-            ray.status = fate;
+        while segments < schedule.segments && spot.valid && ray_wanted(ray.status) {
+            work += 1u;
+            if work + schedule.segment_work > WORK_LIMIT {
+                break;
+            }
+            var next = ray;
+            let segment = follow_segment(&next);
+            let hit = first_hit(segment, spot.pixel);
+            if walk_suspended() {
+                break;
+            }
+            let fate = segment_fate(segment, next.tau, ray.index, hit);
+            forget_left();
+            segments += 1u;
             if fate == ALIVE {
+                next.index += 1u;
                 ray = next;
             } else {
-                end = hit;
+                ray.steps = next.steps;
+                ray.rejected = next.rejected;
+                ray.status = fate;
+                // As exact as the record of hits.
+                end = Hit(Real(f32(hit.t)), hit.primitive);
             }
         }
-        path = next;
+        // Those that met a surface go on from it together, when none has a segment left to its own.
+        if !may_go_on(ray.status) || !alive {
+            break;
+        }
+        ray = gone_on(ray, end, spot.pixel);
+        if ray.status != ALIVE {
+            break;
+        }
     }
     let lives = alive && ray.status == ALIVE;
     if alive {
         store_ray(spot.pixel, ray);
         store_counts(spot.pixel, ray);
-        store_status(spot.pixel, status_word(word, ray.status, turn.end, ray.index));
-        if ray.status == HIT {
+        store_status(spot.pixel, status_word(ray.status, turn.end, ray.index));
+        if ends_on_surface(ray.status) {
             store_hit(spot.pixel, end);
+        } else {
+            store_left(spot.pixel, ray.index);
         }
+        store_region(spot.pixel);
     }
-    let segments = select(0u, ray.index - before.index + u32(!lives), alive);
+    let passed = select(0u, ray.index - before.index + u32(!lives), alive);
     tally_steps(ray.steps - before.steps, lane);
-    tally_segments(segments, lane);
+    tally_segments(passed, lane);
     tally_rejections(ray.rejected - before.rejected, lane);
-    keep_living(lives || (alive && goes_on(ray.status)), spot.pixel, lane);
+    keep_living(lives, spot.pixel, lane);
 }

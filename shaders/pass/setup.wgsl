@@ -26,7 +26,7 @@ fn setup(
         start_weight(pixel, phase[0].xyz);
         store_ray(pixel, ray);
         store_counts(pixel, ray);
-        store_status(pixel, status_word(0u, ray.status, 0u, 0u));
+        store_status(pixel, status_word(ray.status, 0u, 0u));
         clear_hit(pixel);
     }
     keep_living(valid && ray.status == ALIVE, pixel, lane);

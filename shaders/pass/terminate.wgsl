@@ -14,9 +14,9 @@ fn terminate(
     let fate = segment_fate(load_segment(spot.pixel), load_tau(spot.pixel), index, load_hit(spot.pixel));
     let lives = alive && fate == ALIVE;
     if alive {
-        let next = status_word(word, ALIVE, turn.end, index + 1u);
-        store_status(spot.pixel, select(status_word(word, fate, turn.start, index), next, lives));
+        let next = status_word(ALIVE, turn.end, index + 1u);
+        store_status(spot.pixel, select(status_word(fate, turn.start, index), next, lives));
     }
     tally_segments(u32(alive), lane);
-    keep_living(lives || (alive && goes_on(fate)), spot.pixel, lane);
+    keep_living(lives || (alive && may_go_on(fate)), spot.pixel, lane);
 }

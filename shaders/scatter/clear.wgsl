@@ -3,9 +3,6 @@
 
 const CLEAR: u32 = 3u;
 
-// A path whose weight has fallen this low adds nothing that a float of the picture could show.
-const DARK: f32 = 1e-8;
-
 fn scatter_clear(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
     let bits = inside;
     let near_medium = medium_object();
@@ -20,7 +17,7 @@ fn scatter_clear(material: Material, surface: Surface, end: PathPoint, index: u3
     if both.reflectance > 0.0 && both.reflectance < 1.0 {
         taken = chosen_branch(pixel, index, f32(both.reflectance));
     }
-    if taken.reflects {
+    if taken.reflects || taken.cut {
         enter_set(bits);
     }
     return Scattered(select(both.transmitted, both.reflected, taken.reflects), vec3f(taken.weight), taken.cut, true);

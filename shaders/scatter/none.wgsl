@@ -1,5 +1,9 @@
 // Surfaces end the rays that meet them.
 
-fn goes_on(code: u32) -> bool {
+fn may_go_on(code: u32) -> bool {
     return false;
+}
+
+fn gone_on(ray: Ray, hit: Hit, pixel: vec2u) -> Ray {
+    return ray;
 }

@@ -1,5 +1,36 @@
-// From some surfaces rays go on: the pass that scatters them looks at all that met one.
+// From some surfaces rays go on: what met one is looked at, and where it is reflected or refracted, it is under way again.
 
-fn goes_on(code: u32) -> bool {
+// A path whose weight has fallen this low adds nothing that a float of the picture could show.
+const DARK: f32 = 1e-8;
+
+fn may_go_on(code: u32) -> bool {
     return code == HIT;
+}
+
+// ray: at the start of the segment that met the surface. It comes back under way from there, or with the status that ends it; HIT
+// where the surface is opaque.
+fn gone_on(ray: Ray, hit: Hit, pixel: vec2u) -> Ray {
+    let end = path_end(ray, hit);
+    let surface = hit_surface(hit.primitive, end.x);
+    let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
+    var next = ray;
+    if !scattered.goes_on {
+        return next;
+    }
+    let weight = scale_weight(pixel, scattered.weight);
+    if scattered.cut || weight < DARK {
+        next.status = CUT;
+        return next;
+    }
+    if ray.index + 1u >= schedule.max_segments {
+        next.status = EXHAUSTED;
+        return next;
+    }
+    next.phase = opaque_phase(law_start(end.x, scattered.v));
+    next.tau = opaque(end.tau);
+    next.memory = first_memory(next.phase);
+    next.index += 1u;
+    next.status = ALIVE;
+    leave_surface(hit.primitive);
+    return next;
 }

@@ -146,12 +146,7 @@ impl Source<'_> {
                 let bound = &self.scene.rays.bound;
                 one(&[("center", Vec3(bound.center)), ("radius", Float(bound.radius))])
             }
-            "schedule" => one(&schedule_values(
-                self.scene.rays.max_segments,
-                self.scene.rays.max_surfaces,
-                self.segments,
-                &self.program.work,
-            )),
+            "schedule" => one(&schedule_values(self.scene.rays.max_segments, self.segments, &self.program.work)),
             "camera" => one(&self.camera()),
             "stereo" => one(&self.stereo()),
             "sampling" => {

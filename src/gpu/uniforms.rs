@@ -71,13 +71,8 @@ impl Source<'_> {
 
 /// The members of `schedule`.
 #[must_use]
-pub fn schedule_values(max_segments: u32, max_surfaces: u32, segments: u32, work: &Work) -> [(&'static str, Value); 4] {
-    [
-        ("max_segments", Uint(max_segments)),
-        ("max_surfaces", Uint(max_surfaces)),
-        ("segments", Uint(segments)),
-        ("segment_work", Uint(work.segment as u32)),
-    ]
+pub fn schedule_values(max_segments: u32, segments: u32, work: &Work) -> [(&'static str, Value); 3] {
+    [("max_segments", Uint(max_segments)), ("segments", Uint(segments)), ("segment_work", Uint(work.segment as u32))]
 }
 
 /// The members of `control`.

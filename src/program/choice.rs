@@ -136,7 +136,7 @@ impl Choice {
             }
             passes.push(Pass::Terminate);
         }
-        if scatters(scene) {
+        if self.schedule != Schedule::Fused && scatters(scene) {
             passes.push(Pass::Scatter);
         }
         passes.push(match self.purpose {

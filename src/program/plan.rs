@@ -3,7 +3,7 @@
 use super::link::{Parts, Unit};
 use super::region_parts::region_parts;
 use super::regions::{Kind, Regions, is_mirror, scatters};
-use super::{Choice, ProgramError, Purpose, Schedule, Work, generated, part};
+use super::{Choice, Pass, ProgramError, Purpose, Schedule, Work, generated, part};
 use crate::scene::{
     Branches, CameraKind, Control, Frame, Law, Light, MaterialKind, Medium, Object, Pattern, Precision, Scene,
     SchwarzschildForm, Segment, Shape, Sky, Stereo, StereoLayout,
@@ -23,7 +23,8 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     let mut made = vec![generated::counts(scene)];
     phase_parts(scene, &mut names);
     scatter_parts(scene, choice, &regions, &mut names, &mut made);
-    names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
+    let pass_part = |pass: &Pass| if *pass == Pass::Advance && !choice.masks { "advance_all" } else { pass.entry() };
+    names.each("pass", choice.passes(scene).iter().map(pass_part));
     schedule_parts(scene, choice, &regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, &mut names);

@@ -3,7 +3,7 @@
 //! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
-use super::{Kind, Motion, ProgramError, Regions, constant};
+use super::{Kind, Motion, ProgramError, Regions, constant, scatters};
 use crate::scene::{Control, Law, Medium, Method, Precision, Scene, Segment, Shape};
 
 fn work_limit() -> u64 {
@@ -48,7 +48,9 @@ impl Work {
             Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
         };
         let analytic = scene.objects.iter().filter(|o| !matches!(o.shape, Shape::Mesh(_))).count() as u64;
-        let segment = steps * step + pieces * (analytic + 1) + captures + 2 + asymptote;
+        // Where a ray goes on from a surface its last step is taken again, a few times over.
+        let scatter = if scatters(scene) { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) } else { 0 };
+        let segment = steps * step + pieces * (analytic + 1) + captures + 2 + asymptote + scatter;
         if segment > LARGEST {
             let integration = steps * step > pieces * analytic;
             return Err(ProgramError::TooMuchWork {

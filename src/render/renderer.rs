@@ -94,10 +94,7 @@ impl<'a> Renderer<'a> {
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
         self.rewrite("control", &control_values(control))?;
         self.max_segments = max_segments;
-        self.rewrite(
-            "schedule",
-            &schedule_values(max_segments, self.scene.rays.max_surfaces, self.settings.segments, &self.program.work),
-        )?;
+        self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments, &self.program.work))?;
         self.plan_steps();
         Ok(())
     }

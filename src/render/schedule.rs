@@ -26,7 +26,7 @@ pub struct Step {
     pub round: u64,
     /// Which part of the list of the living it reads.
     pub living: u64,
-    /// Does it go on with a walk that was suspended, or (scattering) move the rays that are under way to the other slot?
+    /// Does it go on with a walk that was suspended?
     pub again: bool,
     /// Integration steps of one ray in it, at most: its weight when the work is split into submissions.
     pub weight: u64,
@@ -35,14 +35,14 @@ pub struct Step {
 /// Every dispatch of one sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
 #[must_use]
 pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, segments: u32) -> Vec<Step> {
-    let mut recorded = Recorder { choice, max_segments, max_surfaces: scene.rays.max_surfaces, steps: Vec::new() };
+    let mut recorded = Recorder { choice, max_segments, steps: Vec::new() };
     recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: 1 }, 0, 1);
     let n = match scene.rays.segment {
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
     };
     match choice.schedule {
-        Schedule::Fused => recorded.fused(work, segments, n, scatters(scene)),
+        Schedule::Fused => recorded.fused(work, segments, n),
         Schedule::Segment => recorded.by_segment(scene, work, n),
         Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
     }
@@ -54,7 +54,6 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
 struct Recorder<'a> {
     choice: &'a Choice,
     max_segments: u32,
-    max_surfaces: u32,
     steps: Vec<Step>,
 }
 
@@ -65,30 +64,14 @@ impl Recorder<'_> {
         self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, weight });
     }
 
-    /// Rays that met a surface go on from it. Without lists of the living the rays of this round are all there is.
-    fn scatter(&mut self, slots: Slots, round: u64, moves: bool) {
-        self.push(Pass::Scatter, Slots { list: 1 - slots.list, ..slots }, round, 1);
-        if let Some(step) = self.steps.last_mut() {
-            step.again = moves;
-            step.living = round + 1;
-        }
-    }
-
-    /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing. Where rays go on from
-    /// surfaces, each of those ends a round, and the scattering pass brings all back to the first slot.
-    fn fused(&mut self, work: &Work, segments: u32, n: u64, scatters: bool) {
+    /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing.
+    fn fused(&mut self, work: &Work, segments: u32, n: u64) {
         let sure = work.segments_per_pass(segments);
-        let surfaces = if scatters { u64::from(self.max_surfaces) + 1 } else { 0 };
-        let whole = u64::from(self.max_segments.div_ceil(sure));
-        let rounds = (whole + surfaces).min(u64::from(self.max_segments)) * work.passes_per_segment;
+        let rounds = u64::from(self.max_segments.div_ceil(sure)) * work.passes_per_segment;
         for round in 0..rounds {
-            let list = (round % 2) as usize;
-            let input = if scatters { 0 } else { list };
-            let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list };
+            let input = (round % 2) as usize;
+            let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list: input };
             self.push(Pass::Advance, slots, round, u64::from(segments) * n);
-            if scatters {
-                self.scatter(Slots { input: 1, output: 0, start: 1, end: 0, list }, round, true);
-            }
         }
     }
 
@@ -131,7 +114,12 @@ impl Recorder<'_> {
         self.push(Pass::Terminate, slots, round, 1);
         if scatters(scene) {
             // What met a surface is where its segment began, what did not is where it ended already.
-            self.scatter(Slots { input: slots.start, output: slots.end, ..slots }, round, false);
+            let slots = Slots { input: slots.start, output: slots.end, list: 1 - slots.list, ..slots };
+            self.push(Pass::Scatter, slots, round, 1);
+            if let Some(step) = self.steps.last_mut() {
+                // Those that the termination has just listed.
+                step.living = round + 1;
+            }
         }
     }
 }

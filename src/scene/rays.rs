@@ -16,8 +16,6 @@ pub struct Rays {
     pub segment: Segment,
     /// A ray that has this many segments and is still under way is exhausted.
     pub max_segments: u32,
-    /// A ray that has gone on from so many surfaces is exhausted at the next.
-    pub max_surfaces: u32,
     /// Rays that leave this sphere have escaped.
     pub bound: Bound,
     /// Rays end at this τ.

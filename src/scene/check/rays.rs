@@ -70,7 +70,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let (method, control) = stepping(&table, name.unwrap_or(default), solved);
     let auto = (name == Some(Name::Auto)).then(|| table.or("accuracy", Accuracy::Pixels(0.1), accuracy));
     let auto = auto.filter(|_| method != Method::Exact);
-    let max_segments = table.or("max_segments", 1000, whole(1..=500_000));
+    let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
     if name == Some(Name::Planar) {
         check_planar(&table, length, segment);
     }
@@ -79,7 +79,6 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     if let (true, Some(law), Some(bound)) = (asymptotic, law, bound) {
         check_asymptotic(&table, law, bound);
     }
-    let max_surfaces = table.or("max_surfaces", 100, whole(1..=120));
     let branches = table.or("branches", Branches::Enumerated(4), branches);
     optics.check(&table, segment, asymptotic, precision);
     table.finish();
@@ -91,7 +90,6 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         auto,
         segment,
         max_segments,
-        max_surfaces,
         bound,
         length,
         asymptotic,
