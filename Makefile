@@ -1,4 +1,4 @@
-# `make render`: a picture from a fresh machine. `make test`: every check.
+# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis. `make test`: every check.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -6,13 +6,25 @@ SHELL := /bin/bash
 # Mesa's device-select layer complains where there is no desktop session.
 export NODEVICE_SELECT := 1
 
-.PHONY: render test device clean
+.PHONY: render gallery test device clean
 
 render: device
 	cargo build --release
 	mkdir -p out
 	target/release/bentray render scenes/black_hole.toml -o out/black_hole.png
 	@echo "open out/black_hole.png"
+
+# Every command of the figures' own page, in its folder; `GALLERY` adds to each, such as `make gallery GALLERY="--size 100x100"`.
+gallery: device
+	cargo build --release
+	mkdir -p out/thesis
+	cd scenes/thesis; bin="$$PWD/../../target/release/bentray"; out="$$PWD/../../out/thesis"; \
+	sed -n 's/^    bentray //p' README.md | while IFS= read -r line; do \
+	    echo "bentray $$line"; \
+	    line=$${line/-o /-o $$out/}; line=$${line/--plot /--plot $$out/}; \
+	    if [[ $$line == render* ]]; then line="$$line $(GALLERY)"; fi; \
+	    eval "'$$bin' $$line" </dev/null 2>$$out/log || { cat $$out/log; exit 1; }; \
+	done
 
 test: device
 	cargo fmt --check

@@ -47,7 +47,7 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     }
     let tau = step.tau + own_tau(step.phase, p, h);
     let far = departed(code, p[0].xyz, p[1].xyz);
-    return PathPoint(far[0], far[1], tau, h / step.h);
+    return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
 }
 
 // Where the gap vanishes if it is linear along the step; the step's end where it does not change its sign.

@@ -8,5 +8,5 @@ fn stride(p: Phase) -> Real {
     let w1 = c.onward.w;
     let side = sqrt(max(w0 * w0 + w1 * w1 - edge * edge, 0.0));
     let angle = arc_tangent(w1, w0) - arc_tangent(side, edge);
-    return next_turn(angle, w1 > 0.0 && w0 >= edge - LAST_PART);
+    return next_turn(angle, w1 >= 0.0 && w0 >= edge - LAST_PART);
 }

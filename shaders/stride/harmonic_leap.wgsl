@@ -12,5 +12,5 @@ fn stride(p: Phase) -> Real {
     let r2 = here().radius * here().radius;
     let off = r2 - mean;
     let angle = arc_tangent(s, c) - arc_tangent(sqrt(max((swing - off) * (swing + off), 0.0)), off);
-    return 0.5 * next_turn(angle, s > 0.0 && dot(d, d) >= (1.0 - LAST_PART) * r2) / rate;
+    return 0.5 * next_turn(angle, s >= 0.0 && dot(d, d) >= (1.0 - LAST_PART) * r2) / rate;
 }

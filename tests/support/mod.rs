@@ -22,7 +22,12 @@ pub fn scene(text: &str) -> Scene {
 
 /// Every scene file of `scenes/`.
 pub fn shipped_scenes() -> Vec<std::path::PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    scenes_in("scenes")
+}
+
+/// Every scene file of a folder of the project.
+pub fn scenes_in(folder: &str) -> Vec<std::path::PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let entries = folder.read_dir().unwrap_or_else(|error| panic!("{error}"));
     let mut scenes: Vec<_> = entries
         .filter_map(|entry| entry.ok().map(|entry| entry.path()))

@@ -1,0 +1,201 @@
+//! Objects that light goes through, and mirrors: every schedule the same, meshes as the shapes they are, and the rays for which formulas
+//! have their limits.
+
+use bentray::gpu::Geometry;
+use bentray::program::{BindingKind, Choice, Layer, Program, Purpose, Schedule};
+use bentray::render::{Picture, Renderer, Settings, Status, Traced, trace};
+use bentray::scene::Scene;
+use glam::DVec3;
+
+use crate::exactness::unused;
+use crate::support::{gpu, scene, scenes_in};
+
+const ROOM: &str = "[image]\nsize = [40, 30]\n[camera]\nposition = [1, 2, 8]\nfov = 40\n[sky]\ncolor = [0.3, 0.5, 0.8]\n\
+    [materials.floor]\nkind = \"emissive\"\ncolor = { checker = [[0.9, 0.3, 0.2], [0.9, 0.9, 0.8]], repeat = [8, 8] }\n\
+    [materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.8, 0.7]\n\
+    [[objects]]\nshape = \"plane\"\ncenter = [0, -1.5, 0]\nsize = [16, 16]\nmaterial = \"floor\"\n";
+
+fn room(rays: &str, objects: &[&str]) -> String {
+    let objects: String = objects.iter().map(|object| format!("[[objects]]\n{object}\n")).collect();
+    format!("[rays]\nbound = {{ radius = 25 }}\n{rays}\n{ROOM}{objects}")
+}
+
+fn rendered(scene: &Scene, choice: Choice) -> Picture {
+    let settings = Settings { choice, ..Settings::default() };
+    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+}
+
+const GLASS: &str = "shape = \"sphere\"\nradius = 1.2\ninterior = 1.5";
+const FLAT_MIRROR: &str =
+    "shape = \"disk\"\ncenter = [-2, 0, -1]\nnormal = [1, 0, 1]\nradius = 1.3\nmaterial = \"mirror\"";
+
+#[test]
+fn all_schedules_give_the_same_picture() {
+    let scenes = [
+        room("branches = 3", &[GLASS, FLAT_MIRROR]),
+        room(
+            "branches = 2\ntolerance = 1e-5",
+            &["shape = \"sphere\"\ninterior = { kind = \"gaussian\", a = 1.6, b = 0.2 }"],
+        ),
+        room(
+            "branches = 2",
+            &[
+                "shape = \"sphere\"\nradius = 2\ninterior = { kind = \"inverse-r\" }",
+                "shape = \"sphere\"\ncenter = [0.8, 0.3, 0.5]\nradius = 0.5\nmaterial = \"mirror\"",
+                "shape = \"cylinder\"\ncenter = [3, 0, 0]\nradius = 0.7\ninterior = { kind = \"rod\", n0 = 1.5, g = 0.5 }",
+            ],
+        ),
+    ];
+    for text in scenes {
+        let mut scene = scene(&text);
+        scene.rays.max_segments = 60;
+        let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
+        let first = rendered(&scene, choice(Schedule::Fused, true));
+        for (schedule, masks) in [(Schedule::Fused, false), (Schedule::Segment, true), (Schedule::Paper, true)] {
+            let other = rendered(&scene, choice(schedule, masks));
+            assert!(first.band == other.band, "{schedule:?}, masks {masks}\n{text}");
+            assert_eq!(first.totals.fates, other.totals.fates);
+            assert_eq!(first.totals.segments, other.totals.segments, "{schedule:?}, masks {masks}");
+        }
+    }
+}
+
+/// The cube |x|, |y|, |z| ≤ 1, each face of two triangles.
+const CUBE: &str = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
+    f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
+
+#[test]
+fn a_closed_mesh_of_glass_is_what_its_shape_is() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("cube.obj"), CUBE).unwrap();
+    let picture = |object: &str, camera: &str| {
+        let text = room("branches = 3", &[object]).replace("position = [1, 2, 8]", camera);
+        let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
+        rendered(&scene, Choice::default()).band.color
+    };
+    let place = "scale = 1.1\nrotate = [10, 25, 5]\ninterior = 1.5";
+    for camera in ["position = [1, 2, 8]", "position = [0.1, 0.2, 0.3]\nlook_at = [0, 0, -5]"] {
+        let mesh = picture(&format!("shape = \"mesh\"\nfile = \"cube.obj\"\n{place}"), camera);
+        let cube = picture(&format!("shape = \"box\"\nsize = [2, 2, 2]\n{place}"), camera);
+        let pixels = mesh[0].len();
+        let agree = (0..pixels).filter(|&i| (0..3).all(|c| (mesh[c][i] - cube[c][i]).abs() < 1e-4)).count();
+        assert!(agree * 1000 >= pixels * 990, "{agree} of {pixels} pixels agree, {camera}");
+    }
+}
+
+/// One branch a sample has the right mean: with so many samples its noise is a few thousandths.
+#[test]
+fn random_branches_have_the_mean_of_all() {
+    let mean = |rays: &str, samples: u32| {
+        let mut scene = scene(&room(rays, &[GLASS, FLAT_MIRROR]));
+        scene.image.size = [12, 9];
+        scene.image.samples = samples;
+        let color = rendered(&scene, Choice::default()).band.color;
+        color.map(|channel| f64::from(channel.iter().sum::<f32>()) / channel.len() as f64)
+    };
+    let (all, random) = (mean("branches = 8", 16), mean("branches = \"random\"", 400));
+    for (a, b) in all.iter().zip(&random) {
+        assert!((a - b).abs() < 4e-3, "{all:?} {random:?}");
+    }
+}
+
+fn traced(text: &str, rays: &[[f64; 6]]) -> Vec<Traced> {
+    trace(&gpu(), &scene(text), &Settings::default(), rays).unwrap().0
+}
+
+/// The closed form finds the first of a spiral's meetings with a ball: the same as many small steps in 64 bits.
+#[test]
+fn spirals_meet_what_is_in_their_way() {
+    let text = |rays: &str| {
+        format!(
+            "[rays]\nbound = {{ radius = 12 }}\nmax_segments = 4000\n{rays}\n[materials.m]\nkind = \"emissive\"\n\
+             color = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\nradius = 4\ninterior = {{ kind = \"inverse-r\" }}\n\
+             [[objects]]\nshape = \"sphere\"\ncenter = [-1.2, 0.4, 0.3]\nradius = 0.7\nmaterial = \"m\"\n\
+             [[objects]]\nshape = \"sphere\"\ncenter = [0.5, 2.6, -0.6]\nradius = 0.5\nmaterial = \"m\"\n"
+        )
+    };
+    let golden = |i: u32| {
+        let y = 1.0 - (2.0 * f64::from(i) + 1.0) / 300.0;
+        let (sin, cos) = (2.399_963 * f64::from(i)).sin_cos();
+        DVec3::new((1.0 - y * y).sqrt() * cos, y, (1.0 - y * y).sqrt() * sin)
+    };
+    let start = DVec3::new(1.1, 0.2, 0.7);
+    // Tighter spirals are for the closed form alone.
+    let open = |d: &DVec3| d.dot(start.normalize()).abs() > 0.06;
+    let rays: Vec<[f64; 6]> =
+        (0..300).map(golden).filter(open).map(|d| [start.x, start.y, start.z, d.x, d.y, d.z]).collect();
+    let closed = traced(&text(""), &rays);
+    let stepped = traced(&text("method = \"dormand-prince\"\ntolerance = 1e-9\nprecision = \"f64\""), &rays);
+    let mut met = 0;
+    for ((ray, a), b) in rays.iter().zip(&closed).zip(&stepped) {
+        // What winds into the centre by steps never gets there.
+        let b_status = if b.status == Status::Exhausted { Status::Captured } else { b.status };
+        assert_eq!((a.status, a.object), (b_status, b.object), "{ray:?}");
+        met += u32::from(a.status == Status::Hit);
+        if a.status == Status::Hit {
+            assert!(a.distance_to(b) < 2e-4, "{ray:?}: {:?} and {:?}", a.x, b.x);
+        }
+    }
+    assert!(met > 15, "{met}");
+}
+
+/// Rays in the limits of the formulas: through the exact centre, along the axis, tangent, from the surface itself.
+#[test]
+fn rays_in_their_limits() {
+    let lens = |medium: &str| {
+        format!("[rays]\nbound = {{ radius = 5 }}\n[[objects]]\nshape = \"sphere\"\ninterior = {medium}\n")
+    };
+    let along_x = [[-4.0, 0.0, 0.0, 1.0, 0.0, 0.0]];
+    for medium in [
+        "1.5",
+        "{ kind = \"luneburg\", c = 2 }",
+        "{ kind = \"luneburg\", c = 10 }",
+        "{ kind = \"maxwell-fisheye\", n0 = 2 }",
+        "{ kind = \"gaussian\", a = 1.4 }",
+    ] {
+        let text = lens(medium);
+        let centre = traced(&text, &along_x)[0];
+        assert_eq!(centre.status, Status::Escaped, "{medium}");
+        assert!(DVec3::from(centre.x).distance(DVec3::X * 5.0) < 2e-6, "{medium}: {:?}", centre.x);
+        // What just touches the sphere goes on as it was, whether it is met or missed.
+        let tangent = traced(&text, &[[-4.0, 1.0, 0.0, 1.0, 0.0, 0.0]])[0];
+        let d = DVec3::from(tangent.v).normalize();
+        assert!(tangent.status == Status::Escaped && d.distance(DVec3::X) < 5e-3, "{medium}: {d}");
+        // From the surface inwards through it, from the surface outwards straight away.
+        let [inwards, outwards] = [1.0, -1.0].map(|side| traced(&text, &[[-1.0, 0.0, 0.0, side, 0.0, 0.0]])[0]);
+        assert!(DVec3::from(inwards.x).distance(DVec3::X * 5.0) < 2e-6, "{medium}: {:?}", inwards.x);
+        assert!(DVec3::from(outwards.x).distance(DVec3::NEG_X * 5.0) < 2e-6, "{medium}: {:?}", outwards.x);
+        assert_eq!(outwards.steps, 1, "{medium}");
+    }
+    let rod = "[rays]\nbound = { radius = 20 }\n[[objects]]\nshape = \"cylinder\"\naxis = [1, 0, 0]\nheight = 12\n\
+               interior = { kind = \"rod\", n0 = 1.6, g = 0.3 }\n";
+    let end = traced(rod, &[[-15.0, 0.0, 0.0, 1.0, 0.0, 0.0]])[0];
+    assert!(DVec3::from(end.x).distance(DVec3::X * 20.0) < 1e-5, "{:?}", end.x);
+    // Past the critical angle nothing leaves: from inside glass a steep ray is turned back at the first face it meets.
+    let slab = "[rays]\nbound = { radius = 5 }\n[[objects]]\nshape = \"box\"\nsize = [8, 1, 1]\ninterior = 1.5\n";
+    let total = traced(slab, &[[0.0, 0.0, 0.0, 1.0, 0.4, 0.0]])[0];
+    assert_eq!(total.status, Status::Escaped);
+    assert!(total.x[0] > 3.9 && total.v[0] > 0.0, "guided to the end: {:?} {:?}", total.x, total.v);
+}
+
+#[test]
+fn nothing_can_be_taken_out_of_the_programs_of_interiors() {
+    for path in scenes_in("scenes/thesis") {
+        let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+        let geometry = Geometry::new(&scene);
+        for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
+            for (purpose, masks) in [(Purpose::Picture, true), (Purpose::Picture, false), (Purpose::Trace, true)] {
+                let choice = Choice { schedule, masks, purpose, layers: Vec::new() };
+                let program = Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len()).unwrap();
+                for (pass, linked, reflection) in &program.passes {
+                    let uniform =
+                        |kind: &BindingKind| matches!(kind, BindingKind::Uniform(_) | BindingKind::Block { .. });
+                    let buffers = reflection.bindings.iter().filter(|binding| uniform(&binding.kind)).count();
+                    assert!(buffers <= 3, "{}: pass {} binds {buffers}", path.display(), pass.entry());
+                    let unused = unused(linked).unwrap_or_else(|error| panic!("{error}"));
+                    assert!(unused.is_empty(), "{}: pass {} has {unused:?}", path.display(), pass.entry());
+                }
+            }
+        }
+    }
+}
