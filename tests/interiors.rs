@@ -16,7 +16,7 @@ const ROOM: &str = "[image]\nsize = [40, 30]\n[camera]\nposition = [1, 2, 8]\nfo
     [[objects]]\nshape = \"plane\"\ncenter = [0, -1.5, 0]\nsize = [16, 16]\nmaterial = \"floor\"\n";
 
 fn room(rays: &str, objects: &[&str]) -> String {
-    let objects: String = objects.iter().map(|object| format!("[[objects]]\n{object}\n")).collect();
+    let objects = objects.iter().map(|object| format!("[[objects]]\n{object}\n")).collect::<Vec<_>>().concat();
     format!("[rays]\nbound = {{ radius = 25 }}\n{rays}\n{ROOM}{objects}")
 }
 
