@@ -32,18 +32,20 @@ fn open_gap(code: u32, x: Real3) -> Real4 {
 fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     var h = first_guess(code, hit, step);
     var p = step.end;
+    var there = false;
     for (var i = 0u; i <= STOP_STEPS; i++) {
         work += 1u;
         p = retaken_step(step.phase, h);
+        if there {
+            break;
+        }
         let gap = stop_gap(code, hit, p[0].xyz);
         let slope = dot(gap.xyz, p[1].xyz);
         let steep = abs(slope) > 1e-3 * length(p[1].xyz);
         let correction = select(0.0, gap.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
-        // Straight lines and leaps are there at once.
-        if abs(correction) <= LAST_PART * step.h {
-            break;
-        }
         h = clamp(h - correction, 0.0, step.h);
+        // Straight lines and leaps are there at once.
+        there = abs(correction) <= LAST_PART * step.h;
     }
     let tau = step.tau + own_tau(step.phase, p, h);
     let far = departed(code, p[0].xyz, p[1].xyz);

@@ -6,6 +6,7 @@ mod accuracy;
 mod cameras;
 mod cli;
 mod exactness;
+mod gallery;
 mod interiors;
 mod lenses;
 mod meshes;

@@ -61,6 +61,6 @@ fn stride(p: Phase) -> Stride {
         work += 1u;
         way = min(way, select(NEVER, way_to(s, obstacles[i]), obstacles[i].place == place));
     }
-    let free = way > ARC && way < NEVER;
+    let free = LEAPS && way > ARC && way < NEVER;
     return Stride(select(ARC, way, free), free);
 }

@@ -142,9 +142,10 @@ pub(super) fn regions(regions: &Regions) -> Unit {
     unit("generated/regions.wgsl", text)
 }
 
-/// How many objects spirals may meet.
-pub(super) fn obstacles(count: usize) -> Unit {
-    unit("generated/obstacles.wgsl", format!("const OBSTACLE_COUNT: u32 = {count}u;\n"))
+/// How many objects spirals may meet, and whether they leap over what is free of them.
+pub(super) fn obstacles(count: usize, leaps: bool) -> Unit {
+    let text = format!("const OBSTACLE_COUNT: u32 = {count}u;\nconst LEAPS: bool = {leaps};\n");
+    unit("generated/obstacles.wgsl", text)
 }
 
 /// How many media a kind of region has.

@@ -50,7 +50,7 @@ pub(super) fn region_parts(
         Motion::Spiral => {
             names.all(&["motion/spiral", "rate/none"]);
             names.add(if leap { "stride/spiral_leap" } else { "stride/spiral_arc" });
-            made.push(generated::obstacles(regions.obstacles.len()));
+            made.push(generated::obstacles(regions.obstacles.len(), scene.rays.leaps));
         }
         Motion::Circle => {
             names.all(&["motion/circle", "rate/none", "start/by_index"]);

@@ -107,7 +107,8 @@ impl Regions {
         let Some(interior) = scene.objects[object].interior() else { return };
         let medium = &interior.medium;
         let motion = motion(scene, medium);
-        let radius = leap_radius(motion, medium, &scene.objects[object]).filter(|_| is_alone(scene, object));
+        let radius =
+            leap_radius(motion, medium, &scene.objects[object]).filter(|_| scene.rays.leaps && is_alone(scene, object));
         let index = Some(index_parts(medium));
         let leaps = radius.is_some();
         let same = |kind: &Kind| (kind.motion, kind.leaps, kind.index) == (motion, leaps, index);
@@ -125,6 +126,10 @@ impl Regions {
         if let (Motion::Spiral, Medium::InverseR { center, .. }, false) = (motion, medium, leaps) {
             let met = in_the_way(scene, object, *center);
             self.obstacles.extend(met.into_iter().map(|(center, radius)| Obstacle { place, center, radius }));
+            if self.obstacles.is_empty() {
+                // No list of the shaders may be empty: a ball that nothing meets.
+                self.obstacles.push(Obstacle { place, center: *center, radius: 0.0 });
+            }
         }
     }
 

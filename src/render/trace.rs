@@ -145,7 +145,9 @@ pub fn trace_paths(
     rays: &[[f64; 6]],
 ) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
     let choice = Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: true };
-    let renderer = Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?;
+    let mut scene = scene.clone();
+    scene.rays.leaps = false;
+    let renderer = Renderer::new(gpu, &scene, Settings { choice, ..settings.clone() })?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());
     for batch in rays.chunks(batch) {

@@ -26,6 +26,8 @@ pub struct Rays {
     pub precision: Precision,
     /// Where a medium's paths have a closed form it stands for the method.
     pub closed_forms: bool,
+    /// Does one step lead through a region that has nothing else in it? Paths that are to be drawn are cut into arcs.
+    pub leaps: bool,
     /// How the rays that a surface splits are followed.
     pub branches: Branches,
 }

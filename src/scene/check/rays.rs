@@ -95,6 +95,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         asymptotic,
         precision,
         closed_forms,
+        leaps: true,
         branches,
     })
 }

@@ -1,0 +1,65 @@
+//! The figures of scenes/thesis: every command of their page, rendered small and compared with a picture that was looked at.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/thesis")
+}
+
+/// The words of the page's render commands, as a shell splits them.
+fn commands() -> Vec<Vec<String>> {
+    let page = std::fs::read_to_string(folder().join("README.md")).unwrap();
+    let lines = page.lines().filter_map(|line| line.strip_prefix("    bentray render "));
+    // What is quoted is every other part.
+    let words = |line: &str| -> Vec<String> {
+        let parts = line.split('\'').enumerate();
+        parts
+            .flat_map(|(i, part)| match i % 2 {
+                0 => part.split_whitespace().map(str::to_owned).collect(),
+                _ => vec![part.to_owned()],
+            })
+            .collect()
+    };
+    lines.map(words).collect()
+}
+
+/// How far two pictures are apart in what the eye sees: sRGB values, averaged over pieces, for a fractal has no pixel of its own.
+fn difference(a: &image::RgbImage, b: &image::RgbImage) -> f64 {
+    assert_eq!(a.dimensions(), b.dimensions());
+    let small = |picture: &image::RgbImage| image::imageops::thumbnail(picture, a.width() / 4, a.height() / 4);
+    let (a, b) = (small(a), small(b));
+    let off = a.as_raw().iter().zip(b.as_raw()).map(|(a, b)| f64::from(a.abs_diff(*b)));
+    off.sum::<f64>() / a.as_raw().len() as f64
+}
+
+/// A picture as the page's command makes it, but small.
+fn rendered(words: &[String], to: &Path) -> image::RgbImage {
+    let at = words.iter().position(|word| word == "-o").expect("an output") + 1;
+    let picture = to.join(&words[at]);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
+    command.current_dir(folder()).env("NODEVICE_SELECT", "1").arg("render").args(&words[..at]).arg(&picture);
+    command.args(&words[at + 1..]).args(["--set", "image.samples=1", "--device", "llvmpipe"]);
+    if !words.iter().any(|word| word.starts_with("image.size")) {
+        command.args(["--size", "96x96"]);
+    }
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
+    image::open(picture).unwrap().to_rgb8()
+}
+
+#[test]
+fn figures_are_as_they_were_looked_at() {
+    let to = tempfile::tempdir().unwrap();
+    let all = commands();
+    assert!(all.len() >= 40, "{}", all.len());
+    let mut off = Vec::new();
+    for words in &all {
+        let name = &words[words.iter().position(|word| word == "-o").expect("an output") + 1];
+        let reference = image::open(folder().join("pictures").join(name));
+        let reference = reference.unwrap_or_else(|error| panic!("no reference for {name}: {error}")).to_rgb8();
+        off.push((difference(&reference, &rendered(words, to.path())), name.clone()));
+    }
+    let far: Vec<_> = off.iter().filter(|(off, _)| *off > 4.0).collect();
+    assert!(far.is_empty(), "off by so many of 255: {far:?}");
+}
