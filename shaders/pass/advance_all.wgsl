@@ -62,21 +62,5 @@ fn advance(
             break;
         }
     }
-    let lives = alive && ray.status == ALIVE;
-    if alive {
-        store_ray(spot.pixel, ray);
-        store_counts(spot.pixel, ray);
-        store_status(spot.pixel, status_word(ray.status, turn.end, ray.index));
-        if ends_on_surface(ray.status) {
-            store_hit(spot.pixel, end);
-        } else {
-            store_left(spot.pixel, ray.index);
-        }
-        store_region(spot.pixel);
-    }
-    let passed = select(0u, ray.index - before.index + u32(!lives), alive);
-    tally_steps(ray.steps - before.steps, lane);
-    tally_segments(passed, lane);
-    tally_rejections(ray.rejected - before.rejected, lane);
-    keep_living(lives, spot.pixel, lane);
+    finish_advance(spot, alive, before, ray, end, lane);
 }

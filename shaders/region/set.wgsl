@@ -48,6 +48,10 @@ fn enter_set(bits: u32) {
     place = now.place;
 }
 
+fn region_bits() -> u32 {
+    return inside;
+}
+
 fn load_region(pixel: vec2u) {
     enter_set(textureLoad(inside_set, pixel).x);
 }

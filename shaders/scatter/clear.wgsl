@@ -17,7 +17,7 @@ fn scatter_clear(material: Material, surface: Surface, end: PathPoint, index: u3
     if both.reflectance > 0.0 && both.reflectance < 1.0 {
         taken = chosen_branch(pixel, index, f32(both.reflectance));
     }
-    if taken.reflects || taken.cut {
+    if taken.reflects {
         enter_set(bits);
     }
     return Scattered(select(both.transmitted, both.reflected, taken.reflects), vec3f(taken.weight), taken.cut, true);

@@ -12,6 +12,8 @@ fn may_go_on(code: u32) -> bool {
 fn gone_on(ray: Ray, hit: Hit, pixel: vec2u) -> Ray {
     let end = path_end(ray, hit);
     let surface = hit_surface(hit.primitive, end.x);
+    // A ray that ends here stays on the side that it came from.
+    let side = region_bits();
     let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
     var next = ray;
     if !scattered.goes_on {
@@ -20,10 +22,12 @@ fn gone_on(ray: Ray, hit: Hit, pixel: vec2u) -> Ray {
     let weight = scale_weight(pixel, scattered.weight);
     if scattered.cut || weight < DARK {
         next.status = CUT;
+        enter_set(side);
         return next;
     }
     if ray.index + 1u >= schedule.max_segments {
         next.status = EXHAUSTED;
+        enter_set(side);
         return next;
     }
     next.phase = opaque_phase(law_start(end.x, scattered.v));

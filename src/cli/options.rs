@@ -64,7 +64,7 @@ impl SceneOptions {
 
 /// The device and how its passes are cut.
 #[derive(Debug, Args)]
-pub(super) struct DeviceOptions {
+pub(super) struct DeviceFlags {
     /// The device whose name contains this; without it the first discrete GPU, else integrated, else CPU
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
@@ -91,7 +91,7 @@ pub(super) enum Schedule {
     Fused,
 }
 
-impl DeviceOptions {
+impl DeviceFlags {
     /// Opens the device, and says which.
     pub(super) fn open(&self) -> Result<Gpu, GpuError> {
         let gpu = Gpu::open(self.device.as_deref())?;
@@ -109,7 +109,7 @@ impl DeviceOptions {
     }
 }
 
-impl DeviceOptions {
+impl DeviceFlags {
     /// The scene with a method, found by calibration where it leaves that open, and the settings with its schedule. `given`
     /// are the rays to be followed, if they are not the camera's.
     pub(super) fn settle(

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::options::{DeviceOptions, SceneOptions};
+use super::options::{DeviceFlags, SceneOptions};
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
 use crate::output::{ImageWriter, Settings, open};
@@ -28,7 +28,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     changes: SceneOptions,
     #[command(flatten)]
-    device: DeviceOptions,
+    device: DeviceFlags,
     /// Follow N random pixels again in 64 bits, and print and store with the picture how far it is from the truth
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     verify: Option<u32>,

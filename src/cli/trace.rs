@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use self::beams::Beam;
 use self::diagram::{DiagramOptions, Group};
-use super::options::{DeviceOptions, SceneOptions};
+use super::options::{DeviceFlags, SceneOptions};
 use super::render::warn;
 use crate::error::Error;
 use crate::measure::drift;
@@ -55,7 +55,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     changes: SceneOptions,
     #[command(flatten)]
-    device: DeviceOptions,
+    device: DeviceFlags,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {

@@ -13,7 +13,7 @@ use crate::scene::{
 pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
     let mut names = Names::default();
     names.all(&["ray", "frame", "work", "bound", "schedule", "turn", "math", "tally/totals", "fate", "path_end"]);
-    names.all(&["state/ray", "living/place", "stage/ended", "stage/between"]);
+    names.all(&["state/ray", "living/place", "stage/ended", "stage/between", "stage/advanced"]);
     names.all(match scene.rays.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
         Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],

@@ -15,8 +15,10 @@ mod error;
 mod expression;
 mod grid;
 mod inside;
+mod law;
 mod medium;
 mod mesh;
+mod object;
 mod picture;
 mod profile;
 mod rays;
@@ -32,15 +34,17 @@ pub use document::Override;
 pub use error::{Mistake, SceneError};
 pub use expression::{Axis, Formula, FormulaError, Function, Graph, Id, Node};
 pub use grid::IndexGrid;
+pub use law::{Falloff, FlowField, FlowOrder, Law, SchwarzschildForm, Source};
 pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium, Noise};
 pub use mesh::{Mesh, Vertex};
+pub use object::{Material, MaterialKind, Object, Pattern, Shape, Substance};
 pub use picture::Picture;
 pub use profile::{Profile, ProfilePoint};
 pub use rays::{Accuracy, Bound, Branches, Control, DoublingRule, Method, Precision, Rays, Segment};
 pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
 pub use transform::Transform;
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 /// A whole scene: the values of one TOML file, complete and consistent.
 #[derive(Debug, Clone)]
@@ -76,33 +80,6 @@ pub struct Image {
     pub samples: u32,
 }
 
-/// `[law]`: how light travels.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Law {
-    /// Straight lines.
-    Straight,
-    /// A Schwarzschild black hole (W04 §5.4).
-    Schwarzschild {
-        /// Mass M: the horizon is at r = 2M.
-        mass: f64,
-        /// The hole's place.
-        center: DVec3,
-        /// Which equation is integrated.
-        form: SchwarzschildForm,
-    },
-    /// Any number of force centres, whose accelerations add (G95 §2.1, W04 §5.2).
-    Sources(Vec<Source>),
-    /// A dynamical system's vector field F (G95 §2.2, W04 §5.1).
-    Flow {
-        /// Which field.
-        field: FlowField,
-        /// What the field is to the ray.
-        order: FlowOrder,
-    },
-    /// A medium that fills all space (W04 §5.3).
-    Medium(Medium),
-}
-
 impl Scene {
     /// The accuracy that the scene asks for, in radians; none if it names a method. A plane camera's pixels have no angle:
     /// there, and without a camera, a pixel is a thousandth of a radian.
@@ -136,112 +113,6 @@ impl Scene {
     }
 }
 
-impl Law {
-    /// The only centre, if there is one: rays then stay in a plane through it.
-    #[must_use]
-    pub fn only_center(&self) -> Option<DVec3> {
-        match self {
-            Self::Schwarzschild { form: SchwarzschildForm::Path, center, .. } => Some(*center),
-            Self::Sources(sources) => match sources.as_slice() {
-                [only] => Some(only.position),
-                _ => None,
-            },
-            _ => None,
-        }
-    }
-
-    /// The velocity that a given one at x stands for, where the law does not take it as it is: a medium's is as long as its index
-    /// (as 1, where the host does not know that).
-    #[must_use]
-    pub fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
-        match self {
-            Self::Medium(medium) => medium.index(x).unwrap_or(1.0) * v.normalize_or_zero(),
-            _ => v,
-        }
-    }
-
-    /// Does its one centre pull by an inverse power, so that an orbit has an asymptote in closed form?
-    #[must_use]
-    pub fn is_free_far_away(&self) -> bool {
-        match self {
-            Self::Schwarzschild { .. } => true,
-            Self::Sources(sources) => sources.iter().all(|source| source.falloff == Falloff::InverseSquare),
-            _ => false,
-        }
-    }
-}
-
-/// The two equations of light round a Schwarzschild hole.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SchwarzschildForm {
-    /// x″ = −3M h² x/r⁵, h = |x × v|: the geodesic with the null condition put in.
-    Path,
-    /// The geodesic equation as the 2004 paper integrates it, ṫ carried along.
-    Geodesic,
-}
-
-/// One force centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Source {
-    /// The centre.
-    pub position: DVec3,
-    /// Positive attracts, negative repels.
-    pub strength: f64,
-    /// How the force falls off.
-    pub falloff: Falloff,
-    /// A ray that comes this near moving inwards is captured; zero for none.
-    pub capture: f64,
-}
-
-/// A force's fall-off with distance r from its centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Falloff {
-    /// 1/r².
-    InverseSquare,
-    /// 2r³/R³ − 3r²/R² + 1 inside R, else 0.
-    Cubic {
-        /// R.
-        radius: f64,
-    },
-    /// e^(−μr)(1 + μr)/r².
-    Yukawa {
-        /// μ.
-        mu: f64,
-    },
-}
-
-/// The dynamical systems.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum FlowField {
-    /// (σ(y−x), ρx − y − xz, xy − βz).
-    Lorenz {
-        /// σ, by default 10.
-        sigma: f64,
-        /// ρ, by default 28.
-        rho: f64,
-        /// β, by default 8/3.
-        beta: f64,
-    },
-    /// (−(y+z), x + αy, β + z(x−γ)).
-    Rossler {
-        /// α, by default 3/8.
-        alpha: f64,
-        /// β, by default 2.
-        beta: f64,
-        /// γ, by default 4.
-        gamma: f64,
-    },
-}
-
-/// What a vector field F is to the ray.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FlowOrder {
-    /// dx/dτ = F(x): the ray is an orbit (G95 §2.2).
-    Velocity,
-    /// d²x/dτ² = F(x): W04's Eq. 1 read literally.
-    Acceleration,
-}
-
 /// `[sky]`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Sky {
@@ -271,119 +142,6 @@ pub enum Tonemap {
     None,
     /// A filmic shoulder.
     Filmic,
-}
-
-/// `[materials.NAME]`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Material {
-    /// The name in the file.
-    pub name: String,
-    /// The colour that its kind uses, over the surface.
-    pub color: Pattern,
-    /// How it answers light.
-    pub kind: MaterialKind,
-}
-
-/// How a material answers light.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MaterialKind {
-    /// Reflects rays, with its colour as the part that it gives back.
-    Mirror,
-    /// Radiates its colour.
-    Emissive,
-    /// Ambient, diffuse and Blinn–Phong specular terms (W04 §3.4), with its colour as the diffuse one.
-    Phong {
-        /// Fraction of the colour that is always there.
-        ambient: f64,
-        /// Colour of the highlight.
-        specular: DVec3,
-        /// Blinn's exponent.
-        shininess: f64,
-        /// Radiance of its own, added.
-        emission: DVec3,
-    },
-}
-
-/// A colour over a surface's (u, v).
-#[derive(Debug, Clone, PartialEq)]
-pub enum Pattern {
-    /// The same everywhere.
-    Constant(DVec3),
-    /// Two colours in turn.
-    Checker {
-        /// The two colours.
-        colors: [DVec3; 2],
-        /// Cells along u and v.
-        repeat: DVec2,
-    },
-    /// A picture: index into [`Scene::pictures`].
-    Picture {
-        /// Which.
-        picture: usize,
-        /// How often it repeats along u and v.
-        repeat: DVec2,
-    },
-}
-
-/// `[[objects]]`: a shape in its own space, where it is, and what it is made of.
-#[derive(Debug, Clone)]
-pub struct Object {
-    /// The shape.
-    pub shape: Shape,
-    /// From the shape's own space to the scene's.
-    pub transform: Transform,
-    /// What it is made of.
-    pub substance: Substance,
-}
-
-/// What an object is made of.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Substance {
-    /// A surface: index into [`Scene::materials`].
-    Opaque(usize),
-    /// A medium that light goes through.
-    Clear(Interior),
-}
-
-impl Object {
-    /// The index of its material, if it has one.
-    #[must_use]
-    pub fn material(&self) -> Option<usize> {
-        match self.substance {
-            Substance::Opaque(material) => Some(material),
-            Substance::Clear(_) => None,
-        }
-    }
-
-    /// What it is filled with, if light goes through it.
-    #[must_use]
-    pub fn interior(&self) -> Option<&Interior> {
-        match &self.substance {
-            Substance::Opaque(_) => None,
-            Substance::Clear(interior) => Some(interior),
-        }
-    }
-}
-
-/// Shapes, each in its own space; `Object::transform` holds the file's center, radius, size and so on.
-#[derive(Debug, Clone)]
-pub enum Shape {
-    /// The unit sphere. u runs round y, v from the south to the north pole.
-    Sphere,
-    /// The square |x| ≤ 1, |z| ≤ 1 in y = 0, its normal +y. (u, v) = ((x+1)/2, (1−z)/2).
-    Plane,
-    /// The cube |x|, |y|, |z| ≤ 1; each face has (u, v) in [0, 1].
-    Box,
-    /// The cylinder x² + z² ≤ 1, |y| ≤ 1 with both faces. u runs round y; v runs upwards, over each of the lower face (from
-    /// its middle to the rim), the mantle and the upper face (from the rim to its middle).
-    Cylinder,
-    /// The disk x² + z² ≤ 1 in y = 0, its normal +y. u runs round y, v from the rim to the middle, or to the hole.
-    Disk {
-        /// The radius of a round hole in it, below 1; zero for none.
-        hole: f64,
-    },
-    /// Triangles.
-    Mesh(std::sync::Arc<Mesh>),
 }
 
 /// `[[lights]]`, shining in straight lines without fall-off (W04 §3.4: "fake" illumination, for testing).
