@@ -46,7 +46,7 @@ pub enum Pattern {
         /// Cells along u and v.
         repeat: DVec2,
     },
-    /// A picture: index into [`Scene::pictures`].
+    /// A picture: index into [`Scene::pictures`](super::Scene::pictures).
     Picture {
         /// Which.
         picture: usize,
@@ -69,7 +69,7 @@ pub struct Object {
 /// What an object is made of.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Substance {
-    /// A surface: index into [`Scene::materials`].
+    /// A surface: index into [`Scene::materials`](super::Scene::materials).
     Opaque(usize),
     /// A medium that light goes through.
     Clear(Interior),
