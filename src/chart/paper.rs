@@ -81,9 +81,8 @@ impl PaperBench<'_> {
     /// 300 Euler steps in 30 segments over 10 spheres in Schwarzschild spacetime, under every schedule.
     pub fn schedules(&self) -> Result<Schedules, RenderError> {
         let scene = self.scene(LAWS[3].1, 10, 30, false)?;
-        let all = [("paper", Schedule::Paper), ("segment", Schedule::Segment), ("fused", Schedule::Fused)];
-        let measured = all.map(|(name, schedule)| {
-            Ok((name, self.measure(&scene, schedule, false)?, self.measure(&scene, schedule, true)?))
+        let measured = Schedule::ALL.map(|schedule| {
+            Ok((schedule.name(), self.measure(&scene, schedule, false)?, self.measure(&scene, schedule, true)?))
         });
         measured.into_iter().collect::<Result<_, RenderError>>().map(Schedules)
     }

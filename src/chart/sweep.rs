@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
-use crate::program::{Choice, Purpose};
+use crate::program::{Choice, Purpose, Schedule};
 use crate::render::{RenderError, Renderer, Settings, Starts, Traced};
 use crate::scene::{Control, Scene};
 
@@ -23,6 +23,8 @@ pub struct Sweep<'a> {
     pub compared: usize,
     /// Each time is the median of so many.
     pub repeats: usize,
+    /// The schedule that is timed.
+    pub schedule: Schedule,
 }
 
 /// A method at a setting.
@@ -34,7 +36,8 @@ pub struct Point {
     pub setting: f64,
     /// Errors.
     pub found: Deviations,
-    /// Time of the advance passes over one ray, seconds: the median.
+    /// Time of the advance and intersection passes over one ray, seconds: the median. Scattering counts where it is no pass of its
+    /// own.
     pub time: f64,
     /// The longest of the repeats over the shortest.
     pub spread: f64,
@@ -144,7 +147,8 @@ impl Sweep<'_> {
         scene.rays.max_segments = SEGMENTS;
         let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
         let mut few = Renderer::new(self.gpu, &scene, Settings { choice, segments: 256, ..Settings::default() })?;
-        let mut all = Renderer::new(self.gpu, &scene, Settings::default())?;
+        let choice = Choice { schedule: self.schedule, ..Choice::default() };
+        let mut all = Renderer::new(self.gpu, &scene, Settings { choice, scatter_apart: true, ..Settings::default() })?;
         // The first run compiles.
         all.picture()?;
         let mut points: Vec<Point> = Vec::new();

@@ -218,7 +218,7 @@ impl fmt::Display for Trial {
 
 impl fmt::Display for Calibration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let schedule = if self.schedule == Schedule::Fused { "fused" } else { "segment" };
+        let schedule = self.schedule.name();
         write!(f, "auto: {}, {schedule}", self.chosen)?;
         if !self.reached() {
             write!(f, "; no method reaches the accuracy asked for, {:.1e} rad: this is the best", self.accuracy)?;

@@ -14,6 +14,21 @@ pub enum Schedule {
     Fused,
 }
 
+impl Schedule {
+    /// All, from the most passes to the fewest.
+    pub const ALL: [Self; 3] = [Self::Paper, Self::Segment, Self::Fused];
+
+    /// As users write it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Paper => "paper",
+            Self::Segment => "segment",
+            Self::Fused => "fused",
+        }
+    }
+}
+
 /// The passes, each with the name of its entry point and file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Pass {

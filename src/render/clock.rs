@@ -1,4 +1,9 @@
 //! Timing passes on the device.
+//!
+//! *Idea.* A pass takes the time from the end of the one before it to its own end; the first of a submission is preceded by an
+//! empty one. Beginnings are written but not read: Mesa's lavapipe takes a timestamp only when something flushes after it, and
+//! nothing need do so between the beginning of a pass and its first dispatch, whose time was then lost. An end is flushed by the
+//! next beginning, or by the end of the submission.
 
 use std::time::Duration;
 
@@ -12,6 +17,8 @@ use crate::gpu::{Gpu, GpuError};
 /// The stages that are timed apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stage {
+    /// Of nothing: what the first pass of a submission is timed from.
+    Start,
     Setup,
     Advance,
     Scatter,
@@ -24,21 +31,14 @@ pub(super) struct Clock {
     sets: Vec<QuerySet>,
     stages: Vec<Stage>,
     enabled: bool,
-    /// Is scattering timed apart from advancing? That takes a pass of the encoder for each round, which costs more than the round
-    /// where nothing lives.
-    pub(super) fine: bool,
+    pub(super) scatter_apart: bool,
 }
 
 const QUERIES: u32 = wgpu::QUERY_SET_MAX_QUERIES;
 
 impl Clock {
-    pub(super) fn new(gpu: &Gpu) -> Self {
-        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, fine: false }
-    }
-
-    /// For measurements.
-    pub(super) fn fine(gpu: &Gpu) -> Self {
-        Self { fine: true, ..Self::new(gpu) }
+    pub(super) fn new(gpu: &Gpu, scatter_apart: bool) -> Self {
+        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, scatter_apart }
     }
 
     /// Where the next pass of this stage writes its times.
@@ -65,7 +65,7 @@ impl Clock {
         if !self.enabled {
             return Ok(None);
         }
-        let mut sums = [0.0_f64; 4];
+        let mut ends = Vec::with_capacity(self.stages.len());
         for (set, stages) in self.sets.iter().zip(self.stages.chunks(QUERIES as usize / 2)) {
             let count = 2 * stages.len() as u32;
             let buffer = gpu.device.create_buffer(&BufferDescriptor {
@@ -77,11 +77,14 @@ impl Clock {
             let resolve = |encoder: &mut CommandEncoder| encoder.resolve_query_set(set, 0..count, &buffer, 0);
             let bytes = read_buffer(gpu, &buffer, resolve)?;
             let times: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
-            for (pair, stage) in times.chunks_exact(2).zip(stages) {
-                let ticks = pair[1].saturating_sub(pair[0]) as f64;
-                sums[*stage as usize] += ticks * f64::from(gpu.queue.get_timestamp_period()) * 1e-9;
-            }
+            ends.extend(times.chunks_exact(2).map(|pair| pair[1]));
         }
-        Ok(Some(sums.map(Duration::from_secs_f64)))
+        let mut sums = [0.0_f64; 5];
+        for (ends, stage) in ends.windows(2).zip(self.stages.iter().skip(1)) {
+            let ticks = ends[1].saturating_sub(ends[0]) as f64;
+            sums[*stage as usize] += ticks * f64::from(gpu.queue.get_timestamp_period()) * 1e-9;
+        }
+        let [_, stages @ ..] = sums.map(Duration::from_secs_f64);
+        Ok(Some(stages))
     }
 }

@@ -28,12 +28,15 @@ pub struct Settings {
     pub segments: u32,
     /// The largest tile, in pixels; the device's limits apply besides.
     pub tile_pixels: u64,
+    /// Is scattering timed apart from advancing, where it has a pass? That takes a pass of the encoder for each round, which costs
+    /// more than the round where nothing lives.
+    pub scatter_apart: bool,
 }
 
 impl Default for Settings {
     fn default() -> Self {
         // A quarter of a gigabyte of state and more at 100 bytes a pixel: enough to fill any device.
-        Self { choice: Choice::default(), segments: 16, tile_pixels: 1 << 22 }
+        Self { choice: Choice::default(), segments: 16, tile_pixels: 1 << 22, scatter_apart: false }
     }
 }
 
@@ -231,15 +234,15 @@ impl<'a> Renderer<'a> {
         if steps.first().is_some_and(|step| step.pass == Pass::Setup) {
             runner.clear_living();
         }
-        runner.submit(steps, &mut Clock::new(self.gpu))?;
+        runner.submit(steps, &mut Clock::new(self.gpu, false))?;
         runner.wait(0)
     }
 }
 
-fn stage_of(pass: Pass, fine: bool) -> Stage {
+fn stage_of(pass: Pass, scatter_apart: bool) -> Stage {
     match pass {
         Pass::Setup => Stage::Setup,
-        Pass::Scatter if fine => Stage::Scatter,
+        Pass::Scatter if scatter_apart => Stage::Scatter,
         Pass::Shade | Pass::Record => Stage::Shade,
         _ => Stage::Advance,
     }
@@ -273,9 +276,13 @@ impl Runner<'_, '_> {
             self.prepare(step)?;
         }
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
-        let fine = clock.fine;
-        for steps in steps.chunk_by(|a, b| stage_of(a.pass, fine) == stage_of(b.pass, fine)) {
-            let timestamp_writes = steps.first().and_then(|step| clock.next(gpu, stage_of(step.pass, fine)));
+        let apart = clock.scatter_apart;
+        if let Some(timestamp_writes) = clock.next(gpu, Stage::Start) {
+            let descriptor = ComputePassDescriptor { label: None, timestamp_writes: Some(timestamp_writes) };
+            drop(encoder.begin_compute_pass(&descriptor));
+        }
+        for steps in steps.chunk_by(|a, b| stage_of(a.pass, apart) == stage_of(b.pass, apart)) {
+            let timestamp_writes = steps.first().and_then(|step| clock.next(gpu, stage_of(step.pass, apart)));
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes });
             let mut current = None;
             for step in steps {

@@ -69,6 +69,8 @@ pub struct PathPoint {
 const BATCH: usize = 1 << 18;
 /// Records of one batch of paths, over all segments.
 const PATH_RECORDS: usize = 1 << 22;
+/// Arcs of one path, at most, where the picture's own path takes leaps: 2600 windings of a spiral.
+const ARCS: u32 = 1 << 16;
 /// Rays in one row of the state's textures.
 const ROW: u32 = 1024;
 
@@ -107,7 +109,7 @@ impl Renderer<'_> {
     /// Follows rays to their ends; the program's purpose is to record them.
     pub fn follow(&self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
         let mut totals = Totals::default();
-        let mut clock = super::clock::Clock::fine(self.gpu);
+        let mut clock = super::clock::Clock::new(self.gpu, true);
         let started = std::time::Instant::now();
         let count = match starts {
             Starts::Given(rays) => rays.len(),
@@ -137,7 +139,8 @@ fn count_fates(traced: &[Traced]) -> Vec<(Status, u64)> {
     std::iter::once(Status::Alive).chain(Status::ENDS).map(|s| (s, count(s))).filter(|(_, n)| *n > 0).collect()
 }
 
-/// Follows `rays` and keeps the end of every segment.
+/// Follows `rays` and keeps the end of every segment. Leaps, which pass any number of windings in one segment, are taken as the
+/// arcs they stand for: up to [`ARCS`] of them.
 pub fn trace_paths(
     gpu: &Gpu,
     scene: &Scene,
@@ -145,8 +148,11 @@ pub fn trace_paths(
     rays: &[[f64; 6]],
 ) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
     let choice = Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: true };
+    let leaping = Regions::of(scene).kinds.iter().any(|kind| kind.leaps);
     let mut scene = scene.clone();
-    scene.rays.leaps = false;
+    if std::mem::take(&mut scene.rays.leaps) && leaping {
+        scene.rays.max_segments = scene.rays.max_segments.max(ARCS);
+    }
     let renderer = Renderer::new(gpu, &scene, Settings { choice, ..settings.clone() })?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());

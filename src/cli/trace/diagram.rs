@@ -162,9 +162,9 @@ impl Diagram<'_> {
     fn turns(&self, about: DVec3) -> Vec<f64> {
         let turns: Vec<f64> = self.lines.iter().map(|line| windings(&line.curve, about, &self.plane)).collect();
         let [x, y, z] = about.to_array();
-        eprintln!("{:>8}{:>14}  about [{x}, {y}, {z}]", "ray", "turns");
-        for (i, turns) in turns.iter().enumerate() {
-            eprintln!("{i:>8}{turns:>14.6}");
+        eprintln!("{:>8}{:>18}  about [{x}, {y}, {z}]", "ray", "turns");
+        for (i, (turns, line)) in turns.iter().zip(&self.lines).enumerate() {
+            eprintln!("{i:>8}{turns:>18.9}  {}", line.status);
         }
         turns
     }
