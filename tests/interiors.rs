@@ -74,8 +74,11 @@ fn a_closed_mesh_of_glass_is_what_its_shape_is() {
         let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
         rendered(&scene, Choice::default()).band.color
     };
-    let place = "scale = 1.1\nrotate = [10, 25, 5]\ninterior = 1.5";
-    for camera in ["position = [1, 2, 8]", "position = [0.1, 0.2, 0.3]\nlook_at = [0, 0, -5]"] {
+    let inside = "position = [0.1, 0.2, 0.3]\nlook_at = [0, 0, -5]";
+    let turned = "scale = 1.1\nrotate = [10, 25, 5]\ninterior = 1.5";
+    let on_the_floor = "scale = 1.1\nrotate = [0, 25, 0]\ntranslate = [0, -0.4, 0]\ninterior = 1.5";
+    let outside = "position = [1, 2, 8]";
+    for (camera, place) in [(outside, turned), (inside, turned), (outside, on_the_floor)] {
         let mesh = picture(&format!("shape = \"mesh\"\nfile = \"cube.obj\"\n{place}"), camera);
         let cube = picture(&format!("shape = \"box\"\nsize = [2, 2, 2]\n{place}"), camera);
         let pixels = mesh[0].len();

@@ -56,7 +56,7 @@ fn advance(
         if !may_go_on(ray.status) || !alive {
             break;
         }
-        ray = gone_on(ray, end, spot.pixel);
+        ray = gone_on(ray, &end, spot.pixel);
         path = ray;
         if ray.status != ALIVE {
             break;

@@ -11,13 +11,15 @@ fn scatter(
     let word = load_status(spot.pixel);
     if spot.valid && may_go_on(status_code(word)) {
         load_region(spot.pixel);
-        let next = gone_on(load_ray(spot.pixel, word), load_hit(spot.pixel), spot.pixel);
+        var met = load_hit(spot.pixel);
+        let next = gone_on(load_ray(spot.pixel, word), &met, spot.pixel);
         if next.status == ALIVE {
             store_ray(spot.pixel, next);
             store_region(spot.pixel);
             store_left(spot.pixel, next.index);
             store_status(spot.pixel, status_word(ALIVE, turn.end, next.index));
         } else {
+            store_hit(spot.pixel, met);
             store_status(spot.pixel, status_word(next.status, status_slot(word), next.index));
         }
     }

@@ -7,7 +7,7 @@ fn scatter_clear(material: Material, surface: Surface, end: PathPoint, index: u3
     let bits = inside;
     let near_medium = medium_object();
     let n1 = medium_index(end.x);
-    enter_set(bits ^ (1u << material.bit));
+    enter_set(set_beyond(1u << material.bit, surface, end.x));
     let n2 = medium_index(end.x);
     if medium_object() == near_medium {
         return Scattered(end.v, vec3f(1.0), false, true);

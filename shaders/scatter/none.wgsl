@@ -4,6 +4,6 @@ fn may_go_on(code: u32) -> bool {
     return false;
 }
 
-fn gone_on(ray: Ray, hit: Hit, pixel: vec2u) -> Ray {
+fn gone_on(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     return ray;
 }

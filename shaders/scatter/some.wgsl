@@ -8,10 +8,10 @@ fn may_go_on(code: u32) -> bool {
 }
 
 // ray: at the start of the segment that met the surface. It comes back under way from there, or with the status that ends it; HIT
-// where the surface is opaque.
-fn gone_on(ray: Ray, hit: Hit, pixel: vec2u) -> Ray {
-    let end = path_end(ray, hit);
-    let surface = hit_surface(hit.primitive, end.x);
+// where the surface is opaque, which `met` then names.
+fn gone_on(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
+    let end = path_end(ray, *met);
+    let surface = met_surface(met, end.x);
     // A ray that ends here stays on the side that it came from.
     let side = region_bits();
     let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
@@ -35,6 +35,6 @@ fn gone_on(ray: Ray, hit: Hit, pixel: vec2u) -> Ray {
     next.memory = first_memory(next.phase);
     next.index += 1u;
     next.status = ALIVE;
-    leave_surface(hit.primitive);
+    leave_surface((*met).primitive);
     return next;
 }

@@ -36,5 +36,6 @@ fn surface_box(i: u32, x: Real3) -> Surface {
     var uv = Real2(side * p.z * -1.0, p.y);
     uv = select(uv, Real2(p.x, -side * p.z), axis.y > 0.0);
     uv = select(uv, Real2(side * p.x, p.y), axis.z > 0.0);
-    return Surface((side * dot(p, axis) - 1.0) / steep, n, vec3f(n), vec2f(0.5 + 0.5 * uv), boxes[i].material, boxes[i].object);
+    let gap = (side * dot(p, axis) - 1.0) / steep;
+    return Surface(gap, 1.0 / steep, n, vec3f(n), vec2f(0.5 + 0.5 * uv), boxes[i].material, boxes[i].object);
 }

@@ -42,5 +42,6 @@ fn surface_cylinder(i: u32, x: Real3) -> Surface {
     let n = g / steep;
     let v = select(0.5 + 0.5 * p.y, select(rho, 1.0 - rho, p.y > 0.0), flat);
     let uv = vec2f(turn_round(p), f32(v));
-    return Surface((max(abs(p.y), rho) - 1.0) / steep, n, vec3f(n), uv, cylinders[i].material, cylinders[i].object);
+    let gap = (max(abs(p.y), rho) - 1.0) / steep;
+    return Surface(gap, 1.0 / steep, n, vec3f(n), uv, cylinders[i].material, cylinders[i].object);
 }

@@ -39,5 +39,5 @@ fn surface_disk(i: u32, x: Real3) -> Surface {
     let steep = length(g);
     let n = g / steep;
     let v = (1.0 - length(p.xz)) / (1.0 - disk_spaces[i].hole);
-    return Surface(p.y / steep, n, vec3f(n), vec2f(turn_round(p), f32(v)), disks[i].material, disks[i].object);
+    return Surface(p.y / steep, 0.0, n, vec3f(n), vec2f(turn_round(p), f32(v)), disks[i].material, disks[i].object);
 }

@@ -28,5 +28,5 @@ fn surface_ellipsoid(i: u32, x: Real3) -> Surface {
     let g = scene_gradient(own_space(ellipsoids[i]), p / r);
     let steep = length(g);
     let n = g / steep;
-    return Surface((r - 1.0) / steep, n, vec3f(n), sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
+    return Surface((r - 1.0) / steep, 1.0 / steep, n, vec3f(n), sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
 }

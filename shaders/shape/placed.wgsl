@@ -35,6 +35,8 @@ struct Interval {
 struct Surface {
     // Signed distance of the point from it, to first order.
     gap: Real,
+    // How far behind its tangent plane the shape's middle lies: gap is a difference from that.
+    depth: Real,
     // The geometric unit normal there, outward.
     across: Real3,
     // The unit normal to shade with.

@@ -27,5 +27,5 @@ fn surface_plane(i: u32, x: Real3) -> Surface {
     let steep = length(g);
     let n = g / steep;
     let uv = Real2(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z);
-    return Surface(p.y / steep, n, vec3f(n), vec2f(uv), planes[i].material, planes[i].object);
+    return Surface(p.y / steep, 0.0, n, vec3f(n), vec2f(uv), planes[i].material, planes[i].object);
 }

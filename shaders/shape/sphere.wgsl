@@ -31,5 +31,6 @@ fn surface_sphere(i: u32, x: Real3) -> Surface {
     let d = x - spheres[i].center;
     let r = length(d);
     let uv = sphere_uv(own_vector(own_space(spheres[i]), d));
-    return Surface(r - spheres[i].radius, d / r, vec3f(d / r), uv, spheres[i].material, spheres[i].object);
+    let radius = spheres[i].radius;
+    return Surface(r - radius, radius, d / r, vec3f(d / r), uv, spheres[i].material, spheres[i].object);
 }

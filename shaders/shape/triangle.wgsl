@@ -110,5 +110,5 @@ fn surface_triangle(i: u32, x: Real3) -> Surface {
     let normal = normalize(u * p.normal + v * q.normal + w * r.normal);
     let uv = u * Real2(p.u, p.v) + v * Real2(q.u, q.v) + w * Real2(r.u, r.v);
     let gap = dot(across, x - p.position);
-    return Surface(gap, across, vec3f(normal), vec2f(uv), object_materials[triangle.object], triangle.object);
+    return Surface(gap, 0.0, across, vec3f(normal), vec2f(uv), object_materials[triangle.object], triangle.object);
 }

@@ -1,6 +1,6 @@
 //! A scene's objects as the shaders see them: one list for each kind of shape, and a hierarchy over all triangles.
 
-use glam::{DMat3, DVec3, DVec4, Vec3};
+use glam::{DVec3, DVec4, Vec3};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
@@ -72,11 +72,11 @@ impl Geometry {
         let material = |i: usize| scene.objects[i].material().or(geometry.regions.bit(i).map(|bit| clear + bit));
         geometry.materials = (0..scene.objects.len()).map(|i| material(i).unwrap_or(0) as u32).collect();
         for (i, object) in scene.objects.iter().enumerate() {
-            let own = match &object.shape {
+            match &object.shape {
                 Shape::Mesh(mesh) => geometry.add_mesh(object, mesh, i as u32),
                 _ => geometry.add_placed(object, i as u32),
-            };
-            geometry.boxes.push(own);
+            }
+            geometry.boxes.push(object.bounds());
         }
         for shapes in geometry.placed.values_mut() {
             shapes.sort_by_key(|shape| shape.bit.is_some());
@@ -109,14 +109,11 @@ impl Geometry {
         })
     }
 
-    fn add_placed(&mut self, object: &Object, index: u32) -> (DVec3, DVec3) {
+    fn add_placed(&mut self, object: &Object, index: u32) {
         let map = object.transform.0;
         let inverse = map.inverse();
         let m = inverse.matrix3.transpose();
         let t = inverse.translation;
-        // A transformed cube's half extents; they bound what is in it.
-        let half =
-            DMat3::from_cols(map.matrix3.x_axis.abs(), map.matrix3.y_axis.abs(), map.matrix3.z_axis.abs()) * DVec3::ONE;
         self.placed.entry(shape_kind(&object.shape, &object.transform)).or_default().push(PlacedShape {
             center: map.translation,
             radius: object.transform.uniform_scale().unwrap_or(0.0),
@@ -126,17 +123,14 @@ impl Geometry {
             object: index,
             bit: self.regions.bit(index as usize).map(|bit| bit as u32),
         });
-        (map.translation - half, map.translation + half)
     }
 
-    fn add_mesh(&mut self, object: &Object, mesh: &Mesh, index: u32) -> (DVec3, DVec3) {
-        let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    fn add_mesh(&mut self, object: &Object, mesh: &Mesh, index: u32) {
         let map = object.transform.0;
         let normals = map.matrix3.inverse().transpose();
         let first = self.vertices.len() as u32;
         for vertex in &mesh.vertices {
             let position = map.transform_point3(vertex.position.as_dvec3());
-            (lo, hi) = (lo.min(position), hi.max(position));
             self.vertices.push(Vertex {
                 position: position.as_vec3(),
                 normal: (normals * vertex.normal.as_dvec3()).normalize_or_zero().as_vec3(),
@@ -144,7 +138,6 @@ impl Geometry {
             });
         }
         self.triangles.extend(mesh.triangles.iter().map(|[a, b, c]| [first + a, first + b, first + c, index]));
-        (lo, hi)
     }
 
     fn build_hierarchy(&mut self) {

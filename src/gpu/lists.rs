@@ -34,6 +34,7 @@ impl Source<'_> {
             "sided_boxes" => pack(name, layout, sided("box").map(sided_space)).map(Some),
             "sided_cylinders" => pack(name, layout, sided("cylinder").map(sided_space)).map(Some),
             "obstacles" => pack(name, layout, g.regions.obstacles.iter().map(obstacle)).map(Some),
+            "touching" => pack(name, layout, self.touching()).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
             "spheres" => placed("sphere"),
             "ellipsoids" => placed("ellipsoid"),
@@ -203,6 +204,15 @@ impl Source<'_> {
             }
             _ => self.scene.media().filter_map(capture_sphere).collect(),
         }
+    }
+
+    /// The objects that touch others, the opaque ones first.
+    fn touching(&self) -> Vec<[(&'static str, Value); 2]> {
+        let g = self.geometry;
+        let clear = |&object: &usize| (object, g.regions.bit(object).map_or(0, |bit| 1 << bit));
+        let opaque = g.regions.touching.opaque.iter().map(|&object| (object, 0));
+        let all = opaque.chain(g.regions.touching.clear.iter().map(clear));
+        all.map(|(object, bits)| [("primitive", Uint(g.primitive(object))), ("bits", Uint(bits))]).collect()
     }
 
     /// For each object its bit in the set of regions.

@@ -133,12 +133,14 @@ pub(super) fn scatter(kinds: &[&str]) -> Unit {
     unit("generated/scatter.wgsl", switch(signature, "material.kind", &calls))
 }
 
-/// How many regions there are, and which of their bits stand for media.
+/// How many regions there are, which of their bits stand for media, and how many objects touch others.
 pub(super) fn regions(regions: &Regions) -> Unit {
     let count = regions.regions.len();
     let media = regions.regions.iter().filter(|region| region.kind.is_some()).count();
     let mask = u32::MAX.checked_shr(32 - media as u32).unwrap_or(0);
-    let text = format!("const REGION_COUNT: u32 = {count}u;\nconst MEDIA_MASK: u32 = {mask:#x}u;\n");
+    let mut text = format!("const REGION_COUNT: u32 = {count}u;\nconst MEDIA_MASK: u32 = {mask:#x}u;\n");
+    let (opaque, touching) = (regions.touching.opaque.len(), regions.touching.count());
+    let _ = writeln!(text, "const TOUCHING_OPAQUE: u32 = {opaque}u;\nconst TOUCHING_COUNT: u32 = {touching}u;");
     unit("generated/regions.wgsl", text)
 }
 

@@ -18,6 +18,7 @@ mod plan;
 mod reflect;
 mod region_parts;
 mod regions;
+mod touching;
 mod work;
 
 pub use choice::{Choice, Layer, Pass, Purpose, Schedule};
@@ -27,6 +28,7 @@ pub use parts::{Part, all_parts, constant, part};
 pub use plan::{plan, shape_kind};
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect, validated};
 pub use regions::{Kind, Motion, Obstacle, Region, Regions, is_mirror, scatters, splits};
+pub use touching::Touching;
 pub use work::Work;
 
 use crate::scene::Scene;

@@ -114,6 +114,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     names.add(if choice.purpose == Purpose::Trace { "origin/given" } else { "origin/camera" });
     names.add(if flat { "left/kept" } else { "left/none" });
     names.add(if sided_mesh { "facing/sided" } else { "facing/any" });
+    names.add(if regions.touching.count() > 0 { "touching/some" } else { "touching/none" });
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
         (Purpose::Picture, Branches::Enumerated(_)) => ("weight/kept", "branch/enumerated"),
         (Purpose::Picture, Branches::Random) => ("weight/kept", "branch/random"),

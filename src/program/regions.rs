@@ -6,6 +6,7 @@
 //! set of those that it is in as bits, and the lowest bit is the medium around it. Closed mirrors have bits too, behind all
 //! others: not for their medium, but to know from which side a ray meets them.
 
+use super::touching::Touching;
 use crate::scene::{Law, MaterialKind, Medium, Method, Object, Scene, Shape, Substance, Transform};
 use glam::DVec3;
 
@@ -82,19 +83,22 @@ pub struct Regions {
     pub regions: Vec<Region>,
     /// What lies in the way of spirals.
     pub obstacles: Vec<Obstacle>,
+    /// Whose surfaces lie on others.
+    pub touching: Touching,
 }
 
 impl Regions {
     /// Of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let mut found = Self { kinds: vec![outside(scene)], regions: Vec::new(), obstacles: Vec::new() };
+        let mut found = Self { kinds: vec![outside(scene)], ..Self::default() };
         let mut clear: Vec<usize> =
             (0..scene.objects.len()).filter(|&i| scene.objects[i].interior().is_some()).collect();
         let priority = |i: usize| scene.objects[i].interior().map_or(0, |interior| interior.priority);
         clear.sort_by(|&a, &b| {
             priority(b).cmp(&priority(a)).then(size(&scene.objects[a]).total_cmp(&size(&scene.objects[b])))
         });
+        found.touching = Touching::of(scene, &clear);
         for object in clear {
             found.add(scene, object);
         }
@@ -165,15 +169,7 @@ pub fn is_mirror(scene: &Scene, object: &Object) -> bool {
 }
 
 fn is_closed_mirror(scene: &Scene, object: &Object) -> bool {
-    is_mirror(scene, object) && is_closed(&object.shape)
-}
-
-fn is_closed(shape: &Shape) -> bool {
-    match shape {
-        Shape::Sphere | Shape::Box | Shape::Cylinder => true,
-        Shape::Plane | Shape::Disk { .. } => false,
-        Shape::Mesh(mesh) => mesh.hole().is_none(),
-    }
+    is_mirror(scene, object) && object.shape.is_closed()
 }
 
 /// The space outside of all objects.

@@ -49,7 +49,9 @@ impl Work {
         };
         let analytic = scene.objects.iter().filter(|o| !matches!(o.shape, Shape::Mesh(_))).count() as u64;
         // Where a ray goes on from a surface its last step is taken again, a few times over.
-        let scatter = if scatters(scene) { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) } else { 0 };
+        let touching = Regions::of(scene).touching.count() as u64;
+        let scatter =
+            if scatters(scene) { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching } else { 0 };
         let segment = steps * step + pieces * (analytic + 1) + captures + 2 + asymptote + scatter;
         if segment > LARGEST {
             let integration = steps * step > pieces * analytic;

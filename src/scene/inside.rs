@@ -10,6 +10,18 @@
 use super::{Mesh, Object, Shape};
 use glam::DVec3;
 
+impl Shape {
+    /// Has it an inside?
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        match self {
+            Self::Sphere | Self::Box | Self::Cylinder => true,
+            Self::Plane | Self::Disk { .. } => false,
+            Self::Mesh(mesh) => mesh.hole().is_none(),
+        }
+    }
+}
+
 impl Object {
     /// Is this point of the scene inside? Planes, disks and meshes that are not closed have no inside; the surface itself is
     /// outside for analytic shapes, and either for meshes.

@@ -23,6 +23,7 @@ mod picture;
 mod profile;
 mod rays;
 mod reference;
+mod touching;
 mod transform;
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ mod overrides;
 mod profiles;
 mod properties;
 mod scenes;
+mod touching;
 
 use super::{Mistake, Override, Scene, SceneError};
 use std::path::Path;

@@ -7,7 +7,7 @@ use bentray::render::{Renderer, Settings};
 use glam::DVec3;
 
 /// The part of the pixels in which both agree to `tolerance`, in every channel.
-fn agreement(text: &str, tolerance: f64) -> f64 {
+pub fn agreement(text: &str, tolerance: f64) -> f64 {
     let scene = scene(text);
     let expected = Tracer::new(&scene).picture();
     let rendered = Renderer::new(&gpu(), &scene, Settings::default()).unwrap().picture().unwrap().band.color;
@@ -17,7 +17,7 @@ fn agreement(text: &str, tolerance: f64) -> f64 {
     expected.iter().enumerate().filter(|pixel| agree(*pixel)).count() as f64 / expected.len() as f64
 }
 
-const ROOM: &str = "[image]\nsize = [128, 96]\n[camera]\nposition = [3, 2.5, 8]\nlook_at = [0, 0.2, 0]\nfov = 40\n\
+pub const ROOM: &str = "[image]\nsize = [128, 96]\n[camera]\nposition = [3, 2.5, 8]\nlook_at = [0, 0.2, 0]\nfov = 40\n\
     [rays]\nbound = { radius = 25 }\nbranches = BRANCHES\n[sky]\ncolor = [0.2, 0.4, 0.7]\n\
     [materials.floor]\nkind = \"phong\"\nambient = 0.3\n\
     diffuse = { checker = [[0.8, 0.2, 0.1], [0.9, 0.9, 0.8]], repeat = [6, 6] }\n\
@@ -30,7 +30,7 @@ const ROOM: &str = "[image]\nsize = [128, 96]\n[camera]\nposition = [3, 2.5, 8]\
     [[objects]]\nshape = \"sphere\"\ncenter = [1.8, -0.6, -2.5]\nscale = [1, 1.6, 1]\nradius = 0.8\nmaterial = \"shiny\"\n\
     [[objects]]\nshape = \"sphere\"\ncenter = [-0.5, 1.6, -3]\nradius = 0.4\nmaterial = \"lamp\"\n";
 
-fn room(branches: u32, objects: &[&str]) -> String {
+pub fn room(branches: u32, objects: &[&str]) -> String {
     with_objects(&ROOM.replace("BRANCHES", &branches.to_string()), objects)
 }
 

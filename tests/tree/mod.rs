@@ -5,6 +5,7 @@ mod interfaces;
 mod overlaps;
 mod paths;
 mod sums;
+mod touching;
 
 use crate::support::scene;
 use crate::support::tree::Tracer;

@@ -60,7 +60,9 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let sky = materials::sky(&root, &mut files);
     let output = output(&root);
     let (names, materials) = materials::read(&root, &mut files);
-    let objects = objects::read(&root, &names, bound, &mut files);
+    let placed = objects::read(&root, &names, bound, &mut files);
+    regions::check(reader, &placed, &materials);
+    let objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
     let optics = Optics { law: law.as_ref(), objects: &objects, materials: &materials };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
     let lights = lights(&root);

@@ -3,12 +3,11 @@
 use super::bounds;
 use super::files::Files;
 use super::media::{self, Surroundings};
-use super::regions;
 use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{
     Read, array, direction, extents, not_negative, positive, suggest, text, vector, whole, word,
 };
-use crate::scene::document::{Node, Value};
+use crate::scene::document::{Node, Place, Value};
 use crate::scene::{Bound, Interior, Object, Shape, Substance, Transform};
 use glam::{DAffine3, DQuat, DVec2, DVec3};
 
@@ -31,19 +30,17 @@ const NAMES: &[(&str, Name)] = &[
     ("mesh", Name::Mesh),
 ];
 
-/// All objects that can be used, in the order of the file; `materials` are the names of the materials.
-pub fn read(root: &TableReader, materials: &[&str], bound: Option<Bound>, files: &mut Files) -> Vec<Object> {
+/// All objects that can be used, each with its place, in the order of the file; `materials` are the names of the materials.
+pub fn read(root: &TableReader, materials: &[&str], bound: Option<Bound>, files: &mut Files) -> Vec<(Place, Object)> {
     let tables = root.subtables("objects", "objects").into_iter();
-    let objects: Vec<_> = tables
+    tables
         .filter_map(|table| {
             let object = object(&table, materials, bound, files);
             let place = table.place;
             table.finish();
             Some((place, object?))
         })
-        .collect();
-    regions::check(root.reader, &objects);
-    objects.into_iter().map(|(_, object)| object).collect()
+        .collect()
 }
 
 fn object(table: &TableReader, materials: &[&str], bound: Option<Bound>, files: &mut Files) -> Option<Object> {

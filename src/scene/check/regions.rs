@@ -1,14 +1,14 @@
-//! Interiors that overlap: which of them is there has to be said.
+//! Interiors that overlap: which of them is there has to be said; and how many objects have an inside.
 //!
 //! One object inside of another needs no word: the inner one is there. Where two of the same priority overlap in part, nothing
 //! says which; that is found by points of each one's surface, so that an overlap smaller than their spacing may pass.
 
 use crate::scene::document::reader::Reader;
 use crate::scene::document::{Fault, Place};
-use crate::scene::{Object, Shape, Substance};
+use crate::scene::{Material, MaterialKind, Object, Shape, Substance};
 use glam::DVec3;
 
-/// Rays carry the set of the objects that they are in as so many bits.
+/// Rays carry the set of the objects that they are in as so many bits; closed mirrors are among them.
 const MOST: usize = 32;
 /// Points on a surface.
 const POINTS: usize = 400;
@@ -16,11 +16,21 @@ const POINTS: usize = 400;
 const TOUCHES: f64 = 1e-6;
 
 /// Records what is wrong with the interiors of objects, each given with its place in the file.
-pub fn check(reader: &Reader, objects: &[(Place, Object)]) {
+pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material]) {
+    let is_mirror = |i: usize| materials.get(i).is_some_and(|material| material.kind == MaterialKind::Mirror);
+    let is_sided = |(_, object): &&(Place, Object)| match object.substance {
+        Substance::Clear(_) => true,
+        Substance::Opaque(material) => is_mirror(material) && object.shape.is_closed(),
+    };
+    let sided: Vec<_> = objects.iter().filter(is_sided).collect();
     let clear: Vec<_> = objects.iter().filter(|(_, object)| object.interior().is_some()).collect();
-    if let Some((place, _)) = clear.get(MOST) {
-        let problem = format!("{} objects with an interior are more than {MOST}, which a ray can be in", clear.len());
-        let help = "make one mesh of those that have the same medium".to_owned();
+    if let Some((place, _)) = sided.get(MOST) {
+        let problem = format!(
+            "{} objects with an interior and {} closed mirrors are more than {MOST}, which a ray can be in",
+            clear.len(),
+            sided.len() - clear.len()
+        );
+        let help = "make one mesh of those that have the same medium or material".to_owned();
         reader.fault(Fault { place: *place, problem, help });
         return;
     }

@@ -15,11 +15,11 @@ fn mesh(text: &str) -> Mesh {
     Mesh::parse(text, Path::new("a.obj")).unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn cube() -> Mesh {
+pub fn cube() -> Mesh {
     mesh(&format!("{CUBE}{}", FACES.concat()))
 }
 
-fn object(shape: Shape, transform: Transform) -> Object {
+pub fn object(shape: Shape, transform: Transform) -> Object {
     let medium = Medium::Constant { n: 1.5 };
     Object { shape, transform, substance: Substance::Clear(Interior { medium, priority: 0 }) }
 }

@@ -4,14 +4,18 @@ use bentray::scene::{Object, Shape};
 use glam::{DAffine3, DVec2, DVec3};
 
 /// The shapes that the tracer knows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Solid {
     /// |p| ≤ 1.
     Ball,
     /// |x|, |y|, |z| ≤ 1.
     Cube,
+    /// x² + z² ≤ 1, |y| ≤ 1.
+    Rod,
     /// |x|, |z| ≤ 1 in y = 0: it has sides, but no inside.
     Square,
+    /// hole² ≤ x² + z² ≤ 1 in y = 0, without an inside too.
+    Ring { hole: f64 },
 }
 
 /// A shape in its place.
@@ -25,14 +29,13 @@ pub struct Body {
 impl Body {
     /// The object's shape; fails on shapes that the tracer does not know.
     pub fn new(object: &Object) -> Self {
-        let solid = if matches!(object.shape, Shape::Sphere) {
-            Solid::Ball
-        } else if matches!(object.shape, Shape::Box) {
-            Solid::Cube
-        } else if matches!(object.shape, Shape::Plane) {
-            Solid::Square
-        } else {
-            panic!("the tracer knows no such shape")
+        let solid = match object.shape {
+            Shape::Sphere => Solid::Ball,
+            Shape::Box => Solid::Cube,
+            Shape::Cylinder => Solid::Rod,
+            Shape::Plane => Solid::Square,
+            Shape::Disk { hole } => Solid::Ring { hole },
+            Shape::Mesh(_) => panic!("the tracer knows no such shape"),
         };
         Self { solid, inward: object.transform.0.inverse() }
     }
@@ -42,58 +45,56 @@ impl Body {
         self.inward.transform_point3(x)
     }
 
-    /// Below 0 inside, 0 on the surface; no steeper than 1 in the shape's own space, where `p` is. Of a square, the side.
+    /// Below 0 inside, 0 on the surface; no steeper than 1 in the shape's own space, where `p` is. Of what is
+    /// open, the side.
     pub fn level(&self, p: DVec3) -> f64 {
         match self.solid {
             Solid::Ball => p.length() - 1.0,
             Solid::Cube => p.abs().max_element() - 1.0,
-            Solid::Square => p.y,
+            Solid::Rod => p.x.hypot(p.z).max(p.y.abs()) - 1.0,
+            Solid::Square | Solid::Ring { .. } => p.y,
         }
     }
 
     /// Is a point at level 0 a point of the surface?
     pub fn reaches(&self, p: DVec3) -> bool {
-        self.solid != Solid::Square || p.x.abs().max(p.z.abs()) <= 1.0
+        match self.solid {
+            Solid::Square => p.x.abs().max(p.z.abs()) <= 1.0,
+            Solid::Ring { hole } => (hole..=1.0).contains(&p.x.hypot(p.z)),
+            Solid::Ball | Solid::Cube | Solid::Rod => true,
+        }
     }
 
     /// Has it no inside?
     pub fn is_open(&self) -> bool {
-        self.solid == Solid::Square
+        matches!(self.solid, Solid::Square | Solid::Ring { .. })
     }
 
-    /// Where the line x + t d enters and leaves; a square is left where it is entered.
+    /// Where the line x + t d enters and leaves; what is open is left where it is entered.
     pub fn span(&self, x: DVec3, d: DVec3) -> Option<[f64; 2]> {
         let (p, d) = (self.own(x), self.inward.transform_vector3(d));
         match self.solid {
-            Solid::Ball => {
-                // From the nearest point: its distance loses no digits far away.
-                let middle = -p.dot(d) / d.length_squared();
-                let inside = 1.0 - (p + middle * d).length_squared();
-                let half = (inside / d.length_squared()).sqrt();
-                (inside > 0.0).then_some([middle - half, middle + half])
-            }
+            Solid::Ball => round(p, d),
             Solid::Cube => {
-                let mut span = [f64::NEG_INFINITY, f64::INFINITY];
-                for axis in 0..3 {
-                    if d[axis] == 0.0 {
-                        if p[axis].abs() > 1.0 {
-                            return None;
-                        }
-                    } else {
-                        let walls = [(-1.0 - p[axis]) / d[axis], (1.0 - p[axis]) / d[axis]];
-                        span = [span[0].max(walls[0].min(walls[1])), span[1].min(walls[0].max(walls[1]))];
-                    }
-                }
-                (span[0] < span[1]).then_some(span)
+                let walls = [slab(p.x, d.x)?, slab(p.y, d.y)?, slab(p.z, d.z)?];
+                both(both(walls[0], walls[1])?, walls[2])
             }
-            Solid::Square => {
+            Solid::Rod => {
+                let across = DVec3::new(1.0, 0.0, 1.0);
+                let walls = slab(p.y, d.y)?;
+                if d.x == 0.0 && d.z == 0.0 {
+                    return (p.x.hypot(p.z) < 1.0).then_some(walls);
+                }
+                both(round(p * across, d * across)?, walls)
+            }
+            Solid::Square | Solid::Ring { .. } => {
                 let t = -p.y / d.y;
                 (d.y != 0.0 && self.reaches(p + t * d)).then_some([t, t])
             }
         }
     }
 
-    /// The unit normal at a point of the surface, outward; of a square, +y.
+    /// The unit normal at a point of the surface, outward; of what is open, +y.
     pub fn normal(&self, x: DVec3) -> DVec3 {
         let p = self.own(x);
         let gradient = match self.solid {
@@ -102,7 +103,9 @@ impl Body {
                 let axis = p.abs().max_position();
                 DVec3::AXES[axis] * p[axis].signum()
             }
-            Solid::Square => DVec3::Y,
+            Solid::Rod if p.y.abs() > p.x.hypot(p.z) => DVec3::Y * p.y.signum(),
+            Solid::Rod => DVec3::new(p.x, 0.0, p.z),
+            Solid::Square | Solid::Ring { .. } => DVec3::Y,
         };
         (self.inward.matrix3.transpose() * gradient).normalize()
     }
@@ -111,8 +114,10 @@ impl Body {
     pub fn uv(&self, x: DVec3) -> DVec2 {
         use std::f64::consts::PI;
         let p = self.own(x);
+        let turn = 0.5 + p.x.atan2(p.z) / (2.0 * PI);
+        let rho = p.x.hypot(p.z);
         match self.solid {
-            Solid::Ball => DVec2::new(0.5 + p.x.atan2(p.z) / (2.0 * PI), 0.5 + p.y.atan2(p.x.hypot(p.z)) / PI),
+            Solid::Ball => DVec2::new(turn, 0.5 + p.y.atan2(rho) / PI),
             // Upright and not mirrored as seen from outside.
             Solid::Cube => {
                 let axis = p.abs().max_position();
@@ -120,7 +125,35 @@ impl Body {
                 let q = [DVec2::new(-side * p.z, p.y), DVec2::new(p.x, -side * p.z), DVec2::new(side * p.x, p.y)];
                 0.5 + 0.5 * q[axis]
             }
+            // Over the lower face outwards, up the mantle, over the upper face inwards.
+            Solid::Rod if p.y.abs() <= rho => DVec2::new(turn, 0.5 + 0.5 * p.y),
+            Solid::Rod => DVec2::new(turn, if p.y > 0.0 { 1.0 - rho } else { rho }),
             Solid::Square => DVec2::new(0.5 + 0.5 * p.x, 0.5 - 0.5 * p.z),
+            Solid::Ring { hole } => DVec2::new(turn, (1.0 - rho) / (1.0 - hole)),
         }
     }
+}
+
+/// Where p + t d is in the unit ball.
+fn round(p: DVec3, d: DVec3) -> Option<[f64; 2]> {
+    // From the nearest point: its distance loses no digits far away.
+    let middle = -p.dot(d) / d.length_squared();
+    let inside = 1.0 - (p + middle * d).length_squared();
+    let half = (inside / d.length_squared()).sqrt();
+    (inside > 0.0).then_some([middle - half, middle + half])
+}
+
+/// Where a coordinate is within ±1.
+fn slab(p: f64, d: f64) -> Option<[f64; 2]> {
+    if d == 0.0 {
+        return (p.abs() <= 1.0).then_some([f64::NEG_INFINITY, f64::INFINITY]);
+    }
+    let walls = [(-1.0 - p) / d, (1.0 - p) / d];
+    Some([walls[0].min(walls[1]), walls[0].max(walls[1])])
+}
+
+/// What two spans share.
+fn both(a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
+    let span = [a[0].max(b[0]), a[1].min(b[1])];
+    (span[0] < span[1]).then_some(span)
 }
