@@ -25,6 +25,8 @@ pub struct Sweep<'a> {
     pub repeats: usize,
     /// The schedule that is timed.
     pub schedule: Schedule,
+    /// A method's curve ends at the setting that takes so many times the fastest method's time.
+    pub slowest: f64,
 }
 
 /// A method at a setting.
@@ -79,8 +81,6 @@ pub struct SceneChart {
 const TOLERANCE: f64 = 1e-12;
 /// Segments of a path, at most: what needs more has lost the race.
 const SEGMENTS: u32 = 20_000;
-/// Settings of a method that takes so many times the fastest one's time are not timed over all rays any more.
-const HOPELESS: f64 = 300.0;
 
 struct Measured {
     seconds: f64,
@@ -159,10 +159,10 @@ impl Sweep<'_> {
             let rejected = mean(&rays, |ray| ray.rejected);
             let longest = rays.iter().map(|ray| ray.depth).fold(0.0, f64::max);
             // As many passes as the paths need, for empty ones take time too.
-            all.retune(control, SEGMENTS.min(2 * longest as u32 + 64))?;
+            all.retune(control, SEGMENTS.min(2 * longest as u32 + 8))?;
             let expected =
                 points.last().map_or(0.0, |last| last.time * (steps + rejected) / (last.steps + last.rejected));
-            let measured = timed(&all, if expected > HOPELESS * *fastest { 1 } else { self.repeats })?;
+            let measured = timed(&all, if expected > self.slowest * *fastest { 1 } else { self.repeats })?;
             let time = measured.seconds / (f64::from(scene.image.size[0]) * f64::from(scene.image.size[1]));
             *fastest = fastest.min(time);
             points.push(Point {
@@ -177,7 +177,7 @@ impl Sweep<'_> {
                 drift: worst_drift(&scene, &rays, truth),
                 image: root_mean_square(&measured.colors, reference),
             });
-            if time > HOPELESS * *fastest {
+            if time > self.slowest * *fastest {
                 break;
             }
         }

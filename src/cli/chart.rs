@@ -47,6 +47,9 @@ pub(super) struct Arguments {
     /// The schedule that is timed. In all but fused, scattering at surfaces has a pass of its own and is left out
     #[arg(long, value_enum, default_value_t = Schedule::Fused)]
     schedule: Schedule,
+    /// A method's curve ends at the setting that takes so many times the fastest method's time
+    #[arg(long, value_name = "FACTOR", default_value_t = 300.0)]
+    slowest: f64,
     #[command(flatten)]
     changes: SceneOptions,
     /// The device whose name contains this
@@ -72,6 +75,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         compared: arguments.compared as usize,
         repeats: arguments.repeats as usize,
         schedule: choice(arguments.schedule).schedule,
+        slowest: arguments.slowest,
     };
     let mut sections = vec![opening(&device, &sweep)];
     for (name, scene) in &scenes {
