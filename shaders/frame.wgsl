@@ -9,7 +9,7 @@ struct Frame {
     image: vec2u,
     // Which sample of each pixel.
     sample: u32,
-    // Which round of that sample, where surfaces split rays: each follows one branch.
+    // Which round of that sample, where surfaces split rays and each round follows one branch: 0 for the first, 1 for all others.
     branch: u32,
     // Always 0, which no compiler knows.
     zero: u32,

@@ -45,6 +45,8 @@ fn all_schedules_give_the_same_picture() {
                 "shape = \"cylinder\"\ncenter = [3, 0, 0]\nradius = 0.7\ninterior = { kind = \"rod\", n0 = 1.5, g = 0.5 }",
             ],
         ),
+        // Enough rounds for longer passes, and for several batches of them.
+        room("branches = 8\n", &[GLASS, "shape = \"sphere\"\nradius = 0.6\ninterior = 1"]),
     ];
     // With few segments some rays are given up on a surface, and stay on the side that they came from.
     for (text, segments) in scenes.iter().flat_map(|text| [(text, 60), (text, 3)]) {

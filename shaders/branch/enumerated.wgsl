@@ -18,6 +18,15 @@ fn low_bits(n: u32) -> u32 {
     return (1u << n) - 1u;
 }
 
+// The branchings of a path whose reflected rays have not been followed.
+fn open_branches(word: u32) -> u32 {
+    return ~word & low_bits(word >> MET);
+}
+
+fn branches_left(pixel: vec2u) -> bool {
+    return open_branches(textureLoad(branches, pixel).x) != 0u;
+}
+
 // False where the pixel has no path left.
 fn begin_branches(pixel: vec2u) -> bool {
     if frame.branch == 0u {
@@ -25,7 +34,7 @@ fn begin_branches(pixel: vec2u) -> bool {
         return true;
     }
     let last = textureLoad(branches, pixel).x;
-    let open = ~last & low_bits(last >> MET);
+    let open = open_branches(last);
     if open == 0u {
         return false;
     }

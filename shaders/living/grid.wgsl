@@ -5,9 +5,7 @@
 var<workgroup> any_alive: atomic<u32>;
 
 fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
-    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
-    let valid = all(pixel < frame.size);
-    return Place(select(vec2u(0u), pixel, valid), valid);
+    return grid_pixel(group, lane);
 }
 
 fn ray_wanted(code: u32) -> bool {

@@ -13,3 +13,10 @@ struct Living {
     z: atomic<u32>,
     count: atomic<u32>,
 }
+
+// Of dispatches over the whole grid of pixels.
+fn grid_pixel(group: vec3u, lane: u32) -> Place {
+    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
+    let valid = all(pixel < frame.size);
+    return Place(select(vec2u(0u), pixel, valid), valid);
+}

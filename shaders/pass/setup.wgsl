@@ -6,8 +6,8 @@ fn setup(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
-    let valid = all(pixel < frame.size);
+    let spot = round_pixel(group, groups, lane);
+    let pixel = spot.pixel;
     let start = arrived(picture_ray(sampled_pixel(pixel)));
     start_region(start.x, start.d, pixel);
     let phase = law_start(start.x, start.d);
@@ -18,10 +18,10 @@ fn setup(
     if ray.status != OUTSIDE && (!finite(phase[0].xyz) || !finite(phase[1].xyz)) {
         ray.status = FAILED;
     }
-    if valid && !begin_branches(pixel) {
+    if spot.valid && !begin_branches(pixel) {
         ray.status = RESTING;
     }
-    if valid {
+    if spot.valid {
         store_region(pixel);
         start_weight(pixel, phase[0].xyz);
         store_ray(pixel, ray);
@@ -29,5 +29,5 @@ fn setup(
         store_status(pixel, status_word(ray.status, 0u, 0u));
         clear_hit(pixel);
     }
-    keep_living(valid && ray.status == ALIVE, pixel, lane);
+    keep_living(spot.valid && ray.status == ALIVE, pixel, lane);
 }

@@ -19,10 +19,10 @@ fn shade(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
-    let valid = all(pixel < frame.size);
+    let spot = round_pixel(group, groups, lane);
+    let pixel = spot.pixel;
     var code = ALIVE;
-    let followed = valid && status_code(load_status(pixel)) != RESTING;
+    let followed = spot.valid && status_code(load_status(pixel)) != RESTING;
     if followed {
         load_region(pixel);
         let ray = load_ended(pixel);
@@ -37,4 +37,5 @@ fn shade(
         keep_layers(pixel, ray, seen);
     }
     tally_fate(followed, code, lane);
+    end_round(followed, pixel, lane);
 }

@@ -10,12 +10,12 @@ use wgpu::{
 
 use super::pipeline::{PER_PASS, Pipeline, Pipelines, texture_format};
 use super::{Gpu, GpuError, SceneBuffers};
-use crate::program::{BindingKind, Program};
+use crate::program::{BindingKind, Pass, Program};
 
 /// Bytes between the parts that passes see of a buffer: any device's alignment.
 pub const TURN_STRIDE: u64 = 256;
 
-/// Which slots of the state a pass reads and writes, and which of the two lists of the living.
+/// Which slots of the state a pass reads and writes, and which lists of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Slots {
     /// Read as `x_in`, `v_in`.
@@ -26,8 +26,34 @@ pub struct Slots {
     pub start: usize,
     /// Read as `x_end`.
     pub end: usize,
-    /// The list of the living that is read; the other is written.
-    pub list: usize,
+    /// The lists that are read and written: 0 and 1 are of the living, and from [`OPEN`] on two of the open pixels.
+    pub list: [usize; 2],
+}
+
+/// The arguments of dispatches over each list.
+const LIVING: [&str; 4] = ["living_0", "living_1", "living_2", "living_3"];
+
+/// The parts of the buffers of which each pass sees its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Parts {
+    /// Of what differs between steps.
+    pub turns: u64,
+    /// Of each list of the living.
+    pub living: u64,
+    /// Of each list of the open pixels.
+    pub open: u64,
+}
+
+/// The first of the two lists of the pixels that have a path left.
+pub const OPEN: usize = 2;
+
+impl Slots {
+    /// From those of a sample's first round those of another: the lists of open pixels take turns.
+    #[must_use]
+    pub fn in_round(self, round: u32) -> Self {
+        let turned = |list: usize| if list < OPEN { list } else { OPEN + (list + round as usize) % 2 };
+        Self { list: self.list.map(turned), ..self }
+    }
 }
 
 /// Where a pass finds a binding: names of the state's slots depend on the pass, all others are their own.
@@ -40,8 +66,8 @@ fn resource_name(name: &str, slots: Slots) -> String {
         ("x" | "v" | "clock" | "error", "out") => format!("{base}_{}", slots.output),
         ("x" | "v", "start") => format!("{base}_{}", slots.start),
         ("x" | "v", "end") => format!("{base}_{}", slots.end),
-        ("list" | "living", "in") => format!("{base}_{}", slots.list),
-        ("list" | "living", "out") => format!("{base}_{}", 1 - slots.list),
+        ("list" | "living", "in") => format!("{base}_{}", slots.list[0]),
+        ("list" | "living", "out") => format!("{base}_{}", slots.list[1]),
         _ => name.to_owned(),
     }
 }
@@ -81,7 +107,7 @@ fn textures(program: &Program, slots: usize) -> BTreeMap<String, TextureFormat> 
         let BindingKind::StorageTexture { format, .. } = binding.kind else { continue };
         let Some(format) = texture_format(format) else { continue };
         for output in 0..slots {
-            let roles = Slots { input: 0, output, start: 0, end: 0, list: 0 };
+            let roles = Slots { input: 0, output, start: 0, end: 0, list: [0; 2] };
             all.insert(resource_name(&binding.name, roles), format);
         }
     }
@@ -94,7 +120,7 @@ fn state_buffers(program: &Program, slots: usize) -> BTreeMap<String, u32> {
     for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
         let BindingKind::Storage { layout, read_only: false } = &binding.kind else { continue };
         for output in 0..slots {
-            let name = resource_name(&binding.name, Slots { input: 0, output, start: 0, end: 0, list: 0 });
+            let name = resource_name(&binding.name, Slots { input: 0, output, start: 0, end: 0, list: [0; 2] });
             if name == "taken" || (name != binding.name && !name.starts_with("li")) {
                 all.insert(name, layout.span);
             }
@@ -104,9 +130,19 @@ fn state_buffers(program: &Program, slots: usize) -> BTreeMap<String, u32> {
 }
 
 fn lists(program: &Program) -> Vec<String> {
-    let bindings = || program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings);
-    let listed = bindings().any(|binding| binding.name == "list_out");
-    if listed { vec!["list_0".to_owned(), "list_1".to_owned()] } else { Vec::new() }
+    let mut binding = program
+        .passes
+        .iter()
+        .filter(|(_, _, reflection)| reflection.bindings.iter().any(|binding| binding.name == "list_out"));
+    // The last pass lists what is open.
+    let count = if binding.clone().any(|(pass, ..)| *pass == Pass::Shade) {
+        4
+    } else if binding.next().is_some() {
+        2
+    } else {
+        0
+    };
+    (0..count).map(|list| format!("list_{list}")).collect()
 }
 
 /// A tile's textures and buffers.
@@ -119,8 +155,8 @@ pub struct Tile {
 }
 
 impl Tile {
-    /// Allocates a tile of `size` pixels for `program`, with so many slots of state, for up to `passes` passes.
-    pub fn new(gpu: &Gpu, program: &Program, size: [u32; 2], slots: usize, passes: u64) -> Result<Self, GpuError> {
+    /// Allocates a tile of `size` pixels for `program`, with so many slots of state.
+    pub fn new(gpu: &Gpu, program: &Program, size: [u32; 2], slots: usize, parts: &Parts) -> Result<Self, GpuError> {
         let side = u64::from(size[0].max(size[1]));
         let allowed = u64::from(gpu.limits.max_texture_dimension_2d);
         gpu.check("max_texture_dimension_2d", "pixels along one side of a tile", allowed, side)?;
@@ -145,10 +181,11 @@ impl Tile {
         for name in lists(program) {
             tile.add_buffer(gpu, &name, 4 * pixels, BufferUsages::STORAGE)?;
         }
-        for name in ["living_0", "living_1"] {
-            tile.add_buffer(gpu, name, TURN_STRIDE * (passes + 1), BufferUsages::STORAGE | BufferUsages::INDIRECT)?;
+        for (list, name) in LIVING.into_iter().enumerate() {
+            let parts = if list < OPEN { parts.living } else { parts.open };
+            tile.add_buffer(gpu, name, TURN_STRIDE * parts, BufferUsages::STORAGE | BufferUsages::INDIRECT)?;
         }
-        tile.add_buffer(gpu, "turn", TURN_STRIDE * (passes + 1), BufferUsages::UNIFORM)?;
+        tile.add_buffer(gpu, "turn", TURN_STRIDE * parts.turns, BufferUsages::UNIFORM)?;
         tile.add_buffer(gpu, "frame", 64, BufferUsages::UNIFORM)?;
         tile.add_buffer(gpu, "tally", 128, BufferUsages::STORAGE)?;
         Ok(tile)
@@ -171,6 +208,12 @@ impl Tile {
     #[must_use]
     pub fn buffer(&self, name: &str) -> Option<&Buffer> {
         self.buffers.get(name)
+    }
+
+    /// The arguments of dispatches over a list.
+    #[must_use]
+    pub fn living(&self, list: usize) -> Option<&Buffer> {
+        self.buffer(LIVING[list])
     }
 
     /// A texture of the tile.
@@ -215,7 +258,7 @@ impl Tile {
 
     /// How many of a pass's bindings are parts of per-pass buffers, each wanting an offset.
     #[must_use]
-    pub fn offsets(pipelines: &Pipelines, pass: crate::program::Pass) -> Vec<&'static str> {
+    pub fn offsets(pipelines: &Pipelines, pass: Pass) -> Vec<&'static str> {
         let bindings = pipelines.get(pass).map_or(&[][..], |pipeline| &pipeline.bindings);
         bindings.iter().filter_map(|binding| PER_PASS.iter().copied().find(|name| *name == binding.name)).collect()
     }

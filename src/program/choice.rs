@@ -1,7 +1,7 @@
 //! What a program is for: its schedule, and what it is asked to put out.
 
-use super::regions::scatters;
-use crate::scene::Scene;
+use super::regions::{scatters, splits};
+use crate::scene::{Branches, Scene};
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -159,6 +159,21 @@ impl Choice {
             Purpose::Trace | Purpose::Pixels => Pass::Record,
         });
         passes
+    }
+
+    /// Rounds of a sample, at most, in each of which every pixel follows one more path of its tree: the leaves of a full one.
+    #[must_use]
+    pub fn rounds(&self, scene: &Scene) -> u32 {
+        match scene.rays.branches {
+            Branches::Enumerated(depth) if self.purpose == Purpose::Picture && splits(scene) => 1 << depth,
+            _ => 1,
+        }
+    }
+
+    /// Do later rounds run over no more than the pixels that have a path left?
+    #[must_use]
+    pub fn lists_open(&self, scene: &Scene) -> bool {
+        self.masks && self.rounds(scene) > 1
     }
 
     /// Slots of the state pair: `paper` keeps a chord's start while two more ping-pong under its steps.

@@ -8,6 +8,7 @@
 
 mod block;
 mod choice;
+mod copies;
 mod declarations;
 mod error;
 mod formula;

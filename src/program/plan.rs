@@ -77,6 +77,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
         (true, Schedule::Fused) => "living/list",
         (true, _) => "living/grid",
     });
+    names.add(if choice.lists_open(scene) { "round/open" } else { "round/once" });
     names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
     names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
     let rejects = matches!(scene.rays.control, Control::Embedded { .. } | Control::Doubling { .. });

@@ -12,6 +12,7 @@ mod error;
 mod picture;
 mod readback;
 mod renderer;
+mod runner;
 mod schedule;
 mod totals;
 mod trace;

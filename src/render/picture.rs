@@ -7,8 +7,7 @@ use super::readback::read_texture;
 use super::renderer::Frame;
 use super::{RenderError, Renderer, Totals};
 use crate::gpu::Tile;
-use crate::program::{Layer, splits};
-use crate::scene::Branches;
+use crate::program::Layer;
 
 /// Values of a layer, row by row.
 #[derive(Debug, Clone, PartialEq)]
@@ -127,23 +126,12 @@ impl Renderer<'_> {
         progress: &dyn Fn(f64),
     ) -> Result<(), RenderError> {
         let samples = self.scene.image.samples;
-        let branches = self.branch_rounds();
-        let rounds = samples * branches;
-        for round in 0..rounds {
-            let (sample, branch) = (round / branches, round % branches);
-            let frame = Frame { origin, image: self.scene.image.size, sample, branch };
-            let part = |done: f64| progress((f64::from(round) + done) / f64::from(rounds));
+        for sample in 0..samples {
+            let frame = Frame { origin, image: self.scene.image.size, sample };
+            let part = |done: f64| progress((f64::from(sample) + done) / f64::from(samples));
             self.run_sample(tile, frame, clock, &part)?;
         }
         Ok(())
-    }
-
-    /// Rounds of one sample in which every pixel has followed all branches of its path.
-    fn branch_rounds(&self) -> u32 {
-        match self.scene.rays.branches {
-            Branches::Enumerated(depth) if splits(self.scene) => 1 << depth,
-            _ => 1,
-        }
     }
 
     fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band) -> Result<(), RenderError> {

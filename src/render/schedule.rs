@@ -1,6 +1,6 @@
 //! Schedules: the same stages, cut into different passes.
 
-use crate::gpu::Slots;
+use crate::gpu::{OPEN, Slots};
 use crate::program::{Choice, Pass, Schedule, Work, scatters};
 use crate::scene::{Scene, Segment};
 
@@ -11,6 +11,8 @@ pub enum Dispatch {
     Grid,
     /// What still lived before this round of the loop, by indirect dispatch.
     Living,
+    /// Every pixel in the first round of a sample, in later ones those that have a path left, by indirect dispatch.
+    Open,
 }
 
 /// One dispatch.
@@ -32,11 +34,12 @@ pub struct Step {
     pub weight: u64,
 }
 
-/// Every dispatch of one sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
+/// Every dispatch of one round of a sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
 #[must_use]
 pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, segments: u32) -> Vec<Step> {
-    let mut recorded = Recorder { choice, max_segments, steps: Vec::new() };
-    recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: 1 }, 0, 1);
+    let open = choice.lists_open(scene);
+    let mut recorded = Recorder { choice, max_segments, open, steps: Vec::new() };
+    recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: [OPEN, 0] }, 0, 1);
     let n = match scene.rays.segment {
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
@@ -47,20 +50,55 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
         Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
     }
     let last = *choice.passes(scene).last().unwrap_or(&Pass::Shade);
-    recorded.push(last, Slots { input: 0, output: 0, start: 0, end: 0, list: 0 }, 0, n);
+    recorded.push(last, Slots { input: 0, output: 0, start: 0, end: 0, list: [OPEN, OPEN + 1] }, 0, n);
     recorded.steps
+}
+
+/// Rounds of a sample that write to parts of their own of the lists, so that these are cleared once for all of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Batch {
+    pub rounds: u64,
+    /// Parts of the lists of the living that one round needs.
+    pub living: u64,
+}
+
+impl Batch {
+    /// Of a sample that has `rounds` rounds of `steps`.
+    pub(super) fn of(steps: &[Step], rounds: u32) -> Self {
+        /// A megabyte of them.
+        const PARTS: u64 = 4096;
+        let living = 2 + steps.iter().map(|step| step.living).max().unwrap_or(0);
+        Self { rounds: (PARTS / living).clamp(1, u64::from(rounds)), living }
+    }
+
+    /// The parts of its lists that a step reads and writes.
+    pub(super) fn parts(&self, step: &Step, round: u32) -> [u64; 2] {
+        let (round, open) = (u64::from(round), 2 * self.rounds);
+        let first = round % self.rounds * self.living;
+        match step.slots.list.map(|list| list < OPEN) {
+            [true, _] => [first + step.living, first + step.living + 1],
+            // What a round leaves open is the next one's work.
+            [false, true] => [(round + open - 1) % open, first],
+            [false, false] => [(round + open - 1) % open, round % open],
+        }
+    }
 }
 
 struct Recorder<'a> {
     choice: &'a Choice,
     max_segments: u32,
+    open: bool,
     steps: Vec<Step>,
 }
 
 impl Recorder<'_> {
     fn push(&mut self, pass: Pass, slots: Slots, round: u64, weight: u64) {
         let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record);
-        let dispatch = if once || !self.choice.masks { Dispatch::Grid } else { Dispatch::Living };
+        let dispatch = match once {
+            true if self.open => Dispatch::Open,
+            false if self.choice.masks => Dispatch::Living,
+            _ => Dispatch::Grid,
+        };
         self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, weight });
     }
 
@@ -70,7 +108,7 @@ impl Recorder<'_> {
         let rounds = u64::from(self.max_segments.div_ceil(sure)) * work.passes_per_segment;
         for round in 0..rounds {
             let input = (round % 2) as usize;
-            let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list: input };
+            let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list: [input, 1 - input] };
             self.push(Pass::Advance, slots, round, u64::from(segments) * n);
         }
     }
@@ -78,7 +116,7 @@ impl Recorder<'_> {
     fn by_segment(&mut self, scene: &Scene, work: &Work, n: u64) {
         for round in 0..u64::from(self.max_segments) {
             let start = (round % 2) as usize;
-            let slots = Slots { input: start, output: 1 - start, start, end: 1 - start, list: start };
+            let slots = Slots { input: start, output: 1 - start, start, end: 1 - start, list: [start, 1 - start] };
             self.push(Pass::Integrate, slots, round, n);
             self.finish_segment(scene, work, slots, round);
         }
@@ -88,7 +126,7 @@ impl Recorder<'_> {
     fn by_step(&mut self, scene: &Scene, work: &Work, n: u64, slots: usize) {
         let mut start = 0;
         for round in 0..u64::from(self.max_segments) {
-            let list = (round % 2) as usize;
+            let list = [(round % 2) as usize, ((round + 1) % 2) as usize];
             let mut at = start;
             for _ in 0..n {
                 let next = (0..slots).find(|&slot| slot != at && (slot != start || slots == 2)).unwrap_or(start);
@@ -114,7 +152,7 @@ impl Recorder<'_> {
         self.push(Pass::Terminate, slots, round, 1);
         if scatters(scene) {
             // What met a surface is where its segment began, what did not is where it ended already.
-            let slots = Slots { input: slots.start, output: slots.end, list: 1 - slots.list, ..slots };
+            let slots = Slots { input: slots.start, output: slots.end, list: [slots.list[1], slots.list[0]], ..slots };
             self.push(Pass::Scatter, slots, round, 1);
             if let Some(step) = self.steps.last_mut() {
                 // Those that the termination has just listed.
@@ -163,6 +201,22 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_round_reads_what_the_one_before_left_open() {
+        let steps = recorded(Schedule::Fused, "");
+        let [Some(setup), Some(last)] = [steps.first(), steps.last()] else { panic!("no steps") };
+        let batch = Batch { rounds: 3, living: 5 };
+        for round in 1..20 {
+            let list = |step: &Step, round: u32| step.slots.in_round(round).list;
+            let ([read, first], [_, written]) = (batch.parts(setup, round), batch.parts(last, round - 1));
+            assert_eq!((read, list(setup, round)[0]), (written, list(last, round - 1)[1]));
+            assert_eq!((read, list(setup, round)[0]), (batch.parts(last, round)[0], list(last, round)[0]));
+            // Half of the parts are cleared before a batch, in which these must not lie.
+            assert_ne!(round % 3 == 0, read / 3 == u64::from(round) / 3 % 2);
+            assert_eq!((first, list(setup, round)[1]), (u64::from(round) % 3 * 5, 0));
         }
     }
 

@@ -41,6 +41,19 @@ fn opaque_scenes_are_rendered_as_they_are_traced() {
     assert!(part >= 0.999, "{part}");
 }
 
+/// Where much is reflected at every surface the last of many branchings still count.
+#[test]
+fn deep_trees_are_rendered_as_they_are_traced() {
+    let block = "shape = \"box\"\ncenter = [0.3, -0.6, 0.5]\nsize = [1.6, 1.2, 1.2]\nrotate = [0, 20, 0]\ninterior = 4";
+    let pane = "shape = \"box\"\ncenter = [1, -0.4, 2.5]\nsize = [2, 1.6, 0.2]\nrotate = [0, 15, 0]\ninterior = 3";
+    let small = |branches| room(branches, &[block, pane]).replace("[128, 96]", "[40, 30]");
+    let [less, all] = [10, 14].map(|branches| Tracer::new(&scene(&small(branches))).picture());
+    let grown = less.iter().zip(&all).filter(|(less, all)| (**all - **less).max_element() > 1e-4).count();
+    assert!(grown * 30 > all.len(), "{grown} of {} pixels see more than ten branchings", all.len());
+    let part = agreement(&small(14), 1e-5);
+    assert!(part >= 0.999, "{part}");
+}
+
 #[test]
 fn branches_are_rendered_as_they_are_traced() {
     let glass = "shape = \"sphere\"\ncenter = [0.2, -0.3, 0.5]\nradius = 1.1\ninterior = 1.5";
