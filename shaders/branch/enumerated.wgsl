@@ -14,42 +14,52 @@ struct Branching {
 
 const MET: u32 = 24u;
 
+var<private> branch_code: u32;
+
+fn load_branches(pixel: vec2u) {
+    branch_code = textureLoad(branches, pixel).x;
+}
+
+fn store_branches(pixel: vec2u) {
+    textureStore(branches, pixel, vec4u(branch_code));
+}
+
 fn low_bits(n: u32) -> u32 {
     return (1u << n) - 1u;
 }
 
-// The branchings of a path whose reflected rays have not been followed.
-fn open_branches(word: u32) -> u32 {
-    return ~word & low_bits(word >> MET);
+// The branchings of the last path whose reflected rays have not been followed.
+fn open_branches() -> u32 {
+    return ~branch_code & low_bits(branch_code >> MET);
 }
 
 fn branches_left(pixel: vec2u) -> bool {
-    return open_branches(textureLoad(branches, pixel).x) != 0u;
+    load_branches(pixel);
+    return open_branches() != 0u;
 }
 
 // False where the pixel has no path left.
 fn begin_branches(pixel: vec2u) -> bool {
     if frame.branch == 0u {
-        textureStore(branches, pixel, vec4u(0u));
+        branch_code = 0u;
         return true;
     }
-    let last = textureLoad(branches, pixel).x;
-    let open = open_branches(last);
+    load_branches(pixel);
+    let open = open_branches();
     if open == 0u {
         return false;
     }
     let k = firstLeadingBit(open);
-    textureStore(branches, pixel, vec4u((last & low_bits(k)) | (1u << k)));
+    branch_code = (branch_code & low_bits(k)) | (1u << k);
     return true;
 }
 
 fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
-    let word = textureLoad(branches, pixel).x;
-    let met = word >> MET;
+    let met = branch_code >> MET;
     if met >= branching.depth {
         return Branch(false, 0.0, true);
     }
-    textureStore(branches, pixel, vec4u(word + (1u << MET)));
-    let reflects = ((word >> met) & 1u) == 1u;
+    branch_code += 1u << MET;
+    let reflects = ((branch_code >> met) & 1u) == 1u;
     return Branch(reflects, select(1.0 - reflectance, reflectance, reflects), false);
 }

@@ -1,5 +1,11 @@
 // One of the two at random, as often as its part of the light, so that every ray weighs the same.
 
+fn load_branches(pixel: vec2u) {
+}
+
+fn store_branches(pixel: vec2u) {
+}
+
 fn begin_branches(pixel: vec2u) -> bool {
     return true;
 }

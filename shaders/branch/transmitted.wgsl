@@ -1,5 +1,11 @@
 // The transmitted ray, for `trace`: it has no weight.
 
+fn load_branches(pixel: vec2u) {
+}
+
+fn store_branches(pixel: vec2u) {
+}
+
 fn begin_branches(pixel: vec2u) -> bool {
     return true;
 }

@@ -12,6 +12,8 @@ fn advance(
     let word = load_status(spot.pixel);
     let alive = spot.valid && status_code(word) == ALIVE;
     load_region(spot.pixel);
+    load_weight(spot.pixel);
+    load_branches(spot.pixel);
     load_left(spot.pixel, status_index(word));
     // What is kept: the start of the segment under way, or of the last one. An ended ray stays there.
     var ray = load_ray(spot.pixel, word);

@@ -11,8 +11,12 @@ fn scatter(
     let word = load_status(spot.pixel);
     if spot.valid && may_go_on(status_code(word)) {
         load_region(spot.pixel);
+        load_weight(spot.pixel);
+        load_branches(spot.pixel);
         var met = load_hit(spot.pixel);
         let next = gone_on(load_ray(spot.pixel, word), &met, spot.pixel);
+        store_weight(spot.pixel);
+        store_branches(spot.pixel);
         if next.status == ALIVE {
             store_ray(spot.pixel, next);
             store_region(spot.pixel);

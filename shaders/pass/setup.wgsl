@@ -22,8 +22,10 @@ fn setup(
         ray.status = RESTING;
     }
     if spot.valid {
+        start_weight(phase[0].xyz);
         store_region(pixel);
-        start_weight(pixel, phase[0].xyz);
+        store_weight(pixel);
+        store_branches(pixel);
         store_ray(pixel, ray);
         store_counts(pixel, ray);
         store_status(pixel, status_word(ray.status, 0u, 0u));

@@ -25,6 +25,7 @@ fn shade(
     let followed = spot.valid && status_code(load_status(pixel)) != RESTING;
     if followed {
         load_region(pixel);
+        load_weight(pixel);
         let ray = load_ended(pixel);
         let seen = seen_at(ray, pixel);
         code = ray.status;
@@ -32,7 +33,7 @@ fn shade(
         if code == ESCAPED || code == MISSED {
             color = sky_radiance(vec3f(normalize(seen.end.v)));
         }
-        add_color(pixel, color * end_weight(pixel, seen.end.x));
+        add_color(pixel, color * end_weight(seen.end.x));
         add_coverage(pixel, code);
         keep_layers(pixel, ray, seen);
     }

@@ -19,7 +19,7 @@ fn gone_on(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     if !scattered.goes_on {
         return next;
     }
-    let weight = scale_weight(pixel, scattered.weight);
+    let weight = scale_weight(scattered.weight);
     if scattered.cut || weight < DARK {
         next.status = CUT;
         enter_set(side);

@@ -13,6 +13,8 @@ fn finish_advance(spot: Place, alive: bool, before: Ray, ray: Ray, end: Hit, lan
             store_left(spot.pixel, ray.index);
         }
         store_region(spot.pixel);
+        store_weight(spot.pixel);
+        store_branches(spot.pixel);
     }
     let passed = select(0u, ray.index - before.index + u32(!lives), alive);
     tally_steps(ray.steps - before.steps, lane);

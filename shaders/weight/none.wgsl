@@ -1,12 +1,18 @@
 // Every ray counts for itself alone.
 
-fn start_weight(pixel: vec2u, x: Real3) {
+fn load_weight(pixel: vec2u) {
 }
 
-fn scale_weight(pixel: vec2u, factor: vec3f) -> f32 {
+fn store_weight(pixel: vec2u) {
+}
+
+fn start_weight(x: Real3) {
+}
+
+fn scale_weight(factor: vec3f) -> f32 {
     return 1.0;
 }
 
-fn end_weight(pixel: vec2u, x: Real3) -> vec3f {
+fn end_weight(x: Real3) -> vec3f {
     return vec3f(1.0);
 }

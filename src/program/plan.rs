@@ -116,9 +116,11 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     names.add(if flat { "left/kept" } else { "left/none" });
     names.add(if sided_mesh { "facing/sided" } else { "facing/any" });
     names.add(if regions.touching.count() > 0 { "touching/some" } else { "touching/none" });
+    let gray = scene.materials.iter().all(|material| material.kind != MaterialKind::Mirror || material.color.is_gray());
+    let kept = if gray { "weight/gray" } else { "weight/colored" };
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
-        (Purpose::Picture, Branches::Enumerated(_)) => ("weight/kept", "branch/enumerated"),
-        (Purpose::Picture, Branches::Random) => ("weight/kept", "branch/random"),
+        (Purpose::Picture, Branches::Enumerated(_)) => (kept, "branch/enumerated"),
+        (Purpose::Picture, Branches::Random) => (kept, "branch/random"),
         _ => ("weight/none", "branch/transmitted"),
     };
     names.all(&[weight, branch]);

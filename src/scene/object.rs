@@ -55,6 +55,19 @@ pub enum Pattern {
     },
 }
 
+impl Pattern {
+    /// Does it give all colours the same part?
+    #[must_use]
+    pub fn is_gray(&self) -> bool {
+        let gray = |color: &DVec3| color.x == color.y && color.y == color.z;
+        match self {
+            Self::Constant(color) => gray(color),
+            Self::Checker { colors, .. } => colors.iter().all(gray),
+            Self::Picture { .. } => false,
+        }
+    }
+}
+
 /// `[[objects]]`: a shape in its own space, where it is, and what it is made of.
 #[derive(Debug, Clone)]
 pub struct Object {

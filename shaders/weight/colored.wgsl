@@ -6,29 +6,30 @@
 @group(0) @binding(106) var weight_green: texture_storage_2d<r32float, read_write>;
 @group(0) @binding(107) var weight_blue: texture_storage_2d<r32float, read_write>;
 
-fn load_weight(pixel: vec2u) -> vec3f {
-    return vec3f(textureLoad(weight_red, pixel).x, textureLoad(weight_green, pixel).x, textureLoad(weight_blue, pixel).x);
+var<private> weight: vec3f;
+
+fn load_weight(pixel: vec2u) {
+    weight = vec3f(textureLoad(weight_red, pixel).x, textureLoad(weight_green, pixel).x, textureLoad(weight_blue, pixel).x);
 }
 
-fn store_weight(pixel: vec2u, weight: vec3f) {
+fn store_weight(pixel: vec2u) {
     textureStore(weight_red, pixel, vec4f(weight.x));
     textureStore(weight_green, pixel, vec4f(weight.y));
     textureStore(weight_blue, pixel, vec4f(weight.z));
 }
 
-fn start_weight(pixel: vec2u, x: Real3) {
+fn start_weight(x: Real3) {
     let n = medium_index(x);
-    store_weight(pixel, vec3f(f32(n * n)));
+    weight = vec3f(f32(n * n));
 }
 
 // Returns the largest of what is left.
-fn scale_weight(pixel: vec2u, factor: vec3f) -> f32 {
-    let weight = load_weight(pixel) * factor;
-    store_weight(pixel, weight);
+fn scale_weight(factor: vec3f) -> f32 {
+    weight *= factor;
     return max(weight.x, max(weight.y, weight.z));
 }
 
-fn end_weight(pixel: vec2u, x: Real3) -> vec3f {
+fn end_weight(x: Real3) -> vec3f {
     let n = medium_index(x);
-    return load_weight(pixel) / f32(n * n);
+    return weight / f32(n * n);
 }
