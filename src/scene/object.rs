@@ -59,7 +59,7 @@ impl Pattern {
     /// Does it give all colours the same part?
     #[must_use]
     pub fn is_gray(&self) -> bool {
-        let gray = |color: &DVec3| color.x == color.y && color.y == color.z;
+        let gray = |color: &DVec3| *color == DVec3::splat(color.x);
         match self {
             Self::Constant(color) => gray(color),
             Self::Checker { colors, .. } => colors.iter().all(gray),
