@@ -68,6 +68,8 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// In the order of the file.
     pub lights: Vec<Light>,
+    /// What changes from frame to frame, if anything does.
+    pub animation: Option<Animation>,
     /// Every picture that a material or the sky uses, each loaded once.
     pub pictures: Vec<Picture>,
 }
@@ -79,6 +81,15 @@ pub struct Image {
     pub size: [u32; 2],
     /// Rays per pixel; more than one are multi-jittered.
     pub samples: u32,
+}
+
+/// `[animation]`: its values are in the scene of each frame.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Animation {
+    /// How many frames there are, counted from 0.
+    pub frames: u32,
+    /// What it moves.
+    pub keys: Vec<String>,
 }
 
 impl Scene {

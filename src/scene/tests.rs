@@ -1,5 +1,6 @@
 //! Scenes as a user writes them, right and wrong.
 
+mod animation;
 mod cut;
 mod files;
 mod inside;

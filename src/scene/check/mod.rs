@@ -4,6 +4,7 @@
 //! after both, objects after materials and the bound). A value that is wrong is recorded and replaced, or the whole
 //! left out, so that the reading goes on; a scene is handed out only if nothing was recorded.
 
+mod animation;
 pub(super) mod bounds;
 mod camera;
 mod files;
@@ -19,7 +20,7 @@ mod written;
 use super::document::reader::{Reader, TableReader};
 use super::document::values::{array, color, direction, number_where, vector, whole, word};
 use super::document::{Document, Override};
-use super::{Image, Light, Output, Scene, SceneError, Tonemap};
+use super::{Animation, Image, Light, Output, Scene, SceneError, Tonemap};
 use files::Files;
 use glam::DVec3;
 use optics::Optics;
@@ -28,15 +29,24 @@ use std::path::Path;
 impl Scene {
     /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file.
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
-        let text =
-            std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
-        Self::parse(&text, path, overrides)
+        Self::parse(&read(path)?, path, overrides)
+    }
+
+    /// As [`Scene::load`], with what `[animation]` moves where it is at a frame. `frame_of` names the frame of each track by
+    /// its key: the same for all, unless it is to be known what one of them changes.
+    pub fn load_frame(path: &Path, overrides: &[Override], frame_of: &dyn Fn(&str) -> u32) -> Result<Self, SceneError> {
+        let mut document = Document::parse(&read(path)?, path, overrides)?;
+        animation::apply(&mut document, frame_of);
+        Self::of(&document, path)
     }
 
     /// As [`Scene::load`], with the file's text given; `path` names it, and files are found relative to its folder.
     pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
-        let document = Document::parse(text, path, overrides)?;
-        let reader = Reader::new(&document);
+        Self::of(&Document::parse(text, path, overrides)?, path)
+    }
+
+    fn of(document: &Document, path: &Path) -> Result<Self, SceneError> {
+        let reader = Reader::new(document);
         let scene = scene(&reader, path.parent().unwrap_or(Path::new("")));
         let mut mistakes = reader.into_mistakes();
         // The scene's first, from the top; those of other files stay together, as they were found.
@@ -46,6 +56,10 @@ impl Scene {
             _ => Err(SceneError::Mistakes(mistakes)),
         }
     }
+}
+
+fn read(path: &Path) -> Result<String, SceneError> {
+    std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
 }
 
 /// The scene, as far as it can be made; faults are left with the reader.
@@ -66,6 +80,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let optics = Optics { law: law.as_ref(), objects: &objects, materials: &materials };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
     let lights = lights(&root);
+    let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
     root.finish();
     Some(Scene {
         image,
@@ -77,6 +92,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
         materials,
         objects,
         lights,
+        animation,
         pictures: files.into_pictures(),
     })
 }

@@ -11,7 +11,7 @@ mod overrides;
 pub mod reader;
 pub mod values;
 
-pub use overrides::Override;
+pub use overrides::{Override, names};
 
 use super::error::{Mistake, SceneError};
 use std::borrow::Cow;
@@ -115,6 +115,19 @@ impl Document {
             }
         }
         Ok(document)
+    }
+
+    /// Puts the value of a frame where `path` leads; `key` is where the animation names it.
+    pub fn animate(&mut self, path: &[String], value: Node, key: Place) {
+        match overrides::reach(&mut self.root, path, key) {
+            Ok(old) if old.place.source != 0 && old.place.source != key.source => {
+                let problem = format!("`{}` is animated, so that no other value is asked for", path.join("."));
+                let help = "set the values of its track instead".to_owned();
+                self.faults.push(Fault { place: old.place, problem, help });
+            }
+            Ok(old) => *old = value,
+            Err(fault) => self.faults.push(fault),
+        }
     }
 
     /// The file's path.

@@ -41,7 +41,7 @@ impl FromStr for Override {
 }
 
 /// The names in a dotted key, some of them perhaps quoted.
-fn names(key: &str) -> Option<Vec<String>> {
+pub fn names(key: &str) -> Option<Vec<String>> {
     let text = format!("{key} = 0");
     let document = DeTable::parse(&text).ok()?;
     let mut table = document.get_ref();
@@ -68,26 +68,31 @@ impl Override {
         let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
         let mut value = self.value.clone();
         relocate(&mut value, source);
-        // The last name takes the value, each before it a table (perhaps new) that holds the next.
-        let mut at = entry(root, &self.path[0], key);
-        for (depth, name) in self.path.iter().enumerate().skip(1) {
-            let fault = |problem: String| Fault { place: key, problem, help: String::new() };
-            let above = self.path[..depth].join(".");
-            at = match &mut at.value {
-                Value::Table(table) => entry(table, name, key),
-                Value::Array(items) => {
-                    let count = items.len();
-                    let item = name.parse().ok().and_then(|i: usize| items.get_mut(i));
-                    item.ok_or_else(|| {
-                        fault(format!("`{above}` has {count} entries, counted from 0, and none is `{name}`"))
-                    })?
-                }
-                _ => return Err(fault(format!("`{above}` is not a table"))),
-            };
-        }
-        *at = value;
+        *reach(root, &self.path, key)? = value;
         Ok(())
     }
+}
+
+/// The value that the names lead to: each leads to a table (perhaps new) or an array that holds the next. `key` is where they
+/// are written.
+pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Result<&'a mut Node, Fault> {
+    let mut at = entry(root, &path[0], key);
+    for (depth, name) in path.iter().enumerate().skip(1) {
+        let fault = |problem: String| Fault { place: key, problem, help: String::new() };
+        let above = path[..depth].join(".");
+        at = match &mut at.value {
+            Value::Table(table) => entry(table, name, key),
+            Value::Array(items) => {
+                let count = items.len();
+                let item = name.parse().ok().and_then(|i: usize| items.get_mut(i));
+                item.ok_or_else(|| {
+                    fault(format!("`{above}` has {count} entries, counted from 0, and none is `{name}`"))
+                })?
+            }
+            _ => return Err(fault(format!("`{above}` is not a table"))),
+        };
+    }
+    Ok(at)
 }
 
 /// The value of `name`: at first an empty table if it was not there.

@@ -32,6 +32,7 @@ pub const REFERENCE: &[KeyReference] = keys! {
         objects: "array of tables" = "[]", "things to hit";
         lights: "array of tables" = "[]",
             "lights for phong materials; they shine in straight lines, without shadows or fall-off";
+        animation: "table" = "none", "what changes from frame to frame, for `render --frames`";
     }
     "image" {
         size: "[width, height], 1 to 65536" = "[800, 600]", "pixels";
@@ -249,5 +250,17 @@ pub const REFERENCE: &[KeyReference] = keys! {
         color: "[red, green, blue]" = "[1, 1, 1]", "radiance, linear";
         position if r#"kind = "point""#: "[x, y, z]" = "required", "scene units";
         direction if r#"kind = "directional""#: "[x, y, z]" = "required", "where the light travels to";
+    }
+    "animation" {
+        frames: "whole number, 1 to 1000000" = "required", "how many; they count from 0";
+        tracks: "array of tables" = "[]", "the keys that change; without --frames they are as the rest of the file says";
+    }
+    "animation.tracks" {
+        key: "key" = "required", "as --set takes it: camera.position, objects.0.center";
+        values: "array of numbers, or of arrays of numbers" = "required",
+            "the values at some frames; before the first and after the last it stays";
+        at: "array of numbers, ascending" = "evenly from the first frame to the last", "the frame of each value";
+        between: "linear | smooth" = "linear",
+            "how a value goes to the next: straight, or along a cubic that rests at both ends of the track";
     }
 };

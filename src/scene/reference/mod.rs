@@ -54,7 +54,7 @@ fn row(key: &KeyReference) -> String {
 fn heading(table: &str) -> String {
     match table {
         "" => "### Top level".to_owned(),
-        "objects" | "lights" | "law.sources" => format!("### `[[{table}]]`"),
+        "objects" | "lights" | "law.sources" | "animation.tracks" => format!("### `[[{table}]]`"),
         _ => format!("### `[{table}]`"),
     }
 }

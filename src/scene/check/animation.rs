@@ -1,0 +1,200 @@
+//! `[animation]`: values of the scene that change from frame to frame.
+//!
+//! *Theory.* A frame is the scene with the value of each track put in place of its key, exactly as `--set` would: whatever a scene
+//! can say in numbers can move, and a frame can be rendered again as a still. Between two keys a value is linear, or *smooth*:
+//! the cubic whose slope at a key is that from the key before to the one after (Catmull and Rom), and zero at both ends.
+//!
+//! *Practice.* Tracks are read whether or not a frame is asked for, so that their mistakes show in any command; the values
+//! that they give are checked where they are read, like any other, and a mistake in one is found at the track's value.
+
+use crate::scene::document::reader::{Reader, TableReader};
+use crate::scene::document::values::{Read, number, text, whole, word};
+use crate::scene::document::{Document, Fault, Node, Place, Value, names};
+
+/// What `[animation]` says.
+pub struct Tracks {
+    pub frames: u32,
+    all: Vec<Track>,
+}
+
+/// `[[animation.tracks]]`.
+struct Track {
+    key: String,
+    place: Place,
+    /// The names that lead to the key.
+    path: Vec<String>,
+    /// Frames, ascending, and the value at each.
+    at: Vec<f64>,
+    values: Vec<Node>,
+    smooth: bool,
+}
+
+/// None if there is none, or one that cannot be used.
+pub fn read(root: &TableReader) -> Option<Tracks> {
+    let table = root.subtable("animation", "animation")?;
+    let frames = table.required("frames", "48", whole(1..=1_000_000));
+    let mut tracks: Vec<Track> = Vec::new();
+    for one in table.subtables("tracks", "animation.tracks") {
+        let Some(track) = track(one, frames.unwrap_or(1)) else { continue };
+        if tracks.iter().any(|other| other.path == track.path) {
+            table.reader.fault(Fault {
+                place: track.place,
+                problem: format!("`{}` has a track already", track.key),
+                help: "a key has one track, with as many values as it wants".to_owned(),
+            });
+        }
+        tracks.push(track);
+    }
+    table.finish();
+    Some(Tracks { frames: frames?, all: tracks })
+}
+
+fn track(table: TableReader, frames: u32) -> Option<Track> {
+    let key = table.required("key", "\"camera.position\"", |node| Ok((path(node)?, node)));
+    let values = table.required("values", "[[0, 2, 15], [5, 2, 14]]", values);
+    let count = values.as_ref().map_or(0, Vec::len);
+    let last = f64::from(frames - 1);
+    let evenly = (0..count).map(|i| last * i as f64 / (count.max(2) - 1) as f64).collect();
+    let at = table.or("at", evenly, |node| ascending(node, count));
+    let smooth = table.or("between", false, word(&[("linear", false), ("smooth", true)], &[]));
+    table.finish();
+    let ((path, node), values) = (key?, values?);
+    Some(Track { key: path.join("."), place: node.place, path, at, values, smooth })
+}
+
+/// The names in a key that can be set.
+fn path(node: &Node) -> Read<Vec<String>> {
+    let help = "names joined by dots, as --set takes them: camera.position, objects.0.radius";
+    let path = names(text(node)?).ok_or_else(|| node.fault("this is not a key", help))?;
+    if path[0] == "animation" {
+        return Err(node.fault("an animation does not animate itself", help));
+    }
+    Ok(path)
+}
+
+/// Numbers, or arrays of numbers that are all of one shape.
+fn values(node: &Node) -> Read<Vec<Node>> {
+    let Value::Array(items) = &node.value else {
+        return Err(node.expected("an array with a value for each key frame"));
+    };
+    let Some(first) = items.first() else {
+        return Err(node.fault("a track has at least one value", ""));
+    };
+    for item in items {
+        numbers(item)?;
+        if !same_shape(first, item) {
+            return Err(item.fault("this value has another shape than the track's first", ""));
+        }
+    }
+    Ok(items.clone())
+}
+
+fn numbers(node: &Node) -> Read<()> {
+    match &node.value {
+        Value::Array(items) => items.iter().try_for_each(numbers),
+        Value::Integer(_) | Value::Float(_) => number(node).map(|_| ()),
+        _ => Err(node.expected("a number or an array of numbers, for only those have values between")),
+    }
+}
+
+fn same_shape(a: &Node, b: &Node) -> bool {
+    match (&a.value, &b.value) {
+        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same_shape(a, b)),
+        (Value::Array(_), _) | (_, Value::Array(_)) => false,
+        _ => true,
+    }
+}
+
+/// As many frames as there are values, each after the one before.
+fn ascending(node: &Node, count: usize) -> Read<Vec<f64>> {
+    let Value::Array(items) = &node.value else {
+        return Err(node.expected("an array of frames"));
+    };
+    let at = items.iter().map(number).collect::<Read<Vec<f64>>>()?;
+    if count > 0 && at.len() != count {
+        return Err(node.fault(format!("{} frames for {count} values", at.len()), "give each value its frame"));
+    }
+    match at.windows(2).position(|pair| pair[0] >= pair[1]) {
+        Some(i) => Err(items[i + 1].fault("frames ascend", format!("this one must be after {}", at[i]))),
+        None => Ok(at),
+    }
+}
+
+/// Puts the values of a frame into the document; `frame_of` names the frame of each track by its key. What is wrong with the
+/// tracks is left for the reading of the whole.
+pub fn apply(document: &mut Document, frame_of: &dyn Fn(&str) -> u32) {
+    let tracks = read(&Reader::new(document).root());
+    for track in tracks.iter().flat_map(|tracks| &tracks.all) {
+        let value = track.value(f64::from(frame_of(&track.key)));
+        document.animate(&track.path, value, track.place);
+    }
+}
+
+impl Tracks {
+    /// The keys that it moves.
+    pub fn keys(&self) -> Vec<String> {
+        self.all.iter().map(|track| track.key.clone()).collect()
+    }
+}
+
+impl Track {
+    fn value(&self, frame: f64) -> Node {
+        let next = self.at.partition_point(|at| *at <= frame);
+        let around = [next.saturating_sub(2), next.saturating_sub(1), next, next + 1];
+        let around = around.map(|i| i.min(self.at.len() - 1));
+        let ([_, from, to, _], at) = (around, around.map(|i| self.at[i]));
+        if next == 0 || from == to {
+            return floats(&self.values[from]);
+        }
+        let weights = if self.smooth { smooth(at, frame) } else { linear(at, frame) };
+        mixed(around.map(|i| &self.values[i]), weights)
+    }
+}
+
+/// Weights of four values round a frame, at the frames `at`: those of the two beside it are its own.
+fn linear([_, from, to, _]: [f64; 4], frame: f64) -> [f64; 4] {
+    let t = (frame - from) / (to - from);
+    [0.0, 1.0 - t, t, 0.0]
+}
+
+/// The cubic Hermite of the slopes (v₂ − v₀)/(t₂ − t₀) and (v₃ − v₁)/(t₃ − t₁); an end has none.
+fn smooth([before, from, to, after]: [f64; 4], frame: f64) -> [f64; 4] {
+    let (span, t) = (to - from, (frame - from) / (to - from));
+    let slope = |exists: bool, across: f64, basis: f64| if exists { span * basis / across } else { 0.0 };
+    let first = slope(before < from, to - before, t * (1.0 - t) * (1.0 - t));
+    let second = slope(to < after, after - from, t * t * (t - 1.0));
+    let rise = t * t * (3.0 - 2.0 * t);
+    [-first, 1.0 - rise - second, rise + first, second]
+}
+
+/// The weighted sum of four values of one shape, at the place of the second.
+fn mixed(nodes: [&Node; 4], weights: [f64; 4]) -> Node {
+    let value = if let Value::Array(items) = &nodes[1].value {
+        let item = |i: usize| mixed(nodes.map(|node| item_of(node, i)), weights);
+        Value::Array((0..items.len()).map(item).collect())
+    } else {
+        let terms = nodes.into_iter().zip(weights).filter(|(_, weight)| *weight != 0.0);
+        Value::Float(terms.map(|(node, weight)| weight * plain(node)).sum())
+    };
+    Node { place: nodes[1].place, value }
+}
+
+fn item_of(node: &Node, i: usize) -> &Node {
+    match &node.value {
+        Value::Array(items) => &items[i],
+        _ => node,
+    }
+}
+
+fn floats(node: &Node) -> Node {
+    mixed([node; 4], [0.0, 1.0, 0.0, 0.0])
+}
+
+fn plain(node: &Node) -> f64 {
+    match node.value {
+        Value::Integer(value) => value as f64,
+        Value::Float(value) => value,
+        // Tracks hold nothing else.
+        _ => f64::NAN,
+    }
+}
