@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use super::frames::Film;
 use super::options::{SceneOptions, Schedule, choice};
 use crate::error::Error;
 use crate::gpu::{Geometry, memory};
@@ -69,7 +70,23 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     if scene.rays.auto.is_some() {
         say!("  method auto: measured when the scene is rendered; counted here for rk4");
     }
-    print_memory(&scene, &program, &choice)
+    print_memory(&scene, &program, &choice)?;
+    check_frames(path, arguments, &choice, &scene)
+}
+
+/// All frames are right, and run the first one's program.
+fn check_frames(path: &Path, arguments: &Arguments, choice: &Choice, scene: &Scene) -> Result<(), Error> {
+    let Some(animation) = &scene.animation else { return Ok(()) };
+    let overrides = arguments.changes.overrides();
+    let film = Film { path, overrides: &overrides };
+    let first = film.program(choice, &|_| 0)?;
+    for frame in 1..animation.frames {
+        if !film.program(choice, &|_| frame)?.runs_as(&first) {
+            return Err(film.other_program(&animation.keys, [0, frame]));
+        }
+    }
+    say!("  {} frames of one program, in which {} change", animation.frames, animation.keys.join(", "));
+    Ok(())
 }
 
 fn print_memory(scene: &Scene, program: &Program, choice: &Choice) -> Result<(), Error> {

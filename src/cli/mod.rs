@@ -10,11 +10,13 @@ macro_rules! say {
     };
 }
 
+mod assemble;
 mod bench;
 mod chart;
 mod check;
 mod devices;
 mod formula;
+mod frames;
 mod new;
 mod options;
 mod render;
@@ -40,6 +42,7 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Render(render::Arguments),
+    Assemble(assemble::Arguments),
     Check(check::Arguments),
     Trace(trace::Arguments),
     Devices(devices::Arguments),
@@ -54,6 +57,7 @@ enum Command {
 pub fn run() -> Result<ExitCode, Error> {
     match Cli::parse().command {
         Command::Render(arguments) => render::run(&arguments),
+        Command::Assemble(arguments) => assemble::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),

@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 use crate::gpu::{Gpu, GpuError};
 use crate::measure::calibrate;
 use crate::program::{Choice, Layer, Purpose};
-use crate::render::{RenderError, Settings};
+use crate::render::{RenderError, Settings, Window};
 use crate::scene::{Override, Scene};
 
 /// Changes to the scene's values.
@@ -42,6 +42,28 @@ pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
     parsed
         .filter(in_range)
         .ok_or_else(|| format!("`{text}` is not a size such as 800x600, of 1 to 65536 pixels a side"))
+}
+
+/// The part of the picture that `X,Y,WxH` names.
+pub(super) fn parse_window(text: &str) -> Result<Window, String> {
+    let parsed = || {
+        let mut words = text.splitn(3, ',').map(str::trim);
+        let (x, y, size) = (words.next()?.parse().ok()?, words.next()?.parse().ok()?, words.next()?);
+        Some(Window { origin: [x, y], size: parse_size(size).ok()? })
+    };
+    parsed().ok_or_else(|| {
+        format!("`{text}` is not a part such as 0,540,1920x270: its left column, its top row, and its width x height")
+    })
+}
+
+/// Bytes from a number with KiB, MiB, GiB or nothing behind it.
+pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
+    let units = [("KiB", 10), ("MiB", 20), ("GiB", 30), ("", 0)];
+    let parsed = units.into_iter().find_map(|(unit, shift)| {
+        let number = text.strip_suffix(unit)?.trim_end().parse::<u64>().ok()?;
+        number.checked_mul(1 << shift)
+    });
+    parsed.ok_or_else(|| format!("`{text}` is not an amount of memory such as 512MiB, 1GiB or 100000000"))
 }
 
 impl SceneOptions {

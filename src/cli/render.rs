@@ -2,17 +2,19 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::options::{DeviceFlags, SceneOptions};
+use super::frames::{Film, Frames, path_of};
+use super::options::{DeviceFlags, SceneOptions, parse_bytes, parse_window};
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
 use crate::output::{ImageWriter, Settings, open};
 use crate::program::Layer;
-use crate::render::{RenderError, Renderer, Status, Totals};
-use crate::scene::Scene;
+use crate::render::{self, RenderError, Renderer, Status, Totals, Window};
+use crate::scene::{Override, Scene};
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
 #[derive(Debug, Args)]
@@ -29,6 +31,17 @@ pub(super) struct Arguments {
     changes: SceneOptions,
     #[command(flatten)]
     device: DeviceFlags,
+    /// Render only this part of the picture: its left column, top row and size. An EXR keeps its place in the whole, so that
+    /// `assemble` can put parts together
+    #[arg(long, value_name = "X,Y,WxH", value_parser = parse_window, allow_hyphen_values = true)]
+    crop: Option<Window>,
+    /// Render these frames of the scene's [animation]: A..B with both ends, one, or all. Each has files of its own, with its
+    /// number in place of {frame} in the name, or of {frame:4} for at least four digits
+    #[arg(long, value_name = "FRAMES", conflicts_with = "verify")]
+    frames: Option<Frames>,
+    /// Memory of the device that the render may take: a picture that needs more is rendered in tiles
+    #[arg(long, value_name = "BYTES", default_value = "1GiB", value_parser = parse_bytes)]
+    memory: u64,
     /// Follow N random pixels again in 64 bits, and print and store with the picture how far it is from the truth
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     verify: Option<u32>,
@@ -79,9 +92,57 @@ impl Arguments {
             return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
         }
         let twice = self.output.iter().enumerate().find(|(i, path)| self.output[..*i].contains(path));
-        match twice {
-            Some((_, path)) => Err(Error::Usage(format!("{} is named twice with -o", path.display()))),
-            None => Ok(()),
+        if let Some((_, path)) = twice {
+            return Err(Error::Usage(format!("{} is named twice with -o", path.display())));
+        }
+        let misplaced = self.output.iter().find(|path| path_of(path, 0).is_some() != self.frames.is_some());
+        match (misplaced, self.frames) {
+            (Some(path), Some(_)) => Err(Error::Usage(format!(
+                "{}: --frames write a file each, so its name needs {{frame}} or {{frame:4}}",
+                path.display()
+            ))),
+            (Some(path), None) => {
+                Err(Error::Usage(format!("{}: {{frame}} in a name goes with --frames", path.display())))
+            }
+            (None, _) => Ok(()),
+        }
+    }
+
+    /// The scene, or a frame of it.
+    fn load(&self, overrides: &[Override], frame: Option<u32>) -> Result<Scene, Error> {
+        let scene = match frame {
+            None => Scene::load(&self.scene, overrides),
+            Some(frame) => Scene::load_frame(&self.scene, overrides, &|_| frame),
+        }?;
+        match self.crop.filter(|window| !window.fits(scene.image.size)) {
+            Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),
+            None => Ok(scene),
+        }
+    }
+
+    /// Begins the files of a frame.
+    fn open(
+        &self,
+        scene: &Scene,
+        frame: Option<u32>,
+        metadata: &[(String, String)],
+    ) -> Result<Vec<Box<dyn ImageWriter>>, Error> {
+        let path = |path: &PathBuf| frame.and_then(|frame| path_of(path, frame)).unwrap_or(path.clone());
+        let paths = self.output.iter().map(path);
+        paths.map(|path| Ok(open(&path, &self.file_settings(scene, &path, metadata))?)).collect()
+    }
+
+    /// How the file at `path` is to be written; `metadata` is what it says of itself.
+    fn file_settings(&self, scene: &Scene, path: &Path, metadata: &[(String, String)]) -> Settings {
+        Settings {
+            size: scene.image.size,
+            window: self.crop.unwrap_or(Window::whole(scene.image.size)),
+            exposure: scene.output.exposure,
+            tonemap: scene.output.tonemap,
+            bits: scene.output.bits,
+            alpha: scene.is_transparent(),
+            layers: if is_exr(path) { self.layers() } else { Vec::new() },
+            metadata: metadata.to_vec(),
         }
     }
 
@@ -98,56 +159,81 @@ impl Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.check()?;
-    let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
-    let layers = arguments.layers();
+    let overrides = arguments.changes.overrides();
+    let still = arguments.load(&overrides, None)?;
+    let frames: Vec<Option<u32>> = match arguments.frames {
+        Some(frames) => frames.of(&still)?.map(Some).collect(),
+        None => vec![None],
+    };
     // Opened and dropped: a path that cannot be written is found before the work.
-    for path in &arguments.output {
-        drop(open(path, &file_settings(&scene, path, &layers, &[]))?);
+    for &frame in &frames {
+        drop(arguments.open(&still, frame, &[])?);
     }
-    if scene.camera.is_none() {
+    if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
     }
+    let begun = Instant::now();
+    let scene = if frames[0].is_some() { arguments.load(&overrides, frames[0])? } else { still };
     let gpu = arguments.device.open()?;
-    let (scene, settings) = arguments.device.settle(&gpu, scene, arguments.device.settings(layers.clone()), None)?;
+    let settings = arguments.device.settings(arguments.layers());
+    let settings = render::Settings { memory: arguments.memory, window: arguments.crop, ..settings };
+    let (scene, settings) = arguments.device.settle(&gpu, scene, settings, None)?;
     let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;
     if let Some(verification) = &measured {
         say!("{verification}");
     }
     let metadata = metadata(&scene, measured.as_ref());
-    let mut writers = Vec::new();
-    for path in &arguments.output {
-        writers.push(open(path, &file_settings(&scene, path, &layers, &metadata))?);
+    let mut writers = arguments.open(&scene, frames[0], &metadata)?;
+    let mut renderer = Renderer::new(&gpu, &scene, settings)?;
+    let mut ready = begun.elapsed();
+    let mut unfollowed = 0;
+    for (i, &frame) in frames.iter().enumerate() {
+        if i > 0 {
+            let begun = Instant::now();
+            let next = settled(arguments.load(&overrides, frame)?, &scene);
+            writers = arguments.open(&next, frame, &self::metadata(&next, None))?;
+            match (renderer.set_scene(next), frames[0], frame) {
+                (Err(RenderError::OtherProgram), Some(first), Some(frame)) => {
+                    let keys = scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
+                    let film = Film { path: &arguments.scene, overrides: &overrides };
+                    return Err(film.other_program(keys, [first, frame]));
+                }
+                (result, ..) => result?,
+            }
+            ready = begun.elapsed();
+        }
+        let totals = render(&renderer, &mut writers)?;
+        for writer in writers.drain(..) {
+            writer.finish()?;
+        }
+        match frame {
+            Some(frame) => eprintln!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
+            None => eprintln!("{totals}"),
+        }
+        warn(&totals);
+        unfollowed += totals.unfollowed();
     }
-    let renderer = Renderer::new(&gpu, &scene, settings)?;
-    let totals = render(&renderer, &mut writers)?;
-    for writer in writers {
-        writer.finish()?;
+    Ok(if arguments.strict && unfollowed > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// Where a scene leaves its method open, the first frame's is every frame's.
+fn settled(mut scene: Scene, first: &Scene) -> Scene {
+    if scene.rays.auto.take().is_some() {
+        scene.rays.method = first.rays.method;
+        scene.rays.control = first.rays.control;
+        scene.rays.max_segments = first.rays.max_segments;
     }
-    eprintln!("{totals}");
-    warn(&totals);
-    Ok(if arguments.strict && totals.unfollowed() > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+    scene
 }
 
 /// What the picture says of itself.
 fn metadata(scene: &Scene, verification: Option<&Verification>) -> Vec<(String, String)> {
     let mut all = vec![("Software".to_owned(), concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned())];
+    all.push(("method".to_owned(), method_words(scene.rays.method, scene.rays.control)));
     if let Some(verification) = verification {
-        all.push(("method".to_owned(), method_words(scene.rays.method, scene.rays.control)));
         all.extend(verification.metadata());
     }
     all
-}
-
-fn file_settings(scene: &Scene, path: &Path, layers: &[Layer], metadata: &[(String, String)]) -> Settings {
-    Settings {
-        size: scene.image.size,
-        exposure: scene.output.exposure,
-        tonemap: scene.output.tonemap,
-        bits: scene.output.bits,
-        alpha: scene.is_transparent(),
-        layers: if is_exr(path) { layers.to_vec() } else { Vec::new() },
-        metadata: metadata.to_vec(),
-    }
 }
 
 fn render(renderer: &Renderer, writers: &mut [Box<dyn ImageWriter>]) -> Result<Totals, RenderError> {

@@ -55,6 +55,17 @@ impl SceneBuffers {
         }
         Ok(made)
     }
+
+    /// What they take on the device.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let texture = |texture: &Texture| {
+            u64::from(texture.width())
+                * u64::from(texture.height())
+                * u64::from(texture.format().block_copy_size(None).unwrap_or(0))
+        };
+        self.buffers.values().map(Buffer::size).sum::<u64>() + self.textures.values().map(texture).sum::<u64>()
+    }
 }
 
 /// A uniform of a region's parts has a copy for each kind of region, with the kind at the end of its name.

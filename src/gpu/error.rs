@@ -45,6 +45,14 @@ pub enum GpuError {
         /// What would be enough.
         needed: u64,
     },
+    /// The budget is too small for any tile.
+    #[error("{allowed} bytes of device memory are too few: this scene needs at least {needed} for the smallest tile")]
+    Memory {
+        /// The budget.
+        allowed: u64,
+        /// What would be enough.
+        needed: u64,
+    },
     /// The device has no 64-bit numbers.
     #[error("{device} has no 64-bit numbers in shaders: use precision f32, or another device{}", others(.there))]
     NoDouble {

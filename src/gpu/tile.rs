@@ -85,6 +85,12 @@ impl Memory {
     pub fn bytes_per_pixel(&self) -> u64 {
         self.items.iter().map(|(_, bytes)| bytes).sum()
     }
+
+    /// Bytes a pixel of the item that takes most.
+    #[must_use]
+    pub fn largest_item(&self) -> u64 {
+        self.items.iter().map(|(_, bytes)| *bytes).max().unwrap_or(0).max(4)
+    }
 }
 
 /// Everything that `program` allocates for each pixel, whatever the number of segments.

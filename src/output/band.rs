@@ -71,7 +71,7 @@ fn problem(band: &Band, next: u32, [width, height]: [u32; 2], alpha: bool, layer
     })
 }
 
-/// Keeps count of the rows of a picture.
+/// Keeps count of the rows of a picture, or of the part of one that a file holds.
 #[derive(Debug)]
 pub(super) struct Rows {
     pub path: PathBuf,
@@ -91,8 +91,13 @@ impl Rows {
         if let Some(problem) = problem(band, self.next, self.size, self.alpha, &self.layers) {
             return Err(OutputError::Band { path: self.path.clone(), row: band.first_row, problem });
         }
-        self.next += band.rows;
+        self.count(band.rows);
         Ok(())
+    }
+
+    /// Counts rows that are known to be the next ones.
+    pub fn count(&mut self, rows: u32) {
+        self.next += rows;
     }
 
     /// Whether the last row has been counted.

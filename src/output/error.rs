@@ -103,6 +103,14 @@ pub enum OutputError {
         /// What the system said.
         cause: io::Error,
     },
+    /// A picture is no part of the whole that is to be put together.
+    #[error("{path}: {problem}")]
+    Part {
+        /// The file being read, or the whole where a part of it is missing.
+        path: PathBuf,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
     /// A table does not say what it should.
     #[error("{path}: line {line}: {problem}")]
     Table {

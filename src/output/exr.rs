@@ -29,6 +29,7 @@ use ::exr::{
 
 use super::band::{Rows, channels as channels_of, components, is_id};
 use super::{AtomicFile, ImageWriter, OutputError, Settings};
+use crate::program::Layer;
 use crate::render::Band;
 
 /// Rows per block of ZIP compression.
@@ -49,18 +50,23 @@ pub struct ExrWriter {
 impl ExrWriter {
     /// Begins an EXR at `path`; exposure, tone map and bits are not used.
     pub fn create(path: &Path, settings: &Settings) -> Result<Self, OutputError> {
-        let mut layers = settings.layers.clone();
-        layers.sort_unstable();
-        layers.dedup();
-        let rows = Rows::new(path.to_owned(), settings.size, settings.alpha, layers);
-        let header = header(&rows, &settings.metadata);
+        let layers = sorted_layers(settings);
+        let rows = Rows::new(path.to_owned(), settings.window.size, settings.alpha, layers);
+        let header = header(settings);
         let mut file = AtomicFile::create(path)?;
         let table_at = write_head(&header, &mut file).map_err(|e| encode_error(&file, e))?;
         Ok(Self { rows, header, file, table_at, offsets: Vec::new(), pending: Vec::new() })
     }
 
     fn row_bytes(&self) -> usize {
-        self.header.layer_size.0 * self.header.channels.bytes_per_pixel
+        row_bytes(&self.header)
+    }
+
+    /// Appends whole rows as they lie in a block: for each row, for each channel by name, its samples.
+    pub(super) fn write_rows(&mut self, bytes: &[u8]) -> Result<(), OutputError> {
+        self.rows.count((bytes.len() / self.row_bytes()) as u32);
+        self.pending.extend(bytes);
+        self.write_blocks().map_err(|e| encode_error(&self.file, e))
     }
 
     /// Appends the rows of a band to the pending ones.
@@ -117,9 +123,14 @@ impl ImageWriter for ExrWriter {
     }
 }
 
+/// Bytes of a row: every sample is of four.
+pub(super) fn row_bytes(header: &Header) -> usize {
+    header.layer_size.0 * header.channels.bytes_per_pixel
+}
+
 /// Compresses rows of whole blocks, the first of which is block `first` of the picture, on all cores.
 fn compress_all(header: &Header, first: usize, bytes: &[u8]) -> Result<Vec<Chunk>, ExrError> {
-    let row_bytes = header.layer_size.0 * header.channels.bytes_per_pixel;
+    let row_bytes = row_bytes(header);
     let blocks: Vec<(usize, &[u8])> = (first..).zip(bytes.chunks(BLOCK_ROWS * row_bytes)).collect();
     let workers = thread::available_parallelism().map_or(1, usize::from);
     let share = blocks.len().div_ceil(workers).max(1);
@@ -157,24 +168,33 @@ fn compress(header: &Header, index: usize, rows: usize, data: &[u8]) -> Result<C
     block.compress_to_chunk(std::slice::from_ref(header))
 }
 
-fn header(rows: &Rows, metadata: &[(String, String)]) -> Header {
-    let size = Vec2(rows.size[0] as usize, rows.size[1] as usize);
+/// The header of a file that holds what the settings say.
+pub(super) fn header(settings: &Settings) -> Header {
+    let size = |[width, height]: [u32; 2]| Vec2(width as usize, height as usize);
     let mut names: Vec<(&str, SampleType)> = ["R", "G", "B"].map(|c| (c, SampleType::F32)).into();
-    if rows.alpha {
+    if settings.alpha {
         names.push(("A", SampleType::F32));
     }
-    for layer in &rows.layers {
-        let kind = if is_id(*layer) { SampleType::U32 } else { SampleType::F32 };
-        names.extend(channels_of(*layer).iter().map(|name| (*name, kind)));
+    for layer in sorted_layers(settings) {
+        let kind = if is_id(layer) { SampleType::U32 } else { SampleType::F32 };
+        names.extend(channels_of(layer).iter().map(|name| (*name, kind)));
     }
     names.sort_unstable_by_key(|(name, _)| *name);
     let channels: SmallVec<_> =
         names.into_iter().map(|(name, kind)| ChannelDescription::new(name, kind, false)).collect();
-    let other = metadata.iter().map(|(key, text)| (utf8(key), AttributeValue::Text(utf8(text)))).collect();
-    Header::new(Text::from(""), size, channels)
+    let other = settings.metadata.iter().map(|(key, text)| (utf8(key), AttributeValue::Text(utf8(text)))).collect();
+    let [left, top] = settings.window.origin.map(u32::cast_signed);
+    Header::new(Text::from(""), size(settings.window.size), channels)
         .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)
-        .with_attributes(LayerAttributes::default())
-        .with_shared_attributes(ImageAttributes { other, ..ImageAttributes::with_size(size) })
+        .with_attributes(LayerAttributes { layer_position: Vec2(left, top), ..LayerAttributes::default() })
+        .with_shared_attributes(ImageAttributes { other, ..ImageAttributes::with_size(size(settings.size)) })
+}
+
+fn sorted_layers(settings: &Settings) -> Vec<Layer> {
+    let mut layers = settings.layers.clone();
+    layers.sort_unstable();
+    layers.dedup();
+    layers
 }
 
 /// EXR text is UTF-8, which the crate's own constructor would turn into Latin-1.

@@ -4,16 +4,19 @@
 //! will hold, so that a path that cannot be written is found first. Pictures are fed in bands of full-width rows, from
 //! the top down ([`open`], [`ImageWriter`]): a writer holds one band of its own and a compressed tail, so that the
 //! memory grows with the band and not with the picture. A PNG holds colour as it is to be looked at ([`png`]); an
-//! EXR holds every plane bit for bit ([`exr`]). Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a
+//! EXR holds every plane bit for bit ([`exr`]), also of a part of a picture, and parts are put
+//! together again ([`assemble()`]). Rays and results are CSV ([`csv`]), plots are SVG or PNG ([`plot`]), and a
 //! page of HTML shows them beside their tables ([`report`]).
 //! The same input gives the same bytes.
 
+pub mod assemble;
 pub mod atomic;
 pub mod band;
 pub mod color;
 pub mod csv;
 pub mod error;
 pub mod exr;
+mod part;
 pub mod plot;
 pub mod png;
 pub mod report;
@@ -22,18 +25,21 @@ mod tests;
 
 use std::path::Path;
 
+pub use assemble::assemble;
 pub use atomic::AtomicFile;
 pub use error::OutputError;
 
 use crate::program::Layer;
-use crate::render::Band;
+use crate::render::{Band, Window};
 use crate::scene::Tonemap;
 
 /// How a picture is to be written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
-    /// Width and height in pixels, neither zero.
+    /// Width and height of the whole picture in pixels, neither zero.
     pub size: [u32; 2],
+    /// The part of it that the file holds: a PNG forgets where that was, an EXR has it as its data window.
+    pub window: Window,
     /// Stops of light: colours are multiplied by two to this power (PNG only).
     pub exposure: f64,
     /// How bright colours are brought into range (PNG only).
@@ -55,6 +61,7 @@ impl Settings {
     pub fn new(size: [u32; 2]) -> Self {
         Self {
             size,
+            window: Window::whole(size),
             exposure: 0.0,
             tonemap: Tonemap::None,
             bits: 8,
@@ -73,6 +80,9 @@ impl Settings {
                 "a picture of {width} by {height} pixels cannot be stored; each side must be 1 to {}",
                 i32::MAX
             ));
+        }
+        if !self.window.fits(self.size) || self.window.size.contains(&0) {
+            return Some(format!("{} is not inside the picture of {width} by {height} pixels", self.window));
         }
         self.metadata.iter().enumerate().find_map(|(i, (key, text))| {
             let printable = key.bytes().all(|b| (b' '..=b'~').contains(&b));

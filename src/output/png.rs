@@ -54,7 +54,7 @@ impl PngWriter {
         let (sender, encoded) = channel();
         let encoder = encoder(Outbox(sender), settings).map_err(|e| encode_error(path, &e))?;
         Ok(Self {
-            rows: Rows::new(path.to_owned(), settings.size, settings.alpha, Vec::new()),
+            rows: Rows::new(path.to_owned(), settings.window.size, settings.alpha, Vec::new()),
             gain: settings.exposure.exp2(),
             tonemap: settings.tonemap,
             wide: settings.bits == 16,
@@ -123,7 +123,7 @@ fn problem(settings: &Settings) -> Option<String> {
 }
 
 fn encoder(outbox: Outbox, settings: &Settings) -> Result<StreamWriter<'static, Outbox>, EncodingError> {
-    let [width, height] = settings.size;
+    let [width, height] = settings.window.size;
     let mut encoder = Encoder::new(outbox, width, height);
     encoder.set_color(if settings.alpha { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(if settings.bits == 16 { BitDepth::Sixteen } else { BitDepth::Eight });

@@ -61,4 +61,11 @@ impl Program {
             .collect::<Result<_, ProgramError>>()?;
         Ok(Self { passes, work, choice: choice.clone() })
     }
+
+    /// Are its passes those of the other, so that what is compiled for one runs the other?
+    #[must_use]
+    pub fn runs_as(&self, other: &Self) -> bool {
+        self.passes.len() == other.passes.len()
+            && self.passes.iter().zip(&other.passes).all(|(a, b)| a.0 == b.0 && a.1.source == b.1.source)
+    }
 }

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::Window;
 use crate::gpu::GpuError;
 use crate::program::ProgramError;
 
@@ -19,6 +20,20 @@ pub enum RenderError {
         "the scene has no [camera]: add one, such as\n    [camera]\n    position = [0, 2, 15]\n    look_at = [0, 0, 0]"
     )]
     NoCamera,
+    /// There is no such part.
+    #[error(
+        "{window} is not inside the picture of {} by {} pixels: a part is X,Y,WxH, its left column, top row and size",
+        .picture[0], .picture[1]
+    )]
+    Window {
+        /// What was to be rendered.
+        window: Window,
+        /// The picture's size.
+        picture: [u32; 2],
+    },
+    /// A scene that needs passes of its own.
+    #[error("this scene needs another program than the one that was compiled")]
+    OtherProgram,
     /// The consumer of finished rows failed.
     #[error("{0}")]
     Output(Box<dyn std::error::Error + Send + Sync>),

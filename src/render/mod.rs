@@ -16,6 +16,7 @@ mod runner;
 mod schedule;
 mod totals;
 mod trace;
+mod window;
 
 pub use error::RenderError;
 pub use picture::{Band, Picture, Plane};
@@ -23,3 +24,4 @@ pub use renderer::{Renderer, Settings};
 pub use schedule::{Dispatch, Step, steps};
 pub use totals::{Status, Totals};
 pub use trace::{PathPoint, Starts, Traced, trace, trace_paths, trace_pixels};
+pub use window::Window;

@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::clock::Clock;
 use super::readback::read_texture;
 use super::renderer::Frame;
-use super::{RenderError, Renderer, Totals};
+use super::{RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
 use crate::program::Layer;
 
@@ -20,14 +20,14 @@ pub enum Plane {
     Id(Vec<u32>),
 }
 
-/// Some full rows of the picture.
+/// Some full rows of the window that is rendered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Band {
-    /// The first row, from the top.
+    /// The first row, from the window's top.
     pub first_row: u32,
     /// How many.
     pub rows: u32,
-    /// The picture's width.
+    /// The window's width.
     pub width: u32,
     /// Linear red, green and blue, the mean of the samples.
     pub color: [Vec<f32>; 3],
@@ -55,8 +55,8 @@ impl Renderer<'_> {
         progress: &dyn Fn(f64),
     ) -> Result<Totals, RenderError> {
         let started = Instant::now();
-        let [width, height] = self.scene.image.size;
-        let [tile_width, tile_height] = self.tile_size();
+        let Window { origin, size: [width, height] } = self.window();
+        let [tile_width, tile_height] = self.tile_size()?;
         let mut clock = Clock::new(self.gpu, self.settings.scatter_apart);
         let mut totals = Totals::default();
         let mut tile: Option<Tile> = None;
@@ -72,7 +72,8 @@ impl Renderer<'_> {
                     _ => tile.insert(self.tile(size)?),
                 };
                 let part = f64::from(size[0]) * f64::from(size[1]) / all;
-                self.render_tile(tile, [left, first_row], &mut clock, &|done| progress(pixels_done + done * part))?;
+                let corner = [origin[0] + left, origin[1] + first_row];
+                self.render_tile(tile, corner, &mut clock, &|done| progress(pixels_done + done * part))?;
                 pixels_done += part;
                 self.read_tally(tile, &mut totals)?;
                 self.read_tile(tile, left, &mut band)?;
@@ -100,22 +101,11 @@ impl Renderer<'_> {
 
     /// Some black rows of the picture.
     fn band(&self, first_row: u32, rows: u32) -> Band {
-        let width = self.scene.image.size[0];
+        let width = self.window().size[0];
         let black = || vec![0.0; rows as usize * width as usize];
         let color = [black(), black(), black()];
         let alpha = self.scene.is_transparent().then(black);
         Band { first_row, rows, width, color, alpha, layers: Vec::new() }
-    }
-
-    /// As wide as the device allows, and as high as the memory for a tile.
-    fn tile_size(&self) -> [u32; 2] {
-        let [width, height] = self.scene.image.size;
-        let side = self.gpu.limits.max_texture_dimension_2d.min(1 << 16);
-        let list = self.gpu.limits.max_storage_buffer_binding_size.min(self.gpu.limits.max_buffer_size) / 4;
-        let pixels = self.settings.tile_pixels.min(list).max(64);
-        let tile_width = width.min(side).min(u32::try_from(pixels).unwrap_or(u32::MAX));
-        let rows = (pixels / u64::from(tile_width)).clamp(1, u64::from(side.min(height)));
-        [tile_width, rows as u32]
     }
 
     fn render_tile(

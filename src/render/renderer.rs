@@ -1,5 +1,6 @@
 //! A scene made ready for a device.
 
+use std::borrow::Cow;
 use std::time::Instant;
 
 use wgpu::{BufferUsages, ErrorFilter};
@@ -7,7 +8,7 @@ use wgpu::{BufferUsages, ErrorFilter};
 use super::clock::Clock;
 use super::readback::read_buffer;
 use super::schedule::{Batch, Step, steps};
-use super::{RenderError, Totals};
+use super::{RenderError, Totals, Window};
 use crate::gpu::Value::{self, Uint, Uint2};
 use crate::gpu::{
     Geometry, Gpu, GpuError, Memory, Parts, Pipelines, SceneBuffers, TURN_STRIDE, Tile, control_values, copy_of,
@@ -23,8 +24,12 @@ pub struct Settings {
     pub choice: Choice,
     /// K: segments of one fused pass, at most; more where a sample has many rounds.
     pub segments: u32,
-    /// The largest tile, in pixels; the device's limits apply besides.
+    /// Bytes on the device that a picture may take, with its scene.
+    pub memory: u64,
+    /// The largest tile, in pixels; the memory and the device's limits apply besides.
     pub tile_pixels: u64,
+    /// The part of the picture that is rendered; none for all of it.
+    pub window: Option<Window>,
     /// Is scattering timed apart from advancing, where it has a pass? That takes a pass of the encoder for each round, which costs
     /// more than the round where nothing lives.
     pub scatter_apart: bool,
@@ -32,8 +37,15 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        // A quarter of a gigabyte of state and more at 100 bytes a pixel: enough to fill any device.
-        Self { choice: Choice::default(), segments: 16, tile_pixels: 1 << 22, scatter_apart: false }
+        Self {
+            choice: Choice::default(),
+            segments: 16,
+            memory: 1 << 30,
+            // Enough to fill any device, and bands that the host holds with ease.
+            tile_pixels: 1 << 22,
+            window: None,
+            scatter_apart: false,
+        }
     }
 }
 
@@ -45,7 +57,7 @@ const MANY_ROUNDS: u32 = 64;
 #[derive(Debug)]
 pub struct Renderer<'a> {
     pub(super) gpu: &'a Gpu,
-    pub(super) scene: &'a Scene,
+    pub(super) scene: Cow<'a, Scene>,
     pub(super) settings: Settings,
     /// The linked program.
     pub program: Program,
@@ -76,6 +88,9 @@ impl<'a> Renderer<'a> {
         if settings.choice.purpose != Purpose::Trace && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
         }
+        if let Some(window) = settings.window.filter(|window| !window.fits(scene.image.size)) {
+            return Err(RenderError::Window { window, picture: scene.image.size });
+        }
         let geometry = Geometry::new(scene);
         let program = Program::new(scene, &settings.choice, geometry.nodes.len(), geometry.triangles.len())?;
         let pipelines = Pipelines::new(gpu, &program)?;
@@ -84,9 +99,30 @@ impl<'a> Renderer<'a> {
         let buffers = SceneBuffers::new(gpu, scene, &geometry, &program, settings.segments)?;
         let max_segments = scene.rays.max_segments;
         let (steps, turns, batch) = (Vec::new(), Vec::new(), Batch::of(&[], 1));
+        let scene = Cow::Borrowed(scene);
         let mut made = Self { gpu, scene, settings, program, pipelines, buffers, max_segments, steps, turns, batch };
         made.plan_steps();
         Ok(made)
+    }
+
+    /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
+    /// pass is compiled again.
+    pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
+        let Settings { window, choice, segments, .. } = &self.settings;
+        if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
+            return Err(RenderError::Window { window, picture: scene.image.size });
+        }
+        let geometry = Geometry::new(&scene);
+        let program = Program::new(&scene, choice, geometry.nodes.len(), geometry.triangles.len())?;
+        if !program.runs_as(&self.program) {
+            return Err(RenderError::OtherProgram);
+        }
+        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, *segments)?;
+        self.program = program;
+        self.max_segments = scene.rays.max_segments;
+        self.scene = Cow::Owned(scene);
+        self.plan_steps();
+        Ok(())
     }
 
     /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
@@ -123,7 +159,7 @@ impl<'a> Renderer<'a> {
     /// What each pixel costs on the device.
     #[must_use]
     pub fn memory(&self) -> Memory {
-        memory(&self.program, self.settings.choice.slots(self.scene))
+        memory(&self.program, self.settings.choice.slots(&self.scene))
     }
 
     pub(super) fn steps(&self) -> &[Step] {
@@ -133,7 +169,7 @@ impl<'a> Renderer<'a> {
     /// A tile of this program's state.
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
         let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
-        let slots = self.settings.choice.slots(self.scene);
+        let slots = self.settings.choice.slots(&self.scene);
         let turns = self.turns.len() as u64;
         let Batch { rounds, living } = self.batch;
         let parts = Parts { turns, living: rounds * living, open: 2 * rounds };
@@ -197,3 +233,40 @@ impl<'a> Renderer<'a> {
 
 /// Storage that a trace adds to its tile.
 pub(super) const RECORDS: BufferUsages = BufferUsages::STORAGE;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(rest: &str) -> Scene {
+        let text = format!(
+            "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 0, 9]\n[law]\nkind = \"schwarzschild\"\n\
+             [rays]\nmethod = \"rk4\"\nbound = {{ radius = 20 }}\n[materials.m]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n\
+             [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n{rest}"
+        );
+        Scene::parse(&text, std::path::Path::new("test.toml"), &[]).unwrap()
+    }
+
+    #[test]
+    fn another_scene_runs_the_pipelines_that_there_are() {
+        let gpu = Gpu::open(Some("llvmpipe")).unwrap();
+        let (first, second) = (scene("center = [3, 0, 0]\n"), scene("center = [4, 1, 0]\nradius = 2\n"));
+        let fresh = |scene| Renderer::new(&gpu, scene, Settings::default()).unwrap().picture().unwrap().band;
+        let expected = [fresh(&first), fresh(&second)];
+        assert!(expected[0] != expected[1]);
+        let mut renderer = Renderer::new(&gpu, &first, Settings::default()).unwrap();
+        let compiled = |renderer: &Renderer| -> Vec<_> {
+            renderer.pipelines.iter().map(|(_, pass)| pass.pipeline.clone()).collect()
+        };
+        let before = compiled(&renderer);
+        for (scene, expected) in [(&second, &expected[1]), (&first, &expected[0])] {
+            renderer.set_scene(scene.clone()).unwrap();
+            assert!(renderer.picture().unwrap().band == *expected);
+            assert!(compiled(&renderer) == before, "a pass was compiled again");
+        }
+        // A stretched sphere is another shape: it is refused, and what there was goes on.
+        let refused = renderer.set_scene(scene("center = [3, 0, 0]\nscale = [1, 2, 1]\n"));
+        assert!(matches!(refused, Err(RenderError::OtherProgram)), "{refused:?}");
+        assert!(renderer.picture().unwrap().band == expected[0]);
+    }
+}

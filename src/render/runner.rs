@@ -36,7 +36,7 @@ impl Renderer<'_> {
         progress: &dyn Fn(f64),
     ) -> Result<(), GpuError> {
         let mut runner = Runner::new(self, tile);
-        let rounds = self.settings.choice.rounds(self.scene);
+        let rounds = self.settings.choice.rounds(&self.scene);
         let allowed = SUBMISSION / (u64::from(tile.size[0]) * u64::from(tile.size[1]));
         let mut weight = 0;
         for round in 0..rounds {

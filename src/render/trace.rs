@@ -196,7 +196,7 @@ fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), Re
     let bytes = pack("given", given, batch.iter().map(row))?;
     let mut tile = list_tile(renderer, batch.len(), ROW, "given", &bytes)?;
     if layout(renderer, "given_sets").is_ok() {
-        let sets: Vec<u32> = batch.iter().map(|ray| starting_set(renderer.scene, ray)).collect();
+        let sets: Vec<u32> = batch.iter().map(|ray| starting_set(&renderer.scene, ray)).collect();
         let bytes: &[u8] = bytemuck::cast_slice(&sets);
         tile.add_buffer(renderer.gpu, "given_sets", bytes.len() as u64, BufferUsages::STORAGE)?;
         if let Some(buffer) = tile.buffer("given_sets") {

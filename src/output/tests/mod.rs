@@ -3,6 +3,7 @@
 mod diagrams;
 mod files;
 mod images;
+mod parts;
 mod plots;
 mod precision;
 mod report;

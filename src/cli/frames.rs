@@ -1,0 +1,92 @@
+//! Frames of an animation: which are rendered, into what files, and whether one program runs them all.
+
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use crate::error::Error;
+use crate::gpu::Geometry;
+use crate::program::{Choice, Program};
+use crate::scene::{Override, Scene};
+
+/// `--frames`.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Frames {
+    All,
+    From(u32, u32),
+}
+
+impl FromStr for Frames {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (first, last) = text.split_once("..").unwrap_or((text, text));
+        match (first.parse(), last.parse()) {
+            (Ok(first), Ok(last)) if first <= last => Ok(Self::From(first, last)),
+            _ if text == "all" => Ok(Self::All),
+            _ => Err(format!("`{text}` are no frames such as 0..47 (with both ends), 12 or all")),
+        }
+    }
+}
+
+impl Frames {
+    /// Those of the scene's animation.
+    pub(super) fn of(self, scene: &Scene) -> Result<RangeInclusive<u32>, Error> {
+        let Some(animation) = &scene.animation else {
+            return Err(Error::Usage("--frames: the scene has no [animation]".to_owned()));
+        };
+        let end = animation.frames - 1;
+        match self {
+            Self::All => Ok(0..=end),
+            Self::From(first, last) if last <= end => Ok(first..=last),
+            Self::From(..) => Err(Error::Usage(format!("--frames: the scene's frames are 0..{end}"))),
+        }
+    }
+}
+
+/// The path with a frame's number in place of `{frame}`, or of `{frame:4}` for at least four digits; none if it has no such place.
+pub(super) fn path_of(path: &Path, frame: u32) -> Option<PathBuf> {
+    let text = path.to_str()?;
+    let (before, rest) = text.split_once("{frame")?;
+    let (width, after) = rest.split_once('}')?;
+    let width = match width.strip_prefix(':') {
+        Some(digits) => digits.parse().ok().filter(|width| *width <= 20)?,
+        None if width.is_empty() => 0,
+        None => return None,
+    };
+    Some(format!("{before}{frame:0width$}{after}").into())
+}
+
+/// A scene file of which frames are looked at without a device.
+pub(super) struct Film<'a> {
+    pub path: &'a Path,
+    pub overrides: &'a [Override],
+}
+
+impl Film<'_> {
+    /// The program of a frame; `frame_of` as [`Scene::load_frame`] has it.
+    pub(super) fn program(&self, choice: &Choice, frame_of: &dyn Fn(&str) -> u32) -> Result<Program, Error> {
+        let scene = Scene::load_frame(self.path, self.overrides, frame_of)?;
+        let geometry = Geometry::new(&scene);
+        Ok(Program::new(&scene, choice, geometry.nodes.len(), geometry.triangles.len())?)
+    }
+
+    /// That two frames have different programs, with those of the keys that make it so when they alone go from the first frame to
+    /// the other.
+    pub(super) fn other_program(&self, keys: &[String], [first, frame]: [u32; 2]) -> Error {
+        let choice = Choice::default();
+        let moved =
+            |moved: Option<&str>| self.program(&choice, &|key| if moved == Some(key) { frame } else { first }).ok();
+        let before = moved(None);
+        let changes = |key: &&String| match (&before, moved(Some(key))) {
+            (Some(before), Some(after)) => !after.runs_as(before),
+            _ => true,
+        };
+        let named: Vec<String> = keys.iter().filter(changes).map(|key| format!("`{key}`")).collect();
+        let cause = if named.is_empty() { "several keys together".to_owned() } else { named.join(", ") };
+        Error::Usage(format!(
+            "frame {frame} needs another program than frame {first}, because of {cause}: keep what is modelled the same, or \
+             render the frames from {frame} on by a command of their own"
+        ))
+    }
+}

@@ -1,0 +1,155 @@
+//! Parts of a picture, rendered apart, put together: the file that rendering it at once would have written, to the byte.
+//!
+//! The parts' windows have to cover the picture. Where they overlap, their bits have to be the same. Both the parts and the
+//! whole are walked from the top, so that the host holds some rows of the whole and a block of each part that crosses them.
+
+use std::path::{Path, PathBuf};
+
+use super::exr::ExrWriter;
+use super::part::Part;
+use super::{ImageWriter, OutputError, Settings};
+use crate::render::Window;
+
+/// Rows of the whole that are written at once: enough blocks for all cores.
+const ROWS: usize = 64;
+/// Every sample is a 32 bit float or an id.
+const SAMPLE_BYTES: usize = 4;
+
+/// Puts the EXRs at `parts` together as one at `output`.
+pub fn assemble(parts: &[PathBuf], output: &Path) -> Result<(), OutputError> {
+    let mut parts = parts.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
+    let Some(first) = parts.first() else { return Ok(()) };
+    parts.iter().try_for_each(|part| alike(first, part))?;
+    let size = first.settings.size;
+    let windows: Vec<Window> = parts.iter().map(|part| part.settings.window).collect();
+    if let Some(gap) = gap(&windows, size) {
+        let [[left, top], [width, height]] = [gap.origin, gap.size];
+        let problem = format!(
+            "the parts leave a gap at column {left}, row {top}: render it with --crop {left},{top},{width}x{height}"
+        );
+        return Err(OutputError::Part { path: output.to_owned(), problem });
+    }
+    let settings = Settings { window: Window::whole(size), ..first.settings.clone() };
+    let mut writer = Box::new(ExrWriter::create(output, &settings)?);
+    let samples = first.row_bytes / SAMPLE_BYTES / windows[0].size[0] as usize;
+    let row_bytes = SAMPLE_BYTES * samples * size[0] as usize;
+    let mut rows = Vec::new();
+    for y in 0..size[1] {
+        let mut row = Row { bytes: vec![0; row_bytes], owners: vec![None; size[0] as usize], samples };
+        for i in 0..parts.len() {
+            let Window { origin: [left, top], size: [_, height] } = windows[i];
+            if !(top..top + height).contains(&y) {
+                continue;
+            }
+            if let Err((other, x)) = row.put(i, left as usize, parts[i].next_row()?) {
+                let [this, other] = [i, other].map(|k| parts[k].path.display());
+                let problem = format!(
+                    "{this} and {other} disagree at column {x}, row {y}: render both again, from the same scene and by \
+                     the same method"
+                );
+                return Err(OutputError::Part { path: output.to_owned(), problem });
+            }
+            if y + 1 == top + height {
+                parts[i].close();
+            }
+        }
+        rows.extend(row.bytes);
+        if rows.len() == ROWS * row_bytes {
+            writer.write_rows(&rows)?;
+            rows.clear();
+        }
+    }
+    writer.write_rows(&rows)?;
+    writer.finish()
+}
+
+/// Refuses a part that belongs to another picture than the first.
+fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
+    let (whole, own) = (&first.settings, &part.settings);
+    let other = first.path.display();
+    let differ = |problem: String| Err(OutputError::Part { path: part.path.clone(), problem });
+    if whole.size != own.size {
+        let [this, that] = [own, whole].map(|settings| format!("{}x{}", settings.size[0], settings.size[1]));
+        return differ(format!("this is a part of a picture of {this} pixels, and {other} of one of {that}"));
+    }
+    if (whole.alpha, &whole.layers) != (own.alpha, &own.layers) {
+        return differ(format!("it has other layers than {other}; render all parts with the same --layers"));
+    }
+    let pairs = [own, whole].map(|settings| settings.metadata.iter());
+    let Some((key, _)) = pairs.into_iter().flatten().find(|(key, _)| text(own, key) != text(whole, key)) else {
+        return Ok(());
+    };
+    let [this, that] = [own, whole].map(|settings| text(settings, key).unwrap_or("nothing"));
+    differ(format!(
+        "its `{key}` is `{this}`, and that of {other} `{that}`; render all parts alike, by a method that is named"
+    ))
+}
+
+/// What a picture says of itself under a key.
+fn text<'a>(settings: &'a Settings, key: &str) -> Option<&'a str> {
+    settings.metadata.iter().find_map(|(own, text)| (own == key).then_some(text.as_str()))
+}
+
+/// A part of the picture that no window covers, if there is one.
+fn gap(windows: &[Window], [width, height]: [u32; 2]) -> Option<Window> {
+    let mut edges: Vec<u32> = windows.iter().flat_map(|w| [w.origin[1], w.origin[1] + w.size[1]]).collect();
+    edges.extend([0, height]);
+    edges.sort_unstable();
+    edges.dedup();
+    edges.windows(2).find_map(|rows| {
+        let [top, bottom] = [rows[0], rows[1]];
+        let crosses = |w: &&Window| w.origin[1] <= top && bottom <= w.origin[1] + w.size[1];
+        let spans = windows.iter().filter(crosses).map(|w| [w.origin[0], w.origin[0] + w.size[0]]);
+        let mut spans: Vec<_> = spans.chain([[width, width]]).collect();
+        spans.sort_unstable();
+        let mut covered = 0;
+        for [left, right] in spans {
+            if left > covered {
+                return Some(Window { origin: [covered, top], size: [left - covered, bottom - top] });
+            }
+            covered = covered.max(right);
+        }
+        None
+    })
+}
+
+/// A row of the whole in the making.
+struct Row {
+    /// For each channel its samples.
+    bytes: Vec<u8>,
+    /// For each pixel the part that it came from first.
+    owners: Vec<Option<usize>>,
+    /// Channels.
+    samples: usize,
+}
+
+impl Row {
+    /// Puts a part's row in from column `left` on. Where the bits differ from those that another part has put there: that
+    /// part, and the column.
+    fn put(&mut self, part: usize, left: usize, row: &[u8]) -> Result<(), (usize, usize)> {
+        let [width, own] = [self.owners.len(), row.len() / SAMPLE_BYTES / self.samples];
+        let mut from = 0;
+        while from < own {
+            let owners = &mut self.owners[left + from..left + own];
+            let owner = owners[0];
+            let run = owners.iter().take_while(|other| **other == owner).count();
+            owners[..run].fill(owner.or(Some(part)));
+            for channel in 0..self.samples {
+                let start = SAMPLE_BYTES * (channel * width + left + from);
+                let there = &mut self.bytes[start..start + SAMPLE_BYTES * run];
+                let start = SAMPLE_BYTES * (channel * own + from);
+                let here = &row[start..start + SAMPLE_BYTES * run];
+                match owner {
+                    None => there.copy_from_slice(here),
+                    Some(other) => {
+                        if let Some(byte) = there.iter().zip(here).position(|(a, b)| a != b) {
+                            return Err((other, left + from + byte / SAMPLE_BYTES));
+                        }
+                    }
+                }
+            }
+            from += run;
+        }
+        Ok(())
+    }
+}

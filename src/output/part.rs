@@ -1,0 +1,144 @@
+//! A part of a picture, read back from an EXR that [`exr`](super::exr) wrote, row by row from the top.
+//!
+//! The file is open from its first row to its last only, so that a picture may have more parts than a process may have files.
+//! Host memory: one block of sixteen rows.
+
+use std::{
+    fs::File,
+    io::BufReader,
+    path::{Path, PathBuf},
+};
+
+use ::exr::{
+    block::{
+        self,
+        reader::{AllChunksReader, ChunksReader, SequentialBlockDecompressor},
+    },
+    error::Error as ExrError,
+    meta::{
+        BlockDescription,
+        attribute::{AttributeValue, IntegerBounds, LineOrder},
+        header::Header,
+    },
+};
+
+use super::band::channels as channels_of;
+use super::exr::{header as header_of, row_bytes};
+use super::{OutputError, Settings};
+use crate::program::Layer;
+use crate::render::Window;
+
+type Blocks = SequentialBlockDecompressor<AllChunksReader<BufReader<File>>>;
+
+/// An EXR that holds a part of a picture, or all of it.
+pub struct Part {
+    pub path: PathBuf,
+    /// What it would be written with.
+    pub settings: Settings,
+    /// Bytes of one of its rows.
+    pub row_bytes: usize,
+    reading: Option<Reading>,
+}
+
+/// A file that is being read.
+struct Reading {
+    blocks: Blocks,
+    /// Rows of the current block, and how many bytes of them are used up.
+    data: Vec<u8>,
+    used: usize,
+    /// The first row of the next block, from the part's top.
+    next: usize,
+}
+
+impl Part {
+    /// Reads what the file says of itself.
+    pub fn open(path: &Path) -> Result<Self, OutputError> {
+        let wrong = |problem: String| OutputError::Part { path: path.to_owned(), problem };
+        let reader = reader(path)?;
+        let [header] = reader.headers() else {
+            return Err(wrong("it has several layers; only pictures that `render` wrote can be put together".into()));
+        };
+        let settings = settings(header).filter(|settings| {
+            let own = header_of(settings);
+            own.channels == header.channels
+                && header.blocks == BlockDescription::ScanLines
+                && header.line_order == LineOrder::Increasing
+        });
+        let settings = settings.ok_or_else(|| {
+            wrong("this is no picture that `render` wrote, and only those can be put together".into())
+        })?;
+        if !settings.window.fits(settings.size) {
+            return Err(wrong(format!("the part {} is not inside its picture", settings.window)));
+        }
+        Ok(Self { path: path.to_owned(), settings, row_bytes: row_bytes(header), reading: None })
+    }
+
+    /// The next row: for each channel by name, its samples.
+    pub fn next_row(&mut self) -> Result<&[u8], OutputError> {
+        let path = &self.path;
+        if self.reading.is_none() {
+            let chunks = reader(path)?.all_chunks(false).map_err(|error| failed(path, error))?;
+            let blocks = chunks.sequential_decompressor(false);
+            self.reading = Some(Reading { blocks, data: Vec::new(), used: 0, next: 0 });
+        }
+        let cut_short = || OutputError::Part { path: path.clone(), problem: "the file is cut short".into() };
+        let reading = self.reading.as_mut().ok_or_else(cut_short)?;
+        if reading.used == reading.data.len() {
+            let block = reading.blocks.decompress_next_block().ok_or_else(cut_short)?;
+            let block = block.map_err(|error| failed(path, error))?;
+            if block.index.pixel_position.1 != reading.next {
+                return Err(OutputError::Part { path: path.clone(), problem: "its rows are not in order".into() });
+            }
+            reading.next += block.index.pixel_size.1;
+            (reading.data, reading.used) = (block.data, 0);
+        }
+        let start = reading.used;
+        reading.used += self.row_bytes;
+        Ok(&reading.data[start..reading.used])
+    }
+
+    /// Closes the file, all of whose rows have been read.
+    pub fn close(&mut self) {
+        self.reading = None;
+    }
+}
+
+fn reader(path: &Path) -> Result<block::reader::Reader<BufReader<File>>, OutputError> {
+    let file = File::open(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
+    block::read(BufReader::new(file), false).map_err(|error| failed(path, error))
+}
+
+/// The settings that a file like this is written with; none where it is none of ours.
+fn settings(header: &Header) -> Option<Settings> {
+    let IntegerBounds { position, size } = header.shared_attributes.display_window;
+    let at = header.own_attributes.layer_position;
+    let whole = |size: ::exr::math::Vec2<usize>| Some([u32::try_from(size.0).ok()?, u32::try_from(size.1).ok()?]);
+    let origin = [u32::try_from(at.0).ok()?, u32::try_from(at.1).ok()?];
+    let has = |name: &&str| header.channels.list.iter().any(|channel| channel.name.eq(name));
+    let mut metadata: Vec<(String, String)> = Vec::new();
+    for (key, value) in &header.own_attributes.other {
+        let AttributeValue::Text(text) = value else { return None };
+        metadata.push((utf8(key.as_slice())?, utf8(text.as_slice())?));
+    }
+    metadata.sort();
+    (position.0 == 0 && position.1 == 0).then_some(())?;
+    Some(Settings {
+        window: Window { origin, size: whole(header.layer_size)? },
+        alpha: has(&"A"),
+        layers: Layer::ALL.into_iter().filter(|layer| channels_of(*layer).iter().all(has)).collect(),
+        metadata,
+        ..Settings::new(whole(size)?)
+    })
+}
+
+fn utf8(bytes: &[u8]) -> Option<String> {
+    String::from_utf8(bytes.to_vec()).ok()
+}
+
+fn failed(path: &Path, error: ExrError) -> OutputError {
+    let path = path.to_owned();
+    match error {
+        ExrError::Io(cause) => OutputError::Read { path, cause },
+        other => OutputError::Part { path, problem: format!("this is not a whole EXR: {other}") },
+    }
+}

@@ -1,0 +1,112 @@
+//! `--frames`: each is the still that its values make, and all run what was compiled for the first.
+
+use super::{BALL, Folder};
+
+const FILM: &str = r#"
+[law]
+kind = "schwarzschild"
+mass = 0.2
+[animation]
+frames = 5
+[[animation.tracks]]
+key = "camera.position"
+values = [[0, 0, 5], [0.7, 0.3, 4.1]]
+[[animation.tracks]]
+key = "law.mass"
+values = [0.1, 0.3, 0.2]
+at = [1, 3, 4]
+[[animation.tracks]]
+key = "objects.0.center"
+values = [[1.5, 0, 0], [1.9, 0.1, -0.3]]
+at = [0, 2]
+[[animation.tracks]]
+key = "materials.red.color"
+values = [[1, 0, 0], [0.5, 0.4, 0.3]]
+"#;
+
+fn film() -> Folder {
+    Folder::with(&format!("{}{FILM}", BALL.replace("[rays]", "[rays]\nmethod = \"rk4\"")))
+}
+
+/// `(1 − t)a + tb`, as the program takes it.
+fn between<const N: usize>(t: f64, a: [f64; N], b: [f64; N]) -> String {
+    let mixed: Vec<String> = (0..N).map(|i| ((1.0 - t) * a[i] + t * b[i]).to_string()).collect();
+    format!("[{}]", mixed.join(","))
+}
+
+#[test]
+fn frames_are_the_stills_of_their_values_to_the_byte() {
+    let folder = film();
+    let ran = folder.run("render scene.toml -o film_{frame:3}.exr -o {frame}.png --frames all").succeeds();
+    for k in 0..5 {
+        ran.err.lines().find(|line| line.starts_with(&format!("frame {k}: ready after "))).expect("a line a frame");
+        let t = f64::from(k);
+        let mass = [0.1, 0.1, (0.5 * 0.1) + (0.5 * 0.3), 0.3, 0.2][k as usize];
+        let (place, color) = (
+            between((0.5 * t).min(1.0), [1.5, 0.0, 0.0], [1.9, 0.1, -0.3]),
+            between(t / 4.0, [1.0, 0.0, 0.0], [0.5, 0.4, 0.3]),
+        );
+        let camera = between(t / 4.0, [0.0, 0.0, 5.0], [0.7, 0.3, 4.1]);
+        folder
+            .run(&format!(
+                "render scene.toml -o still.exr -o still.png --set camera.position={camera} --set law.mass={mass} \
+                 --set objects.0.center={place} --set materials.red.color={color}"
+            ))
+            .succeeds();
+        assert!(folder.read("still.exr") == folder.read(&format!("film_{k:03}.exr")), "frame {k}");
+        assert!(folder.read("still.png") == folder.read(&format!("{k}.png")), "frame {k}");
+    }
+    // A share of the film, and a part of a frame.
+    let one = folder.read("film_003.exr");
+    folder.run("render scene.toml -o film_{frame:3}.exr --frames 3..4").succeeds();
+    assert!(folder.read("film_003.exr") == one);
+    folder.run("render scene.toml -o top_{frame}.exr --frames 3 --crop 0,0,16x5").succeeds();
+    folder.run("render scene.toml -o rest_{frame}.exr --frames 3 --crop 0,5,16x7").succeeds();
+    folder.run("assemble top_3.exr rest_3.exr -o whole.exr").succeeds();
+    assert!(folder.read("whole.exr") == one);
+}
+
+/// What was finished before a frame that cannot be rendered stays, and the key that is at fault is named.
+#[test]
+fn a_frame_of_another_program_names_the_key_and_keeps_the_frames_before() {
+    let folder = film();
+    // A stretched sphere is an ellipsoid.
+    let stretched = "[[animation.tracks]]\nkey = \"objects.0.scale\"\nvalues = [[1, 1, 1], [1, 2, 1]]\nat = [1, 2]\n";
+    folder.write("scene.toml", folder.text("scene.toml") + stretched);
+    let message = "frame 2 needs another program than frame 0, because of `objects.0.scale`: ";
+    let ran = folder.run("render scene.toml -o {frame}.png --frames all");
+    assert_eq!(ran.code, Some(1));
+    ran.says(&["frame 1: ready", message]);
+    assert_eq!(folder.names(), ["0.png", "1.png", "scene.toml"]);
+    let checked = folder.run("check scene.toml");
+    assert_eq!(checked.code, Some(1));
+    checked.says(&[message]);
+    folder.run("render scene.toml -o {frame}.png --frames 2..4").succeeds();
+    assert_eq!(folder.names(), ["0.png", "1.png", "2.png", "3.png", "4.png", "scene.toml"]);
+}
+
+#[test]
+fn frames_that_cannot_be_are_refused() {
+    let folder = film();
+    for (arguments, code, text) in [
+        ("-o a.png --frames 0..4", 1, "a.png: --frames write a file each, so its name needs {frame} or {frame:4}"),
+        ("-o {frame}.png", 1, "{frame}.png: {frame} in a name goes with --frames"),
+        ("-o {frame:x}.png --frames 1", 1, "its name needs {frame} or {frame:4}"),
+        ("-o {frame}.png --frames 3..5", 1, "--frames: the scene's frames are 0..4"),
+        ("-o {frame}.png --frames 3..2", 2, "`3..2` are no frames such as 0..47"),
+        ("-o {frame}.png --frames 1 --verify 9", 2, "'--verify <N>'"),
+        ("-o {frame}.png --frames 1 --set law.mass=1", 1, "--set law.mass=1:1:10: `law.mass` is animated"),
+        (
+            "-o {frame}.png --frames 4 --set animation.tracks.1.values=[1,2,-3]",
+            1,
+            "expected a number above 0, found -3",
+        ),
+    ] {
+        let ran = folder.run(&format!("render scene.toml {arguments}"));
+        assert_eq!(ran.code, Some(code), "{}", ran.err);
+        ran.says(&[text]);
+    }
+    assert_eq!(folder.names(), ["scene.toml"]);
+    let still = Folder::with(BALL);
+    still.run("render scene.toml -o {frame}.png --frames all").fails(1, &["--frames: the scene has no [animation]"]);
+}
