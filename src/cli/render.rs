@@ -118,7 +118,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     for path in &arguments.output {
         writers.push(open(path, &file_settings(&scene, path, &layers, &metadata))?);
     }
-    let renderer = Renderer::new(&gpu, &scene, settings)?;
+    let mut renderer = Renderer::new(&gpu, &scene, settings)?;
+    if arguments.device.chooses_segments() {
+        renderer.choose_segments()?;
+    }
     let totals = render(&renderer, &mut writers)?;
     for writer in writers {
         writer.finish()?;
