@@ -9,20 +9,11 @@ fn path_over(ray: Ray) -> bool {
 
 // The ray's status after a segment in which it met nothing (W04 §4.1's tests for termination): index segments lie before it.
 fn open_fate(s: Segment, tau: Real, index: u32) -> u32 {
-    if !finite(s.x1) || !finite(s.v1) {
-        return FAILED;
-    }
-    if left_bound(s.x1, s.v1) {
-        return ESCAPED;
-    }
-    if law_captured(s.x1, s.v1) {
-        return CAPTURED;
-    }
-    if length_reached(tau) {
-        return ENDED;
-    }
-    if all(s.x1 == s.x0) {
-        return STALLED;
-    }
-    return select(ALIVE, EXHAUSTED, index + 1u >= schedule.max_segments);
+    // From the last test to the first, each overriding those before: without branches, whose masks cost more than the tests.
+    var fate = select(ALIVE, EXHAUSTED, index + 1u >= schedule.max_segments);
+    fate = select(fate, STALLED, all(s.x1 == s.x0));
+    fate = select(fate, ENDED, length_reached(tau));
+    fate = select(fate, CAPTURED, law_captured(s.x1, s.v1));
+    fate = select(fate, ESCAPED, left_bound(s.x1, s.v1));
+    return select(FAILED, fate, finite(s.x1) && finite(s.v1));
 }

@@ -16,7 +16,7 @@
 //! 3. [`gpu`]: a device, and what lies on it;
 //! 4. [`render`]: passes as data, and the loop that runs them;
 //! 5. [`measure`]: how right a render is, and which method makes it so in the least time;
-//! 6. [`output`], [`chart`]: files, and speed against accuracy;
+//! 6. [`output`], [`chart`], [`bench`](mod@bench): files, speed against accuracy, and the sources' own measurements;
 //! 7. [`cli`]: the `bentray` command.
 //!
 //! ```no_run
@@ -31,6 +31,7 @@
 //! # }
 //! ```
 
+pub mod bench;
 pub mod chart;
 pub mod cli;
 pub mod error;

@@ -17,10 +17,10 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     found
 }
 
-/// scene ← program ← gpu ← render ← measure ← output, chart ← cli.
+/// scene ← program ← gpu ← render ← measure ← output, chart, bench ← cli.
 #[test]
 fn imports_run_one_way() {
-    let order = ["scene", "program", "gpu", "render", "measure", "output", "chart", "error", "cli"];
+    let order = ["scene", "program", "gpu", "render", "measure", "output", "chart", "bench", "error", "cli"];
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     for (rank, module) in order.iter().enumerate() {
         let folder = source.join(module);
@@ -97,8 +97,10 @@ fn passes_bear_one_name() {
         Pass::Integrate,
         Pass::Intersect,
         Pass::Terminate,
+        Pass::Scatter,
         Pass::Shade,
         Pass::Record,
+        Pass::Bare,
     ];
     let parts = all_parts();
     for pass in passes {

@@ -80,10 +80,15 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
     Ok(section(chart, images))
 }
 
+/// An error of nearly half a turn is none, but a wrong end.
+fn known(error: f64) -> f64 {
+    if error < 3.0 { error } else { f64::INFINITY }
+}
+
 fn plot(chart: &SceneChart, label: &str, cost: Cost) -> PrecisionPlot {
     let curve = |curve: &super::Curve| Series {
         name: curve.name.to_owned(),
-        points: curve.points.iter().map(|point| [point.found.seen.p95, cost(point)]).filter(|p| p[0] < 3.0).collect(),
+        points: curve.points.iter().map(|point| [known(point.found.seen.p95), cost(point)]).collect(),
     };
     PrecisionPlot {
         title: chart.scene.clone(),

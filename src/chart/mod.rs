@@ -1,9 +1,7 @@
-//! Measurements: speed against accuracy, and the sources' own tables, repeated; and the formulas of the thesis as charts.
+//! Speed against accuracy, and the formulas of the thesis as charts.
 
 mod files;
 mod formulas;
-mod paper;
-mod shadow;
 mod stability;
 mod sweep;
 
@@ -11,7 +9,5 @@ pub use files::{fastest_table, write_chart};
 pub use formulas::{
     beer_chart, fresnel_chart, reflectance, refracted_sine, snell_chart, spiral_angle, spiral_chart, spiral_plot,
 };
-pub use paper::{ACCELERATED_2004, PLAIN_2004, PaperBench, Sample, Schedules, TableRow};
-pub use shadow::{CRITICAL, shadow_edge};
 pub use stability::{Outcome, Place, default_settings};
 pub use sweep::{Curve, Point, SceneChart, Sweep};

@@ -4,8 +4,6 @@
 //! picture itself, at a size of at least as many rays as asked for, as medians of repeats. A method's program is compiled once,
 //! for only numbers change.
 
-use std::time::Duration;
-
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
 use crate::program::{Choice, Purpose, Schedule};
@@ -191,9 +189,7 @@ fn timed(renderer: &Renderer, repeats: usize) -> Result<Measured, RenderError> {
     let mut colors = Vec::new();
     for _ in 0..repeats {
         let picture = renderer.picture()?;
-        let totals = &picture.totals;
-        let advance = totals.device.map_or(totals.wall, |[_, advance, _, _]: [Duration; 4]| advance);
-        seconds.push(advance.as_secs_f64());
+        seconds.push(picture.totals.advance().as_secs_f64());
         colors = picture.band.color.concat();
     }
     seconds.sort_by(f64::total_cmp);

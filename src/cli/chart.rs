@@ -154,7 +154,11 @@ fn scenes(arguments: &Arguments) -> Result<Vec<PathBuf>, Error> {
         Some(_) => "scenes",
         None => "scenes/stability",
     };
-    let folder = arguments.scenes.as_deref().unwrap_or(Path::new(default));
+    scenes_in(arguments.scenes.as_deref().unwrap_or(Path::new(default)))
+}
+
+/// The scenes of a folder, by name.
+pub(super) fn scenes_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let missing =
         |error| Error::Usage(format!("{} holds no scenes: {error}; name the folder with --scenes", folder.display()));
     let entries = std::fs::read_dir(folder).map_err(missing)?;

@@ -97,9 +97,9 @@ pub(super) struct DeviceFlags {
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
     no_masks: bool,
-    /// K: segments of one fused pass
-    #[arg(long, value_name = "K", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1024))]
-    segments_per_pass: u32,
+    /// K: segments of one fused pass. Without it, large pictures choose it by rendering a part of themselves
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    segments_per_pass: Option<u32>,
 }
 
 /// The schedules by name.
@@ -121,12 +121,18 @@ impl DeviceFlags {
         Ok(gpu)
     }
 
+    /// Is K left open?
+    pub(super) fn chooses_segments(&self) -> bool {
+        self.segments_per_pass.is_none()
+    }
+
     /// Settings for pictures with these layers.
     pub(super) fn settings(&self, layers: Vec<Layer>) -> Settings {
+        let default = Settings::default();
         Settings {
             choice: Choice { masks: !self.no_masks, layers, ..choice(self.schedule.unwrap_or(Schedule::Fused)) },
-            segments: self.segments_per_pass,
-            ..Settings::default()
+            segments: self.segments_per_pass.unwrap_or(default.segments),
+            ..default
         }
     }
 }

@@ -185,6 +185,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let metadata = metadata(&scene, measured.as_ref());
     let mut writers = arguments.open(&scene, frames[0], &metadata)?;
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
+    if arguments.device.chooses_segments() {
+        renderer.choose_segments()?;
+    }
     let mut ready = begun.elapsed();
     let mut unfollowed = 0;
     for (i, &frame) in frames.iter().enumerate() {

@@ -57,7 +57,7 @@ impl AtomicFile {
     }
 
     /// Names the path in an error of writing.
-    pub(super) fn failed(&self, cause: io::Error) -> OutputError {
+    pub(crate) fn failed(&self, cause: io::Error) -> OutputError {
         OutputError::Write { path: self.path.clone(), cause }
     }
 }

@@ -50,6 +50,8 @@ pub enum Pass {
     Shade,
     /// Rays as numbers.
     Record,
+    /// Steps and nothing else.
+    Bare,
 }
 
 impl Pass {
@@ -66,6 +68,7 @@ impl Pass {
             Self::Scatter => "scatter",
             Self::Shade => "shade",
             Self::Record => "record",
+            Self::Bare => "bare",
         }
     }
 }
@@ -79,6 +82,8 @@ pub enum Purpose {
     Trace,
     /// The camera's rays of chosen pixels, to be recorded.
     Pixels,
+    /// The camera's rays, each to be moved by as many steps as it is told, to measure what they cost by themselves.
+    Bare,
 }
 
 /// What a picture carries besides colour.
@@ -140,6 +145,10 @@ impl Choice {
     #[must_use]
     pub fn passes(&self, scene: &Scene) -> Vec<Pass> {
         let mut passes = vec![Pass::Setup];
+        if self.purpose == Purpose::Bare {
+            passes.push(Pass::Bare);
+            return passes;
+        }
         match self.schedule {
             Schedule::Fused => passes.push(Pass::Advance),
             Schedule::Segment => passes.push(Pass::Integrate),
@@ -156,7 +165,7 @@ impl Choice {
         }
         passes.push(match self.purpose {
             Purpose::Picture => Pass::Shade,
-            Purpose::Trace | Purpose::Pixels => Pass::Record,
+            Purpose::Trace | Purpose::Pixels | Purpose::Bare => Pass::Record,
         });
         passes
     }
@@ -186,6 +195,6 @@ impl Choice {
     /// Does the program keep each ray's step counts?
     #[must_use]
     pub fn keeps_counts(&self) -> bool {
-        self.purpose != Purpose::Picture || self.layers.contains(&Layer::Steps)
+        matches!(self.purpose, Purpose::Trace | Purpose::Pixels) || self.layers.contains(&Layer::Steps)
     }
 }

@@ -7,6 +7,7 @@
 //! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
 //! dispatch drops what no longer lives. Submissions are kept short, because drivers kill long ones.
 
+mod bare;
 mod clock;
 mod error;
 mod picture;
@@ -14,6 +15,7 @@ mod readback;
 mod renderer;
 mod runner;
 mod schedule;
+mod segments;
 mod totals;
 mod trace;
 mod window;

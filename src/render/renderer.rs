@@ -63,7 +63,7 @@ pub struct Renderer<'a> {
     pub program: Program,
     pub(super) pipelines: Pipelines,
     pub(super) buffers: SceneBuffers,
-    max_segments: u32,
+    pub(super) max_segments: u32,
     steps: Vec<Step>,
     /// What differs between steps: (start slot, end slot, again).
     pub(super) turns: Vec<(usize, usize, bool)>,
@@ -129,7 +129,13 @@ impl<'a> Renderer<'a> {
     /// is compiled again.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
         self.rewrite("control", &control_values(control))?;
+        self.set_segments(max_segments, self.settings.segments)
+    }
+
+    /// Changes how many segments a path may have, and how many of them a fused pass takes.
+    pub(super) fn set_segments(&mut self, max_segments: u32, segments: u32) -> Result<(), GpuError> {
         self.max_segments = max_segments;
+        self.settings.segments = segments;
         self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments, &self.program.work))?;
         self.plan_steps();
         Ok(())

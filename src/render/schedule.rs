@@ -1,7 +1,7 @@
 //! Schedules: the same stages, cut into different passes.
 
 use crate::gpu::{OPEN, Slots};
-use crate::program::{Choice, Pass, Schedule, Work, scatters};
+use crate::program::{Choice, Pass, Purpose, Schedule, Work, scatters};
 use crate::scene::{Scene, Segment};
 
 /// What a pass runs over.
@@ -44,6 +44,10 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
     };
+    if choice.purpose == Purpose::Bare {
+        recorded.push(Pass::Bare, Slots { input: 0, output: 1, start: 0, end: 1, list: [0; 2] }, 0, 1);
+        return recorded.steps;
+    }
     match choice.schedule {
         Schedule::Fused => recorded.fused(work, segments, n),
         Schedule::Segment => recorded.by_segment(scene, work, n),
@@ -93,7 +97,7 @@ struct Recorder<'a> {
 
 impl Recorder<'_> {
     fn push(&mut self, pass: Pass, slots: Slots, round: u64, weight: u64) {
-        let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record);
+        let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record | Pass::Bare);
         let dispatch = match once {
             true if self.open => Dispatch::Open,
             false if self.choice.masks => Dispatch::Living,

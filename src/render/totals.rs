@@ -100,6 +100,12 @@ pub struct Totals {
 }
 
 impl Totals {
+    /// Time of the passes that advance and intersect on the device, or the whole time where a device does not say.
+    #[must_use]
+    pub fn advance(&self) -> Duration {
+        self.device.map_or(self.wall, |[_, advance, _, _]| advance)
+    }
+
     /// Rays that ended so.
     #[must_use]
     pub fn count(&self, status: Status) -> u64 {

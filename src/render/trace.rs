@@ -140,7 +140,7 @@ fn count_fates(traced: &[Traced]) -> Vec<(Status, u64)> {
 }
 
 /// Follows `rays` and keeps the end of every segment. Leaps, which pass any number of windings in one segment, are taken as the
-/// arcs they stand for: up to [`ARCS`] of them.
+/// arcs they stand for: up to 65,536 of them.
 pub fn trace_paths(
     gpu: &Gpu,
     scene: &Scene,

@@ -82,6 +82,25 @@ fn windings_are_counted() {
 }
 
 #[test]
+fn tight_spirals_are_wound_to_their_end() {
+    let folder = Folder::with(
+        "[rays]\nprecision = \"f64\"\nbound = { radius = 4.0000001 }\n\
+         [[objects]]\nshape = \"sphere\"\nradius = 4\ninterior = { kind = \"inverse-r\", k = 4 }\n",
+    );
+    for (psi, bound) in [(0.3_f64, 1e-6), (0.01, 1e-6), (0.001, 1e-4)] {
+        let (sin, cos) = psi.sin_cos();
+        folder.write("rays.csv", format!("x,y,z,vx,vy,vz\n2,0,0,{sin},{cos},0\n"));
+        let ran = folder.run("trace scene.toml --rays rays.csv --cut z --windings [0,0,0]").succeeds();
+        let mut words = ran.err.lines().last().unwrap().split_whitespace().skip(1);
+        let found: f64 = words.next().unwrap().parse().unwrap();
+        assert_eq!(words.next(), Some("escaped"));
+        // (θ_R − θ_s)/2π = ln(R/r)/(2π tan ψ) (thesis Eq. 21).
+        let turns = 2.0_f64.ln() / psi.tan() / std::f64::consts::TAU;
+        assert!((found.abs() / turns - 1.0).abs() < bound, "{psi}: {found} {turns}");
+    }
+}
+
+#[test]
 fn mistakes_in_a_diagram_exit_with_2() {
     let folder = Folder::with(BALL);
     let cases: [(&str, &[&str]); 12] = [

@@ -5,6 +5,7 @@
 mod bad_files;
 mod bad_options;
 mod bad_scenes;
+mod bench;
 mod commands;
 mod diagrams;
 mod frames;

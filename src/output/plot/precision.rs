@@ -1,7 +1,8 @@
 //! Time against error, both logarithmic: which method is accurate enough, and which of those is fastest.
 //!
 //! The nearer a point is to the lower left corner, the better. Those that none beats in both are ringed, and a grey
-//! staircase joins them: it is the least time that buys each error.
+//! staircase joins them: it is the least time that buys each error. What is wrong altogether stands on a line of its own, right of
+//! every error.
 
 use std::path::Path;
 
@@ -18,8 +19,11 @@ use super::{
 };
 
 const FLOOR: &str = "f32 floor";
-/// Between the floor and its name.
+const WRONG: &str = "wrong";
+/// Between a line and its name.
 const GAP: i32 = 10;
+/// From the largest error to the line of what is wrong, in decades.
+const BEYOND: f64 = 0.5;
 
 /// A work–precision plot: what it is called, its axes and its curves.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -30,8 +34,9 @@ pub struct PrecisionPlot {
     pub x_label: String,
     /// What the time is, with its unit.
     pub y_label: String,
-    /// The curves, in the order of the legend: points `[error, time]`, joined in their order. A point that is not
-    /// finite and positive breaks its curve, and a note under the legend counts it.
+    /// The curves, in the order of the legend: points `[error, time]`, joined in their order. An infinite error is one that
+    /// is wrong altogether. Any other point that is not finite and positive breaks its curve, and a note under the legend
+    /// counts it.
     pub curves: Vec<Series>,
     /// The error that rounding to `f32` leaves to every method, if it is known.
     pub floor: Option<f64>,
@@ -49,6 +54,12 @@ impl PrecisionPlot {
             .filter(|(_, point)| log_log(*point).is_some())
             .unzip();
         pareto_front(&points).into_iter().map(|i| places[i]).collect()
+    }
+
+    /// The times of what is wrong, in plot coordinates, by curve.
+    fn wrong(&self) -> Vec<Vec<f64>> {
+        let wrong = |[error, time]: &[f64; 2]| place(*time, true).filter(|_| *error == f64::INFINITY);
+        self.curves.iter().map(|curve| curve.points.iter().filter_map(wrong).collect()).collect()
     }
 
     /// The curves in plot coordinates.
@@ -82,13 +93,22 @@ pub fn plot_precision(path: &Path, chart: &PrecisionPlot) -> Result<(), OutputEr
     let placed = chart.placed();
     let all = || placed.iter().flatten().flatten();
     let floor = chart.floor.and_then(|floor| place(floor, true));
-    let x = Axis::around(&chart.x_label, true, all().map(|p| p[0]).chain(floor));
-    let y = Axis::around(&chart.y_label, true, all().map(|p| p[1]));
+    let wrong = chart.wrong();
+    let largest = all().map(|p| p[0]).chain(floor).fold(f64::NEG_INFINITY, f64::max);
+    let beyond =
+        Some(if largest.is_finite() { largest + BEYOND } else { 0.0 }).filter(|_| wrong.iter().any(|w| !w.is_empty()));
+    let x = Axis::around(&chart.x_label, true, all().map(|p| p[0]).chain(floor).chain(beyond));
+    let y = Axis::around(&chart.y_label, true, all().map(|p| p[1]).chain(wrong.iter().flatten().copied()));
     let front: Vec<_> = chart.front().into_iter().filter_map(|(curve, point)| placed[curve][point]).collect();
-    save(path, &legend(chart, &placed), |canvas, area| {
+    save(path, &legend(chart, &placed, &wrong), |canvas, area| {
         let plot = frame(area, &chart.title, &x, &y)?;
         if let Some(floor) = floor {
-            draw_floor(canvas, &plot, floor, [&x, &y])?;
+            draw_limit(canvas, &plot, (floor, FLOOR), [&x, &y])?;
+        }
+        if let Some(beyond) = beyond {
+            draw_limit(canvas, &plot, (beyond, WRONG), [&x, &y])?;
+            let mut marks = wrong.iter().enumerate().flat_map(|(i, times)| times.iter().map(move |time| (i, *time)));
+            marks.try_for_each(|(i, time)| Look::of(i).mark(canvas, plot.backend_coord(&(beyond, time))))?;
         }
         let at = |p: &[f64; 2]| plot.backend_coord(&(p[0], p[1]));
         let curves: Vec<Vec<_>> =
@@ -102,8 +122,8 @@ fn log_log([error, time]: [f64; 2]) -> Option<[f64; 2]> {
     Some([place(error, true)?, place(time, true)?])
 }
 
-fn legend(chart: &PrecisionPlot, placed: &[Vec<Option<[f64; 2]>>]) -> Legend {
-    let missing = placed.iter().flatten().filter(|p| p.is_none()).count();
+fn legend(chart: &PrecisionPlot, placed: &[Vec<Option<[f64; 2]>>], wrong: &[Vec<f64>]) -> Legend {
+    let missing = placed.iter().flatten().filter(|p| p.is_none()).count() - wrong.iter().flatten().count();
     let mut legend = Legend::of(chart.curves.iter().map(|c| &c.name), missing);
     if placed.iter().flatten().any(Option::is_some) {
         legend.entries.push(("Pareto front".into(), Look::best()));
@@ -134,12 +154,12 @@ fn stairs(front: &[Place]) -> Vec<Place> {
 }
 
 /// An upright line with its name at the foot, where little is: a small error takes its time.
-fn draw_floor(canvas: &Area, plot: &Plot, floor: f64, [x, y]: [&Axis; 2]) -> Drawn<()> {
-    let foot = plot.backend_coord(&(floor, y.range.start));
-    let head = plot.backend_coord(&(floor, y.range.end));
+fn draw_limit(canvas: &Area, plot: &Plot, (error, name): (f64, &str), [x, y]: [&Axis; 2]) -> Drawn<()> {
+    let foot = plot.backend_coord(&(error, y.range.start));
+    let head = plot.backend_coord(&(error, y.range.end));
     Look::limit().stroke(canvas, vec![foot, head])?;
     let (right, _) = plot.backend_coord(&(x.range.end, y.range.start));
-    let fits = foot.0 + GAP + text_width(FLOOR) <= right;
+    let fits = foot.0 + GAP + text_width(name) <= right;
     let (h_pos, gap) = if fits { (HPos::Left, GAP) } else { (HPos::Right, -GAP) };
-    write(canvas, FLOOR, (foot.0 + gap, foot.1 - GAP), Pos::new(h_pos, VPos::Bottom))
+    write(canvas, name, (foot.0 + gap, foot.1 - GAP), Pos::new(h_pos, VPos::Bottom))
 }

@@ -73,7 +73,15 @@ fn it_rings_the_front_and_counts_what_it_cannot_show() {
     plot.curves[2].points[6] = [1e-12, -1.0];
     let (count, svg) = rings(&plot);
     assert_eq!(count, plot.front().len());
-    assert!(svg.contains("4 points have no place"));
+    assert!(svg.contains("4 points have no place") && !svg.contains("wrong"));
+    // What is wrong altogether has a line of its own, also where nothing else is.
+    plot.curves[2].points[6] = [f64::INFINITY, 30.0];
+    let (count, svg) = rings(&plot);
+    assert_eq!(count, plot.front().len());
+    assert!(svg.contains("3 points have no place") && svg.contains("wrong"));
+    plot.curves = vec![Series { name: "a".into(), points: vec![[f64::INFINITY, 2.0]] }];
+    plot.floor = None;
+    assert!(super::plots::svg("wrong.svg", |path| plot_precision(path, &plot).unwrap()).contains("wrong"));
 }
 
 #[test]

@@ -1,0 +1,25 @@
+// As many steps of every ray as it is told, in registers, and nothing else: no segments, no tests for their end, no masks. What
+// `bench limit` holds the schedules against.
+
+@group(0) @binding(118) var<storage, read> wanted_steps: array<u32>;
+
+@compute @workgroup_size(8, 8)
+fn bare(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
+    let spot = grid_pixel(group, lane);
+    let word = load_status(spot.pixel);
+    load_region(spot.pixel);
+    var ray = load_ray(spot.pixel, word);
+    let wanted = wanted_steps[spot.pixel.y * frame.size.x + spot.pixel.x];
+    let most = select(0u, wanted, spot.valid);
+    for (var i = 0u; i < most; i++) {
+        work += 1u;
+        if work >= WORK_LIMIT {
+            break;
+        }
+        ray = accepted_step(ray);
+    }
+    if spot.valid {
+        store_ray(spot.pixel, ray);
+        store_counts(spot.pixel, ray);
+    }
+}

@@ -1,0 +1,107 @@
+//! What the device can do at most, by kernels that do nothing else.
+//!
+//! *Practice.* These three bind a buffer and a texture of their own, and are timed from submission to completion: each takes long
+//! enough for what that adds not to count.
+
+use std::time::{Duration, Instant};
+
+use wgpu::{
+    BindGroupDescriptor, BindGroupEntry, BindingResource, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
+    ComputePassDescriptor, Extent3d, PollType, Texture, TextureDescriptor, TextureDimension, TextureFormat,
+    TextureUsages,
+};
+
+use super::{Bench, Table, Times};
+use crate::gpu::{GpuError, Pipeline};
+use crate::program::{Binding, BindingKind, Parts, ProgramError, Unit, constant, link, part, reflect};
+use crate::render::RenderError;
+
+/// Invocations of the arithmetic kernel.
+const INVOCATIONS: u32 = 1 << 16;
+/// Width and height of the texture, a texel of which is 16 bytes.
+const SIDE: u32 = 2048;
+/// Chains of the arithmetic kernel, and floating-point operations of one link.
+const CHAINS: f64 = 16.0;
+const OPERATIONS: f64 = 2.0;
+
+/// Fused multiply-adds, and reading and writing texels.
+pub(super) fn ceilings(bench: &Bench) -> Result<Table, RenderError> {
+    let mut table = Table::new("ceilings", "The device's own ceilings", &["what", "rate", "unit", "spread"]);
+    let iterations = constant("ceiling/multiply_add", "ITERATIONS");
+    let operations = f64::from(INVOCATIONS) * CHAINS * OPERATIONS * iterations;
+    let bytes = 16.0 * f64::from(SIDE) * f64::from(SIDE);
+    let squares = [SIDE / 8, SIDE / 8];
+    let kernels = [
+        ("multiply_add", "multiply-adds in registers", "GFLOP/s", operations, [INVOCATIONS / 64, 1]),
+        ("texture_read", "reading texels of 128 bits", "GB/s", bytes, squares),
+        ("texture_write", "writing texels of 128 bits", "GB/s", bytes, squares),
+    ];
+    let texture = texture(bench);
+    for (name, what, unit, amount, groups) in kernels {
+        let kernel = Kernel::new(bench, name, &texture)?;
+        let times = Times::of(bench.repeats, || Ok(kernel.run(groups)?))?;
+        table.rows.push(vec![what.into(), (amount / times.median * 1e-9).into(), unit.into(), times.spread.into()]);
+    }
+    Ok(table)
+}
+
+fn texture(bench: &Bench) -> Texture {
+    bench.gpu.device.create_texture(&TextureDescriptor {
+        label: Some("texels"),
+        size: Extent3d { width: SIDE, height: SIDE, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format: TextureFormat::Rgba32Float,
+        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::STORAGE_BINDING,
+        view_formats: &[],
+    })
+}
+
+/// A kernel of `shaders/ceiling/`.
+struct Kernel<'a> {
+    bench: &'a Bench<'a>,
+    pipeline: Pipeline,
+    group: wgpu::BindGroup,
+}
+
+impl<'a> Kernel<'a> {
+    fn new(bench: &'a Bench, name: &str, texture: &Texture) -> Result<Self, RenderError> {
+        let device = &bench.gpu.device;
+        let file = format!("ceiling/{name}");
+        let unit = Unit::from(part(&file).ok_or(ProgramError::NoPart(file))?);
+        let linked = link(&Parts { shared: vec![unit], regions: Vec::new() }, "ceiling")?;
+        let pipeline = Pipeline::new(bench.gpu, &linked, &reflect(&linked)?)?;
+        let sums = device.create_buffer(&BufferDescriptor {
+            label: Some("sums"),
+            size: u64::from(4 * INVOCATIONS),
+            usage: BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        });
+        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let resource = |binding: &Binding| match binding.kind {
+            BindingKind::Storage { .. } => sums.as_entire_binding(),
+            _ => BindingResource::TextureView(&view),
+        };
+        let entry = |binding: &Binding| BindGroupEntry { binding: binding.number, resource: resource(binding) };
+        let entries: Vec<BindGroupEntry> = pipeline.bindings.iter().map(entry).collect();
+        let layout = &pipeline.layout;
+        let group = device.create_bind_group(&BindGroupDescriptor { label: Some(name), layout, entries: &entries });
+        Ok(Self { bench, pipeline, group })
+    }
+
+    fn run(&self, [x, y]: [u32; 2]) -> Result<Duration, GpuError> {
+        let gpu = self.bench.gpu;
+        let started = Instant::now();
+        let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
+        let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes: None });
+        pass.set_pipeline(&self.pipeline.pipeline);
+        pass.set_bind_group(0, &self.group, &[]);
+        pass.dispatch_workgroups(x, y, 1);
+        drop(pass);
+        let submission_index = Some(gpu.queue.submit([encoder.finish()]));
+        let waited = gpu.device.poll(PollType::Wait { submission_index, timeout: None });
+        waited.map_err(|error| GpuError::Lost(error.to_string()))?;
+        Ok(started.elapsed())
+    }
+}

@@ -1,0 +1,235 @@
+//! The 2004 paper's measurements (W04 §6): Table 1's four laws, Figure 5's growing number of spheres, and what its steps see of a
+//! black hole's shadow.
+//!
+//! The paper names the viewport (800×600), the number of spheres, segments and steps, but not the scene, the camera or the step:
+//! these are ours. "No acceleration" is every pixel in every pass with a fixed step; "2004" is early termination and step
+//! doubling by the paper's rule; "here" is the method that `auto` would take for the same law, by arcs and with masks, whose error
+//! stands beside its time.
+
+use std::fmt::Write as _;
+use std::time::Duration;
+
+use super::{Bench, CRITICAL, Cell, Report, Table, Times, shadow_edge};
+use crate::measure::{calibrate, method_words};
+use crate::output::plot::{Chart, Series};
+use crate::program::{Choice, Purpose, Schedule};
+use crate::render::{RenderError, Renderer, Settings};
+use crate::scene::{Scene, SceneError};
+
+/// A law of Table 1: its name there, its keys, those that leave us the choice between its forms, and the seconds that the paper
+/// took without and with acceleration.
+struct Law {
+    name: &'static str,
+    keys: &'static str,
+    own: &'static str,
+    published: [f64; 2],
+}
+
+const LAWS: [Law; 4] = [
+    Law { name: "Lorenz system", keys: LORENZ, own: LORENZ, published: [3.87, 3.13] },
+    Law { name: "Potential field", keys: POTENTIAL, own: POTENTIAL, published: [4.22, 1.16] },
+    Law { name: "Varying index", keys: INDEX, own: INDEX, published: [3.35, 2.42] },
+    Law { name: "Schwarzschild", keys: GEODESIC, own: SCHWARZSCHILD, published: [4.91, 3.79] },
+];
+
+const LORENZ: &str = "kind = \"lorenz\"\norder = 2\nsigma = 0.1\nrho = 0.28\nbeta = 0.027";
+const POTENTIAL: &str =
+    "kind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 0.02, falloff = { cubic = 12 } }]";
+const INDEX: &str =
+    "kind = \"medium\"\nindex = { kind = \"explosion\", radius = 12, amplitude = 0.1, frequency = 0.4 }";
+/// As the paper integrates it.
+pub(super) const GEODESIC: &str = "kind = \"schwarzschild\"\nform = \"geodesic\"";
+/// The same spacetime.
+pub(super) const SCHWARZSCHILD: &str = "kind = \"schwarzschild\"";
+
+/// The fixed Euler step of the benchmark's scene: 300 of them lead from the camera through it.
+const STEP: f64 = 0.15;
+/// The error that 95 of 100 rays may have by our own method, radians.
+const ACCURACY: &str = "1e-2";
+/// Spheres of Figure 5.
+const SPHERES: [u32; 6] = [1, 10, 20, 30, 40, 50];
+
+/// How the benchmark's rays are followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum How {
+    /// Fixed Euler steps.
+    Plain,
+    /// Euler's step doubled by the paper's rule.
+    Published,
+    /// By arcs, the method left open.
+    Ours,
+}
+
+/// Table 1, Figure 5 and the shadow.
+pub fn paper(bench: &Bench) -> Result<Report, RenderError> {
+    let figure = figure(bench)?;
+    let spheres = |row: usize| figure.rows.iter().map(move |cells| [number(&cells[0]), number(&cells[row])]).collect();
+    let series = |name: &str, row: usize| Series { name: name.to_owned(), points: spheres(row) };
+    let chart = Chart {
+        title: "500 steps in 50 segments, Schwarzschild (W04, Figure 5)".to_owned(),
+        x_label: "spheres".to_owned(),
+        y_label: "seconds on the device".to_owned(),
+        series: vec![series("no acceleration", 1), series("2004", 2), series("here", 3)],
+        ..Chart::default()
+    };
+    let [width, height] = bench.size;
+    Ok(Report {
+        name: "paper",
+        title: "The 2004 paper's measurements".to_owned(),
+        intro: vec![format!(
+            "{width}×{height} pixels. No acceleration: fixed Euler steps, every pixel in every pass. 2004: early termination \
+             and step doubling by the paper's rule. Here: {ACCURACY} rad asked of 99 of 100 rays, arcs, masks."
+        )],
+        tables: vec![table(bench)?, figure, shadow(bench)?],
+        plots: vec![("figure", chart)],
+    })
+}
+
+fn number(cell: &Cell) -> f64 {
+    if let Cell::Number(number) = cell { *number } else { f64::NAN }
+}
+
+/// Table 1: four laws, 300 steps in 30 segments over 10 spheres, by the fused schedule.
+fn table(bench: &Bench) -> Result<Table, RenderError> {
+    let header = [
+        "law",
+        "2004: none (s)",
+        "none (s)",
+        "spread",
+        "2004: accelerated (s)",
+        "accelerated as in 2004 (s)",
+        "spread",
+        "gain in 2004",
+        "gain",
+        "here (s)",
+        "spread",
+        "method",
+        "error (rad, 99 %)",
+        "gain here",
+    ];
+    let mut table = Table::new("table1", "Table 1: 300 steps in 30 segments over 10 spheres", &header);
+    for Law { name, keys, own: own_keys, published } in LAWS {
+        let scenes = [How::Plain, How::Published].map(|how| scene(bench.size, keys, 10, 30, how));
+        let [plain, accelerated] = scenes;
+        let (plain, accelerated) = (plain?, accelerated?);
+        let (ours, settings, words, error) = own(bench, own_keys, 10)?;
+        let (mut a, mut b) = (run(bench, &plain, unmasked())?, run(bench, &accelerated, Settings::default())?);
+        let mut c = run(bench, &ours, settings)?;
+        let [a, b, c] = Times::by_turns(bench.repeats, [&mut a, &mut b, &mut c])?;
+        table.rows.push(vec![
+            name.into(),
+            published[0].into(),
+            a.median.into(),
+            a.spread.into(),
+            published[1].into(),
+            b.median.into(),
+            b.spread.into(),
+            (published[0] / published[1]).into(),
+            (a.median / b.median).into(),
+            c.median.into(),
+            c.spread.into(),
+            words.into(),
+            error,
+            (a.median / c.median).into(),
+        ]);
+    }
+    Ok(table)
+}
+
+/// Figure 5: 500 steps in 50 segments over a growing number of spheres.
+fn figure(bench: &Bench) -> Result<Table, RenderError> {
+    let header = ["spheres", "none (s)", "accelerated as in 2004 (s)", "here (s)", "spread (none)", "spread (here)"];
+    let mut table = Table::new("figure5", "Figure 5: 500 steps in 50 segments, Schwarzschild", &header);
+    for spheres in SPHERES {
+        let plain = scene(bench.size, GEODESIC, spheres, 50, How::Plain)?;
+        let accelerated = scene(bench.size, GEODESIC, spheres, 50, How::Published)?;
+        let (ours, settings, ..) = own(bench, SCHWARZSCHILD, spheres)?;
+        let (mut a, mut b) = (run(bench, &plain, unmasked())?, run(bench, &accelerated, Settings::default())?);
+        let mut c = run(bench, &ours, settings)?;
+        let [a, b, c] = Times::by_turns(bench.repeats, [&mut a, &mut b, &mut c])?;
+        let cells = [a.median, b.median, c.median, a.spread, c.spread].map(Cell::from);
+        table.rows.push(std::iter::once(spheres.into()).chain(cells).collect());
+    }
+    Ok(table)
+}
+
+/// The shadow's edge.
+fn shadow(bench: &Bench) -> Result<Table, RenderError> {
+    let methods = [
+        ("Euler, h = 0.15", "method = \"euler\"\nstep = 0.15"),
+        ("Euler, 300 steps through the scene", "method = \"euler\"\nstep = 0.3333333333"),
+        (
+            "Euler doubling, the paper's rule, 1e-3",
+            "method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3",
+        ),
+        ("RK4, h = 0.1 r", "method = \"rk4\"\nscaled_step = 0.1"),
+    ];
+    let caption = format!("The shadow's edge from r = 50 M, whose impact parameter is {CRITICAL:.3} M");
+    let mut table = Table::new("shadow", caption, &["method", "edge (M)", "off by (%)"]);
+    for (name, keys) in methods {
+        let edge = shadow_edge(bench.gpu, keys)?;
+        let off = edge.map(|b| 100.0 * (b / CRITICAL - 1.0));
+        table.rows.push(vec![name.into(), edge.into(), off.into()]);
+    }
+    Ok(table)
+}
+
+/// The scene by the method that `auto` takes, its words and its error.
+fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, Settings, String, Cell), RenderError> {
+    let scene = scene(bench.size, keys, spheres, 30, How::Ours)?;
+    let mut settings = Settings::default();
+    let Some(found) = calibrate(bench.gpu, &scene, &settings, None)? else {
+        return Ok((scene, settings, "exact".to_owned(), Cell::None));
+    };
+    settings.choice.schedule = found.schedule;
+    let chosen = found.chosen;
+    Ok((found.applied(&scene), settings, method_words(chosen.method, chosen.control), chosen.error.into()))
+}
+
+/// Every pixel in every pass.
+pub(super) fn unmasked() -> Settings {
+    let choice = Choice { schedule: Schedule::Fused, masks: false, purpose: Purpose::Picture, layers: Vec::new() };
+    Settings { choice, ..Settings::default() }
+}
+
+/// What renders a scene once more, and says how long the passes that advance and intersect took.
+pub(super) fn run<'s>(
+    bench: &Bench<'s>,
+    scene: &'s Scene,
+    settings: Settings,
+) -> Result<impl FnMut() -> Result<Duration, RenderError> + 's, RenderError> {
+    let renderer = Renderer::new(bench.gpu, scene, settings)?;
+    Ok(move || Ok(renderer.picture()?.totals.advance()))
+}
+
+/// The benchmark's scene.
+pub(super) fn scene(size: [u32; 2], law: &str, spheres: u32, segments: u32, how: How) -> Result<Scene, RenderError> {
+    let [width, height] = size;
+    let chords = format!("segment = \"chord\"\nsteps_per_segment = 10\nmax_segments = {segments}");
+    let rays = match how {
+        How::Plain => format!("method = \"euler\"\nstep = {STEP}\n{chords}"),
+        How::Published => format!("method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3\n{chords}"),
+        How::Ours => format!("accuracy = {ACCURACY}"),
+    };
+    let mut text = format!(
+        "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 0, 20]\n\
+         [law]\n{law}\n[rays]\n{rays}\nbound = {{ radius = 25 }}\n[sky]\ncolor = [0.1, 0.1, 0.2]\n\
+         [materials.red]\ndiffuse = [0.8, 0.1, 0.1]\n[[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n"
+    );
+    for i in 0..spheres {
+        // On a ring behind the hole, in turns nearer and further.
+        let angle = std::f64::consts::TAU * f64::from(i) / f64::from(spheres);
+        let (x, y, z) = (7.0 * angle.cos(), 5.0 * angle.sin(), if i % 2 == 0 { -6.0 } else { 2.0 });
+        // Writing to a String cannot fail.
+        let _ = write!(
+            text,
+            "[[objects]]\nshape = \"sphere\"\ncenter = [{x}, {y}, {z}]\nradius = 0.9\nmaterial = \"red\"\n"
+        );
+    }
+    Scene::parse(&text, std::path::Path::new("bench"), &[]).map_err(own_scene)
+}
+
+/// A mistake in a scene of our own.
+fn own_scene(error: SceneError) -> RenderError {
+    RenderError::Output(Box::new(error))
+}

@@ -1,0 +1,125 @@
+//! How time grows: with pixels, steps, spheres, lights and samples.
+//!
+//! *Practice.* One of them is doubled at a time, all else as in the benchmark's own scene; the slope of the straight line through
+//! the logarithms is the exponent: 1 where time is proportional.
+
+use super::paper::{How, SCHWARZSCHILD, scene};
+use super::{Bench, Report, Table, Times};
+use crate::output::plot::{Chart, Series};
+use crate::render::{RenderError, Renderer, Settings};
+use crate::scene::{Control, Method, Scene};
+
+const DOUBLINGS: u32 = 5;
+
+/// What is doubled, and how a scene has so much of it.
+type Grow = fn(&Bench, u32) -> Result<Scene, RenderError>;
+
+const GROWN: [(&str, Grow); 5] =
+    [("pixels", pixels), ("steps", steps), ("spheres", spheres), ("lights", lights), ("samples", samples)];
+
+/// Times and exponents.
+pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
+    let mut times = Table::new(
+        "times",
+        "Time of the advance passes and of all",
+        &["what", "times as many", "advance (s)", "all (s)", "spread"],
+    );
+    let mut exponents = Table::new("exponents", "Time grows with this power", &["what", "advance", "all"]);
+    let mut series = Vec::new();
+    for (name, grow) in GROWN {
+        let mut points = Vec::new();
+        for doubling in 0..DOUBLINGS {
+            let factor = 1 << doubling;
+            let scene = grow(bench, factor)?;
+            let renderer = Renderer::new(bench.gpu, &scene, Settings::default())?;
+            let mut all = 0.0;
+            let advance = Times::of(bench.repeats, || {
+                let totals = renderer.picture()?.totals;
+                all = totals.device.map_or(totals.wall, |stages| stages.iter().sum()).as_secs_f64();
+                Ok(totals.advance())
+            })?;
+            times.rows.push(vec![name.into(), factor.into(), advance.median.into(), all.into(), advance.spread.into()]);
+            points.push([f64::from(factor), advance.median, all]);
+        }
+        let slope = |k: usize| exponent(points.iter().map(|point| [point[0], point[k]]));
+        exponents.rows.push(vec![name.into(), slope(1).into(), slope(2).into()]);
+        series.push(Series { name: name.to_owned(), points: points.iter().map(|p| [p[0], p[2]]).collect() });
+    }
+    let chart = Chart {
+        title: "How time grows".to_owned(),
+        x_label: "times as many".to_owned(),
+        y_label: "seconds on the device".to_owned(),
+        log_x: true,
+        log_y: true,
+        series,
+    };
+    let intro =
+        vec!["RK4 in Schwarzschild spacetime over ten spheres; what is named is doubled, and nothing else.".to_owned()];
+    Ok(Report {
+        name: "scaling",
+        title: "Scaling".to_owned(),
+        intro,
+        tables: vec![exponents, times],
+        plots: vec![("times", chart)],
+    })
+}
+
+/// The slope of the straight line through the points' logarithms.
+fn exponent(points: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let logs: Vec<[f64; 2]> = points.map(|point| point.map(f64::ln)).collect();
+    let count = logs.len() as f64;
+    let mean = [0, 1].map(|k| logs.iter().map(|point| point[k]).sum::<f64>() / count);
+    let sum = |a: usize, b: usize| logs.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>();
+    sum(0, 1) / sum(0, 0)
+}
+
+fn base(size: [u32; 2], balls: u32) -> Result<Scene, RenderError> {
+    let mut scene = scene(size, SCHWARZSCHILD, balls, 30, How::Ours)?;
+    scene.rays.auto = None;
+    scene.rays.method = Method::Rk4;
+    scene.rays.control = Control::Scaled { eta: 0.2 };
+    scene.rays.max_segments = 4000;
+    Ok(scene)
+}
+
+/// A quarter of the bench's picture, in which the largest of a series is affordable.
+fn part(bench: &Bench) -> [u32; 2] {
+    bench.size.map(|side| (side / 4).max(8))
+}
+
+fn pixels(bench: &Bench, factor: u32) -> Result<Scene, RenderError> {
+    let [width, height] = part(bench);
+    base([width * factor, height], 10)
+}
+
+fn steps(bench: &Bench, factor: u32) -> Result<Scene, RenderError> {
+    let mut scene = base(part(bench), 10)?;
+    scene.rays.control = Control::Scaled { eta: 0.2 / f64::from(factor) };
+    Ok(scene)
+}
+
+fn spheres(bench: &Bench, factor: u32) -> Result<Scene, RenderError> {
+    base(part(bench), 4 * factor)
+}
+
+fn lights(bench: &Bench, factor: u32) -> Result<Scene, RenderError> {
+    let mut scene = base(part(bench), 10)?;
+    let first = scene.lights.clone();
+    scene.lights = first.iter().cycle().take(factor as usize).copied().collect();
+    Ok(scene)
+}
+
+fn samples(bench: &Bench, factor: u32) -> Result<Scene, RenderError> {
+    let mut scene = base(part(bench), 10)?;
+    scene.image.samples = factor;
+    Ok(scene)
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn powers_have_their_exponent() {
+        let points = [1.0, 2.0, 4.0, 8.0].map(|x: f64| [x, 3.0 * x.powf(0.7)]);
+        assert!((super::exponent(points.into_iter()) - 0.7).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,73 @@
+//! The same work cut into passes in different ways.
+
+use super::paper::{GEODESIC, How, scene};
+use super::{Bench, Cell, Report, Table, Times};
+use crate::output::plot::{Chart, Series};
+use crate::program::{Choice, Purpose, Schedule};
+use crate::render::{RenderError, Renderer, Settings};
+use crate::scene::Scene;
+
+/// K of the fused schedule; the last is all of a path's segments.
+const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
+
+/// The 2004 paper's case by every schedule and K, without masks, with masks alone, and with masks and the dense list of the living.
+pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
+    let scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
+    let others = [Schedule::Paper, Schedule::Segment].map(|schedule| (schedule, 1));
+    let fused = SEGMENTS.map(|segments| (Schedule::Fused, segments));
+    let header = ["schedule", "K", "no masks (s)", "masks (s)", "spread (no masks)", "spread (masks)", "gain"];
+    let mut table = Table::new("schedules", "300 Euler steps in 30 segments over 10 spheres, Schwarzschild", &header);
+    let mut curve = Vec::new();
+    for (schedule, segments) in others.into_iter().chain(fused) {
+        let [plain, masked] = by_masks(bench, &scene, schedule, segments)?;
+        let k =
+            if schedule == Schedule::Fused { Cell::from(segments.min(scene.rays.max_segments)) } else { Cell::None };
+        if schedule == Schedule::Fused {
+            curve.push((f64::from(segments.min(scene.rays.max_segments)), plain.median, masked.median));
+        }
+        table.rows.push(vec![
+            schedule.name().into(),
+            k,
+            plain.median.into(),
+            masked.median.into(),
+            plain.spread.into(),
+            masked.spread.into(),
+            (plain.median / masked.median).into(),
+        ]);
+    }
+    let series = |name: &str, pick: fn(&(f64, f64, f64)) -> f64| Series {
+        name: name.to_owned(),
+        points: curve.iter().map(|point| [point.0, pick(point)]).collect(),
+    };
+    let chart = Chart {
+        title: "Segments of one fused pass".to_owned(),
+        x_label: "K".to_owned(),
+        y_label: "seconds on the device".to_owned(),
+        log_x: true,
+        log_y: true,
+        series: vec![series("every pixel", |p| p.1), series("the living", |p| p.2)],
+    };
+    let [width, height] = bench.size;
+    Ok(Report {
+        name: "schedules",
+        title: "Schedules".to_owned(),
+        intro: vec![format!(
+            "{width}×{height} pixels. The same stages in different passes; every picture is the same, bit for bit. With masks \
+             ended rays are skipped; the fused schedule then runs over a dense list of the living."
+        )],
+        tables: vec![table],
+        plots: vec![("fused", chart)],
+    })
+}
+
+/// Without masks and with them, by turns.
+fn by_masks(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 2], RenderError> {
+    let renderer = |masks: bool| {
+        let choice = Choice { schedule, masks, purpose: Purpose::Picture, layers: Vec::new() };
+        Renderer::new(bench.gpu, scene, Settings { choice, segments, ..Settings::default() })
+    };
+    let (plain, masked) = (renderer(false)?, renderer(true)?);
+    let mut plain = || Ok(plain.picture()?.totals.advance());
+    let mut masked = || Ok(masked.picture()?.totals.advance());
+    Times::by_turns(bench.repeats, [&mut plain, &mut masked])
+}

@@ -1,0 +1,49 @@
+//! Times of repeats.
+
+use std::time::Duration;
+
+use crate::render::RenderError;
+
+/// What some runs of the same took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Times {
+    /// The median, seconds.
+    pub median: f64,
+    /// The longest over the shortest.
+    pub spread: f64,
+}
+
+impl Times {
+    /// Of `repeats` runs, after one that compiles.
+    pub fn of(repeats: usize, mut run: impl FnMut() -> Result<Duration, RenderError>) -> Result<Self, RenderError> {
+        let [times] = Self::by_turns(repeats, [&mut run])?;
+        Ok(times)
+    }
+
+    /// Of some things to be compared, each run once in every repeat, so that what disturbs one disturbs all.
+    pub fn by_turns<const N: usize>(
+        repeats: usize,
+        mut runs: [&mut dyn FnMut() -> Result<Duration, RenderError>; N],
+    ) -> Result<[Self; N], RenderError> {
+        let mut seconds: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
+        for repeat in 0..=repeats.max(1) {
+            for (run, seconds) in runs.iter_mut().zip(&mut seconds) {
+                let time = run()?;
+                if repeat > 0 {
+                    seconds.push(time.as_secs_f64());
+                }
+            }
+        }
+        Ok(seconds.map(Self::from))
+    }
+}
+
+impl From<Vec<f64>> for Times {
+    fn from(mut seconds: Vec<f64>) -> Self {
+        seconds.sort_by(f64::total_cmp);
+        let (Some(first), Some(last)) = (seconds.first(), seconds.last()) else {
+            return Self { median: f64::NAN, spread: f64::NAN };
+        };
+        Self { median: seconds[seconds.len() / 2], spread: last / first }
+    }
+}

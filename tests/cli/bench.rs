@@ -1,0 +1,47 @@
+//! `bentray bench`: reports for people and for scripts.
+
+use super::{BALL, Folder};
+
+/// The 2004 case by its keys, small.
+const SMALL: &str = "--size 16x16 --repeats 1";
+
+#[test]
+fn a_report_is_printed_and_written() {
+    let folder = Folder::with(BALL);
+    let ran = folder.run(&format!("bench schedules {SMALL} -o report")).succeeds();
+    for word in ["paper", "segment", "fused", "masks (s)", "16×16"] {
+        assert!(ran.out.contains(word), "{word}: {}", ran.out);
+    }
+    let csv = folder.text("report/schedules_schedules.csv");
+    assert_eq!(csv.lines().count(), 8, "{csv}");
+    let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    assert!(csv.lines().all(|line| line.split(',').count() == header.len()), "{csv}");
+    assert!(folder.text("report/index.html").contains("schedules_fused.svg"));
+    assert!(folder.text("report/schedules_fused.svg").contains("seconds on the device"));
+}
+
+#[test]
+fn json_is_for_scripts() {
+    let folder = Folder::with(BALL);
+    folder.write(
+        "hole.toml",
+        "[camera]\nposition = [0, 0, 20]\n[law]\nkind = \"schwarzschild\"\n\
+         [rays]\nmethod = \"rk4\"\nscaled_step = 0.3\nbound = { radius = 30 }\n",
+    );
+    let ran = folder.run(&format!("bench limit hole.toml scene.toml {SMALL} --json")).succeeds();
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let tables = &json["measured"]["limit"]["tables"];
+    assert_eq!(tables["ceilings"].as_array().unwrap().len(), 3);
+    let [hole, ball] = tables["scenes"].as_array().unwrap().as_slice() else { panic!("{tables}") };
+    assert!(hole["fused over bare"].as_f64().unwrap() > 0.0 && hole["steps a ray"].as_f64().unwrap() > 10.0);
+    // In straight space there are no steps.
+    assert!(ball["fused over bare"].is_null() && ball["method"] == "exact");
+    assert_eq!(json["about"]["repeats"], 1);
+}
+
+#[test]
+fn scenes_are_for_the_limit_alone() {
+    let folder = Folder::with(BALL);
+    folder.run("bench paper scene.toml").fails(1, &["scene.toml: only `limit` measures given scenes"]);
+    folder.run("bench limit missing.toml").fails(1, &["missing.toml"]);
+}
