@@ -93,7 +93,8 @@ pub struct Totals {
     pub segments: u64,
     /// Rays by how they ended.
     pub fates: Vec<(Status, u64)>,
-    /// Time on the device by stage (setup, advance, scatter, shade; in pictures advancing includes scattering, and all rounds of a sample after its first); none without timestamp queries.
+    /// Time on the device by stage (setup, advance, scatter, shade; in pictures advancing includes scattering, and all rounds of
+    /// a sample after its first); none without timestamp queries.
     pub device: Option<[Duration; 4]>,
     /// Time from start to end.
     pub wall: Duration,
