@@ -11,6 +11,8 @@ struct Frame {
     sample: u32,
     // Which round of that sample, where surfaces split rays and each round follows one branch: 0 for the first, 1 for all others.
     branch: u32,
+    // 1 where the pixels that take part in this round are listed, 0 where all of the tile do.
+    listed: u32,
     // Always 0, which no compiler knows.
     zero: u32,
 }

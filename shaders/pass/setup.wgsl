@@ -18,7 +18,7 @@ fn setup(
     if ray.status != OUTSIDE && (!finite(phase[0].xyz) || !finite(phase[1].xyz)) {
         ray.status = FAILED;
     }
-    if spot.valid && !begin_branches(pixel) {
+    if spot.valid && !(sample_wanted(pixel) && begin_branches(pixel)) {
         ray.status = RESTING;
     }
     if spot.valid {

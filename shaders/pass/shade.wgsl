@@ -1,18 +1,6 @@
 // Deferred local illumination (W04 §3.4, §7): once per ray, after all segments. What could not be followed stays black, and is
 // counted and shown in the status output, never painted as sky.
 
-@group(0) @binding(110) var red: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(111) var green: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(112) var blue: texture_storage_2d<r32float, read_write>;
-
-// The samples' sum: the host divides once, at the end.
-fn add_color(pixel: vec2u, c: vec3f) {
-    let first = frame.sample + frame.branch == 0u;
-    textureStore(red, pixel, vec4f(c.x + select(textureLoad(red, pixel).x, 0.0, first)));
-    textureStore(green, pixel, vec4f(c.y + select(textureLoad(green, pixel).x, 0.0, first)));
-    textureStore(blue, pixel, vec4f(c.z + select(textureLoad(blue, pixel).x, 0.0, first)));
-}
-
 @compute @workgroup_size(8, 8)
 fn shade(
     @builtin(workgroup_id) group: vec3u,
@@ -36,6 +24,7 @@ fn shade(
         add_color(pixel, color * end_weight(seen.end.x));
         add_coverage(pixel, code);
         keep_layers(pixel, ray, seen);
+        keep_corner(pixel, ray, seen);
     }
     tally_fate(followed, code, lane);
     end_round(followed, pixel, lane);

@@ -2,7 +2,7 @@
 // same means as the living. With none left a round's dispatches are all empty.
 
 fn round_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
-    if frame.branch == 0u {
+    if frame.listed == 0u {
         return grid_pixel(group, lane);
     }
     return living_pixel(group, groups, lane);

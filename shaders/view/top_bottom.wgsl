@@ -6,3 +6,8 @@ fn picture_ray(pixel: vec2u) -> CameraRay {
     let corner = vec2u(0u, select(0u, size.y, right));
     return eye_ray(camera_ray(image_plane(sample_point(pixel) - vec2f(corner), size)), right);
 }
+
+// Are the corners of a pixel of the picture all of its own view?
+fn corners_shared(pixel: vec2u) -> bool {
+    return pixel.y + 1u != frame.image.y / 2u;
+}

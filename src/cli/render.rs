@@ -24,7 +24,7 @@ pub(super) struct Arguments {
     /// Where to write: .png or .exr (repeatable)
     #[arg(short, long, required = true, value_name = "FILE")]
     output: Vec<PathBuf>,
-    /// Layers of the EXR; all of them unless named
+    /// Layers of the EXR; all of them unless named, `samples` where sampling is adaptive
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LAYER")]
     layers: Option<Vec<LayerName>>,
     #[command(flatten)]
@@ -64,6 +64,8 @@ enum LayerName {
     Status,
     /// Integration steps
     Steps,
+    /// Rays that the pixel took
+    Samples,
     /// No layers, only colour
     None,
 }
@@ -77,6 +79,7 @@ impl LayerName {
             Self::Object => Layer::Object,
             Self::Status => Layer::Status,
             Self::Steps => Layer::Steps,
+            Self::Samples => Layer::Samples,
             Self::None => return None,
         })
     }
@@ -141,19 +144,22 @@ impl Arguments {
             tonemap: scene.output.tonemap,
             bits: scene.output.bits,
             alpha: scene.is_transparent(),
-            layers: if is_exr(path) { self.layers() } else { Vec::new() },
+            layers: if is_exr(path) { self.layers(scene) } else { Vec::new() },
             metadata: metadata.to_vec(),
         }
     }
 
-    /// In the order of [`Layer::ALL`], each once; none without an EXR to hold them.
-    fn layers(&self) -> Vec<Layer> {
+    /// In the order of [`Layer::ALL`], each once; none without an EXR to hold them. How many samples a pixel took is a layer of
+    /// adaptive pictures unless others ask for it.
+    fn layers(&self, scene: &Scene) -> Vec<Layer> {
         if !self.output.iter().any(|path| is_exr(path)) {
             return Vec::new();
         }
         let wanted: Option<Vec<Layer>> =
             self.layers.as_ref().map(|names| names.iter().filter_map(|name| name.layer()).collect());
-        Layer::ALL.into_iter().filter(|layer| wanted.as_ref().is_none_or(|wanted| wanted.contains(layer))).collect()
+        let usual = |layer: Layer| layer != Layer::Samples || scene.image.adaptive.is_some();
+        let keeps = |layer: &Layer| wanted.as_ref().map_or_else(|| usual(*layer), |wanted| wanted.contains(layer));
+        Layer::ALL.into_iter().filter(keeps).collect()
     }
 }
 
@@ -175,7 +181,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let begun = Instant::now();
     let scene = if frames[0].is_some() { arguments.load(&overrides, frames[0])? } else { still };
     let gpu = arguments.device.open()?;
-    let settings = arguments.device.settings(arguments.layers());
+    let settings = arguments.device.settings(arguments.layers(&scene));
     let settings = render::Settings { memory: arguments.memory, window: arguments.crop, ..settings };
     let (scene, settings) = arguments.device.settle(&gpu, scene, settings, None)?;
     let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;

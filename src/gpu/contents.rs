@@ -164,6 +164,7 @@ impl Source<'_> {
                 let columns = f64::from(self.scene.image.samples).sqrt().ceil() as u32;
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
+            "refinement" => one(&self.refinement()),
             "law" | "flow" => one(&self.law()),
             "media" => pack(name, layout, self.media(kind)).map(Some),
             "profile" => pack(name, layout, self.profiles(kind)).map(Some),

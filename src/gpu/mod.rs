@@ -22,5 +22,5 @@ pub use geometry::Geometry;
 pub use media::{medium_values, profile_values};
 pub use pipeline::{Pipeline, Pipelines};
 pub use records::{Value, pack};
-pub use tile::{Memory, OPEN, Parts, Slots, TURN_STRIDE, Tile, memory};
+pub use tile::{Memory, OPEN, Parts, Slots, TURN_STRIDE, Tile, WANTED, memory};
 pub use uniforms::{control_values, schedule_values};

@@ -1,6 +1,6 @@
 //! What lives as long as one tile of a picture: the state of its rays in slots that ping-pong, and what passes hand to the next.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferBinding, BufferDescriptor,
@@ -10,7 +10,7 @@ use wgpu::{
 
 use super::pipeline::{PER_PASS, Pipeline, Pipelines, texture_format};
 use super::{Gpu, GpuError, SceneBuffers};
-use crate::program::{BindingKind, Pass, Program};
+use crate::program::{BindingKind, Linked, Pass, Program, Reflection};
 
 /// Bytes between the parts that passes see of a buffer: any device's alignment.
 pub const TURN_STRIDE: u64 = 256;
@@ -26,12 +26,13 @@ pub struct Slots {
     pub start: usize,
     /// Read as `x_end`.
     pub end: usize,
-    /// The lists that are read and written: 0 and 1 are of the living, and from [`OPEN`] on two of the open pixels.
+    /// The lists that are read and written: 0 and 1 are of the living, from [`OPEN`] on two of the open pixels, and from [`WANTED`]
+    /// on two of those that want more samples.
     pub list: [usize; 2],
 }
 
 /// The arguments of dispatches over each list.
-const LIVING: [&str; 4] = ["living_0", "living_1", "living_2", "living_3"];
+const LIVING: [&str; 6] = ["living_0", "living_1", "living_2", "living_3", "living_4", "living_5"];
 
 /// The parts of the buffers of which each pass sees its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,12 +47,15 @@ pub struct Parts {
 
 /// The first of the two lists of the pixels that have a path left.
 pub const OPEN: usize = 2;
+/// The first of the two lists of the pixels that want more samples.
+pub const WANTED: usize = 4;
 
 impl Slots {
     /// From those of a sample's first round those of another: the lists of open pixels take turns.
     #[must_use]
     pub fn in_round(self, round: u32) -> Self {
-        let turned = |list: usize| if list < OPEN { list } else { OPEN + (list + round as usize) % 2 };
+        let is_open = |list: usize| (OPEN..WANTED).contains(&list);
+        let turned = |list: usize| if is_open(list) { OPEN + (list + round as usize) % 2 } else { list };
         Self { list: self.list.map(turned), ..self }
     }
 }
@@ -127,7 +131,7 @@ fn state_buffers(program: &Program, slots: usize) -> BTreeMap<String, u32> {
         let BindingKind::Storage { layout, read_only: false } = &binding.kind else { continue };
         for output in 0..slots {
             let name = resource_name(&binding.name, Slots { input: 0, output, start: 0, end: 0, list: [0; 2] });
-            if name == "taken" || (name != binding.name && !name.starts_with("li")) {
+            if ["taken", "moments"].contains(&name.as_str()) || (name != binding.name && !name.starts_with("li")) {
                 all.insert(name, layout.span);
             }
         }
@@ -136,19 +140,15 @@ fn state_buffers(program: &Program, slots: usize) -> BTreeMap<String, u32> {
 }
 
 fn lists(program: &Program) -> Vec<String> {
-    let mut binding = program
-        .passes
-        .iter()
-        .filter(|(_, _, reflection)| reflection.bindings.iter().any(|binding| binding.name == "list_out"));
-    // The last pass lists what is open.
-    let count = if binding.clone().any(|(pass, ..)| *pass == Pass::Shade) {
-        4
-    } else if binding.next().is_some() {
-        2
-    } else {
-        0
+    let lists = |(pass, _, reflection): &(Pass, Linked, Reflection)| {
+        reflection.bindings.iter().any(|binding| binding.name == "list_out").then_some(match pass {
+            Pass::Shade => OPEN,
+            Pass::Refine => WANTED,
+            _ => 0,
+        })
     };
-    (0..count).map(|list| format!("list_{list}")).collect()
+    let firsts: BTreeSet<usize> = program.passes.iter().filter_map(lists).collect();
+    firsts.into_iter().flat_map(|first| [first, first + 1]).map(|list| format!("list_{list}")).collect()
 }
 
 /// A tile's textures and buffers.
@@ -188,12 +188,19 @@ impl Tile {
             tile.add_buffer(gpu, &name, 4 * pixels, BufferUsages::STORAGE)?;
         }
         for (list, name) in LIVING.into_iter().enumerate() {
-            let parts = if list < OPEN { parts.living } else { parts.open };
+            let parts = match list {
+                ..OPEN => parts.living,
+                OPEN..WANTED => parts.open,
+                _ => 1,
+            };
             tile.add_buffer(gpu, name, TURN_STRIDE * parts, BufferUsages::STORAGE | BufferUsages::INDIRECT)?;
         }
         tile.add_buffer(gpu, "turn", TURN_STRIDE * parts.turns, BufferUsages::UNIFORM)?;
         tile.add_buffer(gpu, "frame", 64, BufferUsages::UNIFORM)?;
         tile.add_buffer(gpu, "tally", 128, BufferUsages::STORAGE)?;
+        if program.passes.iter().any(|(pass, ..)| *pass == Pass::Refine) {
+            tile.add_buffer(gpu, "refined", 8, BufferUsages::STORAGE)?;
+        }
         Ok(tile)
     }
 

@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use super::records::Value::{self, Float, Uint, Uint2, Uint4, Vec2, Vec3};
 use crate::program::Work;
-use crate::scene::{CameraKind, Control, FlowField, Law, Sky};
+use crate::scene::{CameraKind, Control, FlowField, Law, Scene, Sky};
 
 impl Source<'_> {
     pub(super) fn camera(&self) -> Vec<(&'static str, Value)> {
@@ -49,6 +49,15 @@ impl Source<'_> {
             }
             Law::Straight | Law::Sources(_) | Law::Medium(_) => Vec::new(),
         }
+    }
+
+    pub(super) fn refinement(&self) -> Vec<(&'static str, Value)> {
+        let Scene { image, output, .. } = self.scene;
+        vec![
+            ("tolerance", Float(image.adaptive.unwrap_or(0.0))),
+            ("most", Uint(image.samples)),
+            ("gain", Float(output.exposure.exp2())),
+        ]
     }
 
     pub(super) fn sky(&self) -> Vec<(&'static str, Value)> {

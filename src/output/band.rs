@@ -16,13 +16,14 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Object => &["id.object"],
         Layer::Status => &["id.status"],
         Layer::Steps => &["steps"],
+        Layer::Samples => &["samples"],
     }
 }
 
 /// Whether a layer's samples are unsigned integers rather than floats.
 #[must_use]
 pub const fn is_id(layer: Layer) -> bool {
-    matches!(layer, Layer::Object | Layer::Status | Layer::Steps)
+    matches!(layer, Layer::Object | Layer::Status | Layer::Steps | Layer::Samples)
 }
 
 /// The bytes of each component, in the machine's byte order.

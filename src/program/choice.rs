@@ -50,6 +50,8 @@ pub enum Pass {
     Shade,
     /// Rays as numbers.
     Record,
+    /// Which pixels take more samples.
+    Refine,
     /// Steps and nothing else.
     Bare,
 }
@@ -68,6 +70,7 @@ impl Pass {
             Self::Scatter => "scatter",
             Self::Shade => "shade",
             Self::Record => "record",
+            Self::Refine => "refine",
             Self::Bare => "bare",
         }
     }
@@ -101,13 +104,22 @@ pub enum Layer {
     Status,
     /// Integration steps.
     Steps,
+    /// Rays that the pixel took.
+    Samples,
 }
 
 impl Layer {
     /// Every layer.
-    pub const ALL: [Self; 6] = [Self::Depth, Self::Position, Self::Normal, Self::Object, Self::Status, Self::Steps];
+    pub const ALL: [Self; 7] =
+        [Self::Depth, Self::Position, Self::Normal, Self::Object, Self::Status, Self::Steps, Self::Samples];
 
-    /// The name of its file in `shaders/layer/`; its texture is `layer_` and this.
+    /// Is it of a pixel's first ray, kept when that is shaded? The others are of all of a pixel's rays.
+    #[must_use]
+    pub fn is_of_a_ray(self) -> bool {
+        self != Self::Samples
+    }
+
+    /// The name of its file in `shaders/layer/`, if it is of a ray; its texture is `layer_` and this.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -117,6 +129,7 @@ impl Layer {
             Self::Object => "object",
             Self::Status => "status",
             Self::Steps => "steps",
+            Self::Samples => "samples",
         }
     }
 }
@@ -167,6 +180,9 @@ impl Choice {
             Purpose::Picture => Pass::Shade,
             Purpose::Trace | Purpose::Pixels | Purpose::Bare => Pass::Record,
         });
+        if self.adapts(scene) {
+            passes.push(Pass::Refine);
+        }
         passes
     }
 
@@ -179,10 +195,22 @@ impl Choice {
         }
     }
 
-    /// Do later rounds run over no more than the pixels that have a path left?
+    /// Do pixels take as many samples as they need?
+    #[must_use]
+    pub fn adapts(&self, scene: &Scene) -> bool {
+        self.purpose == Purpose::Picture && scene.image.adaptive.is_some()
+    }
+
+    /// Columns and rows that a tile has beyond its pixels: the last ones' corners are those of the next.
+    #[must_use]
+    pub fn margin(&self, scene: &Scene) -> u32 {
+        self.adapts(scene).into()
+    }
+
+    /// Do later rounds and samples run over no more than the pixels that have a path left, or want more samples?
     #[must_use]
     pub fn lists_open(&self, scene: &Scene) -> bool {
-        self.masks && self.rounds(scene) > 1
+        self.masks && (self.rounds(scene) > 1 || self.adapts(scene))
     }
 
     /// Slots of the state pair: `paper` keeps a chord's start while two more ping-pong under its steps.

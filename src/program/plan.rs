@@ -5,14 +5,26 @@ use super::region_parts::region_parts;
 use super::regions::{Kind, Regions, is_mirror, scatters};
 use super::{Choice, Pass, ProgramError, Purpose, Schedule, Work, generated, part};
 use crate::scene::{
-    Branches, CameraKind, Control, Frame, Law, Light, MaterialKind, Medium, Object, Pattern, Precision, Scene,
-    SchwarzschildForm, Segment, Shape, Sky, Stereo, StereoLayout,
+    Branches, CameraKind, Control, Frame, Law, Light, MaterialKind, Medium, Object, Pattern, Precision, SamplePattern,
+    Scene, SchwarzschildForm, Segment, Shape, Sky, Stereo, StereoLayout, Tonemap,
 };
 
 /// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
 pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
     let mut names = Names::default();
-    names.all(&["ray", "frame", "work", "bound", "schedule", "turn", "math", "tally/totals", "fate", "path_end"]);
+    names.all(&[
+        "ray",
+        "frame",
+        "work",
+        "bound",
+        "schedule",
+        "turn",
+        "math",
+        "tally/totals",
+        "fate",
+        "path_end",
+        "colors",
+    ]);
     names.all(&["state/ray", "living/place", "stage/ended", "stage/between", "stage/advanced"]);
     names.all(match scene.rays.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
@@ -77,7 +89,12 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
         (true, Schedule::Fused) => "living/list",
         (true, _) => "living/grid",
     });
-    names.add(if choice.lists_open(scene) { "round/open" } else { "round/once" });
+    names.add(match (choice.lists_open(scene), choice.rounds(scene) > 1) {
+        (false, _) => "round/once",
+        (true, false) => "round/chosen",
+        (true, true) => "round/open",
+    });
+    names.add(if choice.adapts(scene) { "wanted/open" } else { "wanted/all" });
     names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
     names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
     let rejects = matches!(scene.rays.control, Control::Embedded { .. } | Control::Doubling { .. });
@@ -142,7 +159,12 @@ fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     }
     names.all(&["camera/ray", "sample/image_plane"]);
     names.add(if scene.rays.asymptotic { "arrival/along_orbit" } else { "arrival/straight" });
-    names.add(if scene.image.samples > 1 { "sample/multi_jittered" } else { "sample/center" });
+    match scene.image.pattern {
+        _ if scene.image.samples == 1 => names.add("sample/center"),
+        SamplePattern::MultiJittered => names.add("sample/multi_jittered"),
+        SamplePattern::Progressive if choice.adapts(scene) => names.all(&["sample/sobol", "sample/adaptive"]),
+        SamplePattern::Progressive => names.all(&["sample/sobol", "sample/progressive"]),
+    }
     let camera = scene.camera.as_ref();
     names.add(match camera.map(|c| c.kind) {
         Some(CameraKind::Plane { .. }) => "camera/plane",
@@ -267,11 +289,20 @@ fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names, made: &mut V
         Sky::Equirectangular(..) => "sky/equirectangular",
         Sky::Faces(..) => "sky/faces",
     });
-    if choice.layers.is_empty() {
+    if choice.adapts(scene) {
+        names.all(&["sum/one_sample", "corner/kept", "moments", "displayed"]);
+        names.add(match scene.output.tonemap {
+            Tonemap::None => "tonemap/none",
+            Tonemap::Filmic => "tonemap/filmic",
+        });
+    } else {
+        names.all(&["sum/all_samples", "corner/none"]);
+    }
+    let layers: Vec<_> = choice.layers.iter().filter(|layer| layer.is_of_a_ray()).map(|layer| layer.name()).collect();
+    if layers.is_empty() {
         names.add("layer/none");
     } else {
         names.add("layer/kept");
-        let layers: Vec<_> = choice.layers.iter().map(|layer| layer.name()).collect();
         names.each("layer", layers.iter().copied());
         made.push(generated::layers(&layers));
     }

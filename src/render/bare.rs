@@ -26,7 +26,7 @@ impl Renderer<'_> {
         self.gpu.queue.write_buffer(buffer, 0, bytes);
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
         let started = Instant::now();
-        self.run_sample(&tile, Frame { origin: [0, 0], image: size, sample: 0 }, &mut clock, &|_| {})?;
+        self.run_sample(&tile, Frame { origin: [0, 0], image: size, sample: 0, refines: None }, &mut clock, &|_| {})?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(totals.advance())
     }

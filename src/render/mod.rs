@@ -7,6 +7,7 @@
 //! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
 //! dispatch drops what no longer lives. Submissions are kept short, because drivers kill long ones.
 
+mod adaptive;
 mod bare;
 mod clock;
 mod error;
@@ -20,6 +21,7 @@ mod totals;
 mod trace;
 mod window;
 
+pub use adaptive::Adaptive;
 pub use error::RenderError;
 pub use picture::{Band, Picture, Plane};
 pub use renderer::{Renderer, Settings};

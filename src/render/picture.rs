@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::clock::Clock;
 use super::readback::read_texture;
 use super::renderer::Frame;
-use super::{RenderError, Renderer, Totals, Window};
+use super::{Adaptive, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
 use crate::program::Layer;
 
@@ -58,7 +58,8 @@ impl Renderer<'_> {
         let Window { origin, size: [width, height] } = self.window();
         let [tile_width, tile_height] = self.tile_size()?;
         let mut clock = Clock::new(self.gpu, self.settings.scatter_apart);
-        let mut totals = Totals::default();
+        let mut totals = Totals { adaptive: self.adaptive(), ..Totals::default() };
+        let margin = self.settings.choice.margin(&self.scene);
         let mut tile: Option<Tile> = None;
         let all = f64::from(width) * f64::from(height);
         let mut pixels_done = 0.0;
@@ -68,12 +69,15 @@ impl Renderer<'_> {
             for left in (0..width).step_by(tile_width as usize) {
                 let size = [tile_width.min(width - left), tile_rows];
                 let tile = match &tile {
-                    Some(made) if made.size == size => made,
-                    _ => tile.insert(self.tile(size)?),
+                    Some(made) if made.size == size.map(|side| side + margin) => made,
+                    _ => tile.insert(self.tile(size.map(|side| side + margin))?),
                 };
                 let part = f64::from(size[0]) * f64::from(size[1]) / all;
                 let corner = [origin[0] + left, origin[1] + first_row];
-                self.render_tile(tile, corner, &mut clock, &|done| progress(pixels_done + done * part))?;
+                let capped = self.render_tile(tile, corner, &mut clock, &|done| progress(pixels_done + done * part))?;
+                if let Some(adaptive) = &mut totals.adaptive {
+                    adaptive.capped += capped;
+                }
                 pixels_done += part;
                 self.read_tally(tile, &mut totals)?;
                 self.read_tile(tile, left, &mut band)?;
@@ -99,6 +103,14 @@ impl Renderer<'_> {
         Ok(Picture { band, totals })
     }
 
+    /// What adaptive sampling is to do, if it is asked for.
+    fn adaptive(&self) -> Option<Adaptive> {
+        let [width, height] = self.window().size.map(u64::from);
+        let image = &self.scene.image;
+        let new = |tolerance| Adaptive { pixels: width * height, capped: 0, most: image.samples, tolerance };
+        image.adaptive.map(new)
+    }
+
     /// Some black rows of the picture.
     fn band(&self, first_row: u32, rows: u32) -> Band {
         let width = self.window().size[0];
@@ -108,53 +120,92 @@ impl Renderer<'_> {
         Band { first_row, rows, width, color, alpha, layers: Vec::new() }
     }
 
+    /// Takes all samples of a tile. How many pixels stopped at the cap of adaptive sampling.
     fn render_tile(
         &self,
         tile: &Tile,
         origin: [u32; 2],
         clock: &mut Clock,
         progress: &dyn Fn(f64),
-    ) -> Result<(), RenderError> {
+    ) -> Result<u64, RenderError> {
+        if self.settings.choice.adapts(&self.scene) {
+            return self.sample_adaptively(tile, origin, clock, progress);
+        }
         let samples = self.scene.image.samples;
         for sample in 0..samples {
-            let frame = Frame { origin, image: self.scene.image.size, sample };
+            let frame = Frame { origin, image: self.scene.image.size, sample, refines: None };
             let part = |done: f64| progress((f64::from(sample) + done) / f64::from(samples));
             self.run_sample(tile, frame, clock, &part)?;
         }
-        Ok(())
+        Ok(0)
     }
 
     fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band) -> Result<(), RenderError> {
+        let moments = self.read_moments(tile)?;
+        let at = Place { left, width: tile.size[0], margin: self.settings.choice.margin(&self.scene) };
         let weight = 1.0 / self.scene.image.samples as f32;
         let planes = band.color.iter_mut().chain(&mut band.alpha);
-        for (channel, name) in planes.zip(["red", "green", "blue", "alpha"]) {
-            if let Some(texture) = tile.texture(name) {
+        for (k, (channel, name)) in planes.zip(["red", "green", "blue", "alpha"]).enumerate() {
+            if let Some(moments) = &moments {
+                at.put(channel, band.width, moments.iter().map(|moments| moments.color[k]));
+            } else if let Some(texture) = tile.texture(name) {
                 let sums = read_texture(self.gpu, texture)?;
-                let means = sums.iter().map(|bits| f32::from_bits(*bits) * weight);
-                place(channel, band.width, left, tile.size[0], means);
+                at.put(channel, band.width, sums.iter().map(|bits| f32::from_bits(*bits) * weight));
             }
         }
         for &layer in &self.settings.choice.layers {
-            let Some(texture) = tile.texture(&format!("layer_{}", layer.name())) else { continue };
-            let words = read_texture(self.gpu, texture)?;
-            let at = if let Some(at) = band.layers.iter().position(|(l, _)| *l == layer) {
-                at
-            } else {
-                band.layers.push((layer, empty_plane(layer, band.width as usize * band.rows as usize)));
-                band.layers.len() - 1
+            let words = match (layer, &moments, tile.texture(&format!("layer_{}", layer.name()))) {
+                (Layer::Samples, Some(moments), _) => moments.iter().map(|moments| moments.rays).collect(),
+                (Layer::Samples, None, _) => {
+                    vec![self.scene.image.samples; tile.size.map(|n| n as usize).iter().product()]
+                }
+                (_, _, Some(texture)) => read_texture(self.gpu, texture)?,
+                _ => continue,
             };
-            let floats = |step: usize, k: usize| words.iter().skip(k).step_by(step).map(|bits| f32::from_bits(*bits));
-            match &mut band.layers[at].1 {
-                Plane::Scalar(values) => place(values, band.width, left, tile.size[0], floats(1, 0)),
-                Plane::Id(values) => place(values, band.width, left, tile.size[0], words.iter().copied()),
-                Plane::Vector(values) => {
-                    for (k, values) in values.iter_mut().enumerate() {
-                        place(values, band.width, left, tile.size[0], floats(4, k));
-                    }
+            at.put_layer(layer, band, &words);
+        }
+        Ok(())
+    }
+}
+
+/// Where in the rows of a band a tile's values go.
+struct Place {
+    left: u32,
+    /// The tile's width, with its margin.
+    width: u32,
+    margin: u32,
+}
+
+impl Place {
+    /// A tile's values without its margin, row by row, into full rows of the picture.
+    fn put<T: Copy>(&self, rows: &mut [T], width: u32, values: impl Iterator<Item = T>) {
+        for (i, value) in values.enumerate() {
+            let (row, column) = (i / self.width as usize, i % self.width as usize);
+            let own = column < (self.width - self.margin) as usize;
+            if let Some(place) = rows.get_mut(row * width as usize + self.left as usize + column).filter(|_| own) {
+                *place = value;
+            }
+        }
+    }
+
+    fn put_layer(&self, layer: Layer, band: &mut Band, words: &[u32]) {
+        let (width, pixels) = (band.width, band.width as usize * band.rows as usize);
+        let at = if let Some(at) = band.layers.iter().position(|(l, _)| *l == layer) {
+            at
+        } else {
+            band.layers.push((layer, empty_plane(layer, pixels)));
+            band.layers.len() - 1
+        };
+        let floats = |step: usize, k: usize| words.iter().skip(k).step_by(step).map(|bits| f32::from_bits(*bits));
+        match &mut band.layers[at].1 {
+            Plane::Scalar(values) => self.put(values, width, floats(1, 0)),
+            Plane::Id(values) => self.put(values, width, words.iter().copied()),
+            Plane::Vector(values) => {
+                for (k, values) in values.iter_mut().enumerate() {
+                    self.put(values, width, floats(4, k));
                 }
             }
         }
-        Ok(())
     }
 }
 
@@ -162,15 +213,7 @@ fn empty_plane(layer: Layer, pixels: usize) -> Plane {
     match layer {
         Layer::Depth => Plane::Scalar(vec![0.0; pixels]),
         Layer::Position | Layer::Normal => Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]]),
-        Layer::Object | Layer::Status | Layer::Steps => Plane::Id(vec![0; pixels]),
-    }
-}
-
-/// A tile's values, row by row, into full rows of the picture.
-fn place<T: Copy>(rows: &mut [T], width: u32, left: u32, tile_width: u32, values: impl Iterator<Item = T>) {
-    for (i, value) in values.enumerate() {
-        let (row, column) = (i / tile_width as usize, i % tile_width as usize);
-        rows[row * width as usize + left as usize + column] = value;
+        Layer::Object | Layer::Status | Layer::Steps | Layer::Samples => Plane::Id(vec![0; pixels]),
     }
 }
 

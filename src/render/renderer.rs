@@ -76,6 +76,17 @@ pub(super) struct Frame {
     pub origin: [u32; 2],
     pub image: [u32; 2],
     pub sample: u32,
+    /// In an adaptive picture, for which pixels the sample is.
+    pub refines: Option<Refines>,
+}
+
+/// The pixels that take a sample, and those of them that will take more.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Refines {
+    /// Are they listed, or every one of the tile?
+    pub listed: bool,
+    /// Their list, and the one of those that go on.
+    pub lists: [usize; 2],
 }
 
 pub(super) fn turn_of(step: &Step) -> (usize, usize, bool) {
@@ -214,6 +225,7 @@ impl<'a> Renderer<'a> {
             ("image", Uint2(frame.image)),
             ("sample", Uint(frame.sample)),
             ("branch", Uint(round.min(1))),
+            ("listed", Uint((round > 0 || frame.refines.is_some_and(|refines| refines.listed)).into())),
             ("zero", Uint(0)),
         ];
         self.write(tile, "frame", 0, &pack("frame", layout, [row])?);

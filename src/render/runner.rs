@@ -15,8 +15,8 @@ use wgpu::{
 
 use super::Renderer;
 use super::clock::{Clock, Stage};
-use super::renderer::{Frame, turn_of};
-use super::schedule::{Dispatch, Step};
+use super::renderer::{Frame, Refines, turn_of};
+use super::schedule::{Dispatch, Step, refining};
 use crate::gpu::{GpuError, OPEN, Slots, TURN_STRIDE, Tile};
 use crate::program::Pass;
 
@@ -53,8 +53,15 @@ impl Renderer<'_> {
                     weight = step.weight;
                     progress(f64::from(round) / f64::from(rounds));
                 }
-                runner.recorded.push((round, *step));
+                runner.recorded.push((round, taking_part(*step, round, frame.refines)));
             }
+        }
+        if let Some(refines) = frame.refines {
+            if rounds > 1 {
+                runner.submit(clock)?;
+                self.write_frame(tile, frame, 0)?;
+            }
+            runner.recorded.push((0, refining(refines, self.settings.choice.masks)));
         }
         runner.submit(clock)?;
         runner.wait(0)
@@ -76,9 +83,18 @@ fn stage_of(pass: Pass, round: u32, scatter_apart: bool) -> Stage {
         _ if round > 0 => Stage::Advance,
         Pass::Setup => Stage::Setup,
         Pass::Scatter if scatter_apart => Stage::Scatter,
-        Pass::Shade | Pass::Record => Stage::Shade,
+        Pass::Shade | Pass::Record | Pass::Refine => Stage::Shade,
         _ => Stage::Advance,
     }
+}
+
+/// A step of a sample's round: over the pixels that take the sample, if these are listed.
+fn taking_part(mut step: Step, round: u32, refines: Option<Refines>) -> Step {
+    if let (0, Dispatch::Open, Some(Refines { listed, lists })) = (round, step.dispatch, refines) {
+        step.slots.list[0] = lists[0];
+        step.dispatch = if listed { Dispatch::Living } else { Dispatch::Grid };
+    }
+    step
 }
 
 /// One sample under way.
@@ -112,9 +128,14 @@ impl<'r, 'a> Runner<'r, 'a> {
             drop(encoder.begin_compute_pass(&descriptor));
         }
         let batch = |round: u32| u64::from(round) / self.renderer.batch.rounds;
-        let key = |(round, step): &(u32, Step)| (batch(*round), stage_of(step.pass, *round, apart));
+        let key = |(round, step): &(u32, Step)| {
+            (batch(*round), stage_of(step.pass, *round, apart), step.pass == Pass::Refine)
+        };
         for steps in self.recorded.chunk_by(|a, b| key(a) == key(b)) {
-            let ((batch, stage), (round, first)) = (key(&steps[0]), steps[0]);
+            let ((batch, stage, refines), (round, first)) = (key(&steps[0]), steps[0]);
+            if let (true, Some(buffer)) = (refines, self.tile.living(first.slots.list[1])) {
+                encoder.clear_buffer(buffer, 0, None);
+            }
             if first.pass == Pass::Setup && u64::from(round) % self.renderer.batch.rounds == 0 {
                 self.clear_lists(&mut encoder, batch);
             }

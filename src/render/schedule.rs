@@ -1,6 +1,7 @@
 //! Schedules: the same stages, cut into different passes.
 
-use crate::gpu::{OPEN, Slots};
+use super::renderer::Refines;
+use crate::gpu::{OPEN, Slots, WANTED};
 use crate::program::{Choice, Pass, Purpose, Schedule, Work, scatters};
 use crate::scene::{Scene, Segment};
 
@@ -53,9 +54,17 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
         Schedule::Segment => recorded.by_segment(scene, work, n),
         Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
     }
-    let last = *choice.passes(scene).last().unwrap_or(&Pass::Shade);
+    let passes = choice.passes(scene);
+    let last = *passes.iter().rfind(|pass| **pass != Pass::Refine).unwrap_or(&Pass::Shade);
     recorded.push(last, Slots { input: 0, output: 0, start: 0, end: 0, list: [OPEN, OPEN + 1] }, 0, n);
     recorded.steps
+}
+
+/// What follows a sample of an adaptive picture.
+pub(super) fn refining(refines: Refines, masks: bool) -> Step {
+    let dispatch = if refines.listed && masks { Dispatch::Living } else { Dispatch::Grid };
+    let slots = Slots { input: 0, output: 0, start: 0, end: 0, list: refines.lists };
+    Step { pass: Pass::Refine, slots, dispatch, round: 0, living: 0, again: false, weight: 1 }
 }
 
 /// Rounds of a sample that write to parts of their own of the lists, so that these are cleared once for all of them.
@@ -79,7 +88,11 @@ impl Batch {
     pub(super) fn parts(&self, step: &Step, round: u32) -> [u64; 2] {
         let (round, open) = (u64::from(round), 2 * self.rounds);
         let first = round % self.rounds * self.living;
-        match step.slots.list.map(|list| list < OPEN) {
+        let [read, written] = step.slots.list;
+        match [read, written].map(|list| list < OPEN) {
+            // Of the lists of those that want more samples there is one part each.
+            [false, true] if read >= WANTED => [0, first],
+            [false, false] if read >= WANTED => [0, round % open],
             [true, _] => [first + step.living, first + step.living + 1],
             // What a round leaves open is the next one's work.
             [false, true] => [(round + open - 1) % open, first],

@@ -9,7 +9,7 @@
 use std::time::{Duration, Instant};
 
 use super::clock::Clock;
-use super::renderer::Frame;
+use super::renderer::{Frame, Refines};
 use super::{RenderError, Renderer, Totals, Window};
 use crate::program::Schedule;
 
@@ -34,7 +34,8 @@ impl Renderer<'_> {
         }
         let size = [width, height].map(|side| side.min(PART));
         let origin = [corner[0] + (width - size[0]) / 2, corner[1] + (height - size[1]) / 2];
-        let frame = Frame { origin, image: image.size, sample: 0 };
+        let refines = choice.adapts(&self.scene).then_some(Refines::FIRST);
+        let frame = Frame { origin, image: image.size, sample: 0, refines };
         let mut best: Option<(Duration, u32)> = None;
         for segments in CHOICES {
             self.set_segments(self.max_segments, segments)?;

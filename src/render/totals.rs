@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::LazyLock;
 use std::time::Duration;
 
+use super::Adaptive;
 use crate::program::constant;
 
 /// How a ray ended.
@@ -98,6 +99,8 @@ pub struct Totals {
     pub device: Option<[Duration; 4]>,
     /// Time from start to end.
     pub wall: Duration,
+    /// What adaptive sampling came to, where the scene asks for it.
+    pub adaptive: Option<Adaptive>,
 }
 
 impl Totals {
@@ -117,6 +120,12 @@ impl Totals {
     #[must_use]
     pub fn unfollowed(&self) -> u64 {
         [Status::Alive, Status::Exhausted, Status::Stalled, Status::Failed].into_iter().map(|s| self.count(s)).sum()
+    }
+
+    /// Rays of a pixel on average, under adaptive sampling.
+    #[must_use]
+    pub fn rays_a_pixel(&self) -> Option<f64> {
+        self.adaptive.map(|adaptive| self.rays as f64 / adaptive.pixels as f64)
     }
 
     /// Adds a tile's tally, the words of `Tally` in `shaders/tally/totals.wgsl`.
@@ -149,6 +158,10 @@ impl fmt::Display for Totals {
         write!(f, ", {:.3} s in all;", self.wall.as_secs_f64())?;
         for (status, count) in self.fates.iter().filter(|(_, count)| *count > 0) {
             write!(f, " {} {count}", status.name())?;
+        }
+        if let (Some(Adaptive { pixels, capped, most, tolerance }), Some(mean)) = (self.adaptive, self.rays_a_pixel()) {
+            let share = 100.0 * capped as f64 / pixels as f64;
+            write!(f, "; {mean:.2} rays a pixel, {capped} pixels ({share:.2} %) not within {tolerance} after {most}")?;
         }
         Ok(())
     }

@@ -204,7 +204,7 @@ fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), Re
         }
     }
     let image = tile.size;
-    Ok((tile, Frame { origin: [0, 0], image, sample: 0 }))
+    Ok((tile, Frame { origin: [0, 0], image, sample: 0, refines: None }))
 }
 
 /// The meshes that a ray starts in, as bits of the set of regions.
@@ -219,7 +219,7 @@ fn starting_set(scene: &Scene, ray: &[f64; 6]) -> u32 {
 /// A tile whose pixels stand for pixels of the picture.
 fn pixel_tile(renderer: &Renderer, batch: &[[u32; 2]], row: u32) -> Result<(Tile, Frame), RenderError> {
     let tile = list_tile(renderer, batch.len(), row, "chosen", bytemuck::cast_slice(batch))?;
-    Ok((tile, Frame { origin: [0, 0], image: renderer.scene.image.size, sample: 0 }))
+    Ok((tile, Frame { origin: [0, 0], image: renderer.scene.image.size, sample: 0, refines: None }))
 }
 
 /// A tile of rows of `row` pixels, with a list of what each is and room for their records.

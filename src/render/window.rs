@@ -58,14 +58,16 @@ impl Renderer<'_> {
     /// Bytes on the device that are the same for every size of tile.
     fn fixed_memory(&self) -> u64 {
         let Batch { rounds, living } = self.batch;
-        let parts = self.turns.len() as u64 + 2 * rounds * living + 4 * rounds;
+        let parts = self.turns.len() as u64 + 2 * rounds * living + 4 * rounds + 2;
         self.buffers.bytes() + TURN_STRIDE * parts
     }
 
     /// The largest tile that the budget and the device allow for the window.
     pub(super) fn tile_size(&self) -> Result<[u32; 2], GpuError> {
         let [width, height] = self.window().size;
-        let (fixed, each) = (self.fixed_memory(), self.memory().bytes_per_pixel() + READBACK);
+        // Of an adaptive picture the colours are read with all that is known of them.
+        let readback = READBACK * u64::from(1 + self.settings.choice.margin(&self.scene));
+        let (fixed, each) = (self.fixed_memory(), self.memory().bytes_per_pixel() + readback);
         let bought = self.settings.memory.saturating_sub(fixed) / each;
         if bought < LEAST {
             return Err(GpuError::Memory { allowed: self.settings.memory, needed: fixed + LEAST * each });
@@ -74,8 +76,12 @@ impl Renderer<'_> {
         // In 64 bits the state lies in buffers, whose size the device bounds.
         let buffer = self.gpu.limits.max_storage_buffer_binding_size.min(self.gpu.limits.max_buffer_size);
         let pixels = bought.min(self.settings.tile_pixels).min(buffer / self.memory().largest_item()).max(LEAST);
-        let tile_width = width.min(side).min(u32::try_from(pixels).unwrap_or(u32::MAX));
-        let rows = (pixels / u64::from(width)).clamp(1, u64::from(side.min(height)));
+        // Of a tile's corners a column and a row are beyond it.
+        let margin = self.settings.choice.margin(&self.scene);
+        let columns = u32::try_from(pixels / u64::from(1 + margin)).unwrap_or(u32::MAX);
+        let tile_width = width.min(side - margin).min(columns - margin);
+        let rows = pixels / u64::from(width + margin);
+        let rows = rows.saturating_sub(margin.into()).clamp(1, u64::from((side - margin).min(height)));
         Ok([tile_width, rows as u32])
     }
 }

@@ -79,8 +79,21 @@ pub struct Scene {
 pub struct Image {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Rays per pixel; more than one are multi-jittered.
+    /// Rays per pixel; under adaptive sampling the most that one takes of its own.
     pub samples: u32,
+    /// Where in a pixel they are, if there are several.
+    pub pattern: SamplePattern,
+    /// Does a pixel stop when its mean is good enough? The standard error at which it is, in what a screen shows, from 0 to 1.
+    pub adaptive: Option<f64>,
+}
+
+/// How samples are spread over a pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SamplePattern {
+    /// For a number that is known beforehand.
+    MultiJittered,
+    /// Well spread after any power of two of them.
+    Progressive,
 }
 
 /// `[animation]`: its values are in the scene of each frame.

@@ -8,6 +8,7 @@ mod animation;
 pub(super) mod bounds;
 mod camera;
 mod files;
+mod image;
 mod law;
 mod materials;
 mod media;
@@ -18,9 +19,9 @@ mod regions;
 mod written;
 
 use super::document::reader::{Reader, TableReader};
-use super::document::values::{array, color, direction, number_where, vector, whole, word};
+use super::document::values::{color, direction, number_where, vector, whole, word};
 use super::document::{Document, Override};
-use super::{Animation, Image, Light, Output, Scene, SceneError, Tonemap};
+use super::{Animation, Light, Output, Scene, SceneError, Tonemap};
 use files::Files;
 use glam::DVec3;
 use optics::Optics;
@@ -66,7 +67,7 @@ fn read(path: &Path) -> Result<String, SceneError> {
 pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
     let root = reader.root();
     let mut files = Files::new(folder);
-    let image = image(&root);
+    let image = image::read(&root);
     let law = law::read(&root, &mut files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
@@ -95,17 +96,6 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
         animation,
         pictures: files.into_pictures(),
     })
-}
-
-fn image(root: &TableReader) -> Image {
-    let mut image = Image { size: [800, 600], samples: 1 };
-    if let Some(table) = root.subtable("image", "image") {
-        let size = array("two whole numbers, [width, height]", whole(1..=65_536));
-        image.size = table.or("size", image.size, size);
-        image.samples = table.or("samples", image.samples, whole(1..=4096));
-        table.finish();
-    }
-    image
 }
 
 fn output(root: &TableReader) -> Output {

@@ -1,0 +1,123 @@
+// Which pixels take more samples, after each that some took. Where a pixel's four corners, shared with its neighbours, end alike
+// and look alike, it is done with their mean. Others take FIRST_SAMPLES of their own, and twice as many until the standard error
+// of their mean is below the tolerance, or until they have as many as they may: that is counted.
+
+struct Refinement {
+    // In what a screen shows, from 0 to 1.
+    tolerance: f32,
+    // A pixel's own samples, at most.
+    most: u32,
+    // What linear values are multiplied by to be shown.
+    gain: f32,
+}
+
+@group(0) @binding(119) var<uniform> refinement: Refinement;
+
+// Counts for the host.
+struct Refined {
+    open: atomic<u32>,
+    capped: atomic<u32>,
+}
+
+@group(0) @binding(117) var<storage, read_write> refined: Refined;
+
+const FIRST_SAMPLES: u32 = 16u;
+
+var<workgroup> group_open: atomic<u32>;
+var<workgroup> group_capped: atomic<u32>;
+
+// What the four corners say: done, or to be opened. Their values are displayed to be compared, and their mean is of light.
+fn from_corners(pixel: vec2u) -> Moments {
+    let end = load_corner(pixel);
+    var alike = corners_shared(frame.origin + pixel);
+    var sum = vec3f(0.0);
+    var low = vec3f(1.0);
+    var high = vec3f(0.0);
+    for (var i = 0u; i < 4u; i++) {
+        work += 1u;
+        let corner = pixel + vec2u(i & 1u, i >> 1u);
+        let c = load_color(corner);
+        let shown = displayed(c);
+        sum += c;
+        low = min(low, shown);
+        high = max(high, shown);
+        alike = alike && load_corner(corner) == end;
+    }
+    if alike && all(high - low <= vec3f(refinement.tolerance)) {
+        return Moments(0.25 * sum, load_coverage(pixel), vec3f(0.0), 1u);
+    }
+    return Moments(vec3f(0.0), 0.0, vec3f(0.0), 1u | OPEN);
+}
+
+// With one more sample, the n-th of the pixel's own.
+fn with_sample(before: Moments, pixel: vec2u, n: f32) -> Moments {
+    let c = load_color(pixel);
+    let sum = before.color + c;
+    let off = c - before.color / max(n - 1.0, 1.0);
+    let squares = before.squares + select(vec3f(0.0), off * (c - sum / n), n > 1.0);
+    return Moments(sum, before.alpha + load_coverage(pixel), squares, before.state + 1u);
+}
+
+// The standard error of the mean of n samples as it is displayed, the largest of the channels'.
+fn shown_error(m: Moments, n: f32) -> f32 {
+    let mean = m.color / n;
+    let error = sqrt(m.squares / (n * (n - 1.0)));
+    let apart = 0.5 * (displayed(mean + error) - displayed(mean - error));
+    let covered = m.alpha / n;
+    return max(max(apart.x, apart.y), max(apart.z, sqrt(covered * (1.0 - covered) / n)));
+}
+
+fn closed(m: Moments, n: f32, flag: u32) -> Moments {
+    return Moments(m.color / n, m.alpha / n, m.squares, (m.state & RAYS) | flag);
+}
+
+// After the last sample of a doubling.
+fn judged(m: Moments, n: u32) -> Moments {
+    if shown_error(m, f32(n)) < refinement.tolerance {
+        return closed(m, f32(n), 0u);
+    }
+    if n >= refinement.most {
+        return closed(m, f32(n), CAPPED);
+    }
+    return m;
+}
+
+@compute @workgroup_size(8, 8)
+fn refine(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let spot = round_pixel(group, groups, lane);
+    let n = frame.sample;
+    let judges = n == 0u || (n >= FIRST_SAMPLES && countOneBits(n) == 1u);
+    var state = 0u;
+    // The last column and row are only there for their corners.
+    if spot.valid && all(spot.pixel + 1u < frame.size) && sample_wanted(spot.pixel) {
+        let i = place_in_tile(spot.pixel);
+        var m: Moments;
+        if n == 0u {
+            m = from_corners(spot.pixel);
+        } else {
+            m = with_sample(moments[i], spot.pixel, f32(n));
+            if judges {
+                m = judged(m, n);
+            }
+        }
+        moments[i] = m;
+        state = m.state;
+    }
+    let open = judges && (state & OPEN) != 0u;
+    if open {
+        atomicAdd(&group_open, 1u);
+    }
+    if judges && (state & CAPPED) != 0u {
+        atomicAdd(&group_capped, 1u);
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        atomicAdd(&refined.open, atomicLoad(&group_open));
+        atomicAdd(&refined.capped, atomicLoad(&group_capped));
+    }
+    keep_living(open, spot.pixel, lane);
+}

@@ -1,0 +1,100 @@
+//! Sampling a picture only where it needs it.
+//!
+//! *Theory.* One ray through the corner of every pixel, which four pixels share, shows where the picture changes. A pixel whose
+//! four corners end alike and look alike is done. Any other takes samples of its own from a sequence each prefix of which is well
+//! spread, 16, 32, 64, …, until the standard error of their mean, in what a screen shows, is below the scene's tolerance. Where the
+//! picture is chaotic it never is (G95 §5): such pixels stop at the scene's number of samples, and are counted.
+//!
+//! *Practice.* A pixel is judged by its own samples and corners alone, so that tiles do not show: a tile has one more column and
+//! row of corners. Pixels that want more are listed on the device; the host reads how many there are after each doubling.
+//! 36 bytes a pixel, and 8 for the lists.
+
+use super::clock::Clock;
+use super::readback::read_buffer;
+use super::renderer::{Frame, Refines};
+use super::{RenderError, Renderer};
+use crate::gpu::{GpuError, Tile, WANTED};
+use crate::program::constant;
+
+/// What adaptive sampling came to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Adaptive {
+    /// Pixels of the window.
+    pub pixels: u64,
+    /// Those that took all the samples they may, and whose mean is not as good as it should be.
+    pub capped: u64,
+    /// Samples of its own that a pixel may take.
+    pub most: u32,
+    /// The standard error below which a mean is good enough, in what a screen shows.
+    pub tolerance: f64,
+}
+
+/// What `moments` says of a pixel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Moments {
+    /// Mean red, green, blue and alpha.
+    pub color: [f32; 4],
+    /// Rays that it took: that through its corner, and its own samples.
+    pub rays: u32,
+}
+
+impl Refines {
+    /// After the rays through the corners.
+    pub(super) const FIRST: Self = Self { listed: false, lists: [WANTED + 1, WANTED] };
+}
+
+impl Renderer<'_> {
+    /// All samples of a tile: which of its pixels take how many is decided on the way. How many stopped at the cap.
+    pub(super) fn sample_adaptively(
+        &self,
+        tile: &Tile,
+        origin: [u32; 2],
+        clock: &mut Clock,
+        progress: &dyn Fn(f64),
+    ) -> Result<u64, RenderError> {
+        /// The corners' part of the work, about.
+        const CORNERS: f64 = 0.3;
+        let image = &self.scene.image;
+        let first = constant("pass/refine", "FIRST_SAMPLES") as u32;
+        let frame = |sample: u32, refines: Refines| Frame { origin, image: image.size, sample, refines: Some(refines) };
+        self.run_sample(tile, frame(0, Refines::FIRST), clock, &|done| progress(CORNERS * done))?;
+        let [mut open, mut capped] = self.read_refined(tile)?;
+        let mut list = 0;
+        for sample in 1..=image.samples {
+            if open == 0 {
+                break;
+            }
+            let lists = [WANTED + list, WANTED + 1 - list];
+            let refines = Refines { listed: self.settings.choice.lists_open(&self.scene), lists };
+            self.run_sample(tile, frame(sample, refines), clock, &|_| {})?;
+            progress(CORNERS + (1.0 - CORNERS) * f64::from(sample) / f64::from(image.samples));
+            if sample >= first && sample.is_power_of_two() {
+                let [still, at_cap] = self.read_refined(tile)?;
+                (open, capped, list) = (still, capped + at_cap, 1 - list);
+            }
+        }
+        Ok(capped)
+    }
+
+    /// How many pixels want more samples, and how many stopped at the cap, since this was read last.
+    fn read_refined(&self, tile: &Tile) -> Result<[u64; 2], GpuError> {
+        let Some(buffer) = tile.buffer("refined") else { return Ok([0; 2]) };
+        let bytes = read_buffer(self.gpu, buffer, |_| {})?;
+        self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+        Ok([words[0], words[1]].map(u64::from))
+    }
+
+    /// Of every pixel of the tile with its margin, row by row; none if the tile has none.
+    pub(super) fn read_moments(&self, tile: &Tile) -> Result<Option<Vec<Moments>>, GpuError> {
+        let Some(buffer) = tile.buffer("moments") else { return Ok(None) };
+        let bytes = read_buffer(self.gpu, buffer, |_| {})?;
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+        let rays = constant("moments", "RAYS") as u32;
+        let moments = |words: &[u32]| {
+            let color = [words[0], words[1], words[2], words[3]].map(f32::from_bits);
+            Moments { color, rays: words[7] & rays }
+        };
+        Ok(Some(words.chunks_exact(8).map(moments).collect()))
+    }
+}
