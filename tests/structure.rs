@@ -82,6 +82,8 @@ fn shared_constants_are_in_the_shaders() {
         ("ray", "MISSED"),
         ("ray", "OUTSIDE"),
         ("ray", "FAILED"),
+        ("moments", "RAYS"),
+        ("pass/refine", "FIRST_SAMPLES"),
     ] {
         assert!(constant(part, name).is_finite());
     }
@@ -100,6 +102,7 @@ fn passes_bear_one_name() {
         Pass::Scatter,
         Pass::Shade,
         Pass::Record,
+        Pass::Refine,
         Pass::Bare,
     ];
     let parts = all_parts();

@@ -48,6 +48,7 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
     let mut scene = scene.clone();
     scene.image.size = bench.size;
     scene.image.samples = 1;
+    scene.image.adaptive = None;
     if let Some(found) = calibrate(bench.gpu, &scene, &Settings::default(), None)? {
         scene = found.applied(&scene);
     }

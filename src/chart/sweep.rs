@@ -120,6 +120,7 @@ impl Sweep<'_> {
         let factor = (f64::from(self.rays) / (width * height)).sqrt();
         scene.image.size = [width, height].map(|side| ((side * factor / 8.0).ceil() * 8.0) as u32);
         scene.image.samples = 1;
+        scene.image.adaptive = None;
         scene
     }
 

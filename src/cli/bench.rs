@@ -1,5 +1,7 @@
-//! `bentray bench`: the sources' tables repeated, how time grows, and how far from the device's limit a render is.
+//! `bentray bench`: the sources' tables repeated, how time grows, what samples are worth, and how far from the device's limit a
+//! render is.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -7,20 +9,20 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, limit, paper, scaling, schedules};
+use crate::bench::{Bench, Report, limit, paper, sampling, scaling, schedules};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
 use crate::output::report::{Section, write_report};
 use crate::scene::Scene;
 
-/// Measure: the 2004 paper's tables, schedules, how time grows, and the device's limit
+/// Measure: the 2004 paper's tables, schedules, how time grows, what samples are worth, and the device's limit
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// Which measurement
     #[arg(value_enum)]
     name: Name,
-    /// Scenes for `limit`; without any those of scenes/
+    /// Scenes for `limit`, without any those of scenes/, or for `sampling`, without any some of the project's own
     scenes: Vec<PathBuf>,
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
@@ -34,12 +36,22 @@ pub(super) struct Arguments {
     /// Each time is the median of so many
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
-    /// Another viewport than the paper's, for a trial
-    #[arg(long, value_name = "WxH", default_value = "800x600", value_parser = parse_size)]
-    size: [u32; 2],
+    /// Another viewport than the paper's 800x600, for a trial; for `sampling` another than 200x150
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<[u32; 2]>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+/// Scenes of all kinds that `sampling` takes.
+const SAMPLED: [&str; 6] = [
+    "thesis/sunset.toml",
+    "thesis/ring.toml",
+    "thesis/inverse_mirror.toml",
+    "thesis/luneburg.toml",
+    "fig4a_straight.toml",
+    "black_hole.toml",
+];
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 enum Name {
     /// The measurements of the 2004 paper: Table 1, Figure 5, and what its Euler steps see of a shadow
     Paper,
@@ -47,6 +59,8 @@ enum Name {
     Schedules,
     /// How time grows with pixels, steps, spheres, lights and samples
     Scaling,
+    /// What samples are worth: the error against 1024 a pixel, uniform and adaptive
+    Sampling,
     /// The device's own ceilings, and how much of a render its steps alone are
     Limit,
     /// All of them
@@ -61,16 +75,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     let gpu = Gpu::open(arguments.device.as_deref())?;
     let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
-    let [width, height] = arguments.size;
+    let size = |name: Name| arguments.size.unwrap_or(if name == Name::Sampling { [200, 150] } else { [800, 600] });
+    let [width, height] = size(arguments.name);
     let how = format!("{device}, {width}×{height}, medians of {}", arguments.repeats);
     if !arguments.json {
         say!("{how}");
     }
-    let bench = Bench { gpu: &gpu, repeats: arguments.repeats as usize, size: arguments.size };
     let mut sections = vec![Section { title: "Where".to_owned(), intro: vec![how], ..Section::default() }];
     let mut found = Map::new();
     for name in wanted(arguments.name) {
-        let report = measure(&bench, name, &scenes)?;
+        let bench = Bench { gpu: &gpu, repeats: arguments.repeats as usize, size: size(name) };
+        let report = measure(&bench, name, scenes.get(&name).map_or(&[][..], Vec::as_slice))?;
         if arguments.json {
             found.insert(report.name.to_owned(), report.json());
         } else {
@@ -81,7 +96,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         }
     }
     if arguments.json {
-        let about = json!({ "device": device, "size": arguments.size, "repeats": arguments.repeats });
+        let about = json!({ "device": device, "size": size(arguments.name), "repeats": arguments.repeats });
         say!("{:#}", json!({ "about": about, "measured": Value::Object(found) }));
     }
     if let Some(folder) = &arguments.output {
@@ -92,7 +107,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 
 fn wanted(name: Name) -> Vec<Name> {
     match name {
-        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Limit],
+        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Sampling, Name::Limit],
         one => vec![one],
     }
 }
@@ -102,22 +117,28 @@ fn measure(bench: &Bench, name: Name, scenes: &[(String, Scene)]) -> Result<Repo
         Name::Paper => paper(bench)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
+        Name::Sampling => sampling(bench, scenes)?,
         Name::Limit | Name::All => limit(bench, scenes)?,
     })
 }
 
-/// The scenes that `limit` is about, read before the first measurement.
-fn scenes(arguments: &Arguments) -> Result<Vec<(String, Scene)>, Error> {
-    if !wanted(arguments.name).contains(&Name::Limit) {
-        return match arguments.scenes.first() {
-            Some(path) => Err(Error::Usage(format!("{}: only `limit` measures given scenes", path.display()))),
-            None => Ok(Vec::new()),
-        };
+/// The scenes that measurements are about, read before the first of them.
+fn scenes(arguments: &Arguments) -> Result<BTreeMap<Name, Vec<(String, Scene)>>, Error> {
+    let about: Vec<Name> =
+        wanted(arguments.name).into_iter().filter(|name| matches!(name, Name::Limit | Name::Sampling)).collect();
+    if let (true, Some(path)) = (about.is_empty(), arguments.scenes.first()) {
+        return Err(Error::Usage(format!("{}: only `limit` and `sampling` measure given scenes", path.display())));
     }
-    let paths = match arguments.scenes.as_slice() {
-        [] => super::chart::scenes_in(Path::new("scenes"))?,
-        given => given.to_vec(),
+    let folder = Path::new("scenes");
+    let read = |name: Name| {
+        let paths = match arguments.scenes.as_slice() {
+            [] if name == Name::Sampling => SAMPLED.iter().map(|file| folder.join(file)).collect(),
+            [] => super::chart::scenes_in(folder)?,
+            given => given.to_vec(),
+        };
+        let stem = |path: &Path| path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
+        let scenes = paths.iter().map(|path| Ok((stem(path), Scene::load(path, &[])?)));
+        Ok((name, scenes.collect::<Result<_, Error>>()?))
     };
-    let name = |path: &Path| path.file_stem().map_or_else(|| "scene".to_owned(), |s| s.to_string_lossy().into_owned());
-    paths.iter().map(|path| Ok((name(path), Scene::load(path, &[])?))).collect()
+    about.into_iter().map(read).collect()
 }

@@ -55,6 +55,12 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     let program = Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len())?;
     let [width, height] = scene.image.size;
     say!("{}: {width}×{height}, samples {}, objects {}", path.display(), scene.image.samples, scene.objects.len());
+    if let Some(tolerance) = scene.image.adaptive {
+        say!(
+            "  adaptive: a ray a pixel through its corner, then 16 and on to {}, until the error is below {tolerance}",
+            scene.image.samples
+        );
+    }
     if !geometry.triangles.is_empty() {
         say!("  {} triangles in {} nodes", geometry.triangles.len(), geometry.nodes.len());
     }

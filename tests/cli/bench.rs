@@ -40,8 +40,8 @@ fn json_is_for_scripts() {
 }
 
 #[test]
-fn scenes_are_for_the_limit_alone() {
+fn scenes_are_for_limit_and_sampling() {
     let folder = Folder::with(BALL);
-    folder.run("bench paper scene.toml").fails(1, &["scene.toml: only `limit` measures given scenes"]);
+    folder.run("bench paper scene.toml").fails(1, &["scene.toml: only `limit` and `sampling` measure given scenes"]);
     folder.run("bench limit missing.toml").fails(1, &["missing.toml"]);
 }

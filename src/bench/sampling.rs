@@ -1,0 +1,184 @@
+//! What samples are worth: the error of a picture against the rays that it took, uniform and adaptive.
+
+use std::time::Duration;
+
+use super::{Bench, Cell, Report, Table, Times};
+use crate::measure::{calibrate, method_words};
+use crate::output::color::display;
+use crate::output::plot::{Chart, Series};
+use crate::render::{Picture, RenderError, Renderer, Settings, Totals};
+use crate::scene::{SamplePattern, Scene};
+
+/// Samples of the pictures that others are compared with.
+const REFERENCE: u32 = 1024;
+/// Samples of uniform pictures.
+const UNIFORM: [u32; 4] = [1, 4, 16, 64];
+/// Of which this is what adaptive sampling is to be as good as.
+const AIM: u32 = 16;
+/// Tolerances of adaptive pictures.
+const TOLERANCES: [f64; 4] = [0.02, 0.03, 0.05, 0.08];
+/// The one for all scenes, by which adaptive sampling is judged.
+const USUAL: f64 = 0.05;
+/// Samples that an adaptive pixel may take.
+const MOST: u32 = 64;
+/// Rays a pixel that adaptive sampling is to do with.
+const FEW: f64 = 6.0;
+
+/// How a picture is sampled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sampling {
+    Uniform(u32),
+    Adaptive(f64),
+}
+
+/// A picture so sampled.
+struct Measured {
+    sampling: Sampling,
+    /// Root of the mean square over pixels and channels, in what a PNG shows, from 0 to 1, before it is rounded.
+    rmse: f64,
+    rays: f64,
+    capped: Option<f64>,
+    times: Times,
+}
+
+/// Every scene, by name, with each sampling.
+pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
+    let header = [
+        "scene",
+        "method",
+        "samples",
+        "tolerance",
+        "rays a pixel",
+        "RMSE",
+        "of uniform 16",
+        "at the cap (%)",
+        "device (s)",
+        "spread",
+    ];
+    let caption = format!("Error against {REFERENCE} samples a pixel; adaptive pictures take up to {MOST}");
+    let mut table = Table::new("scenes", caption, &header);
+    let caption = format!("Adaptive at {USUAL} in every scene, against {AIM} samples a pixel");
+    let header = ["scene", "uniform 16 (RMSE)", "adaptive (RMSE)", "rays a pixel", "as good with 6 at most"];
+    let mut judged = Table::new("judged", caption, &header);
+    let mut series = Vec::new();
+    for (name, scene) in scenes {
+        let (words, measured) = measure(bench, scene)?;
+        let aim = measured.iter().find(|m| m.sampling == Sampling::Uniform(AIM)).map_or(f64::NAN, |m| m.rmse);
+        table.rows.extend(measured.iter().map(|m| row(name, &words, m, aim)));
+        let usual = measured.iter().filter(|m| m.sampling == Sampling::Adaptive(USUAL));
+        judged.rows.extend(usual.map(|m| {
+            let reached = m.rmse <= aim && m.rays <= FEW;
+            vec![
+                name.as_str().into(),
+                aim.into(),
+                m.rmse.into(),
+                m.rays.into(),
+                if reached { "yes" } else { "no" }.into(),
+            ]
+        }));
+        series.extend(curves(name, &measured));
+    }
+    let [width, height] = bench.size;
+    Ok(Report {
+        name: "sampling",
+        title: "Sampling".to_owned(),
+        intro: vec![format!(
+            "{width}×{height} pixels. The root of the mean squared error over pixels and channels, of the values that a PNG shows \
+             (sRGB, 0 to 1, not rounded). Rays a pixel count those through the corners, which pixels share. At the cap are pixels \
+             that took {MOST} samples and whose mean is not within the tolerance. A detail between four corners that look alike, \
+             such as a star, is not seen by adaptive sampling."
+        )],
+        tables: vec![judged, table],
+        plots: vec![(
+            "error",
+            Chart {
+                title: "Error of sampling".to_owned(),
+                x_label: "rays a pixel".to_owned(),
+                y_label: "RMSE of displayed values".to_owned(),
+                log_x: true,
+                log_y: true,
+                series,
+            },
+        )],
+    })
+}
+
+fn row(name: &str, words: &str, m: &Measured, aim: f64) -> Vec<Cell> {
+    let (samples, tolerance) = match m.sampling {
+        Sampling::Uniform(samples) => (Cell::from(samples), Cell::None),
+        Sampling::Adaptive(tolerance) => (Cell::from("adaptive"), Cell::from(tolerance)),
+    };
+    vec![
+        name.into(),
+        words.into(),
+        samples,
+        tolerance,
+        m.rays.into(),
+        m.rmse.into(),
+        (m.rmse / aim).into(),
+        m.capped.into(),
+        m.times.median.into(),
+        m.times.spread.into(),
+    ]
+}
+
+fn curves(name: &str, measured: &[Measured]) -> [Series; 2] {
+    [("uniform", true), ("adaptive", false)].map(|(words, uniform)| Series {
+        name: format!("{name}, {words}"),
+        points: measured
+            .iter()
+            .filter(|m| matches!(m.sampling, Sampling::Uniform(_)) == uniform)
+            .map(|m| [m.rays, m.rmse])
+            .collect(),
+    })
+}
+
+/// All samplings of a scene, and its method in words.
+fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), RenderError> {
+    let mut scene = sampled(scene, Sampling::Uniform(1));
+    scene.image.size = bench.size;
+    if let Some(found) = calibrate(bench.gpu, &scene, &Settings::default(), None)? {
+        scene = found.applied(&scene);
+    }
+    let truth = sampled(&scene, Sampling::Uniform(REFERENCE));
+    let truth = shown(&scene, &Renderer::new(bench.gpu, &truth, Settings::default())?.picture()?);
+    let mut measured = Vec::new();
+    for sampling in UNIFORM.map(Sampling::Uniform).into_iter().chain(TOLERANCES.map(Sampling::Adaptive)) {
+        let scene = sampled(&scene, sampling);
+        let mut renderer = Renderer::new(bench.gpu, &scene, Settings::default())?;
+        renderer.choose_segments()?;
+        let picture = renderer.picture()?;
+        let off = shown(&scene, &picture).iter().zip(&truth).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+        let Totals { rays, adaptive, .. } = picture.totals;
+        let pixels = f64::from(bench.size[0]) * f64::from(bench.size[1]);
+        measured.push(Measured {
+            sampling,
+            rmse: (off / truth.len() as f64).sqrt(),
+            rays: rays as f64 / pixels,
+            capped: adaptive.map(|adaptive| 100.0 * adaptive.capped as f64 / pixels),
+            times: Times::of(bench.repeats, || Ok(time(&renderer.picture()?.totals)))?,
+        });
+    }
+    Ok((method_words(scene.rays.method, scene.rays.control), measured))
+}
+
+fn sampled(scene: &Scene, sampling: Sampling) -> Scene {
+    let mut scene = scene.clone();
+    let (samples, pattern, adaptive) = match sampling {
+        Sampling::Uniform(samples) => (samples, SamplePattern::MultiJittered, None),
+        Sampling::Adaptive(tolerance) => (MOST, SamplePattern::Progressive, Some(tolerance)),
+    };
+    (scene.image.samples, scene.image.pattern, scene.image.adaptive) = (samples, pattern, adaptive);
+    scene
+}
+
+/// What a PNG shows of the picture.
+fn shown(scene: &Scene, picture: &Picture) -> Vec<f64> {
+    let [red, green, blue] = &picture.band.color;
+    let colors = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, *g, *b]);
+    colors.flat_map(|color| display(color, scene.output.exposure.exp2(), scene.output.tonemap)).collect()
+}
+
+fn time(totals: &Totals) -> Duration {
+    totals.device.map_or(totals.wall, |stages| stages.iter().sum())
+}
