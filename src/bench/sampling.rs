@@ -1,4 +1,4 @@
-//! What samples are worth: the error of a picture against the rays that it took, uniform and adaptive.
+//! What samples are worth: the error of a picture against the samples that it took, uniform and adaptive.
 
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ const TOLERANCES: [f64; 4] = [0.02, 0.03, 0.05, 0.08];
 const USUAL: f64 = 0.05;
 /// Samples that an adaptive pixel may take.
 const MOST: u32 = 64;
-/// Rays a pixel that adaptive sampling is to do with.
+/// Samples a pixel that adaptive sampling is to do with.
 const FEW: f64 = 6.0;
 
 /// How a picture is sampled.
@@ -36,7 +36,8 @@ struct Measured {
     sampling: Sampling,
     /// Root of the mean square over pixels and channels, in what a PNG shows, from 0 to 1, before it is rounded.
     rmse: f64,
-    rays: f64,
+    /// A pixel on average.
+    samples: f64,
     capped: Option<f64>,
     times: Times,
 }
@@ -46,9 +47,9 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
     let header = [
         "scene",
         "method",
-        "samples",
+        "sampling",
         "tolerance",
-        "rays a pixel",
+        "samples a pixel",
         "RMSE",
         "of uniform 16",
         "at the cap (%)",
@@ -58,7 +59,7 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
     let caption = format!("Error against {REFERENCE} samples a pixel; adaptive pictures take up to {MOST}");
     let mut table = Table::new("scenes", caption, &header);
     let caption = format!("Adaptive at {USUAL} in every scene, against {AIM} samples a pixel");
-    let header = ["scene", "uniform 16 (RMSE)", "adaptive (RMSE)", "rays a pixel", "as good with 6 at most"];
+    let header = ["scene", "uniform 16 (RMSE)", "adaptive (RMSE)", "samples a pixel", "as good with 6 at most"];
     let mut judged = Table::new("judged", caption, &header);
     let mut series = Vec::new();
     for (name, scene) in scenes {
@@ -67,12 +68,12 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
         table.rows.extend(measured.iter().map(|m| row(name, &words, m, aim)));
         let usual = measured.iter().filter(|m| m.sampling == Sampling::Adaptive(USUAL));
         judged.rows.extend(usual.map(|m| {
-            let reached = m.rmse <= aim && m.rays <= FEW;
+            let reached = m.rmse <= aim && m.samples <= FEW;
             vec![
                 name.as_str().into(),
                 aim.into(),
                 m.rmse.into(),
-                m.rays.into(),
+                m.samples.into(),
                 if reached { "yes" } else { "no" }.into(),
             ]
         }));
@@ -84,7 +85,7 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
         title: "Sampling".to_owned(),
         intro: vec![format!(
             "{width}×{height} pixels. The root of the mean squared error over pixels and channels, of the values that a PNG shows \
-             (sRGB, 0 to 1, not rounded). Rays a pixel count those through the corners, which pixels share. At the cap are pixels \
+             (sRGB, 0 to 1, not rounded). Samples count the rays through the corners, which pixels share. At the cap are pixels \
              that took {MOST} samples and whose mean is not within the tolerance. A detail between four corners that look alike, \
              such as a star, is not seen by adaptive sampling."
         )],
@@ -93,7 +94,7 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
             "error",
             Chart {
                 title: "Error of sampling".to_owned(),
-                x_label: "rays a pixel".to_owned(),
+                x_label: "samples a pixel".to_owned(),
                 y_label: "RMSE of displayed values".to_owned(),
                 log_x: true,
                 log_y: true,
@@ -105,7 +106,7 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
 
 fn row(name: &str, words: &str, m: &Measured, aim: f64) -> Vec<Cell> {
     let (samples, tolerance) = match m.sampling {
-        Sampling::Uniform(samples) => (Cell::from(samples), Cell::None),
+        Sampling::Uniform(_) => (Cell::from("uniform"), Cell::None),
         Sampling::Adaptive(tolerance) => (Cell::from("adaptive"), Cell::from(tolerance)),
     };
     vec![
@@ -113,7 +114,7 @@ fn row(name: &str, words: &str, m: &Measured, aim: f64) -> Vec<Cell> {
         words.into(),
         samples,
         tolerance,
-        m.rays.into(),
+        m.samples.into(),
         m.rmse.into(),
         (m.rmse / aim).into(),
         m.capped.into(),
@@ -128,7 +129,7 @@ fn curves(name: &str, measured: &[Measured]) -> [Series; 2] {
         points: measured
             .iter()
             .filter(|m| matches!(m.sampling, Sampling::Uniform(_)) == uniform)
-            .map(|m| [m.rays, m.rmse])
+            .map(|m| [m.samples, m.rmse])
             .collect(),
     })
 }
@@ -149,12 +150,12 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
         renderer.choose_segments()?;
         let picture = renderer.picture()?;
         let off = shown(&scene, &picture).iter().zip(&truth).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
-        let Totals { rays, adaptive, .. } = picture.totals;
+        let adaptive = picture.totals.adaptive;
         let pixels = f64::from(bench.size[0]) * f64::from(bench.size[1]);
         measured.push(Measured {
             sampling,
             rmse: (off / truth.len() as f64).sqrt(),
-            rays: rays as f64 / pixels,
+            samples: adaptive.map_or(f64::from(scene.image.samples), |adaptive| adaptive.mean()),
             capped: adaptive.map(|adaptive| 100.0 * adaptive.capped as f64 / pixels),
             times: Times::of(bench.repeats, || Ok(time(&renderer.picture()?.totals)))?,
         });

@@ -9,6 +9,8 @@
 //! row of corners. Pixels that want more are listed on the device; the host reads how many there are after each doubling.
 //! 36 bytes a pixel, and 8 for the lists.
 
+use std::fmt;
+
 use super::clock::Clock;
 use super::readback::read_buffer;
 use super::renderer::{Frame, Refines};
@@ -21,12 +23,22 @@ use crate::program::constant;
 pub struct Adaptive {
     /// Pixels of the window.
     pub pixels: u64,
+    /// Samples that they took together, with the rays through their corners.
+    pub samples: u64,
     /// Those that took all the samples they may, and whose mean is not as good as it should be.
     pub capped: u64,
     /// Samples of its own that a pixel may take.
     pub most: u32,
     /// The standard error below which a mean is good enough, in what a screen shows.
     pub tolerance: f64,
+}
+
+impl Adaptive {
+    /// Samples of a pixel on average.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        self.samples as f64 / self.pixels as f64
+    }
 }
 
 /// What `moments` says of a pixel.
@@ -38,27 +50,43 @@ pub(super) struct Moments {
     pub rays: u32,
 }
 
+impl fmt::Display for Adaptive {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { pixels, capped, most, tolerance, .. } = self;
+        write!(f, "{:.2} samples a pixel, ", self.mean())?;
+        match capped {
+            0 => write!(f, "all pixels within {tolerance}"),
+            _ => {
+                let share = 100.0 * *capped as f64 / *pixels as f64;
+                write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most}")
+            }
+        }
+    }
+}
+
 impl Refines {
     /// After the rays through the corners.
     pub(super) const FIRST: Self = Self { listed: false, lists: [WANTED + 1, WANTED] };
 }
 
 impl Renderer<'_> {
-    /// All samples of a tile: which of its pixels take how many is decided on the way. How many stopped at the cap.
+    /// All samples of a tile: which of its pixels take how many is decided on the way, and added to `sums`.
     pub(super) fn sample_adaptively(
         &self,
         tile: &Tile,
         origin: [u32; 2],
         clock: &mut Clock,
         progress: &dyn Fn(f64),
-    ) -> Result<u64, RenderError> {
+        sums: &mut Adaptive,
+    ) -> Result<(), RenderError> {
         /// The corners' part of the work, about.
         const CORNERS: f64 = 0.3;
         let image = &self.scene.image;
         let first = constant("pass/refine", "FIRST_SAMPLES") as u32;
         let frame = |sample: u32, refines: Refines| Frame { origin, image: image.size, sample, refines: Some(refines) };
         self.run_sample(tile, frame(0, Refines::FIRST), clock, &|done| progress(CORNERS * done))?;
-        let [mut open, mut capped] = self.read_refined(tile)?;
+        sums.samples += u64::from(tile.size[0]) * u64::from(tile.size[1]);
+        let mut open = self.read_refined(tile, sums)?;
         let mut list = 0;
         for sample in 1..=image.samples {
             if open == 0 {
@@ -67,22 +95,24 @@ impl Renderer<'_> {
             let lists = [WANTED + list, WANTED + 1 - list];
             let refines = Refines { listed: self.settings.choice.lists_open(&self.scene), lists };
             self.run_sample(tile, frame(sample, refines), clock, &|_| {})?;
+            sums.samples += open;
             progress(CORNERS + (1.0 - CORNERS) * f64::from(sample) / f64::from(image.samples));
             if sample >= first && sample.is_power_of_two() {
-                let [still, at_cap] = self.read_refined(tile)?;
-                (open, capped, list) = (still, capped + at_cap, 1 - list);
+                open = self.read_refined(tile, sums)?;
+                list = 1 - list;
             }
         }
-        Ok(capped)
+        Ok(())
     }
 
-    /// How many pixels want more samples, and how many stopped at the cap, since this was read last.
-    fn read_refined(&self, tile: &Tile) -> Result<[u64; 2], GpuError> {
-        let Some(buffer) = tile.buffer("refined") else { return Ok([0; 2]) };
+    /// How many pixels want more samples; those that stopped at the cap since this was read last are added to `sums`.
+    fn read_refined(&self, tile: &Tile, sums: &mut Adaptive) -> Result<u64, GpuError> {
+        let Some(buffer) = tile.buffer("refined") else { return Ok(0) };
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-        Ok([words[0], words[1]].map(u64::from))
+        sums.capped += u64::from(words[1]);
+        Ok(words[0].into())
     }
 
     /// Of every pixel of the tile with its margin, row by row; none if the tile has none.

@@ -74,10 +74,8 @@ impl Renderer<'_> {
                 };
                 let part = f64::from(size[0]) * f64::from(size[1]) / all;
                 let corner = [origin[0] + left, origin[1] + first_row];
-                let capped = self.render_tile(tile, corner, &mut clock, &|done| progress(pixels_done + done * part))?;
-                if let Some(adaptive) = &mut totals.adaptive {
-                    adaptive.capped += capped;
-                }
+                let progress = |done| progress(pixels_done + done * part);
+                self.render_tile(tile, corner, &mut clock, &progress, &mut totals)?;
                 pixels_done += part;
                 self.read_tally(tile, &mut totals)?;
                 self.read_tile(tile, left, &mut band)?;
@@ -107,7 +105,8 @@ impl Renderer<'_> {
     fn adaptive(&self) -> Option<Adaptive> {
         let [width, height] = self.window().size.map(u64::from);
         let image = &self.scene.image;
-        let new = |tolerance| Adaptive { pixels: width * height, capped: 0, most: image.samples, tolerance };
+        let new =
+            |tolerance| Adaptive { pixels: width * height, samples: 0, capped: 0, most: image.samples, tolerance };
         image.adaptive.map(new)
     }
 
@@ -120,16 +119,16 @@ impl Renderer<'_> {
         Band { first_row, rows, width, color, alpha, layers: Vec::new() }
     }
 
-    /// Takes all samples of a tile. How many pixels stopped at the cap of adaptive sampling.
     fn render_tile(
         &self,
         tile: &Tile,
         origin: [u32; 2],
         clock: &mut Clock,
         progress: &dyn Fn(f64),
-    ) -> Result<u64, RenderError> {
-        if self.settings.choice.adapts(&self.scene) {
-            return self.sample_adaptively(tile, origin, clock, progress);
+        totals: &mut Totals,
+    ) -> Result<(), RenderError> {
+        if let Some(sums) = &mut totals.adaptive {
+            return self.sample_adaptively(tile, origin, clock, progress, sums);
         }
         let samples = self.scene.image.samples;
         for sample in 0..samples {
@@ -137,7 +136,7 @@ impl Renderer<'_> {
             let part = |done: f64| progress((f64::from(sample) + done) / f64::from(samples));
             self.run_sample(tile, frame, clock, &part)?;
         }
-        Ok(0)
+        Ok(())
     }
 
     fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band) -> Result<(), RenderError> {

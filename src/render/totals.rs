@@ -122,12 +122,6 @@ impl Totals {
         [Status::Alive, Status::Exhausted, Status::Stalled, Status::Failed].into_iter().map(|s| self.count(s)).sum()
     }
 
-    /// Rays of a pixel on average, under adaptive sampling.
-    #[must_use]
-    pub fn rays_a_pixel(&self) -> Option<f64> {
-        self.adaptive.map(|adaptive| self.rays as f64 / adaptive.pixels as f64)
-    }
-
     /// Adds a tile's tally, the words of `Tally` in `shaders/tally/totals.wgsl`.
     pub(super) fn add_tally(&mut self, words: &[u32]) {
         let wide = |i: usize| u64::from(words[i]) + (u64::from(words[i + 1]) << 32);
@@ -159,9 +153,8 @@ impl fmt::Display for Totals {
         for (status, count) in self.fates.iter().filter(|(_, count)| *count > 0) {
             write!(f, " {} {count}", status.name())?;
         }
-        if let (Some(Adaptive { pixels, capped, most, tolerance }), Some(mean)) = (self.adaptive, self.rays_a_pixel()) {
-            let share = 100.0 * capped as f64 / pixels as f64;
-            write!(f, "; {mean:.2} rays a pixel, {capped} pixels ({share:.2} %) not within {tolerance} after {most}")?;
+        if let Some(adaptive) = &self.adaptive {
+            write!(f, "; {adaptive}")?;
         }
         Ok(())
     }
