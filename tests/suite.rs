@@ -14,6 +14,7 @@ mod methods;
 mod oracle;
 mod orders;
 mod pictures;
+mod sampling;
 mod schedules;
 mod shaders;
 mod structure;

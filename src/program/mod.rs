@@ -15,6 +15,7 @@ mod formula;
 mod generated;
 mod link;
 mod parts;
+mod picture_parts;
 mod plan;
 mod reflect;
 mod region_parts;

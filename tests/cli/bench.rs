@@ -40,6 +40,22 @@ fn json_is_for_scripts() {
 }
 
 #[test]
+fn sampling_has_an_error_for_every_number_of_samples() {
+    let folder = Folder::with(BALL);
+    let ran = folder.run("bench sampling scene.toml --size 16x12 --repeats 1 -o report --json").succeeds();
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let tables = &json["measured"]["sampling"]["tables"];
+    let rows = tables["scenes"].as_array().unwrap();
+    assert_eq!((rows.len(), tables["judged"].as_array().unwrap().len()), (8, 1));
+    let number = |row: usize, key: &str| rows[row][key].as_f64().unwrap();
+    assert!(number(0, "RMSE") > 2.0 * number(2, "RMSE") && number(3, "RMSE") < number(2, "RMSE"), "{tables}");
+    assert_eq!((number(3, "samples a pixel"), number(2, "of uniform 16")), (64.0, 1.0));
+    assert!(number(6, "samples a pixel") < 16.0 && number(6, "at the cap (%)") < 50.0, "{tables}");
+    assert_eq!(folder.text("report/sampling_scenes.csv").lines().count(), 9);
+    assert!(folder.text("report/sampling_error.svg").contains("RMSE"));
+}
+
+#[test]
 fn scenes_are_for_limit_and_sampling() {
     let folder = Folder::with(BALL);
     folder.run("bench paper scene.toml").fails(1, &["scene.toml: only `limit` and `sampling` measure given scenes"]);

@@ -66,6 +66,71 @@ fn multi_jittered_samples() {
     }
 }
 
+/// Points 0 to N − 1 of the (0,2)-sequence by its generator matrices over the field of two: the identity and Pascal's triangle.
+fn sobol(index: u32) -> [u32; 2] {
+    let odd = |row: u32, column: u32| column & row == row; // the binomial coefficient (column, row), by Lucas's theorem
+    let second = |row: u32| (0..32).filter(|&c| index >> c & 1 == 1 && odd(row, c)).count() as u32 % 2;
+    [index.reverse_bits(), (0..32).map(|row| second(row) << (31 - row)).sum()]
+}
+
+/// Owen's scrambling bit by bit: Laine and Karras's hash carries only upwards, so that on reversed bits the flip of each depends
+/// on those above it alone.
+fn scrambled(x: u32, seed: u32) -> u32 {
+    let hash = |v: u32| {
+        let v = v ^ v.wrapping_mul(0x3d20_adea);
+        let v = v.wrapping_add(seed).wrapping_mul((seed >> 16) | 1);
+        let v = v ^ v.wrapping_mul(0x0552_6c56);
+        v ^ v.wrapping_mul(0x53a2_2864)
+    };
+    let x = x.reverse_bits();
+    let bit = |b: u32| hash(x & ((2_u64 << b) - 1) as u32) & (1 << b);
+    (0..32).map(bit).sum::<u32>().reverse_bits()
+}
+
+/// PCG's output function.
+fn hashed(seed: u32) -> u32 {
+    let state = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    (word >> 22) ^ word
+}
+
+/// Every prefix of 2^k progressive samples has one in each of the 2^k boxes of any shape with sides that are powers of two, and
+/// each is where the sequence has it.
+#[test]
+fn progressive_samples() {
+    const COUNT: u32 = 64;
+    let pixel = |i: u32| [i % SIDE, i / SIDE];
+    let inputs: Vec<[Vec4; 1]> = (0..SIDE * SIDE)
+        .flat_map(|i| (0..COUNT).map(move |s| [Vec4::new(pixel(i)[0] as f32, pixel(i)[1] as f32, s as f32, 0.0)]))
+        .collect();
+    let probe = Probe::new(&["work", "sample/sobol", "sample/progressive"]).stub(FRAME);
+    let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)) - p0.xy, 0.0, 0.0));";
+    let out = probe.run::<1, 1>(&gpu(), body, &inputs);
+    let mut patterns = BTreeSet::new();
+    for (i, samples) in (0..).zip(out.chunks(COUNT as usize)) {
+        let seed = hashed(pixel(i)[0].wrapping_mul(0x9e37_79b1) ^ pixel(i)[1].wrapping_mul(0x85eb_ca77));
+        let seeds = [seed, hashed(seed ^ 0x5163_3e2d)];
+        for (s, [point]) in (0..).zip(samples) {
+            let own = sobol(s);
+            for (k, got) in [point.x, point.y].into_iter().enumerate() {
+                let want = f64::from(scrambled(own[k], seeds[k])) / 4_294_967_296.0;
+                // Added to the pixel's place, in 32 bits, and taken off again.
+                assert!((f64::from(got) - want).abs() < 1e-6, "sample {s} of pixel {i}: {got} is not {want}");
+            }
+        }
+        for k in 0..=6 {
+            for across in 0..=k {
+                let cell = |x: f32, bits: u32| (x * (1 << bits) as f32) as u32;
+                let prefix = &samples[..1 << k];
+                let cells: BTreeSet<_> = prefix.iter().map(|[p]| [cell(p.x, across), cell(p.y, k - across)]).collect();
+                assert_eq!(cells.len(), prefix.len(), "{} of pixel {i} in 2^{across} columns", prefix.len());
+            }
+        }
+        patterns.insert(samples.iter().map(|[p]| [p.x, p.y].map(|c| (c * 1000.0) as u32)).collect::<Vec<_>>());
+    }
+    assert_eq!(patterns.len() as u32, SIDE * SIDE, "two pixels have the same samples");
+}
+
 #[test]
 fn image_plane_and_centre() {
     let inputs = [[0.0_f32, 0.0], [640.0, 480.0], [320.0, 240.0], [640.0, 0.0], [0.0, 480.0], [160.0, 120.0]]

@@ -12,24 +12,31 @@ pub fn read(root: &TableReader) -> Image {
     let Some(table) = root.subtable("image", "image") else { return image };
     let size = array("two whole numbers, [width, height]", whole(1..=65_536));
     image.size = table.or("size", image.size, size);
+    let samples = table.optional("samples", whole(1..=4096));
+    let patterns = &[("multi-jittered", SamplePattern::MultiJittered), ("progressive", SamplePattern::Progressive)];
+    let pattern = table.optional("pattern", word(patterns, &[]));
     let tolerance =
         number_where("a standard error above 0 and below 1, of what a screen shows", |x| x > 0.0 && x < 1.0);
     image.adaptive = table.optional("adaptive", tolerance);
-    let adaptive = table.gives("adaptive");
-    let samples = table.optional("samples", whole(1..=4096));
-    image.samples = samples.unwrap_or(if adaptive { 64 } else { 1 });
-    if adaptive && samples.is_some_and(|n| n < FIRST_SAMPLES || !n.is_power_of_two()) {
-        let problem = format!("adaptive sampling takes 16, 32, 64, … samples, and cannot stop at {}", image.samples);
+    if table.gives("adaptive") {
+        (image.samples, image.pattern) = (64, SamplePattern::Progressive);
+        check_adaptive(&table, samples, pattern);
+    }
+    image.samples = samples.unwrap_or(image.samples);
+    image.pattern = pattern.unwrap_or(image.pattern);
+    table.finish();
+    image
+}
+
+/// What goes with adaptive sampling.
+fn check_adaptive(table: &TableReader, samples: Option<u32>, pattern: Option<SamplePattern>) {
+    if let Some(samples) = samples.filter(|n| *n < FIRST_SAMPLES || !n.is_power_of_two()) {
+        let problem = format!("adaptive sampling takes 16, 32, 64, … samples, and cannot stop at {samples}");
         table.fault(&["samples"], problem, "give a power of two from 16 to 4096, or leave `samples` out, for up to 64");
     }
-    let patterns = &[("multi-jittered", SamplePattern::MultiJittered), ("progressive", SamplePattern::Progressive)];
-    let pattern = table.optional("pattern", word(patterns, &[]));
-    if adaptive && pattern == Some(SamplePattern::MultiJittered) {
+    if pattern == Some(SamplePattern::MultiJittered) {
         let problem =
             "adaptive sampling stops anywhere in a pixel's samples, which multi-jittered ones are not made for";
         table.fault(&["pattern"], problem, "leave `pattern` out, or write \"progressive\"");
     }
-    image.pattern = pattern.unwrap_or(if adaptive { SamplePattern::Progressive } else { image.pattern });
-    table.finish();
-    image
 }
