@@ -54,13 +54,11 @@ impl fmt::Display for Adaptive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { pixels, capped, most, tolerance, .. } = self;
         write!(f, "{:.2} samples a pixel, ", self.mean())?;
-        match capped {
-            0 => write!(f, "all pixels within {tolerance}"),
-            _ => {
-                let share = 100.0 * *capped as f64 / *pixels as f64;
-                write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most}")
-            }
+        if *capped == 0 {
+            return write!(f, "all pixels within {tolerance}");
         }
+        let share = 100.0 * *capped as f64 / *pixels as f64;
+        write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most}")
     }
 }
 
