@@ -41,6 +41,7 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
                 (Layer::Normal, Plane::Vector([8, 9, 10].map(plane))),
                 (Layer::Object, id(1)),
                 (Layer::Status, id(3)),
+                (Layer::Samples, id(5)),
             ],
         });
         first_row += rows;
