@@ -11,6 +11,7 @@ mod report;
 mod scaling;
 mod schedules;
 mod shadow;
+mod start;
 mod times;
 
 use crate::gpu::Gpu;
@@ -21,6 +22,7 @@ pub use report::{Cell, Report, Table};
 pub use scaling::scaling;
 pub use schedules::schedules;
 pub use shadow::{CRITICAL, shadow_edge};
+pub use start::{StartUp, start};
 pub use times::Times;
 
 /// Where and how to measure.

@@ -1,4 +1,5 @@
-//! `bentray bench`: the sources' tables repeated, how time grows, and how far from the device's limit a render is.
+//! `bentray bench`: the sources' tables repeated, how time grows, how far from the device's limit a render is, and what a start
+//! takes.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -7,20 +8,20 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, limit, paper, scaling, schedules};
+use crate::bench::{Bench, Report, limit, paper, scaling, schedules, start};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
 use crate::output::report::{Section, write_report};
 use crate::scene::Scene;
 
-/// Measure: the 2004 paper's tables, schedules, how time grows, and the device's limit
+/// Measure: the 2004 paper's tables, schedules, how time grows, the device's limit, and starts
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// Which measurement
     #[arg(value_enum)]
     name: Name,
-    /// Scenes for `limit`; without any those of scenes/
+    /// Scenes for `limit` and `start`; without any those of scenes/, and the black hole
     scenes: Vec<PathBuf>,
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
@@ -49,6 +50,8 @@ enum Name {
     Scaling,
     /// The device's own ceilings, and how much of a render its steps alone are
     Limit,
+    /// From launch to the first pixel, with the driver's cache empty and filled
+    Start,
     /// All of them
     All,
 }
@@ -70,7 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut sections = vec![Section { title: "Where".to_owned(), intro: vec![how], ..Section::default() }];
     let mut found = Map::new();
     for name in wanted(arguments.name) {
-        let report = measure(&bench, name, &scenes)?;
+        let report = measure(&bench, name, &scenes, &arguments.scenes)?;
         if arguments.json {
             found.insert(report.name.to_owned(), report.json());
         } else {
@@ -92,25 +95,33 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 
 fn wanted(name: Name) -> Vec<Name> {
     match name {
-        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Limit],
+        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Limit, Name::Start],
         one => vec![one],
     }
 }
 
-fn measure(bench: &Bench, name: Name, scenes: &[(String, Scene)]) -> Result<Report, Error> {
+fn measure(bench: &Bench, name: Name, scenes: &[(String, Scene)], paths: &[PathBuf]) -> Result<Report, Error> {
     Ok(match name {
         Name::Paper => paper(bench)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
         Name::Limit | Name::All => limit(bench, scenes)?,
+        Name::Start => {
+            let program = std::env::current_exe()
+                .map_err(|cause| Error::Usage(format!("this program cannot be started again: {cause}")))?;
+            let default = [PathBuf::from("scenes/black_hole.toml")];
+            start(bench, &program, if paths.is_empty() { &default } else { paths })?
+        }
     })
 }
 
 /// The scenes that `limit` is about, read before the first measurement.
 fn scenes(arguments: &Arguments) -> Result<Vec<(String, Scene)>, Error> {
     if !wanted(arguments.name).contains(&Name::Limit) {
-        return match arguments.scenes.first() {
-            Some(path) => Err(Error::Usage(format!("{}: only `limit` measures given scenes", path.display()))),
+        return match arguments.scenes.first().filter(|_| arguments.name != Name::Start) {
+            Some(path) => {
+                Err(Error::Usage(format!("{}: only `limit` and `start` measure given scenes", path.display())))
+            }
             None => Ok(Vec::new()),
         };
     }

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 
 use crate::gpu::{Gpu, GpuError};
-use crate::measure::calibrate;
+use crate::measure::{calibrate, calibrate_for};
 use crate::program::{Choice, Layer, Purpose};
 use crate::render::{RenderError, Settings, Window};
 use crate::scene::{Override, Scene};
@@ -137,21 +137,34 @@ impl DeviceFlags {
     }
 }
 
+/// The rays that a method is wanted for.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Rays<'r> {
+    /// These.
+    Given(&'r [[f64; 6]]),
+    /// The camera's, so many.
+    Camera(u64),
+}
+
 impl DeviceFlags {
-    /// The scene with a method, found by calibration where it leaves that open, and the settings with its schedule. `given`
-    /// are the rays to be followed, if they are not the camera's.
+    /// The scene with a method, found by calibration where it leaves that open, and the settings with its schedule.
     pub(super) fn settle(
         &self,
         gpu: &Gpu,
         scene: Scene,
         mut settings: Settings,
-        given: Option<&[[f64; 6]]>,
+        rays: Rays,
     ) -> Result<(Scene, Settings), RenderError> {
-        let Some(calibration) = calibrate(gpu, &scene, &settings, given)? else { return Ok((scene, settings)) };
+        let calibration = match rays {
+            Rays::Given(rays) => calibrate(gpu, &scene, &settings, Some(rays)),
+            Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
+        }?;
+        let Some(calibration) = calibration else { return Ok((scene, settings)) };
         eprintln!("{calibration}");
         if self.schedule.is_none() {
             settings.choice.schedule = calibration.schedule;
         }
+        settings.choice.layers.clone_from(&calibration.layers);
         Ok((calibration.applied(&scene), settings))
     }
 }

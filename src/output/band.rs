@@ -16,6 +16,7 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Object => &["id.object"],
         Layer::Status => &["id.status"],
         Layer::Steps => &["steps"],
+        Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }
 
@@ -37,7 +38,7 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
 fn suits(plane: &Plane, layer: Layer) -> bool {
     match plane {
         Plane::Scalar(_) => layer == Layer::Depth,
-        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal),
+        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way),
         Plane::Id(_) => is_id(layer),
     }
 }

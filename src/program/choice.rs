@@ -101,10 +101,12 @@ pub enum Layer {
     Status,
     /// Integration steps.
     Steps,
+    /// Where the ray was going at its end, as long as its way there: not for files, but for what is measured on a picture.
+    Way,
 }
 
 impl Layer {
-    /// Every layer.
+    /// Every layer that files hold.
     pub const ALL: [Self; 6] = [Self::Depth, Self::Position, Self::Normal, Self::Object, Self::Status, Self::Steps];
 
     /// The name of its file in `shaders/layer/`; its texture is `layer_` and this.
@@ -117,6 +119,7 @@ impl Layer {
             Self::Object => "object",
             Self::Status => "status",
             Self::Steps => "steps",
+            Self::Way => "way",
         }
     }
 }
