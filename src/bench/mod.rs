@@ -5,6 +5,7 @@
 //! table for each in CSV, JSON, and a part of a page.
 
 mod ceiling;
+mod compaction;
 mod limit;
 mod paper;
 mod report;
@@ -16,6 +17,7 @@ mod times;
 
 use crate::gpu::Gpu;
 
+pub use compaction::compaction;
 pub use limit::limit;
 pub use paper::paper;
 pub use report::{Cell, Report, Table};

@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, limit, paper, scaling, schedules, start};
+use crate::bench::{Bench, Report, compaction, limit, paper, scaling, schedules, start};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
@@ -21,7 +21,7 @@ pub(super) struct Arguments {
     /// Which measurement
     #[arg(value_enum)]
     name: Name,
-    /// Scenes for `limit` and `start`; without any those of scenes/, and the black hole
+    /// Scenes for `limit`, `compaction` and `start`; without any those of scenes/, of scenes/bench/, and the black hole
     scenes: Vec<PathBuf>,
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
@@ -50,6 +50,8 @@ enum Name {
     Scaling,
     /// The device's own ceilings, and how much of a render its steps alone are
     Limit,
+    /// What a dense list of the living is worth, where few rays go on and where all do
+    Compaction,
     /// From launch to the first pixel, with the driver's cache empty and filled
     Start,
     /// All of them
@@ -57,7 +59,8 @@ enum Name {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
-    let scenes = scenes(arguments)?;
+    // Read before the first measurement.
+    wanted(arguments.name).into_iter().try_for_each(|name| scenes(name, arguments).map(drop))?;
     if let Some(folder) = &arguments.output {
         let unwritable = |cause| OutputError::Write { path: folder.clone(), cause };
         std::fs::create_dir_all(folder).map_err(unwritable)?;
@@ -73,7 +76,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut sections = vec![Section { title: "Where".to_owned(), intro: vec![how], ..Section::default() }];
     let mut found = Map::new();
     for name in wanted(arguments.name) {
-        let report = measure(&bench, name, &scenes, &arguments.scenes)?;
+        let report = measure(&bench, name, &scenes(name, arguments)?, &arguments.scenes)?;
         if arguments.json {
             found.insert(report.name.to_owned(), report.json());
         } else {
@@ -95,7 +98,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 
 fn wanted(name: Name) -> Vec<Name> {
     match name {
-        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Limit, Name::Start],
+        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Limit, Name::Compaction, Name::Start],
         one => vec![one],
     }
 }
@@ -106,6 +109,7 @@ fn measure(bench: &Bench, name: Name, scenes: &[(String, Scene)], paths: &[PathB
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
         Name::Limit | Name::All => limit(bench, scenes)?,
+        Name::Compaction => compaction(bench, scenes)?,
         Name::Start => {
             let program = std::env::current_exe()
                 .map_err(|cause| Error::Usage(format!("this program cannot be started again: {cause}")))?;
@@ -115,18 +119,19 @@ fn measure(bench: &Bench, name: Name, scenes: &[(String, Scene)], paths: &[PathB
     })
 }
 
-/// The scenes that `limit` is about, read before the first measurement.
-fn scenes(arguments: &Arguments) -> Result<Vec<(String, Scene)>, Error> {
-    if !wanted(arguments.name).contains(&Name::Limit) {
-        return match arguments.scenes.first().filter(|_| arguments.name != Name::Start) {
-            Some(path) => {
-                Err(Error::Usage(format!("{}: only `limit` and `start` measure given scenes", path.display())))
-            }
-            None => Ok(Vec::new()),
-        };
-    }
+/// The scenes that a measurement is about, by name.
+fn scenes(measured: Name, arguments: &Arguments) -> Result<Vec<(String, Scene)>, Error> {
+    let folder = match measured {
+        Name::Limit => "scenes",
+        Name::Compaction => "scenes/bench",
+        _ if arguments.name == measured && measured != Name::Start && !arguments.scenes.is_empty() => {
+            let path = arguments.scenes[0].display();
+            return Err(Error::Usage(format!("{path}: only `limit`, `compaction` and `start` measure given scenes")));
+        }
+        _ => return Ok(Vec::new()),
+    };
     let paths = match arguments.scenes.as_slice() {
-        [] => super::chart::scenes_in(Path::new("scenes"))?,
+        [] => super::chart::scenes_in(Path::new(folder))?,
         given => given.to_vec(),
     };
     let name = |path: &Path| path.file_stem().map_or_else(|| "scene".to_owned(), |s| s.to_string_lossy().into_owned());

@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum};
 
 use crate::gpu::{Gpu, GpuError};
 use crate::measure::{calibrate, calibrate_for};
-use crate::program::{Choice, Layer, Purpose};
+use crate::program::{Choice, Layer, Masks, Purpose};
 use crate::render::{RenderError, Settings, Window};
 use crate::scene::{Override, Scene};
 
@@ -97,6 +97,9 @@ pub(super) struct DeviceFlags {
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
     no_masks: bool,
+    /// Skip ended rays where they lie, not by a list of the living
+    #[arg(long, conflicts_with = "no_masks")]
+    no_list: bool,
     /// K: segments of one fused pass. Without it, large pictures choose it by rendering a part of themselves
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
     segments_per_pass: Option<u32>,
@@ -126,11 +129,21 @@ impl DeviceFlags {
         self.segments_per_pass.is_none()
     }
 
+    /// The choice with the masks that are asked for.
+    fn masked(&self, choice: Choice) -> Choice {
+        let masks = match (self.no_masks, self.no_list) {
+            (true, _) => Masks::Off,
+            (false, true) => Masks::Grid,
+            (false, false) => choice.masks,
+        };
+        Choice { masks, ..choice }
+    }
+
     /// Settings for pictures with these layers.
     pub(super) fn settings(&self, layers: Vec<Layer>) -> Settings {
         let default = Settings::default();
         Settings {
-            choice: Choice { masks: !self.no_masks, layers, ..choice(self.schedule.unwrap_or(Schedule::Fused)) },
+            choice: Choice { layers, ..self.masked(choice(self.schedule.unwrap_or(Schedule::Fused))) },
             segments: self.segments_per_pass.unwrap_or(default.segments),
             ..default
         }
@@ -176,5 +189,5 @@ pub(super) fn choice(schedule: Schedule) -> Choice {
         Schedule::Segment => crate::program::Schedule::Segment,
         Schedule::Fused => crate::program::Schedule::Fused,
     };
-    Choice { schedule, masks: true, purpose: Purpose::Picture, layers: Vec::new() }
+    Choice { schedule, masks: schedule.masks(), purpose: Purpose::Picture, layers: Vec::new() }
 }

@@ -3,7 +3,7 @@
 use super::link::{Parts, Unit};
 use super::region_parts::region_parts;
 use super::regions::{Kind, Regions, is_mirror, scatters};
-use super::{Choice, Pass, ProgramError, Purpose, Schedule, Work, generated, part};
+use super::{Choice, Masks, Pass, ProgramError, Purpose, Work, generated, part};
 use crate::scene::{
     Branches, CameraKind, Control, Frame, Law, Light, MaterialKind, Medium, Object, Pattern, Precision, Scene,
     SchwarzschildForm, Segment, Shape, Sky, Stereo, StereoLayout,
@@ -23,7 +23,8 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     let mut made = vec![generated::counts(scene)];
     phase_parts(scene, &mut names);
     scatter_parts(scene, choice, &regions, &mut names, &mut made);
-    let pass_part = |pass: &Pass| if *pass == Pass::Advance && !choice.masks { "advance_all" } else { pass.entry() };
+    let pass_part =
+        |pass: &Pass| if *pass == Pass::Advance && choice.masks == Masks::Off { "advance_all" } else { pass.entry() };
     names.each("pass", choice.passes(scene).iter().map(pass_part));
     schedule_parts(scene, choice, &regions, &mut names);
     camera_parts(scene, choice, &mut names);
@@ -72,10 +73,10 @@ impl Names {
 }
 
 fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
-    names.add(match (choice.masks, choice.schedule) {
-        (false, _) => "living/all",
-        (true, Schedule::Fused) => "living/list",
-        (true, _) => "living/grid",
+    names.add(match choice.masks {
+        Masks::Off => "living/all",
+        Masks::Grid => "living/grid",
+        Masks::List => "living/list",
     });
     names.add(if choice.lists_open(scene) { "round/open" } else { "round/once" });
     names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });

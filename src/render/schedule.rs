@@ -1,7 +1,7 @@
 //! Schedules: the same stages, cut into different passes.
 
 use crate::gpu::{OPEN, Slots};
-use crate::program::{Choice, Pass, Purpose, Schedule, Work, scatters};
+use crate::program::{Choice, Masks, Pass, Purpose, Schedule, Work, scatters};
 use crate::scene::{Scene, Segment};
 
 /// What a pass runs over.
@@ -100,7 +100,7 @@ impl Recorder<'_> {
         let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record | Pass::Bare);
         let dispatch = match once {
             true if self.open => Dispatch::Open,
-            false if self.choice.masks => Dispatch::Living,
+            false if self.choice.masks != Masks::Off => Dispatch::Living,
             _ => Dispatch::Grid,
         };
         self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, weight });
@@ -182,7 +182,7 @@ mod tests {
 
     fn recorded(schedule: Schedule, segment: &str) -> Vec<Step> {
         let scene = scene(segment);
-        let choice = Choice { schedule, masks: true, purpose: Purpose::Picture, layers: Vec::new() };
+        let choice = Choice { schedule, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() };
         let work = Work::of(&scene, 0, 0).unwrap();
         steps(&scene, &choice, &work, scene.rays.max_segments, 4)
     }

@@ -40,6 +40,14 @@ fn json_is_for_scripts() {
 }
 
 #[test]
+fn the_list_is_held_against_masks() {
+    let folder = Folder::with(BALL);
+    let ran = folder.run(&format!("bench compaction scene.toml {SMALL} -o report")).succeeds();
+    assert!(ran.out.contains("list over masks"), "{}", ran.out);
+    assert_eq!(folder.text("report/compaction_compaction.csv").lines().count(), 5);
+}
+
+#[test]
 fn a_start_is_measured_by_its_parts() {
     let folder = Folder::with(BALL);
     let ran = folder.run("bench start scene.toml --repeats 1 --json --device llvmpipe").succeeds();
@@ -58,6 +66,8 @@ fn a_start_is_measured_by_its_parts() {
 #[test]
 fn scenes_are_for_the_limit_alone() {
     let folder = Folder::with(BALL);
-    folder.run("bench paper scene.toml").fails(1, &["scene.toml: only `limit` and `start` measure given scenes"]);
+    folder
+        .run("bench paper scene.toml")
+        .fails(1, &["scene.toml: only `limit`, `compaction` and `start` measure given scenes"]);
     folder.run("bench limit missing.toml").fails(1, &["missing.toml"]);
 }
