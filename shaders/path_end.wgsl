@@ -52,10 +52,10 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
 }
 
-// Where the gap vanishes if it is linear along the step; the step's end where it does not change its sign.
-fn secant_guess(code: u32, hit: Hit, step: LastStep) -> Real {
-    let g0 = stop_gap(code, hit, step.phase[0].xyz).w;
-    let g1 = stop_gap(code, hit, step.end[0].xyz).w;
+// Where the gap of a ray that met nothing vanishes if it is linear along the step; the step's end where it does not change its sign.
+fn secant_guess(code: u32, step: LastStep) -> Real {
+    let g0 = open_gap(code, step.phase[0].xyz).w;
+    let g1 = open_gap(code, step.end[0].xyz).w;
     return select(step.h, step.h * g0 / (g0 - g1), (g0 < 0.0) != (g1 < 0.0));
 }
 
@@ -70,9 +70,9 @@ fn line_exit(p: Phase) -> Real {
 }
 
 // A ray that first moves inwards comes nearer before it goes: there Newton's method would run back to where it came in.
-fn open_guess(code: u32, hit: Hit, step: LastStep) -> Real {
+fn open_guess(code: u32, step: LastStep) -> Real {
     let inwards = dot(step.phase[0].xyz - bound.center, step.phase[1].xyz) < 0.0;
-    return select(secant_guess(code, hit, step), min(own_measure(step.phase, line_exit(step.phase)), step.h), code == ESCAPED && inwards);
+    return select(secant_guess(code, step), min(own_measure(step.phase, line_exit(step.phase)), step.h), code == ESCAPED && inwards);
 }
 
 // ray: the state at the start of its last segment, which is followed again, to its very end.

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
 use bentray::chart::{Outcome, Place, default_settings};
-use bentray::measure::{Deviations, Truth, all_methods, calibrate, verify};
+use bentray::measure::{Deviations, Truth, all_methods, calibrate, calibrate_for, verify};
 use bentray::output::csv::read_rays;
 use bentray::program::{Choice, Purpose};
 use bentray::render::{Renderer, Settings, Starts, Status, Traced, trace};
@@ -95,6 +95,31 @@ fn a_calibrated_scene_is_as_accurate_as_was_asked() {
     // A scene that names its method is left alone.
     let named = scene(&format!("{HOLE}method = \"rk4\"\n"));
     assert!(calibrate(&gpu, &named, &Settings::default(), None).unwrap().is_none());
+}
+
+/// What is chosen without a search is right too, for laws that bend rays little and much and where something is in their way; and a
+/// picture that takes long is worth the search.
+#[test]
+fn a_small_picture_is_as_accurate_as_was_asked() {
+    let gpu = gpu();
+    let ball = "[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n\
+                center = [4, 0, -3]\nradius = 2\n";
+    let eye = "[image]\nsize = [80, 60]\n[camera]\nposition = [0, 2, 20]\n";
+    let fields = "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 0.2 }, \
+                  { position = [5, 1, 0], strength = -0.1, falloff = { yukawa = 0.3 } }]\n[rays]\nbound = { radius = 60 }\n";
+    for text in [HOLE.to_owned(), format!("{HOLE}{ball}"), format!("{eye}{fields}"), format!("{eye}{fields}{ball}")] {
+        let asked = scene(&text);
+        let found =
+            calibrate_for(&gpu, &asked, &Settings::default(), 5000).unwrap().expect("the scene names no method");
+        println!("{found}");
+        assert!(!found.compared && found.reached(), "{text}");
+        assert!(found.to_string().contains("not compared with other methods"));
+        let verified = verify(&gpu, &found.applied(&asked), &Settings::default(), 2000).unwrap().found;
+        let accuracy = asked.accuracy().unwrap();
+        assert!(verified.seen.p99 <= accuracy, "{text}: {:e} where {accuracy:e} was asked for", verified.seen.p99);
+    }
+    let searched = calibrate_for(&gpu, &scene(HOLE), &Settings::default(), 1 << 40).unwrap().unwrap();
+    assert!(searched.compared && searched.tried.len() > 1, "{searched}");
 }
 
 /// A chaotic flow has no accuracy to reach, and says so.

@@ -2,7 +2,7 @@
 
 use bentray::gpu::Geometry;
 use bentray::program::{
-    BindingKind, Choice, Layer, Linked, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
+    BindingKind, Choice, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
 };
 use bentray::scene::{Override, Scene};
 
@@ -49,7 +49,7 @@ fn nothing_can_be_taken_out_of_any_program() {
         let scene = Scene::load(path, &keys).unwrap_or_else(|error| panic!("{error}"));
         let geometry = Geometry::new(&scene);
         for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
-            for (masks, layers) in [(true, Vec::new()), (false, Layer::ALL.to_vec())] {
+            for (masks, layers) in [(Masks::List, Vec::new()), (Masks::Off, Layer::ALL.to_vec())] {
                 for purpose in purposes {
                     let choice = Choice { schedule, masks, purpose, layers: layers.clone() };
                     let program =

@@ -2,7 +2,7 @@
 //! have their limits.
 
 use bentray::gpu::Geometry;
-use bentray::program::{BindingKind, Choice, Layer, Program, Purpose, Schedule};
+use bentray::program::{BindingKind, Choice, Layer, Masks, Program, Purpose, Schedule};
 use bentray::render::{Picture, Renderer, Settings, Status, Traced, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -53,12 +53,14 @@ fn all_schedules_give_the_same_picture() {
         let mut scene = scene(text);
         scene.rays.max_segments = segments;
         let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-        let first = rendered(&scene, choice(Schedule::Fused, true));
-        for (schedule, masks) in [(Schedule::Fused, false), (Schedule::Segment, true), (Schedule::Paper, true)] {
+        let first = rendered(&scene, choice(Schedule::Fused, Masks::List));
+        for (schedule, masks) in
+            [(Schedule::Fused, Masks::Off), (Schedule::Segment, Masks::List), (Schedule::Paper, Masks::Grid)]
+        {
             let other = rendered(&scene, choice(schedule, masks));
-            assert!(first.band == other.band, "{schedule:?}, masks {masks}\n{text}");
+            assert!(first.band == other.band, "{schedule:?}, masks {masks:?}\n{text}");
             assert_eq!(first.totals.fates, other.totals.fates);
-            assert_eq!(first.totals.segments, other.totals.segments, "{schedule:?}, masks {masks}");
+            assert_eq!(first.totals.segments, other.totals.segments, "{schedule:?}, masks {masks:?}");
         }
     }
 }
@@ -190,7 +192,9 @@ fn nothing_can_be_taken_out_of_the_programs_of_interiors() {
         let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
         let geometry = Geometry::new(&scene);
         for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
-            for (purpose, masks) in [(Purpose::Picture, true), (Purpose::Picture, false), (Purpose::Trace, true)] {
+            for (purpose, masks) in
+                [(Purpose::Picture, Masks::List), (Purpose::Picture, Masks::Off), (Purpose::Trace, Masks::Grid)]
+            {
                 let choice = Choice { schedule, masks, purpose, layers: Vec::new() };
                 let program = Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len()).unwrap();
                 for (pass, linked, reflection) in &program.passes {

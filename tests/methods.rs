@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use bentray::gpu::Geometry;
-use bentray::program::{Choice, Layer, Purpose, Schedule, Work, link, plan};
+use bentray::program::{Choice, Layer, Masks, Purpose, Schedule, Work, link, plan};
 use bentray::scene::{FlowOrder, Law, Precision, Rays, Scene, SchwarzschildForm};
 
 use crate::exactness::unused;
@@ -74,10 +74,15 @@ fn other_form(law: &Law) -> Option<&'static str> {
 /// One after the other, so that each way to cut a program meets each part of the table: seven, which is no multiple of the
 /// number of precisions.
 fn choices() -> Vec<Choice> {
-    let mut all = vec![Choice { masks: false, ..Choice::default() }];
+    let mut all = vec![Choice { masks: Masks::Off, ..Choice::default() }];
     for schedule in [Schedule::Fused, Schedule::Paper, Schedule::Segment] {
         for (purpose, layers) in [(Purpose::Picture, Layer::ALL.to_vec()), (Purpose::Trace, Vec::new())] {
-            all.push(Choice { schedule, masks: purpose == Purpose::Picture, purpose, layers });
+            all.push(Choice {
+                schedule,
+                masks: if purpose == Purpose::Picture { Masks::List } else { Masks::Off },
+                purpose,
+                layers,
+            });
         }
     }
     all

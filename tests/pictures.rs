@@ -34,7 +34,8 @@ fn state_on_the_device_is_small() {
         assert_eq!(layered - plain, 4 * 4 + 2 * 16 + 2 * 4, "{}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &Choice::default()), plain);
-        let paper = bytes(&scene, &Choice { schedule: Schedule::Paper, ..Choice::default() });
+        let masks = Schedule::Paper.masks();
+        let paper = bytes(&scene, &Choice { schedule: Schedule::Paper, masks, ..Choice::default() });
         assert!(paper <= 100, "{}: {paper} bytes a pixel", path.display());
     }
 }

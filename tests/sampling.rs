@@ -1,6 +1,6 @@
 //! Adaptive sampling: more samples where the picture needs them, the same in every schedule and tile, and nothing silent.
 
-use bentray::program::{Choice, Layer, Schedule};
+use bentray::program::{Choice, Layer, Masks, Schedule};
 use bentray::render::{Adaptive, Picture, Plane, Renderer, Settings, Window};
 use bentray::scene::Scene;
 
@@ -91,20 +91,21 @@ fn adaptive_pictures_do_not_depend_on_the_schedule() {
         let choice = Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
         rendered(&scene, Settings { choice, segments, ..Settings::default() })
     };
-    let first = one(Schedule::Fused, true, 16);
+    let first = one(Schedule::Fused, Masks::List, 16);
     let (samples, adaptive) = counts(&first);
     assert!(samples.contains(&1) && samples.contains(&17) && samples.contains(&33), "{samples:?}");
     assert!(adaptive.mean() > 2.0 && adaptive.mean() < 25.0, "{adaptive}");
     for (schedule, masks, segments) in [
-        (Schedule::Fused, true, 2),
-        (Schedule::Fused, false, 16),
-        (Schedule::Segment, true, 1),
-        (Schedule::Segment, false, 1),
-        (Schedule::Paper, true, 1),
-        (Schedule::Paper, false, 1),
+        (Schedule::Fused, Masks::List, 2),
+        (Schedule::Fused, Masks::Off, 16),
+        (Schedule::Segment, Masks::List, 1),
+        (Schedule::Fused, Masks::Grid, 4),
+        (Schedule::Segment, Masks::Off, 1),
+        (Schedule::Paper, Masks::Grid, 1),
+        (Schedule::Paper, Masks::Off, 1),
     ] {
         let other = one(schedule, masks, segments);
-        assert!(first.band == other.band, "{schedule:?}, masks {masks}, K = {segments}");
+        assert!(first.band == other.band, "{schedule:?}, {masks:?}, K = {segments}");
         assert_eq!((&first.totals.fates, adaptive), (&other.totals.fates, counts(&other).1), "{schedule:?}");
     }
 }

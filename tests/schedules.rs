@@ -7,16 +7,19 @@ use std::process::Command;
 
 use bentray::program::{Choice, Layer};
 use bentray::render::{Picture, Plane, Renderer, Settings, Status};
+use bentray::scene::Scene;
 use glam::DVec3;
 
-use crate::support::{gpu, scene, shipped_scenes};
+use crate::support::{gpu, scene, scenes_in, shipped_scenes};
 
-const VARIANTS: [&[&str]; 7] = [
+const VARIANTS: [&[&str]; 9] = [
     &["--schedule", "fused"],
     &["--schedule", "fused", "--segments-per-pass", "3"],
     &["--schedule", "fused", "--no-masks"],
+    &["--schedule", "fused", "--segments-per-pass", "2", "--no-list"],
     &["--schedule", "segment"],
     &["--schedule", "segment", "--no-masks"],
+    &["--schedule", "segment", "--no-list"],
     &["--schedule", "paper"],
     &["--schedule", "paper", "--no-masks"],
 ];
@@ -49,6 +52,21 @@ fn shipped_scenes_do_not_depend_on_the_schedule() {
         let straight = scene.to_string_lossy().contains("straight");
         let method: &[&str] = if straight { &[] } else { &["--set", "rays.method=rk4"] };
         assert_all_the_same(&scene, &[&SMALL, method].concat());
+    }
+}
+
+/// Where nine rays of ten end in the first passes and the others go on, each with the ended ones about it, and where all go on.
+#[test]
+fn scattered_survivors_do_not_depend_on_the_schedule() {
+    let gpu = gpu();
+    for (path, survivors) in scenes_in("scenes/bench").into_iter().zip([1.0..=1.0, 0.08..=0.12]) {
+        assert_all_the_same(&path, &["--size", "48x36"]);
+        let scene = Scene::load(&path, &["image.size=[160, 120]".parse().unwrap()]).unwrap();
+        let totals = Renderer::new(&gpu, &scene, Settings::default()).unwrap().picture().unwrap().totals;
+        let share = totals.count(Status::Escaped) as f64 / totals.rays as f64;
+        assert!(survivors.contains(&share), "{}: {share} of the rays go on", path.display());
+        assert!(totals.segments as f64 > 100.0 * share * totals.rays as f64, "{totals}");
+        assert_eq!(totals.unfollowed(), 0);
     }
 }
 

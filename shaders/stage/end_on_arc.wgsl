@@ -13,7 +13,7 @@ fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
 }
 
 fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
-    return select(open_guess(code, hit, step), own_fraction(step.phase, step.end, hit.t) * step.h, ends_on_surface(code));
+    return select(open_guess(code, step), own_fraction(step.phase, step.end, hit.t) * step.h, ends_on_surface(code));
 }
 
 fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {

@@ -9,7 +9,7 @@ fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
 }
 
 fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
-    return open_guess(code, hit, step);
+    return open_guess(code, step);
 }
 
 fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {

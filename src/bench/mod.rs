@@ -5,6 +5,7 @@
 //! table for each in CSV, JSON, and a part of a page.
 
 mod ceiling;
+mod compaction;
 mod limit;
 mod paper;
 mod report;
@@ -12,10 +13,12 @@ mod sampling;
 mod scaling;
 mod schedules;
 mod shadow;
+mod start;
 mod times;
 
 use crate::gpu::Gpu;
 
+pub use compaction::compaction;
 pub use limit::limit;
 pub use paper::paper;
 pub use report::{Cell, Report, Table};
@@ -23,6 +26,7 @@ pub use sampling::sampling;
 pub use scaling::scaling;
 pub use schedules::schedules;
 pub use shadow::{CRITICAL, shadow_edge};
+pub use start::{StartUp, start};
 pub use times::Times;
 
 /// Where and how to measure.

@@ -12,7 +12,7 @@ use std::time::Duration;
 use super::{Bench, CRITICAL, Cell, Report, Table, Times, shadow_edge};
 use crate::measure::{calibrate, method_words};
 use crate::output::plot::{Chart, Series};
-use crate::program::{Choice, Purpose, Schedule};
+use crate::program::{Choice, Masks, Purpose, Schedule};
 use crate::render::{RenderError, Renderer, Settings};
 use crate::scene::{Scene, SceneError};
 
@@ -188,7 +188,7 @@ fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, Settings, Stri
 
 /// Every pixel in every pass.
 pub(super) fn unmasked() -> Settings {
-    let choice = Choice { schedule: Schedule::Fused, masks: false, purpose: Purpose::Picture, layers: Vec::new() };
+    let choice = Choice { schedule: Schedule::Fused, masks: Masks::Off, purpose: Purpose::Picture, layers: Vec::new() };
     Settings { choice, ..Settings::default() }
 }
 

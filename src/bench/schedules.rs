@@ -3,14 +3,14 @@
 use super::paper::{GEODESIC, How, scene};
 use super::{Bench, Cell, Report, Table, Times};
 use crate::output::plot::{Chart, Series};
-use crate::program::{Choice, Purpose, Schedule};
+use crate::program::{Choice, Masks, Purpose, Schedule};
 use crate::render::{RenderError, Renderer, Settings};
 use crate::scene::Scene;
 
 /// K of the fused schedule; the last is all of a path's segments.
 const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
 
-/// The 2004 paper's case by every schedule and K, without masks, with masks alone, and with masks and the dense list of the living.
+/// The 2004 paper's case by every schedule and K, without masks and with them: those of 2004 under `paper`, else the list of the living.
 pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     let scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
     let others = [Schedule::Paper, Schedule::Segment].map(|schedule| (schedule, 1));
@@ -53,7 +53,7 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
         title: "Schedules".to_owned(),
         intro: vec![format!(
             "{width}×{height} pixels. The same stages in different passes; every picture is the same, bit for bit. With masks \
-             ended rays are skipped; the fused schedule then runs over a dense list of the living."
+             ended rays are skipped: where they lie in `paper`, by a dense list of the living in the others."
         )],
         tables: vec![table],
         plots: vec![("fused", chart)],
@@ -62,11 +62,11 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
 
 /// Without masks and with them, by turns.
 fn by_masks(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 2], RenderError> {
-    let renderer = |masks: bool| {
+    let renderer = |masks: Masks| {
         let choice = Choice { schedule, masks, purpose: Purpose::Picture, layers: Vec::new() };
         Renderer::new(bench.gpu, scene, Settings { choice, segments, ..Settings::default() })
     };
-    let (plain, masked) = (renderer(false)?, renderer(true)?);
+    let (plain, masked) = (renderer(Masks::Off)?, renderer(schedule.masks())?);
     let mut plain = || Ok(plain.picture()?.totals.advance());
     let mut masked = || Ok(masked.picture()?.totals.advance());
     Times::by_turns(bench.repeats, [&mut plain, &mut masked])

@@ -1,5 +1,5 @@
-//! `bentray bench`: the sources' tables repeated, how time grows, what samples are worth, and how far from the device's limit a
-//! render is.
+//! `bentray bench`: the sources' tables repeated, how time grows, what samples are worth, how far from the device's limit a
+//! render is, and what a start takes.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,20 +9,20 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, limit, paper, sampling, scaling, schedules};
+use crate::bench::{Bench, Report, compaction, limit, paper, sampling, scaling, schedules, start};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
 use crate::output::report::{Section, write_report};
 use crate::scene::Scene;
 
-/// Measure: the 2004 paper's tables, schedules, how time grows, what samples are worth, and the device's limit
+/// Measure: the 2004 paper's tables, schedules, how time grows, what samples are worth, the device's limit, and starts
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// Which measurement
     #[arg(value_enum)]
     name: Name,
-    /// Scenes for `limit`, without any those of scenes/, or for `sampling`, without any some of the project's own
+    /// Scenes for `limit`, `sampling`, `compaction` and `start`; without any some of the project's own, in scenes/
     scenes: Vec<PathBuf>,
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
@@ -63,12 +63,16 @@ enum Name {
     Sampling,
     /// The device's own ceilings, and how much of a render its steps alone are
     Limit,
+    /// What a dense list of the living is worth, where few rays go on and where all do
+    Compaction,
+    /// From launch to the first pixel, with the driver's cache empty and filled
+    Start,
     /// All of them
     All,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
-    let scenes = scenes(arguments)?;
+    let given = Given::read(arguments)?;
     if let Some(folder) = &arguments.output {
         let unwritable = |cause| OutputError::Write { path: folder.clone(), cause };
         std::fs::create_dir_all(folder).map_err(unwritable)?;
@@ -85,7 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut found = Map::new();
     for name in wanted(arguments.name) {
         let bench = Bench { gpu: &gpu, repeats: arguments.repeats as usize, size: size(name) };
-        let report = measure(&bench, name, scenes.get(&name).map_or(&[][..], Vec::as_slice))?;
+        let report = measure(&bench, name, &given)?;
         if arguments.json {
             found.insert(report.name.to_owned(), report.json());
         } else {
@@ -106,39 +110,66 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn wanted(name: Name) -> Vec<Name> {
+    use Name::{All, Compaction, Limit, Paper, Sampling, Scaling, Schedules, Start};
     match name {
-        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Sampling, Name::Limit],
+        All => vec![Paper, Schedules, Scaling, Sampling, Limit, Compaction, Start],
         one => vec![one],
     }
 }
 
-fn measure(bench: &Bench, name: Name, scenes: &[(String, Scene)]) -> Result<Report, Error> {
+fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
+    let scenes = given.scenes.get(&name).map_or(&[][..], Vec::as_slice);
     Ok(match name {
         Name::Paper => paper(bench)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
         Name::Sampling => sampling(bench, scenes)?,
         Name::Limit | Name::All => limit(bench, scenes)?,
+        Name::Compaction => compaction(bench, scenes)?,
+        Name::Start => {
+            let program = std::env::current_exe()
+                .map_err(|cause| Error::Usage(format!("this program cannot be started again: {cause}")))?;
+            start(bench, &program, &given.started)?
+        }
     })
 }
 
-/// The scenes that measurements are about, read before the first of them.
-fn scenes(arguments: &Arguments) -> Result<BTreeMap<Name, Vec<(String, Scene)>>, Error> {
-    let about: Vec<Name> =
-        wanted(arguments.name).into_iter().filter(|name| matches!(name, Name::Limit | Name::Sampling)).collect();
-    if let (true, Some(path)) = (about.is_empty(), arguments.scenes.first()) {
-        return Err(Error::Usage(format!("{}: only `limit` and `sampling` measure given scenes", path.display())));
-    }
-    let folder = Path::new("scenes");
-    let read = |name: Name| {
-        let paths = match arguments.scenes.as_slice() {
-            [] if name == Name::Sampling => SAMPLED.iter().map(|file| folder.join(file)).collect(),
-            [] => super::chart::scenes_in(folder)?,
+/// What measurements are about, read before the first of them.
+struct Given {
+    scenes: BTreeMap<Name, Vec<(String, Scene)>>,
+    /// Scenes that are read by the programs that are started.
+    started: Vec<PathBuf>,
+}
+
+impl Given {
+    fn read(arguments: &Arguments) -> Result<Self, Error> {
+        let names = wanted(arguments.name);
+        let about = [Name::Limit, Name::Sampling, Name::Compaction];
+        if let (false, Some(path)) =
+            (names.iter().any(|name| about.contains(name) || *name == Name::Start), arguments.scenes.first())
+        {
+            let takers = "only `limit`, `sampling`, `compaction` and `start` measure given scenes";
+            return Err(Error::Usage(format!("{}: {takers}", path.display())));
+        }
+        let read = |name: Name| Ok((name, read_scenes(name, &arguments.scenes)?));
+        let scenes = names.into_iter().filter(|name| about.contains(name)).map(read).collect::<Result<_, Error>>()?;
+        let started = match arguments.scenes.as_slice() {
+            [] => vec![PathBuf::from("scenes/black_hole.toml")],
             given => given.to_vec(),
         };
-        let stem = |path: &Path| path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
-        let scenes = paths.iter().map(|path| Ok((stem(path), Scene::load(path, &[])?)));
-        Ok((name, scenes.collect::<Result<_, Error>>()?))
+        Ok(Self { scenes, started })
+    }
+}
+
+/// The given scenes, or those that a measurement takes by itself.
+fn read_scenes(name: Name, given: &[PathBuf]) -> Result<Vec<(String, Scene)>, Error> {
+    let folder = Path::new("scenes");
+    let paths = match (given, name) {
+        ([], Name::Sampling) => SAMPLED.iter().map(|file| folder.join(file)).collect(),
+        ([], Name::Compaction) => super::chart::scenes_in(&folder.join("bench"))?,
+        ([], _) => super::chart::scenes_in(folder)?,
+        (given, _) => given.to_vec(),
     };
-    about.into_iter().map(read).collect()
+    let stem = |path: &Path| path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());
+    paths.iter().map(|path| Ok((stem(path), Scene::load(path, &[])?))).collect()
 }

@@ -3,8 +3,8 @@
 use clap::{Args, ValueEnum};
 
 use crate::gpu::{Gpu, GpuError};
-use crate::measure::calibrate;
-use crate::program::{Choice, Layer, Purpose};
+use crate::measure::{calibrate, calibrate_for};
+use crate::program::{Choice, Layer, Masks, Purpose};
 use crate::render::{RenderError, Settings, Window};
 use crate::scene::{Override, Scene};
 
@@ -97,6 +97,9 @@ pub(super) struct DeviceFlags {
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
     no_masks: bool,
+    /// Skip ended rays where they lie, not by a list of the living
+    #[arg(long, conflicts_with = "no_masks")]
+    no_list: bool,
     /// K: segments of one fused pass. Without it, large pictures choose it by rendering a part of themselves
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
     segments_per_pass: Option<u32>,
@@ -126,32 +129,55 @@ impl DeviceFlags {
         self.segments_per_pass.is_none()
     }
 
+    /// The choice with the masks that are asked for.
+    fn masked(&self, choice: Choice) -> Choice {
+        let masks = match (self.no_masks, self.no_list) {
+            (true, _) => Masks::Off,
+            (false, true) => Masks::Grid,
+            (false, false) => choice.masks,
+        };
+        Choice { masks, ..choice }
+    }
+
     /// Settings for pictures with these layers.
     pub(super) fn settings(&self, layers: Vec<Layer>) -> Settings {
         let default = Settings::default();
         Settings {
-            choice: Choice { masks: !self.no_masks, layers, ..choice(self.schedule.unwrap_or(Schedule::Fused)) },
+            choice: Choice { layers, ..self.masked(choice(self.schedule.unwrap_or(Schedule::Fused))) },
             segments: self.segments_per_pass.unwrap_or(default.segments),
             ..default
         }
     }
 }
 
+/// The rays that a method is wanted for.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Rays<'r> {
+    /// These.
+    Given(&'r [[f64; 6]]),
+    /// The camera's, so many.
+    Camera(u64),
+}
+
 impl DeviceFlags {
-    /// The scene with a method, found by calibration where it leaves that open, and the settings with its schedule. `given`
-    /// are the rays to be followed, if they are not the camera's.
+    /// The scene with a method, found by calibration where it leaves that open, and the settings with its schedule.
     pub(super) fn settle(
         &self,
         gpu: &Gpu,
         scene: Scene,
         mut settings: Settings,
-        given: Option<&[[f64; 6]]>,
+        rays: Rays,
     ) -> Result<(Scene, Settings), RenderError> {
-        let Some(calibration) = calibrate(gpu, &scene, &settings, given)? else { return Ok((scene, settings)) };
+        let calibration = match rays {
+            Rays::Given(rays) => calibrate(gpu, &scene, &settings, Some(rays)),
+            Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
+        }?;
+        let Some(calibration) = calibration else { return Ok((scene, settings)) };
         eprintln!("{calibration}");
         if self.schedule.is_none() {
             settings.choice.schedule = calibration.schedule;
         }
+        settings.choice.layers.clone_from(&calibration.layers);
         Ok((calibration.applied(&scene), settings))
     }
 }
@@ -163,5 +189,5 @@ pub(super) fn choice(schedule: Schedule) -> Choice {
         Schedule::Segment => crate::program::Schedule::Segment,
         Schedule::Fused => crate::program::Schedule::Fused,
     };
-    Choice { schedule, masks: true, purpose: Purpose::Picture, layers: Vec::new() }
+    Choice { schedule, masks: schedule.masks(), purpose: Purpose::Picture, layers: Vec::new() }
 }

@@ -8,7 +8,8 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::frames::{Film, Frames, path_of};
-use super::options::{DeviceFlags, SceneOptions, parse_bytes, parse_window};
+use super::options::{DeviceFlags, Rays, SceneOptions, parse_bytes, parse_window};
+use crate::bench::StartUp;
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
 use crate::output::{ImageWriter, Settings, open};
@@ -164,6 +165,7 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    let mut launch = StartUp::default();
     arguments.check()?;
     let overrides = arguments.changes.overrides();
     let still = arguments.load(&overrides, None)?;
@@ -180,10 +182,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     let begun = Instant::now();
     let scene = if frames[0].is_some() { arguments.load(&overrides, frames[0])? } else { still };
+    launch.next();
     let gpu = arguments.device.open()?;
+    launch.next();
     let settings = arguments.device.settings(arguments.layers(&scene));
     let settings = render::Settings { memory: arguments.memory, window: arguments.crop, ..settings };
-    let (scene, settings) = arguments.device.settle(&gpu, scene, settings, None)?;
+    let Window { size: [width, height], .. } = arguments.crop.unwrap_or(Window::whole(scene.image.size));
+    let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
+    let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Camera(rays))?;
+    launch.next();
     let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;
     if let Some(verification) = &measured {
         say!("{verification}");
@@ -194,10 +201,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if arguments.device.chooses_segments() {
         renderer.choose_segments()?;
     }
+    launch.next();
     let mut ready = begun.elapsed();
     let mut unfollowed = 0;
     for (i, &frame) in frames.iter().enumerate() {
-        if i > 0 {
+        let first = i == 0;
+        if !first {
             let begun = Instant::now();
             let next = settled(arguments.load(&overrides, frame)?, &scene);
             writers = arguments.open(&next, frame, &self::metadata(&next, None))?;
@@ -211,9 +220,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             }
             ready = begun.elapsed();
         }
-        let totals = render(&renderer, &mut writers)?;
+        let totals = render(&renderer, &mut writers, &mut launch)?;
         for writer in writers.drain(..) {
             writer.finish()?;
+        }
+        if first {
+            eprintln!("{launch}");
         }
         match frame {
             Some(frame) => eprintln!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
@@ -245,7 +257,11 @@ fn metadata(scene: &Scene, verification: Option<&Verification>) -> Vec<(String, 
     all
 }
 
-fn render(renderer: &Renderer, writers: &mut [Box<dyn ImageWriter>]) -> Result<Totals, RenderError> {
+fn render(
+    renderer: &Renderer,
+    writers: &mut [Box<dyn ImageWriter>],
+    launch: &mut StartUp,
+) -> Result<Totals, RenderError> {
     // Hidden by indicatif itself where stderr is no terminal.
     let bar = ProgressBar::new(1000);
     if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left") {
@@ -253,6 +269,9 @@ fn render(renderer: &Renderer, writers: &mut [Box<dyn ImageWriter>]) -> Result<T
     }
     let totals = renderer.render(
         &mut |band| {
+            if !launch.is_complete() {
+                launch.next();
+            }
             let failed = |error| RenderError::Output(Box::new(error));
             writers.iter_mut().try_for_each(|writer| writer.write_band(&band)).map_err(failed)
         },

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use half::f16;
+use half::slice::HalfFloatSliceExt;
 use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
 use wgpu::{
     Buffer, BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
@@ -107,13 +108,14 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
         u64::from(width.max(height)),
     )?;
     let fits = picture.pixels.iter().flatten().all(|v| *v <= f16::MAX.to_f32());
-    let texels = picture.pixels.iter().flat_map(|[r, g, b]| [*r, *g, *b, 1.0]);
+    let texels: Vec<[f32; 4]> = picture.pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
+    let texels = texels.as_flattened();
+    let mut halves = vec![f16::ZERO; if fits { texels.len() } else { 0 }];
     let (format, bytes) = if fits {
-        let halves: Vec<f16> = texels.map(f16::from_f32).collect();
-        (TextureFormat::Rgba16Float, bytemuck::cast_slice(&halves).to_vec())
+        halves.convert_from_f32_slice(texels);
+        (TextureFormat::Rgba16Float, bytemuck::cast_slice(&halves))
     } else {
-        let floats: Vec<f32> = texels.collect();
-        (TextureFormat::Rgba32Float, bytemuck::cast_slice(&floats).to_vec())
+        (TextureFormat::Rgba32Float, bytemuck::cast_slice(texels))
     };
     let descriptor = TextureDescriptor {
         label: Some(&picture.name),
@@ -125,7 +127,7 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
         usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
         view_formats: &[],
     };
-    Ok(gpu.device.create_texture_with_data(&gpu.queue, &descriptor, TextureDataOrder::LayerMajor, &bytes))
+    Ok(gpu.device.create_texture_with_data(&gpu.queue, &descriptor, TextureDataOrder::LayerMajor, bytes))
 }
 
 impl Source<'_> {

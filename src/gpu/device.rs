@@ -1,11 +1,14 @@
 //! Choosing and opening a device.
 
+use std::collections::VecDeque;
+use std::sync::{Mutex, PoisonError};
+
 use wgpu::{
     Adapter, AdapterInfo, Backends, Device, DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor,
     InstanceFlags, Limits, Queue,
 };
 
-use super::GpuError;
+use super::{GpuError, Pipeline};
 
 /// An open device.
 #[derive(Debug)]
@@ -22,7 +25,11 @@ pub struct Gpu {
     pub timestamps: bool,
     /// Does WGSL have f64 there?
     pub f64: bool,
+    compiled: Mutex<VecDeque<(String, Pipeline)>>,
 }
+
+/// Passes that are kept compiled for programs that have them too: those of a few programs.
+const KEPT: usize = 16;
 
 /// One line of `bentray devices`.
 #[derive(Debug, Clone)]
@@ -107,7 +114,20 @@ impl Gpu {
             .map_err(|error| GpuError::Refused { device: info.name.clone(), reason: error.to_string() })?;
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
         let f64 = features.contains(Features::SHADER_F64);
-        Ok(Self { device, queue, info, limits, timestamps, f64 })
+        Ok(Self { device, queue, info, limits, timestamps, f64, compiled: Mutex::default() })
+    }
+
+    /// The pass whose WGSL this is, if it was compiled lately: a method that is tried has most passes of the picture's own program.
+    pub(super) fn compiled(&self, source: &str) -> Option<Pipeline> {
+        let compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        compiled.iter().find(|(kept, _)| kept == source).map(|(_, pipeline)| pipeline.clone())
+    }
+
+    /// Keeps a pass for [`compiled`](Self::compiled), in place of the oldest.
+    pub(super) fn keep(&self, source: &str, pipeline: &Pipeline) {
+        let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        compiled.truncate(KEPT - 1);
+        compiled.push_front((source.to_owned(), pipeline.clone()));
     }
 
     /// An error if `needed` is more than the device allows.

@@ -13,7 +13,7 @@ use super::{Gpu, GpuError, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
 /// A pass that can be dispatched.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Pipeline {
     /// wgpu's pipeline.
     pub pipeline: ComputePipeline,
@@ -53,8 +53,17 @@ impl Pipelines {
 }
 
 impl Pipeline {
-    /// Compiles one linked program.
+    /// Compiles one linked program, unless it was compiled lately.
     pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
+        if let Some(compiled) = gpu.compiled(&linked.source) {
+            return Ok(compiled);
+        }
+        let pipeline = Self::compile(gpu, linked, reflection)?;
+        gpu.keep(&linked.source, &pipeline);
+        Ok(pipeline)
+    }
+
+    fn compile(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
         if reflection.doubles && !gpu.f64 {
             let there = adapters().into_iter().filter(|adapter| adapter.f64).map(|adapter| adapter.info.name).collect();
             return Err(GpuError::NoDouble { device: gpu.info.name.clone(), there });

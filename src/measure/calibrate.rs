@@ -1,12 +1,17 @@
 //! `method = "auto"`: the fastest method that is right, found on a few hundred rays before the picture starts.
+//!
+//! *Practice.* A search among methods compiles a program for each, and one in 64 bits for the truth: seconds on a CPU. A picture that
+//! takes less is not worth it: [`calibrate_for`] then stays with the method that is the fastest for most laws, at a setting that is
+//! right on the picture's own rays, and says so.
 
 use std::fmt;
 use std::time::{Duration, Instant};
 
 use super::methods::between;
+use super::refined::{self, Found};
 use super::{Candidate, Deviations, Truth, blocks, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
-use crate::program::{Choice, Purpose, Schedule};
+use crate::program::{Choice, Layer, Purpose, Schedule};
 use crate::render::{RenderError, Renderer, Settings, Starts};
 use crate::scene::{Control, Method, Scene};
 
@@ -20,6 +25,8 @@ const REFINEMENTS: usize = 2;
 const MARGIN: f64 = 0.9;
 /// So many times the scene's own segments may a path have, whatever the method.
 const MORE_SEGMENTS: u32 = 4;
+/// Programs that a search compiles besides one for each method: the truth's, and that of the other schedule.
+const OTHER_PROGRAMS: usize = 2;
 /// What takes longer than this has lost.
 const BUDGET: Duration = Duration::from_secs(20);
 
@@ -49,6 +56,10 @@ pub struct Calibration {
     pub tried: Vec<Trial>,
     /// Rays whose truth no method can know.
     pub unresolved: usize,
+    /// Was it compared with other methods? If not, because the picture takes less time than that.
+    pub compared: bool,
+    /// What the picture has to keep to run what is compiled already.
+    pub layers: Vec<Layer>,
 }
 
 impl Calibration {
@@ -75,7 +86,42 @@ fn segments(scene: &Scene) -> u32 {
     scene.rays.max_segments.saturating_mul(MORE_SEGMENTS)
 }
 
-/// Finds the method for `scene`, for the camera's rays or for `given` ones.
+/// Finds the method for a picture of `scene` with so many rays: among all if that is worth its time, else the first that is right.
+pub fn calibrate_for(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &Settings,
+    rays: u64,
+) -> Result<Option<Calibration>, RenderError> {
+    let Some(accuracy) = scene.accuracy() else { return Ok(None) };
+    let methods = fast_methods(scene);
+    if let Some(method) = methods.first() {
+        let mut layers = settings.choice.layers.clone();
+        layers.extend(refined::LAYERS.into_iter().filter(|layer| !settings.choice.layers.contains(layer)));
+        let choice = Choice { layers: layers.clone(), ..settings.choice.clone() };
+        let keeping = Settings { choice, ..settings.clone() };
+        let found = refined::first_right(gpu, scene, &keeping, method, segments(scene), MARGIN * accuracy)?;
+        if let Some(Found { control, error, time, build }) = found {
+            let search = build.as_secs_f64() * (methods.len() + OTHER_PROGRAMS) as f64;
+            if time * rays as f64 <= search {
+                let chosen = Trial { method: method.method, control, error, time };
+                let (schedule, tried) = (settings.choice.schedule, vec![chosen]);
+                return Ok(Some(Calibration {
+                    accuracy,
+                    chosen,
+                    schedule,
+                    tried,
+                    unresolved: 0,
+                    compared: false,
+                    layers,
+                }));
+            }
+        }
+    }
+    calibrate(gpu, scene, settings, None)
+}
+
+/// Finds the method for `scene` among all, for the camera's rays or for `given` ones.
 pub fn calibrate(
     gpu: &Gpu,
     scene: &Scene,
@@ -99,7 +145,8 @@ pub fn calibrate(
     let fastest = tried.iter().min_by(|a, b| a.time.total_cmp(&b.time)).copied();
     let Some(chosen) = fastest.or(best) else { return Ok(None) };
     let schedule = rays.schedule(&chosen)?;
-    Ok(Some(Calibration { accuracy, chosen, schedule, tried, unresolved: rays.truth.unresolved() }))
+    let (unresolved, layers) = (rays.truth.unresolved(), settings.choice.layers.clone());
+    Ok(Some(Calibration { accuracy, chosen, schedule, tried, unresolved, compared: true, layers }))
 }
 
 /// The rays that methods are tried on.
@@ -220,6 +267,9 @@ impl fmt::Display for Calibration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let schedule = self.schedule.name();
         write!(f, "auto: {}, {schedule}", self.chosen)?;
+        if !self.compared {
+            write!(f, "; not compared with other methods, which takes longer than the picture")?;
+        }
         if !self.reached() {
             write!(f, "; no method reaches the accuracy asked for, {:.1e} rad: this is the best", self.accuracy)?;
         }

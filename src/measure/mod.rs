@@ -15,12 +15,13 @@ mod deviation;
 mod drift;
 mod focus;
 mod methods;
+mod refined;
 mod sample;
 mod truth;
 mod verify;
 mod winding;
 
-pub use calibrate::{Calibration, Trial, calibrate};
+pub use calibrate::{Calibration, Trial, calibrate, calibrate_for};
 pub use curve::Curve;
 pub use deviation::{Deviations, Quantiles};
 pub use drift::{drift, kept};

@@ -18,6 +18,12 @@ impl Schedule {
     /// All, from the most passes to the fewest.
     pub const ALL: [Self; 3] = [Self::Paper, Self::Segment, Self::Fused];
 
+    /// How it skips ended rays unless told otherwise: `paper` as in 2004.
+    #[must_use]
+    pub fn masks(self) -> Masks {
+        if self == Self::Paper { Masks::Grid } else { Masks::List }
+    }
+
     /// As users write it.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -27,6 +33,17 @@ impl Schedule {
             Self::Fused => "fused",
         }
     }
+}
+
+/// Which pixels the passes over segments run over. All give the same picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Masks {
+    /// Every pixel, ended or not.
+    Off,
+    /// Every pixel as long as one ray lives; what has ended is skipped where it lies.
+    Grid,
+    /// A dense list of the pixels whose rays live.
+    List,
 }
 
 /// The passes, each with the name of its entry point and file.
@@ -106,10 +123,12 @@ pub enum Layer {
     Steps,
     /// Rays that the pixel took.
     Samples,
+    /// Where the ray was going at its end, as long as its way there: not for files, but for what is measured on a picture.
+    Way,
 }
 
 impl Layer {
-    /// Every layer.
+    /// Every layer that files hold.
     pub const ALL: [Self; 7] =
         [Self::Depth, Self::Position, Self::Normal, Self::Object, Self::Status, Self::Steps, Self::Samples];
 
@@ -130,6 +149,7 @@ impl Layer {
             Self::Status => "status",
             Self::Steps => "steps",
             Self::Samples => "samples",
+            Self::Way => "way",
         }
     }
 }
@@ -139,8 +159,8 @@ impl Layer {
 pub struct Choice {
     /// How passes are cut.
     pub schedule: Schedule,
-    /// Are ended rays skipped?
-    pub masks: bool,
+    /// Are ended rays skipped, and how?
+    pub masks: Masks,
     /// Picture or trace.
     pub purpose: Purpose,
     /// Layers to keep, each once.
@@ -149,7 +169,7 @@ pub struct Choice {
 
 impl Default for Choice {
     fn default() -> Self {
-        Self { schedule: Schedule::Fused, masks: true, purpose: Purpose::Picture, layers: Vec::new() }
+        Self { schedule: Schedule::Fused, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() }
     }
 }
 
@@ -210,7 +230,7 @@ impl Choice {
     /// Do later rounds and samples run over no more than the pixels that have a path left, or want more samples?
     #[must_use]
     pub fn lists_open(&self, scene: &Scene) -> bool {
-        self.masks && (self.rounds(scene) > 1 || self.adapts(scene))
+        self.masks != Masks::Off && (self.rounds(scene) > 1 || self.adapts(scene))
     }
 
     /// Slots of the state pair: `paper` keeps a chord's start while two more ping-pong under its steps.

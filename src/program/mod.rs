@@ -23,7 +23,7 @@ mod regions;
 mod touching;
 mod work;
 
-pub use choice::{Choice, Layer, Pass, Purpose, Schedule};
+pub use choice::{Choice, Layer, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
 pub use link::{Linked, Parts, Unit, link};
 pub use parts::{Part, all_parts, constant, part};

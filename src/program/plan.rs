@@ -4,7 +4,7 @@ use super::link::{Parts, Unit};
 use super::picture_parts::{camera_parts, material_parts, picture_parts};
 use super::region_parts::region_parts;
 use super::regions::{Kind, Regions, is_mirror, scatters};
-use super::{Choice, Pass, ProgramError, Purpose, Schedule, Work, generated, part};
+use super::{Choice, Masks, Pass, ProgramError, Purpose, Work, generated, part};
 use crate::scene::{
     Branches, Control, Law, MaterialKind, Medium, Object, Precision, Scene, SchwarzschildForm, Segment, Shape,
 };
@@ -35,7 +35,8 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     let mut made = vec![generated::counts(scene)];
     phase_parts(scene, &mut names);
     scatter_parts(scene, choice, &regions, &mut names, &mut made);
-    let pass_part = |pass: &Pass| if *pass == Pass::Advance && !choice.masks { "advance_all" } else { pass.entry() };
+    let pass_part =
+        |pass: &Pass| if *pass == Pass::Advance && choice.masks == Masks::Off { "advance_all" } else { pass.entry() };
     names.each("pass", choice.passes(scene).iter().map(pass_part));
     schedule_parts(scene, choice, &regions, &mut names);
     camera_parts(scene, choice, &mut names);
@@ -84,10 +85,10 @@ impl Names {
 }
 
 fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
-    names.add(match (choice.masks, choice.schedule) {
-        (false, _) => "living/all",
-        (true, Schedule::Fused) => "living/list",
-        (true, _) => "living/grid",
+    names.add(match choice.masks {
+        Masks::Off => "living/all",
+        Masks::Grid => "living/grid",
+        Masks::List => "living/list",
     });
     names.add(match (choice.lists_open(scene), choice.rounds(scene) > 1) {
         (false, _) => "round/once",

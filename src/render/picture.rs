@@ -110,6 +110,19 @@ impl Renderer<'_> {
         image.adaptive.map(new)
     }
 
+    /// The layers of the picture's first sample, on one tile: for pictures that are no larger.
+    pub fn first_sample(&self) -> Result<Picture, RenderError> {
+        let size = self.scene.image.size;
+        let (tile, mut band) = (self.tile(size)?, self.band(0, size[1]));
+        let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
+        let started = Instant::now();
+        self.run_sample(&tile, Frame { origin: [0, 0], image: size, sample: 0, refines: None }, &mut clock, &|_| {})?;
+        self.read_tally(&tile, &mut totals)?;
+        self.read_tile(&tile, 0, &mut band)?;
+        self.finish_totals(&mut totals, &clock, started)?;
+        Ok(Picture { band, totals })
+    }
+
     /// Some black rows of the picture.
     fn band(&self, first_row: u32, rows: u32) -> Band {
         let width = self.window().size[0];
@@ -211,7 +224,9 @@ impl Place {
 fn empty_plane(layer: Layer, pixels: usize) -> Plane {
     match layer {
         Layer::Depth => Plane::Scalar(vec![0.0; pixels]),
-        Layer::Position | Layer::Normal => Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]]),
+        Layer::Position | Layer::Normal | Layer::Way => {
+            Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]])
+        }
         Layer::Object | Layer::Status | Layer::Steps | Layer::Samples => Plane::Id(vec![0; pixels]),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::renderer::Refines;
 use crate::gpu::{OPEN, Slots, WANTED};
-use crate::program::{Choice, Pass, Purpose, Schedule, Work, scatters};
+use crate::program::{Choice, Masks, Pass, Purpose, Schedule, Work, scatters};
 use crate::scene::{Scene, Segment};
 
 /// What a pass runs over.
@@ -61,8 +61,8 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
 }
 
 /// What follows a sample of an adaptive picture.
-pub(super) fn refining(refines: Refines, masks: bool) -> Step {
-    let dispatch = if refines.listed && masks { Dispatch::Living } else { Dispatch::Grid };
+pub(super) fn refining(refines: Refines, masks: Masks) -> Step {
+    let dispatch = if refines.listed && masks != Masks::Off { Dispatch::Living } else { Dispatch::Grid };
     let slots = Slots { input: 0, output: 0, start: 0, end: 0, list: refines.lists };
     Step { pass: Pass::Refine, slots, dispatch, round: 0, living: 0, again: false, weight: 1 }
 }
@@ -113,7 +113,7 @@ impl Recorder<'_> {
         let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record | Pass::Bare);
         let dispatch = match once {
             true if self.open => Dispatch::Open,
-            false if self.choice.masks => Dispatch::Living,
+            false if self.choice.masks != Masks::Off => Dispatch::Living,
             _ => Dispatch::Grid,
         };
         self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, weight });
@@ -195,7 +195,7 @@ mod tests {
 
     fn recorded(schedule: Schedule, segment: &str) -> Vec<Step> {
         let scene = scene(segment);
-        let choice = Choice { schedule, masks: true, purpose: Purpose::Picture, layers: Vec::new() };
+        let choice = Choice { schedule, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() };
         let work = Work::of(&scene, 0, 0).unwrap();
         steps(&scene, &choice, &work, scene.rays.max_segments, 4)
     }

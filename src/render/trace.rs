@@ -9,7 +9,7 @@ use super::schedule::Step;
 use super::{RenderError, Renderer, Settings, Status, Totals};
 use crate::gpu::Value::Vec3;
 use crate::gpu::{Gpu, GpuError, Tile, pack};
-use crate::program::{Choice, Field, Layout, Pass, Purpose, Regions, Schedule};
+use crate::program::{Choice, Field, Layout, Masks, Pass, Purpose, Regions, Schedule};
 use crate::scene::{Object, Scene, Shape};
 
 /// Where a ray ended.
@@ -147,7 +147,8 @@ pub fn trace_paths(
     settings: &Settings,
     rays: &[[f64; 6]],
 ) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
-    let choice = Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: true };
+    let choice =
+        Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: Masks::List };
     let leaping = Regions::of(scene).kinds.iter().any(|kind| kind.leaps);
     let mut scene = scene.clone();
     if std::mem::take(&mut scene.rays.leaps) && leaping {

@@ -8,14 +8,15 @@
 use super::SceneError;
 use image::{DynamicImage, ImageReader};
 use std::path::Path;
+use std::sync::Arc;
 
 /// A picture in linear RGB.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Rows from the top, each from the left; every number is finite.
-    pub pixels: Vec<[f32; 3]>,
+    /// Rows from the top, each from the left; every number is finite. Copies of a scene share them.
+    pub pixels: Arc<Vec<[f32; 3]>>,
     /// The path it was read from.
     pub name: String,
 }
@@ -40,7 +41,7 @@ impl Picture {
             let (x, y) = (index % size[0] as usize, index / size[0] as usize);
             return Err(unusable(format!("the pixel in column {x}, row {y} (from 0, top left) is not finite")));
         }
-        Ok(Self { size, pixels, name: path.display().to_string() })
+        Ok(Self { size, pixels: Arc::new(pixels), name: path.display().to_string() })
     }
 }
 
@@ -48,6 +49,11 @@ fn linear(image: DynamicImage) -> Vec<[f32; 3]> {
     match image {
         DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
             image.into_rgb32f().pixels().map(|pixel| pixel.0).collect()
+        }
+        _ if image.color().bytes_per_pixel() == image.color().channel_count() => {
+            // 8 bits are 16 with both bytes the same.
+            let curve: Vec<f32> = (0..=u8::MAX).map(|x| decode_srgb(u16::from(x) * 257)).collect();
+            image.into_rgb8().pixels().map(|pixel| pixel.0.map(|x| curve[usize::from(x)])).collect()
         }
         _ => {
             let curve: Vec<f32> = (0..=u16::MAX).map(decode_srgb).collect();

@@ -56,8 +56,34 @@ fn sampling_has_an_error_for_every_number_of_samples() {
 }
 
 #[test]
-fn scenes_are_for_limit_and_sampling() {
+fn the_list_is_held_against_masks() {
     let folder = Folder::with(BALL);
-    folder.run("bench paper scene.toml").fails(1, &["scene.toml: only `limit` and `sampling` measure given scenes"]);
+    let ran = folder.run(&format!("bench compaction scene.toml {SMALL} -o report")).succeeds();
+    assert!(ran.out.contains("list over masks"), "{}", ran.out);
+    assert_eq!(folder.text("report/compaction_compaction.csv").lines().count(), 5);
+}
+
+#[test]
+fn a_start_is_measured_by_its_parts() {
+    let folder = Folder::with(BALL);
+    let ran = folder.run("bench start scene.toml --repeats 1 --json --device llvmpipe").succeeds();
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let rows = json["measured"]["start"]["tables"]["start"].as_array().unwrap();
+    let [cold, warm] = rows.as_slice() else { panic!("{json}") };
+    for row in [cold, warm] {
+        let number = |name: &str| row[name].as_f64().unwrap();
+        let parts = ["scene", "device", "method", "program", "first picture"].map(number);
+        assert!((parts.iter().sum::<f64>() - number("launch to first pixel (s)")).abs() < 0.01, "{row}");
+        assert!(number("second picture (s)") > 0.0);
+    }
+    assert_eq!((&cold["cache"], &warm["cache"]), (&"empty".into(), &"filled".into()));
+}
+
+#[test]
+fn scenes_are_for_some() {
+    let folder = Folder::with(BALL);
+    folder
+        .run("bench paper scene.toml")
+        .fails(1, &["scene.toml: only `limit`, `sampling`, `compaction` and `start` measure given scenes"]);
     folder.run("bench limit missing.toml").fails(1, &["missing.toml"]);
 }

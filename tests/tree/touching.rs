@@ -5,7 +5,7 @@ use super::{difference, with_objects};
 use crate::exactness::unused;
 use crate::support::{gpu, scene};
 use bentray::gpu::Geometry;
-use bentray::program::{Choice, Layer, Program, Purpose, Schedule};
+use bentray::program::{Choice, Layer, Masks, Program, Purpose, Schedule};
 use bentray::render::{Renderer, Settings};
 use glam::DVec3;
 
@@ -113,10 +113,12 @@ fn touching_objects_do_not_depend_on_the_schedule() {
                 .replace("[128, 96]", "[40, 30]")
                 .replace("[rays]", &format!("[rays]\nmax_segments = {segments}"));
             let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-            let first = rendered(&text, choice(Schedule::Fused, true));
-            for (schedule, masks) in [(Schedule::Fused, false), (Schedule::Segment, true), (Schedule::Paper, true)] {
+            let first = rendered(&text, choice(Schedule::Fused, Masks::List));
+            for (schedule, masks) in
+                [(Schedule::Fused, Masks::Off), (Schedule::Segment, Masks::List), (Schedule::Paper, Masks::Grid)]
+            {
                 let other = rendered(&text, choice(schedule, masks));
-                assert!(first.band == other.band, "{name}: {schedule:?}, masks {masks}, {segments} segments");
+                assert!(first.band == other.band, "{name}: {schedule:?}, masks {masks:?}, {segments} segments");
                 assert_eq!(first.totals.fates, other.totals.fates, "{name}");
             }
         }
