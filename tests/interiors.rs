@@ -192,7 +192,7 @@ fn nothing_can_be_taken_out_of_the_programs_of_interiors() {
         for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
             for (purpose, masks) in [(Purpose::Picture, true), (Purpose::Picture, false), (Purpose::Trace, true)] {
                 let choice = Choice { schedule, masks, purpose, layers: Vec::new() };
-                let program = Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len()).unwrap();
+                let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
                 for (pass, linked, reflection) in &program.passes {
                     let uniform =
                         |kind: &BindingKind| matches!(kind, BindingKind::Uniform(_) | BindingKind::Block { .. });

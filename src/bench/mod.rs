@@ -5,6 +5,7 @@
 //! table for each in CSV, JSON, and a part of a page.
 
 mod ceiling;
+mod groller;
 mod limit;
 mod paper;
 mod report;
@@ -15,6 +16,7 @@ mod times;
 
 use crate::gpu::Gpu;
 
+pub use groller::groller;
 pub use limit::limit;
 pub use paper::paper;
 pub use report::{Cell, Report, Table};

@@ -7,21 +7,22 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, limit, paper, scaling, schedules};
+use crate::bench::{Bench, Report, groller, limit, paper, scaling, schedules};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
 use crate::output::report::{Section, write_report};
-use crate::scene::Scene;
+use crate::scene::{Mesh, Scene};
 
-/// Measure: the 2004 paper's tables, schedules, how time grows, and the device's limit
+/// Measure: the 2004 paper's tables, structures, schedules, how time grows, and the device's limit
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// Which measurement
     #[arg(value_enum)]
     name: Name,
-    /// Scenes for `limit`; without any those of scenes/
-    scenes: Vec<PathBuf>,
+    /// Scenes for `limit`, without any those of scenes/; a mesh (.obj) for `groller`, without one the bunny of scenes/data/
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -43,6 +44,8 @@ pub(super) struct Arguments {
 enum Name {
     /// The measurements of the 2004 paper: Table 1, Figure 5, and what its Euler steps see of a shadow
     Paper,
+    /// Objects found by a hierarchy, a grid, and one after the other, from 10 to 1,000,000 triangles
+    Groller,
     /// The same work cut into passes in different ways
     Schedules,
     /// How time grows with pixels, steps, spheres, lights and samples
@@ -54,7 +57,7 @@ enum Name {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
-    let scenes = scenes(arguments)?;
+    let given = Given::read(arguments)?;
     if let Some(folder) = &arguments.output {
         let unwritable = |cause| OutputError::Write { path: folder.clone(), cause };
         std::fs::create_dir_all(folder).map_err(unwritable)?;
@@ -70,7 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut sections = vec![Section { title: "Where".to_owned(), intro: vec![how], ..Section::default() }];
     let mut found = Map::new();
     for name in wanted(arguments.name) {
-        let report = measure(&bench, name, &scenes)?;
+        let report = measure(&bench, name, &given)?;
         if arguments.json {
             found.insert(report.name.to_owned(), report.json());
         } else {
@@ -92,31 +95,53 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 
 fn wanted(name: Name) -> Vec<Name> {
     match name {
-        Name::All => vec![Name::Paper, Name::Schedules, Name::Scaling, Name::Limit],
+        Name::All => vec![Name::Paper, Name::Groller, Name::Schedules, Name::Scaling, Name::Limit],
         one => vec![one],
     }
 }
 
-fn measure(bench: &Bench, name: Name, scenes: &[(String, Scene)]) -> Result<Report, Error> {
+fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
     Ok(match name {
         Name::Paper => paper(bench)?,
+        Name::Groller => groller(bench, &given.mesh)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
-        Name::Limit | Name::All => limit(bench, scenes)?,
+        Name::Limit | Name::All => limit(bench, &given.scenes)?,
     })
 }
 
-/// The scenes that `limit` is about, read before the first measurement.
-fn scenes(arguments: &Arguments) -> Result<Vec<(String, Scene)>, Error> {
-    if !wanted(arguments.name).contains(&Name::Limit) {
-        return match arguments.scenes.first() {
-            Some(path) => Err(Error::Usage(format!("{}: only `limit` measures given scenes", path.display()))),
-            None => Ok(Vec::new()),
-        };
+/// What measurements are about, read before the first of them.
+struct Given {
+    scenes: Vec<(String, Scene)>,
+    mesh: Mesh,
+}
+
+impl Given {
+    fn read(arguments: &Arguments) -> Result<Self, Error> {
+        let names = wanted(arguments.name);
+        let is_mesh = |path: &&PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+        let (meshes, scenes): (Vec<&PathBuf>, Vec<&PathBuf>) = arguments.files.iter().partition(is_mesh);
+        let refused = |path: &PathBuf, problem: &str| Err(Error::Usage(format!("{}: {problem}", path.display())));
+        match (scenes.first(), meshes.as_slice()) {
+            (Some(path), _) if !names.contains(&Name::Limit) => refused(path, "only `limit` measures given scenes"),
+            (_, [path, ..]) if !names.contains(&Name::Groller) => refused(path, "only `groller` measures a given mesh"),
+            (_, [_, path, ..]) => refused(path, "`groller` measures one mesh"),
+            _ => Ok(()),
+        }?;
+        Ok(Self {
+            scenes: if names.contains(&Name::Limit) { read_scenes(&scenes)? } else { Vec::new() },
+            mesh: match meshes.first() {
+                _ if !names.contains(&Name::Groller) => Mesh { vertices: Vec::new(), triangles: Vec::new() },
+                given => Mesh::load(given.map_or(Path::new("scenes/data/bunny.obj"), |path| path))?,
+            },
+        })
     }
-    let paths = match arguments.scenes.as_slice() {
+}
+
+fn read_scenes(given: &[&PathBuf]) -> Result<Vec<(String, Scene)>, Error> {
+    let paths = match given {
         [] => super::chart::scenes_in(Path::new("scenes"))?,
-        given => given.to_vec(),
+        given => given.iter().map(|path| (*path).clone()).collect(),
     };
     let name = |path: &Path| path.file_stem().map_or_else(|| "scene".to_owned(), |s| s.to_string_lossy().into_owned());
     paths.iter().map(|path| Ok((name(path), Scene::load(path, &[])?))).collect()
