@@ -91,7 +91,7 @@ fn choices() -> Vec<Choice> {
 /// Every pass of the scene's program: nothing in it is unused, and of steps, controls, memories, numbers and states all of them
 /// together have what is needed, and no more.
 fn check(scene: &Scene, geometry: &Geometry, choice: &Choice, needed: &str, at: &str) {
-    let work = Work::of(scene, geometry.nodes.len(), geometry.triangles.len()).unwrap();
+    let work = Work::of(scene, geometry.extent()).unwrap();
     let planned = plan(scene, choice, &work).unwrap();
     let mut parts = BTreeSet::new();
     for pass in choice.passes(scene) {

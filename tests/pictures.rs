@@ -24,7 +24,7 @@ fn state_on_the_device_is_small() {
         let mut scene = Scene::load(&path, &[]).unwrap();
         let geometry = Geometry::new(&scene);
         let bytes = |scene: &Scene, choice: &Choice| {
-            let program = Program::new(scene, choice, geometry.nodes.len(), geometry.triangles.len()).unwrap();
+            let program = Program::new(scene, choice, geometry.extent()).unwrap();
             memory(&program, choice.slots(scene)).bytes_per_pixel()
         };
         let plain = bytes(&scene, &Choice::default());

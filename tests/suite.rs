@@ -2,6 +2,7 @@
 
 mod support;
 
+mod accelerate;
 mod accuracy;
 mod cameras;
 mod cli;

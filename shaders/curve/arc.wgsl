@@ -29,6 +29,13 @@ fn segment_pieces(s: Segment) -> u32 {
     return select(0u, u32(pieces), near && s.h != 0.0);
 }
 
+// How far, along each axis, the arc and its chords are from the segment's chord at the same fraction, at most: what is added to that
+// is t (1 − t) of something between a and b.
+fn segment_bulge(s: Segment) -> Real3 {
+    let c = s.x1 - s.x0;
+    return 0.25 * max(abs(s.h * s.v0 - c), abs(c - s.h * s.v1));
+}
+
 fn segment_point(s: Segment, t: Real) -> Real3 {
     let c = s.x1 - s.x0;
     let u = 1.0 - t;

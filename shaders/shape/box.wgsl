@@ -10,6 +10,12 @@ fn box_interval(p: Real3, v: Real3) -> Interval {
     return both_inside(both_inside(slab_interval(p.x, v.x), slab_interval(p.y, v.y)), slab_interval(p.z, v.z));
 }
 
+// Of a box that is in the scene's structure: the fraction of the piece from a along d, or 2. So have all shapes one.
+fn box_fraction(i: u32, a: Real3, d: Real3) -> Real {
+    let space = own_space(boxes[i]);
+    return first_end(box_interval(own_point(space, a), own_vector(space, d)));
+}
+
 fn hit_box(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < BOX_COUNT; i++) {

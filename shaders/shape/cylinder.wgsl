@@ -16,6 +16,11 @@ fn cylinder_interval(p: Real3, v: Real3) -> Interval {
     return both_inside(mantle, slab_interval(p.y, v.y));
 }
 
+fn cylinder_fraction(i: u32, a: Real3, d: Real3) -> Real {
+    let space = own_space(cylinders[i]);
+    return first_end(cylinder_interval(own_point(space, a), own_vector(space, d)));
+}
+
 fn hit_cylinder(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < CYLINDER_COUNT; i++) {

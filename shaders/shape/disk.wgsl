@@ -13,19 +13,27 @@ struct DiskSpace {
 @group(0) @binding(89) var<storage, read> disks: array<Placed>;
 @group(0) @binding(79) var<uniform> disk_spaces: array<DiskSpace, DISK_COUNT>;
 
+fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
+    let p = own_point(space, a);
+    let d = own_vector(space, v);
+    let t = -p.y / d.y;
+    let q = p.xz + t * d.xz;
+    let rr = dot(q, q);
+    let met = d.y != 0.0 && t >= -overlap() && t <= 1.0 + OVERLAP && rr <= 1.0 && rr >= hole * hole;
+    return select(2.0, t, met);
+}
+
+fn disk_fraction(i: u32, a: Real3, d: Real3) -> Real {
+    return select(ring_fraction(own_space(disks[i]), disks[i].radius, a, d), 2.0, just_left(DISK | i));
+}
+
 fn hit_disk(a: Real3, b: Real3, best: Hit) -> Hit {
     var hit = best;
     for (var i = 0u; i < DISK_COUNT; i++) {
         work += 1u;
         let space = OwnSpace(disk_spaces[i].row_x, disk_spaces[i].row_y, disk_spaces[i].row_z);
-        let hole = disk_spaces[i].hole;
-        let p = own_point(space, a);
-        let d = own_vector(space, b - a);
-        let t = -p.y / d.y;
-        let q = p.xz + t * d.xz;
-        let rr = dot(q, q);
-        if d.y != 0.0 && t >= -overlap() && t <= 1.0 + OVERLAP && rr <= 1.0 && rr >= hole * hole && t < hit.t
-            && !just_left(DISK | i) {
+        let t = ring_fraction(space, disk_spaces[i].hole, a, b - a);
+        if t < hit.t && !just_left(DISK | i) {
             hit = Hit(t, DISK | i);
         }
     }
@@ -38,6 +46,6 @@ fn surface_disk(i: u32, x: Real3) -> Surface {
     let g = disks[i].row_y.xyz;
     let steep = length(g);
     let n = g / steep;
-    let v = (1.0 - length(p.xz)) / (1.0 - disk_spaces[i].hole);
+    let v = (1.0 - length(p.xz)) / (1.0 - disks[i].radius);
     return Surface(p.y / steep, 0.0, n, vec3f(n), vec2f(turn_round(p), f32(v)), disks[i].material, disks[i].object);
 }

@@ -8,6 +8,7 @@
 struct Placed {
     // Spheres only.
     center: Real3,
+    // Spheres: their radius. Disks: their hole's, in own units, 0 for none.
     radius: Real,
     // The rows of the affine map from the scene's space to the shape's own.
     row_x: Real4,

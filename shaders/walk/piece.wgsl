@@ -2,6 +2,10 @@
 
 const BELOW_ONE: Real = 0.99999994;
 
+fn piece_start(s: Segment, k: u32, pieces: u32) -> Real3 {
+    return select(segment_point(s, Real(k) / Real(pieces)), s.x0, k == 0u);
+}
+
 fn piece_end(s: Segment, k: u32, pieces: u32) -> Real3 {
     return select(segment_point(s, Real(k + 1u) / Real(pieces)), s.x1, k + 1u == pieces);
 }

@@ -2,16 +2,8 @@
 
 fn walked_hit(s: Segment, pixel: vec2u) -> Hit {
     let pieces = segment_pieces(s);
-    var hit = Hit(0.0, NOTHING);
-    var a = s.x0;
-    for (var k = 0u; k < pieces && hit.primitive == NOTHING; k++) {
-        work += 1u;
-        let b = piece_end(s, k, pieces);
-        hit = piece_hit(a, b, Hit(2.0, NOTHING));
-        hit.t = segment_fraction(k, pieces, hit.t);
-        a = b;
-    }
-    return hit;
+    let hit = structure_hit(s, pieces, listed_hit(s, pieces));
+    return Hit(select(hit.t, 0.0, hit.primitive == NOTHING), hit.primitive);
 }
 
 fn walk_begin() -> u32 {
@@ -22,7 +14,7 @@ fn walk_may_go_on() -> bool {
     return true;
 }
 
-fn walk_stop(node: u32, count: u32) {
+fn walk_stop(place: u32, done: bool) {
 }
 
 fn walk_suspended() -> bool {

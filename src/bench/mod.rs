@@ -6,6 +6,7 @@
 
 mod ceiling;
 mod compaction;
+mod groller;
 mod limit;
 mod paper;
 mod report;
@@ -19,6 +20,7 @@ mod times;
 use crate::gpu::Gpu;
 
 pub use compaction::compaction;
+pub use groller::groller;
 pub use limit::limit;
 pub use paper::paper;
 pub use report::{Cell, Report, Table};

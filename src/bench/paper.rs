@@ -230,6 +230,6 @@ pub(super) fn scene(size: [u32; 2], law: &str, spheres: u32, segments: u32, how:
 }
 
 /// A mistake in a scene of our own.
-fn own_scene(error: SceneError) -> RenderError {
+pub(super) fn own_scene(error: SceneError) -> RenderError {
     RenderError::Output(Box::new(error))
 }

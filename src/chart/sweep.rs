@@ -147,7 +147,7 @@ impl Sweep<'_> {
         let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
         let mut few = Renderer::new(self.gpu, &scene, Settings { choice, segments: 256, ..Settings::default() })?;
         let choice = Choice { schedule: self.schedule, ..Choice::default() };
-        let mut all = Renderer::new(self.gpu, &scene, Settings { choice, scatter_apart: true, ..Settings::default() })?;
+        let mut all = Renderer::new(self.gpu, &scene, Settings { choice, apart: true, ..Settings::default() })?;
         // The first run compiles.
         all.picture()?;
         let mut points: Vec<Point> = Vec::new();

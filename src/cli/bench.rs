@@ -9,21 +9,23 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, compaction, limit, paper, sampling, scaling, schedules, start};
+use crate::bench::{Bench, Report, compaction, groller, limit, paper, sampling, scaling, schedules, start};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
 use crate::output::report::{Section, write_report};
-use crate::scene::Scene;
+use crate::scene::{Mesh, Scene};
 
-/// Measure: the 2004 paper's tables, schedules, how time grows, what samples are worth, the device's limit, and starts
+/// Measure: the 2004 paper's tables, structures, schedules, how time grows, what samples are worth, the device's limit, and starts
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// Which measurement
     #[arg(value_enum)]
     name: Name,
-    /// Scenes for `limit`, `sampling`, `compaction` and `start`; without any some of the project's own, in scenes/
-    scenes: Vec<PathBuf>,
+    /// Scenes for `limit`, `sampling`, `compaction` and `start`, a mesh (.obj) for `groller`; without any some of the project's own,
+    /// in scenes/
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -55,6 +57,8 @@ const SAMPLED: [&str; 6] = [
 enum Name {
     /// The measurements of the 2004 paper: Table 1, Figure 5, and what its Euler steps see of a shadow
     Paper,
+    /// Objects found by a hierarchy, a grid, and one after the other, from 10 to 1,000,000 triangles
+    Groller,
     /// The same work cut into passes in different ways
     Schedules,
     /// How time grows with pixels, steps, spheres, lights and samples
@@ -110,9 +114,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn wanted(name: Name) -> Vec<Name> {
-    use Name::{All, Compaction, Limit, Paper, Sampling, Scaling, Schedules, Start};
+    use Name::{All, Compaction, Groller, Limit, Paper, Sampling, Scaling, Schedules, Start};
     match name {
-        All => vec![Paper, Schedules, Scaling, Sampling, Limit, Compaction, Start],
+        All => vec![Paper, Groller, Schedules, Scaling, Sampling, Limit, Compaction, Start],
         one => vec![one],
     }
 }
@@ -121,6 +125,7 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
     let scenes = given.scenes.get(&name).map_or(&[][..], Vec::as_slice);
     Ok(match name {
         Name::Paper => paper(bench)?,
+        Name::Groller => groller(bench, &given.mesh)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
         Name::Sampling => sampling(bench, scenes)?,
@@ -137,6 +142,8 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
 /// What measurements are about, read before the first of them.
 struct Given {
     scenes: BTreeMap<Name, Vec<(String, Scene)>>,
+    /// What `groller` cuts up; nothing where it is not wanted.
+    mesh: Mesh,
     /// Scenes that are read by the programs that are started.
     started: Vec<PathBuf>,
 }
@@ -144,20 +151,34 @@ struct Given {
 impl Given {
     fn read(arguments: &Arguments) -> Result<Self, Error> {
         let names = wanted(arguments.name);
-        let about = [Name::Limit, Name::Sampling, Name::Compaction];
-        if let (false, Some(path)) =
-            (names.iter().any(|name| about.contains(name) || *name == Name::Start), arguments.scenes.first())
-        {
-            let takers = "only `limit`, `sampling`, `compaction` and `start` measure given scenes";
-            return Err(Error::Usage(format!("{}: {takers}", path.display())));
-        }
-        let read = |name: Name| Ok((name, read_scenes(name, &arguments.scenes)?));
-        let scenes = names.into_iter().filter(|name| about.contains(name)).map(read).collect::<Result<_, Error>>()?;
-        let started = match arguments.scenes.as_slice() {
-            [] => vec![PathBuf::from("scenes/black_hole.toml")],
-            given => given.to_vec(),
+        let is_mesh = |path: &&PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+        let (meshes, paths): (Vec<PathBuf>, Vec<PathBuf>) = {
+            let (meshes, scenes): (Vec<&PathBuf>, Vec<&PathBuf>) = arguments.files.iter().partition(is_mesh);
+            (meshes.into_iter().cloned().collect(), scenes.into_iter().cloned().collect())
         };
-        Ok(Self { scenes, started })
+        let about = [Name::Limit, Name::Sampling, Name::Compaction];
+        let takes_scenes = names.iter().any(|name| about.contains(name) || *name == Name::Start);
+        let refused = |path: &PathBuf, problem: &str| Err(Error::Usage(format!("{}: {problem}", path.display())));
+        match (paths.first(), meshes.as_slice()) {
+            (Some(path), _) if !takes_scenes => {
+                refused(path, "only `limit`, `sampling`, `compaction` and `start` measure given scenes")
+            }
+            (_, [path, ..]) if !names.contains(&Name::Groller) => refused(path, "only `groller` measures a given mesh"),
+            (_, [_, path, ..]) => refused(path, "`groller` measures one mesh"),
+            _ => Ok(()),
+        }?;
+        let read = |name: Name| Ok((name, read_scenes(name, &paths)?));
+        let scenes = names.iter().copied().filter(|name| about.contains(name)).map(read);
+        let bunny = PathBuf::from("scenes/data/bunny.obj");
+        Ok(Self {
+            scenes: scenes.collect::<Result<_, Error>>()?,
+            mesh: if names.contains(&Name::Groller) {
+                Mesh::load(meshes.first().unwrap_or(&bunny))?
+            } else {
+                Mesh { vertices: Vec::new(), triangles: Vec::new() }
+            },
+            started: if paths.is_empty() { vec![PathBuf::from("scenes/black_hole.toml")] } else { paths },
+        })
     }
 }
 

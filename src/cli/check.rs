@@ -8,7 +8,7 @@ use clap::Args;
 use super::frames::Film;
 use super::options::{SceneOptions, Schedule, choice};
 use crate::error::Error;
-use crate::gpu::{Geometry, memory};
+use crate::gpu::{Built, Geometry, Grid, memory};
 use crate::program::{Choice, Program};
 use crate::scene::{Scene, reference_markdown};
 
@@ -52,7 +52,7 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     let scene = Scene::load(path, &arguments.changes.overrides())?;
     let geometry = Geometry::new(&scene);
     let choice = choice(arguments.schedule);
-    let program = Program::new(&scene, &choice, geometry.nodes.len(), geometry.triangles.len())?;
+    let program = Program::new(&scene, &choice, geometry.extent())?;
     let [width, height] = scene.image.size;
     say!("{}: {width}×{height}, samples {}, objects {}", path.display(), scene.image.samples, scene.objects.len());
     if let Some(tolerance) = scene.image.adaptive {
@@ -61,8 +61,8 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
             scene.image.samples
         );
     }
-    if !geometry.triangles.is_empty() {
-        say!("  {} triangles in {} nodes", geometry.triangles.len(), geometry.nodes.len());
+    if let Some(words) = structure_words(&geometry) {
+        say!("  {words}");
     }
     for (pass, linked, reflection) in &program.passes {
         let lines = linked.source.lines().count();
@@ -78,6 +78,20 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     }
     print_memory(&scene, &program, &choice)?;
     check_frames(path, arguments, &choice, &scene)
+}
+
+/// What segments search, if there is anything.
+fn structure_words(geometry: &Geometry) -> Option<String> {
+    let Built { items, nodes, grid } = &geometry.structure;
+    let triangles = geometry.triangles.len();
+    Some(match grid {
+        _ if items.is_empty() => return None,
+        Some(Grid { count: [x, y, z], .. }) => {
+            format!("structure: {x}×{y}×{z} cells with {} entries, of them {triangles} triangles", items.len())
+        }
+        None if nodes.is_empty() => format!("structure: none, {} items, of them {triangles} triangles", items.len()),
+        None => format!("structure: {} items, of them {triangles} triangles, in {} nodes", items.len(), nodes.len()),
+    })
 }
 
 /// All frames are right, and run the first one's program.

@@ -68,7 +68,7 @@ impl Film<'_> {
     pub(super) fn program(&self, choice: &Choice, frame_of: &dyn Fn(&str) -> u32) -> Result<Program, Error> {
         let scene = Scene::load_frame(self.path, self.overrides, frame_of)?;
         let geometry = Geometry::new(&scene);
-        Ok(Program::new(&scene, choice, geometry.nodes.len(), geometry.triangles.len())?)
+        Ok(Program::new(&scene, choice, geometry.extent())?)
     }
 
     /// That two frames have different programs, with those of the keys that make it so when they alone go from the first frame to

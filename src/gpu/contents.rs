@@ -9,7 +9,7 @@ use wgpu::{
     Buffer, BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
 };
 
-use super::records::Value::{Float, Uint, Uint2, Vec3};
+use super::records::Value::{Float, Uint, Uint2, Uint3, Vec3};
 use super::records::{Value, pack};
 use super::uniforms::{control_values, schedule_values};
 use super::{Geometry, Gpu, GpuError};
@@ -194,6 +194,15 @@ impl Source<'_> {
                 Segment::Chord { .. } => Ok(None),
             },
             "sky" => one(&self.sky()),
+            "grid_space" => match &self.geometry.structure.grid {
+                Some(grid) => one(&[
+                    ("lo", Vec3(grid.lo)),
+                    ("hi", Vec3(grid.hi)),
+                    ("cell", Vec3(grid.cell)),
+                    ("count", Uint3(grid.count)),
+                ]),
+                None => Ok(None),
+            },
             own => self.list(own, layout),
         }
     }

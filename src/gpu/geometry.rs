@@ -1,12 +1,9 @@
-//! A scene's objects as the shaders see them: one list for each kind of shape, and a hierarchy over all triangles.
+//! A scene's objects as the shaders see them: one list for each kind of shape, and a structure over those that are many.
 
-use glam::{DVec3, DVec4, Vec3};
-use obvhs::BvhBuildParams;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2_from_tris;
-use obvhs::triangle::Triangle;
+use glam::{DVec3, DVec4};
 
-use crate::program::{Regions, constant, shape_kind};
+use super::structure::{Built, Item};
+use crate::program::{Extent, Regions, Structure, constant, shape_kind};
 use crate::scene::{Mesh, Object, Scene, Shape, Vertex};
 
 /// A shape other than a mesh, in its place.
@@ -14,10 +11,8 @@ use crate::scene::{Mesh, Object, Scene, Shape, Vertex};
 pub struct PlacedShape {
     /// Its centre.
     pub center: DVec3,
-    /// For spheres: the radius.
+    /// For spheres the radius, for disks the hole's, in own units.
     pub radius: f64,
-    /// For disks: the hole's radius, in own units.
-    pub hole: f64,
     /// Rows of the affine map from the scene's space to the shape's own.
     pub rows: [DVec4; 3],
     /// Its place in the list of materials: the scene's own, and behind them one for each object that light goes through.
@@ -28,17 +23,9 @@ pub struct PlacedShape {
     pub object: u32,
 }
 
-/// A node of the hierarchy, in depth-first order.
-#[derive(Debug, Clone, Copy)]
-pub struct Node {
-    /// The box's lower corner.
-    pub lo: Vec3,
-    /// The box's upper corner.
-    pub hi: Vec3,
-    /// The node after this one's subtree.
-    pub skip: u32,
-    /// 0 inside the tree; in a leaf the number of triangles in the upper eight bits, the first of them in the others.
-    pub leaf: u32,
+/// A kind of shape in the upper bits of a primitive.
+fn kind_code(kind: &str) -> u32 {
+    constant(&format!("shape/{kind}"), &kind.to_uppercase()) as u32
 }
 
 /// Everything that can be hit.
@@ -46,9 +33,9 @@ pub struct Node {
 pub struct Geometry {
     /// By kind of shape (`sphere`, `ellipsoid`, `box`, `cylinder`, `plane`, `disk`).
     pub placed: std::collections::BTreeMap<&'static str, Vec<PlacedShape>>,
-    /// The hierarchy's nodes.
-    pub nodes: Vec<Node>,
-    /// Three vertices and the object, in the order of the hierarchy's leaves.
+    /// What segments search.
+    pub structure: Built,
+    /// Three vertices and the object.
     pub triangles: Vec<[u32; 4]>,
     /// Of all meshes, in the scene's space.
     pub vertices: Vec<Vertex>,
@@ -60,11 +47,8 @@ pub struct Geometry {
     pub boxes: Vec<(DVec3, DVec3)>,
 }
 
-/// Triangles in one leaf, at most.
-const LEAF: u32 = 4;
-
 impl Geometry {
-    /// Places every object of the scene and builds the hierarchy over its triangles.
+    /// Places every object of the scene and builds its structure.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let mut geometry = Self { regions: Regions::of(scene), ..Self::default() };
@@ -81,8 +65,15 @@ impl Geometry {
         for shapes in geometry.placed.values_mut() {
             shapes.sort_by_key(|shape| shape.bit.is_some());
         }
-        geometry.build_hierarchy();
+        let structure = Structure::of(scene);
+        geometry.build(&structure);
         geometry
+    }
+
+    /// How far a search of its structure may go.
+    #[must_use]
+    pub fn extent(&self) -> Extent {
+        self.structure.extent()
     }
 
     /// The box of everything.
@@ -104,9 +95,7 @@ impl Geometry {
     pub fn primitive(&self, object: usize) -> u32 {
         let place = |shapes: &Vec<PlacedShape>| shapes.iter().position(|shape| shape.object as usize == object);
         let found = self.placed.iter().find_map(|(kind, shapes)| Some((kind, place(shapes)?)));
-        found.map_or(constant("ray", "NOTHING") as u32, |(kind, at)| {
-            constant(&format!("shape/{kind}"), &kind.to_uppercase()) as u32 | at as u32
-        })
+        found.map_or(constant("ray", "NOTHING") as u32, |(kind, at)| kind_code(kind) | at as u32)
     }
 
     fn add_placed(&mut self, object: &Object, index: u32) {
@@ -116,8 +105,10 @@ impl Geometry {
         let t = inverse.translation;
         self.placed.entry(shape_kind(&object.shape, &object.transform)).or_default().push(PlacedShape {
             center: map.translation,
-            radius: object.transform.uniform_scale().unwrap_or(0.0),
-            hole: if let Shape::Disk { hole } = object.shape { hole } else { 0.0 },
+            radius: match object.shape {
+                Shape::Disk { hole } => hole,
+                _ => object.transform.uniform_scale().unwrap_or(0.0),
+            },
             rows: [m.x_axis.extend(t.x), m.y_axis.extend(t.y), m.z_axis.extend(t.z)],
             material: self.materials[index as usize],
             object: index,
@@ -140,50 +131,42 @@ impl Geometry {
         self.triangles.extend(mesh.triangles.iter().map(|[a, b, c]| [first + a, first + b, first + c, index]));
     }
 
-    fn build_hierarchy(&mut self) {
-        if self.triangles.is_empty() {
-            return;
-        }
-        let corner = |i: u32| self.vertices[i as usize].position.into();
-        let triangles: Vec<Triangle> = self
-            .triangles
-            .iter()
-            .map(|[a, b, c, _]| Triangle { v0: corner(*a), v1: corner(*b), v2: corner(*c) })
-            .collect();
-        let params = BvhBuildParams { max_prims_per_leaf: LEAF, pre_split: false, ..BvhBuildParams::medium_build() };
-        let bvh = build_bvh2_from_tris(&triangles, params, &mut std::time::Duration::default());
-        let mut ordered = Vec::with_capacity(self.triangles.len());
-        flatten(&bvh, 0, &self.triangles, &mut self.nodes, &mut ordered);
-        self.triangles = ordered;
-    }
-}
-
-/// Depth first, so that the next node to visit is the next in the list where the box is met, and `skip` where it is missed.
-fn flatten(bvh: &Bvh2, at: usize, triangles: &[[u32; 4]], nodes: &mut Vec<Node>, ordered: &mut Vec<[u32; 4]>) {
-    // An explicit stack: a degenerate mesh makes a tree too deep for recursion. `None` closes the node whose subtree ended.
-    let mut open = vec![Ok(at)];
-    while let Some(next) = open.pop() {
-        let at = match next {
-            Ok(at) => at,
-            Err(node) => {
-                let skip = nodes.len() as u32;
-                let node: &mut Node = &mut nodes[node];
-                node.skip = skip;
-                continue;
-            }
+    /// Builds the structure, and brings what stands in it into its order.
+    fn build(&mut self, structure: &Structure) {
+        let mut items = self.items(structure);
+        let before = items.clone();
+        let (built, order) = Built::new(&mut items, structure.search);
+        self.structure = built;
+        let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
+        let moved = |kind: &str| {
+            let code = kind_code(kind);
+            let own = order.iter().map(|&i| before[i as usize].primitive).filter(move |own| own & !mask == code);
+            own.map(|own| (own & mask) as usize).collect::<Vec<_>>()
         };
-        let node = &bvh.nodes[at];
-        let (lo, hi) = (node.aabb.min.into(), node.aabb.max.into());
-        let mut leaf = 0;
-        open.push(Err(nodes.len()));
-        if node.prim_count > 0 {
-            leaf = (node.prim_count << 24) | ordered.len() as u32;
-            let first = node.first_index as usize;
-            let own = &bvh.primitive_indices[first..first + node.prim_count as usize];
-            ordered.extend(own.iter().map(|&i| triangles[i as usize]));
-        } else {
-            open.extend([Ok(node.first_index as usize + 1), Ok(node.first_index as usize)]);
+        for (kind, shapes) in self.placed.iter_mut().filter(|(kind, _)| structure.holds(kind)) {
+            let old = shapes.clone();
+            for (shape, from) in shapes.iter_mut().zip(moved(kind)) {
+                *shape = old[from];
+            }
         }
-        nodes.push(Node { lo, hi, skip: 0, leaf });
+        self.triangles = moved("triangle").into_iter().map(|from| self.triangles[from]).collect();
+    }
+
+    /// What stands in the scene's structure.
+    fn items(&self, structure: &Structure) -> Vec<Item> {
+        let mut items = Vec::new();
+        for (kind, shapes) in self.placed.iter().filter(|(kind, _)| structure.holds(kind)) {
+            let code = kind_code(kind);
+            for (i, shape) in shapes.iter().enumerate().filter(|(_, shape)| shape.bit.is_none()) {
+                let (lo, hi) = self.boxes[shape.object as usize];
+                items.push(Item { primitive: code | i as u32, lo: lo.as_vec3(), hi: hi.as_vec3() });
+            }
+        }
+        let code = kind_code("triangle");
+        items.extend(self.triangles.iter().enumerate().map(|(i, [a, b, c, _])| {
+            let [p, q, r] = [a, b, c].map(|&corner| self.vertices[corner as usize].position);
+            Item { primitive: code | i as u32, lo: p.min(q).min(r), hi: p.max(q).max(r) }
+        }));
+        items
     }
 }

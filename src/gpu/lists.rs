@@ -45,7 +45,7 @@ impl Source<'_> {
             "nodes" => pack(
                 name,
                 layout,
-                g.nodes.iter().map(|n| {
+                g.structure.nodes.iter().map(|n| {
                     [
                         ("lo", Vec3(n.lo.into())),
                         ("hi", Vec3(n.hi.into())),
@@ -63,6 +63,13 @@ impl Source<'_> {
                 }),
             )
             .map(Some),
+            "corners" => {
+                let place = |i: u32| Vec3(g.vertices[i as usize].position.into());
+                let row = |[a, b, c, object]: &[u32; 4]| {
+                    [("p", place(*a)), ("object", Uint(*object)), ("q", place(*b)), ("r", place(*c))]
+                };
+                pack(name, layout, g.triangles.iter().map(row)).map(Some)
+            }
             "vertices" => pack(
                 name,
                 layout,
@@ -76,6 +83,8 @@ impl Source<'_> {
                 }),
             )
             .map(Some),
+            "items" => Ok(Some(bytemuck::cast_slice(&g.structure.items).to_vec())),
+            "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
             "object_materials" => Ok(Some(bytemuck::cast_slice(&g.materials).to_vec())),
             "materials" => self.materials(layout).map(Some),
             _ => self.lights_and_sources(name, layout),
@@ -268,7 +277,7 @@ fn space_rows(shape: &PlacedShape) -> [(&'static str, Value); 3] {
 
 fn disk_row(shape: &PlacedShape) -> [(&'static str, Value); 4] {
     let [x, y, z] = space_rows(shape);
-    [x, y, z, ("hole", Float(shape.hole))]
+    [x, y, z, ("hole", Float(shape.radius))]
 }
 
 fn placed_row(shape: &PlacedShape) -> [(&'static str, Value); 7] {

@@ -12,6 +12,7 @@ mod lists;
 mod media;
 mod pipeline;
 mod records;
+mod structure;
 mod tile;
 mod uniforms;
 
@@ -22,5 +23,6 @@ pub use geometry::Geometry;
 pub use media::{medium_values, profile_values};
 pub use pipeline::{Pipeline, Pipelines};
 pub use records::{Value, pack};
+pub use structure::{Built, Grid, Item, Node};
 pub use tile::{Memory, OPEN, Parts, Slots, TURN_STRIDE, Tile, WANTED, memory};
 pub use uniforms::{control_values, schedule_values};

@@ -21,6 +21,8 @@ pub enum Value {
     Vec4(DVec4),
     /// vec2u.
     Uint2([u32; 2]),
+    /// vec3u.
+    Uint3([u32; 3]),
     /// vec4u.
     Uint4([u32; 4]),
 }
@@ -41,6 +43,7 @@ impl Value {
             Self::Vec4(v) => floats(&v.to_array()),
             Self::Uint(v) => uints(&[v]),
             Self::Uint2(v) => uints(&v),
+            Self::Uint3(v) => uints(&v),
             Self::Uint4(v) => uints(&v),
         }
     }

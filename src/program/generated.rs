@@ -30,15 +30,12 @@ pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]
     text
 }
 
-/// The first hit of a straight piece among all shapes, those that end rays and those that rays cross, and the surface of a
-/// primitive.
-pub(super) fn shapes(kinds: &[&str], opaque: &[&str], sided: &[&str]) -> Unit {
+/// The first hit of a straight piece among the shapes in lists, those that end rays and those that rays cross; where a piece meets an
+/// item of the structure; and the surface of a primitive.
+pub(super) fn shapes(kinds: &[&str], listed: &[&str], sided: &[&str], held: &[&str]) -> Unit {
     let mut text = String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    var hit = best;\n");
     let crossed = sided.iter().map(|kind| format!("cross_{kind}"));
-    // Meshes last: what is nearer already shortens their walk.
-    let (first, last): (Vec<_>, Vec<_>) =
-        opaque.iter().map(|kind| format!("hit_{kind}")).chain(crossed).partition(|name| name != "hit_triangle");
-    for function in first.iter().chain(&last) {
+    for function in listed.iter().map(|kind| format!("hit_{kind}")).chain(crossed) {
         let _ = writeln!(text, "    hit = {function}(a, b, hit);");
     }
     text += "    return hit;\n}\n\n";
@@ -46,6 +43,15 @@ pub(super) fn shapes(kinds: &[&str], opaque: &[&str], sided: &[&str]) -> Unit {
         .iter()
         .map(|kind| (kind.to_uppercase(), format!("surface_{kind}(primitive & PRIMITIVE_INDEX, x)")))
         .collect();
+    let fractions: Vec<_> = held
+        .iter()
+        .map(|kind| (kind.to_uppercase(), format!("{kind}_fraction(item & PRIMITIVE_INDEX, a, d)")))
+        .collect();
+    if !held.is_empty() {
+        let signature = "fn item_fraction(item: u32, a: Real3, d: Real3) -> Real";
+        text += &switch(signature, "item & ~PRIMITIVE_INDEX", &fractions);
+        let _ = writeln!(text, "\nconst ITEM_KIND: u32 = {};\n", held[0].to_uppercase());
+    }
     text += &switch("fn hit_surface(primitive: u32, x: Real3) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
     unit("generated/shapes.wgsl", text)
 }

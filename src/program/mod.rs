@@ -20,6 +20,7 @@ mod plan;
 mod reflect;
 mod region_parts;
 mod regions;
+mod structure;
 mod touching;
 mod work;
 
@@ -30,6 +31,7 @@ pub use parts::{Part, all_parts, constant, part};
 pub use plan::{plan, shape_kind};
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect, validated};
 pub use regions::{Kind, Motion, Obstacle, Region, Regions, is_mirror, scatters, splits};
+pub use structure::{Extent, Search, Structure};
 pub use touching::Touching;
 pub use work::Work;
 
@@ -47,9 +49,9 @@ pub struct Program {
 }
 
 impl Program {
-    /// The program of `scene` under a schedule. `nodes` and `triangles` are those of the hierarchy over its meshes.
-    pub fn new(scene: &Scene, choice: &Choice, nodes: usize, triangles: usize) -> Result<Self, ProgramError> {
-        let work = Work::of(scene, nodes, triangles)?;
+    /// The program of `scene` under a schedule, whose structure was built to this extent.
+    pub fn new(scene: &Scene, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
+        let work = Work::of(scene, extent)?;
         let parts = plan(scene, choice, &work)?;
         let passes = choice
             .passes(scene)

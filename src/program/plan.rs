@@ -4,7 +4,7 @@ use super::link::{Parts, Unit};
 use super::picture_parts::{camera_parts, material_parts, picture_parts};
 use super::region_parts::region_parts;
 use super::regions::{Kind, Regions, is_mirror, scatters};
-use super::{Choice, Masks, Pass, ProgramError, Purpose, Work, generated, part};
+use super::{Choice, Masks, Pass, ProgramError, Purpose, Structure, Work, generated, part};
 use crate::scene::{
     Branches, Control, Law, MaterialKind, Medium, Object, Precision, Scene, SchwarzschildForm, Segment, Shape,
 };
@@ -172,12 +172,10 @@ fn end_parts(scene: &Scene, names: &mut Names) {
 }
 
 /// The kinds of shape of some objects: their parts' and functions' names.
-fn shape_kinds<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'static str> {
+pub(super) fn shape_kinds<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'static str> {
     let mut kinds: Vec<&str> = objects.map(|object| shape_kind(&object.shape, &object.transform)).collect();
     kinds.sort_unstable();
     kinds.dedup();
-    // Meshes last: what is nearer already shortens their walk.
-    kinds.sort_by_key(|kind| *kind == "triangle");
     kinds
 }
 
@@ -211,6 +209,7 @@ fn surface_parts(
         return;
     }
     names.all(&["walk/piece", "hits", "shape/placed"]);
+    let structure = Structure::of(scene);
     names.add(if work.resumed { "walk/resumed" } else { "walk/whole" });
     let leaps = regions.kinds.iter().any(|kind| kind.leaps);
     names.add(if leaps { "walk/leaping" } else { "walk/direct" });
@@ -220,17 +219,24 @@ fn surface_parts(
         shape_kinds(objects.map(|(_, object)| object))
     };
     let (opaque, mut sided) = (with_side(false), with_side(true));
-    // One walk meets all triangles, whatever their objects are made of.
-    let only_sided = sided.contains(&"triangle") && !opaque.contains(&"triangle");
+    // One search meets all triangles, whatever their objects are made of.
     sided.retain(|kind| *kind != "triangle");
-    let hit: Vec<&str> = opaque.into_iter().chain(only_sided.then_some("triangle")).collect();
+    let listed: Vec<&str> = opaque.into_iter().filter(|kind| !structure.holds(kind)).collect();
+    names.add(if listed.is_empty() && sided.is_empty() { "listed/none" } else { "listed/some" });
+    if structure.kinds.is_empty() {
+        names.add("structure/none");
+    } else {
+        names.add("walk/items");
+        names.add(if structure.in_order() { "order/same" } else { "order/listed" });
+        names.each("structure", [structure.search.name()]);
+    }
     if !sided.is_empty() {
         names.add("crossing/crossing");
         names.each("crossing", sided.iter().copied());
     } else if regions.regions.iter().any(|region| matches!(scene.objects[region.object].shape, Shape::Mesh(_))) {
         names.add("crossing/crossing");
     }
-    made.push(generated::shapes(&kinds, &hit, &sided));
+    made.push(generated::shapes(&kinds, &listed, &sided, &structure.kinds));
     if recorded {
         names.add("stage/recorded_surface");
     } else {

@@ -3,8 +3,9 @@
 //! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
-use super::{Kind, Motion, ProgramError, Regions, constant, scatters};
-use crate::scene::{Control, Law, Medium, Method, Precision, Scene, Segment, Shape};
+use super::plan::shape_kind;
+use super::{Extent, Kind, Motion, ProgramError, Regions, Structure, constant, scatters};
+use crate::scene::{Control, Law, Medium, Method, Object, Precision, Scene, Segment};
 
 fn work_limit() -> u64 {
     constant("work", "WORK_LIMIT") as u64
@@ -21,15 +22,15 @@ const LARGEST: u64 = 20_000;
 pub struct Work {
     /// Iterations that a segment may need in one invocation.
     pub segment: u64,
-    /// May a segment's walk over the meshes be suspended and gone on with in a later pass?
+    /// May a segment's walk over the structure be suspended and gone on with in a later pass?
     pub resumed: bool,
     /// Passes over which one segment's walk may be spread.
     pub passes_per_segment: u64,
 }
 
 impl Work {
-    /// The bounds for `scene`, whose meshes have a hierarchy of so many nodes and triangles.
-    pub fn of(scene: &Scene, nodes: usize, triangles: usize) -> Result<Self, ProgramError> {
+    /// The bounds for `scene`, whose structure was built to this extent.
+    pub fn of(scene: &Scene, extent: Extent) -> Result<Self, ProgramError> {
         let (rate, scale) = law_loops(&scene.law);
         let captures = match &scene.law {
             Law::Schwarzschild { .. } => 1,
@@ -47,21 +48,26 @@ impl Work {
             Segment::Arc { .. } if Regions::of(scene).kinds.iter().all(Kind::is_line) => (1, 1),
             Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
         };
-        let analytic = scene.objects.iter().filter(|o| !matches!(o.shape, Shape::Mesh(_))).count() as u64;
+        let (structure, regions) = (Structure::of(scene), Regions::of(scene));
+        let is_listed = |(i, object): &(usize, &Object)| {
+            regions.bit(*i).is_some() || !structure.holds(shape_kind(&object.shape, &object.transform))
+        };
+        let listed = scene.objects.iter().enumerate().filter(is_listed).count() as u64;
         // Where a ray goes on from a surface its last step is taken again, a few times over.
-        let touching = Regions::of(scene).touching.count() as u64;
+        let touching = regions.touching.count() as u64;
         let scatter =
             if scatters(scene) { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching } else { 0 };
-        let segment = steps * step + pieces * (analytic + 1) + captures + 2 + asymptote + scatter;
+        let segment = steps * step + pieces * (listed + 1) + captures + 2 + asymptote + scatter;
         if segment > LARGEST {
-            let integration = steps * step > pieces * analytic;
+            let integration = steps * step > pieces * listed;
             return Err(ProgramError::TooMuchWork {
                 needed: segment,
                 limit: LARGEST,
-                what: if integration { "force centres" } else { "shapes other than meshes" },
+                what: if integration { "force centres" } else { "shapes in lists" },
             });
         }
-        let walk = pieces * (nodes + triangles) as u64;
+        // A node once, or a cell for each piece; items for each piece.
+        let walk = (pieces + 1) * (extent.places + extent.items);
         let resumed = segment + walk > WHOLE;
         Ok(Self {
             segment: if resumed { segment } else { segment + walk },

@@ -21,6 +21,7 @@ pub(super) enum Stage {
     Start,
     Setup,
     Advance,
+    Intersect,
     Scatter,
     Shade,
 }
@@ -31,14 +32,15 @@ pub(super) struct Clock {
     sets: Vec<QuerySet>,
     stages: Vec<Stage>,
     enabled: bool,
-    pub(super) scatter_apart: bool,
+    /// Are intersecting and scattering timed apart from advancing?
+    pub(super) apart: bool,
 }
 
 const QUERIES: u32 = wgpu::QUERY_SET_MAX_QUERIES;
 
 impl Clock {
-    pub(super) fn new(gpu: &Gpu, scatter_apart: bool) -> Self {
-        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, scatter_apart }
+    pub(super) fn new(gpu: &Gpu, apart: bool) -> Self {
+        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, apart }
     }
 
     /// Where the next pass of this stage writes its times.
@@ -61,7 +63,7 @@ impl Clock {
     }
 
     /// Seconds by stage, once all passes are done.
-    pub(super) fn read(&self, gpu: &Gpu) -> Result<Option<[Duration; 4]>, GpuError> {
+    pub(super) fn read(&self, gpu: &Gpu) -> Result<Option<[Duration; 5]>, GpuError> {
         if !self.enabled {
             return Ok(None);
         }
@@ -79,7 +81,7 @@ impl Clock {
             let times: Vec<u64> = bytemuck::pod_collect_to_vec(&bytes);
             ends.extend(times.chunks_exact(2).map(|pair| pair[1]));
         }
-        let mut sums = [0.0_f64; 5];
+        let mut sums = [0.0_f64; 6];
         for (ends, stage) in ends.windows(2).zip(self.stages.iter().skip(1)) {
             let ticks = ends[1].saturating_sub(ends[0]) as f64;
             sums[*stage as usize] += ticks * f64::from(gpu.queue.get_timestamp_period()) * 1e-9;

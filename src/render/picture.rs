@@ -57,7 +57,7 @@ impl Renderer<'_> {
         let started = Instant::now();
         let Window { origin, size: [width, height] } = self.window();
         let [tile_width, tile_height] = self.tile_size()?;
-        let mut clock = Clock::new(self.gpu, self.settings.scatter_apart);
+        let mut clock = Clock::new(self.gpu, self.settings.apart);
         let mut totals = Totals { adaptive: self.adaptive(), ..Totals::default() };
         let margin = self.settings.choice.margin(&self.scene);
         let mut tile: Option<Tile> = None;

@@ -30,9 +30,9 @@ pub struct Settings {
     pub tile_pixels: u64,
     /// The part of the picture that is rendered; none for all of it.
     pub window: Option<Window>,
-    /// Is scattering timed apart from advancing, where it has a pass? That takes a pass of the encoder for each round, which costs
-    /// more than the round where nothing lives.
-    pub scatter_apart: bool,
+    /// Are intersecting and scattering timed apart from advancing, where they have passes? That takes a pass of the encoder for each
+    /// of them, which costs more than the round where nothing lives.
+    pub apart: bool,
 }
 
 impl Default for Settings {
@@ -44,7 +44,7 @@ impl Default for Settings {
             // Enough to fill any device, and bands that the host holds with ease.
             tile_pixels: 1 << 22,
             window: None,
-            scatter_apart: false,
+            apart: false,
         }
     }
 }
@@ -103,7 +103,7 @@ impl<'a> Renderer<'a> {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
         let geometry = Geometry::new(scene);
-        let program = Program::new(scene, &settings.choice, geometry.nodes.len(), geometry.triangles.len())?;
+        let program = Program::new(scene, &settings.choice, geometry.extent())?;
         let pipelines = Pipelines::new(gpu, &program)?;
         let longer = settings.segments.saturating_mul(settings.choice.rounds(scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
@@ -124,7 +124,7 @@ impl<'a> Renderer<'a> {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
         let geometry = Geometry::new(&scene);
-        let program = Program::new(&scene, choice, geometry.nodes.len(), geometry.triangles.len())?;
+        let program = Program::new(&scene, choice, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }

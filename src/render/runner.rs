@@ -78,11 +78,12 @@ impl Renderer<'_> {
 }
 
 /// Later rounds are timed as one: to time a pass may cost more than the pass.
-fn stage_of(pass: Pass, round: u32, scatter_apart: bool) -> Stage {
+fn stage_of(pass: Pass, round: u32, apart: bool) -> Stage {
     match pass {
         _ if round > 0 => Stage::Advance,
         Pass::Setup => Stage::Setup,
-        Pass::Scatter if scatter_apart => Stage::Scatter,
+        Pass::Intersect if apart => Stage::Intersect,
+        Pass::Scatter if apart => Stage::Scatter,
         Pass::Shade | Pass::Record | Pass::Refine => Stage::Shade,
         _ => Stage::Advance,
     }
@@ -122,7 +123,7 @@ impl<'r, 'a> Runner<'r, 'a> {
             self.prepare(i)?;
         }
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
-        let apart = clock.scatter_apart;
+        let apart = clock.apart;
         if let Some(timestamp_writes) = clock.next(gpu, Stage::Start) {
             let descriptor = ComputePassDescriptor { label: None, timestamp_writes: Some(timestamp_writes) };
             drop(encoder.begin_compute_pass(&descriptor));

@@ -182,7 +182,7 @@ impl Recorder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::Purpose;
+    use crate::program::{Extent, Purpose};
 
     fn scene(segment: &str) -> Scene {
         let text = format!(
@@ -196,7 +196,7 @@ mod tests {
     fn recorded(schedule: Schedule, segment: &str) -> Vec<Step> {
         let scene = scene(segment);
         let choice = Choice { schedule, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() };
-        let work = Work::of(&scene, 0, 0).unwrap();
+        let work = Work::of(&scene, Extent::default()).unwrap();
         steps(&scene, &choice, &work, scene.rays.max_segments, 4)
     }
 

@@ -94,9 +94,9 @@ pub struct Totals {
     pub segments: u64,
     /// Rays by how they ended.
     pub fates: Vec<(Status, u64)>,
-    /// Time on the device by stage (setup, advance, scatter, shade; in pictures advancing includes scattering, and all rounds of
-    /// a sample after its first); none without timestamp queries.
-    pub device: Option<[Duration; 4]>,
+    /// Time on the device by stage (setup, advance, intersect, scatter, shade; advancing includes the two after it unless they are
+    /// timed apart, and all rounds of a sample after its first); none without timestamp queries.
+    pub device: Option<[Duration; 5]>,
     /// Time from start to end.
     pub wall: Duration,
     /// What adaptive sampling came to, where the scene asks for it.
@@ -107,7 +107,13 @@ impl Totals {
     /// Time of the passes that advance and intersect on the device, or the whole time where a device does not say.
     #[must_use]
     pub fn advance(&self) -> Duration {
-        self.device.map_or(self.wall, |[_, advance, _, _]| advance)
+        self.device.map_or(self.wall, |[_, advance, intersect, ..]| advance + intersect)
+    }
+
+    /// Time of the passes that intersect, where they are timed apart.
+    #[must_use]
+    pub fn intersect(&self) -> Option<Duration> {
+        self.device.map(|[_, _, intersect, ..]| intersect)
     }
 
     /// Rays that ended so.

@@ -41,7 +41,7 @@ pub use mesh::{Mesh, Vertex};
 pub use object::{Material, MaterialKind, Object, Pattern, Shape, Substance};
 pub use picture::Picture;
 pub use profile::{Profile, ProfilePoint};
-pub use rays::{Accuracy, Bound, Branches, Control, DoublingRule, Method, Precision, Rays, Segment};
+pub use rays::{Accelerate, Accuracy, Bound, Branches, Control, DoublingRule, Method, Precision, Rays, Segment};
 pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
 pub use transform::Transform;
 

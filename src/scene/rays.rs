@@ -30,6 +30,21 @@ pub struct Rays {
     pub leaps: bool,
     /// How the rays that a surface splits are followed.
     pub branches: Branches,
+    /// How the objects that a segment may meet are searched.
+    pub accelerate: Accelerate,
+}
+
+/// What stands between a segment and the objects. All give the same picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Accelerate {
+    /// What measures best.
+    Auto,
+    /// A bounding volume hierarchy.
+    Hierarchy,
+    /// A uniform grid (G95 §4).
+    Grid,
+    /// Nothing: every segment is tested against every object (W04).
+    None,
 }
 
 /// What is followed where a surface both reflects and transmits.

@@ -180,7 +180,17 @@ fn first_hit_of_arcs_in_several_pieces() {
         *input = [input[0] + row(shift, 0.0), input[1], input[2] + row(shift, 0.0), input[3]];
     }
     let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
-    let parts = ["ray", "work", "curve/arc", "walk/piece", "walk/whole", "shape/placed", "shape/sphere"];
+    let parts = [
+        "ray",
+        "work",
+        "curve/arc",
+        "walk/piece",
+        "walk/whole",
+        "listed/some",
+        "structure/none",
+        "shape/placed",
+        "shape/sphere",
+    ];
     let probe = Probe::new(&parts)
         .stub("fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit { return hit_sphere(a, b, best); }")
         .bind("arc", [arc(DVec3::splat(-4.0), DVec3::splat(4.0))])

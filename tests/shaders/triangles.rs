@@ -9,10 +9,29 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-const PARTS: [&str; 5] = ["ray", "work", "walk/whole", "walk/piece", "shape/placed"];
+const PARTS: [&str; 9] = [
+    "ray",
+    "work",
+    "walk/whole",
+    "walk/piece",
+    "walk/items",
+    "structure/bvh",
+    "order/same",
+    "curve/line",
+    "shape/placed",
+];
 
+/// A hierarchy of triangles alone.
 fn probe() -> Probe {
-    Probe::new(&PARTS).stub(bentray::program::part("shape/triangle").expect("a part").text)
+    Probe::new(&PARTS).stub(bentray::program::part("shape/triangle").expect("a part").text).stub(
+        "const ITEM_KIND: u32 = TRIANGLE;
+        fn item_fraction(item: u32, a: vec3f, d: vec3f) -> f32 { return triangle_fraction(item & PRIMITIVE_INDEX, a, d); }",
+    )
+}
+
+fn corners(t: [Vec3; 3], object: u32) -> Record {
+    let [p, q, r] = t.map(|x| V3(x.as_dvec3()));
+    vec![("p", p), ("object", Uint(object)), ("q", q), ("r", r)]
 }
 
 fn vertex(position: Vec3) -> Record {
@@ -62,7 +81,7 @@ fn an_edge_has_two_opposite_sides() {
 #[test]
 fn no_ray_passes_between_neighbours() {
     let mut random = Random::new(102);
-    let (mut vertices, mut triangles, mut inputs) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut triangles, mut inputs) = (Vec::new(), Vec::new());
     for k in 0..6000_u32 {
         let d = if k % 5 == 0 { awkward_directions()[k as usize % 60].as_dvec3() } else { random.direction() };
         let shift = random.vector(0.01, 100.0).as_dvec3();
@@ -76,16 +95,12 @@ fn no_ray_passes_between_neighbours() {
         let on_edge = p + (q - p) * random.within(0.2, 0.8);
         let far = random.log(0.5, 50.0);
         let (a, b) = (on_edge - d * far, on_edge + d * far * random.within(0.5, 2.0));
-        vertices.extend([p, q, r, s].map(|x| vertex(x.as_vec3())));
-        triangles.extend([[0, 1, 2], [1, 0, 3]].map(|t| {
-            let [i, j, l] = t.map(|n: u32| Uint(4 * k + n));
-            vec![("a", i), ("b", j), ("c", l), ("object", Uint(0))]
-        }));
+        triangles.extend([[p, q, r], [q, p, s]].map(|t| corners(t.map(|x| x.as_vec3()), 0)));
         inputs.push([row(a.as_vec3(), 2.0 * k as f32), row(b.as_vec3(), 0.0)]);
     }
     let body = "let d = p1.xyz - p0.xyz;
         put(0u, vec4f(triangle_fraction(u32(p0.w), p0.xyz, d), triangle_fraction(u32(p0.w) + 1u, p0.xyz, d), 0.0, 0.0));";
-    let probe = probe().bind("vertices", vertices).bind("triangles", triangles);
+    let probe = probe().bind("corners", triangles);
     let (mut both, mut each) = (0, [0, 0]);
     for (input, [t]) in inputs.iter().zip(&probe.run::<2, 1>(&gpu(), body, &inputs)) {
         assert!(t.x < 1.5 || t.y < 1.5, "a ray slips between two triangles: {input:?}");
@@ -112,9 +127,9 @@ impl Mesh {
     }
 
     fn probe(&self) -> Probe {
-        let corners = |t: &[[Vec3; 3]]| t.iter().flatten().copied().collect::<Vec<Vec3>>();
+        let all = |t: &[[Vec3; 3]]| t.iter().flatten().copied().collect::<Vec<Vec3>>();
         let node = |of: &[[Vec3; 3]], skip: u32, leaf: u32| -> Record {
-            let all = corners(of);
+            let all = all(of);
             let lo = all.iter().copied().reduce(Vec3::min).expect("corners").as_dvec3();
             let hi = all.iter().copied().reduce(Vec3::max).expect("corners").as_dvec3();
             vec![("lo", V3(lo)), ("hi", V3(hi)), ("skip", Uint(skip)), ("leaf", Uint(leaf))]
@@ -127,7 +142,8 @@ impl Mesh {
         probe()
             .bind("nodes", nodes)
             .bind("triangles", triangles.collect::<Vec<Record>>())
-            .bind("vertices", corners(&self.0).into_iter().map(vertex).collect::<Vec<Record>>())
+            .bind("corners", self.0.iter().zip(0..).map(|(t, k)| corners(*t, k % 3)).collect::<Vec<Record>>())
+            .bind("vertices", all(&self.0).into_iter().map(vertex).collect::<Vec<Record>>())
             .numbers("object_materials", &[7, 8, 9])
     }
 }
@@ -158,7 +174,8 @@ fn meshes_by_hierarchy_and_by_brute_force() {
         let at = random.vector(0.1, 5.0);
         inputs.push([row(at - d * 10.0, 0.0), row(at + d * 10.0, 0.0)]);
     }
-    let body = "let hit = hit_triangle(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
+    let body = "let d = p1.xyz - p0.xyz;
+        let hit = structure_hit(Segment(p0.xyz, d, p1.xyz, d, 1.0), 1u, Hit(2.0, NOTHING));
         let missed = hit.primitive == NOTHING;
         put(0u, vec4f(hit.t, select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, missed), 0.0, 0.0));
         let surface = surface_triangle(select(hit.primitive & PRIMITIVE_INDEX, 0u, missed), p0.xyz + hit.t * (p1.xyz - p0.xyz));
@@ -252,8 +269,9 @@ fn boxes_of_the_hierarchy_are_never_missed() {
     }
     let body = "let d = p3.xyz - p2.xyz;
         let inverse = 1.0 / select(d, vec3f(1e-30), abs(d) < vec3f(1e-30));
-        let node = Node(p0.xyz, 0u, p1.xyz, 0u);
-        put(0u, vec4f(f32(meets_box(node, p2.xyz, inverse, 2.0)), f32(meets_box(node, p2.xyz, inverse, 0.25)), 0.0, 0.0));";
+        let whole = box_span(p0.xyz, p1.xyz, p2.xyz, inverse, vec3f(0.0), 2.0);
+        let part = box_span(p0.xyz, p1.xyz, p2.xyz, inverse, vec3f(0.0), 0.25);
+        put(0u, vec4f(f32(whole.enters <= whole.leaves), f32(part.enters <= part.leaves), 0.0, 0.0));";
     let (mut met, mut missed) = (0, 0);
     for (input, [got]) in inputs.iter().zip(&probe().run::<4, 1>(&gpu(), body, &inputs)) {
         let [lo, hi, a, b] = input.map(wide);
@@ -264,7 +282,7 @@ fn boxes_of_the_hierarchy_are_never_missed() {
         }
         missed += u32::from(got.x == 0.0);
     }
-    println!("meets_box: {met} of {} met, {missed} missed", 2 * inputs.len());
+    println!("box_span: {met} of {} met, {missed} missed", 2 * inputs.len());
     assert!(met > 10_000 && missed > 500, "{met} met, {missed} missed");
 }
 

@@ -5,10 +5,17 @@ use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{Read, boolean, positive, vector, whole, word};
 use crate::scene::document::{Node, Value};
 use crate::scene::{
-    Accuracy, Bound, Branches, Control, DoublingRule, FlowOrder, Law, Method, Precision, Rays, SchwarzschildForm,
-    Segment,
+    Accelerate, Accuracy, Bound, Branches, Control, DoublingRule, FlowOrder, Law, Method, Precision, Rays,
+    SchwarzschildForm, Segment,
 };
 use glam::DVec3;
+
+const ACCELERATE: &[(&str, Accelerate)] = &[
+    ("auto", Accelerate::Auto),
+    ("bvh", Accelerate::Hierarchy),
+    ("grid", Accelerate::Grid),
+    ("none", Accelerate::None),
+];
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Name {
@@ -80,6 +87,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         check_asymptotic(&table, law, bound);
     }
     let branches = table.or("branches", Branches::Enumerated(4), branches);
+    let accelerate = table.or("accelerate", Accelerate::Auto, word(ACCELERATE, &[]));
     optics.check(&table, segment, asymptotic, precision);
     table.finish();
     let closed_forms = matches!(name, Some(Name::Auto | Name::Exact | Name::Planar));
@@ -97,6 +105,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         closed_forms,
         leaps: true,
         branches,
+        accelerate,
     })
 }
 

@@ -187,6 +187,8 @@ pub const REFERENCE: &[KeyReference] = keys! {
             "bits of the numbers: f64 where the device has it, f16 keeps 16 bits between passes as in 2004";
         branches: "whole number, 0 to 20, or random" = "4",
             "where a surface splits light both rays are followed, so many times along a path; or one at random, a sample";
+        accelerate: "auto | bvh | grid | none" = "auto",
+            "how objects are searched: by a hierarchy of boxes, a uniform grid, or one after the other; auto is what measures best";
     }
     "rays.bound" {
         center: "[x, y, z]" = "[0, 0, 0]", "scene units";

@@ -1,0 +1,248 @@
+//! Gröller's comparison (G95 §4): how the time to intersect grows with the number of triangles, by a hierarchy, by a grid, and by
+//! nothing.
+//!
+//! *Practice.* One mesh stands for all: below its own number of triangles it is coarsened by merging the vertices in each cell of a
+//! grid, above it its triangles are cut up. So it fills the same part of the picture throughout, and what grows is the search.
+//! Intersection is timed by itself, in passes of its own.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use glam::{IVec3, Vec2, Vec3};
+
+use super::{Bench, Cell, Report, Table, Times};
+use crate::gpu::Geometry;
+use crate::output::plot::{Chart, Series};
+use crate::program::{Choice, Schedule};
+use crate::render::{RenderError, Renderer, Settings};
+use crate::scene::{Accelerate, Mesh, Scene, Shape, Vertex};
+
+const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
+/// Without a structure up to here.
+const MOST_UNSTRUCTURED: usize = 10_000;
+const STRUCTURES: [(&str, Accelerate); 3] =
+    [("bvh", Accelerate::Hierarchy), ("grid", Accelerate::Grid), ("none", Accelerate::None)];
+const LAWS: [(&str, &str); 2] = [
+    ("straight", "[law]\nkind = \"straight\"\n[rays]\n"),
+    (
+        "Schwarzschild",
+        "[law]\nkind = \"schwarzschild\"\ncenter = [0, 0, -12]\n[rays]\nmethod = \"rk4\"\nmax_segments = 100\n",
+    ),
+];
+
+/// Times by law, number and structure, on this mesh.
+pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
+    let header = ["law", "triangles", "structure", "intersect (s)", "spread", "ns a segment", "build (s)"];
+    let mut times = Table::new("times", "Intersection alone", &header);
+    let growth = "Intersection with the most triangles, over that with a thousand";
+    let mut growth = Table::new("growth", growth, &["law", "structure", "triangles", "times as long"]);
+    let mut plots = Vec::new();
+    for ((law, keys), plot) in LAWS.into_iter().zip(["straight", "schwarzschild"]) {
+        let mut series: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
+        for wanted in COUNTS {
+            let mesh = Arc::new(with_triangles(mesh, wanted));
+            let count = mesh.triangles.len();
+            for (name, accelerate) in STRUCTURES {
+                if accelerate == Accelerate::None && wanted > MOST_UNSTRUCTURED {
+                    continue;
+                }
+                let scene = scene(bench, keys, &mesh, accelerate)?;
+                let found = measured(bench, &scene)?;
+                series.entry(name).or_default().push([count as f64, found.each * 1e9]);
+                let numbers = [found.times.median, found.times.spread, found.each * 1e9, found.build].map(Cell::from);
+                times.rows.push([law.into(), (count as u32).into(), name.into()].into_iter().chain(numbers).collect());
+            }
+        }
+        for (name, points) in &series {
+            let thousand = points.iter().min_by(|a, b| away(a[0]).total_cmp(&away(b[0])));
+            if let (Some(first), Some(last)) = (thousand, points.last()) {
+                growth.rows.push(vec![law.into(), (*name).into(), last[0].into(), (last[1] / first[1]).into()]);
+            }
+        }
+        let series = series.into_iter().map(|(name, points)| Series { name: name.to_owned(), points }).collect();
+        plots.push((plot, chart(law, series)));
+    }
+    let intro = "One mesh, coarsened and cut up; a quarter of the viewport's width and height, a sixteenth without a structure; \
+                 the segment schedule.";
+    Ok(Report {
+        name: "groller",
+        title: "Structures".to_owned(),
+        intro: vec![intro.to_owned()],
+        tables: vec![growth, times],
+        plots,
+    })
+}
+
+/// How far a number of triangles is from a thousand.
+fn away(count: f64) -> f64 {
+    (count / 1e3).ln().abs()
+}
+
+fn chart(law: &str, series: Vec<Series>) -> Chart {
+    Chart {
+        title: format!("Intersection alone, {law}"),
+        x_label: "triangles".to_owned(),
+        y_label: "nanoseconds a segment".to_owned(),
+        log_x: true,
+        log_y: true,
+        series,
+    }
+}
+
+struct Measured {
+    times: Times,
+    /// Seconds a segment.
+    each: f64,
+    /// Seconds on the host to build the structure.
+    build: f64,
+}
+
+fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
+    let started = Instant::now();
+    drop(Geometry::new(scene));
+    let build = started.elapsed().as_secs_f64();
+    let choice = Choice { schedule: Schedule::Segment, ..Choice::default() };
+    let renderer = Renderer::new(bench.gpu, scene, Settings { choice, apart: true, ..Settings::default() })?;
+    let mut segments = 0;
+    let slow = scene.rays.accelerate == Accelerate::None;
+    let times = Times::of(if slow { 1 } else { bench.repeats }, || {
+        let totals = renderer.picture()?.totals;
+        segments = totals.segments;
+        Ok(totals.intersect().unwrap_or(Duration::ZERO))
+    })?;
+    Ok(Measured { times, each: times.median / segments as f64, build })
+}
+
+fn scene(bench: &Bench, keys: &str, mesh: &Arc<Mesh>, accelerate: Accelerate) -> Result<Scene, RenderError> {
+    let part = if accelerate == Accelerate::None { 16 } else { 4 };
+    let [width, height] = bench.size.map(|side| (side / part).max(8));
+    let text = format!(
+        "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 0, 14]\n{keys}bound = {{ radius = 30 }}\n\
+         [materials.m]\ndiffuse = [0.8, 0.6, 0.4]\n[[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n\
+         [[objects]]\nshape = \"sphere\"\nradius = 4\nmaterial = \"m\"\n"
+    );
+    let mut scene = Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)?;
+    scene.objects[0].shape = Shape::Mesh(mesh.clone());
+    scene.rays.accelerate = accelerate;
+    Ok(scene)
+}
+
+/// About so many triangles of the mesh's form, in the unit sphere.
+fn with_triangles(mesh: &Mesh, wanted: usize) -> Mesh {
+    let (lo, hi) = mesh.vertices.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), vertex| {
+        (lo.min(vertex.position), hi.max(vertex.position))
+    });
+    let (middle, radius) = (0.5 * (lo + hi), 0.5 * (hi - lo).length());
+    let mut own = mesh.clone();
+    for vertex in &mut own.vertices {
+        vertex.position = (vertex.position - middle) / radius;
+    }
+    let parts = (wanted as f64 / own.triangles.len() as f64).sqrt().ceil().max(1.0) as usize;
+    cut_up(&coarsened(&own, wanted / (parts * parts)), parts)
+}
+
+/// At most so many triangles, by merging the vertices in each cell of the finest grid that is coarse enough.
+fn coarsened(mesh: &Mesh, most: usize) -> Mesh {
+    if mesh.triangles.len() <= most {
+        return mesh.clone();
+    }
+    let (mut few, mut many) = (1, 1024);
+    while many - few > 1 {
+        let middle = usize::midpoint(few, many);
+        if merged(mesh, middle).triangles.len() <= most { few = middle } else { many = middle }
+    }
+    merged(mesh, few)
+}
+
+/// With one vertex for each cell, of `cells` along the unit sphere's radius.
+fn merged(mesh: &Mesh, cells: usize) -> Mesh {
+    let mut of_cell = BTreeMap::new();
+    let mut sums: Vec<(Vec3, Vec3, f32)> = Vec::new();
+    let mut place = Vec::new();
+    for vertex in &mesh.vertices {
+        let cell: IVec3 = (vertex.position * cells as f32).floor().as_ivec3();
+        let index = *of_cell.entry(cell.to_array()).or_insert(sums.len());
+        if index == sums.len() {
+            sums.push((Vec3::ZERO, Vec3::ZERO, 0.0));
+        }
+        let sum = &mut sums[index];
+        *sum = (sum.0 + vertex.position, sum.1 + vertex.normal, sum.2 + 1.0);
+        place.push(index as u32);
+    }
+    let vertex = |(x, n, count): &(Vec3, Vec3, f32)| Vertex {
+        position: x / count,
+        normal: n.normalize_or(Vec3::Y),
+        uv: Vec2::ZERO,
+    };
+    let triangles = mesh.triangles.iter().map(|corners| corners.map(|i| place[i as usize]));
+    Mesh {
+        vertices: sums.iter().map(vertex).collect(),
+        triangles: triangles.filter(|[a, b, c]| a != b && b != c && c != a).collect(),
+    }
+}
+
+/// Every triangle in n² of the same form.
+fn cut_up(mesh: &Mesh, n: usize) -> Mesh {
+    let mut cut = Mesh { vertices: Vec::new(), triangles: Vec::new() };
+    for corners in &mesh.triangles {
+        let [a, b, c] = corners.map(|i| mesh.vertices[i as usize]);
+        let first = cut.vertices.len();
+        // Row i has n + 1 − i vertices.
+        let at = |i: usize, j: usize| (first + i * (2 * n + 3 - i) / 2 + j) as u32;
+        for i in 0..=n {
+            for j in 0..=n - i {
+                let [u, v] = [i, j].map(|k| k as f32 / n as f32);
+                let mix = |p: Vec3, q: Vec3, r: Vec3| (1.0 - u - v) * p + u * q + v * r;
+                cut.vertices.push(Vertex {
+                    position: mix(a.position, b.position, c.position),
+                    normal: mix(a.normal, b.normal, c.normal).normalize_or(Vec3::Y),
+                    uv: Vec2::ZERO,
+                });
+                if i + j < n {
+                    cut.triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)]);
+                }
+                if i + j + 1 < n {
+                    cut.triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+                }
+            }
+        }
+    }
+    cut
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An octahedron round the origin, in 2592 triangles.
+    fn octahedron() -> Mesh {
+        let corners = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
+        let vertex = |position: Vec3| Vertex { position, normal: position, uv: Vec2::ZERO };
+        let triangles = vec![[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];
+        cut_up(&Mesh { vertices: corners.map(vertex).to_vec(), triangles }, 18)
+    }
+
+    fn area(mesh: &Mesh) -> f32 {
+        let corner = |i: u32| mesh.vertices[i as usize].position;
+        let twice = |&[a, b, c]: &[u32; 3]| (corner(b) - corner(a)).cross(corner(c) - corner(a)).length();
+        0.5 * mesh.triangles.iter().map(twice).sum::<f32>()
+    }
+
+    #[test]
+    fn a_mesh_keeps_its_form_at_every_size() {
+        let mesh = octahedron();
+        let mut last = 0;
+        for wanted in COUNTS {
+            let made = with_triangles(&mesh, wanted.min(100_000));
+            let count = made.triangles.len();
+            assert!(count <= wanted && count > wanted.min(100_000) / 4 && count >= last, "{count} for {wanted}");
+            if wanted >= 1000 {
+                assert!((area(&made) / area(&mesh) - 1.0).abs() < 0.1, "{wanted}");
+            }
+            assert!(made.triangles.iter().flatten().all(|&i| (i as usize) < made.vertices.len()));
+            last = count;
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! The structure that segments search, built over a scene's items.
+//!
+//! *Practice.* The hierarchy is the crate's (PLOC, then reinsertion), built on all cores; here it is laid out depth first. The grid
+//! has about two cells for each item, in the proportions of the scene's box (Cleary and Wyvill 1988), fewer where items are so large
+//! that they would fill many.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec3, Vec3};
+use obvhs::BvhBuildParams;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::builder::build_bvh2;
+
+use crate::program::{Extent, Search, constant};
+
+/// What can be met: its primitive, and its box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Item {
+    /// Kind and index, as in `shaders/ray.wgsl`.
+    pub primitive: u32,
+    /// The box's lower corner.
+    pub lo: Vec3,
+    /// The box's upper corner.
+    pub hi: Vec3,
+}
+
+/// A node of the hierarchy, in depth-first order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Node {
+    /// The box's lower corner.
+    pub lo: Vec3,
+    /// The box's upper corner.
+    pub hi: Vec3,
+    /// The node after this one's subtree.
+    pub skip: u32,
+    /// 0 inside the tree; in a leaf the number of items in the upper eight bits, the first of them in the others.
+    pub leaf: u32,
+}
+
+/// The cells of a grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// The lower corner.
+    pub lo: DVec3,
+    /// The upper corner.
+    pub hi: DVec3,
+    /// The size of a cell.
+    pub cell: DVec3,
+    /// Cells along each axis.
+    pub count: [u32; 3],
+    /// Where each cell's items begin, and behind the last where they end.
+    pub cells: Vec<u32>,
+}
+
+/// A structure over items.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Built {
+    /// The items' primitives, in the order in which the structure refers to them.
+    pub items: Vec<u32>,
+    /// A hierarchy's nodes.
+    pub nodes: Vec<Node>,
+    /// A grid.
+    pub grid: Option<Grid>,
+}
+
+/// Items in one leaf, at most.
+const LEAF: u32 = 4;
+
+impl Built {
+    /// Over `items`, whose primitives are numbered again kind by kind, in the order of a hierarchy's leaves, whatever the search: what
+    /// is near in space is near in memory, and of two hits at the same place all structures find the same. Tells the item that each
+    /// of the new order was.
+    #[must_use]
+    pub fn new(items: &mut [Item], search: Search) -> (Self, Vec<u32>) {
+        if items.is_empty() {
+            return (Self::default(), Vec::new());
+        }
+        let (nodes, order) = hierarchy(items);
+        let mut ordered: Vec<Item> = order.iter().map(|&i| items[i as usize]).collect();
+        let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
+        let mut next = BTreeMap::<u32, u32>::new();
+        for item in &mut ordered {
+            let kind = item.primitive & !mask;
+            let index = next.entry(kind).or_default();
+            item.primitive = kind | *index;
+            *index += 1;
+        }
+        items.copy_from_slice(&ordered);
+        let built = match search {
+            Search::Grid => grid(items),
+            Search::Hierarchy => Self { items: primitives(items), nodes, grid: None },
+            Search::List => Self { items: primitives(items), ..Self::default() },
+        };
+        (built, order)
+    }
+
+    /// How far a search may go: through all nodes, or along one way through the grid's cells, to every item once or, in a grid, in
+    /// every cell that it is in.
+    #[must_use]
+    pub fn extent(&self) -> Extent {
+        let places = match &self.grid {
+            Some(grid) => grid.count.iter().map(|&n| u64::from(n)).sum(),
+            None if self.nodes.is_empty() => self.items.len() as u64,
+            None => self.nodes.len() as u64,
+        };
+        Extent { places, items: self.items.len() as u64 }
+    }
+}
+
+fn primitives(items: &[Item]) -> Vec<u32> {
+    items.iter().map(|item| item.primitive).collect()
+}
+
+/// The nodes, and the items in the order of the leaves.
+fn hierarchy(items: &[Item]) -> (Vec<Node>, Vec<u32>) {
+    let boxes: Vec<Aabb> = items.iter().map(|item| Aabb::new(item.lo.into(), item.hi.into())).collect();
+    let params = BvhBuildParams { max_prims_per_leaf: LEAF, pre_split: false, ..BvhBuildParams::medium_build() };
+    let bvh = build_bvh2(&boxes, params, &mut std::time::Duration::default());
+    let (mut nodes, mut order) = (Vec::new(), Vec::with_capacity(items.len()));
+    flatten(&bvh, &mut nodes, &mut order);
+    (nodes, order)
+}
+
+/// Depth first, so that the next node to visit is the next in the list where the box is met, and `skip` where it is missed.
+fn flatten(bvh: &Bvh2, nodes: &mut Vec<Node>, order: &mut Vec<u32>) {
+    // An explicit stack: a degenerate mesh makes a tree too deep for recursion. `Err` closes the node whose subtree ended.
+    let mut open = vec![Ok(0)];
+    while let Some(next) = open.pop() {
+        let at: usize = match next {
+            Ok(at) => at,
+            Err(node) => {
+                let skip = nodes.len() as u32;
+                let node: &mut Node = &mut nodes[node];
+                node.skip = skip;
+                continue;
+            }
+        };
+        let node = &bvh.nodes[at];
+        let mut leaf = 0;
+        open.push(Err(nodes.len()));
+        if node.prim_count > 0 {
+            leaf = (node.prim_count << 24) | order.len() as u32;
+            let first = node.first_index as usize;
+            order.extend(&bvh.primitive_indices[first..first + node.prim_count as usize]);
+        } else {
+            open.extend([Ok(node.first_index as usize + 1), Ok(node.first_index as usize)]);
+        }
+        nodes.push(Node { lo: node.aabb.min.into(), hi: node.aabb.max.into(), skip: 0, leaf });
+    }
+}
+
+/// Cells for each item, about.
+const DENSITY: f64 = 2.0;
+/// Entries of cells for each item, at most.
+const ENTRIES: usize = 32;
+/// Cells along an axis, at most.
+const FINEST: f64 = 512.0;
+
+fn grid(items: &[Item]) -> Built {
+    let (lo, hi) = items.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |all, i| (all.0.min(i.lo), all.1.max(i.hi)));
+    let (lo, hi) = (lo.as_dvec3(), hi.as_dvec3());
+    // A flat scene has some thickness, and what lies in the outermost faces is inside.
+    let margin = 1e-4 * (hi - lo).max_element().max(lo.abs().max(hi.abs()).max_element() * 1e-2).max(1e-30);
+    let (lo, hi) = (lo - margin, hi + margin);
+    let mut finest = (DENSITY * items.len() as f64 / (hi - lo).element_product()).cbrt();
+    loop {
+        let count = ((hi - lo) * finest).round().clamp(DVec3::ONE, DVec3::splat(FINEST));
+        let cell = (hi - lo) / count;
+        let grid = Grid { lo, hi, cell, count: count.as_uvec3().to_array(), cells: Vec::new() };
+        if let Some(built) = filled(grid, items) {
+            return built;
+        }
+        finest /= 2.0;
+    }
+}
+
+/// With every item in the cells that its box overlaps; none if these are too many.
+fn filled(mut grid: Grid, items: &[Item]) -> Option<Built> {
+    let [nx, ny, nz] = grid.count;
+    let last = DVec3::new(f64::from(nx - 1), f64::from(ny - 1), f64::from(nz - 1));
+    // What rounding may put into the cell beside is in both.
+    let place = |x: DVec3, off: f64| ((x - grid.lo) / grid.cell + off).floor().clamp(DVec3::ZERO, last).as_uvec3();
+    let range = |item: &Item| {
+        let off = 1e-3 + (4e-6 * item.lo.abs().max(item.hi.abs()).as_dvec3() / grid.cell).max_element();
+        (place(item.lo.as_dvec3(), -off), place(item.hi.as_dvec3(), off))
+    };
+    let overlapped = |item: &Item| {
+        let (from, to) = range(item);
+        (from.z..=to.z).flat_map(move |z| {
+            (from.y..=to.y).flat_map(move |y| (from.x..=to.x).map(move |x| (x + nx * (y + ny * z)) as usize))
+        })
+    };
+    let entries = |item: &Item| {
+        let (from, to) = range(item);
+        (to - from + 1).as_u64vec3().element_product()
+    };
+    let all: u64 = items.iter().map(entries).sum();
+    if all > (ENTRIES * items.len()) as u64 && grid.count != [1; 3] {
+        return None;
+    }
+    let mut cells = vec![0_u32; (nx * ny * nz) as usize + 1];
+    for cell in items.iter().flat_map(overlapped) {
+        cells[cell + 1] += 1;
+    }
+    for i in 1..cells.len() {
+        cells[i] += cells[i - 1];
+    }
+    let mut next = cells.clone();
+    let mut filled = vec![0; all as usize];
+    for item in items {
+        for cell in overlapped(item) {
+            filled[next[cell] as usize] = item.primitive;
+            next[cell] += 1;
+        }
+    }
+    grid.cells = cells;
+    Some(Built { items: filled, nodes: Vec::new(), grid: Some(grid) })
+}

@@ -1,0 +1,90 @@
+//! Which shapes stand in a structure that segments search, and which in lists that they walk.
+//!
+//! *Practice.* Few shapes of a kind are tested fastest one after the other, from a list of a length that the compiler knows; many,
+//! and all meshes, in a hierarchy. Surfaces that rays go on from stay in lists: they are told apart by side, and there are no more
+//! of them than a set of regions has bits.
+
+use super::plan::{shape_kind, shape_kinds};
+use super::regions::Regions;
+use crate::scene::{Accelerate, Scene, Shape};
+
+/// How a structure is searched: the name of its part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Search {
+    /// A hierarchy of boxes.
+    Hierarchy,
+    /// A uniform grid.
+    Grid,
+    /// One item after the other.
+    List,
+}
+
+impl Search {
+    /// The name of its file in `shaders/structure/`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hierarchy => "bvh",
+            Self::Grid => "grid",
+            Self::List => "list",
+        }
+    }
+}
+
+/// More shapes of a kind than this are in a hierarchy where the scene does not say: measured on lavapipe by
+/// `bentray bench groller`.
+const MANY: usize = 12;
+/// More than this are no list of a uniform any more.
+const LONG: usize = 512;
+
+/// A scene's structure.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Structure {
+    /// How it is searched.
+    pub search: Search,
+    /// The kinds of shape whose opaque objects are in it; of meshes all.
+    pub kinds: Vec<&'static str>,
+}
+
+impl Structure {
+    /// That of `scene`.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let regions = Regions::of(scene);
+        let listed = || {
+            let opaque = scene.objects.iter().enumerate().filter(|(i, _)| regions.bit(*i).is_none());
+            opaque.map(|(_, object)| object)
+        };
+        let count = |kind: &str| listed().filter(|o| shape_kind(&o.shape, &o.transform) == kind).count();
+        let meshes = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Mesh(_)));
+        let (search, least) = match scene.rays.accelerate {
+            Accelerate::Auto => (Search::Hierarchy, MANY + 1),
+            Accelerate::Hierarchy => (Search::Hierarchy, 1),
+            Accelerate::Grid => (Search::Grid, 1),
+            Accelerate::None => (Search::List, LONG + 1),
+        };
+        let kinds = shape_kinds(listed().chain(meshes));
+        Self { search, kinds: kinds.into_iter().filter(|kind| *kind == "triangle" || count(kind) >= least).collect() }
+    }
+
+    /// Are its items those of a single kind, in that kind's own order?
+    #[must_use]
+    pub fn in_order(&self) -> bool {
+        self.kinds.len() == 1 && self.search == Search::Hierarchy
+    }
+
+    /// Is an opaque object of this kind in it?
+    #[must_use]
+    pub fn holds(&self, kind: &str) -> bool {
+        self.kinds.contains(&kind)
+    }
+}
+
+/// How far a search of a built structure may go.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Extent {
+    /// Nodes or cells on one way through it, at most.
+    pub places: u64,
+    /// Items met on it, at most.
+    pub items: u64,
+}

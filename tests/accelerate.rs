@@ -1,0 +1,186 @@
+//! Structures: a hierarchy, a grid and nothing find the same first hit on every arc, to the last bit.
+
+use std::fmt::Write as _;
+
+use bentray::gpu::Geometry;
+use bentray::program::{Choice, Program, Schedule, Search, Structure};
+use bentray::render::{Settings, Status, trace};
+use bentray::scene::Scene;
+
+use crate::support::gpu;
+
+/// Numbers in [-1, 1), the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn point(&mut self, reach: f64) -> [f64; 3] {
+        [0; 3].map(|_| reach * self.next())
+    }
+}
+
+/// Loose triangles, small and large, some of them twice in the same place.
+fn triangles(random: &mut Random, count: usize) -> String {
+    let mut obj = String::new();
+    for i in 0..count {
+        let (middle, size) = (random.point(6.0), if i % 9 == 0 { 3.0 } else { 0.6 });
+        let corners = [0; 3].map(|_| {
+            let off = random.point(size);
+            [0, 1, 2].map(|k| middle[k] + off[k])
+        });
+        for _ in 0..=u32::from(i % 7 == 0) {
+            for [x, y, z] in corners {
+                writeln!(obj, "v {x} {y} {z}").unwrap();
+            }
+            obj += "f -3 -2 -1\n";
+        }
+    }
+    obj
+}
+
+/// All shapes, more of each than a list takes by itself, in places that overlap.
+fn shapes(random: &mut Random, of_each: usize) -> String {
+    let mut text = String::new();
+    for i in 0..of_each {
+        for shape in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
+            let [x, y, z] = random.point(6.0);
+            let [a, b, c] = random.point(180.0);
+            let size = 0.2 + 0.2 * random.next().abs();
+            let kind = if shape == "ellipsoid" { "sphere" } else { shape };
+            let scale =
+                if shape == "sphere" { format!("{size}") } else { format!("[{size}, {}, {}]", size * 1.5, size * 2.0) };
+            let hole = if shape == "disk" && i % 2 == 0 { "hole = 0.4\n" } else { "" };
+            write!(
+                text,
+                "[[objects]]\nshape = \"{kind}\"\ntranslate = [{x}, {y}, {z}]\nrotate = [{a}, {b}, {c}]\nscale = {scale}\n{hole}\
+                 material = \"m\"\n"
+            )
+            .unwrap();
+        }
+    }
+    text
+}
+
+const MATERIAL: &str = "[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n";
+
+fn starts(random: &mut Random, count: usize) -> Vec<[f64; 6]> {
+    let ray = |random: &mut Random| {
+        let ([x, y, z], [u, v, w]) = (random.point(9.0), random.point(1.0));
+        [x, y, z, u, v, w + 1e-3]
+    };
+    (0..count).map(|_| ray(random)).collect()
+}
+
+/// Laws by the arcs that they make: lines, short ones, long ones in many pieces, chords over many steps.
+const RAYS: [&str; 4] = [
+    "[law]\nkind = \"straight\"\n[rays]\n",
+    "[law]\nkind = \"schwarzschild\"\ncenter = [0, 0, 14]\n[rays]\nmethod = \"rk4\"\n",
+    "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 3 }]\n[rays]\nmethod = \"rk4\"\nscaled_step = 0.5\narc_tolerance = 1e-3\n",
+    "[law]\nkind = \"lorenz\"\norder = 2\nscale = 0.2\n[rays]\nmethod = \"rk4\"\nstep = 0.1\nsegment = \"chord\"\nsteps_per_segment = 4\n",
+];
+
+/// On 100,000 random arcs and more.
+#[test]
+fn every_structure_finds_the_same_first_hit() {
+    let gpu = gpu();
+    let mut random = Random(5);
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("loose.obj"), triangles(&mut random, 90)).unwrap();
+    let objects = shapes(&mut random, 14) + "[[objects]]\nshape = \"mesh\"\nfile = \"loose.obj\"\nmaterial = \"m\"\n";
+    let rays = starts(&mut random, 12_000);
+    let mut arcs = 0.0;
+    for keys in RAYS {
+        let scene = |accelerate: &str| {
+            let text = format!(
+                "{keys}max_segments = 60\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{objects}"
+            );
+            Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
+        };
+        let ends = |accelerate: &str, schedule| {
+            let settings = Settings { choice: Choice { schedule, ..Choice::default() }, ..Settings::default() };
+            trace(&gpu, &scene(accelerate), &settings, &rays).unwrap().0
+        };
+        let brute = ends("none", Schedule::Fused);
+        let met = brute.iter().filter(|end| end.status == Status::Hit).count();
+        assert!(met > 3000, "{met} hits: {keys}");
+        arcs += brute.iter().map(|end| f64::from(end.depth)).sum::<f64>();
+        for (accelerate, schedule) in [
+            ("bvh", Schedule::Fused),
+            ("grid", Schedule::Fused),
+            ("auto", Schedule::Fused),
+            ("grid", Schedule::Segment),
+        ] {
+            let found = ends(accelerate, schedule);
+            let different = brute.iter().zip(&found).filter(|(a, b)| a != b).count();
+            let first = brute.iter().zip(&found).find(|(a, b)| a != b);
+            assert_eq!(different, 0, "{accelerate}, {schedule:?}: {first:?}\n{keys}");
+        }
+    }
+    println!("{arcs} segments");
+    assert!(arcs > 1e5, "{arcs} segments");
+}
+
+/// The structure is what the scene asks for, and a few shapes are a list where it does not say.
+#[test]
+fn the_structure_follows_the_scene() {
+    let scene = |accelerate: &str, of_each| {
+        let text = format!(
+            "[rays]\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{}",
+            shapes(&mut Random(6), of_each)
+        );
+        Scene::parse(&text, std::path::Path::new("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let all = 6;
+    for (accelerate, of_each, search, kinds) in [
+        ("auto", 2, Search::Hierarchy, 0),
+        ("auto", 40, Search::Hierarchy, all),
+        ("bvh", 1, Search::Hierarchy, all),
+        ("grid", 1, Search::Grid, all),
+        ("none", 40, Search::List, 0),
+        ("none", 600, Search::List, all),
+    ] {
+        let scene = scene(accelerate, of_each);
+        let structure = Structure::of(&scene);
+        assert_eq!((structure.search, structure.kinds.len()), (search, kinds), "{accelerate}, {of_each} of each");
+        let geometry = Geometry::new(&scene);
+        let parts = Program::new(&scene, &Choice::default(), geometry.extent()).unwrap().passes[1].1.parts().join(" ");
+        let part = if kinds == 0 { "structure/none" } else { &format!("structure/{}", search.name()) };
+        assert!(parts.contains(part), "{accelerate}, {of_each} of each: {parts}");
+        assert_eq!(parts.contains("listed/some"), kinds == 0, "{parts}");
+    }
+}
+
+/// A walk through a grid, or past one item after the other, that one pass cannot hold goes on in the next.
+#[test]
+fn long_walks_go_on_in_every_structure() {
+    let gpu = gpu();
+    let mut obj = String::new();
+    for i in 0..20_000 {
+        let z = 1e-5 * f64::from(i);
+        writeln!(obj, "v -5 -5 {z}\nv 5 -5 {z}\nv -5 5 {z}\nf -3 -2 -1").unwrap();
+    }
+    obj += "v -9 -9 -3\nv 9 -9 -3\nv 9 9 -3\nv -9 9 -3\nf -4 -3 -2 -1\n";
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("walls.obj"), obj).unwrap();
+    let rays: Vec<[f64; 6]> = (0..40).map(|i| [1.0 + 0.03 * f64::from(i), 4.5, 9.0, 0.0, 0.0, -1.0]).collect();
+    for accelerate in ["grid", "none"] {
+        let text = format!(
+            "[rays]\nmethod = \"euler\"\nstep = 30\nbound = {{ radius = 20 }}\nmax_segments = 3\naccelerate = \"{accelerate}\"\n\
+             {MATERIAL}[[objects]]\nshape = \"mesh\"\nfile = \"walls.obj\"\nmaterial = \"m\"\n"
+        );
+        let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap();
+        let program = Program::new(&scene, &Choice::default(), Geometry::new(&scene).extent()).unwrap();
+        assert!(program.work.resumed && program.work.passes_per_segment > 1, "{accelerate}");
+        for schedule in [Schedule::Fused, Schedule::Segment] {
+            let settings = Settings { choice: Choice { schedule, ..Choice::default() }, ..Settings::default() };
+            for end in trace(&gpu, &scene, &settings, &rays).unwrap().0 {
+                assert_eq!(end.status, Status::Hit, "{accelerate} {schedule:?}");
+                assert!((end.x[2] + 3.0).abs() < 1e-4, "{accelerate} {schedule:?}: {:?}", end.x);
+            }
+        }
+    }
+}
