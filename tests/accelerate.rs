@@ -80,7 +80,7 @@ const RAYS: [&str; 4] = [
     "[law]\nkind = \"straight\"\n[rays]\n",
     "[law]\nkind = \"schwarzschild\"\ncenter = [0, 0, 14]\n[rays]\nmethod = \"rk4\"\n",
     "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 3 }]\n[rays]\nmethod = \"rk4\"\nscaled_step = 0.5\narc_tolerance = 1e-3\n",
-    "[law]\nkind = \"lorenz\"\norder = 2\nscale = 0.2\n[rays]\nmethod = \"rk4\"\nstep = 0.1\nsegment = \"chord\"\nsteps_per_segment = 4\n",
+    "[law]\nkind = \"lorenz\"\norder = 2\nsigma = 0.1\nrho = 0.28\nbeta = 0.027\n[rays]\nmethod = \"rk4\"\nstep = 0.1\nsegment = \"chord\"\nsteps_per_segment = 4\n",
 ];
 
 /// On 100,000 random arcs and more.
@@ -91,7 +91,7 @@ fn every_structure_finds_the_same_first_hit() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("loose.obj"), triangles(&mut random, 90)).unwrap();
     let objects = shapes(&mut random, 14) + "[[objects]]\nshape = \"mesh\"\nfile = \"loose.obj\"\nmaterial = \"m\"\n";
-    let rays = starts(&mut random, 12_000);
+    let rays = starts(&mut random, 15_000);
     let mut arcs = 0.0;
     for keys in RAYS {
         let scene = |accelerate: &str| {

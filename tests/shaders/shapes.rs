@@ -276,7 +276,8 @@ fn analytic_shapes() {
         let inputs = pieces(85, targets);
         let inside = match kind {
             "plane" | "disk" => "Interval(0.0, 0.0)".to_owned(),
-            "sphere" | "ellipsoid" => format!("{kind}_interval(1u, p0.xyz, p1.xyz - p0.xyz)"),
+            "sphere" => "sphere_interval(balls[1].center, balls[1].radius, p0.xyz, p1.xyz - p0.xyz)".to_owned(),
+            "ellipsoid" => "ellipsoid_interval(ellipsoid_spaces[1], p0.xyz, p1.xyz - p0.xyz)".to_owned(),
             _ => {
                 let space = format!("{kind}_spaces[1]");
                 format!("{kind}_interval(own_point({space}, p0.xyz), own_vector({space}, p1.xyz - p0.xyz))")

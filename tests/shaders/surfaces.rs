@@ -43,10 +43,12 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         put(1u, vec4f(s.normal, f32(s.material)));
         put(2u, vec4f(s.uv, f32(s.object), 0.0));"
     );
-    let mut probe = Probe::new(&PARTS).bind(list, [0, 1].map(|k| targets[k].record(k as u32)));
-    if kind == "disk" {
-        probe = probe.list("disk_spaces", "DISK_COUNT", targets.map(|place| place.tested(kind)));
-    }
+    let record = |k: usize| {
+        // A disk's radius is its hole's.
+        let radius = if kind == "disk" { HOLE } else { targets[k].radius };
+        Place { radius, ..targets[k] }.record(k as u32)
+    };
+    let probe = Probe::new(&PARTS).bind(list, [0, 1].map(record));
     let (mut normals, mut gaps, mut uvs) = (Errors::of("normal"), Errors::of("gap"), Errors::of("uv"));
     for ((e, input), output) in expected.iter().zip(&inputs).zip(&probe.run::<1, 3>(&gpu(), &body, &inputs)) {
         let place = targets[e.place];

@@ -111,6 +111,7 @@ impl Probe {
                 ("image", one),
                 ("sample", Value::Uint(0)),
                 ("branch", Value::Uint(0)),
+                ("listed", Value::Uint(0)),
                 ("zero", Value::Uint(0)),
             ]],
         )
