@@ -47,8 +47,7 @@ fn shapes(random: &mut Random, of_each: usize) -> String {
     let mut text = String::new();
     for i in 0..of_each {
         for shape in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
-            let [x, y, z] = random.point(6.0);
-            let [a, b, c] = random.point(180.0);
+            let (place, angles) = (random.point(6.0), random.point(180.0));
             let size = 0.2 + 0.2 * random.next().abs();
             let kind = if shape == "ellipsoid" { "sphere" } else { shape };
             let scale =
@@ -56,7 +55,7 @@ fn shapes(random: &mut Random, of_each: usize) -> String {
             let hole = if shape == "disk" && i % 2 == 0 { "hole = 0.4\n" } else { "" };
             write!(
                 text,
-                "[[objects]]\nshape = \"{kind}\"\ntranslate = [{x}, {y}, {z}]\nrotate = [{a}, {b}, {c}]\nscale = {scale}\n{hole}\
+                "[[objects]]\nshape = \"{kind}\"\ntranslate = {place:?}\nrotate = {angles:?}\nscale = {scale}\n{hole}\
                  material = \"m\"\n"
             )
             .unwrap();
@@ -69,8 +68,8 @@ const MATERIAL: &str = "[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n"
 
 fn starts(random: &mut Random, count: usize) -> Vec<[f64; 6]> {
     let ray = |random: &mut Random| {
-        let ([x, y, z], [u, v, w]) = (random.point(9.0), random.point(1.0));
-        [x, y, z, u, v, w + 1e-3]
+        let (from, [u, v, w]) = (random.point(9.0), random.point(1.0));
+        [from[0], from[1], from[2], u, v, w + 1e-3]
     };
     (0..count).map(|_| ray(random)).collect()
 }
@@ -107,7 +106,7 @@ fn every_structure_finds_the_same_first_hit() {
         let brute = ends("none", Schedule::Fused);
         let met = brute.iter().filter(|end| end.status == Status::Hit).count();
         assert!(met > 3000, "{met} hits: {keys}");
-        arcs += brute.iter().map(|end| f64::from(end.depth)).sum::<f64>();
+        arcs += brute.iter().map(|end| end.depth).sum::<f64>();
         for (accelerate, schedule) in [
             ("bvh", Schedule::Fused),
             ("grid", Schedule::Fused),

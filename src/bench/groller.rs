@@ -187,17 +187,18 @@ fn merged(mesh: &Mesh, cells: usize) -> Mesh {
 fn cut_up(mesh: &Mesh, n: usize) -> Mesh {
     let mut cut = Mesh { vertices: Vec::new(), triangles: Vec::new() };
     for corners in &mesh.triangles {
-        let [a, b, c] = corners.map(|i| mesh.vertices[i as usize]);
+        let corner = corners.map(|i| mesh.vertices[i as usize]);
         let first = cut.vertices.len();
         // Row i has n + 1 − i vertices.
         let at = |i: usize, j: usize| (first + i * (2 * n + 3 - i) / 2 + j) as u32;
         for i in 0..=n {
             for j in 0..=n - i {
-                let [u, v] = [i, j].map(|k| k as f32 / n as f32);
-                let mix = |p: Vec3, q: Vec3, r: Vec3| (1.0 - u - v) * p + u * q + v * r;
+                let weights = [n - i - j, i, j].map(|k| k as f32 / n as f32);
+                let mix =
+                    |of: fn(&Vertex) -> Vec3| -> Vec3 { corner.iter().zip(weights).map(|(v, w)| w * of(v)).sum() };
                 cut.vertices.push(Vertex {
-                    position: mix(a.position, b.position, c.position),
-                    normal: mix(a.normal, b.normal, c.normal).normalize_or(Vec3::Y),
+                    position: mix(|vertex| vertex.position),
+                    normal: mix(|vertex| vertex.normal).normalize_or(Vec3::Y),
                     uv: Vec2::ZERO,
                 });
                 if i + j < n {

@@ -9,6 +9,7 @@
 use std::fmt::Write as _;
 use std::time::Duration;
 
+use super::times::slope;
 use super::{Bench, CRITICAL, Cell, Report, Table, Times, shadow_edge};
 use crate::measure::{calibrate, method_words};
 use crate::output::plot::{Chart, Series};
@@ -80,7 +81,7 @@ pub fn paper(bench: &Bench) -> Result<Report, RenderError> {
             "{width}×{height} pixels. No acceleration: fixed Euler steps, every pixel in every pass. 2004: early termination \
              and step doubling by the paper's rule. Here: {ACCURACY} rad asked of 99 of 100 rays, arcs, masks."
         )],
-        tables: vec![table(bench)?, figure, shadow(bench)?],
+        tables: vec![table(bench)?, slopes(&figure), figure, shadow(bench)?],
         plots: vec![("figure", chart)],
     })
 }
@@ -151,6 +152,16 @@ fn figure(bench: &Bench) -> Result<Table, RenderError> {
         table.rows.push(std::iter::once(spheres.into()).chain(cells).collect());
     }
     Ok(table)
+}
+
+/// What one more sphere costs, by the straight line nearest to the figure's times.
+fn slopes(figure: &Table) -> Table {
+    let mut table = Table::new("slopes", "Figure 5: what one more sphere costs", &["how", "ms a sphere", "of none"]);
+    let each = |column: usize| slope(figure.rows.iter().map(|cells| [number(&cells[0]), number(&cells[column])]));
+    for (how, column) in [("none", 1), ("accelerated as in 2004", 2), ("here", 3)] {
+        table.rows.push(vec![how.into(), (1e3 * each(column)).into(), (each(column) / each(1)).into()]);
+    }
+    table
 }
 
 /// The shadow's edge.

@@ -4,6 +4,7 @@
 //! the logarithms is the exponent: 1 where time is proportional.
 
 use super::paper::{How, SCHWARZSCHILD, scene};
+use super::times::slope;
 use super::{Bench, Report, Table, Times};
 use crate::output::plot::{Chart, Series};
 use crate::render::{RenderError, Renderer, Settings};
@@ -66,11 +67,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
 
 /// The slope of the straight line through the points' logarithms.
 fn exponent(points: impl Iterator<Item = [f64; 2]>) -> f64 {
-    let logs: Vec<[f64; 2]> = points.map(|point| point.map(f64::ln)).collect();
-    let count = logs.len() as f64;
-    let mean = [0, 1].map(|k| logs.iter().map(|point| point[k]).sum::<f64>() / count);
-    let sum = |a: usize, b: usize| logs.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>();
-    sum(0, 1) / sum(0, 0)
+    slope(points.map(|point| point.map(f64::ln)))
 }
 
 fn base(size: [u32; 2], balls: u32) -> Result<Scene, RenderError> {

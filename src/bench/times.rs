@@ -47,3 +47,12 @@ impl From<Vec<f64>> for Times {
         Self { median: seconds[seconds.len() / 2], spread: last / first }
     }
 }
+
+/// Of the straight line nearest to the points.
+pub(super) fn slope(points: impl Iterator<Item = [f64; 2]>) -> f64 {
+    let points: Vec<[f64; 2]> = points.collect();
+    let count = points.len() as f64;
+    let mean = [0, 1].map(|k| points.iter().map(|point| point[k]).sum::<f64>() / count);
+    let sum = |a: usize, b: usize| points.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>();
+    sum(0, 1) / sum(0, 0)
+}

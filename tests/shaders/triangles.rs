@@ -95,7 +95,7 @@ fn no_ray_passes_between_neighbours() {
         let on_edge = p + (q - p) * random.within(0.2, 0.8);
         let far = random.log(0.5, 50.0);
         let (a, b) = (on_edge - d * far, on_edge + d * far * random.within(0.5, 2.0));
-        triangles.extend([[p, q, r], [q, p, s]].map(|t| corners(t.map(|x| x.as_vec3()), 0)));
+        triangles.extend([[p, q, r], [q, p, s]].map(|t| corners(t.map(DVec3::as_vec3), 0)));
         inputs.push([row(a.as_vec3(), 2.0 * k as f32), row(b.as_vec3(), 0.0)]);
     }
     let body = "let d = p1.xyz - p0.xyz;
