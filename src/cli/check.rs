@@ -82,7 +82,7 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
 
 /// What segments search, if there is anything.
 fn structure_words(geometry: &Geometry) -> Option<String> {
-    let Built { items, nodes, grid } = &geometry.structure;
+    let Built { items, nodes, grid, .. } = &geometry.structure;
     let triangles = geometry.triangles.len();
     Some(match grid {
         _ if items.is_empty() => return None,

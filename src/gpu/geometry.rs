@@ -51,6 +51,12 @@ impl Geometry {
     /// Places every object of the scene and builds its structure.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
+        Self::after(None, scene)
+    }
+
+    /// As [`Self::new`], with an earlier structure if that was built over the same boxes.
+    #[must_use]
+    pub fn after(before: Option<Built>, scene: &Scene) -> Self {
         let mut geometry = Self { regions: Regions::of(scene), ..Self::default() };
         let clear = scene.materials.len();
         let material = |i: usize| scene.objects[i].material().or(geometry.regions.bit(i).map(|bit| clear + bit));
@@ -66,7 +72,7 @@ impl Geometry {
             shapes.sort_by_key(|shape| shape.bit.is_some());
         }
         let structure = Structure::of(scene);
-        geometry.build(&structure);
+        geometry.build(&structure, before);
         geometry
     }
 
@@ -132,24 +138,16 @@ impl Geometry {
     }
 
     /// Builds the structure, and brings what stands in it into its order.
-    fn build(&mut self, structure: &Structure) {
-        let mut items = self.items(structure);
-        let before = items.clone();
-        let (built, order) = Built::new(&mut items, structure.search);
-        self.structure = built;
-        let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
-        let moved = |kind: &str| {
-            let code = kind_code(kind);
-            let own = order.iter().map(|&i| before[i as usize].primitive).filter(move |own| own & !mask == code);
-            own.map(|own| (own & mask) as usize).collect::<Vec<_>>()
-        };
+    fn build(&mut self, structure: &Structure, before: Option<Built>) {
+        let built = Built::new(self.items(structure), structure.search, before);
         for (kind, shapes) in self.placed.iter_mut().filter(|(kind, _)| structure.holds(kind)) {
             let old = shapes.clone();
-            for (shape, from) in shapes.iter_mut().zip(moved(kind)) {
+            for (shape, from) in shapes.iter_mut().zip(built.moved(kind_code(kind))) {
                 *shape = old[from];
             }
         }
-        self.triangles = moved("triangle").into_iter().map(|from| self.triangles[from]).collect();
+        self.triangles = built.moved(kind_code("triangle")).map(|from| self.triangles[from]).collect();
+        self.structure = built;
     }
 
     /// What stands in the scene's structure.

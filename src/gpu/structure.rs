@@ -62,6 +62,10 @@ pub struct Built {
     pub nodes: Vec<Node>,
     /// A grid.
     pub grid: Option<Grid>,
+    /// The item of `over` that each was, in the order of a hierarchy's leaves.
+    pub order: Vec<u32>,
+    /// What it was built over.
+    over: Vec<Item>,
 }
 
 /// Items in one leaf, at most.
@@ -69,15 +73,18 @@ const LEAF: u32 = 4;
 
 impl Built {
     /// Over `items`, whose primitives are numbered again kind by kind, in the order of a hierarchy's leaves, whatever the search: what
-    /// is near in space is near in memory, and of two hits at the same place all structures find the same. Tells the item that each
-    /// of the new order was.
+    /// is near in space is near in memory, and of two hits at the same place all structures find the same. `before` is gone on with
+    /// if it was built over the same items, as where nothing moves between frames.
     #[must_use]
-    pub fn new(items: &mut [Item], search: Search) -> (Self, Vec<u32>) {
-        if items.is_empty() {
-            return (Self::default(), Vec::new());
+    pub fn new(over: Vec<Item>, search: Search, before: Option<Self>) -> Self {
+        if over.is_empty() {
+            return Self::default();
         }
-        let (nodes, order) = hierarchy(items);
-        let mut ordered: Vec<Item> = order.iter().map(|&i| items[i as usize]).collect();
+        if let Some(same) = before.filter(|before| before.over == over) {
+            return same;
+        }
+        let (nodes, order) = hierarchy(&over);
+        let mut ordered: Vec<Item> = order.iter().map(|&i| over[i as usize]).collect();
         let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
         let mut next = BTreeMap::<u32, u32>::new();
         for item in &mut ordered {
@@ -86,23 +93,29 @@ impl Built {
             item.primitive = kind | *index;
             *index += 1;
         }
-        items.copy_from_slice(&ordered);
         let built = match search {
-            Search::Grid => grid(items),
-            Search::Hierarchy => Self { items: primitives(items), nodes, grid: None },
-            Search::List => Self { items: primitives(items), ..Self::default() },
+            Search::Grid => grid(&ordered),
+            Search::Hierarchy => Self { items: primitives(&ordered), nodes, ..Self::default() },
+            Search::List => Self { items: primitives(&ordered), ..Self::default() },
         };
-        (built, order)
+        Self { order, over, ..built }
     }
 
-    /// How far a search may go: through all nodes, or along one way through the grid's cells, to every item once or, in a grid, in
+    /// The places that the items of a kind, given by its code, had before, in the order that they have now.
+    pub fn moved(&self, code: u32) -> impl Iterator<Item = usize> {
+        let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
+        let own = self.order.iter().map(|&i| self.over[i as usize].primitive);
+        own.filter(move |own| own & !mask == code).map(move |own| (own & mask) as usize)
+    }
+
+    /// How far a search may go: through all nodes that a hierarchy over as many items could have, so that frames agree, or along one way through the grid's cells, to every item once or, in a grid, in
     /// every cell that it is in.
     #[must_use]
     pub fn extent(&self) -> Extent {
         let places = match &self.grid {
             Some(grid) => grid.count.iter().map(|&n| u64::from(n)).sum(),
             None if self.nodes.is_empty() => self.items.len() as u64,
-            None => self.nodes.len() as u64,
+            None => 2 * self.items.len() as u64,
         };
         Extent { places, items: self.items.len() as u64 }
     }
@@ -215,5 +228,5 @@ fn filled(mut grid: Grid, items: &[Item]) -> Option<Built> {
         }
     }
     grid.cells = cells;
-    Some(Built { items: filled, nodes: Vec::new(), grid: Some(grid) })
+    Some(Built { items: filled, grid: Some(grid), ..Built::default() })
 }

@@ -11,7 +11,7 @@ use super::schedule::{Batch, Step, steps};
 use super::{RenderError, Totals, Window};
 use crate::gpu::Value::{self, Uint, Uint2};
 use crate::gpu::{
-    Geometry, Gpu, GpuError, Memory, Parts, Pipelines, SceneBuffers, TURN_STRIDE, Tile, control_values, copy_of,
+    Built, Geometry, Gpu, GpuError, Memory, Parts, Pipelines, SceneBuffers, TURN_STRIDE, Tile, control_values, copy_of,
     memory, pack, schedule_values,
 };
 use crate::program::{BindingKind, Choice, Program, Purpose};
@@ -63,6 +63,8 @@ pub struct Renderer<'a> {
     pub program: Program,
     pub(super) pipelines: Pipelines,
     pub(super) buffers: SceneBuffers,
+    /// Kept for the next frame.
+    structure: Built,
     pub(super) max_segments: u32,
     steps: Vec<Step>,
     /// What differs between steps: (start slot, end slot, again).
@@ -111,7 +113,9 @@ impl<'a> Renderer<'a> {
         let max_segments = scene.rays.max_segments;
         let (steps, turns, batch) = (Vec::new(), Vec::new(), Batch::of(&[], 1));
         let scene = Cow::Borrowed(scene);
-        let mut made = Self { gpu, scene, settings, program, pipelines, buffers, max_segments, steps, turns, batch };
+        let structure = geometry.structure;
+        let mut made =
+            Self { gpu, scene, settings, program, pipelines, buffers, structure, max_segments, steps, turns, batch };
         made.plan_steps();
         Ok(made)
     }
@@ -123,12 +127,13 @@ impl<'a> Renderer<'a> {
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
-        let geometry = Geometry::new(&scene);
+        let geometry = Geometry::after(Some(std::mem::take(&mut self.structure)), &scene);
         let program = Program::new(&scene, choice, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
         self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, *segments)?;
+        self.structure = geometry.structure;
         self.program = program;
         self.max_segments = scene.rays.max_segments;
         self.scene = Cow::Owned(scene);
