@@ -60,6 +60,8 @@ const OUTSIDE: u32 = 9u;
 const CUT: u32 = 10u;
 // All of its pixel's branches have been followed.
 const RESTING: u32 = 11u;
+// A walk was longer than the passes that were recorded for it: the tile is rendered again, with all that it may need.
+const UNFINISHED: u32 = 12u;
 
 // Did the path end on a surface?
 fn ends_on_surface(code: u32) -> bool {

@@ -11,7 +11,8 @@ fn terminate(
     let alive = spot.valid && status_code(word) == ALIVE;
     let index = status_index(word);
     load_region(spot.pixel);
-    let fate = segment_fate(load_segment(spot.pixel), load_tau(spot.pixel), index, load_hit(spot.pixel));
+    var fate = segment_fate(load_segment(spot.pixel), load_tau(spot.pixel), index, load_hit(spot.pixel));
+    fate = select(fate, UNFINISHED, walk_unfinished(spot.pixel));
     let lives = alive && fate == ALIVE;
     if alive {
         let next = status_word(ALIVE, turn.end, index + 1u);

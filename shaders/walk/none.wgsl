@@ -15,3 +15,7 @@ fn segment_fate(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
 fn walk_needed(pixel: vec2u) -> bool {
     return true;
 }
+
+fn walk_unfinished(pixel: vec2u) -> bool {
+    return false;
+}

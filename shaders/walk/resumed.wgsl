@@ -47,3 +47,8 @@ fn walk_suspended() -> bool {
 fn walk_needed(pixel: vec2u) -> bool {
     return turn.again == 0u || textureLoad(walk, pixel).x != 0u;
 }
+
+// After all of a segment's walks.
+fn walk_unfinished(pixel: vec2u) -> bool {
+    return textureLoad(walk, pixel).x != 0u;
+}

@@ -24,3 +24,7 @@ fn walk_suspended() -> bool {
 fn walk_needed(pixel: vec2u) -> bool {
     return true;
 }
+
+fn walk_unfinished(pixel: vec2u) -> bool {
+    return false;
+}

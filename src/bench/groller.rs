@@ -25,7 +25,7 @@ const MOST_UNSTRUCTURED: usize = 10_000;
 const STRUCTURES: [(&str, Accelerate); 3] =
     [("bvh", Accelerate::Hierarchy), ("grid", Accelerate::Grid), ("none", Accelerate::None)];
 const LAWS: [(&str, &str); 2] = [
-    ("straight", "[law]\nkind = \"straight\"\n[rays]\n"),
+    ("straight", "[law]\nkind = \"straight\"\n[rays]\nmax_segments = 2\n"),
     (
         "Schwarzschild",
         "[law]\nkind = \"schwarzschild\"\ncenter = [0, 0, -12]\n[rays]\nmethod = \"rk4\"\nmax_segments = 100\n",
@@ -64,7 +64,7 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
         let series = series.into_iter().map(|(name, points)| Series { name: name.to_owned(), points }).collect();
         plots.push((plot, chart(law, series)));
     }
-    let intro = "One mesh, coarsened and cut up; a quarter of the viewport's width and height, a 64th without a structure; \
+    let intro = "One mesh, coarsened and cut up; a quarter of the viewport's width and height, a 32nd without a structure; \
                  the segment schedule.";
     Ok(Report {
         name: "groller",
@@ -116,7 +116,7 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
 }
 
 fn scene(bench: &Bench, keys: &str, mesh: &Arc<Mesh>, accelerate: Accelerate) -> Result<Scene, RenderError> {
-    let part = if accelerate == Accelerate::None { 64 } else { 4 };
+    let part = if accelerate == Accelerate::None { 32 } else { 4 };
     let [width, height] = bench.size.map(|side| (side / part).max(8));
     let text = format!(
         "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 0, 14]\n{keys}bound = {{ radius = 30 }}\n\

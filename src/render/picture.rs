@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::clock::Clock;
 use super::readback::read_texture;
-use super::renderer::Frame;
+use super::renderer::{Frame, Walks};
 use super::{Adaptive, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
 use crate::program::Layer;
@@ -68,17 +68,24 @@ impl Renderer<'_> {
             let mut band = self.band(first_row, tile_rows);
             for left in (0..width).step_by(tile_width as usize) {
                 let size = [tile_width.min(width - left), tile_rows];
-                let tile = match &tile {
+                let mut made = match &tile {
                     Some(made) if made.size == size.map(|side| side + margin) => made,
                     _ => tile.insert(self.tile(size.map(|side| side + margin))?),
                 };
                 let part = f64::from(size[0]) * f64::from(size[1]) / all;
                 let corner = [origin[0] + left, origin[1] + first_row];
                 let progress = |done| progress(pixels_done + done * part);
-                self.render_tile(tile, corner, &mut clock, &progress, &mut totals)?;
+                let before = totals.clone();
+                self.render_tile(made, corner, &mut clock, &progress, &mut totals)?;
+                if self.read_tally(made, &mut totals)? == Walks::Unfinished {
+                    totals = before;
+                    let again = tile.insert(self.tile(size.map(|side| side + margin))?);
+                    self.render_tile(again, corner, &mut clock, &progress, &mut totals)?;
+                    self.read_tally(again, &mut totals)?;
+                    made = again;
+                }
                 pixels_done += part;
-                self.read_tally(tile, &mut totals)?;
-                self.read_tile(tile, left, &mut band)?;
+                self.read_tile(made, left, &mut band)?;
             }
             rows(band)?;
         }
@@ -116,8 +123,11 @@ impl Renderer<'_> {
         let (tile, mut band) = (self.tile(size)?, self.band(0, size[1]));
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
         let started = Instant::now();
-        self.run_sample(&tile, Frame { origin: [0, 0], image: size, sample: 0, refines: None }, &mut clock, &|_| {})?;
-        self.read_tally(&tile, &mut totals)?;
+        let frame = Frame { origin: [0, 0], image: size, sample: 0, refines: None };
+        self.run_sample(&tile, frame, &mut clock, &|_| {})?;
+        if self.read_tally(&tile, &mut totals)? == Walks::Unfinished {
+            return self.first_sample();
+        }
         self.read_tile(&tile, 0, &mut band)?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(Picture { band, totals })

@@ -1,6 +1,7 @@
 //! A scene made ready for a device.
 
 use std::borrow::Cow;
+use std::cell::{Cell, OnceCell};
 use std::time::Instant;
 
 use wgpu::{BufferUsages, ErrorFilter};
@@ -14,7 +15,7 @@ use crate::gpu::{
     Built, Geometry, Gpu, GpuError, Memory, Parts, Pipelines, SceneBuffers, TURN_STRIDE, Tile, control_values, copy_of,
     memory, pack, schedule_values,
 };
-use crate::program::{BindingKind, Choice, Program, Purpose};
+use crate::program::{BindingKind, Choice, Program, Purpose, Work};
 use crate::scene::{Control, Scene};
 
 /// How to render.
@@ -66,10 +67,38 @@ pub struct Renderer<'a> {
     /// Kept for the next frame.
     structure: Built,
     pub(super) max_segments: u32,
-    steps: Vec<Step>,
+    /// For walks that no pass suspends, or few: enough for all but meshes in heaps.
+    short: Plan,
+    /// For the longest walks that there could be, made where one did not end.
+    long: OnceCell<Plan>,
+    is_long: Cell<bool>,
+}
+
+/// What runs for each round of a sample.
+#[derive(Debug, Default)]
+pub(super) struct Plan {
+    pub steps: Vec<Step>,
     /// What differs between steps: (start slot, end slot, again).
-    pub(super) turns: Vec<(usize, usize, bool)>,
-    pub(super) batch: Batch,
+    pub turns: Vec<(usize, usize, bool)>,
+    pub batch: Batch,
+}
+
+impl Plan {
+    fn new(steps: Vec<Step>, rounds: u32) -> Self {
+        let mut turns: Vec<_> = steps.iter().map(turn_of).collect();
+        turns.sort_unstable();
+        turns.dedup();
+        let batch = Batch::of(&steps, rounds);
+        Self { steps, turns, batch }
+    }
+}
+
+/// What became of a tile's walks over the scene's structure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Walks {
+    Ended,
+    /// More passes are needed than were recorded.
+    Unfinished,
 }
 
 /// A part of the picture and a sample of it.
@@ -111,11 +140,11 @@ impl<'a> Renderer<'a> {
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
         let buffers = SceneBuffers::new(gpu, scene, &geometry, &program, settings.segments)?;
         let max_segments = scene.rays.max_segments;
-        let (steps, turns, batch) = (Vec::new(), Vec::new(), Batch::of(&[], 1));
+        let (short, long, is_long) = (Plan::default(), OnceCell::new(), Cell::new(false));
         let scene = Cow::Borrowed(scene);
         let structure = geometry.structure;
         let mut made =
-            Self { gpu, scene, settings, program, pipelines, buffers, structure, max_segments, steps, turns, batch };
+            Self { gpu, scene, settings, program, pipelines, buffers, structure, max_segments, short, long, is_long };
         made.plan_steps();
         Ok(made)
     }
@@ -170,12 +199,25 @@ impl<'a> Renderer<'a> {
     }
 
     fn plan_steps(&mut self) {
-        let Self { scene, settings, program, max_segments, .. } = self;
-        self.steps = steps(scene, &settings.choice, &program.work, *max_segments, settings.segments);
-        self.turns = self.steps.iter().map(turn_of).collect();
-        self.turns.sort_unstable();
-        self.turns.dedup();
-        self.batch = Batch::of(&self.steps, settings.choice.rounds(scene));
+        self.short = self.planned(&Work { passes_per_segment: 1, ..self.program.work });
+        self.long = OnceCell::new();
+    }
+
+    fn planned(&self, work: &Work) -> Plan {
+        let choice = &self.settings.choice;
+        let steps = steps(&self.scene, choice, work, self.max_segments, self.settings.segments);
+        Plan::new(steps, choice.rounds(&self.scene))
+    }
+
+    /// With passes for the longest walks that there could be, from now on.
+    pub(super) fn longest_plan(&self) -> &Plan {
+        self.is_long.set(true);
+        self.plan()
+    }
+
+    /// What runs.
+    pub(super) fn plan(&self) -> &Plan {
+        if self.is_long.get() { self.long.get_or_init(|| self.planned(&self.program.work)) } else { &self.short }
     }
 
     /// What each pixel costs on the device.
@@ -184,23 +226,19 @@ impl<'a> Renderer<'a> {
         memory(&self.program, self.settings.choice.slots(&self.scene))
     }
 
-    pub(super) fn steps(&self) -> &[Step] {
-        &self.steps
-    }
-
     /// A tile of this program's state.
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
         let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let slots = self.settings.choice.slots(&self.scene);
-        let turns = self.turns.len() as u64;
-        let Batch { rounds, living } = self.batch;
-        let parts = Parts { turns, living: rounds * living, open: 2 * rounds };
+        let Plan { turns, batch, .. } = self.plan();
+        let Batch { rounds, living } = *batch;
+        let parts = Parts { turns: turns.len() as u64, living: rounds * living, open: 2 * rounds };
         let tile = Tile::new(self.gpu, &self.program, size, slots, &parts)?;
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(GpuError::Lost(error.to_string()));
         }
         if let Some(turn) = self.binding_layout("turn") {
-            for (i, &(start, end, again)) in self.turns.iter().enumerate() {
+            for (i, &(start, end, again)) in turns.iter().enumerate() {
                 let row = [("start", Uint(start as u32)), ("end", Uint(end as u32)), ("again", Uint(again.into()))];
                 self.write(&tile, "turn", i as u64 * TURN_STRIDE, &pack("turn", turn, [row])?);
             }
@@ -237,13 +275,20 @@ impl<'a> Renderer<'a> {
         Ok(())
     }
 
-    /// Adds the tile's tally to `totals`, and clears it.
-    pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals) -> Result<(), GpuError> {
-        let Some(buffer) = tile.buffer("tally") else { return Ok(()) };
+    /// Adds the tile's tally to `totals`, and clears it. Where a walk did not end nothing is added, and there is more time for the
+    /// next tile: this one is to be made anew.
+    #[must_use = "a tile may have to be rendered again"]
+    pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals) -> Result<Walks, GpuError> {
+        let Some(buffer) = tile.buffer("tally") else { return Ok(Walks::Ended) };
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
-        totals.add_tally(&bytemuck::pod_collect_to_vec::<u8, u32>(&bytes));
         self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
-        Ok(())
+        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+        if self.program.work.resumed && !self.is_long.get() && Totals::unfinished(&words) > 0 {
+            self.is_long.set(true);
+            return Ok(Walks::Unfinished);
+        }
+        totals.add_tally(&words);
+        Ok(Walks::Ended)
     }
 
     /// Begins the totals of a render.

@@ -46,7 +46,7 @@ impl Renderer<'_> {
                 weight = 0;
                 self.write_frame(tile, frame, round)?;
             }
-            for step in self.steps() {
+            for step in &self.plan().steps {
                 weight += step.weight;
                 if weight > allowed {
                     runner.submit(clock)?;
@@ -128,7 +128,7 @@ impl<'r, 'a> Runner<'r, 'a> {
             let descriptor = ComputePassDescriptor { label: None, timestamp_writes: Some(timestamp_writes) };
             drop(encoder.begin_compute_pass(&descriptor));
         }
-        let batch = |round: u32| u64::from(round) / self.renderer.batch.rounds;
+        let batch = |round: u32| u64::from(round) / self.renderer.plan().batch.rounds;
         let key = |(round, step): &(u32, Step)| {
             (batch(*round), stage_of(step.pass, *round, apart), step.pass == Pass::Refine)
         };
@@ -137,7 +137,7 @@ impl<'r, 'a> Runner<'r, 'a> {
             if let (true, Some(buffer)) = (refines, self.tile.living(first.slots.list[1])) {
                 encoder.clear_buffer(buffer, 0, None);
             }
-            if first.pass == Pass::Setup && u64::from(round) % self.renderer.batch.rounds == 0 {
+            if first.pass == Pass::Setup && u64::from(round) % self.renderer.plan().batch.rounds == 0 {
                 self.clear_lists(&mut encoder, batch);
             }
             let timestamp_writes = clock.next(gpu, stage);
@@ -177,7 +177,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// Nothing lives before a round's setup says so, and nothing is open in the next round before its shading says so. What the
     /// batch before has left open stays.
     fn clear_lists(&self, encoder: &mut CommandEncoder, batch: u64) {
-        let half = self.renderer.batch.rounds * TURN_STRIDE;
+        let half = self.renderer.plan().batch.rounds * TURN_STRIDE;
         for list in 0..OPEN + 2 {
             let Some(buffer) = self.tile.living(list) else { continue };
             let (offset, size) = if list < OPEN { (0, None) } else { (batch % 2 * half, Some(half)) };
@@ -187,8 +187,8 @@ impl<'r, 'a> Runner<'r, 'a> {
 
     /// Where in the per-pass buffers the step's own parts lie.
     fn offsets(&self, step: &Step, round: u32) -> Vec<u32> {
-        let turn = self.renderer.turns.binary_search(&turn_of(step)).unwrap_or(0) as u64;
-        let [read, written] = self.renderer.batch.parts(step, round);
+        let turn = self.renderer.plan().turns.binary_search(&turn_of(step)).unwrap_or(0) as u64;
+        let [read, written] = self.renderer.plan().batch.parts(step, round);
         Tile::offsets(&self.renderer.pipelines, step.pass)
             .into_iter()
             .map(|name| match name {
@@ -201,7 +201,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     }
 
     fn dispatch(&self, pass: &mut ComputePass, step: &Step, round: u32) {
-        let [read, _] = self.renderer.batch.parts(step, round);
+        let [read, _] = self.renderer.plan().batch.parts(step, round);
         let indirect = match step.dispatch {
             Dispatch::Grid => false,
             Dispatch::Living => true,

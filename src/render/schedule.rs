@@ -68,7 +68,7 @@ pub(super) fn refining(refines: Refines, masks: Masks) -> Step {
 }
 
 /// Rounds of a sample that write to parts of their own of the lists, so that these are cleared once for all of them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Batch {
     pub rounds: u64,
     /// Parts of the lists of the living that one round needs.
@@ -119,10 +119,13 @@ impl Recorder<'_> {
         self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, weight });
     }
 
-    /// As many rounds as the worst case needs; those that nothing lives to see cost next to nothing.
+    /// As many rounds as are needed; those that nothing lives to see cost next to nothing.
     fn fused(&mut self, work: &Work, segments: u32, n: u64) {
+        /// Rounds for walks that are gone on with, where few are.
+        const SPARE: u64 = 4;
         let sure = work.segments_per_pass(segments);
         let rounds = u64::from(self.max_segments.div_ceil(sure)) * work.passes_per_segment;
+        let rounds = rounds + if work.resumed { SPARE } else { 0 };
         for round in 0..rounds {
             let input = (round % 2) as usize;
             let slots = Slots { input, output: 1 - input, start: input, end: 1 - input, list: [input, 1 - input] };

@@ -4,7 +4,7 @@ use glam::DVec3;
 use wgpu::BufferUsages;
 
 use super::readback::read_buffer;
-use super::renderer::{Frame, RECORDS};
+use super::renderer::{Frame, RECORDS, Walks};
 use super::schedule::Step;
 use super::{RenderError, Renderer, Settings, Status, Totals};
 use crate::gpu::Value::Vec3;
@@ -116,15 +116,16 @@ impl Renderer<'_> {
             Starts::Pixels(pixels, _) => pixels.len(),
         };
         let mut traced = Vec::with_capacity(count);
-        for first in (0..count).step_by(BATCH) {
-            let part = first..count.min(first + BATCH);
+        while traced.len() < count {
+            let part = traced.len()..count.min(traced.len() + BATCH);
             let (tile, frame) = match starts {
                 Starts::Given(rays) => ray_tile(self, &rays[part.clone()])?,
                 Starts::Pixels(pixels, row) => pixel_tile(self, &pixels[part.clone()], row)?,
             };
             self.run_sample(&tile, frame, &mut clock, &|_| {})?;
-            traced.extend(read_records(self, &tile, part.len())?);
-            self.read_tally(&tile, &mut totals)?;
+            if self.read_tally(&tile, &mut totals)? == Walks::Ended {
+                traced.extend(read_records(self, &tile, part.len())?);
+            }
         }
         self.finish_totals(&mut totals, &clock, started)?;
         // The last row of the state is filled up with pixels that have no ray.
@@ -164,9 +165,10 @@ pub fn trace_paths(
 }
 
 fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
+    let plan = renderer.longest_plan();
     let (tile, frame) = ray_tile(renderer, batch)?;
     let mut paths = vec![(Status::Alive, Vec::new()); batch.len()];
-    let Some((record, rest)) = renderer.steps().split_last() else { return Ok(paths) };
+    let Some((record, rest)) = plan.steps.split_last() else { return Ok(paths) };
     let rounds = rest.chunk_by(|a, b| a.round == b.round && b.pass != Pass::Setup && a.pass != Pass::Setup);
     // Setup, then round by round until nothing lives.
     for round in rounds {

@@ -10,6 +10,7 @@
 use std::fmt;
 
 use super::Renderer;
+use super::renderer::Plan;
 use super::schedule::Batch;
 use crate::gpu::{GpuError, TURN_STRIDE};
 
@@ -57,8 +58,8 @@ impl Renderer<'_> {
 
     /// Bytes on the device that are the same for every size of tile.
     fn fixed_memory(&self) -> u64 {
-        let Batch { rounds, living } = self.batch;
-        let parts = self.turns.len() as u64 + 2 * rounds * living + 4 * rounds + 2;
+        let Plan { turns, batch: Batch { rounds, living }, .. } = self.plan();
+        let parts = turns.len() as u64 + 2 * rounds * living + 4 * rounds + 2;
         self.buffers.bytes() + TURN_STRIDE * parts
     }
 
