@@ -86,4 +86,7 @@ fn scenes_are_for_some() {
         .run("bench paper scene.toml")
         .fails(1, &["scene.toml: only `limit`, `sampling`, `compaction` and `start` measure given scenes"]);
     folder.run("bench limit missing.toml").fails(1, &["missing.toml"]);
+    folder.run("bench paper mesh.obj").fails(1, &["mesh.obj: only `groller` measures a given mesh"]);
+    folder.run("bench groller one.obj two.obj").fails(1, &["two.obj: `groller` measures one mesh"]);
+    folder.run("bench groller missing.obj").fails(1, &["missing.obj"]);
 }
