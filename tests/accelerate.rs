@@ -4,32 +4,24 @@ use std::fmt::Write as _;
 
 use bentray::gpu::Geometry;
 use bentray::program::{Choice, Program, Schedule, Search, Structure};
-use bentray::render::{Settings, Status, trace};
+use bentray::render::{Renderer, Settings, Status, trace};
 use bentray::scene::Scene;
 
+use crate::shaders::Random;
 use crate::support::gpu;
 
-/// Numbers in [-1, 1), the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn point(&mut self, reach: f64) -> [f64; 3] {
-        [0; 3].map(|_| reach * self.next())
-    }
+/// Each coordinate up to so far from 0.
+fn point(random: &mut Random, reach: f64) -> [f64; 3] {
+    [0; 3].map(|_| random.within(-reach, reach))
 }
 
 /// Loose triangles, small and large, some of them twice in the same place.
 fn triangles(random: &mut Random, count: usize) -> String {
     let mut obj = String::new();
     for i in 0..count {
-        let (middle, size) = (random.point(6.0), if i % 9 == 0 { 3.0 } else { 0.6 });
+        let (middle, size) = (point(random, 6.0), if i % 9 == 0 { 3.0 } else { 0.6 });
         let corners = [0; 3].map(|_| {
-            let off = random.point(size);
+            let off = point(random, size);
             [0, 1, 2].map(|k| middle[k] + off[k])
         });
         for _ in 0..=u32::from(i % 7 == 0) {
@@ -47,8 +39,8 @@ fn shapes(random: &mut Random, of_each: usize) -> String {
     let mut text = String::new();
     for i in 0..of_each {
         for shape in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
-            let (place, angles) = (random.point(6.0), random.point(180.0));
-            let size = 0.2 + 0.2 * random.next().abs();
+            let (place, angles) = (point(random, 6.0), point(random, 180.0));
+            let size = 0.2 + 0.2 * random.unit();
             let kind = if shape == "ellipsoid" { "sphere" } else { shape };
             let scale =
                 if shape == "sphere" { format!("{size}") } else { format!("[{size}, {}, {}]", size * 1.5, size * 2.0) };
@@ -68,7 +60,7 @@ const MATERIAL: &str = "[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n"
 
 fn starts(random: &mut Random, count: usize) -> Vec<[f64; 6]> {
     let ray = |random: &mut Random| {
-        let (from, [u, v, w]) = (random.point(9.0), random.point(1.0));
+        let (from, [u, v, w]) = (point(random, 9.0), point(random, 1.0));
         [from[0], from[1], from[2], u, v, w + 1e-3]
     };
     (0..count).map(|_| ray(random)).collect()
@@ -86,7 +78,7 @@ const RAYS: [&str; 4] = [
 #[test]
 fn every_structure_finds_the_same_first_hit() {
     let gpu = gpu();
-    let mut random = Random(5);
+    let mut random = Random::new(5);
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("loose.obj"), triangles(&mut random, 90)).unwrap();
     let objects = shapes(&mut random, 14) + "[[objects]]\nshape = \"mesh\"\nfile = \"loose.obj\"\nmaterial = \"m\"\n";
@@ -129,7 +121,7 @@ fn the_structure_follows_the_scene() {
     let scene = |accelerate: &str, of_each| {
         let text = format!(
             "[rays]\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{}",
-            shapes(&mut Random(6), of_each)
+            shapes(&mut Random::new(6), of_each)
         );
         Scene::parse(&text, std::path::Path::new("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
     };
@@ -153,33 +145,89 @@ fn the_structure_follows_the_scene() {
     }
 }
 
-/// A walk through a grid, or past one item after the other, that one pass cannot hold goes on in the next.
-#[test]
-fn long_walks_go_on_in_every_structure() {
-    let gpu = gpu();
+/// Twenty heaps of triangles that rays pass beside, and a wall behind them.
+fn heaps(each: usize) -> tempfile::TempDir {
     let mut obj = String::new();
-    for i in 0..20_000 {
-        let z = 1e-5 * f64::from(i);
+    for i in 0..20 * each {
+        let z = (i / each) as f64 + 1e-6 * (i % each) as f64;
         writeln!(obj, "v -5 -5 {z}\nv 5 -5 {z}\nv -5 5 {z}\nf -3 -2 -1").unwrap();
     }
     obj += "v -9 -9 -3\nv 9 -9 -3\nv 9 9 -3\nv -9 9 -3\nf -4 -3 -2 -1\n";
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("walls.obj"), obj).unwrap();
-    let rays: Vec<[f64; 6]> = (0..40).map(|i| [1.0 + 0.03 * f64::from(i), 4.5, 9.0, 0.0, 0.0, -1.0]).collect();
-    for accelerate in ["grid", "none"] {
-        let text = format!(
-            "[rays]\nmethod = \"euler\"\nstep = 30\nbound = {{ radius = 20 }}\nmax_segments = 3\naccelerate = \"{accelerate}\"\n\
-             {MATERIAL}[[objects]]\nshape = \"mesh\"\nfile = \"walls.obj\"\nmaterial = \"m\"\n"
-        );
-        let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap();
+    std::fs::write(folder.path().join("heaps.obj"), obj).unwrap();
+    folder
+}
+
+fn heap_scene(folder: &tempfile::TempDir, accelerate: &str) -> Scene {
+    let text = format!(
+        "[image]\nsize = [8, 6]\n[camera]\nkind = \"plane\"\nposition = [3, 3, 30]\nheight = 1\n\
+         [rays]\nmethod = \"euler\"\nstep = 50\nbound = {{ radius = 40 }}\nmax_segments = 3\n\
+         accelerate = \"{accelerate}\"\n{MATERIAL}[[objects]]\nshape = \"mesh\"\nfile = \"heaps.obj\"\nmaterial = \"m\"\n"
+    );
+    Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A walk that one pass cannot hold goes on in the next, in traces and in pictures, which record more passes when they see that
+/// theirs were too few.
+#[test]
+fn long_walks_go_on_in_every_structure() {
+    let gpu = gpu();
+    let folder = heaps(3000);
+    let rays: Vec<[f64; 6]> = (0..40).map(|i| [2.5 + 0.02 * f64::from(i), 3.0, 30.0, 0.0, 0.0, -1.0]).collect();
+    for accelerate in ["bvh", "grid", "none"] {
+        let scene = heap_scene(&folder, accelerate);
         let program = Program::new(&scene, &Choice::default(), Geometry::new(&scene).extent()).unwrap();
         assert!(program.work.resumed && program.work.passes_per_segment > 1, "{accelerate}");
         for schedule in [Schedule::Fused, Schedule::Segment] {
-            let settings = Settings { choice: Choice { schedule, ..Choice::default() }, ..Settings::default() };
+            let choice = Choice { schedule, ..Choice::default() };
+            let settings = Settings { choice, ..Settings::default() };
             for end in trace(&gpu, &scene, &settings, &rays).unwrap().0 {
                 assert_eq!(end.status, Status::Hit, "{accelerate} {schedule:?}");
                 assert!((end.x[2] + 3.0).abs() < 1e-4, "{accelerate} {schedule:?}: {:?}", end.x);
             }
+            let totals = Renderer::new(&gpu, &scene, settings).unwrap().picture().unwrap().totals;
+            assert_eq!((totals.rays, totals.count(Status::Hit)), (48, 48), "{accelerate} {schedule:?}: {totals}");
         }
     }
+}
+
+/// What lies in one cell is tested in one go: more than a pass can hold, as of a detailed thing in a wide scene, is refused, and what
+/// helps is said.
+#[test]
+fn a_heap_in_one_cell_is_refused() {
+    let mut random = Random::new(8);
+    let mut obj = String::from("v -5 -5 -3\nv 5 -5 -3\nv 5 5 9\nf -3 -2 -1\n");
+    for _ in 0..30_000 {
+        for _ in 0..3 {
+            let [x, y, z] = point(&mut random, 1e-3);
+            writeln!(obj, "v {x} {y} {z}").unwrap();
+        }
+        obj += "f -3 -2 -1\n";
+    }
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("heaps.obj"), obj).unwrap();
+    let program = |accelerate: &str| {
+        let scene = heap_scene(&folder, accelerate);
+        Program::new(&scene, &Choice::default(), Geometry::new(&scene).extent())
+    };
+    let refused = program("grid").unwrap_err().to_string();
+    assert!(refused.contains("triangles in the same place, or `accelerate = \"bvh\"`"), "{refused}");
+    assert!(program("bvh").is_ok() && program("none").is_ok());
+}
+
+/// What does not move is not built again, and what moves is.
+#[test]
+fn a_structure_is_kept_while_nothing_moves() {
+    let text = format!("[rays]\nbound = {{ radius = 17 }}\n{MATERIAL}{}", shapes(&mut Random::new(7), 20));
+    let scene = |text: &str| Scene::parse(text, std::path::Path::new("scene.toml"), &[]).unwrap();
+    let first = Geometry::new(&scene(&text)).structure;
+    assert!(first.items.len() == 120 && first.nodes.len() > 20);
+    assert_eq!(Geometry::after(Some(first.clone()), &scene(&text)).structure, first);
+    let mut moved = scene(&text);
+    moved.objects[0].transform = moved.objects[6].transform;
+    let fresh = Geometry::new(&moved).structure;
+    assert!(fresh != first);
+    assert_eq!(Geometry::after(Some(first.clone()), &moved).structure, fresh);
+    let grid = text.replace("[rays]", "[rays]\naccelerate = \"grid\"");
+    assert_eq!(Geometry::after(Some(first), &scene(&grid)).structure, Geometry::new(&scene(&grid)).structure);
 }

@@ -2,22 +2,23 @@
 // later pass, which takes the same segment again, goes on from there. What is kept is the place in the structure that is next (the
 // walk's order is fixed), and the nearest hit so far.
 
-// 0 is a walk that has not begun.
+// A place, counted from 1; 0 is a walk that has not begun.
 @group(0) @binding(70) var walk: texture_storage_2d<r32uint, read_write>;
 
-// The place to go on from, 0 when the walk is complete.
+// The place to go on from, counted from 1; 0 when the walk is complete.
 var<private> walk_place: u32;
 
 fn walk_begin() -> u32 {
-    return walk_place;
+    return max(walk_place, 1u) - 1u;
 }
 
+// There is room for the next place, and for all that follows the walk.
 fn walk_may_go_on() -> bool {
-    return work < WORK_LIMIT;
+    return work + schedule.segment_work < WORK_LIMIT;
 }
 
 fn walk_stop(place: u32, done: bool) {
-    walk_place = select(place, 0u, done);
+    walk_place = select(place + 1u, 0u, done);
 }
 
 fn walked_hit(s: Segment, pixel: vec2u) -> Hit {

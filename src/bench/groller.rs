@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use glam::{IVec3, Vec2, Vec3};
 
@@ -110,7 +110,7 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     let times = Times::of(if slow { 1 } else { bench.repeats }, || {
         let totals = renderer.picture()?.totals;
         segments = totals.segments;
-        Ok(totals.intersect().unwrap_or(Duration::ZERO))
+        totals.intersect().ok_or(RenderError::NoTimes)
     })?;
     Ok(Measured { times, each: times.median / segments as f64, build })
 }

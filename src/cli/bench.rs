@@ -151,11 +151,8 @@ struct Given {
 impl Given {
     fn read(arguments: &Arguments) -> Result<Self, Error> {
         let names = wanted(arguments.name);
-        let is_mesh = |path: &&PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
-        let (meshes, paths): (Vec<PathBuf>, Vec<PathBuf>) = {
-            let (meshes, scenes): (Vec<&PathBuf>, Vec<&PathBuf>) = arguments.files.iter().partition(is_mesh);
-            (meshes.into_iter().cloned().collect(), scenes.into_iter().cloned().collect())
-        };
+        let is_mesh = |path: &PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+        let (meshes, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.files.iter().cloned().partition(is_mesh);
         let about = [Name::Limit, Name::Sampling, Name::Compaction];
         let takes_scenes = names.iter().any(|name| about.contains(name) || *name == Name::Start);
         let refused = |path: &PathBuf, problem: &str| Err(Error::Usage(format!("{}: {problem}", path.display())));

@@ -80,7 +80,7 @@ impl Built {
         if over.is_empty() {
             return Self::default();
         }
-        if let Some(same) = before.filter(|before| before.over == over) {
+        if let Some(same) = before.filter(|before| before.search() == search && before.over == over) {
             return same;
         }
         let (nodes, order) = hierarchy(&over);
@@ -101,6 +101,16 @@ impl Built {
         Self { order, over, ..built }
     }
 
+    /// How it is searched.
+    #[must_use]
+    pub fn search(&self) -> Search {
+        match &self.grid {
+            Some(_) => Search::Grid,
+            None if self.nodes.is_empty() => Search::List,
+            None => Search::Hierarchy,
+        }
+    }
+
     /// The places that the items of a kind, given by its code, had before, in the order that they have now.
     pub fn moved(&self, code: u32) -> impl Iterator<Item = usize> {
         let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
@@ -108,16 +118,20 @@ impl Built {
         own.filter(move |own| own & !mask == code).map(move |own| (own & mask) as usize)
     }
 
-    /// How far a search may go: through all nodes that a hierarchy over as many items could have, so that frames agree, or along one way through the grid's cells, to every item once or, in a grid, in
-    /// every cell that it is in.
+    /// How far a search may go: through all nodes that a hierarchy over as many items could have, so that frames agree, or along one
+    /// way through the grid's cells, to every item once or, in a grid, in every cell that it is in.
     #[must_use]
     pub fn extent(&self) -> Extent {
-        let places = match &self.grid {
-            Some(grid) => grid.count.iter().map(|&n| u64::from(n)).sum(),
-            None if self.nodes.is_empty() => self.items.len() as u64,
-            None => 2 * self.items.len() as u64,
+        let items = self.items.len() as u64;
+        let (places, at_once) = match (self.search(), &self.grid) {
+            (_, Some(grid)) => {
+                let fullest = grid.cells.windows(2).map(|ends| ends[1] - ends[0]).max();
+                (grid.count.iter().map(|&n| u64::from(n)).sum(), fullest.unwrap_or(0).into())
+            }
+            (Search::Hierarchy, _) => (2 * items, LEAF.into()),
+            _ => (items, 1),
         };
-        Extent { places, items: self.items.len() as u64 }
+        Extent { places, items, at_once }
     }
 }
 

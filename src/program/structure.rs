@@ -87,4 +87,6 @@ pub struct Extent {
     pub places: u64,
     /// Items met on it, at most.
     pub items: u64,
+    /// Items tested in one place, at most: a walk stops between places.
+    pub at_once: u64,
 }

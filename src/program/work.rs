@@ -4,7 +4,7 @@
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
 use super::plan::shape_kind;
-use super::{Extent, Kind, Motion, ProgramError, Regions, Structure, constant, scatters};
+use super::{Extent, Kind, Motion, ProgramError, Regions, Search, Structure, constant, scatters};
 use crate::scene::{Control, Law, Medium, Method, Object, Precision, Scene, Segment};
 
 fn work_limit() -> u64 {
@@ -57,14 +57,17 @@ impl Work {
         let touching = regions.touching.count() as u64;
         let scatter =
             if scatters(scene) { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching } else { 0 };
-        let segment = steps * step + pieces * (listed + 1) + captures + 2 + asymptote + scatter;
+        // A grid is walked piece by piece.
+        let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 1);
+        let segment = steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter;
         if segment > LARGEST {
-            let integration = steps * step > pieces * listed;
-            return Err(ProgramError::TooMuchWork {
-                needed: segment,
-                limit: LARGEST,
-                what: if integration { "force centres" } else { "shapes in lists" },
-            });
+            let what = [
+                (steps * step, "force centres"),
+                (pieces * listed, "shapes in lists"),
+                (place, "triangles in the same place, or `accelerate = \"bvh\"`"),
+            ];
+            let (_, what) = what.into_iter().max_by_key(|(work, _)| *work).unwrap_or_default();
+            return Err(ProgramError::TooMuchWork { needed: segment, limit: LARGEST, what });
         }
         // A node once, or a cell for each piece; items for each piece.
         let walk = (pieces + 1) * (extent.places + extent.items);
@@ -72,7 +75,8 @@ impl Work {
         Ok(Self {
             segment: if resumed { segment } else { segment + walk },
             resumed,
-            passes_per_segment: if resumed { 1 + walk / (work_limit() - LARGEST) } else { 1 },
+            // Before a walk may be a segment's work, and room for as much is left behind it.
+            passes_per_segment: if resumed { 1 + walk / (work_limit() - 2 * segment) } else { 1 },
         })
     }
 

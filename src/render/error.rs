@@ -34,6 +34,9 @@ pub enum RenderError {
     /// A scene that needs passes of its own.
     #[error("this scene needs another program than the one that was compiled")]
     OtherProgram,
+    /// What is measured is a pass.
+    #[error("this device does not tell how long its passes take: it has no timestamp queries")]
+    NoTimes,
     /// The consumer of finished rows failed.
     #[error("{0}")]
     Output(Box<dyn std::error::Error + Send + Sync>),

@@ -74,7 +74,8 @@ impl Probe {
     /// With the text generated for a scene, such as `generated/sources.wgsl`.
     pub fn generated(mut self, scene: &str, file: &str) -> Self {
         let scene = super::scene(scene);
-        let work = Work::of(&scene, Extent { places: 1, items: 1 }).unwrap_or_else(|error| panic!("{error}"));
+        let work =
+            Work::of(&scene, Extent { places: 1, items: 1, at_once: 1 }).unwrap_or_else(|error| panic!("{error}"));
         let parts = plan(&scene, &Choice::default(), &work).unwrap_or_else(|error| panic!("{error}"));
         let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);
         self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
