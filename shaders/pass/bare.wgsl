@@ -8,16 +8,8 @@ fn bare(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) la
     let spot = grid_pixel(group, lane);
     let word = load_status(spot.pixel);
     load_region(spot.pixel);
-    var ray = load_ray(spot.pixel, word);
     let wanted = wanted_steps[spot.pixel.y * frame.size.x + spot.pixel.x];
-    let most = select(0u, wanted, spot.valid);
-    for (var i = 0u; i < most; i++) {
-        work += 1u;
-        if work >= WORK_LIMIT {
-            break;
-        }
-        ray = accepted_step(ray);
-    }
+    let ray = bare_steps(load_ray(spot.pixel, word), select(0u, wanted, spot.valid));
     if spot.valid {
         store_ray(spot.pixel, ray);
         store_counts(spot.pixel, ray);

@@ -1,12 +1,17 @@
-//! One uniform buffer for all of a scene's uniforms that a pass reaches.
+//! A pass's uniforms: one buffer for all of the scene's, each read once.
 //!
 //! *Theory.* Every part declares the uniform it reads, by its own name. A pass that binds each apart soon needs more than a
 //! device has to give (twelve are sure), and more than lavapipe bears: looking for branches that depend on uniforms alone,
 //! Mesa 22.3 counts in steps of 32 through a table with room for 4 a buffer, and a branch on the fifth buffer or a later one
-//! writes past its end, into whatever the heap has there. So the uniforms become members of one block, and `law.mass` is read
-//! as `uniforms_advance.law.mass`. What a tile or a turn writes stays apart.
+//! writes past its end, into whatever the heap has there. So the uniforms become members of one block; what a tile or a turn
+//! writes stays apart.
+//!
+//! *Practice.* Inside a loop lavapipe reads a uniform once for every lane, each read with a test of its bounds: some 25
+//! instructions for one number, and half the time of a Runge–Kutta step. So a pass copies them into variables of its own before
+//! it does anything else, where one read serves all lanes. An array of one is copied as that one. Longer arrays stay where they
+//! are: a copy of an array is memory, which is read no faster.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::declarations::Declaration;
@@ -16,63 +21,152 @@ const APART: [&str; 2] = ["frame", "turn"];
 /// The block's binding.
 const BINDING: u32 = 9;
 
-/// The uniforms of a pass that go into its block.
+/// The uniforms of a pass.
 #[derive(Debug, Default)]
 pub(super) struct Block<'a> {
-    name: String,
-    /// Name and type.
-    members: Vec<(&'a str, &'a str)>,
-    names: BTreeSet<&'a str>,
+    entry: &'a str,
+    uniforms: BTreeMap<&'a str, Uniform<'a>>,
+}
+
+#[derive(Debug)]
+struct Uniform<'a> {
+    ty: &'a str,
+    shape: Shape<'a>,
+    /// Its place in the parts, which is the block's order.
+    order: usize,
+}
+
+#[derive(Debug, PartialEq)]
+enum Shape<'a> {
+    Single,
+    /// An array of one, of this type.
+    One(&'a str),
+    Array,
 }
 
 impl<'a> Block<'a> {
     /// Of the declarations that the entry point reaches.
-    pub(super) fn of(entry: &str, reached: impl Iterator<Item = &'a Declaration<'a>>) -> Self {
-        let members: Vec<_> = reached.filter_map(member).collect();
-        let names = members.iter().map(|(name, _)| *name).collect();
-        Self { name: format!("uniforms_{entry}"), members, names }
+    pub(super) fn of(entry: &'a str, reached: impl Iterator<Item = &'a Declaration<'a>> + Clone) -> Self {
+        let ones: Vec<&str> = reached.clone().filter(|declaration| is_one(declaration)).map(|one| one.name).collect();
+        let uniforms = reached.filter_map(uniform).enumerate().map(|(order, (name, ty))| {
+            let array = ty.strip_prefix("array<").and_then(|ty| ty.strip_suffix('>')?.rsplit_once(", "));
+            let shape = match array {
+                None => Shape::Single,
+                Some((element, count)) if ones.contains(&count) => Shape::One(element),
+                Some(_) => Shape::Array,
+            };
+            (name, Uniform { ty, shape, order })
+        });
+        Self { entry, uniforms: uniforms.collect() }
     }
 
     /// Does the block stand in for this declaration?
     pub(super) fn replaces(&self, declaration: &Declaration) -> bool {
-        declaration.keyword == "var" && self.names.contains(declaration.name)
+        declaration.keyword == "var"
+            && self.uniforms.contains_key(declaration.name)
+            && !APART.contains(&declaration.name)
     }
 
-    /// The declaration's text, with every use of a member through the block.
+    /// The declaration's text, with every use of a uniform by what stands for it; the entry point reads them first.
     pub(super) fn rewritten(&self, declaration: &Declaration) -> String {
         let mut text = String::new();
         let mut at = 0;
-        for range in &declaration.identifiers {
-            if self.names.contains(&declaration.text[range.clone()]) {
+        for range in declaration.identifiers.iter().filter(|_| declaration.keyword == "fn") {
+            let name = &declaration.text[range.clone()];
+            // What stands in an index that is left out is left out too.
+            if let Some(uniform) = self.uniforms.get(name).filter(|_| range.start >= at) {
                 text.push_str(&declaration.text[at..range.start]);
-                let _ = write!(text, "{}.", self.name); // writing to a String cannot fail
-                at = range.start;
+                text.push_str(&self.stand_in(name, uniform));
+                at = range.end;
+                if matches!(uniform.shape, Shape::One(_)) {
+                    at += index_length(&declaration.text[at..]);
+                }
             }
         }
         text.push_str(&declaration.text[at..]);
+        if declaration.name == self.entry && self.held().next().is_some() {
+            text = text.replacen('{', "{ read_uniforms();", 1);
+        }
         text
     }
 
-    /// The block's own declaration; empty if nothing goes into it.
+    /// What a use of a uniform is written as: a copy of those in the block has their own name.
+    fn stand_in(&self, name: &str, uniform: &Uniform) -> String {
+        match uniform.shape {
+            _ if APART.contains(&name) => format!("own_{name}"),
+            Shape::Array => format!("{}.{name}", self.name()),
+            Shape::Single | Shape::One(_) => name.to_owned(),
+        }
+    }
+
+    fn name(&self) -> String {
+        format!("uniforms_{}", self.entry)
+    }
+
+    /// Those that are copied, in order.
+    fn held(&self) -> impl Iterator<Item = (&str, &Uniform<'a>)> {
+        self.in_order().into_iter().filter(|(_, uniform)| uniform.shape != Shape::Array)
+    }
+
+    fn in_order(&self) -> Vec<(&str, &Uniform<'a>)> {
+        let mut all: Vec<_> = self.uniforms.iter().map(|(name, uniform)| (*name, uniform)).collect();
+        all.sort_by_key(|(_, uniform)| uniform.order);
+        all
+    }
+
+    /// The block's own declaration, the copies' and the function that fills them; empty if there are no uniforms.
     pub(super) fn declaration(&self) -> String {
-        if self.members.is_empty() {
-            return String::new();
+        let mut text = String::new();
+        let members: Vec<_> = self.in_order().into_iter().filter(|(name, _)| !APART.contains(name)).collect();
+        // Writing to a String cannot fail.
+        if !members.is_empty() {
+            // 32 is a multiple of what any member wants, vectors of f64 included.
+            text += "struct Uniforms {\n";
+            for (name, uniform) in &members {
+                let _ = writeln!(text, "    @align(32) {name}: {},", uniform.ty);
+            }
+            let _ = writeln!(text, "}}\n\n@group(0) @binding({BINDING}) var<uniform> {}: Uniforms;\n", self.name());
         }
-        // 32 is a multiple of what any member wants, vectors of f64 included.
-        let mut text = String::from("struct Uniforms {\n");
-        for (name, ty) in &self.members {
-            let _ = writeln!(text, "    @align(32) {name}: {ty},");
+        let (mut copies, mut reads) = (String::new(), String::new());
+        for (name, uniform) in self.held() {
+            let copy = self.stand_in(name, uniform);
+            let (ty, index) = if let Shape::One(element) = uniform.shape { (element, "[0]") } else { (uniform.ty, "") };
+            let read = if APART.contains(&name) { name.to_owned() } else { format!("{}.{name}{index}", self.name()) };
+            let _ = writeln!(copies, "var<private> {copy}: {ty};");
+            let _ = writeln!(reads, "    {copy} = {read};");
         }
-        let _ = writeln!(text, "}}\n\n@group(0) @binding({BINDING}) var<uniform> {}: Uniforms;", self.name);
+        if !reads.is_empty() {
+            let _ = writeln!(text, "{copies}\nfn read_uniforms() {{\n{reads}}}\n");
+        }
         text
     }
 }
 
-fn member<'a>(declaration: &'a Declaration<'a>) -> Option<(&'a str, &'a str)> {
-    if declaration.keyword != "var" || APART.contains(&declaration.name) {
+/// The name and the type of a uniform.
+fn uniform<'a>(declaration: &'a Declaration<'a>) -> Option<(&'a str, &'a str)> {
+    if declaration.keyword != "var" {
         return None;
     }
     let (_, declared) = declaration.text.split_once("var<uniform>")?;
     let (_, ty) = declared.split_once(':')?;
     Some((declaration.name, ty.trim().trim_end_matches(';')))
+}
+
+/// Is it a constant of 1, as the length of an array?
+fn is_one(declaration: &Declaration) -> bool {
+    declaration.keyword == "const" && declaration.text.trim_end().ends_with("u32 = 1u;")
+}
+
+/// How long the index in brackets is that `text` begins with.
+fn index_length(text: &str) -> usize {
+    let mut depth = 0_usize;
+    for (i, sign) in text.char_indices() {
+        match sign {
+            '[' => depth += 1,
+            ']' if depth == 1 => return i + 1,
+            ']' => depth -= 1,
+            _ => {}
+        }
+    }
+    0
 }

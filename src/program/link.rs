@@ -183,12 +183,42 @@ mod tests {
             "fn law_rate_1(",
             "switch region",
             "return law_rate_1(x);",
-            "-uniforms_entry.law_1.a * x",
+            "law_1 = uniforms_entry.law_1;",
+            "-law_1.a * x",
         ] {
             assert!(linked.source.contains(text), "{text}\n{}", linked.source);
         }
         let numbers: Vec<u32> = reflect(&linked).unwrap().bindings.iter().map(|binding| binding.number).collect();
         assert_eq!(numbers, [0, 9], "copies are members of the block");
+    }
+
+    #[test]
+    fn uniforms_are_read_once() {
+        let text = "const ONE: u32 = 1u;\nconst TWO: u32 = 2u;\nstruct A { a: array<vec4f, 3> }\n\
+            struct Frame { zero: u32 }\n@group(0) @binding(3) var<uniform> frame: Frame;\n\
+            @group(0) @binding(50) var<uniform> one: array<A, ONE>;\n\
+            @group(0) @binding(51) var<uniform> two: array<A, TWO>;\n\
+            fn law_rate(x: f32) -> f32 {\n    return one[u32(two[frame.zero].a[0].x)].a[1].y + x;\n}\n";
+        let parts =
+            Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/a.wgsl", text)], regions: Vec::new() };
+        let linked = link(&parts, "entry").unwrap();
+        validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
+        for text in [
+            "fn entry() { read_uniforms();",
+            "own_frame = frame;",
+            "var<private> one: A;",
+            "one = uniforms_entry.one[0];",
+            "return one.a[1].y + x;",
+        ] {
+            assert!(linked.source.contains(text), "{text}\n{}", linked.source);
+        }
+        let text = text.replace("one[u32(two[frame.zero].a[0].x)]", "two[frame.zero]");
+        let parts = Parts {
+            shared: vec![unit("pass/entry.wgsl", ENTRY), Unit { file: "law/a.wgsl".into(), text: text.into() }],
+            regions: Vec::new(),
+        };
+        let linked = link(&parts, "entry").unwrap();
+        assert!(linked.source.contains("return uniforms_entry.two[own_frame.zero].a[1].y + x;"), "{}", linked.source);
     }
 
     #[test]

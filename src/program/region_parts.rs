@@ -35,6 +35,8 @@ pub(super) fn region_parts(
     names.add(if line { "curve/line" } else { "curve/arc" });
     let whole = kind.motion == Motion::Straight && !chords;
     names.add(if whole { "join/whole" } else { "join/pieces" });
+    let planar = kind.motion == Motion::Law && scene.rays.method == Method::Planar;
+    names.add(if planar { "bare/orbit" } else { "bare/steps" });
     match kind.motion {
         Motion::Law => law_motion(scene, purpose, &mut names, &mut made),
         Motion::Straight => {
@@ -111,7 +113,8 @@ fn orbit_parts(law: &Law, names: &mut Names) {
 fn planar_parts(scene: &Scene, purpose: Purpose, names: &mut Names) {
     let open = scene.objects.is_empty();
     names.add(if open { "motion/planar_open" } else { "motion/planar" });
-    names.add(if open && purpose == Purpose::Picture { "clock/none" } else { "clock/kept" });
+    let asked = !open || !matches!(purpose, Purpose::Picture | Purpose::Bare);
+    names.add(if asked { "clock/kept" } else { "clock/none" });
 }
 
 fn step_parts(method: Method, names: &mut Names) {

@@ -40,7 +40,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             choice: Choice::default(),
-            segments: 16,
+            segments: 64,
             memory: 1 << 30,
             // Enough to fill any device, and bands that the host holds with ease.
             tile_pixels: 1 << 22,

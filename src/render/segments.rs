@@ -3,8 +3,8 @@
 //! *Theory.* With more segments a pass, less time goes into loading and storing the state; with fewer, the places of ended rays are
 //! filled up sooner. Which counts for more depends on the scene and the device.
 //!
-//! *Practice.* A part of the picture's middle is rendered with each of a few K before the picture starts, by the picture's own
-//! program: K is only a number to it, and changes no bit of the picture.
+//! *Practice.* The picture is rendered small with each of a few K before it starts, by its own program: K is only a number to it,
+//! and changes no bit of the picture. A part of the picture in full would be no fair sample of its rays.
 
 use std::time::{Duration, Instant};
 
@@ -14,13 +14,15 @@ use super::{RenderError, Renderer, Totals, Window};
 use crate::program::Schedule;
 
 /// From which K is chosen.
-const CHOICES: [u32; 4] = [8, 32, 128, 512];
-/// Width and height of the part that is rendered.
-const PART: u32 = 128;
-/// Pictures of fewer rays are done sooner than it takes to choose.
-const FEW: u64 = 1 << 17;
-/// A K is left for another that takes this part of its time: less is noise.
-const BETTER: f64 = 0.95;
+const CHOICES: [u32; 3] = [8, 32, 128];
+/// The longer side of the small picture.
+const SMALL: u32 = 224;
+/// Pictures of fewer rays gain less by a choice than it takes.
+const FEW: u64 = 1 << 21;
+/// Times that each K is tried.
+const RUNS: u32 = 3;
+/// A K that takes so many times the best one's time is not tried again.
+const HOPELESS: f64 = 1.3;
 
 impl Renderer<'_> {
     /// Chooses K, where there is a choice and time to make up for it. The K that it is then.
@@ -32,37 +34,34 @@ impl Renderer<'_> {
         if choice.schedule != Schedule::Fused || choice.rounds(&self.scene) > 1 || rays < FEW {
             return Ok(self.settings.segments);
         }
-        let size = [width, height].map(|side| side.min(PART));
-        let origin = [corner[0] + (width - size[0]) / 2, corner[1] + (height - size[1]) / 2];
+        let longer = width.max(height);
+        let small = |side: u32| (u64::from(side) * u64::from(SMALL.min(longer)) / u64::from(longer)) as u32;
+        let size = [width, height].map(|side| small(side).max(1));
         let refines = choice.adapts(&self.scene).then_some(Refines::FIRST);
-        let frame = Frame { origin, image: image.size, sample: 0, refines };
-        let mut best: Option<(Duration, u32)> = None;
-        for segments in CHOICES {
-            self.set_segments(self.max_segments, segments)?;
-            let time = self.part_time(size, frame)?;
-            if best.is_none_or(|(least, _)| time < least.mul_f64(BETTER)) {
-                best = Some((time, segments));
+        let frame =
+            Frame { origin: corner.map(small), image: image.size.map(|side| small(side).max(1)), sample: 0, refines };
+        let useful = 1 + CHOICES.iter().filter(|segments| **segments < self.max_segments).count();
+        let mut times: Vec<_> = CHOICES.into_iter().take(useful).map(|segments| (segments, Duration::MAX)).collect();
+        // By turns, so that a slow moment is nobody's own. The first run of all compiles, and its times rule nothing out.
+        for run in 0..RUNS {
+            for (segments, least) in &mut times {
+                self.set_segments(self.max_segments, *segments)?;
+                *least = self.small_time(size, frame)?.min(*least);
             }
-            if segments >= self.max_segments {
-                break;
-            }
+            let best = times.iter().map(|(_, time)| *time).min().unwrap_or_default();
+            times.retain(|(_, time)| run == 0 || *time <= best.mul_f64(HOPELESS));
         }
-        let chosen = best.map_or(self.settings.segments, |(_, segments)| segments);
+        let chosen = times.into_iter().min_by_key(|(_, time)| *time).map_or(self.settings.segments, |(k, _)| k);
         self.set_segments(self.max_segments, chosen)?;
         Ok(chosen)
     }
 
-    /// The better of two runs: the first of all compiles.
-    fn part_time(&self, size: [u32; 2], frame: Frame) -> Result<Duration, RenderError> {
+    fn small_time(&self, size: [u32; 2], frame: Frame) -> Result<Duration, RenderError> {
         let tile = self.tile(size)?;
-        let mut least = Duration::MAX;
-        for _ in 0..2 {
-            let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
-            let started = Instant::now();
-            self.run_sample(&tile, frame, &mut clock, &|_| {})?;
-            self.finish_totals(&mut totals, &clock, started)?;
-            least = least.min(totals.advance());
-        }
-        Ok(least)
+        let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
+        let started = Instant::now();
+        self.run_sample(&tile, frame, &mut clock, &|_| {})?;
+        self.finish_totals(&mut totals, &clock, started)?;
+        Ok(totals.advance())
     }
 }

@@ -1,0 +1,13 @@
+// Steps in the scene's coordinates.
+
+fn bare_steps(ray: Ray, most: u32) -> Ray {
+    var next = ray;
+    for (var i = 0u; i < most; i++) {
+        work += 1u;
+        if work >= WORK_LIMIT {
+            break;
+        }
+        next = accepted_step(next);
+    }
+    return next;
+}
