@@ -38,15 +38,15 @@ fn orbit_cut(o: Orbit, size: Real, edge: Real) -> Real {
 }
 
 // Where the bounding sphere lies off the centre a ray beyond the edge may still be inside: short steps, until it leaves.
-fn orbit_size(o: Orbit, edge: Real) -> Real {
-    return orbit_stride(o, control.eta, select(o.u + orbit_calm(), o.u, o.u <= edge));
+fn orbit_size(o: Orbit, edge: Real, calm: Real) -> Real {
+    return orbit_stride(o, control.eta, select(o.u + calm, o.u, o.u <= edge));
 }
 
 // The size of the step that leaves, cut to end just outside.
 fn own_size(ray: Ray, next: Ray) -> Real {
     let edge = orbit_edge();
     let o = orbit_of(ray.phase[0], ray.phase[1]);
-    let s = orbit_size(o, edge);
+    let s = orbit_size(o, edge, orbit_calm());
     let over = orbit_step(o, s);
     return select(s, orbit_cut(o, s, 0.999 * edge), o.u > edge && over.u < edge);
 }
@@ -64,32 +64,32 @@ fn orbit_left(o: Orbit, over: Orbit, edge: Real) -> Orbit {
 
 fn accepted_step(ray: Ray) -> Ray {
     let edge = orbit_edge();
-    var next = ray;
-    var here = orbit_of(ray.phase[0], ray.phase[1]);
-    let start = here;
-    var end = here;
-    var s: Real = 0.0;
+    let calm = orbit_calm();
+    let start = orbit_of(ray.phase[0], ray.phase[1]);
+    var here = start;
     var steps = 0u;
     var passed: Real = 0.0;
-    for (var i = 0u; i < STEPS; i++) {
-        work += 1u;
-        s = orbit_size(here, edge);
-        end = orbit_step(here, s);
-        if end.u < edge || orbit_captured(end) {
+    for (; steps < STEPS; steps++) {
+        let s = orbit_size(here, edge, calm);
+        let end = orbit_step(here, s);
+        // Both tests: a branch between them costs more than the second.
+        if (end.u < edge) | orbit_captured(end) {
             break;
         }
         passed += orbit_time(here, end, s);
         here = end;
-        steps += 1u;
     }
+    work += steps + 1u;
     if steps == 0u {
-        if start.u > edge && end.u < edge {
-            end = orbit_left(start, end, edge);
+        let s = orbit_size(start, edge, calm);
+        here = orbit_step(start, s);
+        if (start.u > edge) & (here.u < edge) {
+            here = orbit_left(start, here, edge);
         }
-        passed = orbit_time(start, end, s);
-        here = end;
+        passed = orbit_time(start, here, s);
         steps = 1u;
     }
+    var next = ray;
     next.phase = opaque_phase(orbit_point(here));
     next.tau += passed;
     next.taken = opaque(passed);

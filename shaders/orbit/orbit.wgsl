@@ -42,7 +42,7 @@ fn orbit_rate(u: Real, hh: Real) -> Real {
 }
 
 fn orbit_captured(o: Orbit) -> bool {
-    return o.w > 0.0 && o.u * captured_within() > 1.0;
+    return (o.w > 0.0) & (o.u * captured_within() > 1.0);
 }
 
 // Nyström's method of order 4.
@@ -52,15 +52,17 @@ fn orbit_step(o: Orbit, s: Real) -> Orbit {
     let a2 = orbit_rate(o.u + (0.5 * s) * (o.w + (0.25 * s) * a1), hh);
     let a3 = orbit_rate(o.u + s * (o.w + (0.5 * s) * a2), hh);
     var next = o;
-    next.u += s * (o.w + (s / 6.0) * (a1 + 2.0 * a2));
-    next.w += (s / 6.0) * (a1 + 4.0 * a2 + a3);
+    let sixth = s * (1.0 / 6.0);
+    next.u += s * (o.w + sixth * (a1 + 2.0 * a2));
+    next.w += sixth * (a1 + 4.0 * a2 + a3);
     next.angle += o.h * s;
     return next;
 }
 
-// The step by which the orbit turns through eta at most, and u changes by thrice that fraction of `size` or less.
+// The step by which the orbit turns through eta at most, and u changes by thrice that fraction of `size` or less: the lesser of
+// eta/max(h, √(|dw/ds|/size)) and that fraction over |w|, written so that no division waits for another.
 fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
-    let change = min(3.0 * eta, 0.5);
-    let bend = sqrt(abs(orbit_rate(o.u, o.h * o.h)) / size);
-    return 1.0 / max(max(o.h, bend) / eta, abs(o.w) / (change * size));
+    let hh = o.h * o.h;
+    let turn = sqrt(size / max(hh * size, abs(orbit_rate(o.u, hh))));
+    return min(eta * turn, min(3.0 * eta, 0.5) * size / abs(o.w));
 }

@@ -7,5 +7,5 @@ fn step_ray(p: Phase, h: Real) -> Phase {
     let k2 = law_rate(p + (0.5 * h) * k1);
     let k3 = law_rate(p + (0.5 * h) * k2);
     let k4 = law_rate(p + h * k3);
-    return p + (h / 6.0) * (k1 + 2.0 * (k2 + k3) + k4);
+    return p + (h * (1.0 / 6.0)) * (k1 + 2.0 * (k2 + k3) + k4);
 }

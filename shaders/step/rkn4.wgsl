@@ -8,6 +8,7 @@ fn step_ray(p: Phase, h: Real) -> Phase {
     let a1 = law_acceleration(p[0], held);
     let a2 = law_acceleration(p[0] + (0.5 * h) * (p[1] + (0.25 * h) * a1), held);
     let a3 = law_acceleration(p[0] + h * (p[1] + (0.5 * h) * a2), held);
-    let x = p[0] + h * (p[1] + (h / 6.0) * (a1 + 2.0 * a2));
-    return Phase(x, p[1] + (h / 6.0) * (a1 + 4.0 * a2 + a3));
+    let sixth = h * (1.0 / 6.0);
+    let x = p[0] + h * (p[1] + sixth * (a1 + 2.0 * a2));
+    return Phase(x, p[1] + sixth * (a1 + 4.0 * a2 + a3));
 }

@@ -25,7 +25,16 @@ impl Times {
         repeats: usize,
         mut runs: [&mut dyn FnMut() -> Result<Duration, RenderError>; N],
     ) -> Result<[Self; N], RenderError> {
-        let mut seconds: [Vec<f64>; N] = std::array::from_fn(|_| Vec::new());
+        let mut times = Self::all_by_turns(repeats, &mut runs)?.into_iter();
+        Ok(std::array::from_fn(|_| times.next().unwrap_or(Self { median: f64::NAN, spread: f64::NAN })))
+    }
+
+    /// The same of any number of things.
+    pub fn all_by_turns(
+        repeats: usize,
+        runs: &mut [impl FnMut() -> Result<Duration, RenderError>],
+    ) -> Result<Vec<Self>, RenderError> {
+        let mut seconds = vec![Vec::new(); runs.len()];
         for repeat in 0..=repeats.max(1) {
             for (run, seconds) in runs.iter_mut().zip(&mut seconds) {
                 let time = run()?;
@@ -34,7 +43,7 @@ impl Times {
                 }
             }
         }
-        Ok(seconds.map(Self::from))
+        Ok(seconds.into_iter().map(Self::from).collect())
     }
 }
 
