@@ -24,11 +24,13 @@ const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
 const MOST_UNSTRUCTURED: usize = 10_000;
 const STRUCTURES: [(&str, Accelerate); 3] =
     [("bvh", Accelerate::Hierarchy), ("grid", Accelerate::Grid), ("none", Accelerate::None)];
-const LAWS: [(&str, &str); 2] = [
-    ("straight", "[law]\nkind = \"straight\"\n[rays]\nmax_segments = 2\n"),
+/// With the part of the viewport's width and height that is rendered by a structure.
+const LAWS: [(&str, &str, u32); 2] = [
+    ("straight", "[law]\nkind = \"straight\"\n[rays]\nmax_segments = 2\n", 1),
     (
         "Schwarzschild",
         "[law]\nkind = \"schwarzschild\"\ncenter = [0, 0, -12]\n[rays]\nmethod = \"rk4\"\nmax_segments = 100\n",
+        4,
     ),
 ];
 
@@ -39,7 +41,7 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
     let growth = "Intersection with the most triangles, over that with a thousand";
     let mut growth = Table::new("growth", growth, &["law", "structure", "triangles", "times as long"]);
     let mut plots = Vec::new();
-    for ((law, keys), plot) in LAWS.into_iter().zip(["straight", "schwarzschild"]) {
+    for ((law, keys, part), plot) in LAWS.into_iter().zip(["straight", "schwarzschild"]) {
         let mut series: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
         for wanted in COUNTS {
             let mesh = Arc::new(with_triangles(mesh, wanted));
@@ -48,7 +50,9 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
                 if accelerate == Accelerate::None && wanted > MOST_UNSTRUCTURED {
                     continue;
                 }
-                let scene = scene(bench, keys, &mesh, accelerate)?;
+                let part = if accelerate == Accelerate::None { 32 } else { part };
+                let size = bench.size.map(|side| (side / part).max(8));
+                let scene = scene(size, keys, &mesh, accelerate)?;
                 let found = measured(bench, &scene)?;
                 series.entry(name).or_default().push([count as f64, found.each * 1e9]);
                 let numbers = [found.times.median, found.times.spread, found.each * 1e9, found.build].map(Cell::from);
@@ -64,8 +68,8 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
         let series = series.into_iter().map(|(name, points)| Series { name: name.to_owned(), points }).collect();
         plots.push((plot, chart(law, series)));
     }
-    let intro = "One mesh, coarsened and cut up; a quarter of the viewport's width and height, a 32nd without a structure; \
-                 the segment schedule.";
+    let intro = "One mesh, coarsened and cut up. The segment schedule; a quarter of the viewport's width and height under \
+                 Schwarzschild, a 32nd without a structure.";
     Ok(Report {
         name: "groller",
         title: "Structures".to_owned(),
@@ -115,9 +119,12 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     Ok(Measured { times, each: times.median / segments as f64, build })
 }
 
-fn scene(bench: &Bench, keys: &str, mesh: &Arc<Mesh>, accelerate: Accelerate) -> Result<Scene, RenderError> {
-    let part = if accelerate == Accelerate::None { 32 } else { 4 };
-    let [width, height] = bench.size.map(|side| (side / part).max(8));
+fn scene(
+    [width, height]: [u32; 2],
+    keys: &str,
+    mesh: &Arc<Mesh>,
+    accelerate: Accelerate,
+) -> Result<Scene, RenderError> {
     let text = format!(
         "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 0, 14]\n{keys}bound = {{ radius = 30 }}\n\
          [materials.m]\ndiffuse = [0.8, 0.6, 0.4]\n[[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n\

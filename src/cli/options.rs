@@ -100,7 +100,7 @@ pub(super) struct DeviceFlags {
     /// Skip ended rays where they lie, not by a list of the living
     #[arg(long, conflicts_with = "no_masks")]
     no_list: bool,
-    /// K: segments of one fused pass. Without it, large pictures choose it by rendering a part of themselves
+    /// K: segments of one fused pass. Without it, large pictures choose it by rendering themselves small
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
     segments_per_pass: Option<u32>,
 }

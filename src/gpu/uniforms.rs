@@ -81,6 +81,8 @@ impl Source<'_> {
 /// The members of `schedule`.
 #[must_use]
 pub fn schedule_values(max_segments: u32, segments: u32, work: &Work) -> [(&'static str, Value); 3] {
+    // Where no mask holds an ended ray back it runs on to the end of the pass: no further than a path may go.
+    let segments = segments.min(max_segments);
     [("max_segments", Uint(max_segments)), ("segments", Uint(segments)), ("segment_work", Uint(work.segment as u32))]
 }
 
