@@ -80,6 +80,7 @@ fn accepted_step(ray: Ray) -> Ray {
         here = end;
     }
     work += steps + 1u;
+    // The step that ends is taken again here: to keep it through the loop costs more.
     if steps == 0u {
         let s = orbit_size(start, edge, calm);
         here = orbit_step(start, s);

@@ -35,8 +35,8 @@ pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Render
         name: "limit",
         title: "The device's limit".to_owned(),
         intro: vec![
-            "The bare loop moves the same rays by the same method's same steps and does nothing else: no segments, no tests for \
-             their end, no objects. Rays in straight space or in media with closed forms take no such steps."
+            "The bare loop moves the same rays by as many of the same method's steps and does nothing else: no segments, no \
+             tests for their end, no objects. Rays in straight space or in media with closed forms take no such steps."
                 .to_owned(),
         ],
         tables: vec![ceilings(bench)?, table],

@@ -11,7 +11,6 @@
 //! it does anything else, where one read serves all lanes. An array of one is copied as that one. Longer arrays stay where they
 //! are: a copy of an array is memory, which is read no faster.
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::declarations::Declaration;
@@ -25,15 +24,21 @@ const BINDING: u32 = 9;
 #[derive(Debug, Default)]
 pub(super) struct Block<'a> {
     entry: &'a str,
-    uniforms: BTreeMap<&'a str, Uniform<'a>>,
+    /// In the order of the parts.
+    uniforms: Vec<Uniform<'a>>,
 }
 
 #[derive(Debug)]
 struct Uniform<'a> {
+    name: &'a str,
     ty: &'a str,
     shape: Shape<'a>,
-    /// Its place in the parts, which is the block's order.
-    order: usize,
+}
+
+impl Uniform<'_> {
+    fn is_apart(&self) -> bool {
+        APART.contains(&self.name)
+    }
 }
 
 #[derive(Debug, PartialEq)]
@@ -48,23 +53,25 @@ impl<'a> Block<'a> {
     /// Of the declarations that the entry point reaches.
     pub(super) fn of(entry: &'a str, reached: impl Iterator<Item = &'a Declaration<'a>> + Clone) -> Self {
         let ones: Vec<&str> = reached.clone().filter(|declaration| is_one(declaration)).map(|one| one.name).collect();
-        let uniforms = reached.filter_map(uniform).enumerate().map(|(order, (name, ty))| {
+        let uniforms = reached.filter_map(uniform).map(|(name, ty)| {
             let array = ty.strip_prefix("array<").and_then(|ty| ty.strip_suffix('>')?.rsplit_once(", "));
             let shape = match array {
                 None => Shape::Single,
                 Some((element, count)) if ones.contains(&count) => Shape::One(element),
                 Some(_) => Shape::Array,
             };
-            (name, Uniform { ty, shape, order })
+            Uniform { name, ty, shape }
         });
         Self { entry, uniforms: uniforms.collect() }
     }
 
     /// Does the block stand in for this declaration?
     pub(super) fn replaces(&self, declaration: &Declaration) -> bool {
-        declaration.keyword == "var"
-            && self.uniforms.contains_key(declaration.name)
-            && !APART.contains(&declaration.name)
+        declaration.keyword == "var" && self.named(declaration.name).is_some_and(|uniform| !uniform.is_apart())
+    }
+
+    fn named(&self, name: &str) -> Option<&Uniform<'a>> {
+        self.uniforms.iter().find(|uniform| uniform.name == name)
     }
 
     /// The declaration's text, with every use of a uniform by what stands for it; the entry point reads them first.
@@ -74,9 +81,9 @@ impl<'a> Block<'a> {
         for range in declaration.identifiers.iter().filter(|_| declaration.keyword == "fn") {
             let name = &declaration.text[range.clone()];
             // What stands in an index that is left out is left out too.
-            if let Some(uniform) = self.uniforms.get(name).filter(|_| range.start >= at) {
+            if let Some(uniform) = self.named(name).filter(|_| range.start >= at) {
                 text.push_str(&declaration.text[at..range.start]);
-                text.push_str(&self.stand_in(name, uniform));
+                text.push_str(&self.stand_in(uniform));
                 at = range.end;
                 if matches!(uniform.shape, Shape::One(_)) {
                     at += index_length(&declaration.text[at..]);
@@ -85,15 +92,20 @@ impl<'a> Block<'a> {
         }
         text.push_str(&declaration.text[at..]);
         if declaration.name == self.entry && self.held().next().is_some() {
-            text = text.replacen('{', "{ read_uniforms();", 1);
+            // Its body opens behind its name: the comment above may have braces of its own.
+            let signature = text.find(&format!("fn {}(", self.entry)).unwrap_or(0);
+            if let Some(brace) = text[signature..].find('{') {
+                text.insert_str(signature + brace + 1, " read_uniforms();");
+            }
         }
         text
     }
 
     /// What a use of a uniform is written as: a copy of those in the block has their own name.
-    fn stand_in(&self, name: &str, uniform: &Uniform) -> String {
+    fn stand_in(&self, uniform: &Uniform) -> String {
+        let name = uniform.name;
         match uniform.shape {
-            _ if APART.contains(&name) => format!("own_{name}"),
+            _ if uniform.is_apart() => format!("own_{name}"),
             Shape::Array => format!("{}.{name}", self.name()),
             Shape::Single | Shape::One(_) => name.to_owned(),
         }
@@ -103,35 +115,29 @@ impl<'a> Block<'a> {
         format!("uniforms_{}", self.entry)
     }
 
-    /// Those that are copied, in order.
-    fn held(&self) -> impl Iterator<Item = (&str, &Uniform<'a>)> {
-        self.in_order().into_iter().filter(|(_, uniform)| uniform.shape != Shape::Array)
-    }
-
-    fn in_order(&self) -> Vec<(&str, &Uniform<'a>)> {
-        let mut all: Vec<_> = self.uniforms.iter().map(|(name, uniform)| (*name, uniform)).collect();
-        all.sort_by_key(|(_, uniform)| uniform.order);
-        all
+    /// Those that are copied.
+    fn held(&self) -> impl Iterator<Item = &Uniform<'a>> {
+        self.uniforms.iter().filter(|uniform| uniform.shape != Shape::Array)
     }
 
     /// The block's own declaration, the copies' and the function that fills them; empty if there are no uniforms.
     pub(super) fn declaration(&self) -> String {
         let mut text = String::new();
-        let members: Vec<_> = self.in_order().into_iter().filter(|(name, _)| !APART.contains(name)).collect();
+        let members: Vec<_> = self.uniforms.iter().filter(|uniform| !uniform.is_apart()).collect();
         // Writing to a String cannot fail.
         if !members.is_empty() {
             // 32 is a multiple of what any member wants, vectors of f64 included.
             text += "struct Uniforms {\n";
-            for (name, uniform) in &members {
-                let _ = writeln!(text, "    @align(32) {name}: {},", uniform.ty);
+            for Uniform { name, ty, .. } in members {
+                let _ = writeln!(text, "    @align(32) {name}: {ty},");
             }
             let _ = writeln!(text, "}}\n\n@group(0) @binding({BINDING}) var<uniform> {}: Uniforms;\n", self.name());
         }
         let (mut copies, mut reads) = (String::new(), String::new());
-        for (name, uniform) in self.held() {
-            let copy = self.stand_in(name, uniform);
+        for uniform in self.held() {
+            let (name, copy) = (uniform.name, self.stand_in(uniform));
             let (ty, index) = if let Shape::One(element) = uniform.shape { (element, "[0]") } else { (uniform.ty, "") };
-            let read = if APART.contains(&name) { name.to_owned() } else { format!("{}.{name}{index}", self.name()) };
+            let read = if uniform.is_apart() { name.to_owned() } else { format!("{}.{name}{index}", self.name()) };
             let _ = writeln!(copies, "var<private> {copy}: {ty};");
             let _ = writeln!(reads, "    {copy} = {read};");
         }

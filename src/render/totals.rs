@@ -128,13 +128,13 @@ impl Totals {
         [Status::Alive, Status::Exhausted, Status::Stalled, Status::Failed].into_iter().map(|s| self.count(s)).sum()
     }
 
-    /// Adds a tile's tally, the words of `Tally` in `shaders/tally/totals.wgsl`.
     /// Rays in a tally whose walks did not end: left alive by passes that ran out, or stopped by the termination.
     pub(super) fn unfinished(words: &[u32]) -> u32 {
         let fate = |name: &str| words[6 + constant("ray", name) as usize];
         fate("ALIVE") + fate("UNFINISHED")
     }
 
+    /// Adds a tile's tally, the words of `Tally` in `shaders/tally/totals.wgsl`.
     pub(super) fn add_tally(&mut self, words: &[u32]) {
         let wide = |i: usize| u64::from(words[i]) + (u64::from(words[i + 1]) << 32);
         self.steps += wide(0);
