@@ -7,6 +7,8 @@ struct Turn {
     end: u32,
     // 1 where a segment's walk is gone on with.
     again: u32,
+    // 1 for a round's first segments: they run over what its setup ran over, whether it lives or not.
+    first: u32,
 }
 
 @group(0) @binding(6) var<uniform> turn: Turn;

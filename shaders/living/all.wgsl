@@ -9,4 +9,5 @@ fn ray_wanted(code: u32) -> bool {
 }
 
 fn keep_living(alive: bool, pixel: vec2u, lane: u32) {
+    workgroupBarrier();
 }

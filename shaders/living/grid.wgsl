@@ -19,7 +19,7 @@ fn keep_living(alive: bool, pixel: vec2u, lane: u32) {
     }
     workgroupBarrier();
     if lane == 0u && atomicLoad(&any_alive) == 1u {
-        let groups = (frame.size + 7u) / 8u;
+        let groups = (frame.size + group_extent() - 1u) / group_extent();
         atomicMax(&living_out.x, groups.x);
         atomicMax(&living_out.y, groups.y);
         atomicMax(&living_out.z, 1u);

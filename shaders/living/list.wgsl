@@ -1,5 +1,6 @@
 // A list of the pixels whose rays still live: passes run over it by indirect dispatch, so that ended rays cost nothing. Each
-// group counts its own living rays and takes room for all of them at once; the leader raises the next pass's group count.
+// group counts its own living rays and takes room for all of them at once; the leader raises the next pass's group count. A round's
+// first segments need no list: nearly all of its rays live.
 
 struct LivingRead {
     x: u32,
@@ -20,7 +21,10 @@ var<workgroup> group_living: atomic<u32>;
 var<workgroup> group_first: u32;
 
 fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
-    let i = (group.y * groups.x + group.x) * 64u + lane;
+    if turn.first == 1u && frame.listed == 0u {
+        return grid_pixel(group, lane);
+    }
+    let i = (group.y * groups.x + group.x) * GROUP + lane;
     let packed = list_in[min(i, arrayLength(&list_in) - 1u)];
     let valid = i < living_in.count;
     return Place(select(vec2u(0u), vec2u(packed & 0xffffu, packed >> 16u), valid), valid);
@@ -40,7 +44,7 @@ fn keep_living(alive: bool, pixel: vec2u, lane: u32) {
         let count = atomicLoad(&group_living);
         if count > 0u {
             let first = atomicAdd(&living_out.count, count);
-            let needed = (first + count + 63u) / 64u;
+            let needed = (first + count + GROUP - 1u) / GROUP;
             atomicMax(&living_out.x, min(needed, ROW));
             atomicMax(&living_out.y, (needed + ROW - 1u) / ROW);
             atomicMax(&living_out.z, 1u);

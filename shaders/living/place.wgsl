@@ -1,5 +1,11 @@
 // Which pixel an invocation works on, and the arguments of indirect dispatches.
 
+// Pixels of one workgroup.
+const GROUP: u32 = 64u;
+// How many of them lie side by side. Squares end together, and long rows are read ahead: which counts for more is known of the
+// device, so that the host may set another number.
+override GROUP_WIDTH: u32 = 8u;
+
 struct Place {
     // Always one of the tile's, so that nothing outside it is ever read.
     pixel: vec2u,
@@ -14,9 +20,17 @@ struct Living {
     count: atomic<u32>,
 }
 
+// Width and height of a workgroup.
+fn group_extent() -> vec2u {
+    return vec2u(GROUP_WIDTH, GROUP / GROUP_WIDTH);
+}
+
+// Which rays go on is told by keep_living(alive, pixel, lane) of this folder's other files. Every lane calls it, and it is a barrier
+// of the group: what its lanes have tallied before is complete behind it.
+
 // Of dispatches over the whole grid of pixels.
 fn grid_pixel(group: vec3u, lane: u32) -> Place {
-    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
+    let pixel = group.xy * group_extent() + vec2u(lane % GROUP_WIDTH, lane / GROUP_WIDTH);
     let valid = all(pixel < frame.size);
     return Place(select(vec2u(0u), pixel, valid), valid);
 }

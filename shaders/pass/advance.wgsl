@@ -2,7 +2,7 @@
 // only between passes. A pass ends at a segment's boundary, before the device's limit of loop iterations, or where a walk is
 // suspended.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn advance(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,

@@ -1,7 +1,7 @@
 // As pass/advance.wgsl, with ended rays run along, for the comparison with masks: what runs on beside the ray that is kept is twice
 // the state. Where a ray may go on from a surface it waits there.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn advance(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,

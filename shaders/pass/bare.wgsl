@@ -3,7 +3,7 @@
 
 @group(0) @binding(118) var<storage, read> wanted_steps: array<u32>;
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn bare(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
     let spot = grid_pixel(group, lane);
     let word = load_status(spot.pixel);

@@ -1,6 +1,6 @@
 // One segment of every ray (`segment`): N steps inside.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn integrate(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,
@@ -19,7 +19,10 @@ fn integrate(
         store_ray(spot.pixel, next);
         store_counts(spot.pixel, next);
         store_taken(spot.pixel, next.taken);
+        tally_steps(next.steps - ray.steps);
+        tally_rejections(next.rejected - ray.rejected);
     }
-    tally_steps(select(0u, next.steps - ray.steps, alive), lane);
-    tally_rejections(select(0u, next.rejected - ray.rejected, alive), lane);
+    workgroupBarrier();
+    total_steps(lane);
+    total_rejections(lane);
 }

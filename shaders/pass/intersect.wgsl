@@ -1,6 +1,6 @@
 // Every segment against the scene (W04 §3.3). Run again where a walk may be suspended: what is complete is left alone.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn intersect(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,

@@ -14,25 +14,25 @@ struct Record {
 
 @group(0) @binding(115) var<storage, read_write> records: array<Record>;
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn record(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let pixel = group.xy * vec2u(8u) + vec2u(lane % 8u, lane / 8u);
-    let valid = all(pixel < frame.size);
-    var code = ALIVE;
-    if valid {
+    let spot = grid_pixel(group, lane);
+    let pixel = spot.pixel;
+    if spot.valid {
         load_region(pixel);
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, pixel);
-        code = ray.status;
         let depth = Real(ray.index) + seen.end.fraction;
         let i = pixel.y * frame.size.x + pixel.x;
         records[i] = Record(
-            seen.end.x, seen.end.tau, seen.end.v, depth, code, ray.steps, ray.rejected, seen.object,
+            seen.end.x, seen.end.tau, seen.end.v, depth, ray.status, ray.steps, ray.rejected, seen.object,
         );
+        tally_fate(ray.status);
     }
-    tally_fate(valid, code, lane);
+    workgroupBarrier();
+    total_fates(lane);
 }

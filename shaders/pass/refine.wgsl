@@ -82,7 +82,7 @@ fn judged(m: Moments, n: u32) -> Moments {
     return m;
 }
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn refine(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,

@@ -1,7 +1,7 @@
 // Rays that met a surface they go on from (in the schedules that have a pass for each stage): refracted or reflected there, each
 // is under way again, in the slot where its segment's end would have been.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn scatter(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,

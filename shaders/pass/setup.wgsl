@@ -1,6 +1,6 @@
 // Ray setup (W04 §3.1): the camera's rays into the first slot of the state.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn setup(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,
@@ -31,5 +31,4 @@ fn setup(
         store_status(pixel, status_word(ray.status, 0u, 0u));
         clear_hit(pixel);
     }
-    keep_living(spot.valid && ray.status == ALIVE, pixel, lane);
 }

@@ -1,7 +1,7 @@
 // Deferred local illumination (W04 §3.4, §7): once per ray, after all segments. What could not be followed stays black, and is
 // counted and shown in the status output, never painted as sky.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn shade(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,
@@ -9,14 +9,13 @@ fn shade(
 ) {
     let spot = round_pixel(group, groups, lane);
     let pixel = spot.pixel;
-    var code = ALIVE;
     let followed = spot.valid && status_code(load_status(pixel)) != RESTING;
     if followed {
         load_region(pixel);
         load_weight(pixel);
         let ray = load_ended(pixel);
         let seen = seen_at(ray, pixel);
-        code = ray.status;
+        let code = ray.status;
         var color = seen.color;
         if code == ESCAPED || code == MISSED {
             color = sky_radiance(vec3f(normalize(seen.end.v)));
@@ -25,7 +24,8 @@ fn shade(
         add_coverage(pixel, code);
         keep_layers(pixel, ray, seen);
         keep_corner(pixel, ray, seen);
+        tally_fate(code);
     }
-    tally_fate(followed, code, lane);
     end_round(followed, pixel, lane);
+    total_fates(lane);
 }

@@ -1,6 +1,6 @@
 // Which rays ended with this segment (W04 §4.1). An ended ray stays at the segment's start; the others go on from its end.
 
-@compute @workgroup_size(8, 8)
+@compute @workgroup_size(GROUP)
 fn terminate(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,
@@ -17,7 +17,8 @@ fn terminate(
     if alive {
         let next = status_word(ALIVE, turn.end, index + 1u);
         store_status(spot.pixel, select(status_word(fate, turn.start, index), next, lives));
+        tally_segments(1u);
     }
-    tally_segments(u32(alive), lane);
     keep_living(lives || (alive && may_go_on(fate)), spot.pixel, lane);
+    total_segments(lane);
 }

@@ -8,4 +8,5 @@ fn round_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
 }
 
 fn end_round(followed: bool, pixel: vec2u, lane: u32) {
+    workgroupBarrier();
 }

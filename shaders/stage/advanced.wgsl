@@ -15,10 +15,12 @@ fn finish_advance(spot: Place, alive: bool, before: Ray, ray: Ray, end: Hit, lan
         store_region(spot.pixel);
         store_weight(spot.pixel);
         store_branches(spot.pixel);
+        tally_steps(ray.steps - before.steps);
+        tally_segments(ray.index - before.index + u32(!lives));
+        tally_rejections(ray.rejected - before.rejected);
     }
-    let passed = select(0u, ray.index - before.index + u32(!lives), alive);
-    tally_steps(ray.steps - before.steps, lane);
-    tally_segments(passed, lane);
-    tally_rejections(ray.rejected - before.rejected, lane);
     keep_living(lives, spot.pixel, lane);
+    total_steps(lane);
+    total_segments(lane);
+    total_rejections(lane);
 }

@@ -1,4 +1,7 @@
 // The control rejects nothing.
 
-fn tally_rejections(n: u32, lane: u32) {
+fn tally_rejections(n: u32) {
+}
+
+fn total_rejections(lane: u32) {
 }

@@ -20,10 +20,13 @@ struct Tally {
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_segments: atomic<u32>;
 
-// Each of these is called by every lane of the group, and adds to the device's total once for all of them.
-fn tally_steps(n: u32, lane: u32) {
+// Each ray's part is added up within its group first. `tally_…` is called by every lane that has something to add, `total_…` by
+// every lane, behind a barrier of the group: once for all of them it adds to the device's totals.
+fn tally_steps(n: u32) {
     atomicAdd(&group_steps, n);
-    workgroupBarrier();
+}
+
+fn total_steps(lane: u32) {
     if lane == 0u {
         let sum = atomicLoad(&group_steps);
         if atomicAdd(&tally.steps, sum) > 0xffffffffu - sum {
@@ -32,9 +35,11 @@ fn tally_steps(n: u32, lane: u32) {
     }
 }
 
-fn tally_segments(n: u32, lane: u32) {
+fn tally_segments(n: u32) {
     atomicAdd(&group_segments, n);
-    workgroupBarrier();
+}
+
+fn total_segments(lane: u32) {
     if lane == 0u {
         let sum = atomicLoad(&group_segments);
         if atomicAdd(&tally.segments, sum) > 0xffffffffu - sum {
@@ -45,12 +50,11 @@ fn tally_segments(n: u32, lane: u32) {
 
 var<workgroup> group_fates: array<atomic<u32>, FATES>;
 
-// Called by every lane of the group.
-fn tally_fate(counts: bool, code: u32, lane: u32) {
-    if counts {
-        atomicAdd(&group_fates[min(code, FATES - 1u)], 1u);
-    }
-    workgroupBarrier();
+fn tally_fate(code: u32) {
+    atomicAdd(&group_fates[min(code, FATES - 1u)], 1u);
+}
+
+fn total_fates(lane: u32) {
     if lane < FATES {
         let n = atomicLoad(&group_fates[lane]);
         if n > 0u {

@@ -9,6 +9,10 @@ use wgpu::{
 };
 
 use super::{GpuError, Pipeline};
+use crate::program::constant;
+
+/// The number of `shaders/living/place.wgsl` that a device has its own of.
+pub(super) const GROUP_WIDTH: &str = "GROUP_WIDTH";
 
 /// An open device.
 #[derive(Debug)]
@@ -25,6 +29,8 @@ pub struct Gpu {
     pub timestamps: bool,
     /// Does WGSL have f64 there?
     pub f64: bool,
+    /// Width and height of the block of pixels that one workgroup takes.
+    pub group: [u32; 2],
     compiled: Mutex<VecDeque<(String, Pipeline)>>,
 }
 
@@ -67,6 +73,15 @@ fn found() -> Vec<Adapter> {
         DeviceType::Cpu => 4,
     });
     all
+}
+
+/// A processor runs the lanes of a row side by side and fetches memory ahead along it: there a workgroup is one row, by which
+/// passes are 1.03 to 1.1 times as fast as by squares.
+fn group_extent(device: DeviceType) -> [u32; 2] {
+    let number = |name| constant("living/place", name) as u32;
+    let pixels = number("GROUP");
+    let across = if device == DeviceType::Cpu { pixels } else { number(GROUP_WIDTH) };
+    [across, pixels / across]
 }
 
 /// Every adapter and what it can do, in the order in which they would be chosen.
@@ -114,7 +129,8 @@ impl Gpu {
             .map_err(|error| GpuError::Refused { device: info.name.clone(), reason: error.to_string() })?;
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
         let f64 = features.contains(Features::SHADER_F64);
-        Ok(Self { device, queue, info, limits, timestamps, f64, compiled: Mutex::default() })
+        let group = group_extent(info.device_type);
+        Ok(Self { device, queue, info, limits, timestamps, f64, group, compiled: Mutex::default() })
     }
 
     /// The pass whose WGSL this is, if it was compiled lately: a method that is tried has most passes of the picture's own program.

@@ -9,6 +9,7 @@ use wgpu::{
     TextureViewDimension,
 };
 
+use super::device::GROUP_WIDTH;
 use super::{Gpu, GpuError, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
@@ -80,12 +81,16 @@ impl Pipeline {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
+        let width = (GROUP_WIDTH, f64::from(gpu.group[0]));
+        let known: &[_] = if reflection.overrides.iter().any(|name| name == GROUP_WIDTH) { &[width] } else { &[] };
+        let compilation_options =
+            PipelineCompilationOptions { constants: known, ..PipelineCompilationOptions::default() };
         let pipeline = gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
             label,
             layout: Some(&pipeline_layout),
             module: &module,
             entry_point: label,
-            compilation_options: PipelineCompilationOptions::default(),
+            compilation_options,
             cache: None,
         });
         if let Some(error) = pollster::block_on(scope.pop()) {

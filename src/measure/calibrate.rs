@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use super::methods::between;
 use super::refined::{self, Found};
-use super::{Candidate, Deviations, Truth, blocks, fast_methods, method_words, scattered};
+use super::{Candidate, Deviations, Truth, fast_methods, groups, method_words, scattered};
 use crate::gpu::Gpu;
 use crate::program::{Choice, Layer, Purpose, Schedule};
 use crate::render::{RenderError, Renderer, Settings, Starts};
@@ -17,8 +17,8 @@ use crate::scene::{Control, Method, Scene};
 
 /// Rays whose error is measured.
 const RAYS: usize = 4000;
-/// Squares of 64 rays whose time is.
-const BLOCKS: usize = 128;
+/// Workgroups whose time is.
+const GROUPS: usize = 128;
 const REPEATS: usize = 3;
 const REFINEMENTS: usize = 2;
 /// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
@@ -175,7 +175,7 @@ impl<'a> Trials<'a> {
         let choice = Choice { purpose, layers: Vec::new(), ..settings.choice.clone() };
         let settings = Settings { choice, ..settings.clone() };
         let size = scene.image.size;
-        let (pixels, timed) = (scattered(size, RAYS, 1), blocks(size, BLOCKS));
+        let (pixels, timed) = (scattered(size, RAYS, 1), groups(size, gpu.group, GROUPS));
         let given =
             given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
         let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
@@ -231,7 +231,7 @@ impl<'a> Trials<'a> {
 
     /// Seconds of a ray, the median of a few runs.
     fn time(&self, renderer: &Renderer) -> Result<f64, RenderError> {
-        let starts = if self.given.is_some() { self.starts() } else { Starts::Pixels(&self.timed, 8) };
+        let starts = if self.given.is_some() { self.starts() } else { Starts::Pixels(&self.timed, self.gpu.group[0]) };
         let mut times = Vec::new();
         for _ in 0..REPEATS {
             let (rays, totals) = renderer.follow(starts)?;

@@ -27,7 +27,7 @@ pub use deviation::{Deviations, Quantiles};
 pub use drift::{drift, kept};
 pub use focus::{Focus, focus};
 pub use methods::{Candidate, all_methods, evaluations, fast_methods, method_words};
-pub use sample::{blocks, every_pixel, scattered};
+pub use sample::{every_pixel, groups, scattered};
 pub use truth::{Truth, double_device, reference};
 pub use verify::{Verification, verify};
 pub use winding::windings;

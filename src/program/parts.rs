@@ -35,7 +35,8 @@ pub fn all_parts() -> Vec<Part> {
     parts
 }
 
-/// The number that the constant `name` of a part is set to: WGSL is the one place where it is written.
+/// The number that the constant `name` of a part is set to, or that one has which the host may override: WGSL is the one place
+/// where it is written.
 ///
 /// # Panics
 ///
@@ -43,7 +44,8 @@ pub fn all_parts() -> Vec<Part> {
 #[must_use]
 pub fn constant(part_name: &str, name: &str) -> f64 {
     let part = part(part_name).unwrap_or_else(|| panic!("no part {part_name}"));
-    let declared = declarations(part.text).into_iter().find(|d| d.keyword == "const" && d.name == name);
+    let declared =
+        declarations(part.text).into_iter().find(|d| matches!(d.keyword, "const" | "override") && d.name == name);
     let value = declared.and_then(|d| number(d.text.split_once('=')?.1));
     value.unwrap_or_else(|| panic!("{part_name} has no constant {name} with a plain number"))
 }

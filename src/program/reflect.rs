@@ -14,6 +14,8 @@ pub struct Reflection {
     pub bindings: Vec<Binding>,
     /// Does it compute in 64 bits?
     pub doubles: bool,
+    /// The numbers that the host may override.
+    pub overrides: Vec<String>,
 }
 
 /// One resource that a program binds, in group 0.
@@ -108,7 +110,8 @@ pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
     bindings.sort_by_key(|binding| binding.number);
     let double = |inner: &TypeInner| inner.scalar().is_some_and(|scalar| scalar == naga::Scalar::F64);
     let doubles = module.types.iter().any(|(_, ty)| double(&ty.inner));
-    Ok(Reflection { entry: linked.entry.clone(), bindings, doubles })
+    let overrides = module.overrides.iter().filter_map(|(_, own)| own.name.clone()).collect();
+    Ok(Reflection { entry: linked.entry.clone(), bindings, doubles, overrides })
 }
 
 /// The program as naga sees it, valid in every respect.

@@ -78,18 +78,42 @@ pub struct Renderer<'a> {
 #[derive(Debug, Default)]
 pub(super) struct Plan {
     pub steps: Vec<Step>,
-    /// What differs between steps: (start slot, end slot, again).
-    pub turns: Vec<(usize, usize, bool)>,
+    /// What differs between steps.
+    pub turns: Vec<Turn>,
     pub batch: Batch,
 }
 
 impl Plan {
     fn new(steps: Vec<Step>, rounds: u32) -> Self {
-        let mut turns: Vec<_> = steps.iter().map(turn_of).collect();
+        let mut turns: Vec<_> = steps.iter().map(Turn::of).collect();
         turns.sort_unstable();
         turns.dedup();
         let batch = Batch::of(&steps, rounds);
         Self { steps, turns, batch }
+    }
+}
+
+/// What a pass is told of its step: `shaders/turn.wgsl`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Turn {
+    start: usize,
+    end: usize,
+    again: bool,
+    first: bool,
+}
+
+impl Turn {
+    pub(super) fn of(step: &Step) -> Self {
+        Self { start: step.slots.start, end: step.slots.end, again: step.again, first: step.first }
+    }
+
+    fn row(self) -> [(&'static str, Value); 4] {
+        [
+            ("start", Uint(self.start as u32)),
+            ("end", Uint(self.end as u32)),
+            ("again", Uint(self.again.into())),
+            ("first", Uint(self.first.into())),
+        ]
     }
 }
 
@@ -118,10 +142,6 @@ pub(super) struct Refines {
     pub listed: bool,
     /// Their list, and the one of those that go on.
     pub lists: [usize; 2],
-}
-
-pub(super) fn turn_of(step: &Step) -> (usize, usize, bool) {
-    (step.slots.start, step.slots.end, step.again)
 }
 
 impl<'a> Renderer<'a> {
@@ -238,9 +258,8 @@ impl<'a> Renderer<'a> {
             return Err(GpuError::Lost(error.to_string()));
         }
         if let Some(turn) = self.binding_layout("turn") {
-            for (i, &(start, end, again)) in turns.iter().enumerate() {
-                let row = [("start", Uint(start as u32)), ("end", Uint(end as u32)), ("again", Uint(again.into()))];
-                self.write(&tile, "turn", i as u64 * TURN_STRIDE, &pack("turn", turn, [row])?);
+            for (i, own) in turns.iter().enumerate() {
+                self.write(&tile, "turn", i as u64 * TURN_STRIDE, &pack("turn", turn, [own.row()])?);
             }
         }
         Ok(tile)

@@ -15,7 +15,7 @@ use wgpu::{
 
 use super::Renderer;
 use super::clock::{Clock, Stage};
-use super::renderer::{Frame, Refines, turn_of};
+use super::renderer::{Frame, Refines, Turn};
 use super::schedule::{Dispatch, Step, refining};
 use crate::gpu::{GpuError, OPEN, Slots, TURN_STRIDE, Tile};
 use crate::program::Pass;
@@ -187,7 +187,7 @@ impl<'r, 'a> Runner<'r, 'a> {
 
     /// Where in the per-pass buffers the step's own parts lie.
     fn offsets(&self, step: &Step, round: u32) -> Vec<u32> {
-        let turn = self.renderer.plan().turns.binary_search(&turn_of(step)).unwrap_or(0) as u64;
+        let turn = self.renderer.plan().turns.binary_search(&Turn::of(step)).unwrap_or(0) as u64;
         let [read, written] = self.renderer.plan().batch.parts(step, round);
         Tile::offsets(&self.renderer.pipelines, step.pass)
             .into_iter()
@@ -209,7 +209,10 @@ impl<'r, 'a> Runner<'r, 'a> {
         };
         match self.tile.living(step.slots.in_round(round).list[0]) {
             Some(buffer) if indirect => pass.dispatch_workgroups_indirect(buffer, read * TURN_STRIDE),
-            _ => pass.dispatch_workgroups(self.tile.size[0].div_ceil(8), self.tile.size[1].div_ceil(8), 1),
+            _ => {
+                let [across, down] = self.renderer.gpu.group;
+                pass.dispatch_workgroups(self.tile.size[0].div_ceil(across), self.tile.size[1].div_ceil(down), 1);
+            }
         }
     }
 

@@ -31,6 +31,8 @@ pub struct Step {
     pub living: u64,
     /// Does it go on with a walk that was suspended?
     pub again: bool,
+    /// Is it of the first segments, which run over the same pixels as the setup?
+    pub first: bool,
     /// Integration steps of one ray in it, at most: its weight when the work is split into submissions.
     pub weight: u64,
 }
@@ -40,7 +42,7 @@ pub struct Step {
 pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, segments: u32) -> Vec<Step> {
     let open = choice.lists_open(scene);
     let mut recorded = Recorder { choice, max_segments, open, steps: Vec::new() };
-    recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: [OPEN, 0] }, 0, 1);
+    recorded.push(Pass::Setup, Slots { input: 0, output: 0, start: 0, end: 0, list: [0; 2] }, 0, 1);
     let n = match scene.rays.segment {
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
@@ -64,7 +66,7 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
 pub(super) fn refining(refines: Refines, masks: Masks) -> Step {
     let dispatch = if refines.listed && masks != Masks::Off { Dispatch::Living } else { Dispatch::Grid };
     let slots = Slots { input: 0, output: 0, start: 0, end: 0, list: refines.lists };
-    Step { pass: Pass::Refine, slots, dispatch, round: 0, living: 0, again: false, weight: 1 }
+    Step { pass: Pass::Refine, slots, dispatch, round: 0, living: 0, again: false, first: false, weight: 1 }
 }
 
 /// Rounds of a sample that write to parts of their own of the lists, so that these are cleared once for all of them.
@@ -91,11 +93,11 @@ impl Batch {
         let [read, written] = step.slots.list;
         match [read, written].map(|list| list < OPEN) {
             // Of the lists of those that want more samples there is one part each.
-            [false, true] if read >= WANTED => [0, first],
+            [false, true] if read >= WANTED => [0, first + step.living + 1],
             [false, false] if read >= WANTED => [0, round % open],
             [true, _] => [first + step.living, first + step.living + 1],
             // What a round leaves open is the next one's work.
-            [false, true] => [(round + open - 1) % open, first],
+            [false, true] => [(round + open - 1) % open, first + step.living + 1],
             [false, false] => [(round + open - 1) % open, round % open],
         }
     }
@@ -109,14 +111,19 @@ struct Recorder<'a> {
 }
 
 impl Recorder<'_> {
-    fn push(&mut self, pass: Pass, slots: Slots, round: u64, weight: u64) {
+    fn push(&mut self, pass: Pass, mut slots: Slots, round: u64, weight: u64) {
         let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record | Pass::Bare);
-        let dispatch = match once {
+        // What the first segments' termination lists is the first list there is.
+        let first = !once && round == 0 && pass != Pass::Scatter;
+        let dispatch = match once || first {
             true if self.open => Dispatch::Open,
             false if self.choice.masks != Masks::Off => Dispatch::Living,
             _ => Dispatch::Grid,
         };
-        self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, weight });
+        if dispatch == Dispatch::Open {
+            slots.list[0] = OPEN;
+        }
+        self.steps.push(Step { pass, slots, dispatch, round, living: round, again: false, first, weight });
     }
 
     /// As many rounds as are needed; those that nothing lives to see cost next to nothing.
@@ -187,17 +194,18 @@ mod tests {
     use super::*;
     use crate::program::{Extent, Purpose};
 
-    fn scene(segment: &str) -> Scene {
+    fn scene(segment: &str, image: &str) -> Scene {
         let text = format!(
             "[law]\nkind = \"schwarzschild\"\n[rays]\nmax_segments = 6\n{segment}\nbound = {{ radius = 50 }}\n\
              [materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
-             [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [9, 0, 0]\n"
+             [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [9, 0, 0]\n\
+             [image]\n{image}\n"
         );
         Scene::parse(&text, std::path::Path::new("test.toml"), &[]).unwrap()
     }
 
-    fn recorded(schedule: Schedule, segment: &str) -> Vec<Step> {
-        let scene = scene(segment);
+    fn recorded(schedule: Schedule, segment: &str, image: &str) -> Vec<Step> {
+        let scene = scene(segment, image);
         let choice = Choice { schedule, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() };
         let work = Work::of(&scene, Extent::default()).unwrap();
         steps(&scene, &choice, &work, scene.rays.max_segments, 4)
@@ -209,7 +217,7 @@ mod tests {
         {
             for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
                 let mut written = 0;
-                for step in recorded(schedule, segment) {
+                for step in recorded(schedule, segment, "") {
                     if matches!(step.pass, Pass::SingleStep | Pass::Integrate | Pass::Advance) {
                         assert_eq!(step.slots.input, written, "{schedule:?} {segment}: {step:?}");
                         assert_ne!(step.slots.output, step.slots.input);
@@ -226,23 +234,41 @@ mod tests {
 
     #[test]
     fn a_round_reads_what_the_one_before_left_open() {
-        let steps = recorded(Schedule::Fused, "");
-        let [Some(setup), Some(last)] = [steps.first(), steps.last()] else { panic!("no steps") };
+        // Adaptive pictures list what is open.
+        let steps = recorded(Schedule::Fused, "", "adaptive = 0.05");
+        let [Some(setup), Some(advance), Some(last)] = [steps.first(), steps.get(1), steps.last()] else {
+            panic!("no steps")
+        };
         let batch = Batch { rounds: 3, living: 5 };
         for round in 1..20 {
             let list = |step: &Step, round: u32| step.slots.in_round(round).list;
-            let ([read, first], [_, written]) = (batch.parts(setup, round), batch.parts(last, round - 1));
+            let ([read, _], [_, written]) = (batch.parts(setup, round), batch.parts(last, round - 1));
+            let [started, living] = batch.parts(advance, round);
             assert_eq!((read, list(setup, round)[0]), (written, list(last, round - 1)[1]));
             assert_eq!((read, list(setup, round)[0]), (batch.parts(last, round)[0], list(last, round)[0]));
             // Half of the parts are cleared before a batch, in which these must not lie.
             assert_ne!(round % 3 == 0, read / 3 == u64::from(round) / 3 % 2);
-            assert_eq!((first, list(setup, round)[1]), (u64::from(round) % 3 * 5, 0));
+            assert_eq!((read, list(setup, round)[0]), (started, list(advance, round)[0]));
+            assert_eq!((living, list(advance, round)[1]), (u64::from(round) % 3 * 5 + 1, 1));
+        }
+    }
+
+    #[test]
+    fn the_first_segments_run_over_what_setup_ran_over() {
+        for (image, dispatch) in [("", Dispatch::Grid), ("adaptive = 0.05", Dispatch::Open)] {
+            for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
+                for step in recorded(schedule, "", image) {
+                    let once = matches!(step.pass, Pass::Setup | Pass::Shade);
+                    assert_eq!(step.first, !once && step.round == 0, "{schedule:?}: {step:?}");
+                    assert_eq!(step.dispatch, if once || step.first { dispatch } else { Dispatch::Living }, "{step:?}");
+                }
+            }
         }
     }
 
     #[test]
     fn paper_has_one_pass_a_step() {
-        let steps = recorded(Schedule::Paper, "segment = \"chord\"\nsteps_per_segment = 3");
+        let steps = recorded(Schedule::Paper, "segment = \"chord\"\nsteps_per_segment = 3", "");
         let count = |pass| steps.iter().filter(|step| step.pass == pass).count();
         assert_eq!((count(Pass::SingleStep), count(Pass::Intersect), count(Pass::Terminate)), (18, 6, 6));
     }
