@@ -19,7 +19,7 @@ use crate::scene::{Control, Method, Scene};
 const RAYS: usize = 4000;
 /// Workgroups whose time is.
 const GROUPS: usize = 128;
-const REPEATS: usize = 3;
+const REPEATS: usize = 7;
 const REFINEMENTS: usize = 2;
 /// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
 const MARGIN: f64 = 0.9;
@@ -130,21 +130,22 @@ pub fn calibrate(
 ) -> Result<Option<Calibration>, RenderError> {
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
     let rays = Trials::new(gpu, scene, settings, given, accuracy)?;
-    let mut tried = Vec::new();
-    let mut best: Option<Trial> = None;
-    for candidate in fast_methods(scene) {
-        let trial = rays.first_right(&candidate)?;
-        let better = |best: &Trial| trial.error < best.error;
-        if best.as_ref().is_none_or(better) {
-            best = Some(trial);
-        }
-        if trial.error <= MARGIN * accuracy {
-            tried.push(trial);
-        }
+    let candidates: Vec<_> = fast_methods(scene).into_iter().map(|candidate| rays.prepared(candidate)).collect();
+    let mut trials = Vec::new();
+    for (candidate, scene) in &candidates {
+        trials.push(rays.first_right(candidate, scene)?);
     }
-    let fastest = tried.iter().min_by(|a, b| a.time.total_cmp(&b.time)).copied();
-    let Some(chosen) = fastest.or(best) else { return Ok(None) };
-    let schedule = rays.schedule(&chosen)?;
+    let renderers: Vec<_> = trials.iter().map(|(_, renderer)| renderer).collect();
+    let times = rays.times(&renderers)?;
+    for ((trial, _), time) in trials.iter_mut().zip(times) {
+        trial.time = time;
+    }
+    let right = |trial: &Trial| trial.error <= MARGIN * accuracy;
+    let fastest = trials.iter().filter(|(trial, _)| right(trial)).min_by(|a, b| a.0.time.total_cmp(&b.0.time));
+    let best = || trials.iter().min_by(|a, b| a.0.error.total_cmp(&b.0.error));
+    let Some((chosen, renderer)) = fastest.or_else(best) else { return Ok(None) };
+    let (chosen, schedule) = (*chosen, rays.schedule(chosen, renderer)?);
+    let tried = trials.into_iter().map(|(trial, _)| trial).filter(right).collect();
     let (unresolved, layers) = (rays.truth.unresolved(), settings.choice.layers.clone());
     Ok(Some(Calibration { accuracy, chosen, schedule, tried, unresolved, compared: true, layers }))
 }
@@ -187,13 +188,21 @@ impl<'a> Trials<'a> {
         self.given.as_deref().map_or(Starts::Pixels(&self.pixels, 1024), Starts::Given)
     }
 
-    /// The coarsest setting that is right, or the most accurate of all.
-    fn first_right(&self, candidate: &Candidate) -> Result<Trial, RenderError> {
+    /// A candidate with its scene.
+    fn prepared(&self, candidate: Candidate) -> (Candidate, Scene) {
         let mut scene = candidate.applied(self.scene, candidate.controls[0]);
         scene.rays.max_segments = segments(self.scene);
+        (candidate, scene)
+    }
+
+    /// The coarsest setting that is right, or the most accurate of all, not timed yet; and what renders it.
+    fn first_right<'s>(&self, candidate: &Candidate, scene: &'s Scene) -> Result<(Trial, Renderer<'s>), RenderError>
+    where
+        'a: 's,
+    {
         // Few rays: what counts is not how many run but how many passes are recorded.
         let settings = Settings { segments: 256, ..self.settings.clone() };
-        let mut renderer = Renderer::new(self.gpu, &scene, settings)?;
+        let mut renderer = Renderer::new(self.gpu, scene, settings)?;
         let mut error_at = |control| -> Result<f64, RenderError> {
             renderer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = renderer.follow(self.starts())?;
@@ -224,26 +233,25 @@ impl<'a> Trials<'a> {
             }
         }
         renderer.retune(best.control, scene.rays.max_segments)?;
-        best.time = self.time(&renderer)?;
-
-        Ok(best)
+        Ok((best, renderer))
     }
 
-    /// Seconds of a ray, the median of a few runs.
-    fn time(&self, renderer: &Renderer) -> Result<f64, RenderError> {
+    /// Seconds of a ray by each, the least of a few runs, which take turns: a slow moment is nobody's own.
+    fn times(&self, renderers: &[&Renderer]) -> Result<Vec<f64>, RenderError> {
         let starts = if self.given.is_some() { self.starts() } else { Starts::Pixels(&self.timed, self.gpu.group[0]) };
-        let mut times = Vec::new();
+        let mut times = vec![f64::INFINITY; renderers.len()];
         for _ in 0..REPEATS {
-            let (rays, totals) = renderer.follow(starts)?;
-            let device = totals.device.map_or(totals.wall, |stages| stages.iter().sum::<Duration>());
-            times.push(device.as_secs_f64() / rays.len() as f64);
+            for (renderer, least) in renderers.iter().zip(&mut times) {
+                let (rays, totals) = renderer.follow(starts)?;
+                let device = totals.device.map_or(totals.wall, |stages| stages.iter().sum::<Duration>());
+                *least = least.min(device.as_secs_f64() / rays.len() as f64);
+            }
         }
-        times.sort_by(f64::total_cmp);
-        Ok(times[REPEATS / 2])
+        Ok(times)
     }
 
     /// Fused, unless a segment a pass is faster.
-    fn schedule(&self, chosen: &Trial) -> Result<Schedule, RenderError> {
+    fn schedule(&self, chosen: &Trial, fused: &Renderer) -> Result<Schedule, RenderError> {
         let mut scene = self.scene.clone();
         scene.rays.auto = None;
         scene.rays.method = chosen.method;
@@ -251,8 +259,8 @@ impl<'a> Trials<'a> {
         scene.rays.max_segments = segments(self.scene);
         let choice = Choice { schedule: Schedule::Segment, ..self.settings.choice.clone() };
         let settings = Settings { choice, ..self.settings.clone() };
-        let time = self.time(&Renderer::new(self.gpu, &scene, settings)?)?;
-        Ok(if time < chosen.time { Schedule::Segment } else { Schedule::Fused })
+        let times = self.times(&[fused, &Renderer::new(self.gpu, &scene, settings)?])?;
+        Ok(if times[1] < times[0] { Schedule::Segment } else { Schedule::Fused })
     }
 }
 
