@@ -1,10 +1,11 @@
 //! Structures: a hierarchy, a grid and nothing find the same first hit on every arc, to the last bit.
 
 use std::fmt::Write as _;
+use std::path::Path;
 
 use bentray::gpu::Geometry;
 use bentray::program::{Choice, Program, Schedule, Search, Structure};
-use bentray::render::{Renderer, Settings, Status, trace};
+use bentray::render::{Renderer, Settings, Status, Traced, trace};
 use bentray::scene::Scene;
 
 use crate::shaders::Random;
@@ -34,13 +35,13 @@ fn triangles(random: &mut Random, count: usize) -> String {
     obj
 }
 
-/// All shapes, more of each than a list takes by itself, in places that overlap.
-fn shapes(random: &mut Random, of_each: usize) -> String {
+/// So many of all shapes, about so large, in places that overlap.
+fn shapes(random: &mut Random, of_each: usize, about: f64) -> String {
     let mut text = String::new();
     for i in 0..of_each {
         for shape in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
             let (place, angles) = (point(random, 6.0), point(random, 180.0));
-            let size = 0.2 + 0.2 * random.unit();
+            let size = about * (2.0 / 3.0 + 2.0 / 3.0 * random.unit());
             let kind = if shape == "ellipsoid" { "sphere" } else { shape };
             let scale =
                 if shape == "sphere" { format!("{size}") } else { format!("[{size}, {}, {}]", size * 1.5, size * 2.0) };
@@ -74,45 +75,65 @@ const RAYS: [&str; 4] = [
     "[law]\nkind = \"lorenz\"\norder = 2\nsigma = 0.1\nrho = 0.28\nbeta = 0.027\n[rays]\nmethod = \"rk4\"\nstep = 0.1\nsegment = \"chord\"\nsteps_per_segment = 4\n",
 ];
 
-/// On 100,000 random arcs and more.
-#[test]
-fn every_structure_finds_the_same_first_hit() {
-    let gpu = gpu();
-    let mut random = Random::new(5);
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("loose.obj"), triangles(&mut random, 90)).unwrap();
-    let objects = shapes(&mut random, 14) + "[[objects]]\nshape = \"mesh\"\nfile = \"loose.obj\"\nmaterial = \"m\"\n";
-    let rays = starts(&mut random, 15_000);
+/// The scene's rays under one of `RAYS`, for each structure.
+fn ends(
+    folder: &Path,
+    keys: &str,
+    objects: &str,
+    accelerate: &str,
+    schedule: Schedule,
+    rays: &[[f64; 6]],
+) -> Vec<Traced> {
+    let text = format!(
+        "{keys}max_segments = 60\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{objects}"
+    );
+    let scene = Scene::parse(&text, &folder.join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
+    let settings = Settings { choice: Choice { schedule, ..Choice::default() }, ..Settings::default() };
+    trace(&gpu(), &scene, &settings, rays).unwrap().0
+}
+
+/// Every structure against none, under every law: the arcs that were tested, over all laws.
+fn arcs_agree(folder: &Path, objects: &str, rays: &[[f64; 6]], structures: &[(&str, Schedule)]) -> f64 {
     let mut arcs = 0.0;
     for keys in RAYS {
-        let scene = |accelerate: &str| {
-            let text = format!(
-                "{keys}max_segments = 60\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{objects}"
-            );
-            Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
-        };
-        let ends = |accelerate: &str, schedule| {
-            let settings = Settings { choice: Choice { schedule, ..Choice::default() }, ..Settings::default() };
-            trace(&gpu, &scene(accelerate), &settings, &rays).unwrap().0
-        };
-        let brute = ends("none", Schedule::Fused);
+        let brute = ends(folder, keys, objects, "none", Schedule::Fused, rays);
         let met = brute.iter().filter(|end| end.status == Status::Hit).count();
-        assert!(met > 3000, "{met} hits: {keys}");
+        assert!(met > rays.len() / 5, "{met} hits: {keys}");
         arcs += brute.iter().map(|end| end.depth).sum::<f64>();
-        for (accelerate, schedule) in [
-            ("bvh", Schedule::Fused),
-            ("grid", Schedule::Fused),
-            ("auto", Schedule::Fused),
-            ("grid", Schedule::Segment),
-        ] {
-            let found = ends(accelerate, schedule);
+        for &(accelerate, schedule) in structures {
+            let found = ends(folder, keys, objects, accelerate, schedule, rays);
             let different = brute.iter().zip(&found).filter(|(a, b)| a != b).count();
             let first = brute.iter().zip(&found).find(|(a, b)| a != b);
             assert_eq!(different, 0, "{accelerate}, {schedule:?}: {first:?}\n{keys}");
         }
     }
     println!("{arcs} segments");
+    arcs
+}
+
+/// On 100,000 random arcs and more.
+#[test]
+fn every_structure_finds_the_same_first_hit() {
+    let mut random = Random::new(5);
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("loose.obj"), triangles(&mut random, 90)).unwrap();
+    let objects =
+        shapes(&mut random, 14, 0.3) + "[[objects]]\nshape = \"mesh\"\nfile = \"loose.obj\"\nmaterial = \"m\"\n";
+    let rays = starts(&mut random, 15_000);
+    let structures =
+        [("bvh", Schedule::Fused), ("grid", Schedule::Fused), ("auto", Schedule::Fused), ("grid", Schedule::Segment)];
+    let arcs = arcs_agree(folder.path(), &objects, &rays, &structures);
     assert!(arcs > 1e5, "{arcs} segments");
+}
+
+/// Large ones, so few that they are written out.
+#[test]
+fn lists_written_out_are_the_same_lists() {
+    let mut random = Random::new(9);
+    let folder = tempfile::tempdir().unwrap();
+    let objects = shapes(&mut random, 2, 2.0);
+    let rays = starts(&mut random, 4000);
+    arcs_agree(folder.path(), &objects, &rays, &[("auto", Schedule::Fused), ("bvh", Schedule::Segment)]);
 }
 
 /// The structure is what the scene asks for, and a few shapes are a list where it does not say.
@@ -121,13 +142,14 @@ fn the_structure_follows_the_scene() {
     let scene = |accelerate: &str, of_each| {
         let text = format!(
             "[rays]\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{}",
-            shapes(&mut Random::new(6), of_each)
+            shapes(&mut Random::new(6), of_each, 0.3)
         );
-        Scene::parse(&text, std::path::Path::new("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
+        Scene::parse(&text, Path::new("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
     };
     let all = 6;
     for (accelerate, of_each, search, kinds) in [
         ("auto", 2, Search::Hierarchy, 0),
+        ("auto", 6, Search::Hierarchy, 0),
         ("auto", 40, Search::Hierarchy, all),
         ("bvh", 1, Search::Hierarchy, all),
         ("grid", 1, Search::Grid, all),
@@ -142,6 +164,7 @@ fn the_structure_follows_the_scene() {
         let part = if kinds == 0 { "structure/none" } else { &format!("structure/{}", search.name()) };
         assert!(parts.contains(part), "{accelerate}, {of_each} of each: {parts}");
         assert_eq!(parts.contains("listed/some"), kinds == 0, "{parts}");
+        assert_eq!(structure.written_out, accelerate == "auto");
     }
 }
 
@@ -218,8 +241,8 @@ fn a_heap_in_one_cell_is_refused() {
 /// What does not move is not built again, and what moves is.
 #[test]
 fn a_structure_is_kept_while_nothing_moves() {
-    let text = format!("[rays]\nbound = {{ radius = 17 }}\n{MATERIAL}{}", shapes(&mut Random::new(7), 20));
-    let scene = |text: &str| Scene::parse(text, std::path::Path::new("scene.toml"), &[]).unwrap();
+    let text = format!("[rays]\nbound = {{ radius = 17 }}\n{MATERIAL}{}", shapes(&mut Random::new(7), 20, 0.3));
+    let scene = |text: &str| Scene::parse(text, Path::new("scene.toml"), &[]).unwrap();
     let first = Geometry::new(&scene(&text)).structure;
     assert!(first.items.len() == 120 && first.nodes.len() > 20);
     assert_eq!(Geometry::after(Some(first.clone()), &scene(&text)).structure, first);

@@ -11,6 +11,10 @@ struct SidedSpace {
     bit: u32,
 }
 
+fn sided_space(own: SidedSpace) -> OwnSpace {
+    return OwnSpace(own.row_x, own.row_y, own.row_z);
+}
+
 fn is_inside(bit: u32) -> bool {
     return ((inside >> bit) & 1u) == 1u;
 }

@@ -25,7 +25,7 @@ fn advance(
     var segments = 0u;
     loop {
         work += 1u;
-        while segments < schedule.segments && spot.valid && ray_wanted(ray.status) {
+        while segments < schedule.segments && ray.status == ALIVE {
             work += 1u;
             if work + schedule.segment_work > WORK_LIMIT {
                 break;

@@ -3,7 +3,7 @@
 const BOX: u32 = 0x20000000u;
 
 @group(0) @binding(82) var<storage, read> boxes: array<Placed>;
-@group(0) @binding(76) var<uniform> box_spaces: array<OwnSpace, BOX_COUNT>;
+@group(0) @binding(76) var<uniform> box_list: array<OwnSpace, BOX_COUNT>;
 
 // Of the cube itself: p and v are in its own space.
 fn box_interval(p: Real3, v: Real3) -> Interval {
@@ -11,24 +11,14 @@ fn box_interval(p: Real3, v: Real3) -> Interval {
 }
 
 // Of a box that is in the scene's structure: the fraction of the piece from a along d, or 2. So have all shapes one.
+fn hit_box(own: OwnSpace, primitive: u32, a: Real3, d: Real3) -> Real {
+    return first_end(box_interval(own_point(own, a), own_vector(own, d)));
+}
+
 fn box_fraction(i: u32, a: Real3, d: Real3) -> Real {
-    let space = own_space(boxes[i]);
-    return first_end(box_interval(own_point(space, a), own_vector(space, d)));
+    return hit_box(own_space(boxes[i]), BOX | i, a, d);
 }
 
-fn hit_box(a: Real3, b: Real3, best: Hit) -> Hit {
-    var hit = best;
-    for (var i = 0u; i < BOX_COUNT; i++) {
-        work += 1u;
-        let t = first_end(box_interval(own_point(box_spaces[i], a), own_vector(box_spaces[i], b - a)));
-        if t < hit.t {
-            hit = Hit(t, BOX | i);
-        }
-    }
-    return hit;
-}
-
-// The face is that of the largest coordinate.
 fn surface_box(i: u32, x: Real3) -> Surface {
     let p = own_point(own_space(boxes[i]), x);
     let size = abs(p);

@@ -3,7 +3,7 @@
 const CYLINDER: u32 = 0x50000000u;
 
 @group(0) @binding(88) var<storage, read> cylinders: array<Placed>;
-@group(0) @binding(78) var<uniform> cylinder_spaces: array<OwnSpace, CYLINDER_COUNT>;
+@group(0) @binding(78) var<uniform> cylinder_list: array<OwnSpace, CYLINDER_COUNT>;
 
 // Of the unit cylinder itself: p and v are in its own space.
 fn cylinder_interval(p: Real3, v: Real3) -> Interval {
@@ -16,25 +16,14 @@ fn cylinder_interval(p: Real3, v: Real3) -> Interval {
     return both_inside(mantle, slab_interval(p.y, v.y));
 }
 
+fn hit_cylinder(own: OwnSpace, primitive: u32, a: Real3, d: Real3) -> Real {
+    return first_end(cylinder_interval(own_point(own, a), own_vector(own, d)));
+}
+
 fn cylinder_fraction(i: u32, a: Real3, d: Real3) -> Real {
-    let space = own_space(cylinders[i]);
-    return first_end(cylinder_interval(own_point(space, a), own_vector(space, d)));
+    return hit_cylinder(own_space(cylinders[i]), CYLINDER | i, a, d);
 }
 
-fn hit_cylinder(a: Real3, b: Real3, best: Hit) -> Hit {
-    var hit = best;
-    for (var i = 0u; i < CYLINDER_COUNT; i++) {
-        work += 1u;
-        let t = first_end(cylinder_interval(own_point(cylinder_spaces[i], a), own_vector(cylinder_spaces[i], b - a)));
-        if t < hit.t {
-            hit = Hit(t, CYLINDER | i);
-        }
-    }
-    return hit;
-}
-
-// u runs round the axis, and v upwards: on the lower face from its middle to the rim, on the mantle from rim to rim, on the
-// upper face from the rim to its middle. So each of the three is unmirrored as seen from outside, and they meet in u.
 fn surface_cylinder(i: u32, x: Real3) -> Surface {
     let p = own_point(own_space(cylinders[i]), x);
     let rho = length(p.xz);

@@ -11,7 +11,7 @@ struct DiskSpace {
 }
 
 @group(0) @binding(89) var<storage, read> disks: array<Placed>;
-@group(0) @binding(79) var<uniform> disk_spaces: array<DiskSpace, DISK_COUNT>;
+@group(0) @binding(79) var<uniform> disk_list: array<DiskSpace, DISK_COUNT>;
 
 fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
     let p = own_point(space, a);
@@ -23,24 +23,15 @@ fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
     return select(2.0, t, met);
 }
 
+fn hit_disk(own: DiskSpace, primitive: u32, a: Real3, d: Real3) -> Real {
+    let space = OwnSpace(own.row_x, own.row_y, own.row_z);
+    return select(ring_fraction(space, own.hole, a, d), 2.0, just_left(primitive));
+}
+
 fn disk_fraction(i: u32, a: Real3, d: Real3) -> Real {
-    return select(ring_fraction(own_space(disks[i]), disks[i].radius, a, d), 2.0, just_left(DISK | i));
+    return hit_disk(DiskSpace(disks[i].row_x, disks[i].row_y, disks[i].row_z, disks[i].radius), DISK | i, a, d);
 }
 
-fn hit_disk(a: Real3, b: Real3, best: Hit) -> Hit {
-    var hit = best;
-    for (var i = 0u; i < DISK_COUNT; i++) {
-        work += 1u;
-        let space = OwnSpace(disk_spaces[i].row_x, disk_spaces[i].row_y, disk_spaces[i].row_z);
-        let t = ring_fraction(space, disk_spaces[i].hole, a, b - a);
-        if t < hit.t && !just_left(DISK | i) {
-            hit = Hit(t, DISK | i);
-        }
-    }
-    return hit;
-}
-
-// u runs round the normal, v from the rim to the middle, or to the hole.
 fn surface_disk(i: u32, x: Real3) -> Surface {
     let p = own_point(own_space(disks[i]), x);
     let g = disks[i].row_y.xyz;

@@ -3,27 +3,19 @@
 const ELLIPSOID: u32 = 0x10000000u;
 
 @group(0) @binding(81) var<storage, read> ellipsoids: array<Placed>;
-@group(0) @binding(75) var<uniform> ellipsoid_spaces: array<OwnSpace, ELLIPSOID_COUNT>;
+@group(0) @binding(75) var<uniform> ellipsoid_list: array<OwnSpace, ELLIPSOID_COUNT>;
 
 fn ellipsoid_interval(space: OwnSpace, a: Real3, d: Real3) -> Interval {
     let v = own_vector(space, d);
     return ball_interval(own_point(space, a), v, 1.0 / dot(v, v), 1.0);
 }
 
-fn ellipsoid_fraction(i: u32, a: Real3, d: Real3) -> Real {
-    return first_end(ellipsoid_interval(own_space(ellipsoids[i]), a, d));
+fn hit_ellipsoid(own: OwnSpace, primitive: u32, a: Real3, d: Real3) -> Real {
+    return first_end(ellipsoid_interval(own, a, d));
 }
 
-fn hit_ellipsoid(a: Real3, b: Real3, best: Hit) -> Hit {
-    var hit = best;
-    for (var i = 0u; i < ELLIPSOID_COUNT; i++) {
-        work += 1u;
-        let t = first_end(ellipsoid_interval(ellipsoid_spaces[i], a, b - a));
-        if t < hit.t {
-            hit = Hit(t, ELLIPSOID | i);
-        }
-    }
-    return hit;
+fn ellipsoid_fraction(i: u32, a: Real3, d: Real3) -> Real {
+    return hit_ellipsoid(own_space(ellipsoids[i]), ELLIPSOID | i, a, d);
 }
 
 fn surface_ellipsoid(i: u32, x: Real3) -> Surface {

@@ -25,6 +25,8 @@ struct OwnSpace {
     row_z: Real4,
 }
 
+// Of each shape's file hit_…(own, primitive, a, d) is the fraction at which the piece from a along d meets it, or 2.
+
 // Where the line along a piece is inside a closed convex shape, in fractions of the piece. It is never inside where `enters` is
 // above `leaves`, or is not a number.
 struct Interval {

@@ -3,7 +3,7 @@
 const PLANE: u32 = 0x30000000u;
 
 @group(0) @binding(83) var<storage, read> planes: array<Placed>;
-@group(0) @binding(77) var<uniform> plane_spaces: array<OwnSpace, PLANE_COUNT>;
+@group(0) @binding(77) var<uniform> plane_list: array<OwnSpace, PLANE_COUNT>;
 
 fn square_fraction(space: OwnSpace, a: Real3, v: Real3) -> Real {
     let p = own_point(space, a);
@@ -13,20 +13,12 @@ fn square_fraction(space: OwnSpace, a: Real3, v: Real3) -> Real {
     return select(2.0, t, d.y != 0.0 && t >= -overlap() && t <= 1.0 + OVERLAP && max(q.x, q.y) <= 1.0);
 }
 
-fn plane_fraction(i: u32, a: Real3, d: Real3) -> Real {
-    return select(square_fraction(own_space(planes[i]), a, d), 2.0, just_left(PLANE | i));
+fn hit_plane(own: OwnSpace, primitive: u32, a: Real3, d: Real3) -> Real {
+    return select(square_fraction(own, a, d), 2.0, just_left(primitive));
 }
 
-fn hit_plane(a: Real3, b: Real3, best: Hit) -> Hit {
-    var hit = best;
-    for (var i = 0u; i < PLANE_COUNT; i++) {
-        work += 1u;
-        let t = square_fraction(plane_spaces[i], a, b - a);
-        if t < hit.t && !just_left(PLANE | i) {
-            hit = Hit(t, PLANE | i);
-        }
-    }
-    return hit;
+fn plane_fraction(i: u32, a: Real3, d: Real3) -> Real {
+    return hit_plane(own_space(planes[i]), PLANE | i, a, d);
 }
 
 fn surface_plane(i: u32, x: Real3) -> Surface {

@@ -8,26 +8,18 @@ struct Ball {
 }
 
 @group(0) @binding(80) var<storage, read> spheres: array<Placed>;
-@group(0) @binding(74) var<uniform> balls: array<Ball, SPHERE_COUNT>;
+@group(0) @binding(74) var<uniform> sphere_list: array<Ball, SPHERE_COUNT>;
 
 fn sphere_interval(center: Real3, radius: Real, a: Real3, d: Real3) -> Interval {
     return ball_interval(a - center, d, 1.0 / dot(d, d), radius * radius);
 }
 
-fn sphere_fraction(i: u32, a: Real3, d: Real3) -> Real {
-    return first_end(sphere_interval(spheres[i].center, spheres[i].radius, a, d));
+fn hit_sphere(own: Ball, primitive: u32, a: Real3, d: Real3) -> Real {
+    return first_end(sphere_interval(own.center, own.radius, a, d));
 }
 
-fn hit_sphere(a: Real3, b: Real3, best: Hit) -> Hit {
-    var hit = best;
-    for (var i = 0u; i < SPHERE_COUNT; i++) {
-        work += 1u;
-        let t = first_end(sphere_interval(balls[i].center, balls[i].radius, a, b - a));
-        if t < hit.t {
-            hit = Hit(t, SPHERE | i);
-        }
-    }
-    return hit;
+fn sphere_fraction(i: u32, a: Real3, d: Real3) -> Real {
+    return hit_sphere(Ball(spheres[i].center, spheres[i].radius), SPHERE | i, a, d);
 }
 
 fn surface_sphere(i: u32, x: Real3) -> Surface {

@@ -17,12 +17,29 @@ struct Node {
 
 const LEAF_FIRST: u32 = 0x00ffffffu;
 
-// Where the chord from a, with 1/d given, is inside the box, up to `limit`. The box is grown by the bulge and by what rounding may
-// hide.
-fn box_span(lo: Real3, hi: Real3, a: Real3, inverse: Real3, bulge: Real3, limit: Real) -> Span {
-    let grown = 2e-6 * (max(abs(lo), abs(hi)) + abs(a)) + bulge;
-    let t0 = (lo - grown - a) * inverse;
-    let t1 = (hi + grown - a) * inverse;
+// What rounding may hide, as a part of a coordinate. The host has grown all boxes by as much of their own.
+const BOX_SLACK: Real = 2e-6;
+
+// A segment's chord, as boxes see it.
+struct Sweep {
+    // Its start, moved up and down each axis by the bulge and by what rounding may hide.
+    high: Real3,
+    low: Real3,
+    // One over its extent.
+    inverse: Real3,
+}
+
+fn segment_sweep(s: Segment) -> Sweep {
+    let d = s.x1 - s.x0;
+    let inverse = 1.0 / select(d, Real3(1e-30), abs(d) < Real3(1e-30));
+    let margin = segment_bulge(s) + BOX_SLACK * abs(s.x0);
+    return Sweep(s.x0 + margin, s.x0 - margin, inverse);
+}
+
+// Where the chord is inside the box, up to `limit`.
+fn box_span(lo: Real3, hi: Real3, sweep: Sweep, limit: Real) -> Span {
+    let t0 = (lo - sweep.high) * sweep.inverse;
+    let t1 = (hi - sweep.low) * sweep.inverse;
     let near = min(t0, t1);
     let far = max(t0, t1);
     let enters = max(max(near.x, near.y), max(near.z, -overlap()));
@@ -32,9 +49,7 @@ fn box_span(lo: Real3, hi: Real3, a: Real3, inverse: Real3, bulge: Real3, limit:
 
 fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var hit = nearest;
-    let d = s.x1 - s.x0;
-    let inverse = 1.0 / select(d, Real3(1e-30), abs(d) < Real3(1e-30));
-    let bulge = segment_bulge(s);
+    let sweep = segment_sweep(s);
     let count = arrayLength(&nodes);
     var node = select(count, walk_begin(), pieces > 0u);
     // In turns: every ray to its next leaf, then all of them through their items, for neighbours run side by side.
@@ -45,7 +60,7 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
         while node < count && leaf == 0u && walk_may_go_on() {
             work += 1u;
             let box = nodes[node];
-            span = box_span(box.lo, box.hi, s.x0, inverse, bulge, hit.t);
+            span = box_span(box.lo, box.hi, sweep, hit.t);
             let met = span.enters <= span.leaves;
             leaf = select(0u, box.leaf, met);
             node = select(box.skip, node + 1u, met && box.leaf == 0u);

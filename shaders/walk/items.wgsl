@@ -14,13 +14,6 @@ fn piece_at(t: Real, pieces: u32) -> u32 {
     return u32(clamp(t, 0.0, Real(pieces - 1u)));
 }
 
-// The nearer of a hit and what is met at `t`; of two at the same place the lesser primitive, so that the order in which they are
-// found does not matter.
-fn nearer_hit(hit: Hit, t: Real, primitive: u32) -> Hit {
-    let nearer = t < hit.t || (t == hit.t && primitive < hit.primitive);
-    return Hit(select(hit.t, t, nearer), select(hit.primitive, primitive, nearer));
-}
-
 // Some items, from `first`, against the pieces of a segment that may be near them: refinement is left to the leaves.
 fn items_hit(s: Segment, pieces: u32, span: Span, first: u32, count: u32, nearest: Hit) -> Hit {
     var hit = nearest;
@@ -34,8 +27,7 @@ fn items_hit(s: Segment, pieces: u32, span: Span, first: u32, count: u32, neares
             work += 1u;
             let item = item_at(first + i);
             let t = item_fraction(item, a, d);
-            // What is missed is behind everything, and behind nothing's 2.
-            hit = nearer_hit(hit, select(segment_fraction(k, pieces, t), 3.0, t > 1.5), item);
+            hit = nearer_hit(hit, select(segment_fraction(k, pieces, t), 2.0, t > 1.5), item);
         }
         k += 1u;
     }

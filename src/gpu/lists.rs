@@ -8,6 +8,7 @@ use super::geometry::PlacedShape;
 use super::media::capture_radius;
 use super::records::Value::{self, Float, Uint, Vec2, Vec3, Vec4};
 use super::records::pack;
+use super::structure::Node;
 use crate::program::{Layout, Obstacle, Purpose, constant};
 use crate::scene::{Falloff, Law, Light, MaterialKind, Medium, Pattern};
 
@@ -20,19 +21,19 @@ impl Source<'_> {
         let placed = |kind: &str| pack(name, layout, all(kind).map(placed_row)).map(Some);
         let spaces = |kind: &str| pack(name, layout, opaque(kind).map(space_rows)).map(Some);
         match name {
-            "balls" => {
+            "sphere_list" => {
                 let row = |s: &PlacedShape| [("center", Vec3(s.center)), ("radius", Float(s.radius))];
                 pack(name, layout, opaque("sphere").map(row)).map(Some)
             }
-            "ellipsoid_spaces" => spaces("ellipsoid"),
-            "box_spaces" => spaces("box"),
-            "cylinder_spaces" => spaces("cylinder"),
-            "plane_spaces" => spaces("plane"),
-            "disk_spaces" => pack(name, layout, opaque("disk").map(disk_row)).map(Some),
-            "sided_balls" => pack(name, layout, sided("sphere").map(sided_ball)).map(Some),
-            "sided_ellipsoids" => pack(name, layout, sided("ellipsoid").map(sided_space)).map(Some),
-            "sided_boxes" => pack(name, layout, sided("box").map(sided_space)).map(Some),
-            "sided_cylinders" => pack(name, layout, sided("cylinder").map(sided_space)).map(Some),
+            "ellipsoid_list" => spaces("ellipsoid"),
+            "box_list" => spaces("box"),
+            "cylinder_list" => spaces("cylinder"),
+            "plane_list" => spaces("plane"),
+            "disk_list" => pack(name, layout, opaque("disk").map(disk_row)).map(Some),
+            "sided_sphere_list" => pack(name, layout, sided("sphere").map(sided_ball)).map(Some),
+            "sided_ellipsoid_list" => pack(name, layout, sided("ellipsoid").map(sided_space)).map(Some),
+            "sided_box_list" => pack(name, layout, sided("box").map(sided_space)).map(Some),
+            "sided_cylinder_list" => pack(name, layout, sided("cylinder").map(sided_space)).map(Some),
             "obstacles" => pack(name, layout, g.regions.obstacles.iter().map(obstacle)).map(Some),
             "touching" => pack(name, layout, self.touching()).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
@@ -42,19 +43,12 @@ impl Source<'_> {
             "cylinders" => placed("cylinder"),
             "planes" => placed("plane"),
             "disks" => placed("disk"),
-            "nodes" => pack(
-                name,
-                layout,
-                g.structure.nodes.iter().map(|n| {
-                    [
-                        ("lo", Vec3(n.lo.into())),
-                        ("hi", Vec3(n.hi.into())),
-                        ("skip", Uint(n.skip)),
-                        ("leaf", Uint(n.leaf)),
-                    ]
-                }),
-            )
-            .map(Some),
+            "nodes" => {
+                let row = |(node, [lo, hi]): (&Node, [DVec3; 2])| {
+                    [("lo", Vec3(lo)), ("hi", Vec3(hi)), ("skip", Uint(node.skip)), ("leaf", Uint(node.leaf))]
+                };
+                pack(name, layout, g.structure.nodes.iter().zip(g.structure.boxes()).map(row)).map(Some)
+            }
             "triangles" => pack(
                 name,
                 layout,

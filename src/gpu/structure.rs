@@ -111,6 +111,16 @@ impl Built {
         }
     }
 
+    /// The boxes of its nodes, grown by what rounding may hide of them.
+    pub fn boxes(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        let slack = constant("structure/bvh", "BOX_SLACK");
+        self.nodes.iter().map(move |node| {
+            let (lo, hi) = (node.lo.as_dvec3(), node.hi.as_dvec3());
+            let slack = slack * lo.abs().max(hi.abs());
+            [lo - slack, hi + slack]
+        })
+    }
+
     /// The places that the items of a kind, given by its code, had before, in the order that they have now.
     pub fn moved(&self, code: u32) -> impl Iterator<Item = usize> {
         let mask = constant("ray", "PRIMITIVE_INDEX") as u32;

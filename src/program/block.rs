@@ -8,8 +8,9 @@
 //!
 //! *Practice.* Inside a loop lavapipe reads a uniform once for every lane, each read with a test of its bounds: some 25
 //! instructions for one number, and half the time of a Runge–Kutta step. So a pass copies them into variables of its own before
-//! it does anything else, where one read serves all lanes. An array of one is copied as that one. Longer arrays stay where they
-//! are: a copy of an array is memory, which is read no faster.
+//! it does anything else, where one read serves all lanes. An array that is only read at places written as numbers is copied place
+//! by place, and one of a single place as that. Other arrays stay where they are: a copy of an array is memory, which is read
+//! no faster.
 
 use std::fmt::Write as _;
 
@@ -46,19 +47,23 @@ enum Shape<'a> {
     Single,
     /// An array of one, of this type.
     One(&'a str),
+    /// An array of this type that is read at this many places, from the first on, each written as a number.
+    Places(&'a str, usize),
     Array,
 }
 
 impl<'a> Block<'a> {
     /// Of the declarations that the entry point reaches.
-    pub(super) fn of(entry: &'a str, reached: impl Iterator<Item = &'a Declaration<'a>> + Clone) -> Self {
+    pub(super) fn of(entry: &'a str, reached: &(impl Iterator<Item = &'a Declaration<'a>> + Clone)) -> Self {
         let ones: Vec<&str> = reached.clone().filter(|declaration| is_one(declaration)).map(|one| one.name).collect();
-        let uniforms = reached.filter_map(uniform).map(|(name, ty)| {
+        let uniforms = reached.clone().filter_map(uniform).map(|(name, ty)| {
             let array = ty.strip_prefix("array<").and_then(|ty| ty.strip_suffix('>')?.rsplit_once(", "));
             let shape = match array {
                 None => Shape::Single,
                 Some((element, count)) if ones.contains(&count) => Shape::One(element),
-                Some(_) => Shape::Array,
+                Some((element, _)) => {
+                    places(name, reached.clone()).map_or(Shape::Array, |places| Shape::Places(element, places))
+                }
             };
             Uniform { name, ty, shape }
         });
@@ -85,8 +90,16 @@ impl<'a> Block<'a> {
                 text.push_str(&declaration.text[at..range.start]);
                 text.push_str(&self.stand_in(uniform));
                 at = range.end;
-                if matches!(uniform.shape, Shape::One(_)) {
-                    at += index_length(&declaration.text[at..]);
+                let index = || index_length(&declaration.text[range.end..]);
+                match uniform.shape {
+                    Shape::One(_) => at += index(),
+                    Shape::Places(..) => {
+                        let place = written_place(&declaration.text[at..]).unwrap_or_default();
+                        // Writing to a String cannot fail.
+                        let _ = write!(text, "_{place}");
+                        at += index();
+                    }
+                    Shape::Single | Shape::Array => {}
                 }
             }
         }
@@ -107,7 +120,7 @@ impl<'a> Block<'a> {
         match uniform.shape {
             _ if uniform.is_apart() => format!("own_{name}"),
             Shape::Array => format!("{}.{name}", self.name()),
-            Shape::Single | Shape::One(_) => name.to_owned(),
+            Shape::Single | Shape::One(_) | Shape::Places(..) => name.to_owned(),
         }
     }
 
@@ -135,11 +148,19 @@ impl<'a> Block<'a> {
         }
         let (mut copies, mut reads) = (String::new(), String::new());
         for uniform in self.held() {
-            let (name, copy) = (uniform.name, self.stand_in(uniform));
-            let (ty, index) = if let Shape::One(element) = uniform.shape { (element, "[0]") } else { (uniform.ty, "") };
-            let read = if uniform.is_apart() { name.to_owned() } else { format!("{}.{name}{index}", self.name()) };
-            let _ = writeln!(copies, "var<private> {copy}: {ty};");
-            let _ = writeln!(reads, "    {copy} = {read};");
+            let (name, own) = (uniform.name, self.stand_in(uniform));
+            let read = if uniform.is_apart() { name.to_owned() } else { format!("{}.{name}", self.name()) };
+            let mut copy = |copy: &str, ty: &str, index: &str| {
+                let _ = writeln!(copies, "var<private> {copy}: {ty};");
+                let _ = writeln!(reads, "    {copy} = {read}{index};");
+            };
+            match uniform.shape {
+                Shape::Single | Shape::Array => copy(&own, uniform.ty, ""),
+                Shape::One(element) => copy(&own, element, "[0]"),
+                Shape::Places(element, places) => {
+                    (0..places).for_each(|i| copy(&format!("{own}_{i}"), element, &format!("[{i}]")));
+                }
+            }
         }
         if !reads.is_empty() {
             let _ = writeln!(text, "{copies}\nfn read_uniforms() {{\n{reads}}}\n");
@@ -161,6 +182,23 @@ fn uniform<'a>(declaration: &'a Declaration<'a>) -> Option<(&'a str, &'a str)> {
 /// Is it a constant of 1, as the length of an array?
 fn is_one(declaration: &Declaration) -> bool {
     declaration.keyword == "const" && declaration.text.trim_end().ends_with("u32 = 1u;")
+}
+
+/// How many places of the array are read, if each is written as a number wherever it is read.
+fn places<'a>(name: &str, reached: impl Iterator<Item = &'a Declaration<'a>>) -> Option<usize> {
+    let mut most = 0;
+    for declaration in reached.filter(|declaration| declaration.keyword == "fn") {
+        for range in declaration.identifiers.iter().filter(|range| &declaration.text[(*range).clone()] == name) {
+            most = most.max(1 + written_place(&declaration.text[range.end..])?);
+        }
+    }
+    Some(most)
+}
+
+/// The number in brackets that `text` begins with.
+fn written_place(text: &str) -> Option<usize> {
+    let (index, _) = text.strip_prefix('[')?.split_once(']')?;
+    index.trim_end_matches('u').parse().ok()
 }
 
 /// How long the index in brackets is that `text` begins with.

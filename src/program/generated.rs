@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::Structure;
 use super::link::Unit;
 use super::plan::shape_kind;
 use super::regions::Regions;
@@ -32,17 +33,19 @@ pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]
 
 /// The first hit of a straight piece among the shapes in lists, those that end rays and those that rays cross; where a piece meets an
 /// item of the structure; and the surface of a primitive.
-pub(super) fn shapes(kinds: &[&str], listed: &[&str], sided: &[&str], held: &[&str]) -> Unit {
-    let mut text = String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    var hit = best;\n");
-    let crossed = sided.iter().map(|kind| format!("cross_{kind}"));
-    for function in listed.iter().map(|kind| format!("hit_{kind}")).chain(crossed) {
-        let _ = writeln!(text, "    hit = {function}(a, b, hit);");
+pub(super) fn shapes(scene: &Scene, kinds: &[&str], listed: &[&str], sided: &[&str], structure: &Structure) -> Unit {
+    let mut text =
+        String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    let d = b - a;\n    var hit = best;\n");
+    let lists = listed.iter().map(|kind| (kind, false)).chain(sided.iter().map(|kind| (kind, true)));
+    for (kind, sided) in lists {
+        text += &list_hit(kind, sided, structure.written_out.then(|| count_of(scene, kind, sided)));
     }
     text += "    return hit;\n}\n\n";
     let surfaces: Vec<_> = kinds
         .iter()
         .map(|kind| (kind.to_uppercase(), format!("surface_{kind}(primitive & PRIMITIVE_INDEX, x)")))
         .collect();
+    let held = &structure.kinds;
     let fractions: Vec<_> = held
         .iter()
         .map(|kind| (kind.to_uppercase(), format!("{kind}_fraction(item & PRIMITIVE_INDEX, a, d)")))
@@ -54,6 +57,35 @@ pub(super) fn shapes(kinds: &[&str], listed: &[&str], sided: &[&str], held: &[&s
     }
     text += &switch("fn hit_surface(primitive: u32, x: Real3) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
     unit("generated/shapes.wgsl", text)
+}
+
+/// A piece against the list of a kind: item by item, or in a loop where it is not said how many there are.
+fn list_hit(kind: &str, sided: bool, count: Option<usize>) -> String {
+    let code = kind.to_uppercase();
+    let item = |i: &str| {
+        if sided {
+            // Behind the opaque ones.
+            let primitive = format!("{code} | ({code}_COUNT + {i})");
+            format!("    hit = nearer_hit(hit, cross_{kind}(sided_{kind}_list[{i}], a, d), {primitive});\n")
+        } else {
+            let primitive = format!("{code} | {i}");
+            format!("    hit = nearer_hit(hit, hit_{kind}({kind}_list[{i}], {primitive}, a, d), {primitive});\n")
+        }
+    };
+    let Some(count) = count else {
+        let count = if sided { format!("SIDED_{code}_COUNT") } else { format!("{code}_COUNT") };
+        return format!("    for (var i = 0u; i < {count}; i++) {{\n        work += 1u;\n    {}    }}\n", item("i"));
+    };
+    (0..count).map(|i| item(&format!("{i}u"))).collect()
+}
+
+/// How many shapes of a kind rays go on from, or end on.
+fn count_of(scene: &Scene, kind: &str, sided: bool) -> usize {
+    let regions = Regions::of(scene);
+    let is = |(i, object): &(usize, &Object)| {
+        shape_kind(&object.shape, &object.transform) == kind && regions.bit(*i).is_some() == sided
+    };
+    scene.objects.iter().enumerate().filter(is).count()
 }
 
 /// The sum of the falloffs' accelerations, and the distance of the nearest centre.
@@ -167,16 +199,9 @@ pub(super) fn counts(scene: &Scene) -> Unit {
     let mut count = |name: &str, n: usize| {
         let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
     };
-    let regions = Regions::of(scene);
     for kind in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
-        let of_kind = |sided: bool| {
-            let is = |(i, object): &(usize, &Object)| {
-                shape_kind(&object.shape, &object.transform) == kind && regions.bit(*i).is_some() == sided
-            };
-            scene.objects.iter().enumerate().filter(is).count()
-        };
-        count(&kind.to_uppercase(), of_kind(false));
-        count(&format!("SIDED_{}", kind.to_uppercase()), of_kind(true));
+        count(&kind.to_uppercase(), count_of(scene, kind, false));
+        count(&format!("SIDED_{}", kind.to_uppercase()), count_of(scene, kind, true));
     }
     let sources: &[Source] = if let Law::Sources(sources) = &scene.law { sources } else { &[] };
     let falling = |is: fn(&Falloff) -> bool| sources.iter().filter(|source| is(&source.falloff)).count();

@@ -82,7 +82,7 @@ pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
     let by_name = index(&all)?;
     let reached = reach(&all, &by_name, entry)?;
     let reached: Vec<&(&Unit, Declaration)> = reached.iter().map(|&i| &all[i]).collect();
-    let block = Block::of(entry, reached.iter().map(|(_, declaration)| declaration));
+    let block = Block::of(entry, &reached.iter().map(|(_, declaration)| declaration));
     let mut linked = Linked { entry: entry.to_owned(), source: String::new(), origins: Vec::new() };
     let made = Unit { file: "generated/uniforms.wgsl".into(), text: block.declaration().into() };
     if !made.text.is_empty() {
@@ -212,13 +212,22 @@ mod tests {
         ] {
             assert!(linked.source.contains(text), "{text}\n{}", linked.source);
         }
-        let text = text.replace("one[u32(two[frame.zero].a[0].x)]", "two[frame.zero]");
-        let parts = Parts {
-            shared: vec![unit("pass/entry.wgsl", ENTRY), Unit { file: "law/a.wgsl".into(), text: text.into() }],
-            regions: Vec::new(),
+        let with = |value: &str| {
+            let text = text.replace("one[u32(two[frame.zero].a[0].x)]", value).into();
+            let shared = vec![unit("pass/entry.wgsl", ENTRY), Unit { file: "law/a.wgsl".into(), text }];
+            let linked = link(&Parts { shared, regions: Vec::new() }, "entry").unwrap();
+            validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
+            linked.source
         };
-        let linked = link(&parts, "entry").unwrap();
-        assert!(linked.source.contains("return uniforms_entry.two[own_frame.zero].a[1].y + x;"), "{}", linked.source);
+        let walked = with("two[0].a[2].x + two[frame.zero]");
+        assert!(
+            walked.contains("uniforms_entry.two[0].a[2].x + uniforms_entry.two[own_frame.zero].a[1].y"),
+            "{walked}"
+        );
+        let written_out = with("two[0].a[2].x + two[1u]");
+        for text in ["two_1 = uniforms_entry.two[1];", "return two_0.a[2].x + two_1.a[1].y + x;"] {
+            assert!(written_out.contains(text), "{text}\n{written_out}");
+        }
     }
 
     #[test]

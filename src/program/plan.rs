@@ -236,7 +236,7 @@ fn surface_parts(
     } else if regions.regions.iter().any(|region| matches!(scene.objects[region.object].shape, Shape::Mesh(_))) {
         names.add("crossing/crossing");
     }
-    made.push(generated::shapes(&kinds, &listed, &sided, &structure.kinds));
+    made.push(generated::shapes(scene, &kinds, &listed, &sided, &structure));
     if recorded {
         names.add("stage/recorded_surface");
     } else {

@@ -192,9 +192,17 @@ fn first_hit_of_arcs_in_several_pieces() {
         "shape/sphere",
     ];
     let probe = Probe::new(&parts)
-        .stub("fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit { return hit_sphere(a, b, best); }")
+        .stub(
+            "fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit {
+                var hit = best;
+                for (var i = 0u; i < SPHERE_COUNT; i++) {
+                    hit = nearer_hit(hit, hit_sphere(sphere_list[i], SPHERE | i, a, b - a), SPHERE | i);
+                }
+                return hit;
+            }",
+        )
         .bind("arc", [arc(DVec3::splat(-4.0), DVec3::splat(4.0))])
-        .list("balls", "SPHERE_COUNT", records);
+        .list("sphere_list", "SPHERE_COUNT", records);
     let body = format!(
         "{SEGMENT}let hit = first_hit(s, vec2u(0u));
         let missed = hit.primitive == NOTHING;

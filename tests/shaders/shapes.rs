@@ -9,9 +9,10 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-pub const PARTS: [&str; 9] = [
+pub const PARTS: [&str; 10] = [
     "ray",
     "work",
+    "walk/piece",
     "shape/placed",
     "shape/sphere",
     "shape/ellipsoid",
@@ -248,16 +249,26 @@ fn results(kind: &str, place: &Place, a: DVec3, b: DVec3) -> Vec<Option<f64>> {
 }
 
 fn probe(kind: &str, targets: &[Place]) -> Probe {
-    let name = match kind {
-        "sphere" => "balls",
-        "ellipsoid" => "ellipsoid_spaces",
-        "box" => "box_spaces",
-        "cylinder" => "cylinder_spaces",
-        "plane" => "plane_spaces",
-        _ => "disk_spaces",
-    };
     let records: Vec<Record> = targets.iter().map(|place| place.tested(kind)).collect();
-    Probe::new(&PARTS).list(name, &format!("{}_COUNT", kind.to_uppercase()), records)
+    let code = kind.to_uppercase();
+    let list = match kind {
+        "sphere" => "sphere_list",
+        "ellipsoid" => "ellipsoid_list",
+        "box" => "box_list",
+        "cylinder" => "cylinder_list",
+        "plane" => "plane_list",
+        _ => "disk_list",
+    };
+    let first = format!(
+        "fn first_of_list(a: vec3f, b: vec3f, best: Hit) -> Hit {{
+            var hit = best;
+            for (var i = 0u; i < {code}_COUNT; i++) {{
+                hit = nearer_hit(hit, hit_{kind}({list}[i], {code} | i, a, b - a), {code} | i);
+            }}
+            return hit;
+        }}"
+    );
+    Probe::new(&PARTS).stub(&first).list(list, &format!("{code}_COUNT"), records)
 }
 
 #[test]
@@ -276,18 +287,20 @@ fn analytic_shapes() {
         let inputs = pieces(85, targets);
         let inside = match kind {
             "plane" | "disk" => "Interval(0.0, 0.0)".to_owned(),
-            "sphere" => "sphere_interval(balls[1].center, balls[1].radius, p0.xyz, p1.xyz - p0.xyz)".to_owned(),
-            "ellipsoid" => "ellipsoid_interval(ellipsoid_spaces[1], p0.xyz, p1.xyz - p0.xyz)".to_owned(),
+            "sphere" => {
+                "sphere_interval(sphere_list[1].center, sphere_list[1].radius, p0.xyz, p1.xyz - p0.xyz)".to_owned()
+            }
+            "ellipsoid" => "ellipsoid_interval(ellipsoid_list[1], p0.xyz, p1.xyz - p0.xyz)".to_owned(),
             _ => {
-                let space = format!("{kind}_spaces[1]");
+                let space = format!("{kind}_list[1]");
                 format!("{kind}_interval(own_point({space}, p0.xyz), own_vector({space}, p1.xyz - p0.xyz))")
             }
         };
         let body = format!(
             "let inside = {inside};
             put(1u, vec4f(inside.enters, inside.leaves, 0.0, 0.0));
-            let hit = hit_{kind}(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
-            let other = hit_{kind}(p0.xyz, p1.xyz, Hit(0.3, 5u));
+            let hit = first_of_list(p0.xyz, p1.xyz, Hit(2.0, NOTHING));
+            let other = first_of_list(p0.xyz, p1.xyz, Hit(0.3, 5u));
             put(0u, vec4f(hit.t, select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, hit.primitive == NOTHING), other.t,
                 select(f32(other.primitive & PRIMITIVE_INDEX), -1.0, other.primitive == 5u)));"
         );
@@ -358,8 +371,8 @@ fn nearest(each: [Verdict; 2]) -> Verdict {
 /// A piece without length hits nothing.
 fn standing_still(gpu: &bentray::gpu::Gpu, probe: &Probe, kind: &str, target: &Place) {
     let inputs = [[row(target.center.as_vec3(), 0.0)], [Vec4::new(50.0, 1.0, -20.0, 0.0)]];
-    let body = format!("let hit = hit_{kind}(p0.xyz, p0.xyz, Hit(2.0, NOTHING)); put(0u, vec4f(hit.t));");
-    for [hit] in probe.run::<1, 1>(gpu, &body, &inputs) {
+    let body = "let hit = first_of_list(p0.xyz, p0.xyz, Hit(2.0, NOTHING)); put(0u, vec4f(hit.t));";
+    for [hit] in probe.run::<1, 1>(gpu, body, &inputs) {
         assert_eq!(hit.x, 2.0, "{kind}: a piece without length");
     }
 }

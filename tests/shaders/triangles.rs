@@ -1,6 +1,7 @@
 //! Triangles: no gaps between neighbours, hits, and a hierarchy whose boxes are never missed.
 
 use bentray::gpu::Value::{Float, Uint, Vec3 as V3};
+use bentray::program::constant;
 use glam::{DVec3, Vec3, Vec4};
 
 use super::{Errors, Random, U, Verdict, awkward_directions, check_hits, row, vectors, wide};
@@ -32,6 +33,12 @@ fn probe() -> Probe {
 fn corners(t: [Vec3; 3], object: u32) -> Record {
     let [p, q, r] = t.map(|x| V3(x.as_dvec3()));
     vec![("p", p), ("object", Uint(object)), ("q", q), ("r", r)]
+}
+
+/// A box as the host writes it.
+fn grown(lo: Vec3, hi: Vec3) -> [Vec3; 2] {
+    let slack = constant("structure/bvh", "BOX_SLACK") * lo.abs().max(hi.abs()).as_dvec3();
+    [lo.as_dvec3() - slack, hi.as_dvec3() + slack].map(DVec3::as_vec3)
 }
 
 fn vertex(position: Vec3) -> Record {
@@ -130,8 +137,8 @@ impl Mesh {
         let all = |t: &[[Vec3; 3]]| t.iter().flatten().copied().collect::<Vec<Vec3>>();
         let node = |of: &[[Vec3; 3]], skip: u32, leaf: u32| -> Record {
             let all = all(of);
-            let lo = all.iter().copied().reduce(Vec3::min).expect("corners").as_dvec3();
-            let hi = all.iter().copied().reduce(Vec3::max).expect("corners").as_dvec3();
+            let lo = all.iter().copied().reduce(Vec3::min).expect("corners");
+            let [lo, hi] = grown(lo, all.iter().copied().reduce(Vec3::max).expect("corners")).map(Vec3::as_dvec3);
             vec![("lo", V3(lo)), ("hi", V3(hi)), ("skip", Uint(skip)), ("leaf", Uint(leaf))]
         };
         let leaves = self.0.chunks(4).enumerate();
@@ -251,7 +258,7 @@ fn nearest(all: &[Verdict]) -> Verdict {
 #[test]
 fn boxes_of_the_hierarchy_are_never_missed() {
     let mut random = Random::new(104);
-    let mut inputs = Vec::new();
+    let (mut boxes, mut inputs) = (Vec::new(), Vec::new());
     for k in 0..20_000 {
         let lo = random.vector(0.01, 100.0);
         let mut size = random.vector(1e-3, 10.0).abs();
@@ -265,16 +272,19 @@ fn boxes_of_the_hierarchy_are_never_missed() {
         let d = if k % 2 == 0 { awkward_directions()[k % 61] } else { random.vector(1.0, 1.0) };
         let far = random.log(0.1, 1e4) as f32;
         let a = aim - d * far;
+        boxes.push([lo, hi].map(Vec3::as_dvec3));
+        let [lo, hi] = grown(lo, hi);
         inputs.push([row(lo, 0.0), row(hi, 0.0), row(a, 0.0), row(a + d * far * random.within(0.5, 3.0) as f32, 0.0)]);
     }
     let body = "let d = p3.xyz - p2.xyz;
-        let inverse = 1.0 / select(d, vec3f(1e-30), abs(d) < vec3f(1e-30));
-        let whole = box_span(p0.xyz, p1.xyz, p2.xyz, inverse, vec3f(0.0), 2.0);
-        let part = box_span(p0.xyz, p1.xyz, p2.xyz, inverse, vec3f(0.0), 0.25);
+        let sweep = segment_sweep(Segment(p2.xyz, d, p3.xyz, d, 1.0));
+        let whole = box_span(p0.xyz, p1.xyz, sweep, 2.0);
+        let part = box_span(p0.xyz, p1.xyz, sweep, 0.25);
         put(0u, vec4f(f32(whole.enters <= whole.leaves), f32(part.enters <= part.leaves), 0.0, 0.0));";
     let (mut met, mut missed) = (0, 0);
-    for (input, [got]) in inputs.iter().zip(&probe().run::<4, 1>(&gpu(), body, &inputs)) {
-        let [lo, hi, a, b] = input.map(wide);
+    let spans = probe().run::<4, 1>(&gpu(), body, &inputs);
+    for (([lo, hi], input), [got]) in boxes.into_iter().zip(&inputs).zip(&spans) {
+        let [_, _, a, b] = input.map(wide);
         for (k, limit) in [(0, 1.0), (1, 0.25)] {
             let meets = slabs(lo, hi, a, b - a, limit);
             assert!(!meets || got[k] == 1.0, "a box that is met before {limit} is missed: {input:?}");
