@@ -19,7 +19,9 @@ use crate::scene::{Control, Method, Scene};
 const RAYS: usize = 4000;
 /// Workgroups whose time is.
 const GROUPS: usize = 128;
-const REPEATS: usize = 7;
+const REPEATS: usize = 5;
+/// What takes so many times the best one's time, in each of two runs, is not run again.
+const HOPELESS: f64 = 1.3;
 const REFINEMENTS: usize = 2;
 /// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
 const MARGIN: f64 = 0.9;
@@ -240,8 +242,10 @@ impl<'a> Trials<'a> {
     fn times(&self, renderers: &[&Renderer]) -> Result<Vec<f64>, RenderError> {
         let starts = if self.given.is_some() { self.starts() } else { Starts::Pixels(&self.timed, self.gpu.group[0]) };
         let mut times = vec![f64::INFINITY; renderers.len()];
-        for _ in 0..REPEATS {
-            for (renderer, least) in renderers.iter().zip(&mut times) {
+        for repeat in 0..REPEATS {
+            let best = times.iter().copied().fold(f64::INFINITY, f64::min);
+            let promising = |time: f64| repeat < 2 || time <= HOPELESS * best;
+            for (renderer, least) in renderers.iter().zip(&mut times).filter(|(_, least)| promising(**least)) {
                 let (rays, totals) = renderer.follow(starts)?;
                 let device = totals.device.map_or(totals.wall, |stages| stages.iter().sum::<Duration>());
                 *least = least.min(device.as_secs_f64() / rays.len() as f64);
