@@ -75,7 +75,7 @@ const RAYS: [&str; 4] = [
     "[law]\nkind = \"lorenz\"\norder = 2\nsigma = 0.1\nrho = 0.28\nbeta = 0.027\n[rays]\nmethod = \"rk4\"\nstep = 0.1\nsegment = \"chord\"\nsteps_per_segment = 4\n",
 ];
 
-/// The scene's rays under one of `RAYS`, for each structure.
+/// Where the rays end under one of `RAYS`, by one structure and schedule.
 fn ends(
     folder: &Path,
     keys: &str,

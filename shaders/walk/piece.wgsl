@@ -15,8 +15,8 @@ fn segment_fraction(k: u32, pieces: u32, t: Real) -> Real {
     return min((Real(k) + clamp(t, 0.0, 1.0)) / Real(pieces), BELOW_ONE);
 }
 
-// The nearer of a hit and what is met at `t`, or missed where that is 2; of two at the same place the lesser primitive, so that the order in which they are
-// found does not matter.
+// The nearer of a hit and what is met at `t`, or missed where that is 2; of two at the same place the lesser primitive, so that
+// the order in which they are found does not matter.
 fn nearer_hit(hit: Hit, t: Real, primitive: u32) -> Hit {
     let nearer = t < hit.t || (t == hit.t && t < 2.0 && primitive < hit.primitive);
     return Hit(select(hit.t, t, nearer), select(hit.primitive, primitive, nearer));

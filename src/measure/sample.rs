@@ -35,8 +35,8 @@ pub fn every_pixel([width, height]: [u32; 2]) -> Vec<[u32; 2]> {
     (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect()
 }
 
-/// Pixels of `count` workgroups of `across` by `down` at random, in an order that makes workgroups of them again when laid out in rows of a group's
-/// width: neighbours run side by side as in a whole picture.
+/// Pixels of `count` workgroups of `across` by `down` at random, in an order that makes workgroups of them again when laid out in
+/// rows of a group's width: neighbours run side by side as in a whole picture.
 #[must_use]
 pub fn groups([width, height]: [u32; 2], [across, down]: [u32; 2], count: usize) -> Vec<[u32; 2]> {
     let mut random = Random(2);
