@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::process::Command;
+use std::sync::Arc;
 
 use bentray::gpu::{Geometry, memory};
 use bentray::program::{Choice, Layer, Program, Schedule};
@@ -57,6 +58,33 @@ fn tiles_do_not_show() {
         assert!(whole.band == tiled.band, "tiles of {tile_pixels} pixels");
         assert_eq!(whole.totals.fates, tiled.totals.fates);
         assert_eq!(whole.totals.steps, tiled.totals.steps);
+    }
+}
+
+/// A sky of many rows, which goes to the device band by band, in 16 bits and in the 32 that its values need.
+#[test]
+fn a_large_sky_is_where_it_is_in_its_file() {
+    const WIDTH: u32 = 1024;
+    const BLOCK: u32 = 250;
+    const BLOCKS: u32 = 10;
+    let mut scene = scene(
+        "[image]\nsize = [4, 10]\n[camera]\nkind = \"panorama\"\nposition = [0, 0, 1]\n[rays]\nbound = { radius = 9 }\n\
+         [sky]\nimage = \"data/stars.png\"\n",
+    );
+    for scale in [1.0, 10_000.0] {
+        let level = |block: u32| [scale * block as f32, scale * (BLOCKS - block) as f32, scale];
+        let pixels = (0..WIDTH * BLOCK * BLOCKS).map(|i| level(i / (WIDTH * BLOCK)));
+        scene.pictures[0] = bentray::scene::Picture {
+            size: [WIDTH, BLOCK * BLOCKS],
+            pixels: Arc::new(pixels.collect()),
+            name: "blocks".to_owned(),
+        };
+        let band = rendered(&scene, Settings::default()).band;
+        for (i, row) in (0..BLOCKS).flat_map(|block| [block; 4]).enumerate() {
+            let found = [0, 1, 2].map(|channel: usize| band.color[channel][i]);
+            let near = found.iter().zip(level(row)).all(|(a, b)| (a - b).abs() <= 1e-6 * b);
+            assert!(near, "scale {scale}, row {row}: {found:?}");
+        }
     }
 }
 

@@ -97,8 +97,7 @@ fn structure_words(geometry: &Geometry) -> Option<String> {
 /// All frames are right, and run the first one's program.
 fn check_frames(path: &Path, arguments: &Arguments, choice: &Choice, scene: &Scene) -> Result<(), Error> {
     let Some(animation) = &scene.animation else { return Ok(()) };
-    let overrides = arguments.changes.overrides();
-    let film = Film { path, overrides: &overrides };
+    let film = Film::new(path, arguments.changes.overrides());
     let first = film.program(choice, &|_| 0)?;
     for frame in 1..animation.frames {
         if !film.program(choice, &|_| frame)?.runs_as(&first) {

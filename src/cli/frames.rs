@@ -1,5 +1,6 @@
 //! Frames of an animation: which are rendered, into what files, and whether one program runs them all.
 
+use std::cell::RefCell;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -7,7 +8,7 @@ use std::str::FromStr;
 use crate::error::Error;
 use crate::gpu::Geometry;
 use crate::program::{Choice, Program};
-use crate::scene::{Override, Scene};
+use crate::scene::{Files, Override, Scene, SceneError};
 
 /// `--frames`.
 #[derive(Debug, Clone, Copy)]
@@ -57,16 +58,26 @@ pub(super) fn path_of(path: &Path, frame: u32) -> Option<PathBuf> {
     Some(format!("{before}{frame:0width$}{after}").into())
 }
 
-/// A scene file of which frames are looked at without a device.
+/// A scene file whose frames are loaded one after the other.
 pub(super) struct Film<'a> {
-    pub path: &'a Path,
-    pub overrides: &'a [Override],
+    path: &'a Path,
+    overrides: Vec<Override>,
+    files: RefCell<Files>,
 }
 
-impl Film<'_> {
-    /// The program of a frame; `frame_of` as [`Scene::load_frame`] has it.
+impl<'a> Film<'a> {
+    pub(super) fn new(path: &'a Path, overrides: Vec<Override>) -> Self {
+        Self { path, overrides, files: RefCell::default() }
+    }
+
+    /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.
+    pub(super) fn load(&self, frame_of: Option<&dyn Fn(&str) -> u32>) -> Result<Scene, SceneError> {
+        Scene::load_with(&mut self.files.borrow_mut(), self.path, &self.overrides, frame_of)
+    }
+
+    /// The program of a frame.
     pub(super) fn program(&self, choice: &Choice, frame_of: &dyn Fn(&str) -> u32) -> Result<Program, Error> {
-        let scene = Scene::load_frame(self.path, self.overrides, frame_of)?;
+        let scene = self.load(Some(frame_of))?;
         let geometry = Geometry::new(&scene);
         Ok(Program::new(&scene, choice, geometry.extent())?)
     }

@@ -15,7 +15,7 @@ use crate::measure::{Verification, method_words, verify};
 use crate::output::{ImageWriter, Settings, open};
 use crate::program::Layer;
 use crate::render::{self, RenderError, Renderer, Status, Totals, Window};
-use crate::scene::{Override, Scene};
+use crate::scene::Scene;
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
 #[derive(Debug, Args)]
@@ -113,10 +113,10 @@ impl Arguments {
     }
 
     /// The scene, or a frame of it.
-    fn load(&self, overrides: &[Override], frame: Option<u32>) -> Result<Scene, Error> {
+    fn load(&self, film: &Film, frame: Option<u32>) -> Result<Scene, Error> {
         let scene = match frame {
-            None => Scene::load(&self.scene, overrides),
-            Some(frame) => Scene::load_frame(&self.scene, overrides, &|_| frame),
+            None => film.load(None),
+            Some(frame) => film.load(Some(&|_| frame)),
         }?;
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
             Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),
@@ -167,8 +167,8 @@ impl Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut launch = StartUp::default();
     arguments.check()?;
-    let overrides = arguments.changes.overrides();
-    let still = arguments.load(&overrides, None)?;
+    let film = Film::new(&arguments.scene, arguments.changes.overrides());
+    let still = arguments.load(&film, None)?;
     let frames: Vec<Option<u32>> = match arguments.frames {
         Some(frames) => frames.of(&still)?.map(Some).collect(),
         None => vec![None],
@@ -181,7 +181,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         return Err(RenderError::NoCamera.into());
     }
     let begun = Instant::now();
-    let scene = if frames[0].is_some() { arguments.load(&overrides, frames[0])? } else { still };
+    let scene = if frames[0].is_some() { arguments.load(&film, frames[0])? } else { still };
     launch.next();
     let gpu = arguments.device.open()?;
     launch.next();
@@ -208,12 +208,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         let first = i == 0;
         if !first {
             let begun = Instant::now();
-            let next = settled(arguments.load(&overrides, frame)?, &scene);
+            let next = settled(arguments.load(&film, frame)?, &scene);
             writers = arguments.open(&next, frame, &self::metadata(&next, None))?;
             match (renderer.set_scene(next), frames[0], frame) {
                 (Err(RenderError::OtherProgram), Some(first), Some(frame)) => {
                     let keys = scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
-                    let film = Film { path: &arguments.scene, overrides: &overrides };
                     return Err(film.other_program(keys, [first, frame]));
                 }
                 (result, ..) => result?,

@@ -1,12 +1,14 @@
 //! A scene's values on the device: a buffer or texture for every binding of its program that is the same for all tiles.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use half::f16;
 use half::slice::HalfFloatSliceExt;
-use wgpu::util::{BufferInitDescriptor, DeviceExt, TextureDataOrder};
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
-    Buffer, BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
+    Buffer, BufferUsages, Extent3d, Origin3d, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureDescriptor,
+    TextureDimension, TextureFormat, TextureUsages,
 };
 
 use super::records::Value::{Float, Uint, Uint2, Uint3, Vec3};
@@ -23,6 +25,8 @@ pub struct SceneBuffers {
     pub buffers: BTreeMap<String, Buffer>,
     /// Pictures.
     pub textures: BTreeMap<String, Texture>,
+    /// What each of them shows.
+    pictures: BTreeMap<String, Picture>,
 }
 
 /// What the values are read from.
@@ -34,27 +38,38 @@ pub(super) struct Source<'a> {
 }
 
 impl SceneBuffers {
-    /// Uploads what `program` binds of `scene`. `segments` is K, the segments of one fused pass.
+    /// Uploads what `program` binds of `scene`. `segments` is K, the segments of one fused pass. Pictures that lie on the device
+    /// `before` are taken from there.
     pub fn new(
         gpu: &Gpu,
         scene: &Scene,
         geometry: &Geometry,
         program: &Program,
         segments: u32,
+        before: Option<&Self>,
     ) -> Result<Self, GpuError> {
         let source = Source { scene, geometry, program, segments };
-        let mut made = Self { buffers: BTreeMap::new(), textures: BTreeMap::new() };
+        let mut made = Self { buffers: BTreeMap::new(), textures: BTreeMap::new(), pictures: BTreeMap::new() };
         for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
-            if made.buffers.contains_key(&binding.name) || made.textures.contains_key(&binding.name) {
+            let name = &binding.name;
+            if made.buffers.contains_key(name) || made.textures.contains_key(name) {
                 continue;
             }
-            if let Some(picture) = image_index(&binding.name).and_then(|k| scene.pictures.get(k)) {
-                made.textures.insert(binding.name.clone(), upload_picture(gpu, picture)?);
+            if let Some(picture) = image_index(name).and_then(|k| scene.pictures.get(k)) {
+                let texture = before.and_then(|before| before.texture_of(picture));
+                let texture = texture.map_or_else(|| upload_picture(gpu, picture), Ok)?;
+                made.textures.insert(name.clone(), texture);
+                made.pictures.insert(name.clone(), picture.clone());
             } else if let Some(bytes) = source.bytes(binding)? {
-                made.buffers.insert(binding.name.clone(), upload(gpu, binding, &bytes)?);
+                made.buffers.insert(name.clone(), upload(gpu, binding, &bytes)?);
             }
         }
         Ok(made)
+    }
+
+    fn texture_of(&self, picture: &Picture) -> Option<Texture> {
+        let (name, _) = self.pictures.iter().find(|(_, there)| Arc::ptr_eq(&there.pixels, &picture.pixels))?;
+        self.textures.get(name).cloned()
     }
 
     /// What they take on the device.
@@ -98,6 +113,9 @@ fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError
     }))
 }
 
+/// Pixels that are converted and written at once.
+const BAND: u32 = 1 << 20;
+
 /// In 16 bits where its values fit.
 fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
     let [width, height] = picture.size;
@@ -107,17 +125,9 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
         u64::from(gpu.limits.max_texture_dimension_2d),
         u64::from(width.max(height)),
     )?;
-    let fits = picture.pixels.iter().flatten().all(|v| *v <= f16::MAX.to_f32());
-    let texels: Vec<[f32; 4]> = picture.pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
-    let texels = texels.as_flattened();
-    let mut halves = vec![f16::ZERO; if fits { texels.len() } else { 0 }];
-    let (format, bytes) = if fits {
-        halves.convert_from_f32_slice(texels);
-        (TextureFormat::Rgba16Float, bytemuck::cast_slice(&halves))
-    } else {
-        (TextureFormat::Rgba32Float, bytemuck::cast_slice(texels))
-    };
-    let descriptor = TextureDescriptor {
+    let halves = picture.pixels.iter().flatten().all(|v| *v <= f16::MAX.to_f32());
+    let format = if halves { TextureFormat::Rgba16Float } else { TextureFormat::Rgba32Float };
+    let texture = gpu.device.create_texture(&TextureDescriptor {
         label: Some(&picture.name),
         size: Extent3d { width, height, depth_or_array_layers: 1 },
         mip_level_count: 1,
@@ -126,8 +136,29 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
         format,
         usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
         view_formats: &[],
-    };
-    Ok(gpu.device.create_texture_with_data(&gpu.queue, &descriptor, TextureDataOrder::LayerMajor, bytes))
+    });
+    let rows = (BAND / width).max(1);
+    for (k, pixels) in picture.pixels.chunks((rows * width) as usize).enumerate() {
+        let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
+        let mut halved = vec![f16::ZERO; if halves { 4 * texels.len() } else { 0 }];
+        let bytes: &[u8] = if halves {
+            halved.convert_from_f32_slice(texels.as_flattened());
+            bytemuck::cast_slice(&halved)
+        } else {
+            bytemuck::cast_slice(&texels)
+        };
+        let size = Extent3d { width, height: pixels.len() as u32 / width, depth_or_array_layers: 1 };
+        let origin = Origin3d { y: k as u32 * rows, ..Origin3d::ZERO };
+        let row = TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(bytes.len() as u32 / size.height),
+            rows_per_image: None,
+        };
+        gpu.queue.write_texture(TexelCopyTextureInfo { origin, ..texture.as_image_copy() }, bytes, row, size);
+        // What is written is held in memory until then.
+        gpu.queue.submit([]);
+    }
+    Ok(texture)
 }
 
 impl Source<'_> {

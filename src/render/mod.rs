@@ -12,6 +12,7 @@ mod bare;
 mod clock;
 mod error;
 mod picture;
+mod plan;
 mod readback;
 mod renderer;
 mod runner;

@@ -7,8 +7,9 @@ use std::time::Instant;
 use wgpu::{BufferUsages, ErrorFilter};
 
 use super::clock::Clock;
+use super::plan::Plan;
 use super::readback::read_buffer;
-use super::schedule::{Batch, Step, steps};
+use super::schedule::{Batch, steps};
 use super::{RenderError, Totals, Window};
 use crate::gpu::Value::{self, Uint, Uint2};
 use crate::gpu::{
@@ -74,49 +75,6 @@ pub struct Renderer<'a> {
     is_long: Cell<bool>,
 }
 
-/// What runs for each round of a sample.
-#[derive(Debug, Default)]
-pub(super) struct Plan {
-    pub steps: Vec<Step>,
-    /// What differs between steps.
-    pub turns: Vec<Turn>,
-    pub batch: Batch,
-}
-
-impl Plan {
-    fn new(steps: Vec<Step>, rounds: u32) -> Self {
-        let mut turns: Vec<_> = steps.iter().map(Turn::of).collect();
-        turns.sort_unstable();
-        turns.dedup();
-        let batch = Batch::of(&steps, rounds);
-        Self { steps, turns, batch }
-    }
-}
-
-/// What a pass is told of its step: `shaders/turn.wgsl`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Turn {
-    start: usize,
-    end: usize,
-    again: bool,
-    first: bool,
-}
-
-impl Turn {
-    pub(super) fn of(step: &Step) -> Self {
-        Self { start: step.slots.start, end: step.slots.end, again: step.again, first: step.first }
-    }
-
-    fn row(self) -> [(&'static str, Value); 4] {
-        [
-            ("start", Uint(self.start as u32)),
-            ("end", Uint(self.end as u32)),
-            ("again", Uint(self.again.into())),
-            ("first", Uint(self.first.into())),
-        ]
-    }
-}
-
 /// What became of a tile's walks over the scene's structure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Walks {
@@ -158,7 +116,7 @@ impl<'a> Renderer<'a> {
         let pipelines = Pipelines::new(gpu, &program)?;
         let longer = settings.segments.saturating_mul(settings.choice.rounds(scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
-        let buffers = SceneBuffers::new(gpu, scene, &geometry, &program, settings.segments)?;
+        let buffers = SceneBuffers::new(gpu, scene, &geometry, &program, settings.segments, None)?;
         let max_segments = scene.rays.max_segments;
         let (short, long, is_long) = (Plan::default(), OnceCell::new(), Cell::new(false));
         let scene = Cow::Borrowed(scene);
@@ -181,7 +139,7 @@ impl<'a> Renderer<'a> {
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
-        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, *segments)?;
+        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, *segments, Some(&self.buffers))?;
         self.structure = geometry.structure;
         self.program = program;
         self.max_segments = scene.rays.max_segments;
@@ -355,5 +313,23 @@ mod tests {
         let refused = renderer.set_scene(scene("center = [3, 0, 0]\nscale = [1, 2, 1]\n"));
         assert!(matches!(refused, Err(RenderError::OtherProgram)), "{refused:?}");
         assert!(renderer.picture().unwrap().band == expected[0]);
+    }
+
+    #[test]
+    fn pictures_stay_on_the_device_as_long_as_they_are_the_same() {
+        let gpu = Gpu::open(Some("llvmpipe")).unwrap();
+        let text = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 0, 9]\n[sky]\nimage = \"data/stars.png\"\n\
+                    [rays]\nbound = { radius = 20 }\n";
+        let first = Scene::parse(text, std::path::Path::new("scenes/test.toml"), &[]).unwrap();
+        let mut other = first.clone();
+        other.pictures[0].pixels = vec![[0.0, 0.5, 1.0]; first.pictures[0].pixels.len()].into();
+        let mut renderer = Renderer::new(&gpu, &first, Settings::default()).unwrap();
+        let stars = renderer.picture().unwrap().band;
+        let before = renderer.buffers.textures.clone();
+        renderer.set_scene(first.clone()).unwrap();
+        assert!(renderer.buffers.textures == before && renderer.picture().unwrap().band == stars);
+        renderer.set_scene(other.clone()).unwrap();
+        let fresh = Renderer::new(&gpu, &other, Settings::default()).unwrap().picture().unwrap().band;
+        assert!(renderer.buffers.textures != before && renderer.picture().unwrap().band == fresh && fresh != stars);
     }
 }

@@ -15,7 +15,8 @@ use wgpu::{
 
 use super::Renderer;
 use super::clock::{Clock, Stage};
-use super::renderer::{Frame, Refines, Turn};
+use super::plan::Turn;
+use super::renderer::{Frame, Refines};
 use super::schedule::{Dispatch, Step, refining};
 use crate::gpu::{GpuError, OPEN, Slots, TURN_STRIDE, Tile};
 use crate::program::Pass;

@@ -10,7 +10,7 @@
 use std::fmt;
 
 use super::Renderer;
-use super::renderer::Plan;
+use super::plan::Plan;
 use super::schedule::Batch;
 use crate::gpu::{GpuError, TURN_STRIDE};
 

@@ -30,6 +30,7 @@ mod transform;
 mod tests;
 
 pub use camera::{Camera, CameraKind, Corners, Frame, Stereo, StereoLayout};
+pub use check::Files;
 pub use cut::{CORNERS, CutPlane, Landmark, Outline};
 pub use document::Override;
 pub use error::{Mistake, SceneError};

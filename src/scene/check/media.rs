@@ -170,7 +170,7 @@ fn medium(table: &TableReader, kind: Kind, around: Surroundings, files: &mut Fil
         }
         Kind::Explosion => Medium::Explosion(explosion(table, around)?),
         Kind::Expression => written::expression(table, around)?,
-        Kind::Grid => written::grid(table)?,
+        Kind::Grid => written::grid(table, files)?,
     })
 }
 

@@ -18,11 +18,12 @@ mod rays;
 mod regions;
 mod written;
 
+pub use files::Files;
+
 use super::document::reader::{Reader, TableReader};
 use super::document::values::{color, direction, number_where, vector, whole, word};
 use super::document::{Document, Override};
 use super::{Animation, Light, Output, Scene, SceneError, Tonemap};
-use files::Files;
 use glam::DVec3;
 use optics::Optics;
 use std::path::Path;
@@ -30,25 +31,34 @@ use std::path::Path;
 impl Scene {
     /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file.
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
-        Self::parse(&read(path)?, path, overrides)
+        Self::load_with(&mut Files::default(), path, overrides, None)
     }
 
-    /// As [`Scene::load`], with what `[animation]` moves where it is at a frame. `frame_of` names the frame of each track by
-    /// its key: the same for all, unless it is to be known what one of them changes.
-    pub fn load_frame(path: &Path, overrides: &[Override], frame_of: &dyn Fn(&str) -> u32) -> Result<Self, SceneError> {
+    /// As [`Scene::load`], with the files kept that it names, for the next scene; and, if a frame is given, with what
+    /// `[animation]` moves where it is then. `frame_of` names the frame of each track by its key: the same for all, unless it is
+    /// to be known what one of them changes.
+    pub fn load_with(
+        files: &mut Files,
+        path: &Path,
+        overrides: &[Override],
+        frame_of: Option<&dyn Fn(&str) -> u32>,
+    ) -> Result<Self, SceneError> {
         let mut document = Document::parse(&read(path)?, path, overrides)?;
-        animation::apply(&mut document, frame_of);
-        Self::of(&document, path)
+        if let Some(frame_of) = frame_of {
+            animation::apply(&mut document, frame_of);
+        }
+        Self::of(&document, path, files)
     }
 
     /// As [`Scene::load`], with the file's text given; `path` names it, and files are found relative to its folder.
     pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
-        Self::of(&Document::parse(text, path, overrides)?, path)
+        Self::of(&Document::parse(text, path, overrides)?, path, &mut Files::default())
     }
 
-    fn of(document: &Document, path: &Path) -> Result<Self, SceneError> {
+    fn of(document: &Document, path: &Path, files: &mut Files) -> Result<Self, SceneError> {
         let reader = Reader::new(document);
-        let scene = scene(&reader, path.parent().unwrap_or(Path::new("")));
+        files.begin();
+        let scene = scene(&reader, files);
         let mut mistakes = reader.into_mistakes();
         // The scene's first, from the top; those of other files stay together, as they were found.
         mistakes.sort_by_key(|m| if m.file == path { (m.line, m.column) } else { (usize::MAX, 0) });
@@ -64,18 +74,17 @@ fn read(path: &Path) -> Result<String, SceneError> {
 }
 
 /// The scene, as far as it can be made; faults are left with the reader.
-pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
+pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let root = reader.root();
-    let mut files = Files::new(folder);
     let image = image::read(&root);
-    let law = law::read(&root, &mut files);
+    let law = law::read(&root, files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
     let camera = camera::read(&root, law.as_ref(), image.size);
-    let sky = materials::sky(&root, &mut files);
+    let sky = materials::sky(&root, files);
     let output = output(&root);
-    let (names, materials) = materials::read(&root, &mut files);
-    let placed = objects::read(&root, &names, bound, &mut files);
+    let (names, materials) = materials::read(&root, files);
+    let placed = objects::read(&root, &names, bound, files);
     regions::check(reader, &placed, &materials);
     let objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
     let optics = Optics { law: law.as_ref(), objects: &objects, materials: &materials };
@@ -94,7 +103,7 @@ pub(super) fn scene(reader: &Reader, folder: &Path) -> Option<Scene> {
         objects,
         lights,
         animation,
-        pictures: files.into_pictures(),
+        pictures: files.pictures(),
     })
 }
 

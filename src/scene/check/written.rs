@@ -1,14 +1,13 @@
 //! Media that the user gives in full: formulas and grids of samples.
 
-use super::files;
+use super::files::Files;
 use super::media::Surroundings;
 use crate::scene::document::Node;
 use crate::scene::document::reader::TableReader;
 use crate::scene::document::values::{array, not_zero, number, positive, text, vector, whole, word};
 use crate::scene::grid::{Bare, Stored, Use};
-use crate::scene::{Formula, IndexGrid, Medium};
+use crate::scene::{Formula, Medium};
 use glam::DVec3;
-use std::sync::Arc;
 
 /// `n`, a formula.
 pub fn expression(table: &TableReader, around: Surroundings) -> Option<Medium> {
@@ -41,7 +40,7 @@ fn formula(table: &TableReader, node: &Node) -> Option<Formula> {
 }
 
 /// `file`, and what it does not say itself.
-pub fn grid(table: &TableReader) -> Option<Medium> {
+pub fn grid(table: &TableReader, files: &mut Files) -> Option<Medium> {
     let file = table.required_node("file", "\"index.nrrd\"");
     let (min, max) = (table.optional("min", vector), table.optional("max", vector));
     let scale = table.or("scale", 1.0, not_zero);
@@ -58,8 +57,7 @@ pub fn grid(table: &TableReader) -> Option<Medium> {
         table.fault(&[], "missing keys `min` and `max`", help);
         return None;
     }
-    let loaded = IndexGrid::load(&table.reader.folder().join(name), &Use { bare, corners, scale, offset });
-    files::accept(table.reader, file?, loaded).map(|grid| Medium::Grid(Arc::new(grid)))
+    files.grid(table.reader, file?, &Use { bare, corners, scale, offset }).map(Medium::Grid)
 }
 
 fn bare(table: &TableReader) -> Option<Bare> {

@@ -75,7 +75,7 @@ pub struct Bare {
 }
 
 /// What a scene says of a grid.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Use {
     /// Of a file of bare numbers.
     pub bare: Option<Bare>,

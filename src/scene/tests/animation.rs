@@ -3,7 +3,7 @@
 #![allow(clippy::float_cmp)] // values at key frames are exact
 
 use super::{Override, RAYS, Scene, SceneError, mistakes_of};
-use crate::scene::CameraKind;
+use crate::scene::{CameraKind, Files};
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -18,7 +18,7 @@ fn frame(tracks: &str, overrides: &[&str], frame: u32) -> Result<Scene, SceneErr
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, format!("{RAYS}{SCENE}{tracks}")).expect("a file");
     let overrides: Vec<Override> = overrides.iter().map(|o| o.parse().expect("an override")).collect();
-    Scene::load_frame(&path, &overrides, &|_| frame)
+    Scene::load_with(&mut Files::default(), &path, &overrides, Some(&|_| frame))
 }
 
 fn fov(scene: &Scene) -> f64 {

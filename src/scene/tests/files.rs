@@ -1,11 +1,12 @@
 //! Meshes and pictures, and scenes that name them.
 
 use super::{Scene, mistakes_of};
-use crate::scene::{Mesh, Mistake, Pattern, Picture, SceneError, Sky};
+use crate::scene::{Files, Interior, Medium, Mesh, Mistake, Pattern, Picture, SceneError, Shape, Sky, Substance};
 use glam::{Vec2, Vec3};
 use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, Rgb32FImage, RgbImage};
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 fn mesh(text: &str) -> Mesh {
     Mesh::parse(text, Path::new("a.obj")).unwrap_or_else(|e| panic!("{e}"))
@@ -170,4 +171,50 @@ fn a_scene_loads_each_file_once() {
     assert_eq!(mistakes.len(), 2, "{mistakes:?}");
     assert_eq!((mistakes[0].line, mistakes[0].column, mistakes[0].excerpt.as_str()), (4, 19, "\"b.png\""));
     assert_eq!((mistakes[1].file.clone(), mistakes[1].line), (path("m.obj"), 2));
+}
+
+/// Frames share what they name, and no scene is given what another's file was, or what failed.
+#[test]
+fn scenes_that_share_their_files_load_each_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    RgbImage::new(2, 2).save(path("a.png")).expect("saved");
+    RgbImage::new(4, 2).save(path("b.png")).expect("saved");
+    fs::write(path("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
+    fs::write(path("n.raw"), [1; 8]).expect("written");
+    let scene = |sky: &str, offset: f64| {
+        format!(
+            "[rays]\nbound = {{ radius = 9 }}\n[sky]\nimage = \"{sky}\"\n[materials.m]\ndiffuse = {{ image = \"a.png\" }}\n\
+             [[objects]]\nshape = \"mesh\"\nfile = \"m.obj\"\nmaterial = \"m\"\n[[objects]]\nshape = \"sphere\"\n\
+             interior = {{ kind = \"grid\", file = \"n.raw\", size = [2, 2, 2], type = \"u8\", min = [-1, -1, -1], \
+             max = [1, 1, 1], offset = {offset} }}\n"
+        )
+    };
+    let mut files = Files::default();
+    let mut load = |text: &str| {
+        fs::write(path("scene.toml"), text).expect("written");
+        Scene::load_with(&mut files, &path("scene.toml"), &[], None)
+    };
+    let mut good = |text: &str| load(text).unwrap_or_else(|e| panic!("{e}"));
+    let loaded = |scene: &Scene| match (&scene.objects[0].shape, &scene.objects[1].substance) {
+        (Shape::Mesh(mesh), Substance::Clear(Interior { medium: Medium::Grid(grid), .. })) => {
+            (Arc::clone(mesh), Arc::clone(grid))
+        }
+        other => panic!("{other:?}"),
+    };
+    let [first, again, other] = [("a.png", 1.0), ("a.png", 1.0), ("b.png", 2.0)].map(|(sky, n)| good(&scene(sky, n)));
+    let ((mesh_1, grid_1), (mesh_2, grid_2), (mesh_3, grid_3)) = (loaded(&first), loaded(&again), loaded(&other));
+    assert!(Arc::ptr_eq(&mesh_1, &mesh_2) && Arc::ptr_eq(&mesh_1, &mesh_3));
+    assert!(Arc::ptr_eq(&grid_1, &grid_2));
+    assert!((grid_3.samples[0] - grid_1.samples[0] - 1.0).abs() < 1e-6, "used otherwise, it is another grid");
+    assert!(Arc::ptr_eq(&first.pictures[0].pixels, &again.pictures[0].pixels));
+    // A scene's pictures are its own, in the order in which it names them.
+    assert_eq!(other.pictures.iter().map(|picture| picture.size).collect::<Vec<_>>(), [[4, 2], [2, 2]]);
+
+    // What is loaded stays, and what failed is tried again.
+    fs::write(path("m.obj"), "v 0 0 0\nf 1 2 3\n").expect("written");
+    good(&scene("a.png", 1.0));
+    assert_eq!(mistakes_of(load(&scene("c.png", 1.0))).len(), 1);
+    RgbImage::new(2, 2).save(path("c.png")).expect("saved");
+    load(&scene("c.png", 1.0)).unwrap_or_else(|e| panic!("{e}"));
 }

@@ -1,7 +1,7 @@
 //! Good scenes: defaults, every kind, the template, and the reference against what is asked for.
 
 use super::{RAYS, good};
-use crate::scene::check::scene;
+use crate::scene::check::{Files, scene};
 use crate::scene::document::Document;
 use crate::scene::document::reader::Reader;
 use crate::scene::{
@@ -53,9 +53,9 @@ const KINDS: &[&str] = &[
 fn the_reference_lists_the_keys_that_are_asked_for() {
     let mut asked = BTreeSet::new();
     for text in KINDS.iter().chain([&TEMPLATE]) {
-        let document = Document::parse(text, Path::new("scene.toml"), &[]).expect("TOML");
+        let document = Document::parse(text, Path::new("no folder/scene.toml"), &[]).expect("TOML");
         let reader = Reader::new(&document);
-        scene(&reader, Path::new("no folder"));
+        scene(&reader, &mut Files::default());
         asked.extend(reader.asked());
     }
     let listed = REFERENCE.iter().map(|r| (r.table, r.key)).collect();
