@@ -2,7 +2,8 @@
 
 use glam::{DVec3, DVec4};
 
-use super::structure::{Built, Item};
+use super::hierarchy::Item;
+use super::structure::Built;
 use crate::program::{Extent, Regions, Structure, constant, shape_kind};
 use crate::scene::{Mesh, Object, Scene, Shape, Vertex};
 

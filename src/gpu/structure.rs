@@ -1,42 +1,14 @@
 //! The structure that segments search, built over a scene's items.
 //!
-//! *Practice.* The hierarchy is the crate's (PLOC, then reinsertion), built on all cores; here it is laid out depth first. The grid
-//! has about two cells for each item, in the proportions of the scene's box (Cleary and Wyvill 1988), fewer where items are so large
-//! that they would fill many.
+//! *Practice.* The grid has about two cells for each item, in the proportions of the scene's box (Cleary and Wyvill 1988), fewer where
+//! items are so large that they would fill many.
 
 use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
-use obvhs::BvhBuildParams;
-use obvhs::aabb::Aabb;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
 
+use super::hierarchy::{Item, LEAF, Node, hierarchy};
 use crate::program::{Extent, Search, constant};
-
-/// What can be met: its primitive, and its box.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Item {
-    /// Kind and index, as in `shaders/ray.wgsl`.
-    pub primitive: u32,
-    /// The box's lower corner.
-    pub lo: Vec3,
-    /// The box's upper corner.
-    pub hi: Vec3,
-}
-
-/// A node of the hierarchy, in depth-first order.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Node {
-    /// The box's lower corner.
-    pub lo: Vec3,
-    /// The box's upper corner.
-    pub hi: Vec3,
-    /// The node after this one's subtree.
-    pub skip: u32,
-    /// 0 inside the tree; in a leaf the number of items in the upper eight bits, the first of them in the others.
-    pub leaf: u32,
-}
 
 /// The cells of a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,9 +39,6 @@ pub struct Built {
     /// What it was built over.
     over: Vec<Item>,
 }
-
-/// Items in one leaf, at most.
-const LEAF: u32 = 4;
 
 impl Built {
     /// Over `items`, whose primitives are numbered again kind by kind, in the order of a hierarchy's leaves, whatever the search: what
@@ -147,44 +116,6 @@ impl Built {
 
 fn primitives(items: &[Item]) -> Vec<u32> {
     items.iter().map(|item| item.primitive).collect()
-}
-
-/// The nodes, and the items in the order of the leaves.
-fn hierarchy(items: &[Item]) -> (Vec<Node>, Vec<u32>) {
-    let boxes: Vec<Aabb> = items.iter().map(|item| Aabb::new(item.lo.into(), item.hi.into())).collect();
-    let params = BvhBuildParams { max_prims_per_leaf: LEAF, pre_split: false, ..BvhBuildParams::medium_build() };
-    let bvh = build_bvh2(&boxes, params, &mut std::time::Duration::default());
-    let (mut nodes, mut order) = (Vec::new(), Vec::with_capacity(items.len()));
-    flatten(&bvh, &mut nodes, &mut order);
-    (nodes, order)
-}
-
-/// Depth first, so that the next node to visit is the next in the list where the box is met, and `skip` where it is missed.
-fn flatten(bvh: &Bvh2, nodes: &mut Vec<Node>, order: &mut Vec<u32>) {
-    // An explicit stack: a degenerate mesh makes a tree too deep for recursion. `Err` closes the node whose subtree ended.
-    let mut open = vec![Ok(0)];
-    while let Some(next) = open.pop() {
-        let at: usize = match next {
-            Ok(at) => at,
-            Err(node) => {
-                let skip = nodes.len() as u32;
-                let node: &mut Node = &mut nodes[node];
-                node.skip = skip;
-                continue;
-            }
-        };
-        let node = &bvh.nodes[at];
-        let mut leaf = 0;
-        open.push(Err(nodes.len()));
-        if node.prim_count > 0 {
-            leaf = (node.prim_count << 24) | order.len() as u32;
-            let first = node.first_index as usize;
-            order.extend(&bvh.primitive_indices[first..first + node.prim_count as usize]);
-        } else {
-            open.extend([Ok(node.first_index as usize + 1), Ok(node.first_index as usize)]);
-        }
-        nodes.push(Node { lo: node.aabb.min.into(), hi: node.aabb.max.into(), skip: 0, leaf });
-    }
 }
 
 /// Cells for each item, about.
