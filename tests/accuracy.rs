@@ -127,7 +127,7 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
 fn a_calibration_says_what_cannot_be_had() {
     let gpu = gpu();
     let flow = scene(
-        "[image]\nsize = [64, 48]\n[camera]\nkind = \"plane\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\n\
+        "[image]\nsize = [32, 24]\n[camera]\nkind = \"plane\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\n\
          up = [0, 0, 1]\nheight = 20\n[law]\nkind = \"lorenz\"\n[rays]\nbound = { radius = 500 }\nlength = 18\n\
          max_segments = 20000\naccuracy = 1e-5\n",
     );
