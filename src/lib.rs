@@ -31,12 +31,15 @@
 //! # }
 //! ```
 
+pub mod assets;
 pub mod bench;
 pub mod chart;
 pub mod cli;
+pub mod document;
 pub mod error;
 pub mod gpu;
 pub mod measure;
+pub mod model;
 pub mod output;
 pub mod program;
 pub mod render;

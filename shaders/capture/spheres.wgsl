@@ -4,6 +4,9 @@
 struct CaptureSphere {
     center: Real3,
     radius: Real,
+    // What its kind has besides a position, and its kind.
+    along: Real3,
+    kind: u32,
 }
 
 @group(0) @binding(55) var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
@@ -12,7 +15,7 @@ fn law_captured(x: Real3, v: Real3) -> bool {
     var captured = false;
     for (var i = 0u; i < CAPTURE_COUNT; i++) {
         work += 1u;
-        let d = x - capture_spheres[i].center;
+        let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
         captured = captured || (dot(d, d) < capture_spheres[i].radius * capture_spheres[i].radius && dot(d, v) < 0.0);
     }
     return captured;
@@ -28,7 +31,7 @@ fn capture_gap(x: Real3) -> Real4 {
     var nearest = Real4(0.0, 0.0, 0.0, 1e30);
     for (var i = 0u; i < CAPTURE_COUNT; i++) {
         work += 1u;
-        let d = x - capture_spheres[i].center;
+        let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
         let gap = length(d) - capture_spheres[i].radius;
         if gap < nearest.w {
             nearest = Real4(normalize(d), gap);

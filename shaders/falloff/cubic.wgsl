@@ -5,6 +5,9 @@
 struct Cubic {
     position: Real3,
     strength: Real,
+    // What its kind has besides a position, and its kind.
+    along: Real3,
+    kind: u32,
     radius: Real,
 }
 
@@ -14,7 +17,7 @@ fn cubic_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);
     for (var i = 0u; i < CUBIC_COUNT; i++) {
         work += 1u;
-        let d = x - cubic[i].position;
+        let d = anchor_offset(cubic[i].kind, x - cubic[i].position, cubic[i].along);
         let r = length(d);
         let q = min(r / cubic[i].radius, 1.0);
         let unit = select(d / r, Real3(0.0), r == 0.0);
@@ -27,7 +30,7 @@ fn cubic_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < CUBIC_COUNT; i++) {
         work += 1u;
-        nearest = min(nearest, max(distance(x, cubic[i].position), 0.02 * cubic[i].radius));
+        nearest = min(nearest, max(length(anchor_offset(cubic[i].kind, x - cubic[i].position, cubic[i].along)), 0.02 * cubic[i].radius));
     }
     return nearest;
 }

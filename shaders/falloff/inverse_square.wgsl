@@ -3,6 +3,9 @@
 struct InverseSquare {
     position: Real3,
     strength: Real,
+    // What its kind has besides a position, and its kind.
+    along: Real3,
+    kind: u32,
 }
 
 @group(0) @binding(51) var<uniform> inverse_square: array<InverseSquare, INVERSE_SQUARE_COUNT>;
@@ -11,7 +14,7 @@ fn inverse_square_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);
     for (var i = 0u; i < INVERSE_SQUARE_COUNT; i++) {
         work += 1u;
-        let d = x - inverse_square[i].position;
+        let d = anchor_offset(inverse_square[i].kind, x - inverse_square[i].position, inverse_square[i].along);
         let r2 = dot(d, d);
         sum -= (inverse_square[i].strength / (r2 * sqrt(r2))) * d;
     }
@@ -22,7 +25,7 @@ fn inverse_square_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < INVERSE_SQUARE_COUNT; i++) {
         work += 1u;
-        nearest = min(nearest, distance(x, inverse_square[i].position));
+        nearest = min(nearest, length(anchor_offset(inverse_square[i].kind, x - inverse_square[i].position, inverse_square[i].along)));
     }
     return nearest;
 }

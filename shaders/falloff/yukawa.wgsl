@@ -4,6 +4,9 @@
 struct Yukawa {
     position: Real3,
     strength: Real,
+    // What its kind has besides a position, and its kind.
+    along: Real3,
+    kind: u32,
     mu: Real,
 }
 
@@ -13,7 +16,7 @@ fn yukawa_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);
     for (var i = 0u; i < YUKAWA_COUNT; i++) {
         work += 1u;
-        let d = x - yukawa[i].position;
+        let d = anchor_offset(yukawa[i].kind, x - yukawa[i].position, yukawa[i].along);
         let r = length(d);
         let m = yukawa[i].mu * r;
         sum -= (yukawa[i].strength * real_exp(-m) * (1.0 + m) / (r * r * r)) * d;
@@ -25,7 +28,7 @@ fn yukawa_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < YUKAWA_COUNT; i++) {
         work += 1u;
-        nearest = min(nearest, distance(x, yukawa[i].position));
+        nearest = min(nearest, length(anchor_offset(yukawa[i].kind, x - yukawa[i].position, yukawa[i].along)));
     }
     return nearest;
 }

@@ -14,10 +14,11 @@ use glam::{IVec3, Vec2, Vec3};
 
 use super::{Bench, Cell, Report, Table, Times};
 use crate::gpu::Geometry;
+use crate::model::shape::Triangles;
 use crate::output::plot::{Chart, Series};
 use crate::program::{Choice, Schedule};
 use crate::render::{RenderError, Renderer, Settings};
-use crate::scene::{Accelerate, Mesh, Scene, Shape, Vertex};
+use crate::scene::{Accelerate, Mesh, Scene, Vertex};
 
 const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
 /// Without a structure up to here.
@@ -131,7 +132,7 @@ fn scene(
          [[objects]]\nshape = \"sphere\"\nradius = 4\nmaterial = \"m\"\n"
     );
     let mut scene = Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)?;
-    scene.objects[0].shape = Shape::Mesh(mesh.clone());
+    scene.objects[0].shape = Arc::new(Triangles(mesh.clone()));
     scene.rays.accelerate = accelerate;
     Ok(scene)
 }

@@ -3,9 +3,10 @@
 use super::ceiling::ceilings;
 use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::{calibrate, evaluations, every_pixel, method_words};
-use crate::program::{Choice, Purpose, scatters};
+use crate::model::method::CLOSED_FORMS;
+use crate::program::{Choice, Purpose};
 use crate::render::{RenderError, Renderer, Settings, Starts};
-use crate::scene::{Method, Scene};
+use crate::scene::Scene;
 
 /// Iterations that a bare loop has room for: lavapipe's limit over the loops of one step.
 const MOST_STEPS: u32 = 20_000;
@@ -82,7 +83,7 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
 
 /// How many steps the ray of each pixel takes, if it takes any and no surface bends it.
 fn steps(bench: &Bench, scene: &Scene) -> Result<Option<Vec<u32>>, RenderError> {
-    if scene.rays.method == Method::Exact || scatters(scene) {
+    if scene.rays.method == CLOSED_FORMS || scene.scatters() {
         return Ok(None);
     }
     let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };

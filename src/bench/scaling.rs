@@ -6,9 +6,11 @@
 use super::paper::{How, SCHWARZSCHILD, scene};
 use super::times::slope;
 use super::{Bench, Report, Table, Times};
+use crate::model::control::scaled;
+use crate::model::method;
 use crate::output::plot::{Chart, Series};
 use crate::render::{RenderError, Renderer, Settings};
-use crate::scene::{Control, Method, Scene};
+use crate::scene::Scene;
 
 const DOUBLINGS: u32 = 5;
 
@@ -73,8 +75,8 @@ fn exponent(points: impl Iterator<Item = [f64; 2]>) -> f64 {
 fn base(size: [u32; 2], balls: u32) -> Result<Scene, RenderError> {
     let mut scene = scene(size, SCHWARZSCHILD, balls, 30, How::Ours)?;
     scene.rays.auto = None;
-    scene.rays.method = Method::Rk4;
-    scene.rays.control = Control::Scaled { eta: 0.2 };
+    scene.rays.method = method::PLANNED;
+    scene.rays.control = scaled::with(0.2);
     scene.rays.max_segments = 4000;
     Ok(scene)
 }
@@ -91,7 +93,7 @@ fn pixels(bench: &Bench, factor: u32) -> Result<Scene, RenderError> {
 
 fn steps(bench: &Bench, factor: u32) -> Result<Scene, RenderError> {
     let mut scene = base(part(bench), 10)?;
-    scene.rays.control = Control::Scaled { eta: 0.2 / f64::from(factor) };
+    scene.rays.control = scaled::with(0.2 / f64::from(factor));
     Ok(scene)
 }
 

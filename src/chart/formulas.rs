@@ -5,13 +5,15 @@
 //! Angles come in degrees, and η = `n_t/n_i` is of the side that the light goes to over the side that it comes from.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use crate::measure::Curve;
+use crate::model::shape::Sphere;
 use crate::output::plot::{Chart, Frame, PathLine, PathPlot, Series, Surface, SurfaceKind};
 use crate::render::PathPoint;
-use crate::scene::{CutPlane, Object, Shape, Substance, Transform};
+use crate::scene::{CutPlane, Object, Substance, Transform};
 
 /// Samples of a curve over a right angle.
 const SAMPLES: u32 = 360;
@@ -137,7 +139,7 @@ pub fn spiral_plot<'n>(ratio: f64, psis: &[f64], names: &'n [String]) -> PathPlo
     let plane = CutPlane { point: DVec3::ZERO, right: DVec3::X, up: DVec3::Y };
     let line = |(psi, name): (&f64, &'n String)| PathLine { curve: spiral(ratio, *psi), status: name };
     let place = Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::ZERO);
-    let sphere = Object { shape: Shape::Sphere, transform: place, substance: Substance::Opaque(0) };
+    let sphere = Object { shape: Arc::new(Sphere), transform: place, substance: Substance::Opaque(0) };
     let surfaces = vec![Surface { kind: SurfaceKind::Medium, outlines: sphere.cut(&plane) }];
     PathPlot { surfaces, frame: Frame::Objects, ..PathPlot::new(plane, psis.iter().zip(names).map(line).collect()) }
 }

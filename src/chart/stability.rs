@@ -11,7 +11,7 @@ use crate::gpu::Gpu;
 use crate::measure::{Candidate, Truth, all_methods};
 use crate::program::{Choice, Purpose};
 use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
-use crate::scene::{Control, DoublingRule, Scene};
+use crate::scene::{Control, Scene};
 
 /// Directions (radians), speeds (relative) and places (in parts of the bound's radius) are right within this.
 const RIGHT: f64 = 1e-3;
@@ -49,20 +49,8 @@ pub struct Outcome {
 /// the cap rules, so that the cap falls with it.
 #[must_use]
 pub fn default_settings(candidate: &Candidate) -> [Control; 3] {
-    let with = |control: Control, fine: i32| {
-        let (half, tenth) = (0.5_f64.powi(fine), 0.1_f64.powi(fine));
-        match control {
-            Control::Exact | Control::Fixed { .. } => control,
-            Control::Scaled { .. } => Control::Scaled { eta: 0.1 * half },
-            Control::Curvature { .. } => Control::Curvature { turn: 0.1 * half, eta: 0.2 * half },
-            Control::Doubling { rule, .. } => {
-                let tolerance = 1e-4 * tenth;
-                Control::Doubling { rule, tolerance, grow_below: 0.1 * tolerance, eta: 0.3 * half }
-            }
-            Control::Embedded { .. } => Control::Embedded { tolerance: 1e-5 * tenth, eta: 0.3 * half },
-        }
-    };
-    [0, 1, 2].map(|fine| with(candidate.controls[0], fine))
+    let control = candidate.controls[0];
+    [0, 1, 2].map(|fine| (control.kind.usual)(&control, fine))
 }
 
 /// A place where methods fail: a scene, and rays in it.
@@ -114,7 +102,7 @@ impl<'a> Place<'a> {
             diverged: None,
         };
         for (i, truth) in self.truth.0.iter().enumerate() {
-            let keeps = matches!(settings[0], Control::Doubling { rule: DoublingRule::Paper, .. });
+            let keeps = settings[0].kind.keeps_errors;
             let ends = [&runs[0][i], &runs[1][i], &runs[2][i]];
             *self.verdict(&mut found, ends, truth.as_ref(), keeps) += 1;
         }

@@ -8,7 +8,7 @@ use crate::gpu::Gpu;
 use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
 use crate::program::{Choice, Purpose, Schedule};
 use crate::render::{RenderError, Renderer, Settings, Starts, Traced};
-use crate::scene::{Control, Scene};
+use crate::scene::Scene;
 
 /// How to measure.
 #[derive(Debug, Clone, Copy)]
@@ -166,7 +166,7 @@ impl Sweep<'_> {
             *fastest = fastest.min(time);
             points.push(Point {
                 words: method_words(candidate.method, control),
-                setting: setting(control),
+                setting: (control.kind.setting)(&control),
                 found: Deviations::new(&rays, truth),
                 time,
                 spread: measured.spread,
@@ -204,21 +204,11 @@ fn worst_drift(scene: &Scene, rays: &[Traced], truth: &Truth) -> Option<f64> {
         let truth = truth.as_ref().filter(|truth| truth.status == ray.status)?;
         Some(([truth.x.into(), truth.v.into()], ray))
     });
-    drift(&scene.law, pairs).into_iter().map(|(_, quantiles)| quantiles.p95).reduce(f64::max)
+    drift(&*scene.law, pairs).into_iter().map(|(_, quantiles)| quantiles.p95).reduce(f64::max)
 }
 
 fn mean(rays: &[Traced], count: impl Fn(&Traced) -> u32) -> f64 {
     rays.iter().map(|ray| f64::from(count(ray))).sum::<f64>() / rays.len().max(1) as f64
-}
-
-fn setting(control: Control) -> f64 {
-    match control {
-        Control::Exact => 0.0,
-        Control::Fixed { step, .. } => step,
-        Control::Scaled { eta } => eta,
-        Control::Curvature { turn, .. } => turn.to_degrees(),
-        Control::Doubling { tolerance, .. } | Control::Embedded { tolerance, .. } => tolerance,
-    }
 }
 
 fn root_mean_square(a: &[f32], b: &[f32]) -> f64 {

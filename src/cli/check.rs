@@ -52,7 +52,7 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     let scene = Scene::load(path, &arguments.changes.overrides())?;
     let geometry = Geometry::new(&scene);
     let choice = choice(arguments.schedule);
-    let program = Program::new(&scene, &choice, geometry.extent())?;
+    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
     let [width, height] = scene.image.size;
     say!("{}: {width}×{height}, samples {}, objects {}", path.display(), scene.image.samples, scene.objects.len());
     if let Some(tolerance) = scene.image.adaptive {

@@ -79,7 +79,7 @@ impl<'a> Film<'a> {
     pub(super) fn program(&self, choice: &Choice, frame_of: &dyn Fn(&str) -> u32) -> Result<Program, Error> {
         let scene = self.load(Some(frame_of))?;
         let geometry = Geometry::new(&scene);
-        Ok(Program::new(&scene, choice, geometry.extent())?)
+        Ok(Program::new(&scene, &geometry.analysis, choice, geometry.extent())?)
     }
 
     /// That two frames have different programs, with those of the keys that make it so when they alone go from the first frame to

@@ -137,7 +137,7 @@ fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) {
         let x = DVec3::new(x, y, z);
         [x, scene.law.starting_velocity(x, DVec3::new(a, b, c))]
     };
-    let found = drift(&scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
+    let found = drift(&*scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
     if found.is_empty() {
         eprintln!("the law keeps nothing that could drift, or no ray came to an end");
         return;

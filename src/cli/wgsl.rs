@@ -29,7 +29,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
     let geometry = Geometry::new(&scene);
-    let program = Program::new(&scene, &choice(arguments.schedule), geometry.extent())?;
+    let program = Program::new(&scene, &geometry.analysis, &choice(arguments.schedule), geometry.extent())?;
     let names: Vec<_> = program.passes.iter().map(|(pass, _, _)| pass.entry()).collect();
     if let Some(wanted) = arguments.pass.as_deref().filter(|wanted| !names.contains(wanted)) {
         return Err(Error::Usage(format!("this program has no pass `{wanted}`; it has {}", names.join(", "))));

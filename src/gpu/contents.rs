@@ -11,12 +11,12 @@ use wgpu::{
     TextureDimension, TextureFormat, TextureUsages,
 };
 
-use super::records::Value::{Float, Uint, Uint2, Uint3, Vec3};
-use super::records::{Value, pack};
-use super::uniforms::{control_values, schedule_values};
+use super::records::pack;
+use super::uniforms::schedule_values;
 use super::{Geometry, Gpu, GpuError};
+use crate::model::Value::{self, Float, Uint, Uint2, Uint3, Vec3};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program};
-use crate::scene::{Branches, Method, Picture, Scene, Segment};
+use crate::scene::{Branches, Picture, Scene, Segment};
 
 /// The bindings of a scene, by name.
 #[derive(Debug)]
@@ -35,6 +35,8 @@ pub(super) struct Source<'a> {
     pub(super) geometry: &'a Geometry,
     pub(super) program: &'a Program,
     segments: u32,
+    /// What the scene's kinds feed their own parts.
+    kinds: Vec<crate::model::Binding>,
 }
 
 impl SceneBuffers {
@@ -48,7 +50,8 @@ impl SceneBuffers {
         segments: u32,
         before: Option<&Self>,
     ) -> Result<Self, GpuError> {
-        let source = Source { scene, geometry, program, segments };
+        let mut source = Source { scene, geometry, program, segments, kinds: Vec::new() };
+        source.kinds = source.of_kinds();
         let mut made = Self { buffers: BTreeMap::new(), textures: BTreeMap::new(), pictures: BTreeMap::new() };
         for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
             let name = &binding.name;
@@ -191,14 +194,11 @@ impl Source<'_> {
                 one(&[("center", Vec3(bound.center)), ("radius", Float(bound.radius))])
             }
             "schedule" => one(&schedule_values(self.scene.rays.max_segments, self.segments, &self.program.work)),
-            "camera" => one(&self.camera()),
-            "stereo" => one(&self.stereo()),
             "sampling" => {
                 let columns = f64::from(self.scene.image.samples).sqrt().ceil() as u32;
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
             "refinement" => one(&self.refinement()),
-            "law" | "flow" => one(&self.law()),
             "media" => pack(name, layout, self.media(kind)).map(Some),
             "profile" => pack(name, layout, self.profiles(kind)).map(Some),
             "index_samples" => Ok(Some(bytemuck::cast_slice(&self.index_samples(kind)).to_vec())),
@@ -206,11 +206,6 @@ impl Source<'_> {
             "branching" => match self.scene.rays.branches {
                 Branches::Enumerated(depth) => one(&[("depth", Uint(depth))]),
                 Branches::Random => Ok(None),
-            },
-            "control" => one(&control_values(self.scene.rays.control)),
-            "snell" => match self.scene.rays.method {
-                Method::Snell { threshold } => one(&[("threshold", Float(threshold))]),
-                _ => Ok(None),
             },
             "limit" => one(&[("length", Float(self.scene.rays.length.unwrap_or(f64::MAX)))]),
             "chord" => match self.scene.rays.segment {
@@ -234,7 +229,10 @@ impl Source<'_> {
                 ]),
                 None => Ok(None),
             },
-            own => self.list(own, layout),
+            own => match self.kinds.iter().find(|binding| binding.name == own) {
+                Some(binding) => pack(name, layout, &binding.rows).map(Some),
+                None => self.list(own, layout),
+            },
         }
     }
 }

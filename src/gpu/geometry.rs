@@ -1,21 +1,20 @@
 //! A scene's objects as the shaders see them: one list for each kind of shape, and a structure over those that are many.
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 use super::hierarchy::Item;
 use super::structure::Built;
-use crate::program::{Extent, Regions, Structure, constant, shape_kind};
-use crate::scene::{Mesh, Object, Scene, Shape, Vertex};
+use crate::assets::{Mesh, Vertex};
+use crate::model::Object;
+use crate::model::shape::{Placed, SOLIDS, Solid};
+use crate::program::{Analysis, Extent, Structure, constant};
+use crate::scene::Scene;
 
 /// A shape other than a mesh, in its place.
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedShape {
-    /// Its centre.
-    pub center: DVec3,
-    /// For spheres the radius, for disks the hole's, in own units.
-    pub radius: f64,
-    /// Rows of the affine map from the scene's space to the shape's own.
-    pub rows: [DVec4; 3],
+    /// Where, and of what size.
+    pub placed: Placed,
     /// Its place in the list of materials: the scene's own, and behind them one for each object that light goes through.
     pub material: u32,
     /// Its bit in the set of regions, where rays go on from it.
@@ -24,15 +23,20 @@ pub struct PlacedShape {
     pub object: u32,
 }
 
-/// A kind of shape in the upper bits of a primitive.
-fn kind_code(kind: &str) -> u32 {
-    constant(&format!("shape/{kind}"), &kind.to_uppercase()) as u32
+/// A solid in the upper bits of a primitive.
+fn code(solid: &str) -> u32 {
+    constant(&format!("shape/{solid}"), &solid.to_uppercase()) as u32
+}
+
+/// The only solid that is no list of its own: what meshes are made of.
+fn triangle() -> &'static str {
+    SOLIDS.into_iter().find(|solid| solid.lists.is_none()).map_or("", |solid| solid.name)
 }
 
 /// Everything that can be hit.
 #[derive(Debug, Clone, Default)]
 pub struct Geometry {
-    /// By kind of shape (`sphere`, `ellipsoid`, `box`, `cylinder`, `plane`, `disk`).
+    /// By the name of their solid.
     pub placed: std::collections::BTreeMap<&'static str, Vec<PlacedShape>>,
     /// What segments search.
     pub structure: Built,
@@ -42,8 +46,8 @@ pub struct Geometry {
     pub vertices: Vec<Vertex>,
     /// Each object's place in the list of materials.
     pub materials: Vec<u32>,
-    /// Which objects have an inside.
-    pub regions: Regions,
+    /// What was found of the scene.
+    pub analysis: Analysis,
     /// Each object's box: lower and upper corner.
     pub boxes: Vec<(DVec3, DVec3)>,
 }
@@ -58,21 +62,22 @@ impl Geometry {
     /// As [`Self::new`], with an earlier structure if that was built over the same boxes.
     #[must_use]
     pub fn after(before: Option<Built>, scene: &Scene) -> Self {
-        let mut geometry = Self { regions: Regions::of(scene), ..Self::default() };
+        let mut geometry = Self { analysis: Analysis::of(scene), ..Self::default() };
+        let regions = &geometry.analysis.regions;
         let clear = scene.materials.len();
-        let material = |i: usize| scene.objects[i].material().or(geometry.regions.bit(i).map(|bit| clear + bit));
+        let material = |i: usize| scene.objects[i].material().or(regions.bit(i).map(|bit| clear + bit));
         geometry.materials = (0..scene.objects.len()).map(|i| material(i).unwrap_or(0) as u32).collect();
         for (i, object) in scene.objects.iter().enumerate() {
-            match &object.shape {
-                Shape::Mesh(mesh) => geometry.add_mesh(object, mesh, i as u32),
-                _ => geometry.add_placed(object, i as u32),
+            match object.shape.mesh() {
+                Some(mesh) => geometry.add_mesh(object, mesh, i as u32),
+                None => geometry.add_placed(object, i as u32),
             }
             geometry.boxes.push(object.bounds());
         }
         for shapes in geometry.placed.values_mut() {
             shapes.sort_by_key(|shape| shape.bit.is_some());
         }
-        let structure = Structure::of(scene);
+        let structure = geometry.analysis.structure.clone();
         geometry.build(&structure, before);
         geometry
     }
@@ -102,24 +107,15 @@ impl Geometry {
     pub fn primitive(&self, object: usize) -> u32 {
         let place = |shapes: &Vec<PlacedShape>| shapes.iter().position(|shape| shape.object as usize == object);
         let found = self.placed.iter().find_map(|(kind, shapes)| Some((kind, place(shapes)?)));
-        found.map_or(constant("ray", "NOTHING") as u32, |(kind, at)| kind_code(kind) | at as u32)
+        found.map_or(constant("ray", "NOTHING") as u32, |(kind, at)| code(kind) | at as u32)
     }
 
     fn add_placed(&mut self, object: &Object, index: u32) {
-        let map = object.transform.0;
-        let inverse = map.inverse();
-        let m = inverse.matrix3.transpose();
-        let t = inverse.translation;
-        self.placed.entry(shape_kind(&object.shape, &object.transform)).or_default().push(PlacedShape {
-            center: map.translation,
-            radius: match object.shape {
-                Shape::Disk { hole } => hole,
-                _ => object.transform.uniform_scale().unwrap_or(0.0),
-            },
-            rows: [m.x_axis.extend(t.x), m.y_axis.extend(t.y), m.z_axis.extend(t.z)],
+        self.placed.entry(object.solid().name).or_default().push(PlacedShape {
+            placed: Placed::new(&*object.shape, &object.transform),
             material: self.materials[index as usize],
             object: index,
-            bit: self.regions.bit(index as usize).map(|bit| bit as u32),
+            bit: self.analysis.regions.bit(index as usize).map(|bit| bit as u32),
         });
     }
 
@@ -141,31 +137,35 @@ impl Geometry {
     /// Builds the structure, and brings what stands in it into its order.
     fn build(&mut self, structure: &Structure, before: Option<Built>) {
         let built = Built::new(self.items(structure), structure.search, before);
-        for (kind, shapes) in self.placed.iter_mut().filter(|(kind, _)| structure.holds(kind)) {
+        for (kind, shapes) in self.placed.iter_mut().filter(|(kind, _)| holds(structure, kind)) {
             let old = shapes.clone();
-            for (shape, from) in shapes.iter_mut().zip(built.moved(kind_code(kind))) {
+            for (shape, from) in shapes.iter_mut().zip(built.moved(code(kind))) {
                 *shape = old[from];
             }
         }
-        self.triangles = built.moved(kind_code("triangle")).map(|from| self.triangles[from]).collect();
+        self.triangles = built.moved(code(triangle())).map(|from| self.triangles[from]).collect();
         self.structure = built;
     }
 
     /// What stands in the scene's structure.
     fn items(&self, structure: &Structure) -> Vec<Item> {
         let mut items = Vec::new();
-        for (kind, shapes) in self.placed.iter().filter(|(kind, _)| structure.holds(kind)) {
-            let code = kind_code(kind);
+        for (kind, shapes) in self.placed.iter().filter(|(kind, _)| holds(structure, kind)) {
+            let code = code(kind);
             for (i, shape) in shapes.iter().enumerate().filter(|(_, shape)| shape.bit.is_none()) {
                 let (lo, hi) = self.boxes[shape.object as usize];
                 items.push(Item { primitive: code | i as u32, lo: lo.as_vec3(), hi: hi.as_vec3() });
             }
         }
-        let code = kind_code("triangle");
+        let code = code(triangle());
         items.extend(self.triangles.iter().enumerate().map(|(i, [a, b, c, _])| {
             let [p, q, r] = [a, b, c].map(|&corner| self.vertices[corner as usize].position);
             Item { primitive: code | i as u32, lo: p.min(q).min(r), hi: p.max(q).max(r) }
         }));
         items
     }
+}
+
+fn holds(structure: &Structure, name: &str) -> bool {
+    structure.solids.iter().any(|solid: &&Solid| solid.name == name)
 }

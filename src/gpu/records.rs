@@ -1,61 +1,36 @@
 //! Host values as the bytes that WGSL expects, by the layouts that naga reflected: no mirror of any struct to keep in step.
 
-use glam::{DVec2, DVec3, DVec4};
 use naga::ScalarKind;
 
 use super::GpuError;
-use crate::program::{Field, Layout};
+use crate::model::Value;
+use crate::program::Layout;
 
-/// A member's value.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Value {
-    /// f32 or f64, as WGSL has it; so are the vectors of them.
-    Float(f64),
-    /// u32.
-    Uint(u32),
-    /// vec2f.
-    Vec2(DVec2),
-    /// vec3f.
-    Vec3(DVec3),
-    /// vec4f.
-    Vec4(DVec4),
-    /// vec2u.
-    Uint2([u32; 2]),
-    /// vec3u.
-    Uint3([u32; 3]),
-    /// vec4u.
-    Uint4([u32; 4]),
-}
-
-impl Value {
-    /// Its scalars as bytes, in numbers of so many bytes each.
-    fn bytes(self, width: u32) -> (ScalarKind, Vec<u8>) {
-        let floats = |values: &[f64]| {
-            let bytes =
-                |v: &f64| if width == 8 { v.to_ne_bytes().to_vec() } else { (*v as f32).to_ne_bytes().to_vec() };
-            (ScalarKind::Float, values.iter().flat_map(bytes).collect())
-        };
-        let uints = |values: &[u32]| (ScalarKind::Uint, bytemuck::cast_slice(values).to_vec());
-        match self {
-            Self::Float(v) => floats(&[v]),
-            Self::Vec2(v) => floats(&v.to_array()),
-            Self::Vec3(v) => floats(&v.to_array()),
-            Self::Vec4(v) => floats(&v.to_array()),
-            Self::Uint(v) => uints(&[v]),
-            Self::Uint2(v) => uints(&v),
-            Self::Uint3(v) => uints(&v),
-            Self::Uint4(v) => uints(&v),
-        }
+/// A value's scalars as bytes, in numbers of so many bytes each.
+fn scalars(value: Value, width: u32) -> (ScalarKind, Vec<u8>) {
+    let floats = |values: &[f64]| {
+        let bytes = |v: &f64| if width == 8 { v.to_ne_bytes().to_vec() } else { (*v as f32).to_ne_bytes().to_vec() };
+        (ScalarKind::Float, values.iter().flat_map(bytes).collect())
+    };
+    let uints = |values: &[u32]| (ScalarKind::Uint, bytemuck::cast_slice(values).to_vec());
+    match value {
+        Value::Float(v) => floats(&[v]),
+        Value::Vec2(v) => floats(&v.to_array()),
+        Value::Vec3(v) => floats(&v.to_array()),
+        Value::Vec4(v) => floats(&v.to_array()),
+        Value::Uint(v) => uints(&[v]),
+        Value::Uint2(v) => uints(&v),
+        Value::Uint3(v) => uints(&v),
+        Value::Uint4(v) => uints(&v),
     }
 }
 
 /// The bytes of `rows`, each one element of `layout` as (member, value) in any order; every member must be given.
-pub fn pack<R: AsRef<[(&'static str, Value)]>>(
+pub fn pack<N: AsRef<str>, R: AsRef<[(N, Value)]>>(
     binding: &str,
     layout: &Layout,
     rows: impl IntoIterator<Item = R>,
 ) -> Result<Vec<u8>, GpuError> {
-    let wrong = |problem: String| GpuError::Layout { binding: binding.to_owned(), problem };
     let mut bytes = Vec::new();
     // All rows name their members in the order of the first.
     let mut places: Option<Vec<usize>> = None;
@@ -63,40 +38,79 @@ pub fn pack<R: AsRef<[(&'static str, Value)]>>(
         let row = row.as_ref();
         let order = match &places {
             Some(order) => order,
-            None => places.insert(order(layout, row).map_err(wrong)?),
+            None => places.insert(order(binding, layout, row, true)?),
         };
-        let start = bytes.len();
-        bytes.resize(start + layout.span as usize, 0);
-        for ((name, value), place) in row.iter().zip(order) {
-            let field = &layout.fields[*place];
-            let (kind, value_bytes) = value.bytes(field.width);
-            if kind != field.scalar || value_bytes.len() != (field.components * field.width) as usize {
-                return Err(wrong(format!("`{name}` is {value:?} here and {field:?} in WGSL")));
-            }
-            let at = start + field.offset as usize;
-            bytes[at..at + value_bytes.len()].copy_from_slice(&value_bytes);
-        }
+        put(binding, layout, row, order, &mut bytes)?;
     }
     Ok(bytes)
 }
 
-/// For each member of the row its place in the layout.
-fn order(layout: &Layout, row: &[(&'static str, Value)]) -> Result<Vec<usize>, String> {
-    let place = |name: &str| layout.fields.iter().position(|field| field.name == name);
-    let order = row
-        .iter()
-        .map(|(name, _)| place(name).ok_or_else(|| format!("WGSL has no member `{name}`")))
-        .collect::<Result<Vec<_>, _>>()?;
-    let missing: Vec<&Field> =
-        layout.fields.iter().enumerate().filter(|(i, _)| !order.contains(i)).map(|(_, field)| field).collect();
-    if let Some(field) = missing.first() {
-        return Err(format!("the member `{}` was given no value", field.name));
+/// As [`pack`], for a record that several kinds share, each with members of its own: those that a row leaves out are 0.
+pub fn pack_shared<N: AsRef<str>, R: AsRef<[(N, Value)]>>(
+    binding: &str,
+    layout: &Layout,
+    rows: impl IntoIterator<Item = R>,
+) -> Result<Vec<u8>, GpuError> {
+    let mut bytes = Vec::new();
+    for row in rows {
+        let row = row.as_ref();
+        put(binding, layout, row, &order(binding, layout, row, false)?, &mut bytes)?;
     }
-    Ok(order)
+    Ok(bytes)
+}
+
+fn wrong(binding: &str, problem: String) -> GpuError {
+    GpuError::Layout { binding: binding.to_owned(), problem }
+}
+
+/// Adds an element, its members at these places of the layout.
+fn put<N: AsRef<str>>(
+    binding: &str,
+    layout: &Layout,
+    row: &[(N, Value)],
+    order: &[usize],
+    bytes: &mut Vec<u8>,
+) -> Result<(), GpuError> {
+    let start = bytes.len();
+    bytes.resize(start + layout.span as usize, 0);
+    for ((name, value), place) in row.iter().zip(order) {
+        let field = &layout.fields[*place];
+        let (kind, own) = scalars(*value, field.width);
+        if kind != field.scalar || own.len() != (field.components * field.width) as usize {
+            return Err(wrong(binding, format!("`{}` is {value:?} here and {field:?} in WGSL", name.as_ref())));
+        }
+        let at = start + field.offset as usize;
+        bytes[at..at + own.len()].copy_from_slice(&own);
+    }
+    Ok(())
+}
+
+/// For each member of the row its place in the layout.
+fn order<N: AsRef<str>>(
+    binding: &str,
+    layout: &Layout,
+    row: &[(N, Value)],
+    whole: bool,
+) -> Result<Vec<usize>, GpuError> {
+    let place = |name: &str| layout.fields.iter().position(|field| field.name == name);
+    let found = |(name, _): &(N, Value)| {
+        let name = name.as_ref();
+        place(name).ok_or_else(|| wrong(binding, format!("WGSL has no member `{name}`")))
+    };
+    let order = row.iter().map(found).collect::<Result<Vec<_>, _>>()?;
+    let mut missing = layout.fields.iter().enumerate().filter(|(i, _)| !order.contains(i));
+    match missing.next().filter(|_| whole) {
+        Some((_, field)) => Err(wrong(binding, format!("the member `{}` was given no value", field.name))),
+        None => Ok(order),
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
+    use crate::program::Field;
+
     use super::*;
 
     fn layout() -> Layout {

@@ -7,7 +7,6 @@
 use std::fmt;
 use std::time::{Duration, Instant};
 
-use super::methods::between;
 use super::refined::{self, Found};
 use super::{Candidate, Deviations, Truth, fast_methods, groups, method_words, scattered};
 use crate::gpu::Gpu;
@@ -226,7 +225,7 @@ impl<'a> Trials<'a> {
         // Steps as long as they may be lie between the last that was wrong and the first that was right.
         for _ in 0..REFINEMENTS {
             let (Some(coarse), true) = (wrong, best.error <= MARGIN * self.accuracy) else { break };
-            let control = between(coarse, best.control);
+            let control = coarse.between(best.control);
             let error = error_at(control)?;
             if error <= MARGIN * self.accuracy {
                 best = Trial { control, error, ..best };

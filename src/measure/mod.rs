@@ -21,12 +21,13 @@ mod truth;
 mod verify;
 mod winding;
 
+pub use crate::model::method::method_words;
 pub use calibrate::{Calibration, Trial, calibrate, calibrate_for};
 pub use curve::Curve;
 pub use deviation::{Deviations, Quantiles};
-pub use drift::{drift, kept};
+pub use drift::drift;
 pub use focus::{Focus, focus};
-pub use methods::{Candidate, all_methods, evaluations, fast_methods, method_words};
+pub use methods::{Candidate, all_methods, evaluations, fast_methods};
 pub use sample::{every_pixel, groups, scattered};
 pub use truth::{Truth, double_device, reference};
 pub use verify::{Verification, verify};

@@ -14,7 +14,8 @@ use glam::DVec3;
 
 use super::{Candidate, Quantiles};
 use crate::gpu::Gpu;
-use crate::program::{Choice, Layer, Purpose, scatters};
+use crate::model::control::scaled;
+use crate::program::{Choice, Layer, Purpose};
 use crate::render::{self, Plane, RenderError, Renderer, Settings, Status};
 use crate::scene::{Control, Picture, Scene};
 
@@ -45,13 +46,13 @@ pub(super) struct Found {
 
 /// Can the method be compared with itself? Its steps must be parts of the law's scale, and no surface may split or bend the rays.
 fn comparable(scene: &Scene, choice: &Choice, candidate: &Candidate, accuracy: f64) -> bool {
-    let scaled = candidate.controls.iter().all(|control| matches!(control, Control::Scaled { .. }));
+    let scaled = candidate.controls.iter().all(|control| *control.kind == scaled::KIND);
     scaled
         && candidate.controls.len() > TRUTHS[1]
         && accuracy >= LEAST
         && choice.purpose == Purpose::Picture
         && scene.camera.is_some()
-        && !scatters(scene)
+        && !scene.scatters()
 }
 
 /// The coarsest setting of a method by which 99 of 100 of the picture's rays err by no more than `accuracy`, radians; none where

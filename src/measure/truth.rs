@@ -1,9 +1,11 @@
 //! The rays' true ends.
 
 use crate::gpu::{Gpu, GpuError, adapters};
-use crate::program::{Choice, Purpose, Regions};
+use crate::model::control::{embedded, exact};
+use crate::model::method::{CLOSED_FORMS, TOLERANT};
+use crate::program::{Choice, Purpose};
 use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
-use crate::scene::{Control, Law, Method, Precision, Scene, Segment};
+use crate::scene::{Precision, Scene, Segment};
 
 /// The least tolerance that f64 is sure to keep.
 const FINEST: f64 = 1e-13;
@@ -29,11 +31,11 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     };
     rays.segment = Segment::Arc { tolerance: arc.min(1e-5 * rays.bound.radius) };
     rays.closed_forms = true;
-    rays.method = Method::DormandPrince;
-    rays.control = Control::Embedded { tolerance: tolerance.max(FINEST), eta: 0.3 };
-    if scene.law == Law::Straight && !Regions::of(&scene).need_method() {
-        scene.rays.method = Method::Exact;
-        scene.rays.control = Control::Exact;
+    rays.method = TOLERANT;
+    rays.control = embedded::with(tolerance.max(FINEST), 0.3);
+    if scene.law.is_straight() && !scene.demands().needs_solver {
+        scene.rays.method = CLOSED_FORMS;
+        scene.rays.control = exact::CONTROL;
     }
     scene
 }
@@ -63,10 +65,11 @@ impl Truth {
         let mut renderer =
             Renderer::new(gpu, &scene, Settings { choice, segments: SEGMENTS_PER_PASS, ..Settings::default() })?;
         let fine = renderer.follow(starts)?.0;
-        let Control::Embedded { tolerance, eta } = scene.rays.control else {
+        let control = scene.rays.control;
+        let Some(tolerance) = control.tolerance() else {
             return Ok(Self(fine.into_iter().map(Some).collect()));
         };
-        renderer.retune(Control::Embedded { tolerance: 10.0 * tolerance, eta }, scene.rays.max_segments)?;
+        renderer.retune(embedded::with(10.0 * tolerance, control.cap), scene.rays.max_segments)?;
         let loose = renderer.follow(starts)?.0;
         let radius = scene.rays.bound.radius;
         let agreed = |(fine, loose): (Traced, Traced)| agree(&fine, &loose, radius).then_some(fine);

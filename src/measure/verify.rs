@@ -5,7 +5,7 @@ use std::fmt;
 use super::{Deviations, Quantiles, Truth, scattered};
 use crate::gpu::Gpu;
 use crate::render::{RenderError, Settings, Starts, trace_pixels};
-use crate::scene::{Control, Scene};
+use crate::scene::Scene;
 
 /// The error of a scene's picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,10 +25,7 @@ const LOOSEST: f64 = 1e-10;
 pub fn verify(gpu: &Gpu, scene: &Scene, settings: &Settings, count: usize) -> Result<Verification, RenderError> {
     let pixels = scattered(scene.image.size, count, VERIFIED);
     let (rays, _) = trace_pixels(gpu, scene, settings, &pixels)?;
-    let own = match scene.rays.control {
-        Control::Embedded { tolerance, .. } | Control::Doubling { tolerance, .. } => tolerance,
-        _ => LOOSEST,
-    };
+    let own = scene.rays.control.tolerance().unwrap_or(LOOSEST);
     let tolerance = (own / 1000.0).clamp(1e-13, LOOSEST);
     let truth = Truth::new(gpu, scene, tolerance, Starts::Pixels(&pixels, 1024))?;
     Ok(Verification { found: Deviations::new(&rays, &truth), tolerance })

@@ -1,7 +1,6 @@
 //! What a program is for: its schedule, and what it is asked to put out.
 
-use super::regions::{scatters, splits};
-use crate::scene::{Branches, Scene};
+use crate::scene::{Branches, Scene, Segment};
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -193,7 +192,7 @@ impl Choice {
             }
             passes.push(Pass::Terminate);
         }
-        if self.schedule != Schedule::Fused && scatters(scene) {
+        if self.schedule != Schedule::Fused && scene.scatters() {
             passes.push(Pass::Scatter);
         }
         passes.push(match self.purpose {
@@ -210,7 +209,7 @@ impl Choice {
     #[must_use]
     pub fn rounds(&self, scene: &Scene) -> u32 {
         match scene.rays.branches {
-            Branches::Enumerated(depth) if self.purpose == Purpose::Picture && splits(scene) => 1 << depth,
+            Branches::Enumerated(depth) if self.purpose == Purpose::Picture && scene.splits() => 1 << depth,
             _ => 1,
         }
     }
@@ -236,7 +235,7 @@ impl Choice {
     /// Slots of the state pair: `paper` keeps a chord's start while two more ping-pong under its steps.
     #[must_use]
     pub fn slots(&self, scene: &Scene) -> usize {
-        let many_steps = matches!(scene.rays.segment, crate::scene::Segment::Chord { steps } if steps > 1);
+        let many_steps = matches!(scene.rays.segment, Segment::Chord { steps } if steps > 1);
         if self.schedule == Schedule::Paper && many_steps { 3 } else { 2 }
     }
 

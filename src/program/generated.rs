@@ -2,11 +2,12 @@
 
 use std::fmt::Write as _;
 
-use super::Structure;
+use super::Analysis;
 use super::link::Unit;
-use super::plan::shape_kind;
 use super::regions::Regions;
-use crate::scene::{Falloff, Law, Object, Scene, Source};
+use crate::model::shape::{SOLIDS, Solid};
+use crate::model::source;
+use crate::scene::{Object, Scene};
 
 pub(super) fn unit(file: &'static str, text: String) -> Unit {
     Unit { file: file.into(), text: text.into() }
@@ -33,43 +34,46 @@ pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]
 
 /// The first hit of a straight piece among the shapes in lists, those that end rays and those that rays cross; where a piece meets an
 /// item of the structure; and the surface of a primitive.
-pub(super) fn shapes(scene: &Scene, kinds: &[&str], listed: &[&str], sided: &[&str], structure: &Structure) -> Unit {
+pub(super) fn shapes(
+    scene: &Scene,
+    Analysis { regions, structure }: &Analysis,
+    all: &[&Solid],
+    listed: &[&Solid],
+    sided: &[&Solid],
+) -> Unit {
     let mut text =
         String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    let d = b - a;\n    var hit = best;\n");
-    let lists = listed.iter().map(|kind| (kind, false)).chain(sided.iter().map(|kind| (kind, true)));
-    for (kind, sided) in lists {
-        text += &list_hit(kind, sided, structure.written_out.then(|| count_of(scene, kind, sided)));
+    let lists = listed.iter().map(|solid| (solid, false)).chain(sided.iter().map(|solid| (solid, true)));
+    for (solid, sided) in lists {
+        let count = structure.written_out.then(|| count_of(scene, regions, solid, sided));
+        text += &list_hit(solid.name, sided, count);
     }
     text += "    return hit;\n}\n\n";
-    let surfaces: Vec<_> = kinds
-        .iter()
-        .map(|kind| (kind.to_uppercase(), format!("surface_{kind}(primitive & PRIMITIVE_INDEX, x)")))
-        .collect();
-    let held = &structure.kinds;
-    let fractions: Vec<_> = held
-        .iter()
-        .map(|kind| (kind.to_uppercase(), format!("{kind}_fraction(item & PRIMITIVE_INDEX, a, d)")))
-        .collect();
-    if !held.is_empty() {
+    let case = |solid: &&Solid, call: String| (solid.name.to_uppercase(), call);
+    let surface = |solid: &&Solid| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
+    let fraction = |solid: &&Solid| format!("{}_fraction(item & PRIMITIVE_INDEX, a, d)", solid.name);
+    let surfaces: Vec<_> = all.iter().map(|solid| case(solid, surface(solid))).collect();
+    let fractions: Vec<_> = structure.solids.iter().map(|solid| case(solid, fraction(solid))).collect();
+    if let Some((first, _)) = fractions.first() {
         let signature = "fn item_fraction(item: u32, a: Real3, d: Real3) -> Real";
         text += &switch(signature, "item & ~PRIMITIVE_INDEX", &fractions);
-        let _ = writeln!(text, "\nconst ITEM_KIND: u32 = {};\n", held[0].to_uppercase());
+        let _ = writeln!(text, "\nconst ITEM_KIND: u32 = {first};\n");
     }
     text += &switch("fn hit_surface(primitive: u32, x: Real3) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
     unit("generated/shapes.wgsl", text)
 }
 
-/// A piece against the list of a kind: item by item, or in a loop where it is not said how many there are.
-fn list_hit(kind: &str, sided: bool, count: Option<usize>) -> String {
-    let code = kind.to_uppercase();
+/// A piece against the list of a solid: item by item, or in a loop where it is not said how many there are.
+fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
+    let code = name.to_uppercase();
     let item = |i: &str| {
         if sided {
             // Behind the opaque ones.
             let primitive = format!("{code} | ({code}_COUNT + {i})");
-            format!("    hit = nearer_hit(hit, cross_{kind}(sided_{kind}_list[{i}], a, d), {primitive});\n")
+            format!("    hit = nearer_hit(hit, cross_{name}(sided_{name}_list[{i}], a, d), {primitive});\n")
         } else {
             let primitive = format!("{code} | {i}");
-            format!("    hit = nearer_hit(hit, hit_{kind}({kind}_list[{i}], {primitive}, a, d), {primitive});\n")
+            format!("    hit = nearer_hit(hit, hit_{name}({name}_list[{i}], {primitive}, a, d), {primitive});\n")
         }
     };
     let Some(count) = count else {
@@ -79,37 +83,31 @@ fn list_hit(kind: &str, sided: bool, count: Option<usize>) -> String {
     (0..count).map(|i| item(&format!("{i}u"))).collect()
 }
 
-/// How many shapes of a kind rays go on from, or end on.
-fn count_of(scene: &Scene, kind: &str, sided: bool) -> usize {
-    let regions = Regions::of(scene);
-    let is = |(i, object): &(usize, &Object)| {
-        shape_kind(&object.shape, &object.transform) == kind && regions.bit(*i).is_some() == sided
-    };
+/// How many shapes of a solid rays go on from, or end on.
+fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usize {
+    let is = |(i, object): &(usize, &Object)| object.solid() == solid && regions.bit(*i).is_some() == sided;
     scene.objects.iter().enumerate().filter(is).count()
 }
 
-/// The sum of the falloffs' accelerations, and the distance of the nearest centre.
-pub(super) fn sources(falloffs: &[&str]) -> Unit {
-    let sum: Vec<_> = falloffs.iter().map(|f| format!("{f}_acceleration(x)")).collect();
-    let nearest = falloffs
-        .iter()
-        .map(|f| format!("{f}_distance(x)"))
-        .reduce(|all, one| format!("min({all}, {one})"))
-        .unwrap_or_default();
-    unit(
-        "generated/sources.wgsl",
-        format!(
-            "fn source_acceleration(x: Real3) -> Real3 {{\n    return {};\n}}\n\n\
-             fn source_distance(x: Real3) -> Real {{\n    return {nearest};\n}}\n",
-            sum.join(" + ")
-        ),
-    )
+/// The way to a place from what a force comes from.
+pub(super) fn anchors(kinds: &[&source::Kind]) -> Unit {
+    let code = |kind: &source::Kind| source::SOURCES.iter().position(|other| *other == kind).unwrap_or(0);
+    let calls: Vec<_> =
+        kinds.iter().map(|kind| (format!("{}u", code(kind)), format!("offset_{}(d, along)", kind.name))).collect();
+    let signature = "fn anchor_offset(kind: u32, d: Real3, along: Real3) -> Real3";
+    unit("generated/anchors.wgsl", switch(signature, "kind", &calls))
+}
+
+/// The last name of a part's path: that of its functions.
+fn own_name(part: &str) -> &str {
+    part.rsplit('/').next().unwrap_or(part)
 }
 
 /// What surfaces send back: the scene's kinds of material, pattern and light.
 pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str]) -> Unit {
     let radiance: Vec<_> = kinds
         .iter()
+        .map(|part| own_name(part))
         .map(|kind| (kind.to_uppercase(), format!("radiance_{kind}(material, color, x, normal, view)")))
         .collect();
     let colors: Vec<_> = patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
@@ -163,8 +161,11 @@ pub(super) fn layers(names: &[&str]) -> Unit {
 /// What becomes of a ray at a surface, by the kinds of material that it goes on from.
 pub(super) fn scatter(kinds: &[&str]) -> Unit {
     let arguments = "material, surface, end, index, pixel";
-    let mut calls: Vec<_> =
-        kinds.iter().map(|kind| (kind.to_uppercase(), format!("scatter_{kind}({arguments})"))).collect();
+    let mut calls: Vec<_> = kinds
+        .iter()
+        .map(|part| own_name(part))
+        .map(|kind| (kind.to_uppercase(), format!("scatter_{kind}({arguments})")))
+        .collect();
     calls.push((String::new(), "Scattered(end.v, vec3f(1.0), false, false)".to_owned()));
     let signature = "fn scattered_at(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) \
                      -> Scattered";
@@ -194,22 +195,16 @@ pub(super) fn media(count: usize) -> Unit {
 }
 
 /// How long the lists are that every step or segment walks: known to the compiler, which may unroll them.
-pub(super) fn counts(scene: &Scene) -> Unit {
+pub(super) fn counts(scene: &Scene, regions: &Regions) -> Unit {
     let mut text = String::new();
     let mut count = |name: &str, n: usize| {
         let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
     };
-    for kind in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
-        count(&kind.to_uppercase(), count_of(scene, kind, false));
-        count(&format!("SIDED_{}", kind.to_uppercase()), count_of(scene, kind, true));
+    for solid in SOLIDS.into_iter().filter(|solid| solid.lists.is_some()) {
+        let code = solid.name.to_uppercase();
+        count(&code, count_of(scene, regions, solid, false));
+        count(&format!("SIDED_{code}"), count_of(scene, regions, solid, true));
     }
-    let sources: &[Source] = if let Law::Sources(sources) = &scene.law { sources } else { &[] };
-    let falling = |is: fn(&Falloff) -> bool| sources.iter().filter(|source| is(&source.falloff)).count();
-    count("INVERSE_SQUARE", falling(|f| matches!(f, Falloff::InverseSquare)));
-    count("CUBIC", falling(|f| matches!(f, Falloff::Cubic { .. })));
-    count("YUKAWA", falling(|f| matches!(f, Falloff::Yukawa { .. })));
-    let holes = usize::from(matches!(scene.law, Law::Schwarzschild { .. }));
-    let middles = scene.media().filter(|medium| medium.captures()).count();
-    count("CAPTURE", middles + holes + sources.iter().filter(|source| source.capture > 0.0).count());
+    count("CAPTURE", scene.captures(None).len());
     unit("generated/counts.wgsl", text)
 }

@@ -6,6 +6,7 @@
 //!
 //! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing here knows of a GPU.
 
+mod analysis;
 mod block;
 mod choice;
 mod copies;
@@ -14,6 +15,7 @@ mod error;
 mod formula;
 mod generated;
 mod link;
+mod names;
 mod parts;
 mod picture_parts;
 mod plan;
@@ -24,13 +26,14 @@ mod structure;
 mod touching;
 mod work;
 
+pub use analysis::Analysis;
 pub use choice::{Choice, Layer, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
 pub use link::{Linked, Parts, Unit, link};
 pub use parts::{Part, all_parts, constant, part};
-pub use plan::{plan, shape_kind};
+pub use plan::plan;
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect, validated};
-pub use regions::{Kind, Motion, Obstacle, Region, Regions, is_mirror, scatters, splits};
+pub use regions::{Motion, Obstacle, Region, RegionKind, Regions};
 pub use structure::{Extent, Search, Structure};
 pub use touching::Touching;
 pub use work::Work;
@@ -50,9 +53,9 @@ pub struct Program {
 
 impl Program {
     /// The program of `scene` under a schedule, whose structure was built to this extent.
-    pub fn new(scene: &Scene, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
-        let work = Work::of(scene, extent)?;
-        let parts = plan(scene, choice, &work)?;
+    pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
+        let work = Work::of(scene, analysis, extent)?;
+        let parts = plan(scene, analysis, choice, &work)?;
         let passes = choice
             .passes(scene)
             .into_iter()

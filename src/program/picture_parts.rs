@@ -1,11 +1,9 @@
 //! The parts of pictures: where samples lie, the camera, what is seen, and what is made of it.
 
-use super::link::Unit;
-use super::plan::{Names, chosen};
+use super::names::Names;
 use super::{Choice, Purpose, generated};
-use crate::scene::{
-    CameraKind, Frame, Light, MaterialKind, Pattern, SamplePattern, Scene, Sky, Stereo, StereoLayout, Tonemap,
-};
+use crate::model::{CameraFrame, Pattern, Projection, Stereo, StereoLayout};
+use crate::scene::{Light, SamplePattern, Scene, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if choice.purpose == Purpose::Pixels { "sample/chosen_pixels" } else { "sample/every_pixel" });
@@ -22,37 +20,28 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
         SamplePattern::Progressive if choice.adapts(scene) => names.all(&["sample/sobol", "sample/adaptive"]),
         SamplePattern::Progressive => names.all(&["sample/sobol", "sample/progressive"]),
     }
-    let camera = scene.camera.as_ref();
-    names.add(match camera.map(|c| c.kind) {
-        Some(CameraKind::Plane { .. }) => "camera/plane",
-        Some(CameraKind::Fisheye { .. }) => "camera/fisheye",
-        Some(CameraKind::Panorama { .. }) => "camera/panorama",
-        Some(CameraKind::Pinhole { .. }) | None => "camera/pinhole",
+    let Some(camera) = &scene.camera else { return };
+    names.add(camera.projection.part());
+    names.add(match camera.frame {
+        CameraFrame::Static => "frame/static",
+        CameraFrame::Coordinate => "frame/coordinate",
     });
-    names.add(match camera.map(|c| c.frame) {
-        Some(Frame::Static) => "frame/static",
-        _ => "frame/coordinate",
-    });
-    match camera.and_then(|camera| Some((camera.kind, camera.stereo?))) {
-        Some((kind, stereo)) => stereo_parts(kind, stereo, names),
+    match camera.stereo {
+        Some(stereo) => stereo_parts(&*camera.projection, stereo, names),
         None => names.add("view/one"),
     }
 }
 
 /// A picture of two views.
-fn stereo_parts(kind: CameraKind, stereo: Stereo, names: &mut Names) {
+fn stereo_parts(projection: &dyn Projection, stereo: Stereo, names: &mut Names) {
     names.add(match stereo.layout {
         StereoLayout::SideBySide => "view/side_by_side",
         StereoLayout::TopBottom => "view/top_bottom",
     });
-    names.add(match (stereo.convergence, kind) {
-        (None, _) => "eyes/parallel",
-        (Some(_), CameraKind::Pinhole { .. } | CameraKind::Plane { .. }) => "eyes/crossing_plane",
-        (Some(_), CameraKind::Fisheye { .. } | CameraKind::Panorama { .. }) => "eyes/crossing_sphere",
-    });
+    names.add(if stereo.convergence.is_some() { projection.convergence_part() } else { "eyes/parallel" });
 }
 
-pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names, made: &mut Vec<Unit>) {
+pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if scene.is_transparent() { "coverage/kept" } else { "coverage/none" });
     names.add(match scene.sky {
         Sky::Color(_) => "sky/color",
@@ -74,27 +63,28 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names, m
     } else {
         names.add("layer/kept");
         names.each("layer", layers.iter().copied());
-        made.push(generated::layers(&layers));
+        names.make(generated::layers(&layers));
     }
 }
 
-pub(super) fn material_parts(scene: &Scene, names: &mut Names, made: &mut Vec<Unit>) {
-    let used = || scene.objects.iter().filter_map(|object| Some(&scene.materials[object.material()?]));
-    let phong = used().any(|m| matches!(m.kind, MaterialKind::Phong { .. }));
-    let kinds = chosen(&[("emissive", used().any(|m| m.kind == MaterialKind::Emissive)), ("phong", phong)]);
-    let patterns = chosen(&[
-        ("constant", used().any(|m| matches!(m.color, Pattern::Constant(_)))),
-        ("checker", used().any(|m| matches!(m.color, Pattern::Checker { .. }))),
-        ("image", used().any(|m| matches!(m.color, Pattern::Picture { .. }))),
-    ]);
-    let lights = chosen(&[
-        ("point", phong && scene.lights.iter().any(|l| matches!(l, Light::Point { .. }))),
-        ("directional", phong && scene.lights.iter().any(|l| matches!(l, Light::Directional { .. }))),
-    ]);
+pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
+    let used = || scene.objects.iter().filter_map(|object| scene.material_of(object));
+    let ends = || used().filter(|material| !material.surface.continues());
+    let mut kinds: Vec<&str> = ends().map(|material| material.surface.part()).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    let is_lit = ends().any(|material| material.surface.is_lit());
+    let patterns: Vec<&str> =
+        Pattern::PARTS.into_iter().filter(|part| used().any(|material| material.color.part() == *part)).collect();
+    let lights = [
+        ("point", scene.lights.iter().any(|light| matches!(light, Light::Point { .. }))),
+        ("directional", scene.lights.iter().any(|light| matches!(light, Light::Directional { .. }))),
+    ];
+    let lights: Vec<&str> = lights.into_iter().filter(|(_, there)| *there && is_lit).map(|(name, _)| name).collect();
     names.add("material/material");
-    names.each("material", kinds.iter().copied());
+    names.all(&kinds);
     names.each("pattern", patterns.iter().copied());
     names.each("light", lights.iter().copied());
     names.add(if lights.is_empty() { "light/none" } else { "light/blinn_phong" });
-    made.push(generated::materials(&kinds, &patterns, &lights));
+    names.make(generated::materials(&kinds, &patterns, &lights));
 }

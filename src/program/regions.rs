@@ -6,47 +6,55 @@
 //! set of those that it is in as bits, and the lowest bit is the medium around it. Closed mirrors have bits too, behind all
 //! others: not for their medium, but to know from which side a ray meets them.
 
-use super::touching::Touching;
-use crate::scene::{Law, MaterialKind, Medium, Method, Object, Scene, Shape, Substance, Transform};
+use std::sync::Arc;
+
 use glam::DVec3;
 
+use super::touching::Touching;
+use crate::model::method::Path;
+use crate::model::{ClosedForm, Medium, STRAIGHT, Wgsl, medium};
+use crate::scene::{Object, Scene};
+
 /// How rays move in a region.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Motion {
     /// By the scene's own law and method.
     Law,
-    /// Straight on.
-    Straight,
-    /// As on a spring: Luneburg's lens and the gradient rod.
-    Harmonic,
-    /// Along logarithmic spirals.
-    Spiral,
-    /// In circles: Maxwell's fisheye.
-    Circle,
-    /// Along parabolas.
-    Parabola,
+    /// In closed form.
+    Closed(&'static ClosedForm),
     /// By the scene's method, in the medium's index.
     Solved,
 }
 
+impl Motion {
+    /// The closed form, if it is one.
+    #[must_use]
+    pub fn closed_form(self) -> Option<&'static ClosedForm> {
+        match self {
+            Self::Closed(form) => Some(form),
+            Self::Law | Self::Solved => None,
+        }
+    }
+}
+
 /// A kind of region.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Kind {
+#[derive(Debug, Clone)]
+pub struct RegionKind {
     /// How its rays move.
     pub motion: Motion,
     /// Does one step lead through the whole region, because nothing else is in it?
     pub leaps: bool,
     /// The parts that know its index; none for laws that have none.
-    pub index: Option<&'static [&'static str]>,
+    pub index: Option<Vec<Wgsl>>,
     /// Of the regions of this kind, in the order of their places.
-    pub media: Vec<Medium>,
+    pub media: Vec<Arc<dyn Medium>>,
 }
 
-impl Kind {
+impl RegionKind {
     /// Are its segments straight, or not tested at all?
     #[must_use]
     pub fn is_line(&self) -> bool {
-        self.motion == Motion::Straight || self.leaps
+        self.leaps || self.motion.closed_form().is_some_and(|form| form.is_line)
     }
 }
 
@@ -75,10 +83,10 @@ pub struct Obstacle {
 }
 
 /// All regions of a scene.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default)]
 pub struct Regions {
     /// The first is that of the space outside.
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<RegionKind>,
     /// By bit.
     pub regions: Vec<Region>,
     /// What lies in the way of spirals.
@@ -90,7 +98,7 @@ pub struct Regions {
 impl Regions {
     /// Of a scene.
     #[must_use]
-    pub fn of(scene: &Scene) -> Self {
+    pub(super) fn of(scene: &Scene) -> Self {
         let mut found = Self { kinds: vec![outside(scene)], ..Self::default() };
         let mut clear: Vec<usize> =
             (0..scene.objects.len()).filter(|&i| scene.objects[i].interior().is_some()).collect();
@@ -107,40 +115,37 @@ impl Regions {
         found
     }
 
-    fn add(&mut self, scene: &Scene, object: usize) {
-        let Some(interior) = scene.objects[object].interior() else { return };
+    fn add(&mut self, scene: &Scene, index: usize) {
+        let object = &scene.objects[index];
+        let Some(interior) = object.interior() else { return };
         let medium = &interior.medium;
-        let motion = motion(scene, medium);
-        let radius =
-            leap_radius(motion, medium, &scene.objects[object]).filter(|_| scene.rays.leaps && is_alone(scene, object));
-        let index = Some(index_parts(medium));
+        let motion = motion(scene, &**medium);
+        let radius = leap_radius(motion, &**medium, object).filter(|_| scene.rays.leaps && is_alone(scene, index));
+        let parts = medium.parts();
         let leaps = radius.is_some();
-        let same = |kind: &Kind| (kind.motion, kind.leaps, kind.index) == (motion, leaps, index);
+        let same =
+            |kind: &RegionKind| kind.motion == motion && kind.leaps == leaps && kind.index.as_ref() == Some(&parts);
         let kind = self.kinds.iter().position(same).unwrap_or_else(|| {
-            self.kinds.push(Kind { motion, leaps, index, media: Vec::new() });
+            self.kinds.push(RegionKind { motion, leaps, index: Some(parts), media: Vec::new() });
             self.kinds.len() - 1
         });
         let media = &mut self.kinds[kind].media;
-        let place = media.iter().position(|known| known == medium).unwrap_or_else(|| {
-            media.push(medium.clone());
+        let place = media.iter().position(|known| **known == **medium).unwrap_or_else(|| {
+            media.push(Arc::clone(medium));
             media.len() - 1
         });
-        let radius = radius.unwrap_or_else(|| inscribed(&scene.objects[object], medium));
-        self.regions.push(Region { object, kind: Some(kind), place, radius });
-        if let (Motion::Spiral, Medium::InverseR { center, .. }, false) = (motion, medium, leaps) {
-            let met = in_the_way(scene, object, *center);
+        let inside = |center| object.shape.ball_inside(&object.transform, center).max(0.0);
+        let radius = radius.or(medium.capture().map(|capture| inside(capture.anchor.position))).unwrap_or(0.0);
+        self.regions.push(Region { object: index, kind: Some(kind), place, radius });
+        let meets = motion.closed_form().is_some_and(|form| form.meets_obstacles) && !leaps;
+        if let Some(center) = medium.center().filter(|_| meets) {
+            let met = in_the_way(scene, index, center);
             self.obstacles.extend(met.into_iter().map(|(center, radius)| Obstacle { place, center, radius }));
             if self.obstacles.is_empty() {
                 // No list of the shaders may be empty: a ball that nothing meets.
-                self.obstacles.push(Obstacle { place, center: *center, radius: 0.0 });
+                self.obstacles.push(Obstacle { place, center, radius: 0.0 });
             }
         }
-    }
-
-    /// Is there a kind of region whose rays are followed by the scene's method?
-    #[must_use]
-    pub fn need_method(&self) -> bool {
-        self.kinds.iter().any(|kind| matches!(kind.motion, Motion::Law | Motion::Solved))
     }
 
     /// The bit of an object, if it has one.
@@ -150,96 +155,42 @@ impl Regions {
     }
 }
 
-/// Does a ray go on from some surface of the scene?
-#[must_use]
-pub fn scatters(scene: &Scene) -> bool {
-    scene.objects.iter().any(|object| object.interior().is_some() || is_mirror(scene, object))
-}
-
-/// Is there a surface that both reflects and transmits?
-#[must_use]
-pub fn splits(scene: &Scene) -> bool {
-    scene.objects.iter().any(|object| object.interior().is_some())
-}
-
-/// Is its surface a mirror?
-#[must_use]
-pub fn is_mirror(scene: &Scene, object: &Object) -> bool {
-    matches!(object.substance, Substance::Opaque(material) if scene.materials[material].kind == MaterialKind::Mirror)
-}
-
 fn is_closed_mirror(scene: &Scene, object: &Object) -> bool {
-    is_mirror(scene, object) && object.shape.is_closed()
+    scene.continues_from(object) && object.shape.opening().is_none()
 }
 
 /// The space outside of all objects.
-fn outside(scene: &Scene) -> Kind {
-    match &scene.law {
-        Law::Straight if scatters(scene) => {
-            let vacuum = Medium::Constant { n: 1.0 };
-            Kind { motion: Motion::Straight, leaps: false, index: Some(index_parts(&vacuum)), media: vec![vacuum] }
-        }
-        Law::Straight if scene.rays.method == Method::Exact => {
-            Kind { motion: Motion::Straight, leaps: false, index: None, media: Vec::new() }
-        }
-        Law::Medium(medium) => Kind {
-            motion: match motion(scene, medium) {
-                Motion::Solved => Motion::Law,
-                closed => closed,
-            },
-            leaps: false,
-            index: Some(index_parts(medium)),
-            media: vec![medium.clone()],
-        },
-        _ => Kind { motion: Motion::Law, leaps: false, index: None, media: Vec::new() },
+fn outside(scene: &Scene) -> RegionKind {
+    let straight = Motion::Closed(&STRAIGHT);
+    if scene.law.is_straight() && scene.scatters() {
+        let vacuum: Arc<dyn Medium> = Arc::new(medium::VACUUM);
+        return RegionKind { motion: straight, leaps: false, index: Some(vacuum.parts()), media: vec![vacuum] };
     }
+    if scene.law.is_straight() && scene.rays.method.kind.path == Path::Closed {
+        return RegionKind { motion: straight, leaps: false, index: None, media: Vec::new() };
+    }
+    let Some(medium) = scene.law.medium() else {
+        return RegionKind { motion: Motion::Law, leaps: false, index: None, media: Vec::new() };
+    };
+    let motion = match motion(scene, &**medium) {
+        Motion::Solved => Motion::Law,
+        closed => closed,
+    };
+    RegionKind { motion, leaps: false, index: Some(medium.parts()), media: vec![Arc::clone(medium)] }
 }
 
 /// The cheapest motion that is right for a medium.
-fn motion(scene: &Scene, medium: &Medium) -> Motion {
-    let closed = match medium {
-        Medium::Constant { .. } | Medium::Textured(_) => return Motion::Straight,
-        Medium::Luneburg { .. } | Medium::Rod { .. } => Motion::Harmonic,
-        Medium::InverseR { .. } => Motion::Spiral,
-        Medium::Fisheye { .. } => Motion::Circle,
-        _ => Motion::Parabola,
-    };
-    let allowed = scene.rays.closed_forms && medium.has_closed_form(scene.rays.length.is_some());
-    if allowed { closed } else { Motion::Solved }
-}
-
-/// The parts that know a medium's index.
-fn index_parts(medium: &Medium) -> &'static [&'static str] {
-    match medium {
-        Medium::Constant { .. } => &["index/constant"],
-        Medium::Luneburg { .. } => &["index/luneburg"],
-        Medium::Gaussian { .. } => &["index/gaussian"],
-        Medium::InverseR { .. } => &["index/inverse_r"],
-        Medium::Fisheye { .. } => &["index/fisheye"],
-        Medium::Eaton { .. } => &["index/eaton"],
-        Medium::Rod { .. } => &["index/rod"],
-        Medium::Linear { .. } => &["index/linear"],
-        Medium::Exponential { .. } => &["index/exponential"],
-        Medium::Sech { .. } => &["index/sech"],
-        Medium::Profile { .. } => &["index/profile"],
-        Medium::Noise(_) => &["index/noise", "noise/fractal", "noise/lattice"],
-        Medium::Textured(_) => &["index/textured", "noise/fractal", "noise/lattice"],
-        Medium::Explosion(_) => &["index/explosion", "noise/lattice"],
-        Medium::Expression { .. } => &["index/expression", "formula", "index_limit"],
-        Medium::Grid(_) => &["index/grid", "index_limit"],
-    }
+fn motion(scene: &Scene, medium: &dyn Medium) -> Motion {
+    let closed = medium.closed_form(scene.rays.length.is_some());
+    let allowed = closed.filter(|_| scene.rays.closed_forms || !medium.bends());
+    allowed.map_or(Motion::Solved, Motion::Closed)
 }
 
 /// The sphere that a path leaves in closed form: the object's own, where it is a sphere about the medium's centre.
-fn leap_radius(motion: Motion, medium: &Medium, object: &Object) -> Option<f64> {
-    let radius = object.transform.uniform_scale().filter(|_| matches!(object.shape, Shape::Sphere))?;
-    let center = match (motion, medium) {
-        (
-            Motion::Harmonic | Motion::Spiral | Motion::Circle,
-            Medium::Luneburg { center, .. } | Medium::InverseR { center, .. } | Medium::Fisheye { center, .. },
-        ) => *center,
-        _ => return None,
-    };
+fn leap_radius(motion: Motion, medium: &dyn Medium, object: &Object) -> Option<f64> {
+    motion.closed_form()?.strides?;
+    let radius = object.shape.ball_radius(&object.transform)?;
+    let center = medium.center()?;
     (center.distance(object.transform.0.translation) <= 1e-12 * radius).then_some(radius)
 }
 
@@ -250,66 +201,18 @@ fn is_alone(scene: &Scene, object: usize) -> bool {
 
 /// Balls around what other objects have inside of `object`, seen from the middle of its medium.
 fn in_the_way(scene: &Scene, object: usize, middle: DVec3) -> Vec<(DVec3, f64)> {
-    let (center, radius) = ball(&scene.objects[object]);
+    let (center, radius) = scene.objects[object].ball();
     let met = |other: &Object| {
-        let (place, reach) = ball(other);
+        let (place, reach) = other.ball();
         let apart = center.distance(place) >= radius + reach;
-        let around = matches!(other.shape, Shape::Sphere)
-            && other.transform.uniform_scale().is_some_and(|outer| center.distance(place) + radius <= outer);
-        if apart || around {
+        if apart || other.shape.holds_ball(&other.transform, center, radius) {
             return None;
         }
-        match other.shape {
-            Shape::Plane => part_of_plane(other, middle, center, radius),
-            _ => Some((place, reach)),
-        }
+        other.shape.ball_in_ball(&other.transform, middle, center, radius)
     };
     scene.objects.iter().enumerate().filter(|(i, _)| *i != object).filter_map(|(_, other)| met(other)).collect()
 }
 
-/// A ball around the part of a plane that is in another ball, about the foot of the perpendicular from `middle`; none if there is no
-/// such part.
-fn part_of_plane(plane: &Object, middle: DVec3, center: DVec3, radius: f64) -> Option<(DVec3, f64)> {
-    let Transform(map) = plane.transform;
-    let normal = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();
-    let height = |x: DVec3| (x - map.translation).dot(normal);
-    let part = (radius * radius - height(center).powi(2)).max(0.0).sqrt();
-    let [foot, place] = [middle, center].map(|x| x - height(x) * normal);
-    (height(center).abs() < radius).then_some((foot, part + foot.distance(place)))
-}
-
-/// The largest ball about the middle of a medium that is inside of its object, or 0 where that is not known.
-fn inscribed(object: &Object, medium: &Medium) -> f64 {
-    let Medium::InverseR { center, .. } = medium else { return 0.0 };
-    let map = object.transform.0;
-    let radius = match object.shape {
-        Shape::Sphere => {
-            object.transform.uniform_scale().map_or(0.0, |radius| radius - center.distance(map.translation))
-        }
-        Shape::Box => {
-            let own = map.inverse().transform_point3(*center);
-            let [x, y, z] = map.inverse().matrix3.transpose().to_cols_array_2d().map(|row| DVec3::from(row).length());
-            ((DVec3::ONE - own.abs()) / DVec3::new(x, y, z)).min_element()
-        }
-        _ => 0.0,
-    };
-    radius.max(0.0)
-}
-
-/// A ball that holds all of the object.
-fn ball(object: &Object) -> (DVec3, f64) {
-    let map = object.transform.0;
-    let own = match &object.shape {
-        Shape::Sphere | Shape::Disk { .. } => 1.0,
-        Shape::Plane | Shape::Cylinder => 2.0_f64.sqrt(),
-        Shape::Box => 3.0_f64.sqrt(),
-        Shape::Mesh(mesh) => mesh.vertices.iter().map(|v| v.position.as_dvec3().length()).fold(0.0, f64::max),
-    };
-    let m = map.matrix3;
-    let stretch = [m.x_axis, m.y_axis, m.z_axis].into_iter().map(DVec3::length).fold(0.0, f64::max);
-    (map.translation, own * stretch)
-}
-
 fn size(object: &Object) -> f64 {
-    ball(object).1
+    object.ball().1
 }

@@ -4,14 +4,15 @@
 //! without a loop; many of a kind, and all meshes, in a hierarchy. Surfaces that rays go on from stay in lists: they are told apart
 //! by side, and there are no more of them than a set of regions has bits.
 
-use super::plan::{shape_kind, shape_kinds};
 use super::regions::Regions;
-use crate::scene::{Accelerate, Scene, Shape};
+use crate::model::shape::Solid;
+use crate::scene::{Accelerate, Object, Scene};
 
 /// How a structure is searched: the name of its part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Search {
     /// A hierarchy of boxes.
+    #[default]
     Hierarchy,
     /// A uniform grid.
     Grid,
@@ -41,38 +42,37 @@ const MANY: usize = 6;
 const LONG: usize = 512;
 
 /// A scene's structure.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Structure {
     /// How it is searched.
     pub search: Search,
-    /// The kinds of shape whose opaque objects are in it; of meshes all.
-    pub kinds: Vec<&'static str>,
+    /// The solids whose opaque objects are in it; of meshes all.
+    pub solids: Vec<&'static Solid>,
     /// Are lists written out item by item, rather than walked in a loop?
     pub written_out: bool,
 }
 
 impl Structure {
-    /// That of `scene`.
+    /// That of `scene` with these regions.
     #[must_use]
-    pub fn of(scene: &Scene) -> Self {
-        let regions = Regions::of(scene);
+    pub(super) fn of(scene: &Scene, regions: &Regions) -> Self {
         let listed = || {
             let opaque = scene.objects.iter().enumerate().filter(|(i, _)| regions.bit(*i).is_none());
             opaque.map(|(_, object)| object)
         };
-        let count = |kind: &str| listed().filter(|o| shape_kind(&o.shape, &o.transform) == kind).count();
-        let shapes = listed().filter(|object| !matches!(object.shape, Shape::Mesh(_))).count();
-        let meshes = scene.objects.iter().filter(|object| matches!(object.shape, Shape::Mesh(_)));
+        let count = |solid: &Solid| listed().filter(|object| object.solid() == solid).count();
+        let shapes = listed().filter(|object| object.shape.mesh().is_none()).count();
+        let meshes = scene.objects.iter().filter(|object| object.shape.mesh().is_some());
         let (search, least) = match scene.rays.accelerate {
             Accelerate::Auto => (Search::Hierarchy, if shapes <= FEW { FEW } else { MANY } + 1),
             Accelerate::Hierarchy => (Search::Hierarchy, 1),
             Accelerate::Grid => (Search::Grid, 1),
             Accelerate::None => (Search::List, LONG + 1),
         };
-        let kinds = shape_kinds(listed().chain(meshes));
+        let solids = solids(listed().chain(meshes));
         Self {
             search,
-            kinds: kinds.into_iter().filter(|kind| *kind == "triangle" || count(kind) >= least).collect(),
+            solids: solids.into_iter().filter(|solid| solid.lists.is_none() || count(solid) >= least).collect(),
             written_out: scene.rays.accelerate == Accelerate::Auto,
         }
     }
@@ -80,14 +80,22 @@ impl Structure {
     /// Are its items those of a single kind, in that kind's own order?
     #[must_use]
     pub fn in_order(&self) -> bool {
-        self.kinds.len() == 1 && self.search == Search::Hierarchy
+        self.solids.len() == 1 && self.search == Search::Hierarchy
     }
 
-    /// Is an opaque object of this kind in it?
+    /// Is an opaque object of this solid in it?
     #[must_use]
-    pub fn holds(&self, kind: &str) -> bool {
-        self.kinds.contains(&kind)
+    pub fn holds(&self, solid: &Solid) -> bool {
+        self.solids.contains(&solid)
     }
+}
+
+/// The solids of some objects, by name.
+pub(super) fn solids<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'static Solid> {
+    let mut solids: Vec<_> = objects.map(Object::solid).collect();
+    solids.sort_unstable_by_key(|solid| solid.name);
+    solids.dedup();
+    solids
 }
 
 /// How far a search of a built structure may go.

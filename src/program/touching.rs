@@ -7,7 +7,7 @@
 //! *Practice.* Every object of these lists is asked at every surface that a ray goes on from; scenes without any pay nothing.
 //! Meshes are in none of the lists, for nothing says where in a mesh a point is: what lies on a mesh still meets it apart.
 
-use crate::scene::{Scene, Shape};
+use crate::scene::Scene;
 
 /// Objects, as indices into the scene's, whose surfaces may lie on that of another that light goes through.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -24,7 +24,7 @@ impl Touching {
         let objects = &scene.objects;
         let touches = |i: usize, j: usize| i != j && objects[i].may_touch(&objects[j]);
         let is_clear = |i: usize| objects[i].interior().is_some();
-        let is_mesh = |i: usize| matches!(objects[i].shape, Shape::Mesh(_));
+        let is_mesh = |i: usize| objects[i].shape.mesh().is_some();
         let all = 0..objects.len();
         let opaque = all.filter(|&j| !is_clear(j) && clear.iter().any(|&i| touches(i, j))).collect();
         let shapes: Vec<usize> = clear.iter().copied().filter(|&i| !is_mesh(i)).collect();

@@ -3,9 +3,11 @@
 //! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
-use super::plan::shape_kind;
-use super::{Extent, Kind, Motion, ProgramError, Regions, Search, Structure, constant, scatters};
-use crate::scene::{Control, Law, Medium, Method, Object, Precision, Scene, Segment};
+use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constant};
+use crate::model::control::StepLoops;
+use crate::model::method::Path;
+use crate::model::{Loops, Medium};
+use crate::scene::{Object, Precision, Scene, Segment};
 
 fn work_limit() -> u64 {
     constant("work", "WORK_LIMIT") as u64
@@ -30,33 +32,23 @@ pub struct Work {
 
 impl Work {
     /// The bounds for `scene`, whose structure was built to this extent.
-    pub fn of(scene: &Scene, extent: Extent) -> Result<Self, ProgramError> {
-        let (rate, scale) = law_loops(&scene.law);
-        let captures = match &scene.law {
-            Law::Schwarzschild { .. } => 1,
-            Law::Sources(sources) => sources.iter().filter(|s| s.capture > 0.0).count() as u64,
-            _ => scene.media().filter(|medium| medium.captures()).count() as u64,
-        };
+    pub fn of(scene: &Scene, Analysis { regions, structure }: &Analysis, extent: Extent) -> Result<Self, ProgramError> {
+        let captures = scene.captures(None).len() as u64;
         // Neighbouring rays may be in regions of all kinds, whose loops then run one after the other.
-        let media =
-            scene.media().map(medium_loops).fold((rate, scale), |all, one| (all.0.max(one.0), all.1.max(one.1)));
-        let (rate, scale) = media;
-        let step = step_loops(scene, rate, scale) + closed_loops(scene) + captures + 1;
+        let loops = scene.media().map(Medium::loops).fold(scene.law.loops(), Loops::max);
+        let step = step_loops(scene, loops) + closed_loops(regions) + captures + 1;
         let asymptote = if scene.rays.asymptotic { asymptote_loops(scene.rays.precision) } else { 0 };
         let (steps, pieces) = match scene.rays.segment {
             Segment::Chord { steps } => (u64::from(steps), 1),
-            Segment::Arc { .. } if Regions::of(scene).kinds.iter().all(Kind::is_line) => (1, 1),
+            Segment::Arc { .. } if regions.kinds.iter().all(RegionKind::is_line) => (1, 1),
             Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
         };
-        let (structure, regions) = (Structure::of(scene), Regions::of(scene));
-        let is_listed = |(i, object): &(usize, &Object)| {
-            regions.bit(*i).is_some() || !structure.holds(shape_kind(&object.shape, &object.transform))
-        };
+        let is_listed = |(i, object): &(usize, &Object)| regions.bit(*i).is_some() || !structure.holds(object.solid());
         let listed = scene.objects.iter().enumerate().filter(is_listed).count() as u64;
         // Where a ray goes on from a surface its last step is taken again, a few times over.
         let touching = regions.touching.count() as u64;
         let scatter =
-            if scatters(scene) { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching } else { 0 };
+            if scene.scatters() { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching } else { 0 };
         // A grid is walked piece by piece.
         let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 1);
         let segment = steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter;
@@ -88,36 +80,10 @@ impl Work {
     }
 }
 
-/// Iterations of one evaluation of the law's rate, and of its scale.
-fn law_loops(law: &Law) -> (u64, u64) {
-    match law {
-        Law::Straight | Law::Schwarzschild { .. } | Law::Flow { .. } => (0, 0),
-        Law::Sources(sources) => (sources.len() as u64, sources.len() as u64),
-        Law::Medium(medium) => medium_loops(medium),
-    }
-}
-
 /// Iterations of the steps of closed forms.
-fn closed_loops(scene: &Scene) -> u64 {
-    let regions = Regions::of(scene);
-    let circles = regions.kinds.iter().any(|kind| kind.motion == Motion::Circle);
-    regions.obstacles.len() as u64 + if circles { 16 } else { 0 }
-}
-
-/// Iterations of one evaluation of an index, and of its length.
-fn medium_loops(medium: &Medium) -> (u64, u64) {
-    match medium {
-        Medium::Explosion(noise) => (u64::from(noise.octaves), 0),
-        // Four layers of points an octave.
-        Medium::Noise(noise) | Medium::Textured(noise) => (5 * u64::from(noise.octaves), 0),
-        Medium::Profile { profile, .. } => {
-            let halvings = u64::from(profile.points.len().next_power_of_two().ilog2());
-            (halvings, halvings)
-        }
-        // Rows of samples round a place.
-        Medium::Grid(_) => (16, 0),
-        _ => (0, 0),
-    }
+fn closed_loops(regions: &Regions) -> u64 {
+    let forms = regions.kinds.iter().filter_map(|kind| kind.motion.closed_form());
+    regions.obstacles.len() as u64 + forms.map(|form| form.loops).max().unwrap_or(0)
 }
 
 /// Iterations from the bounding sphere to infinity.
@@ -126,27 +92,12 @@ fn asymptote_loops(precision: Precision) -> u64 {
     constant(part, "ASYMPTOTE_STEPS") as u64 + 16
 }
 
-fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
-    let evaluations = match scene.rays.method {
-        Method::Exact | Method::Planar => 0,
-        Method::Euler | Method::Leapfrog | Method::Snell { .. } => 1,
-        Method::Rkn4 => 3,
-        Method::Rk4 | Method::BogackiShampine => 4,
-        Method::DormandPrince => 7,
-    };
-    if scene.rays.method == Method::Planar {
+fn step_loops(scene: &Scene, Loops { derivative, scale }: Loops) -> u64 {
+    let (method, control) = (scene.rays.method.kind, scene.rays.control.kind);
+    if method.path == Path::Orbit {
         let part = "motion/planar_open";
         return if scene.objects.is_empty() { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 } else { 0 };
     }
-    match scene.rays.control {
-        Control::Exact => 0,
-        Control::Fixed { .. } | Control::Scaled { .. } => evaluations * rate + scale,
-        Control::Curvature { .. } => (evaluations + 1) * rate + scale,
-        Control::Embedded { .. } => {
-            rate + scale + constant("control/embedded", "MAX_TRIES") as u64 * (1 + evaluations * rate + scale)
-        }
-        Control::Doubling { .. } => {
-            scale + constant("control/doubling_rejecting", "MAX_TRIES") as u64 * (4 + 3 * evaluations * rate + scale)
-        }
-    }
+    let tries = control.tries.map_or(1, |part| constant(part, "MAX_TRIES") as u64);
+    (control.loops)(&StepLoops { evaluations: method.evaluations.into(), derivative, scale, tries })
 }

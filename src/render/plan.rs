@@ -1,7 +1,7 @@
 //! A schedule's steps, and what the device is told of each.
 
 use super::schedule::{Batch, Step};
-use crate::gpu::Value::{self, Uint};
+use crate::model::Value::{self, Uint};
 
 /// What runs for each round of a sample.
 #[derive(Debug, Default)]

@@ -11,13 +11,14 @@ use super::plan::Plan;
 use super::readback::read_buffer;
 use super::schedule::{Batch, steps};
 use super::{RenderError, Totals, Window};
-use crate::gpu::Value::{self, Uint, Uint2};
 use crate::gpu::{
-    Built, Geometry, Gpu, GpuError, Memory, Parts, Pipelines, SceneBuffers, TURN_STRIDE, Tile, control_values, copy_of,
-    memory, pack, schedule_values,
+    Built, Geometry, Gpu, GpuError, Memory, Parts, Pipelines, SceneBuffers, TURN_STRIDE, Tile, copy_of, memory, pack,
+    schedule_values,
 };
-use crate::program::{BindingKind, Choice, Program, Purpose, Work};
-use crate::scene::{Control, Scene};
+use crate::model::Control;
+use crate::model::Value::{self, Uint, Uint2};
+use crate::program::{BindingKind, Choice, Program, Purpose, Regions, Work};
+use crate::scene::Scene;
 
 /// How to render.
 #[derive(Debug, Clone)]
@@ -65,6 +66,8 @@ pub struct Renderer<'a> {
     pub program: Program,
     pub(super) pipelines: Pipelines,
     pub(super) buffers: SceneBuffers,
+    /// Which objects have an inside.
+    pub(super) regions: Regions,
     /// Kept for the next frame.
     structure: Built,
     pub(super) max_segments: u32,
@@ -112,7 +115,7 @@ impl<'a> Renderer<'a> {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
         let geometry = Geometry::new(scene);
-        let program = Program::new(scene, &settings.choice, geometry.extent())?;
+        let program = Program::new(scene, &geometry.analysis, &settings.choice, geometry.extent())?;
         let pipelines = Pipelines::new(gpu, &program)?;
         let longer = settings.segments.saturating_mul(settings.choice.rounds(scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
@@ -120,9 +123,21 @@ impl<'a> Renderer<'a> {
         let max_segments = scene.rays.max_segments;
         let (short, long, is_long) = (Plan::default(), OnceCell::new(), Cell::new(false));
         let scene = Cow::Borrowed(scene);
-        let structure = geometry.structure;
-        let mut made =
-            Self { gpu, scene, settings, program, pipelines, buffers, structure, max_segments, short, long, is_long };
+        let (structure, regions) = (geometry.structure, geometry.analysis.regions);
+        let mut made = Self {
+            gpu,
+            scene,
+            settings,
+            program,
+            pipelines,
+            buffers,
+            regions,
+            structure,
+            max_segments,
+            short,
+            long,
+            is_long,
+        };
         made.plan_steps();
         Ok(made)
     }
@@ -135,12 +150,13 @@ impl<'a> Renderer<'a> {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
         let geometry = Geometry::after(Some(std::mem::take(&mut self.structure)), &scene);
-        let program = Program::new(&scene, choice, geometry.extent())?;
+        let program = Program::new(&scene, &geometry.analysis, choice, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
         self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, *segments, Some(&self.buffers))?;
         self.structure = geometry.structure;
+        self.regions = geometry.analysis.regions;
         self.program = program;
         self.max_segments = scene.rays.max_segments;
         self.scene = Cow::Owned(scene);
@@ -151,7 +167,7 @@ impl<'a> Renderer<'a> {
     /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
     /// is compiled again.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
-        self.rewrite("control", &control_values(control))?;
+        self.rewrite("control", &control.values())?;
         self.set_segments(max_segments, self.settings.segments)
     }
 
@@ -164,7 +180,7 @@ impl<'a> Renderer<'a> {
         Ok(())
     }
 
-    fn rewrite(&self, name: &str, values: &[(&'static str, Value)]) -> Result<(), GpuError> {
+    fn rewrite<N: AsRef<str>>(&self, name: &str, values: &[(N, Value)]) -> Result<(), GpuError> {
         for binding in self.program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
             let BindingKind::Block { members, .. } = &binding.kind else { continue };
             let Some(buffer) = self.buffers.buffers.get(&binding.name) else { continue };

@@ -2,7 +2,7 @@
 
 use super::renderer::Refines;
 use crate::gpu::{OPEN, Slots, WANTED};
-use crate::program::{Choice, Masks, Pass, Purpose, Schedule, Work, scatters};
+use crate::program::{Choice, Masks, Pass, Purpose, Schedule, Work};
 use crate::scene::{Scene, Segment};
 
 /// What a pass runs over.
@@ -177,7 +177,7 @@ impl Recorder<'_> {
             }
         }
         self.push(Pass::Terminate, slots, round, 1);
-        if scatters(scene) {
+        if scene.scatters() {
             // What met a surface is where its segment began, what did not is where it ended already.
             let slots = Slots { input: slots.start, output: slots.end, list: [slots.list[1], slots.list[0]], ..slots };
             self.push(Pass::Scatter, slots, round, 1);

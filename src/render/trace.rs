@@ -7,10 +7,11 @@ use super::readback::read_buffer;
 use super::renderer::{Frame, RECORDS, Walks};
 use super::schedule::Step;
 use super::{RenderError, Renderer, Settings, Status, Totals};
-use crate::gpu::Value::Vec3;
 use crate::gpu::{Gpu, GpuError, Tile, pack};
-use crate::program::{Choice, Field, Layout, Masks, Pass, Purpose, Regions, Schedule};
-use crate::scene::{Object, Scene, Shape};
+use crate::model::Object;
+use crate::model::Value::Vec3;
+use crate::program::{Analysis, Choice, Field, Layout, Masks, Pass, Purpose, Regions, Schedule};
+use crate::scene::Scene;
 
 /// Where a ray ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -150,7 +151,7 @@ pub fn trace_paths(
 ) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
     let choice =
         Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: Masks::List };
-    let leaping = Regions::of(scene).kinds.iter().any(|kind| kind.leaps);
+    let leaping = Analysis::of(scene).regions.kinds.iter().any(|kind| kind.leaps);
     let mut scene = scene.clone();
     if std::mem::take(&mut scene.rays.leaps) && leaping {
         scene.rays.max_segments = scene.rays.max_segments.max(ARCS);
@@ -199,7 +200,7 @@ fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), Re
     let bytes = pack("given", given, batch.iter().map(row))?;
     let mut tile = list_tile(renderer, batch.len(), ROW, "given", &bytes)?;
     if layout(renderer, "given_sets").is_ok() {
-        let sets: Vec<u32> = batch.iter().map(|ray| starting_set(&renderer.scene, ray)).collect();
+        let sets: Vec<u32> = batch.iter().map(|ray| starting_set(&renderer.scene, &renderer.regions, ray)).collect();
         let bytes: &[u8] = bytemuck::cast_slice(&sets);
         tile.add_buffer(renderer.gpu, "given_sets", bytes.len() as u64, BufferUsages::STORAGE)?;
         if let Some(buffer) = tile.buffer("given_sets") {
@@ -211,11 +212,9 @@ fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), Re
 }
 
 /// The meshes that a ray starts in, as bits of the set of regions.
-fn starting_set(scene: &Scene, ray: &[f64; 6]) -> u32 {
-    let regions = Regions::of(scene).regions;
-    let starts =
-        |object: &Object| matches!(object.shape, Shape::Mesh(_)) && object.contains(DVec3::new(ray[0], ray[1], ray[2]));
-    let bits = regions.iter().enumerate().filter(|(_, region)| starts(&scene.objects[region.object]));
+fn starting_set(scene: &Scene, regions: &Regions, ray: &[f64; 6]) -> u32 {
+    let starts = |object: &Object| object.shape.mesh().is_some() && object.contains(DVec3::new(ray[0], ray[1], ray[2]));
+    let bits = regions.regions.iter().enumerate().filter(|(_, region)| starts(&scene.objects[region.object]));
     bits.fold(0, |set, (bit, _)| set | 1 << bit)
 }
 

@@ -7,46 +7,34 @@
 //! the file), then `check` (documents to the values below, all mistakes found in one run), with `mesh` and
 //! `picture` loading what the file names. Nothing here knows of a GPU.
 
-mod camera;
 mod check;
-mod cut;
-mod document;
-mod error;
-mod expression;
-mod grid;
-mod inside;
-mod law;
-mod medium;
-mod mesh;
-mod object;
-mod picture;
-mod profile;
+mod optics;
 mod rays;
 mod reference;
-mod touching;
-mod transform;
 
 #[cfg(test)]
 mod tests;
 
-pub use camera::{Camera, CameraKind, Corners, Frame, Stereo, StereoLayout};
-pub use check::Files;
-pub use cut::{CORNERS, CutPlane, Landmark, Outline};
-pub use document::Override;
-pub use error::{Mistake, SceneError};
-pub use expression::{Axis, Formula, FormulaError, Function, Graph, Id, Node};
-pub use grid::IndexGrid;
-pub use law::{Falloff, FlowField, FlowOrder, Law, SchwarzschildForm, Source};
-pub use medium::{COMMON, Explosion, Ingoing, Interior, Medium, Noise};
-pub use mesh::{Mesh, Vertex};
-pub use object::{Material, MaterialKind, Object, Pattern, Shape, Substance};
-pub use picture::Picture;
-pub use profile::{Profile, ProfilePoint};
-pub use rays::{Accelerate, Accuracy, Bound, Branches, Control, DoublingRule, Method, Precision, Rays, Segment};
-pub use reference::{KeyReference, REFERENCE, TEMPLATE, reference_markdown};
-pub use transform::Transform;
+pub use crate::assets::{
+    Axis, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Mesh, Node, Picture, Profile, ProfilePoint,
+    Transform, Vertex,
+};
+pub use crate::document::{KeyReference, Mistake, Override, SceneError};
+pub use crate::model::cut::{CORNERS, CutPlane, Outline};
+pub use crate::model::{
+    Camera, CameraFrame, Control, Interior, Law, Material, Medium, Method, Object, Pattern, Shape, Stereo,
+    StereoLayout, Substance, Surface,
+};
+pub use rays::{Accelerate, Accuracy, Bound, Branches, Precision, Rays, Segment};
+pub use reference::{REFERENCE, TEMPLATE, reference_markdown};
+
+use std::sync::Arc;
 
 use glam::DVec3;
+
+use crate::model::Capture;
+use crate::model::method::Demands;
+use optics::Optics;
 
 /// A whole scene: the values of one TOML file, complete and consistent.
 #[derive(Debug, Clone)]
@@ -56,7 +44,7 @@ pub struct Scene {
     /// Where rays start; a scene made only for `trace` may have none.
     pub camera: Option<Camera>,
     /// How light travels.
-    pub law: Law,
+    pub law: Arc<dyn Law>,
     /// How light is followed.
     pub rays: Rays,
     /// What an escaped ray sees.
@@ -118,12 +106,49 @@ impl Scene {
     }
 
     /// Every medium: of all space, and of objects.
-    pub fn media(&self) -> impl Iterator<Item = &Medium> {
-        let all = match &self.law {
-            Law::Medium(medium) => Some(medium),
-            _ => None,
-        };
-        all.into_iter().chain(self.objects.iter().filter_map(|object| Some(&object.interior()?.medium)))
+    pub fn media(&self) -> impl Iterator<Item = &dyn Medium> {
+        let interiors = self.objects.iter().filter_map(|object| Some(&object.interior()?.medium));
+        self.law.medium().into_iter().chain(interiors).map(|medium| &**medium)
+    }
+
+    /// Where rays that move inwards end: as far out as `clearance` allows, the distance from a place to the nearest object; none
+    /// where rays are to be followed as far as they go.
+    #[must_use]
+    pub fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        let interiors = self.objects.iter().filter_map(|object| object.interior()?.medium.capture());
+        self.law.captures(clearance).into_iter().chain(interiors).collect()
+    }
+
+    /// The material of an object, if it is opaque.
+    #[must_use]
+    pub fn material_of(&self, object: &Object) -> Option<&Material> {
+        Some(&self.materials[object.material()?])
+    }
+
+    /// Does a ray continue from the surface of an object that is opaque?
+    #[must_use]
+    pub fn continues_from(&self, object: &Object) -> bool {
+        self.material_of(object).is_some_and(|material| material.surface.continues())
+    }
+
+    /// Does a ray continue from some surface?
+    #[must_use]
+    pub fn scatters(&self) -> bool {
+        self.splits() || self.objects.iter().any(|object| self.continues_from(object))
+    }
+
+    /// Is there a surface that both reflects and transmits?
+    #[must_use]
+    pub fn splits(&self) -> bool {
+        self.objects.iter().any(|object| object.interior().is_some())
+    }
+
+    /// What it demands of the method that follows its rays.
+    #[must_use]
+    pub fn demands(&self) -> Demands {
+        let ends = self.rays.length.is_some();
+        Optics { law: Some(&*self.law), objects: &self.objects, materials: &self.materials }
+            .demands(ends, self.rays.segment.has_chords())
     }
 
     /// The angle of a pixel at the picture's centre, in radians.
@@ -135,7 +160,7 @@ impl Scene {
     /// Does its picture have pixels that show nothing, so that its files carry alpha?
     #[must_use]
     pub fn is_transparent(&self) -> bool {
-        self.camera.as_ref().is_some_and(Camera::is_transparent)
+        self.camera.as_ref().is_some_and(|camera| camera.projection.is_transparent())
     }
 }
 

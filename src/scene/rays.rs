@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::model::{Control, Method};
+
 /// `[rays]`: how rays are followed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rays {
@@ -65,85 +67,6 @@ pub enum Accuracy {
     Radians(f64),
 }
 
-/// The integrators.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Method {
-    /// Closed forms only.
-    Exact,
-    /// The orbit's equation in the ray's own plane; laws with one centre only.
-    Planar,
-    /// p ← p + h F(p) (W04 Eq. 2).
-    Euler,
-    /// Drift, kick, drift: of order 2; laws of the second order that depend on place alone.
-    Leapfrog,
-    /// Nyström's method of order 4; laws as for leapfrog.
-    Rkn4,
-    /// The classical fourth-order Runge–Kutta method.
-    Rk4,
-    /// The pair of orders 3 and 2.
-    BogackiShampine,
-    /// The pair of orders 5 and 4.
-    DormandPrince,
-    /// Straight until the index has changed by more than the threshold, then Snell's law (W04 §5.3); media only.
-    Snell {
-        /// The change of index that refracts.
-        threshold: f64,
-    },
-}
-
-/// Step-size rules. Every length here is a τ; η is a fraction of the law's own scale.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Control {
-    /// Not applicable: one closed-form arc to the end.
-    Exact,
-    /// h is constant.
-    Fixed {
-        /// h.
-        step: f64,
-        /// The cap: h ≤ η · scale.
-        eta: f64,
-    },
-    /// h = η · scale.
-    Scaled {
-        /// η.
-        eta: f64,
-    },
-    /// Every step turns the ray through the same angle (G95 Fig. 6b).
-    Curvature {
-        /// Radians.
-        turn: f64,
-        /// The cap: h ≤ η · scale.
-        eta: f64,
-    },
-    /// One step h against two of h/2 (W04 §4.2).
-    Doubling {
-        /// The paper's rule or a rejecting one.
-        rule: DoublingRule,
-        /// h shrinks above this relative difference.
-        tolerance: f64,
-        /// h grows below this relative difference.
-        grow_below: f64,
-        /// The cap: h ≤ η · scale.
-        eta: f64,
-    },
-    /// An embedded pair's own error, kept under the tolerance by a PI controller.
-    Embedded {
-        /// Of each step's relative error.
-        tolerance: f64,
-        /// The cap: h ≤ η · scale.
-        eta: f64,
-    },
-}
-
-/// The two step-doubling rules.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DoublingRule {
-    /// Two thresholds; only the next step changes (W04 §4.2).
-    Paper,
-    /// A step over the tolerance is tried again, shorter.
-    Rejecting,
-}
-
 /// What of a path is tested against the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Segment {
@@ -157,6 +80,14 @@ pub enum Segment {
         /// N.
         steps: u32,
     },
+}
+
+impl Segment {
+    /// Is it the paper's polygon?
+    #[must_use]
+    pub fn has_chords(self) -> bool {
+        matches!(self, Self::Chord { .. })
+    }
 }
 
 /// The bounding sphere.

@@ -9,6 +9,8 @@ use super::beams::Beam;
 use super::pairs::{Pairs, numbers, vector};
 use crate::error::Error;
 use crate::measure::{Curve, Focus, focus, windings};
+use crate::model::Landmark;
+use crate::model::cut::sphere_in_plane;
 use crate::output::plot::{Frame, PathLine, PathPlot, Surface, SurfaceKind, plot_paths};
 use crate::render::{PathPoint, Status};
 use crate::scene::{CutPlane, Scene};
@@ -197,10 +199,10 @@ fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<Surface> {
         let kind = if object.interior().is_some() { SurfaceKind::Medium } else { SurfaceKind::Opaque };
         Surface { kind, outlines: object.cut(plane) }
     });
-    let landmark = |landmark: crate::scene::Landmark| Surface {
-        kind: SurfaceKind::Landmark(landmark.name),
-        outlines: vec![landmark.outline],
+    let landmark = |landmark: Landmark| {
+        let outline = sphere_in_plane(landmark.center, landmark.radius, plane)?;
+        Some(Surface { kind: SurfaceKind::Landmark(landmark.name), outlines: vec![outline] })
     };
-    let landmarks = scene.law.cut(plane).into_iter().map(landmark);
+    let landmarks = scene.law.landmarks().into_iter().filter_map(landmark);
     landmarks.chain(objects).filter(|surface| !surface.outlines.is_empty()).collect()
 }

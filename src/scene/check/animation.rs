@@ -7,9 +7,9 @@
 //! *Practice.* Tracks are read whether or not a frame is asked for, so that their mistakes show in any command; the values
 //! that they give are checked where they are read, like any other, and a mistake in one is found at the track's value.
 
-use crate::scene::document::reader::{Reader, TableReader};
-use crate::scene::document::values::{Read, number, text, whole, word};
-use crate::scene::document::{Document, Fault, Node, Place, Value, names};
+use crate::document::reader::{Reader, TableReader};
+use crate::document::values::{Read, number, text, whole, word};
+use crate::document::{Document, Fault, Node, Place, Value, names};
 
 /// What `[animation]` says.
 pub struct Tracks {
@@ -56,7 +56,7 @@ fn track(table: TableReader, frames: u32) -> Option<Track> {
     let last = f64::from(frames - 1);
     let evenly = (0..count).map(|i| last * i as f64 / (count.max(2) - 1) as f64).collect();
     let at = table.or("at", evenly, |node| ascending(node, count));
-    let smooth = table.or("between", false, word(&[("linear", false), ("smooth", true)], &[]));
+    let smooth = table.or("between", false, word(&[("linear", false), ("smooth", true)]));
     table.finish();
     let ((path, node), values) = (key?, values?);
     Some(Track { key: path.join("."), place: node.place, path, at, values, smooth })
@@ -123,7 +123,7 @@ fn ascending(node: &Node, count: usize) -> Read<Vec<f64>> {
 /// Puts the values of a frame into the document; `frame_of` names the frame of each track by its key. What is wrong with the
 /// tracks is left for the reading of the whole.
 pub fn apply(document: &mut Document, frame_of: &dyn Fn(&str) -> u32) {
-    let tracks = read(&Reader::new(document).root());
+    let tracks = read(&Reader::new(document, &[]).root());
     for track in tracks.iter().flat_map(|tracks| &tracks.all) {
         let value = track.value(f64::from(frame_of(&track.key)));
         document.animate(&track.path, value, track.place);

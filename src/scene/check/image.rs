@@ -1,7 +1,7 @@
 //! `[image]`: the picture's size, and how it is sampled.
 
-use crate::scene::document::reader::TableReader;
-use crate::scene::document::values::{array, number_where, whole, word};
+use crate::document::reader::TableReader;
+use crate::document::values::{array, number_where, whole, word};
 use crate::scene::{Image, SamplePattern};
 
 /// Samples that an adaptive pixel takes at once: as many again each time that it goes on.
@@ -14,7 +14,7 @@ pub fn read(root: &TableReader) -> Image {
     image.size = table.or("size", image.size, size);
     let samples = table.optional("samples", whole(1..=4096));
     let patterns = &[("multi-jittered", SamplePattern::MultiJittered), ("progressive", SamplePattern::Progressive)];
-    let pattern = table.optional("pattern", word(patterns, &[]));
+    let pattern = table.optional("pattern", word(patterns));
     let tolerance =
         number_where("a standard error above 0 and below 1, of what a screen shows", |x| x > 0.0 && x < 1.0);
     image.adaptive = table.optional("adaptive", tolerance);

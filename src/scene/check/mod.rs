@@ -5,27 +5,19 @@
 //! left out, so that the reading goes on; a scene is handed out only if nothing was recorded.
 
 mod animation;
-pub(super) mod bounds;
-mod camera;
-mod files;
 mod image;
-mod law;
-mod materials;
-mod media;
-mod objects;
-mod optics;
 mod rays;
 mod regions;
-mod written;
+mod sky;
 
-pub use files::Files;
-
-use super::document::reader::{Reader, TableReader};
-use super::document::values::{color, direction, number_where, vector, whole, word};
-use super::document::{Document, Override};
-use super::{Animation, Light, Output, Scene, SceneError, Tonemap};
+use super::optics::Optics;
+use super::{Animation, Light, Output, REFERENCE, Scene, SceneError, Tonemap};
+use crate::assets::Files;
+use crate::document::reader::{Reader, TableReader};
+use crate::document::values::{color, direction, number_where, vector, whole, word};
+use crate::document::{Document, Override};
+use crate::model::{camera, law, material, shape};
 use glam::DVec3;
-use optics::Optics;
 use std::path::Path;
 
 impl Scene {
@@ -56,7 +48,7 @@ impl Scene {
     }
 
     fn of(document: &Document, path: &Path, files: &mut Files) -> Result<Self, SceneError> {
-        let reader = Reader::new(document);
+        let reader = Reader::new(document, &REFERENCE);
         files.begin();
         let scene = scene(&reader, files);
         let mut mistakes = reader.into_mistakes();
@@ -80,14 +72,14 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let law = law::read(&root, files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
-    let camera = camera::read(&root, law.as_ref(), image.size);
-    let sky = materials::sky(&root, files);
+    let camera = camera::read(&root, law.as_deref(), image.size);
+    let sky = sky::read(&root, files);
     let output = output(&root);
-    let (names, materials) = materials::read(&root, files);
-    let placed = objects::read(&root, &names, bound, files);
+    let (names, materials) = material::read(&root, files);
+    let placed = shape::read(&root, &names, bound.map(|bound| (bound.center, bound.radius)), files);
     regions::check(reader, &placed, &materials);
     let objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
-    let optics = Optics { law: law.as_ref(), objects: &objects, materials: &materials };
+    let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
     let lights = lights(&root);
     let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
@@ -112,7 +104,7 @@ fn output(root: &TableReader) -> Output {
     if let Some(table) = root.subtable("output", "output") {
         let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
         output.exposure = table.or("exposure", 0.0, stops);
-        let tonemaps = word(&[("none", Tonemap::None), ("filmic", Tonemap::Filmic)], &[]);
+        let tonemaps = word(&[("none", Tonemap::None), ("filmic", Tonemap::Filmic)]);
         output.tonemap = table.or("tonemap", Tonemap::None, tonemaps);
         output.bits = table.or("bits", 8, |node| match whole(8..=16)(node)? {
             8 => Ok(8),
@@ -130,7 +122,7 @@ fn lights(root: &TableReader) -> Vec<Light> {
 }
 
 fn light(table: TableReader) -> Option<Light> {
-    let kinds = word(&[("point", true), ("directional", false)], &[]);
+    let kinds = word(&[("point", true), ("directional", false)]);
     let point = table.decide_required("kind", "\"point\"", kinds);
     let color = table.or("color", DVec3::ONE, color);
     let light = point.and_then(|point| {

@@ -3,9 +3,9 @@
 //! One object inside of another needs no word: the inner one is there. Where two of the same priority overlap in part, nothing
 //! says which; that is found by points of each one's surface, so that an overlap smaller than their spacing may pass.
 
-use crate::scene::document::reader::Reader;
-use crate::scene::document::{Fault, Place};
-use crate::scene::{Material, MaterialKind, Object, Shape, Substance};
+use crate::document::reader::Reader;
+use crate::document::{Fault, Place};
+use crate::model::{Material, Object, Substance};
 use glam::DVec3;
 
 /// Rays carry the set of the objects that they are in as so many bits; closed mirrors are among them.
@@ -17,10 +17,10 @@ const TOUCHES: f64 = 1e-6;
 
 /// Records what is wrong with the interiors of objects, each given with its place in the file.
 pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material]) {
-    let is_mirror = |i: usize| materials.get(i).is_some_and(|material| material.kind == MaterialKind::Mirror);
+    let continues = |i: usize| materials.get(i).is_some_and(|material| material.surface.continues());
     let is_sided = |(_, object): &&(Place, Object)| match object.substance {
         Substance::Clear(_) => true,
-        Substance::Opaque(material) => is_mirror(material) && object.shape.is_closed(),
+        Substance::Opaque(material) => continues(material) && object.shape.opening().is_none(),
     };
     let sided: Vec<_> = objects.iter().filter(is_sided).collect();
     let clear: Vec<_> = objects.iter().filter(|(_, object)| object.interior().is_some()).collect();
@@ -49,12 +49,9 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
 }
 
 fn same_priority(first: &Object, second: &Object) -> bool {
-    let priority = |object: &Object| match &object.substance {
-        Substance::Clear(interior) => Some((interior.priority, interior.medium.clone())),
-        Substance::Opaque(_) => None,
-    };
+    let Some((first, second)) = first.interior().zip(second.interior()) else { return false };
     // Two parts of one and the same medium may overlap as they like.
-    matches!((priority(first), priority(second)), (Some((a, m)), Some((b, n))) if a == b && m != n)
+    first.priority == second.priority && *first.medium != *second.medium
 }
 
 /// Are some points of each one's surface inside of the other, and some outside?
@@ -76,24 +73,15 @@ fn touches(object: &Object, x: DVec3) -> bool {
 
 /// Points all over a surface, in the scene.
 fn surface_points(object: &Object) -> Vec<DVec3> {
-    let own: Vec<DVec3> = match &object.shape {
-        Shape::Mesh(mesh) => {
+    let own: Vec<DVec3> = match object.shape.mesh() {
+        Some(mesh) => {
             let step = mesh.triangles.len().div_ceil(POINTS).max(1);
             let corner = |i: u32| mesh.vertices[i as usize].position.as_dvec3();
             mesh.triangles.iter().step_by(step).map(|t| t.map(corner).iter().sum::<DVec3>() / 3.0).collect()
         }
-        shape => directions().map(|d| d / reach(shape, d)).collect(),
+        None => directions().map(|d| d / object.shape.norm(d)).collect(),
     };
     own.into_iter().map(|p| object.transform.0.transform_point3(p)).collect()
-}
-
-/// The length of a vector in the norm whose unit ball the shape is.
-fn reach(shape: &Shape, d: DVec3) -> f64 {
-    match shape {
-        Shape::Box => d.abs().max_element(),
-        Shape::Cylinder => d.y.abs().max(DVec3::new(d.x, 0.0, d.z).length()),
-        _ => d.length(),
-    }
 }
 
 /// Evenly spread, as the seeds of a sunflower.

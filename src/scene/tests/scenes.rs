@@ -1,9 +1,9 @@
 //! Good scenes: defaults, every kind, the template, and the reference against what is asked for.
 
 use super::{RAYS, good};
+use crate::document::Document;
+use crate::document::reader::Reader;
 use crate::scene::check::{Files, scene};
-use crate::scene::document::Document;
-use crate::scene::document::reader::Reader;
 use crate::scene::{
     CameraKind, Control, Corners, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Method,
     Pattern, REFERENCE, Scene, SceneError, Segment, Shape, Sky, Stereo, StereoLayout, TEMPLATE, reference_markdown,

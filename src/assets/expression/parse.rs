@@ -1,0 +1,189 @@
+//! From text to tree, by recursive descent:
+//!
+//! ```text
+//! sum     = product { ("+" | "-") product }
+//! product = minus { ("*" | "/") minus }
+//! minus   = "-" minus | power
+//! power   = whole [ "^" minus ]
+//! whole   = number | name | function "(" sum { "," sum } ")" | "(" sum ")"
+//! ```
+
+use super::tokens::{Token, tokens, wrong};
+use super::tree::{Extreme, Name, Operator, Tree};
+use super::{FormulaError, Function};
+use crate::document::values::suggest;
+use std::ops::Range;
+
+/// Longer than anyone writes by hand. What reads trees goes down into them, and has only so much stack.
+const LONGEST: usize = 1000;
+/// Parts in parts.
+const DEEPEST: usize = 100;
+
+/// The tree of a formula.
+pub fn parse(text: &str) -> Result<Tree, FormulaError> {
+    if text.len() > LONGEST {
+        return Err(wrong(0..text.len(), format!("the formula is longer than {LONGEST} characters"), ""));
+    }
+    let mut parser = Parser { tokens: tokens(text)?, at: 0, end: text.len(), depth: 0 };
+    let tree = parser.sum()?;
+    match parser.tokens.get(parser.at) {
+        None => Ok(tree),
+        Some((token, place)) => Err(unexpected(*token, place.clone())),
+    }
+}
+
+struct Parser<'a> {
+    tokens: Vec<(Token<'a>, Range<usize>)>,
+    at: usize,
+    /// Of the text.
+    end: usize,
+    depth: usize,
+}
+
+type Parsed = Result<Tree, FormulaError>;
+
+/// What follows a whole formula.
+fn unexpected(token: Token, place: Range<usize>) -> FormulaError {
+    match token {
+        Token::Sign(')') => wrong(place, "there is no ( for this )", ""),
+        Token::Number(_) | Token::Name(_) | Token::Sign('(') => {
+            wrong(place, "expected an operator before this", "products are written with *, as in 2 * x")
+        }
+        Token::Sign(sign) => wrong(place, format!("unexpected `{sign}`"), "expected one of + - * / ^, or the end"),
+    }
+}
+
+impl<'a> Parser<'a> {
+    fn peek(&self) -> Option<Token<'a>> {
+        self.tokens.get(self.at).map(|(token, _)| *token)
+    }
+
+    fn take(&mut self, sign: char) -> bool {
+        let found = self.peek() == Some(Token::Sign(sign));
+        self.at += usize::from(found);
+        found
+    }
+
+    /// Of the next token; the end of the text behind the last.
+    fn place(&self) -> Range<usize> {
+        self.tokens.get(self.at).map_or(self.end..self.end, |(_, place)| place.clone())
+    }
+
+    fn sum(&mut self) -> Parsed {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(wrong(self.place(), format!("more than {DEEPEST} parts inside each other"), ""));
+        }
+        let mut sum = self.product()?;
+        while let Some(operator) = self.operator(&[('+', Operator::Plus), ('-', Operator::Minus)]) {
+            sum = binary(operator, sum, self.product()?);
+        }
+        self.depth -= 1;
+        Ok(sum)
+    }
+
+    fn product(&mut self) -> Parsed {
+        let mut product = self.minus()?;
+        while let Some(operator) = self.operator(&[('*', Operator::Times), ('/', Operator::Over)]) {
+            product = binary(operator, product, self.minus()?);
+        }
+        Ok(product)
+    }
+
+    fn operator(&mut self, choices: &[(char, Operator)]) -> Option<Operator> {
+        choices.iter().find(|(sign, _)| self.take(*sign)).map(|(_, operator)| *operator)
+    }
+
+    fn minus(&mut self) -> Parsed {
+        // A row of minus signs and powers goes down as parentheses do.
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(wrong(self.place(), format!("more than {DEEPEST} parts inside each other"), ""));
+        }
+        let tree = if self.take('-') { Tree::Negative(Box::new(self.minus()?)) } else { self.power()? };
+        self.depth -= 1;
+        Ok(tree)
+    }
+
+    fn power(&mut self) -> Parsed {
+        let base = self.whole()?;
+        if self.take('^') { Ok(binary(Operator::Power, base, self.minus()?)) } else { Ok(base) }
+    }
+
+    fn whole(&mut self) -> Parsed {
+        let place = self.place();
+        let token = self.peek();
+        self.at += 1;
+        match token {
+            Some(Token::Number(value)) => Ok(Tree::Number(value)),
+            Some(Token::Name(name)) => self.named(name, place),
+            Some(Token::Sign('(')) => {
+                let inside = self.sum()?;
+                self.close(place)?;
+                Ok(inside)
+            }
+            Some(Token::Sign(sign)) => Err(wrong(
+                place,
+                format!("expected a number, a name or (, found `{sign}`"),
+                "as in 1 + 0.1 * exp(-r^2)",
+            )),
+            None if self.end == 0 || self.tokens.is_empty() => {
+                Err(wrong(0..self.end, "the formula is empty", "for example 1 + 0.1 * exp(-r^2)"))
+            }
+            None => Err(wrong(place, "the formula ends too soon", "expected a number, a name or (")),
+        }
+    }
+
+    fn close(&mut self, open: Range<usize>) -> Result<(), FormulaError> {
+        if self.take(')') {
+            return Ok(());
+        }
+        match self.peek() {
+            None => Err(wrong(open, "there is no ) for this (", "")),
+            Some(Token::Sign(',')) => Err(wrong(self.place(), "unexpected `,`", "only min and max take two numbers")),
+            Some(token) => Err(unexpected(token, self.place())),
+        }
+    }
+
+    fn named(&mut self, name: &str, place: Range<usize>) -> Parsed {
+        if let Some((_, known)) = Name::ALL.iter().find(|(text, _)| *text == name) {
+            if self.peek() == Some(Token::Sign('(')) {
+                let help = format!("a product is written {name} * (..)");
+                return Err(wrong(place, format!("`{name}` is not a function"), help));
+            }
+            return Ok(Tree::Name(*known));
+        }
+        let function = Function::WRITTEN.iter().find(|(text, _)| *text == name).map(|(_, function)| *function);
+        let extreme = [Extreme::Min, Extreme::Max].into_iter().find(|extreme| extreme.name() == name);
+        if function.is_none() && extreme.is_none() {
+            return Err(unknown(name, place));
+        }
+        let open = self.place();
+        if !self.take('(') {
+            let example = if extreme.is_some() { "1, x" } else { "x" };
+            return Err(wrong(place, format!("`{name}` is a function"), format!("it is written {name}({example})")));
+        }
+        let first = Box::new(self.sum()?);
+        let tree = match (function, extreme) {
+            (Some(function), _) => Tree::Call(function, first),
+            (None, Some(extreme)) if self.take(',') => Tree::Extreme(extreme, first, Box::new(self.sum()?)),
+            _ => {
+                let help = format!("it is written {name}(1, x)");
+                return Err(wrong(place, format!("`{name}` takes two numbers"), help));
+            }
+        };
+        self.close(open)?;
+        Ok(tree)
+    }
+}
+
+fn unknown(name: &str, place: Range<usize>) -> FormulaError {
+    let functions = Function::WRITTEN.iter().map(|(text, _)| *text);
+    let names: Vec<&str> = Name::ALL.iter().map(|(text, _)| *text).chain(functions).chain(["min", "max"]).collect();
+    let help = if name == "ln" { "the natural logarithm is log".to_owned() } else { suggest(name, &names, "names") };
+    wrong(place, format!("unknown name `{name}`"), help)
+}
+
+fn binary(operator: Operator, a: Tree, b: Tree) -> Tree {
+    Tree::Binary(operator, Box::new(a), Box::new(b))
+}

@@ -1,0 +1,99 @@
+//! The files that scenes name: each is loaded once, however often it is named.
+
+use super::Use;
+use super::{IndexGrid, Mesh, Picture, Profile};
+use crate::document::Node;
+use crate::document::SceneError;
+use crate::document::reader::Reader;
+use crate::document::values::text;
+use std::collections::HashMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// What was loaded: for one scene, or for several that share it, such as the frames of an animation. Within a scene a file that
+/// failed is a none, so that it is reported once.
+#[derive(Debug, Default)]
+pub struct Files {
+    /// The scene's own, in the order that indices count.
+    pictures: Vec<(PathBuf, Picture)>,
+    picture_of: HashMap<PathBuf, Option<Picture>>,
+    mesh_of: HashMap<PathBuf, Option<Arc<Mesh>>>,
+    profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
+    grid_of: HashMap<PathBuf, (Use, Arc<IndexGrid>)>,
+}
+
+impl Files {
+    /// Goes on to another scene: what failed before is tried again.
+    pub fn begin(&mut self) {
+        self.pictures.clear();
+        self.picture_of.retain(|_, loaded| loaded.is_some());
+        self.mesh_of.retain(|_, loaded| loaded.is_some());
+        self.profile_of.retain(|_, loaded| loaded.is_some());
+    }
+
+    /// All pictures of the scene, in the order that indices count.
+    pub fn pictures(&self) -> Vec<Picture> {
+        self.pictures.iter().map(|(_, picture)| picture.clone()).collect()
+    }
+
+    /// The index of the picture that a node names.
+    pub fn picture(&mut self, reader: &Reader, node: &Node) -> Option<usize> {
+        let (path, identity) = find(reader, node)?;
+        if let Some(known) = self.pictures.iter().position(|(of, _)| *of == identity) {
+            return Some(known);
+        }
+        let load = || accept(reader, node, Picture::load(&path));
+        let picture = self.picture_of.entry(identity.clone()).or_insert_with(load).clone()?;
+        self.pictures.push((identity, picture));
+        Some(self.pictures.len() - 1)
+    }
+
+    /// The mesh that a node names.
+    pub fn mesh(&mut self, reader: &Reader, node: &Node) -> Option<Arc<Mesh>> {
+        let (path, identity) = find(reader, node)?;
+        let load = || accept(reader, node, Mesh::load(&path)).map(Arc::new);
+        self.mesh_of.entry(identity).or_insert_with(load).clone()
+    }
+
+    /// The profile that a node names.
+    pub fn profile(&mut self, reader: &Reader, node: &Node) -> Option<Arc<Profile>> {
+        let (path, identity) = find(reader, node)?;
+        let load = || accept(reader, node, Profile::load(&path)).map(Arc::new);
+        self.profile_of.entry(identity).or_insert_with(load).clone()
+    }
+
+    /// The grid that a node names, used as the scene says.
+    pub fn grid(&mut self, reader: &Reader, node: &Node, used: &Use) -> Option<Arc<IndexGrid>> {
+        let (path, identity) = find(reader, node)?;
+        if let Some((_, grid)) = self.grid_of.get(&identity).filter(|(before, _)| before == used) {
+            return Some(Arc::clone(grid));
+        }
+        let grid = Arc::new(accept(reader, node, IndexGrid::load(&path, used))?);
+        self.grid_of.insert(identity, (*used, Arc::clone(&grid)));
+        Some(grid)
+    }
+}
+
+/// The path, relative to the scene file's folder, and one that is the same for all names of the same file.
+fn find(reader: &Reader, node: &Node) -> Option<(PathBuf, PathBuf)> {
+    let path = reader.folder().join(reader.accept(text(node))?);
+    let identity = path.canonicalize().unwrap_or_else(|_| path.clone());
+    Some((path, identity))
+}
+
+/// Records an error: mistakes in the file with their own places, all else where the file was named.
+fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Option<T> {
+    let error = match loaded {
+        Ok(value) => return Some(value),
+        Err(error) => error,
+    };
+    let help = match &error {
+        SceneError::Read { .. } => "files are found relative to the scene file's folder",
+        _ => "",
+    };
+    match error {
+        SceneError::Mistakes(mistakes) => mistakes.into_iter().for_each(|m| reader.mistake(m)),
+        error => reader.fault(node.fault(error.to_string(), help)),
+    }
+    None
+}

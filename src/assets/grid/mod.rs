@@ -1,0 +1,158 @@
+//! Grids: an index of refraction as samples on a regular grid, from NRRD files or from bare numbers.
+//!
+//! *Practice.* Samples lie at the grid's points, x fastest. Stored values become an index by a factor and an offset when they are
+//! read, and are kept in 32 bits, 4 bytes a sample.
+
+mod nrrd;
+#[cfg(test)]
+mod tests;
+
+use crate::document::SceneError;
+use glam::DVec3;
+use std::path::Path;
+
+/// Samples of an index.
+#[derive(Debug, Clone, PartialEq)]
+pub struct IndexGrid {
+    /// Samples along x, y and z: 2 or more.
+    pub size: [u32; 3],
+    /// Where the first sample is, in scene units.
+    pub origin: DVec3,
+    /// From one sample to the next along x, y and z, in scene units.
+    pub cell: DVec3,
+    /// n at each point, above 0; x fastest, then y.
+    pub samples: Vec<f32>,
+}
+
+/// How numbers are stored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stored {
+    /// Bytes.
+    U8,
+    /// Of 16 bits.
+    U16,
+    /// Of 32 bits.
+    F32,
+    /// Of 64 bits.
+    F64,
+}
+
+impl Stored {
+    /// By the names that a scene has for them.
+    pub const NAMES: &[(&str, Self)] = &[("u8", Self::U8), ("u16", Self::U16), ("f32", Self::F32), ("f64", Self::F64)];
+
+    fn bytes(self) -> usize {
+        match self {
+            Self::U8 => 1,
+            Self::U16 => 2,
+            Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    /// The number in so many bytes as it has; `little` end first.
+    fn number(self, bytes: &[u8], little: bool) -> f64 {
+        let mut ordered = [0; 8];
+        ordered[..bytes.len()].copy_from_slice(bytes);
+        if !little {
+            ordered[..bytes.len()].reverse();
+        }
+        let [a, b, c, d, ..] = ordered;
+        match self {
+            Self::U8 => f64::from(a),
+            Self::U16 => f64::from(u16::from_le_bytes([a, b])),
+            Self::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
+            Self::F64 => f64::from_le_bytes(ordered),
+        }
+    }
+}
+
+/// What a file of bare numbers does not say itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bare {
+    /// Samples along x, y and z.
+    pub size: [u32; 3],
+    /// What each is.
+    pub stored: Stored,
+    /// Does the least byte come first?
+    pub little: bool,
+}
+
+/// What a scene says of a grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Use {
+    /// Of a file of bare numbers.
+    pub bare: Option<Bare>,
+    /// Where its first and its last sample are; as the file says, if the scene does not.
+    pub corners: Option<[DVec3; 2]>,
+    /// n is the offset and the stored value times this.
+    pub scale: f64,
+    /// See scale.
+    pub offset: f64,
+}
+
+/// Numbers and where they belong, as far as a file says.
+#[derive(Debug)]
+struct Volume {
+    bare: Bare,
+    /// The first sample's place, and the way to the next.
+    place: Option<(DVec3, DVec3)>,
+    bytes: Vec<u8>,
+}
+
+/// More than 32-bit places could count.
+const MOST_SAMPLES: u64 = 1 << 30;
+
+impl IndexGrid {
+    /// Reads the samples of a file.
+    pub fn load(path: &Path, used: &Use) -> Result<Self, SceneError> {
+        let bytes = std::fs::read(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
+        let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
+        let volume = match used.bare {
+            Some(bare) => Volume { bare, place: None, bytes },
+            None => nrrd::read(&bytes, path)?,
+        };
+        Self::from_volume(&volume, used).map_err(unusable)
+    }
+
+    fn from_volume(volume: &Volume, used: &Use) -> Result<Self, String> {
+        let Bare { size, stored, little } = volume.bare;
+        if size.iter().any(|count| *count < 2) {
+            return Err(format!("it has {size:?} samples, and two are needed along each side"));
+        }
+        let count = count(size).ok_or("it has more than 2^30 samples")?;
+        let (found, needed) = (volume.bytes.len(), count * stored.bytes());
+        if found != needed {
+            return Err(format!(
+                "it has {found} bytes of samples, and {size:?} of {} bytes are {needed}",
+                stored.bytes()
+            ));
+        }
+        let steps = DVec3::from_array(size.map(|n| f64::from(n - 1)));
+        let (origin, cell) = match (used.corners, volume.place) {
+            (Some([min, max]), _) => (min, (max - min) / steps),
+            (None, Some(place)) => place,
+            (None, None) => return Err("it does not say where it is: give min and max".to_owned()),
+        };
+        let mut samples = Vec::with_capacity(count);
+        for (i, bytes) in volume.bytes.chunks_exact(stored.bytes()).enumerate() {
+            let value = stored.number(bytes, little);
+            let n = (used.offset + used.scale * value) as f32;
+            if !(n.is_finite() && n > 0.0) {
+                let (nx, ny) = (size[0] as usize, size[1] as usize);
+                let place = [i % nx, i / nx % ny, i / nx / ny];
+                return Err(format!(
+                    "the sample {place:?} (from 0) is {value}, which makes n = {n}: n must be above 0"
+                ));
+            }
+            samples.push(n);
+        }
+        Ok(Self { size, origin, cell, samples })
+    }
+}
+
+/// Samples in all; none if there are too many.
+fn count(size: [u32; 3]) -> Option<usize> {
+    let count = size.iter().try_fold(1_u64, |all, n| all.checked_mul(u64::from(*n)))?;
+    usize::try_from(count).ok().filter(|_| count <= MOST_SAMPLES)
+}

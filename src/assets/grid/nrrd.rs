@@ -1,0 +1,200 @@
+//! NRRD ("nearly raw raster data", <https://teem.sourceforge.net/nrrd/format.html>): a header of text lines, an empty line, and the
+//! samples.
+//!
+//! *Practice.* Read are volumes of three axes along x, y and z, with their samples behind the header, raw or by gzip. All else is
+//! refused, with its line. Fields that say nothing of where samples are and what they are (content, units, kinds, …) are passed
+//! over.
+
+use super::{Bare, Stored, Volume, count};
+use crate::document::{Mistake, SceneError};
+use glam::DVec3;
+use std::io::Read as _;
+use std::path::Path;
+
+/// A header's field: where its value stands in the file.
+type Field<'a> = (String, &'a str);
+
+/// What is wrong with a piece of the header, and what would be right.
+type Wrong<'a> = (&'a str, String, String);
+
+pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
+    let (header, data) = split(bytes);
+    // Comments may be in any encoding, and come before nothing that matters by its place in bytes but the words found here.
+    let header = String::from_utf8_lossy(header);
+    let volume = Header::read(&header).map_err(|(word, problem, help)| {
+        // A word is a part of the text, so the distance of their addresses is its place there.
+        let start = word.as_ptr() as usize - header.as_ptr() as usize;
+        let end = start + word.len();
+        SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &header, start, end, problem, help)])
+    })?;
+    let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
+    let bytes = if volume.zipped {
+        let wanted = count(volume.bare.size).map_or(0, |count| count * volume.bare.stored.bytes());
+        // One byte more, so that too many are noticed; no more, however much a file unfolds to.
+        let mut unzipped = Vec::new();
+        flate2::read::MultiGzDecoder::new(data)
+            .take(wanted as u64 + 1)
+            .read_to_end(&mut unzipped)
+            .map_err(|error| unusable(format!("its samples cannot be unzipped: {error}")))?;
+        unzipped
+    } else {
+        data.to_vec()
+    };
+    Ok(Volume { bare: volume.bare, place: volume.place, bytes })
+}
+
+/// Before and behind the first empty line.
+fn split(bytes: &[u8]) -> (&[u8], &[u8]) {
+    let mut start = 0;
+    while let Some(length) = bytes[start..].iter().position(|b| *b == b'\n') {
+        let line = &bytes[start..start + length];
+        if line.is_empty() || line == b"\r" {
+            return (&bytes[..start], &bytes[start + length + 1..]);
+        }
+        start += length + 1;
+    }
+    (bytes, &[])
+}
+
+struct Header {
+    bare: Bare,
+    place: Option<(DVec3, DVec3)>,
+    zipped: bool,
+}
+
+impl Header {
+    fn read(text: &str) -> Result<Self, Wrong<'_>> {
+        let mut lines = text.lines();
+        let magic = lines.next().unwrap_or("");
+        if !magic.starts_with("NRRD000") {
+            let help =
+                "a NRRD file begins with NRRD0004 or so; bare numbers have size and type in the scene".to_owned();
+            return Err((&text[..magic.len()], "this is no NRRD file".to_owned(), help));
+        }
+        let mut fields = Vec::new();
+        for line in lines.filter(|line| !line.starts_with('#') && !line.contains(":=")) {
+            let Some((name, value)) = line.split_once(':') else {
+                return Err((line, "expected `field: value`".to_owned(), "an empty line ends the header".to_owned()));
+            };
+            fields.push((name.trim().to_lowercase(), value.trim()));
+        }
+        if let Some((_, file)) = find(&fields, &["data file", "datafile"]) {
+            return Err((
+                file,
+                "samples in another file are not supported".to_owned(),
+                "put them behind the header".to_owned(),
+            ));
+        }
+        for skip in ["line skip", "lineskip", "byte skip", "byteskip"] {
+            if let Some((_, count)) = find(&fields, &[skip]).filter(|(_, count)| *count != "0") {
+                return Err((count, format!("`{skip}` is not supported"), String::new()));
+            }
+        }
+        let required = |names: &[&str], example: &str| {
+            let missing = || {
+                (
+                    &text[..magic.len()],
+                    format!("the header has no `{}`", names[0]),
+                    format!("for example {}: {example}", names[0]),
+                )
+            };
+            find(&fields, names).map(|(_, value)| *value).ok_or_else(missing)
+        };
+        if let Some((_, dimension)) = find(&fields, &["dimension"]).filter(|(_, value)| *value != "3") {
+            return Err((dimension, "only volumes of three dimensions can be used".to_owned(), String::new()));
+        }
+        let size = size(required(&["sizes"], "64 64 64")?)?;
+        let stored = stored(required(&["type"], "float")?)?;
+        let zipped = match required(&["encoding"], "raw")? {
+            "raw" => false,
+            "gzip" | "gz" => true,
+            other => {
+                return Err((
+                    other,
+                    format!("the encoding `{other}` is not supported"),
+                    "supported: raw, gzip".to_owned(),
+                ));
+            }
+        };
+        let little = match find(&fields, &["endian"]) {
+            Some((_, "little")) => true,
+            Some((_, "big")) => false,
+            Some((_, other)) => return Err((other, format!("unknown endian `{other}`"), "little or big".to_owned())),
+            None if stored == Stored::U8 => true,
+            None => required(&["endian"], "little").map(|_| true)?,
+        };
+        Ok(Self { bare: Bare { size, stored, little }, place: place(&fields)?, zipped })
+    }
+}
+
+fn find<'f, 'a>(fields: &'f [Field<'a>], names: &[&str]) -> Option<&'f Field<'a>> {
+    fields.iter().find(|(name, _)| names.contains(&name.as_str()))
+}
+
+fn size(value: &str) -> Result<[u32; 3], Wrong<'_>> {
+    let sizes: Option<Vec<u32>> = value.split_whitespace().map(|word| word.parse().ok()).collect();
+    let wrong = || (value, "expected three sizes".to_owned(), "samples along x, y and z, as in 64 64 64".to_owned());
+    sizes.and_then(|sizes| sizes.try_into().ok()).ok_or_else(wrong)
+}
+
+/// The format has several names for each type.
+fn stored(value: &str) -> Result<Stored, Wrong<'_>> {
+    match value {
+        "uchar" | "unsigned char" | "uint8" | "uint8_t" => Ok(Stored::U8),
+        "ushort" | "unsigned short" | "unsigned short int" | "uint16" | "uint16_t" => Ok(Stored::U16),
+        "float" => Ok(Stored::F32),
+        "double" => Ok(Stored::F64),
+        _ => {
+            let help = "supported: uint8, uint16, float, double".to_owned();
+            Err((value, format!("samples of type `{value}` are not supported"), help))
+        }
+    }
+}
+
+/// The first sample's place and the way to the next along each axis, if the header has the latter.
+fn place<'a>(fields: &[Field<'a>]) -> Result<Option<(DVec3, DVec3)>, Wrong<'a>> {
+    let cell = match (find(fields, &["space directions"]), find(fields, &["spacings"])) {
+        (Some((_, value)), _) => diagonal(value)?,
+        (None, Some((_, value))) => {
+            let help = "above 0, along x, y and z, as in 0.1 0.1 0.1";
+            let spacings = value.split_whitespace().map(|word| word.parse().ok()).collect::<Option<Vec<f64>>>();
+            spacings
+                .and_then(three)
+                .filter(|cell| cell.min_element() > 0.0)
+                .ok_or_else(|| (*value, "expected three spacings".to_owned(), help.to_owned()))?
+        }
+        (None, None) => return Ok(None),
+    };
+    let origin = match find(fields, &["space origin"]) {
+        Some((_, value)) => {
+            vector(value).ok_or_else(|| (*value, "expected a place".to_owned(), "as in (0, 0, 0)".to_owned()))?
+        }
+        None => DVec3::ZERO,
+    };
+    Ok(Some((origin, cell)))
+}
+
+/// `(a, 0, 0) (0, b, 0) (0, 0, c)` as (a, b, c).
+fn diagonal(value: &str) -> Result<DVec3, Wrong<'_>> {
+    let wrong = |problem: &str| (value, problem.to_owned(), "as in (0.1,0,0) (0,0.1,0) (0,0,0.1)".to_owned());
+    let vectors: Option<Vec<DVec3>> = value.split_inclusive(')').map(vector).collect();
+    let Some(Ok([x, y, z])) = vectors.map(<[DVec3; 3]>::try_from) else {
+        return Err(wrong("expected three directions"));
+    };
+    let cell = DVec3::new(x.x, y.y, z.z);
+    if [x, y, z] != [cell * DVec3::X, cell * DVec3::Y, cell * DVec3::Z] || cell.min_element() <= 0.0 {
+        return Err(wrong("only directions along x, y and z, in this order, can be used"));
+    }
+    Ok(cell)
+}
+
+/// `(x, y, z)`.
+fn vector(text: &str) -> Option<DVec3> {
+    let inside = text.trim().strip_prefix('(')?.strip_suffix(')')?;
+    three(inside.split(',').map(|word| word.trim().parse().ok()).collect::<Option<_>>()?)
+}
+
+fn three(numbers: Vec<f64>) -> Option<DVec3> {
+    let numbers = <[f64; 3]>::try_from(numbers).ok()?;
+    numbers.iter().all(|x| x.is_finite() && x.abs() <= 1e30).then(|| DVec3::from_array(numbers))
+}

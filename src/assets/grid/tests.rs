@@ -1,0 +1,158 @@
+//! Files of samples: how each is read, and what is said of those that cannot be.
+
+use super::{Bare, IndexGrid, Stored, Use};
+use crate::document::{Mistake, SceneError};
+use glam::DVec3;
+use proptest::prelude::*;
+use std::io::Write as _;
+use std::path::Path;
+
+const AS_IT_IS: Use = Use { bare: None, corners: None, scale: 1.0, offset: 0.0 };
+const HEADER: &str = "NRRD0004\n# made by hand\ntype: float\ndimension: 3\nsizes: 2 3 2\nencoding: raw\nendian: little\n\
+                      spacings: 0.5 1 2\nkey:=value\ncontent: a: b\n";
+
+fn values() -> Vec<f32> {
+    (0_u8..12).map(|i| 1.0 + f32::from(i) / 8.0).collect()
+}
+
+fn bytes<const N: usize>(of: fn(f32) -> [u8; N]) -> Vec<u8> {
+    values().into_iter().flat_map(of).collect()
+}
+
+fn load(header: &str, data: &[u8], used: &Use) -> Result<IndexGrid, SceneError> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.nrrd");
+    std::fs::write(&path, [header.as_bytes(), data].concat()).unwrap();
+    IndexGrid::load(&path, used)
+}
+
+fn good(header: &str, data: &[u8]) -> IndexGrid {
+    load(&format!("{header}\n"), data, &AS_IT_IS).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn a_header_says_where_samples_are() {
+    let data = bytes(f32::to_le_bytes);
+    let grid = good(HEADER, &data);
+    assert_eq!((grid.size, grid.samples), ([2, 3, 2], values()));
+    assert_eq!((grid.origin, grid.cell), (DVec3::ZERO, DVec3::new(0.5, 1.0, 2.0)));
+    let header = HEADER.replace(
+        "spacings: 0.5 1 2",
+        "space: right-anterior-superior\r\nspace directions: (1,0,0) (0, 2, 0) (0,0,.5)\nspace origin: (-1, 2,3)",
+    );
+    let grid = good(&header, &data);
+    assert_eq!((grid.origin, grid.cell), (DVec3::new(-1.0, 2.0, 3.0), DVec3::new(1.0, 2.0, 0.5)));
+    // What the scene says comes first.
+    let used = Use { corners: Some([DVec3::splat(-1.0), DVec3::splat(1.0)]), ..AS_IT_IS };
+    let grid = load(&format!("{header}\n"), &data, &used).unwrap();
+    assert_eq!((grid.origin, grid.cell), (DVec3::splat(-1.0), DVec3::new(2.0, 1.0, 2.0)));
+}
+
+#[test]
+fn every_kind_of_number_is_read() {
+    let little = ["endian: little", "endian: big"];
+    for (name, data) in [
+        ("float", [bytes(f32::to_le_bytes), bytes(f32::to_be_bytes)]),
+        ("double", [bytes(|v| f64::from(v).to_le_bytes()), bytes(|v| f64::from(v).to_be_bytes())]),
+        ("unsigned short", [bytes(|v| ((8.0 * v) as u16).to_le_bytes()), bytes(|v| ((8.0 * v) as u16).to_be_bytes())]),
+        ("uint8", [bytes(|v| [(8.0 * v) as u8]), bytes(|v| [(8.0 * v) as u8])]),
+    ] {
+        let scale = if name.starts_with('u') { 0.125 } else { 1.0 };
+        for (endian, data) in little.iter().zip(data) {
+            let header = HEADER.replace("type: float", &format!("type: {name}")).replace("endian: little", endian);
+            let used = Use { scale: 2.0 * scale, offset: -1.0, ..AS_IT_IS };
+            let want: Vec<f32> = values().iter().map(|v| 2.0 * v - 1.0).collect();
+            assert_eq!(load(&format!("{header}\n"), &data, &used).unwrap().samples, want, "{name}, {endian}");
+            let mut zipper = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+            zipper.write_all(&data).unwrap();
+            let zipped = header.replace("encoding: raw", "encoding: gzip");
+            let found = load(&format!("{zipped}\n"), &zipper.finish().unwrap(), &used).unwrap();
+            assert_eq!(found.samples, want, "{name}, {endian}, by gzip");
+        }
+    }
+}
+
+#[test]
+fn bare_numbers_need_what_the_scene_says() {
+    let bare = Bare { size: [3, 2, 2], stored: Stored::F64, little: false };
+    let corners = Some([DVec3::ZERO, DVec3::ONE]);
+    let data = bytes(|v| f64::from(v).to_be_bytes());
+    let grid = load("", &data, &Use { bare: Some(bare), corners, ..AS_IT_IS }).unwrap();
+    assert_eq!((grid.samples, grid.cell), (values(), DVec3::new(0.5, 1.0, 1.0)));
+}
+
+/// In a header the place of the mistake is marked by «».
+#[test]
+fn mistakes_have_their_line() {
+    let mark = |from: &str, to: &str| HEADER.replace(from, to);
+    for (marked, problem) in [
+        ("«P5»\n2 2\n".to_owned(), "this is no NRRD file"),
+        (mark("# made by hand", "«made by hand»"), "expected `field: value`"),
+        (mark("type: float", "type: «block»"), "samples of type `block` are not supported"),
+        (mark("dimension: 3", "dimension: «2»"), "three dimensions"),
+        (mark("sizes: 2 3 2", "sizes: «2 3»"), "expected three sizes"),
+        (mark("sizes: 2 3 2", "sizes: «2 -3 2»"), "expected three sizes"),
+        (mark("encoding: raw", "encoding: «bzip2»"), "the encoding `bzip2` is not supported"),
+        (mark("endian: little", "endian: «middle»"), "unknown endian"),
+        (mark("NRRD0004", "«NRRD0004»").replace("endian: little\n", ""), "the header has no `endian`"),
+        (mark("NRRD0004", "«NRRD0004»").replace("sizes: 2 3 2\n", ""), "the header has no `sizes`"),
+        (mark("spacings: 0.5 1 2", "spacings: «0.5 nan 2»"), "expected three spacings"),
+        (mark("spacings: 0.5 1 2", "spacings: «0.5 0 2»"), "expected three spacings"),
+        (
+            mark("spacings: 0.5 1 2", "space directions: «(1,0,0) (0,1,0.1) (0,0,1)»"),
+            "only directions along x, y and z",
+        ),
+        (mark("spacings: 0.5 1 2", "space directions: «none (0,1,0) (0,0,1)»"), "expected three directions"),
+        (mark("content: a: b", "space origin: «0 0 0»"), "expected a place"),
+        (mark("content: a: b", "data file: «a.raw»"), "samples in another file are not supported"),
+        (mark("content: a: b", "byte skip: «-1»"), "`byte skip` is not supported"),
+    ] {
+        let start = marked.find('«').unwrap();
+        let end = marked.find('»').unwrap() - '«'.len_utf8();
+        let text = marked.replace(['«', '»'], "");
+        let Err(SceneError::Mistakes(mistakes)) = load(&format!("{text}\n"), &[0; 48], &AS_IT_IS) else {
+            panic!("{text}")
+        };
+        let [Mistake { line, excerpt, problem: said, .. }] = &mistakes[..] else { panic!("{text}") };
+        assert_eq!((*line, excerpt.as_str()), (text[..start].split('\n').count(), &text[start..end]), "{said}");
+        assert!(said.contains(problem), "{said}");
+    }
+}
+
+#[test]
+fn samples_that_cannot_be_used_are_refused() {
+    let data = bytes(f32::to_le_bytes);
+    let with = |i: usize, v: f32| {
+        let mut all = data.clone();
+        all[4 * i..4 * i + 4].copy_from_slice(&v.to_le_bytes());
+        all
+    };
+    for (header, data, problem) in [
+        (HEADER.to_owned(), data[..40].to_vec(), "it has 40 bytes of samples, and [2, 3, 2] of 4 bytes are 48"),
+        (
+            HEADER.to_owned(),
+            with(9, -2.0),
+            "the sample [1, 1, 1] (from 0) is -2, which makes n = -2: n must be above 0",
+        ),
+        (HEADER.to_owned(), with(4, f32::NAN), "the sample [0, 2, 0] (from 0) is NaN"),
+        (HEADER.replace("2 3 2", "1 6 2"), data.clone(), "two are needed along each side"),
+        (HEADER.replace("2 3 2", "4294967295 4294967295 4294967295"), data.clone(), "more than 2^30 samples"),
+        (HEADER.replace("spacings: 0.5 1 2\n", ""), data.clone(), "it does not say where it is: give min and max"),
+        (HEADER.replace("raw", "gzip"), data.clone(), "its samples cannot be unzipped"),
+    ] {
+        let error = load(&format!("{header}\n"), &data, &AS_IT_IS).unwrap_err().to_string();
+        assert!(error.contains(problem) && error.contains("a.nrrd"), "{error}");
+    }
+    assert!(matches!(IndexGrid::load(Path::new("none.nrrd"), &AS_IT_IS), Err(SceneError::Read { .. })));
+}
+
+proptest! {
+    #[test]
+    fn damaged_headers_do_not_panic(at in 0..HEADER.len(), piece in "[-a0.(),:\n é]{0,3}", cut in 0..60_usize) {
+        let text: String = HEADER.chars().enumerate().map(|(i, c)| if i == at { piece.clone() } else { c.to_string() }).collect();
+        let data = bytes(f32::to_le_bytes);
+        if let Ok(grid) = load(&format!("{text}\n"), &data[..data.len().min(cut)], &AS_IT_IS) {
+            prop_assert_eq!(grid.samples.len(), grid.size.iter().product::<u32>() as usize);
+        }
+    }
+}

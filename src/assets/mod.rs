@@ -1,0 +1,20 @@
+//! What scenes are made of besides numbers: meshes, pictures, profiles and grids from files, formulas, and transforms.
+//!
+//! *Practice.* [`Files`] loads each file once, however often scenes name it.
+
+mod expression;
+mod files;
+mod grid;
+mod mesh;
+mod picture;
+mod profile;
+mod transform;
+mod winding;
+
+pub use expression::{Axis, Formula, FormulaError, Function, Graph, Id, Node};
+pub use files::Files;
+pub use grid::{Bare, IndexGrid, Stored, Use};
+pub use mesh::{Mesh, Vertex};
+pub use picture::Picture;
+pub use profile::{Flaw, Profile, ProfilePoint};
+pub use transform::Transform;

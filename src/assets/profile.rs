@@ -1,0 +1,195 @@
+//! Profiles: the index of layered air, measured at some heights, and a smooth curve through it.
+//!
+//! *Theory.* The curve is the natural cubic spline: a cubic between each two points, with the same slope and second derivative
+//! where two meet, and none of the latter at both ends. Outside it goes on as a constant. With dₖ the width of the piece k and
+//! sₖ its mean slope, the halved second derivatives b solve dₖ₋₁ bₖ₋₁ + 2(dₖ₋₁ + dₖ) bₖ + dₖ bₖ₊₁ = 3(sₖ − sₖ₋₁): a row with three
+//! terms for each inner point, eliminated from the top and put in from the bottom.
+//!
+//! *Practice.* CSV by hand: the header `height,n`, then a line for each point; spaces and empty lines are passed over.
+
+use crate::document::{Mistake, SceneError};
+use std::path::Path;
+
+/// n by height.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// Two or more, by rising height.
+    pub points: Vec<ProfilePoint>,
+}
+
+/// A point, and the cubic from there to the next: n + t (slope + t (bend + t twist)), t the height over the point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProfilePoint {
+    /// Over the medium's origin, in scene units.
+    pub height: f64,
+    /// n there.
+    pub n: f64,
+    /// dn/dy there.
+    pub slope: f64,
+    /// Half of d²n/dy² there.
+    pub bend: f64,
+    /// A sixth of d³n/dy³.
+    pub twist: f64,
+}
+
+/// Why points make no profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flaw {
+    /// The point, if it is one's.
+    pub point: Option<usize>,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right.
+    pub help: String,
+}
+
+/// The header of a file.
+const COLUMNS: &str = "height,n";
+/// A file with this many mistakes is read no further.
+const ENOUGH: usize = 10;
+
+impl Profile {
+    /// The spline through points `[height, n]`, of positive n.
+    pub fn through(points: &[[f64; 2]]) -> Result<Self, Flaw> {
+        if points.len() < 2 {
+            let problem = format!("a profile needs two points, found {}", points.len());
+            return Err(Flaw { point: None, problem, help: "give a height and its n for each".to_owned() });
+        }
+        if let Some(k) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
+            let problem = format!("the height {} is not above the one before, {}", points[k + 1][0], points[k][0]);
+            return Err(Flaw { point: Some(k + 1), problem, help: "order the points by rising height".to_owned() });
+        }
+        let profile = Self { points: spline(points) };
+        let (height, n) = profile.lowest();
+        if n <= 0.0 {
+            let problem = format!("the curve through the points falls to n = {n:.4} at the height {height:.4}");
+            let help = "n must stay above 0: give more points where it turns".to_owned();
+            return Err(Flaw { point: None, problem, help });
+        }
+        Ok(profile)
+    }
+
+    /// n at a height.
+    #[must_use]
+    pub fn index(&self, y: f64) -> f64 {
+        let above = self.points.partition_point(|point| point.height <= y);
+        match above {
+            0 => self.points[0].n,
+            above if above == self.points.len() => self.points[above - 1].n,
+            above => self.points[above - 1].at(y - self.points[above - 1].height),
+        }
+    }
+
+    /// Where n is least: at a point, or where a cubic's slope is 0.
+    fn lowest(&self) -> (f64, f64) {
+        let turns = self.points.windows(2).flat_map(|pair| {
+            let (point, width) = (pair[0], pair[1].height - pair[0].height);
+            let inside = point.turns().into_iter().filter(move |t| *t > 0.0 && *t < width);
+            inside.map(move |t| (point.height + t, point.at(t)))
+        });
+        let points = self.points.iter().map(|point| (point.height, point.n));
+        let lower = |a: (f64, f64), b: (f64, f64)| if b.1 < a.1 { b } else { a };
+        points.chain(turns).fold((0.0, f64::INFINITY), lower)
+    }
+
+    /// Reads a CSV file.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
+        let text = std::fs::read_to_string(path).map_err(unreadable)?;
+        Self::parse(&text, path)
+    }
+
+    /// Reads the text of a CSV file; `path` names it in mistakes.
+    pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
+        let mistake = |part: &str, problem: String, help: &str| {
+            let start = part.as_ptr() as usize - text.as_ptr() as usize;
+            Mistake::locate(path.to_owned(), text, start, start + part.len(), problem, help.to_owned())
+        };
+        let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+        let mut lines = lines.filter(|line| !line.is_empty());
+        let header = lines.next().unwrap_or(&text[..0]);
+        if !header.split(',').map(str::trim).eq(COLUMNS.split(',')) {
+            let problem = format!("expected the columns {COLUMNS}, found `{header}`");
+            return Err(SceneError::Mistakes(vec![mistake(header, problem, "the first line names them")]));
+        }
+        let (mut mistakes, mut points, mut places) = (Vec::new(), Vec::new(), Vec::new());
+        for line in lines {
+            match point(line) {
+                Ok(point) => {
+                    points.push(point);
+                    places.push(line.split(',').next().unwrap_or(line).trim_end());
+                }
+                Err((part, problem)) => mistakes.push(mistake(part, problem, "for example 120.5,1.00027")),
+            }
+            if mistakes.len() == ENOUGH {
+                break;
+            }
+        }
+        if !mistakes.is_empty() {
+            return Err(SceneError::Mistakes(mistakes));
+        }
+        Self::through(&points).map_err(|flaw| {
+            let part = flaw.point.map_or(&text[..0], |k| places[k]);
+            SceneError::Mistakes(vec![mistake(part, flaw.problem, &flaw.help)])
+        })
+    }
+}
+
+impl ProfilePoint {
+    fn at(&self, t: f64) -> f64 {
+        self.n + t * (self.slope + t * (self.bend + t * self.twist))
+    }
+
+    /// Where the cubic's slope is 0; what is not there is not finite.
+    fn turns(&self) -> [f64; 2] {
+        // slope + 2 bend t + 3 twist t²; both roots without a difference of near numbers.
+        let root = (self.bend * self.bend - 3.0 * self.twist * self.slope).sqrt();
+        let q = -(self.bend + root.copysign(self.bend));
+        [q / (3.0 * self.twist), self.slope / q]
+    }
+}
+
+fn spline(points: &[[f64; 2]]) -> Vec<ProfilePoint> {
+    let last = points.len() - 1;
+    let width = |k: usize| points[k + 1][0] - points[k][0];
+    let mean = |k: usize| (points[k + 1][1] - points[k][1]) / width(k);
+    // bₖ = value − factor · bₖ₊₁, from the top down; b is 0 at both ends.
+    let mut eliminated = vec![(0.0, 0.0)];
+    for k in 1..last {
+        let (value, factor) = eliminated[k - 1];
+        let pivot = 2.0 * (width(k - 1) + width(k)) - width(k - 1) * factor;
+        let right = 3.0 * (mean(k) - mean(k - 1)) - width(k - 1) * value;
+        eliminated.push((right / pivot, width(k) / pivot));
+    }
+    let mut bends = vec![0.0; points.len()];
+    for k in (0..last).rev() {
+        let (value, factor) = eliminated[k];
+        bends[k] = value - factor * bends[k + 1];
+    }
+    let piece = |k: usize| {
+        let [height, n] = points[k];
+        if k == last {
+            return ProfilePoint { height, n, slope: 0.0, bend: 0.0, twist: 0.0 };
+        }
+        let slope = mean(k) - width(k) * (2.0 * bends[k] + bends[k + 1]) / 3.0;
+        ProfilePoint { height, n, slope, bend: bends[k], twist: (bends[k + 1] - bends[k]) / (3.0 * width(k)) }
+    };
+    (0..=last).map(piece).collect()
+}
+
+/// The numbers of a line, or what is wrong with which part of it.
+fn point(line: &str) -> Result<[f64; 2], (&str, String)> {
+    let fields: Vec<&str> = line.split(',').map(str::trim).collect();
+    let [height, n] = fields[..] else {
+        return Err((line, format!("expected 2 numbers, found {}", fields.len())));
+    };
+    let number = |field| match str::parse::<f64>(field) {
+        Ok(number) if number.abs() <= 1e30 => Ok(number),
+        _ => Err((if field.is_empty() { line } else { field }, format!("expected a number, found `{field}`"))),
+    };
+    let (height, value) = (number(height)?, number(n)?);
+    if value <= 0.0 {
+        return Err((n, format!("n must be above 0, found {n}")));
+    }
+    Ok([height, value])
+}

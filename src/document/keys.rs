@@ -1,0 +1,82 @@
+//! What there is to know of the keys of a table, written where the key is read.
+//!
+//! A kind of law, medium, shape, … lists its own [`Key`]s; the reference says of each with which kinds it goes.
+
+/// A key as its kind documents it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Key {
+    /// The key.
+    pub key: &'static str,
+    /// What it goes with besides its kind, such as ` and no points`; empty for nothing.
+    pub also: &'static str,
+    /// What values it takes; words stand in quotes in the file.
+    pub value: &'static str,
+    /// What holds without it, or `required`.
+    pub default: &'static str,
+    /// What it means, with its unit.
+    pub meaning: &'static str,
+}
+
+/// `key (also): value = default, meaning;` as [`Key`]s.
+macro_rules! keys {
+    ($($key:ident $(($also:literal))?: $value:literal = $default:literal, $meaning:literal;)*) => {
+        &[$($crate::document::Key {
+            key: stringify!($key),
+            also: concat!($($also)?),
+            value: $value,
+            default: $default,
+            meaning: $meaning,
+        },)*]
+    };
+}
+pub(crate) use keys;
+
+/// A row of the reference: what there is to know of a key.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeyReference {
+    /// The table it stands in, such as `rays.bound`; empty for the top level, NAME for a name of the user's.
+    pub table: &'static str,
+    /// The key.
+    pub key: &'static str,
+    /// What it goes with; empty if it always may stand.
+    pub when: String,
+    /// What values it takes; words stand in quotes in the file.
+    pub value: String,
+    /// What holds without it, or `required`.
+    pub default: &'static str,
+    /// What it means, with its unit.
+    pub meaning: &'static str,
+}
+
+/// The rows of the kinds of a table, each kind with its keys; `chooser` is the key that names the kind. Kinds that mean the same
+/// by a key share its row.
+#[must_use]
+pub fn kind_rows(table: &'static str, chooser: &str, kinds: &[(&str, &[Key])]) -> Vec<KeyReference> {
+    let mut rows: Vec<(Key, Vec<&str>)> = Vec::new();
+    for (kind, keys) in kinds {
+        for key in *keys {
+            match rows.iter_mut().find(|(known, _)| known == key) {
+                Some((_, with)) => with.push(kind),
+                None => rows.push((*key, vec![kind])),
+            }
+        }
+    }
+    let row = |(key, with): (Key, Vec<&str>)| KeyReference {
+        table,
+        key: key.key,
+        when: format!("{chooser} = {}{}", alternatives(&with), key.also),
+        value: key.value.to_owned(),
+        default: key.default,
+        meaning: key.meaning,
+    };
+    rows.into_iter().map(row).collect()
+}
+
+/// `"a"`, `"a" or "b"`, `"a", "b" or "c"`.
+fn alternatives(names: &[&str]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    match quoted.as_slice() {
+        [most @ .., last] if !most.is_empty() => format!("{} or {last}", most.join(", ")),
+        all => all.concat(),
+    }
+}

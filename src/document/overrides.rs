@@ -1,0 +1,122 @@
+//! Overrides: `--set KEY=VALUE`, put into the tree before anything is read from it.
+
+use super::error::SceneError;
+use super::{Base, Fault, Node, Place, Table, Value, node};
+use std::str::FromStr;
+use toml::de::{DeTable, DeValue};
+
+/// A value for one key, given on the command line: `rays.step=0.05`, `objects.0.radius=2`, `law.form=geodesic`.
+#[derive(Debug, Clone)]
+pub struct Override {
+    /// As given.
+    text: String,
+    /// The names that lead to the key; a number counts the tables of an array, from 0.
+    path: Vec<String>,
+    /// The value.
+    value: Node,
+}
+
+impl FromStr for Override {
+    type Err = SceneError;
+
+    /// A value that is not TOML but could not have been meant as TOML either, such as a bare word, is a string.
+    fn from_str(text: &str) -> Result<Self, SceneError> {
+        let error = |problem: &str| SceneError::Override(format!("`{text}`: {problem}"));
+        let Some((key, written)) = text.split_once('=') else {
+            return Err(error("expected KEY=VALUE, as in rays.step=0.05 or objects.0.radius=2"));
+        };
+        let path = names(key).ok_or_else(|| error("the key must be names joined by dots, as in image.size"))?;
+        let trimmed = written.trim();
+        let base = Base { source: 0, offset: key.len() + 1 + written.len() - written.trim_start().len() };
+        let value = match DeValue::parse(trimmed) {
+            Ok(value) => node(&value, base),
+            Err(_) if trimmed.is_empty() => return Err(error("the value is missing")),
+            Err(e) if trimmed.starts_with(['"', '\'', '[', '{']) => {
+                return Err(error(&format!("the value is not TOML: {}", e.message())));
+            }
+            Err(_) => Node { place: base.place(0..trimmed.len()), value: Value::Text(trimmed.to_owned()) },
+        };
+        Ok(Self { text: text.to_owned(), path, value })
+    }
+}
+
+/// The names in a dotted key, some of them perhaps quoted.
+pub fn names(key: &str) -> Option<Vec<String>> {
+    let text = format!("{key} = 0");
+    let document = DeTable::parse(&text).ok()?;
+    let mut table = document.get_ref();
+    let mut names = Vec::new();
+    loop {
+        let (name, value) = table.iter().next()?;
+        names.push(name.get_ref().clone().into_owned());
+        match value.get_ref() {
+            DeValue::Table(inner) => table = inner,
+            _ => return Some(names),
+        }
+    }
+}
+
+impl Override {
+    /// `KEY=VALUE` as it was given.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Sets the value in a tree whose source number `source` is this override's text. Missing tables are made.
+    pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), Fault> {
+        let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
+        let mut value = self.value.clone();
+        relocate(&mut value, source);
+        *reach(root, &self.path, key)? = value;
+        Ok(())
+    }
+}
+
+/// The value that the names lead to: each leads to a table (perhaps new) or an array that holds the next. `key` is where they
+/// are written.
+pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Result<&'a mut Node, Fault> {
+    let mut at = entry(root, &path[0], key);
+    for (depth, name) in path.iter().enumerate().skip(1) {
+        let fault = |problem: String| Fault { place: key, problem, help: String::new() };
+        let above = path[..depth].join(".");
+        at = match &mut at.value {
+            Value::Table(table) => entry(table, name, key),
+            Value::Array(items) => {
+                let count = items.len();
+                let item = name.parse().ok().and_then(|i: usize| items.get_mut(i));
+                item.ok_or_else(|| {
+                    fault(format!("`{above}` has {count} entries, counted from 0, and none is `{name}`"))
+                })?
+            }
+            _ => return Err(fault(format!("`{above}` is not a table"))),
+        };
+    }
+    Ok(at)
+}
+
+/// The value of `name`: at first an empty table if it was not there.
+fn entry<'a>(table: &'a mut Table, name: &str, key: Place) -> &'a mut Node {
+    let index = table.iter().position(|(n, ..)| n == name);
+    let index = index.unwrap_or_else(|| {
+        let empty = Node { place: key, value: Value::Table(Table::new()) };
+        table.push((name.to_owned(), key, empty));
+        table.len() - 1
+    });
+    &mut table[index].2
+}
+
+/// Moves all places to `source`.
+fn relocate(node: &mut Node, source: usize) {
+    node.place.source = source;
+    match &mut node.value {
+        Value::Array(items) => items.iter_mut().for_each(|item| relocate(item, source)),
+        Value::Table(table) => {
+            for (_, place, value) in table {
+                place.source = source;
+                relocate(value, source);
+            }
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,189 @@
+//! From one node to one value: each function here reads a kind of value, or says what it found instead.
+//!
+//! Every number becomes a 32-bit float somewhere behind, so all are finite and of magnitude 0 or 10⁻³⁰ to 10³⁰.
+
+use super::{Fault, Node, Value};
+use glam::{DVec2, DVec3};
+use std::ops::RangeInclusive;
+
+/// A value, or what is wrong with the node.
+pub type Read<T> = Result<T, Fault>;
+
+/// The largest number that a scene may have.
+pub const LARGEST: f64 = 1e30;
+/// The smallest but 0.
+pub const SMALLEST: f64 = 1e-30;
+
+impl Node {
+    /// The mistake of this node.
+    pub fn fault(&self, problem: impl Into<String>, help: impl Into<String>) -> Fault {
+        Fault { place: self.place, problem: problem.into(), help: help.into() }
+    }
+
+    /// That this is not what was expected.
+    pub fn expected(&self, what: &str) -> Fault {
+        let found = match &self.value {
+            Value::Text(text) => &format!("the string \"{text}\""),
+            Value::Integer(_) => "a whole number",
+            Value::Float(_) => "a number",
+            Value::Boolean(_) => "true or false",
+            Value::Date => "a date",
+            Value::Array(items) => &format!("an array of {}", items.len()),
+            Value::Table(_) => "a table",
+        };
+        self.fault(format!("expected {what}, found {found}"), "")
+    }
+}
+
+/// A number.
+pub fn number(node: &Node) -> Read<f64> {
+    let value = match node.value {
+        Value::Integer(value) => value as f64,
+        Value::Float(value) => value,
+        _ => return Err(node.expected("a number")),
+    };
+    if !value.is_finite() {
+        let help = "all numbers must be finite";
+        return Err(node.fault("not a finite number", help));
+    }
+    let size = value.abs();
+    if size > LARGEST || (size < SMALLEST && size > 0.0) {
+        let help = "numbers are 0, or from 1e-30 to 1e30 in magnitude";
+        return Err(node.fault("beyond the range of 32-bit floats", help));
+    }
+    Ok(value)
+}
+
+/// A number that `fits`; `what` describes those that do.
+pub fn number_where(what: &'static str, fits: fn(f64) -> bool) -> impl Fn(&Node) -> Read<f64> {
+    move |node| match number(node)? {
+        value if fits(value) => Ok(value),
+        value => Err(node.fault(format!("expected {what}, found {value}"), "")),
+    }
+}
+
+/// A number above zero.
+pub fn positive(node: &Node) -> Read<f64> {
+    number_where("a number above 0", |x| x > 0.0)(node)
+}
+
+/// A number that is not zero.
+pub fn not_zero(node: &Node) -> Read<f64> {
+    number_where("a number other than 0", |x| x != 0.0)(node)
+}
+
+/// A number that is zero or above.
+pub fn not_negative(node: &Node) -> Read<f64> {
+    number_where("a number that is 0 or above", |x| x >= 0.0)(node)
+}
+
+/// `true` or `false`.
+pub fn boolean(node: &Node) -> Read<bool> {
+    match node.value {
+        Value::Boolean(value) => Ok(value),
+        _ => Err(node.expected("true or false")),
+    }
+}
+
+/// A whole number of the range.
+pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
+    move |node| {
+        let what = format!("a whole number, {} to {}", range.start(), range.end());
+        let Value::Integer(value) = node.value else {
+            return Err(node.expected(&what));
+        };
+        match u32::try_from(value) {
+            Ok(value) if range.contains(&value) => Ok(value),
+            _ => Err(node.fault(format!("expected {what}, found {value}"), "")),
+        }
+    }
+}
+
+/// `N` values that `read` reads; `what` describes them.
+pub fn array<T, const N: usize>(what: &'static str, read: impl Fn(&Node) -> Read<T>) -> impl Fn(&Node) -> Read<[T; N]> {
+    move |node| {
+        let Value::Array(items) = &node.value else {
+            return Err(node.expected(what));
+        };
+        let values = items.iter().map(&read).collect::<Read<Vec<T>>>()?;
+        values.try_into().map_err(|_| node.expected(what))
+    }
+}
+
+/// Three numbers.
+pub fn vector(node: &Node) -> Read<DVec3> {
+    array("three numbers, [x, y, z]", number)(node).map(DVec3::from_array)
+}
+
+/// Three numbers, not all zero, made a unit vector.
+pub fn direction(node: &Node) -> Read<DVec3> {
+    let fault = || node.fault("a direction cannot be [0, 0, 0]", "");
+    vector(node)?.try_normalize().ok_or_else(fault)
+}
+
+/// Three numbers above zero.
+pub fn extents(node: &Node) -> Read<DVec3> {
+    array("three numbers above 0, [x, y, z]", positive)(node).map(DVec3::from_array)
+}
+
+/// Two numbers above zero.
+pub fn extents_2d(node: &Node) -> Read<DVec2> {
+    array("two numbers above 0, [u, v]", positive)(node).map(DVec2::from_array)
+}
+
+/// Linear red, green and blue.
+pub fn color(node: &Node) -> Read<DVec3> {
+    array("a colour, [red, green, blue]", not_negative)(node).map(DVec3::from_array)
+}
+
+/// A string.
+pub fn text(node: &Node) -> Read<&str> {
+    match &node.value {
+        Value::Text(text) => Ok(text),
+        _ => Err(node.expected("a string")),
+    }
+}
+
+/// One of the words, for what it stands for.
+pub fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Node) -> Read<T> {
+    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+    move |node| choice(&names)(node).map(|chosen| choices[chosen].1)
+}
+
+/// One of the words, for its place among them.
+pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
+    move |node| {
+        let Value::Text(word) = &node.value else {
+            return Err(node.expected(&format!("one of the words {}", names.join(", "))));
+        };
+        let unknown = || node.fault(format!("unknown word `{word}`"), suggest(word, names, "choices"));
+        names.iter().position(|name| name == word).ok_or_else(unknown)
+    }
+}
+
+/// Help for a name that is none of `names`: the one that was probably meant, then all of them.
+pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
+    let nearest = names.iter().min_by_key(|n| distance(name, n));
+    let meant = nearest.filter(|n| distance(name, n) <= 1 + name.chars().count() / 4);
+    let list = names.join(", ");
+    match meant {
+        Some(nearest) => format!("did you mean `{nearest}`? {kind}: {list}"),
+        None => format!("{kind}: {list}"),
+    }
+}
+
+/// How many letters to change, add or drop to make one name the other (Levenshtein).
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, from) in a.chars().enumerate() {
+        let mut diagonal = i;
+        row[0] = i + 1;
+        for (j, to) in b.iter().enumerate() {
+            let change = diagonal + usize::from(from != *to);
+            diagonal = row[j + 1];
+            row[j + 1] = change.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}

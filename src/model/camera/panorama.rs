@@ -1,0 +1,55 @@
+//! All rays start at the position; longitude runs to the right and latitude upwards, as in an equirectangular sky.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::{Kind, Projection};
+use crate::document::values::{Read, array, positive};
+use crate::document::{Node, keys};
+use crate::model::{Row, row};
+
+pub static KIND: Kind = Kind {
+    name: "panorama",
+    keys: keys! {
+        fov: "[across, upwards], up to [360, 180]" = "[360, 180]",
+            "opening angles, degrees; the whole is laid out like an equirectangular sky";
+    },
+    read: |table| Some(Arc::new(Panorama { fov: table.or("fov", [360.0, 180.0], sides) })),
+};
+
+/// Across and upwards.
+fn sides(node: &Node) -> Read<[f64; 2]> {
+    let angles: [f64; 2] = array("two angles in degrees, [across, upwards]", positive)(node)?;
+    if angles[0] > 360.0 || angles[1] > 180.0 {
+        let problem = format!("expected angles of up to [360, 180] degrees, found {angles:?}");
+        return Err(node.fault(problem, "that is all there is to see, from end to end"));
+    }
+    Ok(angles)
+}
+
+/// By longitude and latitude.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Panorama {
+    /// Degrees from edge to edge: up to 360 across, up to 180 upwards.
+    pub fov: [f64; 2],
+}
+
+impl Projection for Panorama {
+    fn part(&self) -> &'static str {
+        "camera/panorama"
+    }
+
+    fn half_view(&self, _: [f64; 2]) -> [f64; 2] {
+        [1.0; 2]
+    }
+
+    fn values(&self, _: [f64; 2]) -> Row {
+        row! { quarters: Vec2(DVec2::from(self.fov) / 180.0) }
+    }
+
+    fn pixel_angle(&self, [width, height]: [f64; 2]) -> Option<f64> {
+        let [across, upwards] = self.fov;
+        Some((across / width).min(upwards / height).to_radians())
+    }
+}

@@ -1,0 +1,43 @@
+//! Rays start on a plane through the position, all in the direction forward (a flow takes its own direction).
+
+use std::sync::Arc;
+
+use super::{Kind, Projection};
+use crate::document::keys;
+use crate::document::values::positive;
+
+pub static KIND: Kind = Kind {
+    name: "plane",
+    keys: keys! { height: "number above 0" = "required", "height of the plane, scene units"; },
+    read: |table| Some(Arc::new(Plane { height: table.required("height", "10", positive)? })),
+};
+
+/// Parallel rays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// The plane's height in scene units; its width follows from the picture's shape.
+    pub height: f64,
+}
+
+impl Projection for Plane {
+    fn part(&self) -> &'static str {
+        "camera/plane"
+    }
+
+    fn half_view(&self, [width, height]: [f64; 2]) -> [f64; 2] {
+        let half = 0.5 * self.height;
+        [half * width / height, half]
+    }
+
+    fn pixel_angle(&self, _: [f64; 2]) -> Option<f64> {
+        None
+    }
+
+    fn convergence_part(&self) -> &'static str {
+        "eyes/crossing_plane"
+    }
+
+    fn is_from_a_point(&self) -> bool {
+        false
+    }
+}

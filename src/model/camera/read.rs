@@ -1,0 +1,89 @@
+//! `[camera]`: where rays start.
+
+use glam::DVec3;
+
+use super::{Camera, CameraFrame, PROJECTIONS, Stereo, StereoLayout};
+use crate::document::reader::TableReader;
+use crate::document::values::{choice, direction, positive, vector, word};
+use crate::model::{Law, Order};
+
+/// None if there is no camera, or one that cannot be used. `size` is the picture's.
+pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) -> Option<Camera> {
+    let table = root.subtable("camera", "camera")?;
+    let kind = table.decide("kind", 0, choice(&PROJECTIONS.map(|kind| kind.name)));
+    let projection = kind.and_then(|kind| (PROJECTIONS[kind].read)(&table));
+    let position = table.required("position", "[0, 2, 15]", vector);
+    let look_at = table.or("look_at", DVec3::ZERO, vector);
+    let up = table.or("up", DVec3::Y, direction);
+    let frames = &[("coordinate", CameraFrame::Coordinate), ("static", CameraFrame::Static)];
+    let frame = table.or("frame", CameraFrame::Coordinate, word(frames));
+    if frame == CameraFrame::Static && law.is_some_and(|law| !law.has_static_frame()) {
+        table.fault(
+            &["frame"],
+            "the static frame needs law.kind = \"schwarzschild\"",
+            "leave `frame` out: under other laws both frames are the same",
+        );
+    }
+    let stereo = stereo(&table, size);
+    let camera = position.and_then(|position| {
+        let [forward, right, up] = axes(&table, position, look_at, up)?;
+        Some(Camera { position, forward, right, up, projection: projection?, frame, stereo })
+    });
+    if let (Some(camera), Some(law)) = (&camera, law) {
+        check_against_law(&table, camera, law);
+    }
+    table.finish();
+    camera
+}
+
+/// None if there is one eye, or two that cannot be used.
+fn stereo(table: &TableReader, [width, height]: [u32; 2]) -> Option<Stereo> {
+    let stereo = table.subtable("stereo", "camera.stereo")?;
+    let separation = stereo.required("separation", "0.065", positive);
+    let layouts = &[("side-by-side", StereoLayout::SideBySide), ("top-bottom", StereoLayout::TopBottom)];
+    let layout = stereo.or("layout", StereoLayout::SideBySide, word(layouts));
+    let convergence = stereo.optional("convergence", positive);
+    stereo.finish();
+    let (side, pixels) = match layout {
+        StereoLayout::SideBySide => ("wide", width),
+        StereoLayout::TopBottom => ("high", height),
+    };
+    if pixels % 2 == 1 {
+        let problem = format!("a picture that is {pixels} pixels {side} has no halves for two views");
+        table.fault(&["stereo"], problem, "give image.size an even number there");
+    }
+    Some(Stereo { separation: separation?, layout, convergence })
+}
+
+/// Forward, right and up, orthonormal.
+fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Option<[DVec3; 3]> {
+    let Some(forward) = (look_at - position).try_normalize() else {
+        let problem = "the camera looks at its own position";
+        let help = "look_at, by default [0, 0, 0], must differ from position";
+        table.fault(&["look_at", "position"], problem, help);
+        return None;
+    };
+    let right = forward.cross(up);
+    if right.length() < 1e-9 {
+        let problem = "`up` is parallel to the view";
+        let help = "choose another `up`, for example [0, 0, 1]";
+        table.fault(&["up", "look_at", "position"], problem, help);
+        return None;
+    }
+    let right = right.normalize();
+    Some([forward, right, right.cross(forward)])
+}
+
+fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
+    let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
+    if let Some([problem, help]) = camera.eyes().into_iter().find_map(|eye| law.refuses_eye(eye)) {
+        table.fault(&["position"], format!("{who} {problem}"), help);
+    }
+    if law.order() == Order::Flow && camera.projection.is_from_a_point() {
+        table.fault(
+            &["kind"],
+            "a camera at one point sees nothing in a flow of order 1: all rays from there follow the same orbit",
+            "use kind = \"plane\" here, or order = 2 in [law]",
+        );
+    }
+}

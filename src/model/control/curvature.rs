@@ -1,0 +1,41 @@
+//! Steps by the ray's own curvature: every step turns it through the same angle (G95 Fig. 6b), under the cap.
+
+use super::{Control, Kind, falling};
+use crate::document::keys;
+use crate::model::row;
+
+/// What is known of it.
+pub static KIND: Kind = Kind {
+    name: "curvature",
+    keys: keys! {
+        curvature_step (" (the others choose their steps)"): "number above 0" = "none",
+            "every step turns the ray through this angle, degrees";
+    },
+    parts: &["control/planned", "control/curvature"],
+    memory: "memory/step",
+    values: |control| row! { turn: Float(control.setting), eta: Float(control.cap) },
+    // The derivative once more, for the curvature.
+    loops: |step| (step.evaluations + 1) * step.derivative + step.scale,
+    evaluations: |step, steps, _| (step + 1.0) * steps,
+    words: |method, control| format!("{method}, curvature_step {:.4}", control.setting.to_degrees()),
+    setting: |control| control.setting.to_degrees(),
+    from_file: f64::to_radians,
+    usual: |_, refined| with(0.1 * 0.5_f64.powi(refined), 0.2 * 0.5_f64.powi(refined)),
+    divides: false,
+    rejects: false,
+    tries: None,
+    keeps_errors: false,
+    has_tolerance: false,
+};
+
+/// Steps that turn the ray by `turn` radians, no longer than `cap` times the law's scale.
+#[must_use]
+pub fn with(turn: f64, cap: f64) -> Control {
+    Control::new(&KIND, turn, cap)
+}
+
+/// From half a radian on downwards.
+#[must_use]
+pub fn sweep(count: i32) -> Vec<Control> {
+    falling(0.5, 0.75, count).map(|turn| with(turn, 0.5)).collect()
+}

@@ -1,0 +1,102 @@
+//! Step doubling: one step h against two of h/2 (W04 §4.2), rejecting or by the paper's own rule.
+//!
+//! The paper changes only the next step, by two thresholds, and keeps the one whose difference is too large; `REJECTING` tries such a
+//! step again, shorter.
+
+use super::{Control, Kind, StepLoops, falling};
+use crate::document::reader::TableReader;
+use crate::document::values::{positive, word};
+use crate::document::{Key, keys};
+use crate::model::{Row, row};
+
+/// The setting of whatever keeps errors under a tolerance.
+pub const TOLERANCE: Key = keys! {
+    tolerance: "number above 0" = "1e-5", "steps shrink above this relative error";
+}[0];
+
+const KEYS: &[Key] = &[
+    keys! {
+        doubling: "rejecting | paper" = "rejecting", "a step over the tolerance is tried again, or only the next is shorter";
+    }[0],
+    TOLERANCE,
+    keys! {
+        grow_below: "number above 0, below tolerance" = "tolerance / 10", "steps grow below this relative difference";
+    }[0],
+    super::scaled::SCALED_STEP,
+];
+
+/// A step over the tolerance is tried again, shorter.
+pub static REJECTING: Kind = Kind {
+    name: "rejecting",
+    keys: KEYS,
+    parts: &["control/doubled", "control/doubling_rejecting"],
+    memory: "memory/step",
+    values,
+    loops,
+    evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
+    words: |method, control| format!("{method}-doubling, tolerance {:.1e}", control.setting),
+    setting: |control| control.setting,
+    from_file: |written| written,
+    usual,
+    divides: false,
+    rejects: true,
+    tries: Some("control/doubling_rejecting"),
+    keeps_errors: false,
+    has_tolerance: true,
+};
+
+/// Two thresholds, and only the next step changes (W04 §4.2).
+pub static PAPER: Kind = Kind {
+    name: "paper",
+    parts: &["control/doubled", "control/doubling_paper"],
+    words: |method, control| format!("{method}-doubling (paper), tolerance {:.1e}", control.setting),
+    keeps_errors: true,
+    keys: KEYS,
+    memory: "memory/step",
+    values,
+    loops,
+    evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
+    setting: |control| control.setting,
+    from_file: |written| written,
+    usual,
+    divides: false,
+    rejects: true,
+    tries: Some("control/doubling_rejecting"),
+    has_tolerance: true,
+};
+
+fn values(control: &Control) -> Row {
+    row! { tolerance: Float(control.setting), grow_below: Float(control.grow_below), eta: Float(control.cap) }
+}
+
+fn loops(step: &StepLoops) -> u64 {
+    step.scale + step.tries * (4 + 3 * step.evaluations * step.derivative + step.scale)
+}
+
+fn usual(control: &Control, refined: i32) -> Control {
+    with(control.kind, 1e-4 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined))
+}
+
+/// With steps that grow below a tenth of the tolerance.
+#[must_use]
+pub fn with(kind: &'static Kind, tolerance: f64, cap: f64) -> Control {
+    Control { grow_below: 0.1 * tolerance, ..Control::new(kind, tolerance, cap) }
+}
+
+/// From a tolerance of 0.1 on, by half an order of magnitude.
+#[must_use]
+pub fn sweep(kind: &'static Kind, count: i32) -> Vec<Control> {
+    falling(0.1, 0.316_227_766, count).map(|tolerance| with(kind, tolerance, 0.3)).collect()
+}
+
+pub(in crate::model) fn read(table: &TableReader) -> Control {
+    let paper = table.or("doubling", false, word(&[("rejecting", false), ("paper", true)]));
+    let tolerance = table.or("tolerance", 1e-5, positive);
+    let grow_below = table.or("grow_below", tolerance / 10.0, positive);
+    if grow_below >= tolerance {
+        let problem = format!("`grow_below` must be less than the tolerance, {tolerance:e}");
+        table.fault(&["grow_below"], problem, "leave it out for a tenth of the tolerance");
+    }
+    let cap = table.or("scaled_step", 0.3, positive);
+    Control { grow_below, ..Control::new(if paper { &PAPER } else { &REJECTING }, tolerance, cap) }
+}

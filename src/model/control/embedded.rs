@@ -1,0 +1,49 @@
+//! An embedded pair's own error, kept under the tolerance by a PI controller (Hairer, Nørsett, Wanner, §II.4).
+
+use super::doubling::TOLERANCE;
+use super::scaled::SCALED_STEP;
+use super::{Control, Kind, falling};
+use crate::document::reader::TableReader;
+use crate::document::values::positive;
+use crate::model::row;
+
+/// What is known of it.
+pub static KIND: Kind = Kind {
+    name: "embedded",
+    keys: &[TOLERANCE, SCALED_STEP],
+    parts: &["control/embedded"],
+    // The error of the step before, and the derivative at its end.
+    memory: "memory/pair",
+    values: |control| row! { tolerance: Float(control.setting), eta: Float(control.cap) },
+    // The first evaluation of a path, and then those of each try.
+    loops: |step| {
+        step.derivative + step.scale + step.tries * (1 + (step.evaluations + 1) * step.derivative + step.scale)
+    },
+    evaluations: |step, steps, rejected| 1.0 + step * (steps + rejected),
+    words: |method, control| format!("{method}, tolerance {:.1e}", control.setting),
+    setting: |control| control.setting,
+    from_file: |written| written,
+    usual: |_, refined| with(1e-5 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined)),
+    divides: true,
+    rejects: true,
+    tries: Some("control/embedded"),
+    keeps_errors: false,
+    has_tolerance: true,
+};
+
+/// At a tolerance, with steps no longer than `cap` times the law's scale.
+#[must_use]
+pub fn with(tolerance: f64, cap: f64) -> Control {
+    Control::new(&KIND, tolerance, cap)
+}
+
+/// From a tolerance of 1 on, by half an order of magnitude.
+#[must_use]
+pub fn sweep(count: i32) -> Vec<Control> {
+    falling(1.0, 0.316_227_766, count).map(|tolerance| with(tolerance, 0.5)).collect()
+}
+
+pub(in crate::model) fn read(table: &TableReader) -> Control {
+    let tolerance = table.or("tolerance", 1e-5, positive);
+    with(tolerance, table.or("scaled_step", 0.3, positive))
+}

@@ -1,0 +1,28 @@
+//! Steps of one size h, shorter where η · scale is less.
+
+use super::Kind;
+use crate::document::keys;
+use crate::model::row;
+
+/// What is known of it.
+pub static KIND: Kind = Kind {
+    name: "fixed",
+    keys: keys! {
+        step (" (the others choose their steps)"): "number above 0" = "none",
+            "length of a step, in τ; excludes curvature_step";
+    },
+    parts: &["control/planned", "control/fixed"],
+    memory: "memory/step",
+    values: |control| row! { step: Float(control.setting), eta: Float(control.cap) },
+    loops: |step| step.evaluations * step.derivative + step.scale,
+    evaluations: |step, steps, _| step * steps,
+    words: |method, control| format!("{method}, step {:.3e}", control.setting),
+    setting: |control| control.setting,
+    from_file: |written| written,
+    usual: |control, _| *control,
+    divides: false,
+    rejects: false,
+    tries: None,
+    keeps_errors: false,
+    has_tolerance: false,
+};

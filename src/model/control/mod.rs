@@ -1,0 +1,151 @@
+//! Step-size controls: how long a step is, one kind a file.
+//!
+//! *Theory.* Every length here is a τ; η is a fraction of the law's own scale, and no step is longer than η times that scale,
+//! whatever chooses it: far from a hole a controller sees flat space, grows, and would jump over it.
+//!
+//! *Practice.* A kind says which WGSL keeps the contract `control`, what numbers that is fed, what a step costs under it, and
+//! over which settings a chart sweeps it. Adding one is a file here and a line in [`PLANNED`] or in the method that uses it.
+
+pub mod curvature;
+pub mod doubling;
+pub mod embedded;
+pub mod exact;
+pub mod fixed;
+pub mod scaled;
+
+use std::fmt;
+
+use super::Row;
+use crate::document::Key;
+use crate::document::reader::TableReader;
+use crate::document::values::positive;
+
+/// The controls whose step is known before it is taken, each chosen by its own key; without any of them `scaled` has it.
+const PLANNED: [&Kind; 2] = [&fixed::KIND, &curvature::KIND];
+
+/// What is known of a kind of control.
+pub struct Kind {
+    /// Its name.
+    pub name: &'static str,
+    /// The keys that it reads.
+    pub keys: &'static [Key],
+    /// The WGSL parts that keep its contract.
+    pub parts: &'static [&'static str],
+    /// The part that remembers what the next step needs of the last.
+    pub memory: &'static str,
+    /// The members of `control` in WGSL.
+    pub values: fn(&Control) -> Row,
+    /// Loop iterations of one accepted step at most, by those of an evaluation of the law's derivative and of its scale.
+    pub loops: fn(&StepLoops) -> u64,
+    /// Evaluations of the law's derivative in a path, by those of a step, and by accepted and rejected steps.
+    pub evaluations: fn(step: f64, steps: f64, rejected: f64) -> f64,
+    /// The method of this name at a setting, in words of the scene format.
+    pub words: fn(method: &str, &Control) -> String,
+    /// The setting as the scene file has it.
+    pub setting: fn(&Control) -> f64,
+    /// The setting by what the scene file has.
+    pub from_file: fn(f64) -> f64,
+    /// The usual setting, halved (or its tolerance taken to a tenth) so many times.
+    pub usual: fn(&Control, refined: i32) -> Control,
+    /// May a setting between two be tried, their geometric mean?
+    pub divides: bool,
+    /// Is a step tried again when its error is too large, or would it be?
+    pub rejects: bool,
+    /// The part whose `MAX_TRIES` says how often.
+    pub tries: Option<&'static str>,
+    /// Are steps over the tolerance kept, and counted as rejected?
+    pub keeps_errors: bool,
+    /// Is the setting a tolerance?
+    pub has_tolerance: bool,
+}
+
+/// What the loops of a step are made of.
+#[derive(Debug, Clone, Copy)]
+pub struct StepLoops {
+    /// Evaluations of the derivative in a step of the method.
+    pub evaluations: u64,
+    /// Loop iterations of one evaluation.
+    pub derivative: u64,
+    /// Loop iterations of the law's scale.
+    pub scale: u64,
+    /// Times that a step may be tried.
+    pub tries: u64,
+}
+
+/// A control at a setting.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Control {
+    /// Its kind.
+    pub kind: &'static Kind,
+    /// The number that a chart sweeps: a step in τ, an angle in radians, η, or a tolerance.
+    pub setting: f64,
+    /// η: no step is longer than this times the law's scale.
+    pub cap: f64,
+    /// Doubling alone: h grows below this relative difference.
+    pub grow_below: f64,
+}
+
+impl Control {
+    /// Of a kind, at a setting and under a cap.
+    #[must_use]
+    pub const fn new(kind: &'static Kind, setting: f64, cap: f64) -> Self {
+        Self { kind, setting, cap, grow_below: 0.0 }
+    }
+
+    /// The setting between two of one kind, by the geometric mean; the second, where there is none.
+    #[must_use]
+    pub fn between(self, other: Self) -> Self {
+        if !self.kind.divides || self.kind != other.kind {
+            return other;
+        }
+        let setting = (self.setting * other.setting).sqrt();
+        let cap = if self.setting == self.cap { setting } else { self.cap };
+        Self { setting, cap, ..self }
+    }
+
+    /// The tolerance, if the control has one.
+    #[must_use]
+    pub fn tolerance(&self) -> Option<f64> {
+        self.kind.has_tolerance.then_some(self.setting)
+    }
+
+    /// The members of `control` in WGSL.
+    #[must_use]
+    pub fn values(&self) -> Row {
+        (self.kind.values)(self)
+    }
+}
+
+impl PartialEq for Kind {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl fmt::Debug for Control {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {:e} (cap {:e})", self.kind.name, self.setting, self.cap)
+    }
+}
+
+/// From `first` on, each `factor` of the one before.
+pub(super) fn falling(first: f64, factor: f64, count: i32) -> impl Iterator<Item = f64> {
+    (0..count).map(move |k| first * factor.powi(k))
+}
+
+/// A control whose steps are planned, from the keys of a `[rays]` table.
+pub(super) fn planned(table: &TableReader) -> Control {
+    let keys = PLANNED.map(|kind| kind.keys[0].key);
+    let given = table.one_of(&keys);
+    let value = given.and_then(|(key, node)| Some((key, table.reader.accept(positive(node))?)));
+    let chosen = value.and_then(|(key, value)| Some((*PLANNED.iter().find(|kind| kind.keys[0].key == key)?, value)));
+    match chosen {
+        Some((kind, written)) => Control::new(kind, (kind.from_file)(written), table.or("scaled_step", 0.5, positive)),
+        None => scaled::read(table),
+    }
+}
+
+/// The keys of the controls whose steps are planned: what chooses one chooses a method that takes such steps.
+pub(super) fn planned_keys() -> Vec<&'static Key> {
+    [&scaled::KIND].into_iter().chain(PLANNED).flat_map(|kind| kind.keys).collect()
+}

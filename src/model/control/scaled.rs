@@ -1,0 +1,49 @@
+//! Steps h = η · scale, a fixed fraction of the length over which the law changes.
+
+use super::{Control, Kind, falling};
+use crate::document::reader::TableReader;
+use crate::document::values::positive;
+use crate::document::{Key, keys};
+use crate::model::row;
+
+/// η, which every control but the exact one has: as its setting, or as its cap.
+pub const SCALED_STEP: Key = keys! {
+    scaled_step: "number above 0" = "0.1; 0.5 beside step or curvature_step; 0.3 for doubling and embedded methods",
+        "η: a step is η times the law's own scale at its place, or no longer than that where something else chooses it; planar: radians round the centre";
+}[0];
+
+/// What is known of it.
+pub static KIND: Kind = Kind {
+    name: "scaled",
+    keys: &[SCALED_STEP],
+    parts: &["control/planned", "control/scaled"],
+    memory: "memory/step",
+    values: |control| row! { eta: Float(control.setting) },
+    loops: |step| step.evaluations * step.derivative + step.scale,
+    evaluations: |step, steps, _| step * steps,
+    words: |method, control| format!("{method}, scaled_step {:.4}", control.setting),
+    setting: |control| control.setting,
+    from_file: |written| written,
+    usual: |_, refined| with(0.1 * 0.5_f64.powi(refined)),
+    divides: true,
+    rejects: false,
+    tries: None,
+    keeps_errors: false,
+    has_tolerance: false,
+};
+
+/// h = η · scale.
+#[must_use]
+pub fn with(eta: f64) -> Control {
+    Control::new(&KIND, eta, eta)
+}
+
+/// Half of the law's scale and less: a larger step jumps over what it should see.
+#[must_use]
+pub fn sweep(count: i32) -> Vec<Control> {
+    falling(0.5, 0.75, count).map(with).collect()
+}
+
+pub(in crate::model) fn read(table: &TableReader) -> Control {
+    with(table.or("scaled_step", 0.1, positive))
+}

@@ -1,0 +1,13 @@
+//! d(r) = 1/r²: singular at the source.
+
+use super::Kind;
+
+pub static KIND: Kind = Kind {
+    name: "inverse-square",
+    parameter: None,
+    wgsl: "inverse_square",
+    potential: |r, _| -1.0 / r,
+    reach: |_| 0.0,
+    orbit: "orbit/inverse_square",
+    is_free_far_away: true,
+};

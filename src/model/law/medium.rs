@@ -1,0 +1,76 @@
+//! A medium that fills all space (W04 §5.3): dx = v, dv = ∇(n²/2), |v| = n.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Invariant, Kind, Landmark, Law, Order};
+use crate::document::keys;
+use crate::model::medium::{self, Surroundings};
+use crate::model::{Loops, Medium, Wgsl};
+
+pub static KIND: Kind = Kind {
+    name: "medium",
+    keys: keys! {
+        index: "number, name or { kind, .. }" = "required", "the index of refraction: see medium";
+    },
+    read: |table, files| {
+        let node = table.required_node("index", "{ kind = \"maxwell-fisheye\", n0 = 2, a = 1 }")?;
+        let medium = medium::read(table, node, Surroundings::default(), files)?;
+        if medium.is_of_surfaces() {
+            let problem = "a textured index is that of surfaces, and space has none";
+            table.fault(&["index"], problem, "use kind = \"noise\", or give it to an object as `interior`");
+            return None;
+        }
+        Some(Arc::new(InMedium(medium)))
+    },
+};
+
+/// A medium that fills all space.
+#[derive(Debug, Clone)]
+pub struct InMedium(pub Arc<dyn Medium>);
+
+impl PartialEq for InMedium {
+    fn eq(&self, other: &Self) -> bool {
+        *self.0 == *other.0
+    }
+}
+
+impl Law for InMedium {
+    fn parts(&self) -> Vec<Wgsl> {
+        Wgsl::parts(&["law/accelerated", "law/medium"])
+    }
+
+    fn order(&self) -> Order {
+        Order::Place
+    }
+
+    fn loops(&self) -> Loops {
+        self.0.loops()
+    }
+
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let ratio = |n: f64| Invariant { name: "|v| / n", value: v.length() / n, size: 1.0 };
+        self.0.index(x).map(ratio).into_iter().collect()
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        let edge = |(center, radius)| Landmark { name: "r = R", center, radius };
+        self.0.edge().map(edge).into_iter().collect()
+    }
+
+    /// As long as the index (as 1, where the host does not know that).
+    fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
+        self.0.index(x).unwrap_or(1.0) * v.normalize_or_zero()
+    }
+
+    fn medium(&self) -> Option<&Arc<dyn Medium>> {
+        Some(&self.0)
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let dark =
+            || ["is where the index is 0, and no light comes".to_owned(), "move it to where n is above 0".to_owned()];
+        (self.0.index(at) == Some(0.0)).then(dark)
+    }
+}

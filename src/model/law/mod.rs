@@ -1,0 +1,206 @@
+//! Laws: how light travels. The contract, and the table of kinds.
+//!
+//! *Theory.* A law gives the derivative of a point of phase space p = (x, v) along a ray, dp/dτ. The WGSL contract is
+//! `law_rate(p)`, `law_start(x, v)`, `law_settled(p)`, `law_scale(p)` and `law_bend(p, rate)`; a law whose acceleration depends on
+//! place alone gives `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] is what the host has to
+//! know besides.
+//!
+//! *Practice.* [`LAWS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+
+mod flow;
+mod lorenz;
+mod medium;
+mod rossler;
+mod schwarzschild;
+mod sources;
+mod straight;
+
+use std::fmt;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::same::same;
+use super::{Anchor, Binding, Capture, Loops, Medium, Same, Wgsl};
+use crate::assets::Files;
+use crate::document::reader::TableReader;
+use crate::document::values::choice;
+use crate::document::{Key, KeyReference, kind_rows};
+
+pub use flow::FlowOrder;
+pub use lorenz::Lorenz;
+pub use medium::InMedium;
+pub use rossler::Rossler;
+pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
+pub use sources::Sources;
+pub use straight::Straight;
+
+/// A kind of law, to be read.
+pub struct Kind {
+    /// As a scene file has it.
+    pub name: &'static str,
+    /// The keys that it reads.
+    pub keys: &'static [Key],
+    /// Reads it; none if it cannot be used.
+    pub(crate) read: fn(&TableReader, &mut Files) -> Option<Arc<dyn Law>>,
+}
+
+/// Every law, in the order of the reference; the first is that of a scene that names none.
+const LAWS: [&Kind; 6] =
+    [&straight::KIND, &schwarzschild::KIND, &sources::KIND, &lorenz::KIND, &rossler::KIND, &medium::KIND];
+
+/// How light travels.
+pub trait Law: fmt::Debug + Send + Sync + Same {
+    /// The WGSL that keeps the contract.
+    fn parts(&self) -> Vec<Wgsl>;
+
+    /// What its parts are fed.
+    fn values(&self) -> Vec<Binding> {
+        Vec::new()
+    }
+
+    /// What the derivative depends on.
+    fn order(&self) -> Order;
+
+    /// Does a state carry time, as a fourth number beside place and velocity?
+    fn carries_time(&self) -> bool {
+        false
+    }
+
+    /// How long its loops are.
+    fn loops(&self) -> Loops {
+        Loops::default()
+    }
+
+    /// What its force comes from, for the parts that know the way there.
+    fn anchors(&self) -> Vec<Anchor> {
+        Vec::new()
+    }
+
+    /// Where rays end. `clearance` is how far the objects of the scene are at least from a place; none where a ray is to be
+    /// followed as far as it goes.
+    fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        let _ = clearance;
+        self.medium().and_then(|medium| medium.capture()).into_iter().collect()
+    }
+
+    /// The orbit about its only centre, if it has one and no more: rays then stay in a plane through it.
+    fn orbit(&self) -> Option<Orbit> {
+        None
+    }
+
+    /// What is kept along a ray.
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let _ = (x, v);
+        Vec::new()
+    }
+
+    /// Spheres that a drawing shows: horizons, spheres that capture, edges.
+    fn landmarks(&self) -> Vec<Landmark> {
+        Vec::new()
+    }
+
+    /// The velocity that a given one at x stands for, where the law does not take it as it is.
+    fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
+        let _ = x;
+        v
+    }
+
+    /// The medium that fills all space, if that is what the law is.
+    fn medium(&self) -> Option<&Arc<dyn Medium>> {
+        None
+    }
+
+    /// Are rays straight lines at a speed of their own, whatever their place?
+    fn is_straight(&self) -> bool {
+        false
+    }
+
+    /// Has an observer at rest directions of their own?
+    fn has_static_frame(&self) -> bool {
+        false
+    }
+
+    /// Why no eye can be at a place: what follows the eye's name in the message, and what to do.
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let _ = at;
+        None
+    }
+
+    /// Why rays cannot go on from surfaces: from mirrors, and with `interiors` through what objects are filled with.
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        let _ = interiors;
+        None
+    }
+}
+
+same!(Law);
+
+/// What the derivative of a law depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// First order: dx = F(x), and v is F(x).
+    Flow,
+    /// Second order, dx = v, dv = a(x): with a constant of its own that each ray holds, or with none.
+    Place,
+    /// Second order, by place and velocity, or with time.
+    General,
+}
+
+/// The orbit about a law's only centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Orbit {
+    /// The centre.
+    pub center: DVec3,
+    /// The WGSL part that has its pull.
+    pub part: &'static str,
+    /// Does the pull fall by an inverse power, so that an orbit has an asymptote in closed form?
+    pub is_free_far_away: bool,
+}
+
+/// A quantity that a law keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Invariant {
+    /// Its name.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// The size of what it is made of.
+    pub size: f64,
+}
+
+/// A sphere that a law has without an object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Landmark {
+    /// Its name in a legend.
+    pub name: &'static str,
+    /// Its centre.
+    pub center: DVec3,
+    /// Its radius; 0 for none.
+    pub radius: f64,
+}
+
+/// None if the law cannot be used; straight lines if there is none.
+pub(crate) fn read(root: &TableReader, files: &mut Files) -> Option<Arc<dyn Law>> {
+    if root.node("law").is_none() {
+        return Some(Arc::new(Straight));
+    }
+    let table = root.subtable("law", "law")?;
+    let names = LAWS.map(|kind| kind.name);
+    let kind = table.decide("kind", 0, choice(&names));
+    let law = kind.and_then(|kind| (LAWS[kind].read)(&table, files));
+    table.finish();
+    law
+}
+
+/// The names of all kinds.
+#[must_use]
+pub fn names() -> Vec<&'static str> {
+    LAWS.map(|kind| kind.name).to_vec()
+}
+
+/// The reference's rows of the keys that laws read.
+#[must_use]
+pub fn reference() -> Vec<KeyReference> {
+    kind_rows("law", "kind", &LAWS.map(|kind| (kind.name, kind.keys)))
+}

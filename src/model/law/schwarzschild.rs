@@ -1,0 +1,114 @@
+//! A Schwarzschild black hole (W04 §5.4), in path form or as the full geodesic.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Invariant, Kind, Landmark, Law, Orbit, Order};
+use crate::document::keys;
+use crate::document::values::{positive, vector, word};
+use crate::model::{Anchor, Binding, Capture, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "schwarzschild",
+    keys: keys! {
+        mass: "number above 0" = "1", "M, scene units (G = c = 1): the horizon is at r = 2M";
+        center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
+        form: "path | geodesic" = "path",
+            "the equation that is integrated: of the path alone, or the full geodesic with its time";
+    },
+    read: |table, _| {
+        let forms = &[("path", SchwarzschildForm::Path), ("geodesic", SchwarzschildForm::Geodesic)];
+        Some(Arc::new(Schwarzschild {
+            mass: table.or("mass", 1.0, positive),
+            center: table.or("center", DVec3::ZERO, vector),
+            form: table.or("form", SchwarzschildForm::Path, word(forms)),
+        }))
+    },
+};
+
+/// A black hole without spin or charge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Schwarzschild {
+    /// M, scene units (G = c = 1): the horizon is at r = 2M.
+    pub mass: f64,
+    /// The hole's place.
+    pub center: DVec3,
+    /// Which equation is integrated.
+    pub form: SchwarzschildForm,
+}
+
+/// The two equations of light round the hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SchwarzschildForm {
+    /// x″ = −3M h² x/r⁵, h = |x × v|: the geodesic with the null condition put in.
+    Path,
+    /// The geodesic equation as the 2004 paper integrates it, ṫ carried along.
+    Geodesic,
+}
+
+impl Law for Schwarzschild {
+    fn parts(&self) -> Vec<Wgsl> {
+        match self.form {
+            SchwarzschildForm::Path => Wgsl::parts(&["law/accelerated", "law/schwarzschild_path"]),
+            SchwarzschildForm::Geodesic => Wgsl::parts(&["law/schwarzschild_geodesic"]),
+        }
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        vec![Binding::one("law", row! { center: Vec3(self.center), mass: Float(self.mass) })]
+    }
+
+    fn order(&self) -> Order {
+        match self.form {
+            SchwarzschildForm::Path => Order::Place,
+            SchwarzschildForm::Geodesic => Order::General,
+        }
+    }
+
+    fn carries_time(&self) -> bool {
+        self.form == SchwarzschildForm::Geodesic
+    }
+
+    /// At the horizon, or as far out as the photon sphere where nothing lies between that a ray moving inwards could still hit.
+    fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        let is_clear = clearance.is_some_and(|clearance| clearance(self.center) > 3.0 * self.mass);
+        let radius = if is_clear { 3.0 * self.mass } else { 2.0 * self.mass };
+        vec![Capture { anchor: Anchor::center(self.center), radius }]
+    }
+
+    fn orbit(&self) -> Option<Orbit> {
+        let orbit = Orbit { center: self.center, part: "orbit/schwarzschild", is_free_far_away: true };
+        (self.form == SchwarzschildForm::Path).then_some(orbit)
+    }
+
+    /// h = |x × v| and E² = ṙ² + (1 − 2M/r) h²/r², which together are the null condition.
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let d = x - self.center;
+        let (r, h) = (d.length(), d.cross(v).length());
+        let energy = ((d.dot(v) / r).powi(2) + (1.0 - 2.0 * self.mass / r) * (h / r).powi(2)).sqrt();
+        vec![
+            Invariant { name: "angular momentum", value: h, size: r * v.length() },
+            Invariant { name: "energy", value: energy, size: v.length() },
+        ]
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        vec![Landmark { name: "horizon", center: self.center, radius: 2.0 * self.mass }]
+    }
+
+    fn has_static_frame(&self) -> bool {
+        true
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let (r, horizon) = (at.distance(self.center), 2.0 * self.mass);
+        let problem = || format!("is inside the horizon: r = {r:.4} ≤ 2M = {horizon}");
+        (r <= horizon).then(|| [problem(), "move it away from the hole".to_owned()])
+    }
+
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        let full = self.form == SchwarzschildForm::Geodesic && interiors;
+        full.then_some("interiors go with the path form of the schwarzschild law")
+    }
+}

@@ -1,0 +1,171 @@
+//! Sources of force, whose accelerations add: dv = −Σ strength · d(r) n̂ (G95 §2.1, W04 §5.2).
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Invariant, Kind, Landmark, Law, Orbit, Order};
+use crate::document::keys;
+use crate::document::reader::TableReader;
+use crate::document::values::{choice, not_negative, not_zero, vector};
+use crate::model::falloff::{self, FALLOFFS, Falloff};
+use crate::model::source::SOURCES;
+use crate::model::{Anchor, Binding, Capture, Loops, Row, Source, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "sources",
+    keys: keys! { sources: "array of tables" = "required", "the sources of force, at least one"; },
+    read: |table, _| {
+        let tables = table.subtables("sources", "law.sources");
+        if tables.is_empty() {
+            let help = "add [[law.sources]] with position = [0, 0, 0] and strength = 1";
+            table.fault(&["sources", "kind"], "a law of sources needs at least one", help);
+            return None;
+        }
+        // All are read before any is missed.
+        let sources: Vec<Option<Source>> = tables.into_iter().map(source).collect();
+        Some(Arc::new(Sources(sources.into_iter().collect::<Option<_>>()?)))
+    },
+};
+
+fn source(table: TableReader) -> Option<Source> {
+    let kind = table.decide("kind", 0, choice(&SOURCES.map(|kind| kind.name))).map(|kind| SOURCES[kind]);
+    let position = table.required("position", "[0, 0, 0]", vector);
+    let along = kind.and_then(|kind| (kind.along)(&table));
+    let strength = table.required("strength", "1", not_zero);
+    let capture = table.or("capture", 0.0, not_negative);
+    let falloff = match table.node("falloff") {
+        Some(node) => falloff::read(&table, node),
+        None => Some(Falloff::INVERSE_SQUARE),
+    };
+    table.finish();
+    let anchor = Anchor { kind: kind?, position: position?, along: along? };
+    Some(Source { anchor, strength: strength?, falloff: falloff?, capture })
+}
+
+/// Why light goes through no surface here.
+pub(super) const OWN_SPEED: &str =
+    "an interior needs a law by which light has no speed of its own: straight, schwarzschild or medium";
+
+/// Any number of sources.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sources(pub Vec<Source>);
+
+impl Sources {
+    fn of(&self, kind: &falloff::Kind) -> impl Iterator<Item = &Source> {
+        self.0.iter().filter(move |source| source.falloff.kind == kind)
+    }
+
+    /// The kinds of fall-off that there are.
+    fn falloffs(&self) -> impl Iterator<Item = &'static falloff::Kind> {
+        FALLOFFS.into_iter().filter(|kind| self.of(kind).next().is_some())
+    }
+
+    /// The sum of the fall-offs' accelerations, and how near the nearest source is.
+    fn sums(&self) -> String {
+        let sum: Vec<_> = self.falloffs().map(|kind| format!("{}_acceleration(x)", kind.wgsl)).collect();
+        let nearest = self.falloffs().map(|kind| format!("{}_distance(x)", kind.wgsl));
+        let nearest = nearest.reduce(|all, one| format!("min({all}, {one})")).unwrap_or_default();
+        format!(
+            "fn source_acceleration(x: Real3) -> Real3 {{\n    return {};\n}}\n\n\
+             fn source_distance(x: Real3) -> Real {{\n    return {nearest};\n}}\n",
+            sum.join(" + ")
+        )
+    }
+
+    /// How long the lists are: known to the compiler, which may unroll them.
+    fn counts(&self) -> String {
+        let mut text = String::new();
+        for kind in self.falloffs() {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "const {}_COUNT: u32 = {}u;", kind.wgsl.to_uppercase(), self.of(kind).count());
+        }
+        text
+    }
+}
+
+impl Law for Sources {
+    fn parts(&self) -> Vec<Wgsl> {
+        let mut parts = Wgsl::parts(&["law/accelerated", "law/sources", "falloff/far_away"]);
+        parts.extend(self.falloffs().map(|kind| Wgsl::Part(format!("falloff/{}", kind.wgsl).into())));
+        let text = |file: &'static str, text: String| Wgsl::Text { file: file.into(), text: text.into() };
+        parts.push(text("generated/sources.wgsl", self.sums()));
+        parts.push(text("generated/source_counts.wgsl", self.counts()));
+        parts
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        let row = |source: &Source| -> Row {
+            let anchor = source.anchor;
+            let common = row! {
+                position: Vec3(anchor.position),
+                strength: Float(source.strength),
+                along: Vec3(anchor.along),
+                kind: Uint(anchor.code()),
+            };
+            common.into_iter().chain(source.falloff.values()).collect()
+        };
+        self.falloffs().map(|kind| Binding::list(kind.wgsl, self.of(kind).map(row).collect())).collect()
+    }
+
+    fn order(&self) -> Order {
+        Order::Place
+    }
+
+    fn loops(&self) -> Loops {
+        Loops { derivative: self.0.len() as u64, scale: self.0.len() as u64 }
+    }
+
+    fn anchors(&self) -> Vec<Anchor> {
+        self.0.iter().map(|source| source.anchor).collect()
+    }
+
+    fn captures(&self, _: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        let capture = |source: &Source| Capture { anchor: source.anchor, radius: source.capture };
+        self.0.iter().filter(|source| source.capture > 0.0).map(capture).collect()
+    }
+
+    fn orbit(&self) -> Option<Orbit> {
+        let [only] = self.0.as_slice() else { return None };
+        let falloff = only.falloff.kind;
+        let orbit =
+            Orbit { center: only.anchor.position, part: falloff.orbit, is_free_far_away: falloff.is_free_far_away };
+        only.anchor.kind.is_point.then_some(orbit)
+    }
+
+    /// The energy ½|v|² + V, and about a single centre x × v.
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let kinetic = 0.5 * v.length_squared();
+        let potential =
+            self.0.iter().map(|source| source.strength * source.falloff.potential(source.anchor.offset(x).length()));
+        let size = kinetic + potential.clone().map(f64::abs).sum::<f64>();
+        let mut all = vec![Invariant { name: "energy", value: kinetic + potential.sum::<f64>(), size }];
+        if let Some(orbit) = self.orbit() {
+            let d = x - orbit.center;
+            let (value, size) = (d.cross(v).length(), d.length() * v.length());
+            all.push(Invariant { name: "angular momentum", value, size });
+        }
+        all
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        let both = |source: &Source| {
+            let sphere = |name, radius| Landmark { name, center: source.anchor.position, radius };
+            [sphere("capture", source.capture), sphere("reach of a source", source.falloff.reach())]
+        };
+        self.0.iter().filter(|source| source.anchor.kind.is_point).flat_map(both).collect()
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let inside = |source: &&Source| source.anchor.offset(at).length() <= source.capture && source.capture > 0.0;
+        let source = self.0.iter().find(inside)?;
+        let [x, y, z] = source.anchor.position.to_array();
+        let problem = format!("is inside the capture radius {} of the source at [{x}, {y}, {z}]", source.capture);
+        Some([problem, "move it away from the source".to_owned()])
+    }
+
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        interiors.then_some(OWN_SPEED)
+    }
+}

@@ -1,0 +1,32 @@
+//! Straight lines: what other laws are compared with (G95 images 1, 2, 11; W04 Fig. 4a).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Invariant, Kind, Law, Order};
+use crate::model::Wgsl;
+
+pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
+
+/// Straight lines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Straight;
+
+impl Law for Straight {
+    fn parts(&self) -> Vec<Wgsl> {
+        Wgsl::parts(&["law/accelerated", "law/straight"])
+    }
+
+    fn order(&self) -> Order {
+        Order::Place
+    }
+
+    fn is_straight(&self) -> bool {
+        true
+    }
+
+    fn invariants(&self, _: DVec3, v: DVec3) -> Vec<Invariant> {
+        vec![Invariant { name: "speed", value: v.length(), size: v.length() }]
+    }
+}

@@ -1,0 +1,31 @@
+//! A surface that reflects rays, with its colour as the part of the light that it gives back.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Surface, pattern};
+use crate::document::keys;
+
+pub static KIND: Kind = Kind {
+    name: "mirror",
+    keys: keys! {
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]",
+            "the part of the light that it gives back";
+    },
+    read: |table, files| Some((pattern::read(table, "color", Some(DVec3::ONE), files)?, Arc::new(Mirror))),
+};
+
+/// Reflects rays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Mirror;
+
+impl Surface for Mirror {
+    fn part(&self) -> &'static str {
+        "scatter/mirror"
+    }
+
+    fn continues(&self) -> bool {
+        true
+    }
+}

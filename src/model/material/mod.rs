@@ -1,0 +1,101 @@
+//! Materials: how a surface answers light. The contract, and the table of kinds.
+//!
+//! *Theory.* A kind whose rays end on the surface gives `radiance_KIND` in WGSL, one from which they continue `scatter_KIND`. All read
+//! the same record, `Material`, each its own members.
+//!
+//! *Practice.* [`MATERIALS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+
+mod emissive;
+mod mirror;
+mod pattern;
+mod phong;
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::same::same;
+use super::{Row, Same};
+use crate::assets::Files;
+use crate::document::reader::TableReader;
+use crate::document::values::choice;
+use crate::document::{Key, KeyReference, kind_rows};
+
+pub use emissive::Emissive;
+pub use mirror::Mirror;
+pub use pattern::Pattern;
+pub use phong::Phong;
+
+/// A kind of material, to be read.
+pub struct Kind {
+    /// As a scene file has it.
+    pub name: &'static str,
+    /// The keys that it reads.
+    pub keys: &'static [Key],
+    /// Reads its colour and what else it has; none if it cannot be used.
+    pub(crate) read: fn(&TableReader, &mut Files) -> Option<(Pattern, Arc<dyn Surface>)>,
+}
+
+/// Every material, in the order of the reference; the first is that of a table that names none.
+const MATERIALS: [&Kind; 3] = [&phong::KIND, &emissive::KIND, &mirror::KIND];
+
+/// `[materials.NAME]`.
+#[derive(Debug, Clone)]
+pub struct Material {
+    /// The name in the file.
+    pub name: String,
+    /// The colour that its kind uses, over the surface.
+    pub color: Pattern,
+    /// How it answers light.
+    pub surface: Arc<dyn Surface>,
+}
+
+/// How a surface answers light.
+pub trait Surface: fmt::Debug + Send + Sync + Same {
+    /// Its WGSL part: a path whose last name is in those of its functions, and in capitals its code.
+    fn part(&self) -> &'static str;
+
+    /// The members of `Material` that are its own.
+    fn values(&self) -> Row {
+        Row::new()
+    }
+
+    /// Do rays continue from it?
+    fn continues(&self) -> bool {
+        false
+    }
+
+    /// Is it lit by the scene's lights?
+    fn is_lit(&self) -> bool {
+        false
+    }
+}
+
+same!(Surface);
+
+/// The names of all materials, and those that can be used, both in the order of the file.
+pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files) -> (Vec<&'a str>, Vec<Material>) {
+    let Some(table) = root.subtable("materials", "materials") else {
+        return (Vec::new(), Vec::new());
+    };
+    let names = table.entries().map(|(name, _)| name).collect();
+    let materials = table.entries().filter_map(|(name, node)| {
+        let table = table.reader.open("materials.NAME", node)?;
+        let kind = table.decide("kind", 0, choice(&MATERIALS.map(|kind| kind.name)));
+        let read = kind.and_then(|kind| (MATERIALS[kind].read)(&table, files));
+        table.finish();
+        read.map(|(color, surface)| Material { name: name.to_owned(), color, surface })
+    });
+    (names, materials.collect())
+}
+
+/// The names of all kinds.
+#[must_use]
+pub fn names() -> Vec<&'static str> {
+    MATERIALS.map(|kind| kind.name).to_vec()
+}
+
+/// The reference's rows of the keys that materials read.
+#[must_use]
+pub fn reference() -> Vec<KeyReference> {
+    kind_rows("materials.NAME", "kind", &MATERIALS.map(|kind| (kind.name, kind.keys)))
+}

@@ -1,0 +1,117 @@
+//! A colour over a surface's (u, v).
+
+use glam::{DVec2, DVec3};
+
+use crate::assets::Files;
+use crate::document::reader::TableReader;
+use crate::document::values::{array, color, extents_2d};
+use crate::document::{Node, Value};
+use crate::model::{Row, row};
+
+/// A colour over a surface.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Pattern {
+    /// The same everywhere.
+    Constant(DVec3),
+    /// Two colours in turn.
+    Checker {
+        /// The two colours.
+        colors: [DVec3; 2],
+        /// Cells along u and v.
+        repeat: DVec2,
+    },
+    /// A picture: index into [`Scene::pictures`](crate::scene::Scene::pictures).
+    Picture {
+        /// Which.
+        picture: usize,
+        /// How often it repeats along u and v.
+        repeat: DVec2,
+    },
+}
+
+impl Pattern {
+    /// The names of their WGSL parts in `shaders/pattern/`.
+    pub const PARTS: [&'static str; 3] = ["constant", "checker", "image"];
+
+    /// Does it give all colours the same part?
+    #[must_use]
+    pub fn is_gray(&self) -> bool {
+        let gray = |color: &DVec3| *color == DVec3::splat(color.x);
+        match self {
+            Self::Constant(color) => gray(color),
+            Self::Checker { colors, .. } => colors.iter().all(gray),
+            Self::Picture { .. } => false,
+        }
+    }
+
+    /// The name of its WGSL part.
+    #[must_use]
+    pub fn part(&self) -> &'static str {
+        Self::PARTS[match self {
+            Self::Constant(_) => 0,
+            Self::Checker { .. } => 1,
+            Self::Picture { .. } => 2,
+        }]
+    }
+
+    /// The members of `Material` that are its own.
+    #[must_use]
+    pub fn values(&self) -> Row {
+        match self {
+            Self::Constant(color) => row! { color: Vec3(*color) },
+            Self::Checker { colors: [first, second], repeat } => {
+                row! { color: Vec3(*first), second_color: Vec3(*second), repeat: Vec2(*repeat) }
+            }
+            Self::Picture { picture, repeat } => row! { image: Uint(*picture as u32), repeat: Vec2(*repeat) },
+        }
+    }
+}
+
+/// The pattern of a key, or `default` without it.
+pub(super) fn read(
+    table: &TableReader,
+    key: &'static str,
+    default: Option<DVec3>,
+    files: &mut Files,
+) -> Option<Pattern> {
+    match (table.node(key), default) {
+        (Some(node), _) => {
+            let path = if key == "color" { "materials.NAME.color" } else { "materials.NAME.diffuse" };
+            given(table, path, node, files)
+        }
+        (None, Some(color)) => Some(Pattern::Constant(color)),
+        (None, None) => {
+            table.required_node(key, "[1, 1, 1]");
+            None
+        }
+    }
+}
+
+/// A colour, or a table that says how it varies; `path` is the table's name in the reference.
+fn given(table: &TableReader, path: &'static str, node: &Node, files: &mut Files) -> Option<Pattern> {
+    const CHOICES: &str = "[red, green, blue], { checker = [[..], [..]] } or { image = \"file\" }";
+    let reader = table.reader;
+    match node.value {
+        Value::Array(_) => return reader.accept(color(node).map(Pattern::Constant)),
+        Value::Table(_) => {}
+        _ => {
+            reader.fault(node.expected(CHOICES));
+            return None;
+        }
+    }
+    let table = reader.open(path, node)?;
+    let pattern = match table.required_one_of(&["checker", "image"], CHOICES) {
+        Some(("checker", node)) => {
+            let repeat = table.or("repeat", DVec2::splat(8.0), extents_2d);
+            let colors = reader.accept(array("two colours", color)(node));
+            colors.map(|colors| Pattern::Checker { colors, repeat })
+        }
+        Some((_, node)) => {
+            let repeat = table.or("repeat", DVec2::ONE, extents_2d);
+            files.picture(reader, node).map(|picture| Pattern::Picture { picture, repeat })
+        }
+        None => None,
+    };
+    table.finish();
+    pattern
+}

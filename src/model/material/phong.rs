@@ -1,0 +1,65 @@
+//! Ambient, diffuse and Blinn–Phong specular terms (W04 §3.4).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Surface, pattern};
+use crate::document::keys;
+use crate::document::values::{color, number_where, positive};
+use crate::model::{Row, row};
+
+pub static KIND: Kind = Kind {
+    name: "phong",
+    keys: keys! {
+        diffuse: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[0.8, 0.8, 0.8]",
+            "the surface's colour, linear";
+        ambient: "number from 0 to 1" = "0.1", "fraction of the colour that needs no light";
+        specular: "[red, green, blue]" = "[0, 0, 0]", "colour of the highlight";
+        shininess: "number above 0" = "32", "the highlight's exponent";
+        emission: "[red, green, blue]" = "[0, 0, 0]", "radiance added";
+    },
+    read: |table, files| {
+        let fraction = number_where("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));
+        let phong = Phong {
+            ambient: table.or("ambient", 0.1, fraction),
+            specular: table.or("specular", DVec3::ZERO, color),
+            shininess: table.or("shininess", 32.0, positive),
+            emission: table.or("emission", DVec3::ZERO, color),
+        };
+        let diffuse = pattern::read(table, "diffuse", Some(DVec3::splat(0.8)), files)?;
+        Some((diffuse, Arc::new(phong)))
+    },
+};
+
+/// Lit by the scene's lights, with its colour as the diffuse one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Phong {
+    /// Fraction of the colour that is always there.
+    pub ambient: f64,
+    /// Colour of the highlight.
+    pub specular: DVec3,
+    /// Blinn's exponent.
+    pub shininess: f64,
+    /// Radiance of its own, added.
+    pub emission: DVec3,
+}
+
+impl Surface for Phong {
+    fn part(&self) -> &'static str {
+        "material/phong"
+    }
+
+    fn values(&self) -> Row {
+        row! {
+            ambient: Float(self.ambient),
+            specular: Vec3(self.specular),
+            shininess: Float(self.shininess),
+            emission: Vec3(self.emission),
+        }
+    }
+
+    fn is_lit(&self) -> bool {
+        true
+    }
+}

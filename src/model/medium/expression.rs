@@ -1,0 +1,80 @@
+//! What the user writes for n, in x, y, z and r; its gradient is derived.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Medium};
+use crate::assets::Formula;
+use crate::document::reader::TableReader;
+use crate::document::values::{positive, text, vector};
+use crate::document::{Node, keys};
+use crate::model::{Row, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "expression",
+    keys: keys! {
+        n: "formula" = "required",
+            "the index as a function of x, y, z and r, with numbers, pi, + - * / ^ ( ), sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh, atan, abs, min and max; its gradient is derived; rays fail where it is not above 0";
+        center: "[x, y, z]" = "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units";
+        scale: "number above 0" = "the object's radius, or 1",
+            "the length over which n changes, scene units: steps are a fraction of it";
+    },
+    read: |table, around, _| {
+        let center = table.or("center", around.center, vector);
+        let scale = table.or("scale", around.radius.unwrap_or(1.0), positive);
+        let node = table.required_node("n", "\"1 + 0.1 * exp(-r^2)\"")?;
+        Some(Arc::new(Expression { center, scale, n: formula(table, node)? }))
+    },
+};
+
+fn formula(table: &TableReader, node: &Node) -> Option<Formula> {
+    let reader = table.reader;
+    let Ok(written) = text(node) else {
+        reader.fault(node.fault("expected a formula, in quotes", "for one index everywhere use kind = \"constant\""));
+        return None;
+    };
+    match Formula::parse(written) {
+        Ok(formula) => {
+            let nowhere = formula.constant().filter(|n| *n <= 0.0);
+            if let Some(n) = nowhere {
+                let problem = format!("expected an index above 0, found {n}");
+                reader.fault_inside(node, 0..written.len(), problem, String::new());
+            }
+            nowhere.is_none().then_some(formula)
+        }
+        Err(error) => {
+            reader.fault_inside(node, error.place, error.problem, error.help);
+            None
+        }
+    }
+}
+
+/// A formula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    /// Where x, y, z and r are 0.
+    pub center: DVec3,
+    /// The length over which it changes.
+    pub scale: f64,
+    /// n of the place relative to the centre. It may have no value, or none above 0, at some places: rays fail there.
+    pub n: Formula,
+}
+
+impl Medium for Expression {
+    fn parts(&self) -> Vec<Wgsl> {
+        Wgsl::parts(&["index/expression", "formula", "index_limit"])
+    }
+
+    fn values(&self, _: u32) -> Row {
+        row! { center: Vec3(self.center), scale: Float(self.scale) }
+    }
+
+    fn index(&self, x: DVec3) -> Option<f64> {
+        Some(self.n.value(x - self.center))
+    }
+
+    fn formula(&self) -> Option<&Formula> {
+        Some(&self.n)
+    }
+}

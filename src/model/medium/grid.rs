@@ -1,0 +1,102 @@
+//! Samples of the index, from an NRRD or raw file, with a Catmull–Rom spline between them.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Medium};
+use crate::assets::{Bare, Files, IndexGrid, Stored, Use};
+use crate::document::keys;
+use crate::document::reader::TableReader;
+use crate::document::values::{array, not_zero, number, text, vector, whole, word};
+use crate::model::{Loops, Row, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "grid",
+    keys: keys! {
+        file: "file" = "required",
+            "samples of the index, n = offset + scale · value, between which it is a Catmull-Rom spline: NRRD if it ends in .nrrd, else bare numbers, x fastest";
+        min: "[x, y, z]" = "as the NRRD file says, or required", "where the first sample is, scene units; with max";
+        max: "[x, y, z]" = "as the NRRD file says, or required",
+            "where the last sample is; beyond the grid the index is that at its border";
+        scale: "number other than 0" = "1", "see file";
+        offset: "number" = "0", "see file";
+        size (", unless the file is NRRD"): "[nx, ny, nz], 2 or more" = "required", "samples along x, y and z";
+        type (", unless the file is NRRD"): "u8 | u16 | f32 | f64" = "required", "what a sample is";
+        endian (", unless the file is NRRD"): "little | big" = "little", "which end of a number comes first";
+    },
+    read: |table, _, files| Some(Arc::new(Grid(samples(table, files)?))),
+};
+
+/// `file`, and what it does not say itself.
+fn samples(table: &TableReader, files: &mut Files) -> Option<Arc<IndexGrid>> {
+    let file = table.required_node("file", "\"index.nrrd\"");
+    let (min, max) = (table.optional("min", vector), table.optional("max", vector));
+    let scale = table.or("scale", 1.0, not_zero);
+    let offset = table.or("offset", 0.0, number);
+    let name = table.reader.accept(text(file?))?;
+    let has_header = name.to_lowercase().ends_with(".nrrd");
+    let bare = if has_header { None } else { Some(bare(table)?) };
+    if !corners_fit(table, min, max) {
+        return None;
+    }
+    let corners = min.zip(max).map(<[DVec3; 2]>::from);
+    if bare.is_some() && corners.is_none() {
+        let help = "for example min = [-1, -1, -1] and max = [1, 1, 1]: where the first and the last sample are";
+        table.fault(&[], "missing keys `min` and `max`", help);
+        return None;
+    }
+    files.grid(table.reader, file?, &Use { bare, corners, scale, offset })
+}
+
+fn bare(table: &TableReader) -> Option<Bare> {
+    let side = whole(2..=1 << 20);
+    let size = table.required("size", "[64, 64, 64]", array("three whole numbers, [nx, ny, nz]", side));
+    let stored = table.required("type", "\"f32\"", word(Stored::NAMES));
+    let little = table.or("endian", true, word(&[("little", true), ("big", false)]));
+    Some(Bare { size: size?, stored: stored?, little })
+}
+
+/// Are both there, and in order, or neither?
+fn corners_fit(table: &TableReader, min: Option<DVec3>, max: Option<DVec3>) -> bool {
+    if table.gives("min") != table.gives("max") {
+        table.fault(&["min", "max"], "`min` and `max` go together", "");
+        return false;
+    }
+    let Some((min, max)) = min.zip(max) else {
+        return !table.gives("min");
+    };
+    let fit = min.cmplt(max).all();
+    if !fit {
+        table.fault(&["max"], "`max` must be above `min` in x, y and z", "");
+    }
+    fit
+}
+
+/// Samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid(pub Arc<IndexGrid>);
+
+impl Medium for Grid {
+    fn parts(&self) -> Vec<Wgsl> {
+        Wgsl::parts(&["index/grid", "index_limit"])
+    }
+
+    fn values(&self, first: u32) -> Row {
+        let [nx, ny, nz] = self.0.size;
+        row! { origin: Vec3(self.0.origin), cell: Vec3(self.0.cell), size: Uint4([nx, ny, nz, first]) }
+    }
+
+    fn index(&self, _: DVec3) -> Option<f64> {
+        None
+    }
+
+    /// Rows of samples round a place.
+    fn loops(&self) -> Loops {
+        Loops { derivative: 16, scale: 0 }
+    }
+
+    fn samples(&self) -> &[f32] {
+        &self.0.samples
+    }
+}

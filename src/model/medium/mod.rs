@@ -1,0 +1,250 @@
+//! Media: how the index of refraction n varies with place. The contract, and the table of kinds.
+//!
+//! *Theory.* Light in a medium moves by dx = v, dv = ∇(n²/2) with |v| = n. The WGSL contract is `medium_index(x)`,
+//! `medium_pull(x)` = ∇(n²/2) and `medium_length(x)`, the length over which n changes; media whose paths have a closed form name it.
+//!
+//! *Practice.* [`MEDIA`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+
+mod constant;
+mod eaton;
+mod explosion;
+mod exponential;
+mod expression;
+mod fisheye;
+mod gaussian;
+mod grid;
+mod inverse_r;
+mod linear;
+mod luneburg;
+mod noise;
+mod profile;
+mod rod;
+mod sech;
+mod textured;
+
+use std::fmt;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::same::same;
+use super::{Capture, ClosedForm, Loops, Row, Same, Wgsl};
+use crate::assets::{Files, Formula};
+use crate::document::reader::TableReader;
+use crate::document::values::{choice, direction, positive, suggest, vector};
+use crate::document::{Key, KeyReference, Node, Value, keys, kind_rows};
+
+pub use constant::{COMMON, Constant};
+pub use eaton::Eaton;
+pub use explosion::Explosion;
+pub use exponential::Exponential;
+pub use expression::Expression;
+pub use fisheye::Fisheye;
+pub use gaussian::Gaussian;
+pub use grid::Grid;
+pub use inverse_r::{Ingoing, InverseR};
+pub use linear::Linear;
+pub use luneburg::Luneburg;
+pub use noise::Noise;
+pub use profile::Layers;
+pub use rod::Rod;
+pub use sech::Sech;
+pub use textured::Textured;
+
+/// A kind of medium, to be read.
+pub struct Kind {
+    /// As a scene file has it.
+    pub name: &'static str,
+    /// The keys that it reads.
+    pub keys: &'static [Key],
+    /// Reads it; none if it cannot be used.
+    pub(crate) read: fn(&TableReader, Surroundings, &mut Files) -> Option<Arc<dyn Medium>>,
+}
+
+/// Every medium, in the order of the reference.
+const MEDIA: [&Kind; 16] = [
+    &constant::KIND,
+    &luneburg::KIND,
+    &gaussian::KIND,
+    &inverse_r::KIND,
+    &fisheye::KIND,
+    &eaton::KIND,
+    &rod::KIND,
+    &linear::KIND,
+    &exponential::KIND,
+    &sech::KIND,
+    &profile::KIND,
+    &noise::KIND,
+    &textured::KIND,
+    &explosion::KIND,
+    &expression::KIND,
+    &grid::KIND,
+];
+
+/// What is where nothing else is.
+pub const VACUUM: Constant = Constant { n: 1.0 };
+
+/// An index of refraction over space, in scene coordinates. Spherical media are functions of r, the distance from their centre.
+pub trait Medium: fmt::Debug + Send + Sync + Same {
+    /// The WGSL that keeps the contract.
+    fn parts(&self) -> Vec<Wgsl>;
+
+    /// The members of its `Medium` in WGSL. What it has in lists for all media begins at `first` there.
+    fn values(&self, first: u32) -> Row;
+
+    /// n at a place; 0 where a formula's n² is not positive, and no light comes; none where only the shaders know.
+    fn index(&self, x: DVec3) -> Option<f64>;
+
+    /// Its paths in closed form, if they have one; `ends` where they end at a given τ, which is not what all are measured by.
+    fn closed_form(&self, ends: bool) -> Option<&'static ClosedForm> {
+        let _ = ends;
+        None
+    }
+
+    /// The WGSL that its closed form needs besides.
+    fn closed_form_parts(&self) -> &'static [&'static str] {
+        &[]
+    }
+
+    /// Is light bent in it?
+    fn bends(&self) -> bool {
+        true
+    }
+
+    /// Does the index vary over surfaces alone, so that it can be no law's?
+    fn is_of_surfaces(&self) -> bool {
+        false
+    }
+
+    /// Where rays end in it.
+    fn capture(&self) -> Option<Capture> {
+        None
+    }
+
+    /// The centre about which a path in closed form leaves a ball as it came in.
+    fn center(&self) -> Option<DVec3> {
+        None
+    }
+
+    /// The sphere at which its formula ends, if there is one: centre and radius.
+    fn edge(&self) -> Option<(DVec3, f64)> {
+        None
+    }
+
+    /// How long its loops are.
+    fn loops(&self) -> Loops {
+        Loops::default()
+    }
+
+    /// A formula that the index is written by, to be turned into WGSL with its gradient.
+    fn formula(&self) -> Option<&Formula> {
+        None
+    }
+
+    /// Rows of the list `profile`.
+    fn points(&self) -> Vec<Row> {
+        Vec::new()
+    }
+
+    /// Numbers of the list `index_samples`.
+    fn samples(&self) -> &[f32] {
+        &[]
+    }
+}
+
+same!(Medium);
+
+/// What an object is filled with: light goes through it.
+#[derive(Debug, Clone)]
+pub struct Interior {
+    /// Its index.
+    pub medium: Arc<dyn Medium>,
+    /// Where interiors overlap, the one of the higher priority is there.
+    pub priority: u32,
+}
+
+/// What a medium's own keys default to: the place and size of the object that it fills.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Surroundings {
+    /// The object's middle; the origin for a medium that fills all space.
+    pub center: DVec3,
+    /// Of a sphere or cylinder.
+    pub radius: Option<f64>,
+    /// Of a cylinder.
+    pub axis: Option<DVec3>,
+}
+
+/// `center`.
+const CENTER: Key = keys! {
+    center: "[x, y, z]" = "the object's, or [0, 0, 0]",
+        "where r is 0, a point of the rod's axis, or of the noise's lattice; scene units";
+}[0];
+/// `radius`.
+const RADIUS: Key = keys! { radius: "number above 0" = "the object's, or required", "R, scene units"; }[0];
+/// `origin`.
+const ORIGIN: Key = keys! {
+    origin: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point of height 0";
+}[0];
+/// `up`.
+const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "where height grows"; }[0];
+
+fn center(table: &TableReader, around: Surroundings) -> DVec3 {
+    table.or("center", around.center, vector)
+}
+
+/// A length that is the object's radius, if that has one.
+fn length(table: &TableReader, key: &'static str, example: &str, around: Surroundings) -> Option<f64> {
+    match around.radius {
+        Some(radius) => Some(table.or(key, radius, positive)),
+        None => table.required(key, example, positive),
+    }
+}
+
+/// `origin` and `up`.
+fn layers(table: &TableReader, around: Surroundings) -> (DVec3, DVec3) {
+    (table.or("origin", around.center, vector), table.or("up", DVec3::Y, direction))
+}
+
+/// √ of what is positive, else 0.
+fn root(square: f64) -> f64 {
+    square.max(0.0).sqrt()
+}
+
+/// The medium that a node gives: a number, a name, or a table with a `kind`.
+pub(crate) fn read(
+    parent: &TableReader,
+    node: &Node,
+    around: Surroundings,
+    files: &mut Files,
+) -> Option<Arc<dyn Medium>> {
+    let reader = parent.reader;
+    match &node.value {
+        Value::Table(_) => {}
+        Value::Text(name) => {
+            let names: Vec<&str> = COMMON.iter().map(|(name, _)| *name).collect();
+            let known = COMMON.iter().find(|(known, _)| known == name);
+            if known.is_none() {
+                reader.fault(node.fault(format!("unknown medium `{name}`"), suggest(name, &names, "media")));
+            }
+            return known.map(|(_, n)| Arc::new(Constant { n: *n }) as Arc<dyn Medium>);
+        }
+        _ => return reader.accept(positive(node)).map(|n| Arc::new(Constant { n }) as Arc<dyn Medium>),
+    }
+    let table = reader.open("medium", node)?;
+    let kind = table.decide_required("kind", "\"luneburg\"", choice(&MEDIA.map(|kind| kind.name)));
+    let medium = kind.and_then(|kind| (MEDIA[kind].read)(&table, around, files));
+    table.finish();
+    medium
+}
+
+/// The names of all kinds.
+#[must_use]
+pub fn names() -> Vec<&'static str> {
+    MEDIA.map(|kind| kind.name).to_vec()
+}
+
+/// The reference's rows of the keys that media read.
+#[must_use]
+pub fn reference() -> Vec<KeyReference> {
+    kind_rows("medium", "kind", &MEDIA.map(|kind| (kind.name, kind.keys)))
+}

@@ -1,0 +1,104 @@
+//! Layered air: n by the height over the origin, through measured points.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Medium, ORIGIN, UP, layers};
+use crate::assets::{Files, Flaw, Profile, ProfilePoint};
+use crate::document::reader::TableReader;
+use crate::document::values::{Read, array, number};
+use crate::document::{Node, Value, keys};
+use crate::model::{Loops, Row, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "profile",
+    keys: &[
+        ORIGIN,
+        UP,
+        keys! {
+            file (" and no points"): "file" = "none",
+                "layered air, measured: CSV with the header height,n and a line for each point, heights over the origin in scene units";
+        }[0],
+        keys! {
+            points (" and no file"): "[[height, n], ...]" = "none",
+                "the points of the profile, by rising height: a smooth curve goes through them (the natural cubic spline), constant outside";
+        }[0],
+    ],
+    read: |table, around, files| {
+        let (origin, up) = layers(table, around);
+        Some(Arc::new(Layers { origin, up, profile: profile(table, files)? }))
+    },
+};
+
+/// Points in the scene, or in a file.
+fn profile(table: &TableReader, files: &mut Files) -> Option<Arc<Profile>> {
+    const CHOICES: &str = "file = \"air.csv\" or points = [[0, 1.00029], [8000, 1.0001]]";
+    let (key, node) = table.required_one_of(&["points", "file"], CHOICES)?;
+    if key == "file" {
+        return files.profile(table.reader, node);
+    }
+    let Value::Array(nodes) = &node.value else {
+        table.reader.fault(node.expected("points, [[height, n], ...]"));
+        return None;
+    };
+    // All are read before any is missed.
+    let points: Vec<Option<[f64; 2]>> = nodes.iter().map(|node| table.reader.accept(point(node))).collect();
+    let points: Vec<[f64; 2]> = points.into_iter().collect::<Option<_>>()?;
+    let flawed = |flaw: Flaw| {
+        let node = flaw.point.map_or(node, |k| &nodes[k]);
+        table.reader.fault(node.fault(flaw.problem, flaw.help));
+    };
+    Profile::through(&points).map_err(flawed).map(Arc::new).ok()
+}
+
+/// A height, and n above 0.
+fn point(node: &Node) -> Read<[f64; 2]> {
+    let point @ [_, n] = array("a point, [height, n]", number)(node)?;
+    if n > 0.0 { Ok(point) } else { Err(node.fault(format!("n must be above 0, found {n}"), "")) }
+}
+
+/// n by height.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layers {
+    /// A point of height 0.
+    pub origin: DVec3,
+    /// Along which height grows, a unit vector.
+    pub up: DVec3,
+    /// n by height.
+    pub profile: Arc<Profile>,
+}
+
+impl Medium for Layers {
+    fn parts(&self) -> Vec<Wgsl> {
+        Wgsl::parts(&["index/profile"])
+    }
+
+    fn values(&self, first: u32) -> Row {
+        let points = self.profile.points.len() as u32;
+        row! { origin: Vec3(self.origin), up: Vec3(self.up), first: Uint(first), points: Uint(points) }
+    }
+
+    fn index(&self, x: DVec3) -> Option<f64> {
+        Some(self.profile.index(self.up.dot(x - self.origin)))
+    }
+
+    /// The point below a height is found by halving.
+    fn loops(&self) -> Loops {
+        let halvings = u64::from(self.profile.points.len().next_power_of_two().ilog2());
+        Loops { derivative: halvings, scale: halvings }
+    }
+
+    fn points(&self) -> Vec<Row> {
+        let row = |point: &ProfilePoint| {
+            row! {
+                height: Float(point.height),
+                n: Float(point.n),
+                slope: Float(point.slope),
+                bend: Float(point.bend),
+                twist: Float(point.twist),
+            }
+        };
+        self.profile.points.iter().map(row).collect()
+    }
+}

@@ -1,0 +1,29 @@
+//! Closed forms alone: straight rays, and media whose paths are known.
+
+use super::{Controls, Kind, Path, Refusal};
+use crate::model::control;
+
+pub static KIND: Kind = Kind {
+    name: "exact",
+    path: Path::Closed,
+    parts: &[],
+    evaluations: 0,
+    order: 0,
+    controls: Controls::Exact,
+    refuses: |scene| {
+        let mut refused = Vec::new();
+        if scene.needs_solver {
+            let problem = "the exact method is for straight rays and for media whose paths have a closed form";
+            refused.push(Refusal::method(problem));
+        }
+        if scene.has_chords {
+            let help = "use segment = \"arc\", or another method";
+            refused.push(Refusal { key: "segment", problem: "the exact method has no chords", help });
+        }
+        refused
+    },
+    closed_forms: true,
+    fast: true,
+    sweeps: || vec![("exact", vec![control::exact::CONTROL])],
+    own: None,
+};

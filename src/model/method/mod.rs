@@ -1,0 +1,258 @@
+//! Methods: how a ray is followed, one kind a file.
+//!
+//! *Practice.* A kind says which WGSL takes its step, what that costs, which controls go with it, which laws it suits, and which
+//! settings a chart tries. [`METHODS`] names each kind once; nothing else does. Adding one is a WGSL file in `shaders/step/`, a file
+//! here and a line of that table.
+
+mod bogacki_shampine;
+mod dormand_prince;
+mod euler;
+mod exact;
+mod leapfrog;
+mod planar;
+mod rk4;
+mod rkn4;
+mod snell;
+
+use std::fmt;
+
+use super::control::{self, Control};
+use super::{Binding, Order, Value};
+use crate::document::reader::TableReader;
+use crate::document::values::positive;
+use crate::document::{Key, KeyReference, kind_rows};
+
+/// Every method, in the order of the reference and of charts.
+pub const METHODS: [&Kind; 9] = [
+    &exact::KIND,
+    &planar::KIND,
+    &euler::KIND,
+    &leapfrog::KIND,
+    &rkn4::KIND,
+    &rk4::KIND,
+    &bogacki_shampine::KIND,
+    &dormand_prince::KIND,
+    &snell::KIND,
+];
+
+/// What follows rays without a solver, where all paths have closed forms.
+pub const CLOSED_FORMS: Method = Method { kind: &exact::KIND, own: 0.0 };
+/// What takes steps that the scene gives, where it names no method.
+pub const PLANNED: Method = Method { kind: &rk4::KIND, own: 0.0 };
+/// What keeps a tolerance that the scene gives; and what the reference solution is found by.
+pub const TOLERANT: Method = Method { kind: &dormand_prince::KIND, own: 0.0 };
+
+/// How a method comes to the next point of a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Path {
+    /// By closed forms alone.
+    Closed,
+    /// By an equation of the orbit in the ray's own plane.
+    Orbit,
+    /// By steps of the law's differential equation.
+    Steps,
+}
+
+/// The controls that a method goes with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Controls {
+    /// None.
+    Exact,
+    /// Fractions of the law's scale alone.
+    Scaled,
+    /// Steps whose size is known beforehand.
+    Planned,
+    /// Those, and under a name of its own step doubling.
+    PlannedOrDoubled,
+    /// The error of an embedded pair.
+    Embedded,
+}
+
+/// What is known of a method.
+pub struct Kind {
+    /// As a scene file has it.
+    pub name: &'static str,
+    /// How it goes on.
+    pub path: Path,
+    /// The WGSL parts of its step.
+    pub parts: &'static [&'static str],
+    /// Evaluations of the law's derivative in a step; a pair's first, which is the last of the step before, is not counted.
+    pub evaluations: u32,
+    /// Its order of convergence; 0 where there is none.
+    pub order: u32,
+    /// What it goes with.
+    pub controls: Controls,
+    /// Why it cannot follow rays where these demands are made.
+    pub refuses: fn(&Demands) -> Vec<Refusal>,
+    /// Do closed forms stand for it where there are some?
+    pub closed_forms: bool,
+    /// Has a chart shown it to be the fastest somewhere?
+    pub fast: bool,
+    /// What a chart tries: names, as a chart shows them, and settings from coarse to fine.
+    pub sweeps: fn() -> Vec<(&'static str, Vec<Control>)>,
+    /// A number that only this method has.
+    pub own: Option<&'static OwnNumber>,
+}
+
+/// A number that only one method has: its key, and the member of the uniform that it is in WGSL, of the same name.
+pub struct OwnNumber {
+    /// The key and what it means.
+    pub key: Key,
+    /// What it is by default.
+    pub default: f64,
+    /// The uniform.
+    pub uniform: &'static str,
+}
+
+/// A method with its own number.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Method {
+    /// Its kind.
+    pub kind: &'static Kind,
+    /// The number that only this kind has; 0 if it has none.
+    pub own: f64,
+}
+
+/// What a scene demands of the method that follows its rays.
+#[derive(Debug, Clone, Copy)]
+pub struct Demands {
+    /// What the law's derivative depends on.
+    pub order: Order,
+    /// Has the law a single centre, so that a ray stays in a plane?
+    pub has_center: bool,
+    /// Is there anything but closed forms to follow?
+    pub needs_solver: bool,
+    /// Is there an interior that has no closed form?
+    pub has_solved_interior: bool,
+    /// Is there a medium that may bend light?
+    pub has_medium: bool,
+    /// Do rays end at a given τ?
+    pub ends: bool,
+    /// Are segments chords over several steps?
+    pub has_chords: bool,
+}
+
+/// Why a method does not go with a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Refusal {
+    /// The key of `[rays]` that is wrong beside it.
+    pub key: &'static str,
+    /// What is wrong.
+    pub problem: &'static str,
+    /// What would be right.
+    pub help: &'static str,
+}
+
+impl Refusal {
+    /// The method itself is wrong.
+    pub(super) const fn method(problem: &'static str) -> Self {
+        Self { key: "method", problem, help: "use rk4, or leave `method` out" }
+    }
+}
+
+impl Method {
+    /// Of a kind, with the usual number of its own.
+    #[must_use]
+    pub fn new(kind: &'static Kind) -> Self {
+        Self { kind, own: kind.own.map_or(0.0, |own| own.default) }
+    }
+
+    /// What its own parts are fed.
+    #[must_use]
+    pub fn values(&self) -> Option<Binding> {
+        let own = self.kind.own?;
+        Some(Binding::one(own.uniform, vec![(own.key.key.into(), Value::Float(self.own))]))
+    }
+}
+
+impl Kind {
+    /// The names that a scene file may give it, each with whether steps are then doubled.
+    fn names(&self) -> Vec<(String, bool)> {
+        let doubled = (self.controls == Controls::PlannedOrDoubled).then(|| (format!("{}-doubling", self.name), true));
+        [(self.name.to_owned(), false)].into_iter().chain(doubled).collect()
+    }
+
+    /// The keys that it reads.
+    fn keys(&self, doubled: bool) -> Vec<&'static Key> {
+        let control: Vec<&Key> = match self.controls {
+            _ if doubled => control::doubling::REJECTING.keys.iter().collect(),
+            Controls::Exact => Vec::new(),
+            Controls::Scaled => control::scaled::KIND.keys.iter().collect(),
+            Controls::Planned | Controls::PlannedOrDoubled => control::planned_keys(),
+            Controls::Embedded => control::embedded::KIND.keys.iter().collect(),
+        };
+        control.into_iter().chain(self.own.map(|own| &own.key)).collect()
+    }
+}
+
+impl PartialEq for Kind {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl fmt::Debug for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+impl fmt::Debug for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.kind.name)
+    }
+}
+
+/// A name of the scene format: a method, with or without doubled steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Named {
+    /// The method.
+    pub kind: &'static Kind,
+    /// Are its steps doubled?
+    pub doubled: bool,
+}
+
+impl Named {
+    /// A method by its usual control.
+    #[must_use]
+    pub fn plain(method: Method) -> Self {
+        Self { kind: method.kind, doubled: false }
+    }
+
+    /// The method and its control, by the keys of a `[rays]` table.
+    pub(crate) fn read(self, table: &TableReader) -> (Method, Control) {
+        let own = self.kind.own.map_or(0.0, |own| table.or(own.key.key, own.default, positive));
+        let control = match self.kind.controls {
+            _ if self.doubled => control::doubling::read(table),
+            Controls::Exact => control::exact::CONTROL,
+            Controls::Scaled => control::scaled::read(table),
+            Controls::Planned | Controls::PlannedOrDoubled => control::planned(table),
+            Controls::Embedded => control::embedded::read(table),
+        };
+        (Method { kind: self.kind, own }, control)
+    }
+}
+
+/// Every name that a scene file may give a method.
+#[must_use]
+pub fn names() -> Vec<(String, Named)> {
+    let named =
+        |kind: &'static Kind| kind.names().into_iter().map(move |(name, doubled)| (name, Named { kind, doubled }));
+    METHODS.into_iter().flat_map(named).collect()
+}
+
+/// A method and its setting in words of the scene format.
+#[must_use]
+pub fn method_words(method: Method, control: Control) -> String {
+    (control.kind.words)(method.kind.name, &control)
+}
+
+/// The reference's rows of the keys that methods read.
+#[must_use]
+pub fn reference() -> Vec<KeyReference> {
+    let all = names();
+    let keys: Vec<Vec<Key>> =
+        all.iter().map(|(_, named)| named.kind.keys(named.doubled).into_iter().copied().collect()).collect();
+    let kinds: Vec<(&str, &[Key])> = all.iter().zip(&keys).map(|((name, _), keys)| (&**name, &**keys)).collect();
+    kind_rows("rays", "method", &kinds)
+}

@@ -1,0 +1,24 @@
+//! The classical Runge–Kutta method of order 4.
+
+use super::{Controls, Kind, Path};
+use crate::model::control::{curvature, doubling, scaled};
+
+pub static KIND: Kind = Kind {
+    name: "rk4",
+    path: Path::Steps,
+    parts: &["step/rk4"],
+    evaluations: 4,
+    order: 4,
+    controls: Controls::PlannedOrDoubled,
+    refuses: |_| Vec::new(),
+    closed_forms: false,
+    fast: true,
+    sweeps: || {
+        vec![
+            ("rk4", scaled::sweep(16)),
+            ("rk4-curvature", curvature::sweep(16)),
+            ("rk4-doubling", doubling::sweep(&doubling::REJECTING, 12)),
+        ]
+    },
+    own: None,
+};

@@ -1,0 +1,101 @@
+//! Closed forms: motions of light that need no solver.
+//!
+//! *Practice.* Media whose paths have the same form share a motion; what they differ by is the medium's own part.
+
+use std::fmt;
+
+/// A motion in closed form.
+pub struct ClosedForm {
+    /// Its name.
+    pub name: &'static str,
+    /// The WGSL parts that keep the contract `motion`.
+    pub parts: &'static [&'static str],
+    /// With these where a path is cut into arcs, and with those where one step leads through a whole region.
+    pub strides: Option<[&'static str; 2]>,
+    /// Are its paths straight?
+    pub is_line: bool,
+    /// Has its stride to know what it may meet, besides the surface that it leaves by?
+    pub meets_obstacles: bool,
+    /// Iterations of its own loops.
+    pub loops: u64,
+    /// How a ray starts there: by a part, or as the region's index has it.
+    pub start: Start,
+}
+
+/// Who says how a ray starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// The motion's own part.
+    Own,
+    /// With |v| = n.
+    ByIndex,
+    /// By the index if there is one, else as it is given.
+    ByIndexIfAny,
+}
+
+/// Straight on.
+pub static STRAIGHT: ClosedForm = ClosedForm {
+    name: "straight",
+    parts: &["motion/straight", "pace/tau", "rate/none"],
+    strides: None,
+    is_line: true,
+    meets_obstacles: false,
+    loops: 0,
+    start: Start::ByIndexIfAny,
+};
+
+/// As on a spring.
+pub static HARMONIC: ClosedForm = ClosedForm {
+    name: "harmonic",
+    parts: &["motion/harmonic", "pace/tau", "rate/none"],
+    strides: Some(["stride/harmonic_arc", "stride/harmonic_leap"]),
+    is_line: false,
+    meets_obstacles: false,
+    loops: 0,
+    start: Start::ByIndex,
+};
+
+/// Along logarithmic spirals.
+pub static SPIRAL: ClosedForm = ClosedForm {
+    name: "spiral",
+    parts: &["motion/spiral", "rate/none"],
+    strides: Some(["stride/spiral_arc", "stride/spiral_leap"]),
+    is_line: false,
+    meets_obstacles: true,
+    loops: 0,
+    start: Start::Own,
+};
+
+/// In circles.
+pub static CIRCLE: ClosedForm = ClosedForm {
+    name: "circle",
+    parts: &["motion/circle", "rate/none"],
+    strides: Some(["stride/circle_arc", "stride/circle_leap"]),
+    is_line: false,
+    meets_obstacles: false,
+    loops: 16,
+    start: Start::ByIndex,
+};
+
+/// Along parabolas.
+pub static PARABOLA: ClosedForm = ClosedForm {
+    name: "parabola",
+    parts: &["motion/parabola", "pace/tau", "rate/none"],
+    strides: None,
+    is_line: false,
+    meets_obstacles: false,
+    loops: 0,
+    start: Start::ByIndex,
+};
+
+impl PartialEq for ClosedForm {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl fmt::Debug for ClosedForm {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}

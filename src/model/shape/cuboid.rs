@@ -1,0 +1,95 @@
+//! The cube |x|, |y|, |z| ≤ 1; each face has (u, v) in [0, 1].
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DQuat, DVec3};
+
+use super::solid::Lists;
+use super::{CENTER, Contact, Kind, Placed, Shape, Solid};
+use crate::assets::Transform;
+use crate::document::keys;
+use crate::document::reader::TableReader;
+use crate::document::values::{extents, vector};
+use crate::model::cut::{Outline, OwnPlane, cuboid};
+
+pub static KIND: Kind = Kind {
+    name: "box",
+    keys: &[
+        CENTER,
+        keys! { size: "[x, y, z], above 0" = "[1, 1, 1]", "edges, scene units"; }[0],
+        keys! { min: "[x, y, z]" = "none", "its lowest corner; with max in place of center and size"; }[0],
+        keys! { max: "[x, y, z]" = "none", "its highest corner"; }[0],
+    ],
+    read: |table, _, _| Some((Arc::new(Cuboid), place(table)?)),
+};
+
+/// From center and size, or from min and max.
+fn place(table: &TableReader) -> Option<DAffine3> {
+    let corners = (table.optional("min", vector), table.optional("max", vector));
+    let center = table.optional("center", vector);
+    let size = table.optional("size", extents);
+    let refuse = |keys: &[&str], problem: &str| {
+        table.fault(keys, problem, "");
+        None
+    };
+    let (center, size) = match (corners, center.is_some() || size.is_some()) {
+        ((None, None), _) => (center.unwrap_or(DVec3::ZERO), size.unwrap_or(DVec3::ONE)),
+        (_, true) => return refuse(&["min", "max"], "a box has `center` and `size`, or `min` and `max`, not both"),
+        ((Some(min), Some(max)), _) if min.cmplt(max).all() => ((min + max) / 2.0, max - min),
+        ((Some(_), Some(_)), _) => return refuse(&["max"], "`max` must be above `min` in x, y and z"),
+        _ => return refuse(&["min", "max"], "`min` and `max` go together"),
+    };
+    Some(DAffine3::from_scale_rotation_translation(size / 2.0, DQuat::IDENTITY, center))
+}
+
+pub static SOLID: Solid = Solid {
+    name: "box",
+    lists: Some(Lists { opaque: "box_list", two_sided: "sided_box_list", placed: "boxes", row: Placed::space }),
+};
+
+/// A box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cuboid;
+
+impl Shape for Cuboid {
+    fn solid(&self, _: &Transform) -> &'static Solid {
+        &SOLID
+    }
+
+    fn faces(&self, p: DVec3) -> Vec<(f64, DVec3)> {
+        let flat = |coordinate: f64, axis: DVec3| (coordinate.abs() - 1.0, axis);
+        vec![flat(p.x, DVec3::X), flat(p.y, DVec3::Y), flat(p.z, DVec3::Z)]
+    }
+
+    fn opening(&self) -> Option<String> {
+        None
+    }
+
+    fn contacts(&self, map: DAffine3) -> Vec<Contact> {
+        DVec3::AXES.into_iter().flat_map(|axis| Contact::ends(map, axis)).collect()
+    }
+
+    fn reach(&self, map: DAffine3, center: DVec3) -> Option<f64> {
+        let corner = |i: u32| DVec3::from_array([0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -1.0 } else { 1.0 }));
+        Some((0..8).map(corner).map(|p| map.transform_point3(p).distance(center)).fold(0.0, f64::max))
+    }
+
+    fn radius(&self) -> f64 {
+        3.0_f64.sqrt()
+    }
+
+    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+        cuboid(plane).into_iter().collect()
+    }
+
+    fn norm(&self, d: DVec3) -> f64 {
+        d.abs().max_element()
+    }
+
+    fn ball_inside(&self, place: &Transform, center: DVec3) -> f64 {
+        let inverse = place.0.inverse();
+        let own = inverse.transform_point3(center);
+        let [x, y, z] = inverse.matrix3.transpose().to_cols_array_2d().map(|row| DVec3::from(row).length());
+        ((DVec3::ONE - own.abs()) / DVec3::new(x, y, z)).min_element()
+    }
+}

@@ -1,0 +1,92 @@
+//! The disk x² + z² ≤ 1 in y = 0, its normal +y. u runs round y, v from the rim to the middle, or to the hole.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use super::read::upright;
+use super::solid::Lists;
+use super::{CENTER, Contact, Kind, NORMAL, RADIUS, Shape, Solid, extent};
+use crate::assets::Transform;
+use crate::document::keys;
+use crate::document::values::{not_negative, positive};
+use crate::model::cut::{ON, Outline, OwnPlane, PARALLEL, circle};
+
+pub static KIND: Kind = Kind {
+    name: "disk",
+    keys: &[
+        CENTER,
+        NORMAL,
+        RADIUS,
+        keys! { hole: "number, 0 or above, below the radius" = "0", "radius of a round hole, scene units"; }[0],
+    ],
+    read: |table, _, _| {
+        let place = upright(table, "normal");
+        let radius = table.or("radius", 1.0, positive);
+        let hole = table.or("hole", 0.0, not_negative);
+        if hole >= radius {
+            table.fault(&["hole"], format!("the hole must be smaller than the radius, {radius}"), "");
+            return None;
+        }
+        Some((Arc::new(Disk { hole: hole / radius }), place * DAffine3::from_scale(DVec3::splat(radius))))
+    },
+};
+
+pub static SOLID: Solid = Solid {
+    name: "disk",
+    lists: Some(Lists {
+        opaque: "disk_list",
+        two_sided: "sided_disk_list",
+        placed: "disks",
+        row: |placed| placed.space_and("hole"),
+    }),
+};
+
+/// A disk.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disk {
+    /// The radius of a round hole in it, below 1; zero for none.
+    pub hole: f64,
+}
+
+impl Shape for Disk {
+    fn solid(&self, _: &Transform) -> &'static Solid {
+        &SOLID
+    }
+
+    fn number(&self, _: &Transform) -> f64 {
+        self.hole
+    }
+
+    fn opening(&self) -> Option<String> {
+        Some("a disk has no inside".to_owned())
+    }
+
+    fn contacts(&self, map: DAffine3) -> Vec<Contact> {
+        vec![Contact::level(map)]
+    }
+
+    fn reach(&self, map: DAffine3, center: DVec3) -> Option<f64> {
+        Some(extent::circle(&map, 0.0, center))
+    }
+
+    fn radius(&self) -> f64 {
+        1.0
+    }
+
+    /// A line, or two beside the hole; its edges if it lies in the plane.
+    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+        let slope = DVec3::new(plane.normal.x, 0.0, plane.normal.z);
+        if slope.length() <= PARALLEL {
+            let edges = [1.0, self.hole].into_iter().filter(|radius| *radius > 0.0 && plane.offset.abs() <= ON);
+            return edges.map(|radius| circle(DVec3::ZERO, DVec3::Y, radius)).collect();
+        }
+        let foot = slope * (plane.offset / slope.length_squared());
+        let along = slope.cross(DVec3::Y).normalize();
+        let half = |radius: f64| (radius * radius - foot.length_squared()).max(0.0).sqrt();
+        let (outer, inner) = (half(1.0), half(self.hole));
+        let stretches = if inner > 0.0 { vec![[-outer, -inner], [inner, outer]] } else { vec![[-outer, outer]] };
+        let line = |ends: [f64; 2]| Outline { points: ends.map(|t| foot + t * along).to_vec(), closed: false };
+        stretches.into_iter().filter(|[from, to]| from < to).map(line).collect()
+    }
+}

@@ -1,0 +1,73 @@
+//! Triangles from a file. Inside is where the surface goes round a point.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+
+use super::{Contact, Kind, Shape, Solid};
+use crate::assets::{Mesh, Transform};
+use crate::document::keys;
+use crate::model::cut::{Outline, OwnPlane, mesh};
+
+pub static KIND: Kind = Kind {
+    name: "mesh",
+    keys: keys! { file: "file" = "required", "an OBJ file"; },
+    read: |table, _, files| {
+        let file = table.required_node("file", "\"teapot.obj\"")?;
+        Some((Arc::new(Triangles(files.mesh(table.reader, file)?)), DAffine3::IDENTITY))
+    },
+};
+
+pub static SOLID: Solid = Solid { name: "triangle", lists: None };
+
+/// Triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Triangles(pub Arc<Mesh>);
+
+impl Triangles {
+    fn points(&self) -> impl Iterator<Item = DVec3> {
+        self.0.vertices.iter().map(|vertex| vertex.position.as_dvec3())
+    }
+}
+
+impl Shape for Triangles {
+    fn solid(&self, _: &Transform) -> &'static Solid {
+        &SOLID
+    }
+
+    fn mesh(&self) -> Option<&Arc<Mesh>> {
+        Some(&self.0)
+    }
+
+    fn contains(&self, p: DVec3) -> bool {
+        self.0.hole().is_none() && self.0.winding(p).abs() > 0.5
+    }
+
+    fn opening(&self) -> Option<String> {
+        let place = |[a, b, c]: [f32; 3]| {
+            format!("the mesh is not closed: an edge at [{a:.4}, {b:.4}, {c:.4}] has not two triangles of one sense")
+        };
+        self.0.hole().map(place)
+    }
+
+    fn contacts(&self, _: DAffine3) -> Vec<Contact> {
+        Vec::new()
+    }
+
+    fn reach(&self, map: DAffine3, center: DVec3) -> Option<f64> {
+        Some(self.points().map(|p| map.transform_point3(p).distance(center)).fold(0.0, f64::max))
+    }
+
+    fn radius(&self) -> f64 {
+        self.points().map(DVec3::length).fold(0.0, f64::max)
+    }
+
+    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+        mesh::cut(&self.0, plane)
+    }
+
+    fn bounds(&self, map: DAffine3) -> (DVec3, DVec3) {
+        let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        self.points().map(|p| map.transform_point3(p)).fold(nothing, |(lo, hi), x| (lo.min(x), hi.max(x)))
+    }
+}

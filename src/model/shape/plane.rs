@@ -1,0 +1,73 @@
+//! The square |x| ≤ 1, |z| ≤ 1 in y = 0, its normal +y. (u, v) = ((x+1)/2, (1−z)/2).
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec2, DVec3};
+
+use super::read::upright;
+use super::solid::Lists;
+use super::{CENTER, Contact, Kind, NORMAL, Placed, Shape, Solid};
+use crate::assets::Transform;
+use crate::document::keys;
+use crate::document::values::{array, positive};
+use crate::model::cut::{Outline, OwnPlane, square};
+
+pub static KIND: Kind = Kind {
+    name: "plane",
+    keys: &[
+        CENTER,
+        NORMAL,
+        keys! { size: "[width, depth], above 0" = "twice the bound's radius", "edges, scene units"; }[0],
+    ],
+    read: |table, across, _| {
+        let place = upright(table, "normal");
+        let edges = array("two numbers above 0, [width, depth]", positive);
+        let size = table.or("size", DVec2::splat(across), |node| edges(node).map(DVec2::from_array));
+        Some((Arc::new(Plane), place * DAffine3::from_scale(DVec3::new(size.x / 2.0, 1.0, size.y / 2.0))))
+    },
+};
+
+pub static SOLID: Solid = Solid {
+    name: "plane",
+    lists: Some(Lists { opaque: "plane_list", two_sided: "sided_plane_list", placed: "planes", row: Placed::space }),
+};
+
+/// A square.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Plane;
+
+impl Shape for Plane {
+    fn solid(&self, _: &Transform) -> &'static Solid {
+        &SOLID
+    }
+
+    fn opening(&self) -> Option<String> {
+        Some("a plane has no inside".to_owned())
+    }
+
+    fn contacts(&self, map: DAffine3) -> Vec<Contact> {
+        vec![Contact::level(map)]
+    }
+
+    fn reach(&self, _: DAffine3, _: DVec3) -> Option<f64> {
+        None
+    }
+
+    fn radius(&self) -> f64 {
+        2.0_f64.sqrt()
+    }
+
+    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+        square(plane).into_iter().collect()
+    }
+
+    /// About the foot of the perpendicular from `middle`.
+    fn ball_in_ball(&self, place: &Transform, middle: DVec3, center: DVec3, radius: f64) -> Option<(DVec3, f64)> {
+        let map = place.0;
+        let normal = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();
+        let height = |x: DVec3| (x - map.translation).dot(normal);
+        let part = (radius * radius - height(center).powi(2)).max(0.0).sqrt();
+        let [foot, place] = [middle, center].map(|x| x - height(x) * normal);
+        (height(center).abs() < radius).then_some((foot, part + foot.distance(place)))
+    }
+}

@@ -1,0 +1,101 @@
+//! `[[objects]]`: shapes, where they are and what they are made of.
+
+use glam::{DAffine3, DQuat, DVec3};
+
+use super::{Object, SHAPES, Shape, Substance, round_up};
+use crate::assets::{Files, Transform};
+use crate::document::reader::TableReader;
+use crate::document::values::{Read, choice, direction, extents, positive, suggest, text, vector, whole};
+use crate::document::{Node, Place, Value};
+use crate::model::medium::{self, Interior, Surroundings};
+
+/// The bounding sphere: centre and radius.
+type Ball = (DVec3, f64);
+
+/// All objects that can be used, each with its place, in the order of the file; `materials` are the names of the materials.
+pub(crate) fn read(
+    root: &TableReader,
+    materials: &[&str],
+    bound: Option<Ball>,
+    files: &mut Files,
+) -> Vec<(Place, Object)> {
+    let tables = root.subtables("objects", "objects").into_iter();
+    tables
+        .filter_map(|table| {
+            let object = object(&table, materials, bound, files);
+            let place = table.place;
+            table.finish();
+            Some((place, object?))
+        })
+        .collect()
+}
+
+fn object(table: &TableReader, materials: &[&str], bound: Option<Ball>, files: &mut Files) -> Option<Object> {
+    let kind = table.decide_required("shape", "\"sphere\"", choice(&SHAPES.map(|kind| kind.name)));
+    let across = 2.0 * bound.map_or(1.0, |(_, radius)| radius);
+    let shape = kind.and_then(|kind| (SHAPES[kind].read)(table, across, files));
+    let translate = table.or("translate", DVec3::ZERO, vector);
+    let rotate = table.or("rotate", DVec3::ZERO, vector);
+    let scale = table.or("scale", DVec3::ONE, |node| match node.value {
+        Value::Array(_) => extents(node),
+        _ => positive(node).map(DVec3::splat),
+    });
+    let place = shape.as_ref().map(|(_, own)| Transform(Transform::new(scale, rotate, translate).0 * *own));
+    let substance = substance(table, shape.as_ref().map(|(shape, _)| &**shape).zip(place), materials, files);
+    let (shape, _) = shape?;
+    let transform = place?;
+    if let Some(bound) = bound {
+        check_inside(table, &*shape, transform, bound);
+    }
+    Some(Object { shape, transform, substance: substance? })
+}
+
+/// A material by name, or a medium inside.
+fn substance(
+    table: &TableReader,
+    object: Option<(&dyn Shape, Transform)>,
+    materials: &[&str],
+    files: &mut Files,
+) -> Option<Substance> {
+    let Some(("interior", node)) = table.one_of(&["material", "interior"]) else {
+        return table.required("material", "\"red\"", |node| material(node, materials)).map(Substance::Opaque);
+    };
+    let around = object.map_or_else(Surroundings::default, |(shape, place)| shape.surroundings(&place));
+    let medium = medium::read(table, node, around, files);
+    let priority = table.or("priority", 0, whole(0..=1000));
+    if let Some((shape, _)) = object {
+        if let Some(problem) = shape.opening() {
+            table.fault(&["interior"], problem, "give it a material, or close it");
+        }
+    }
+    medium.map(|medium| Substance::Clear(Interior { medium, priority }))
+}
+
+fn material(node: &Node, materials: &[&str]) -> Read<usize> {
+    let name = text(node)?;
+    let unknown = || match materials {
+        [] => node.fault(format!("there is no material `{name}`"), format!("add [materials.{name}]")),
+        _ => node.fault(format!("there is no material `{name}`"), suggest(name, materials, "materials")),
+    };
+    materials.iter().position(|known| *known == name).ok_or_else(unknown)
+}
+
+/// To `center`, turned so that y goes where `key` says.
+pub(super) fn upright(table: &TableReader, key: &'static str) -> DAffine3 {
+    let center = table.or("center", DVec3::ZERO, vector);
+    let rotation = DQuat::from_rotation_arc(DVec3::Y, table.or(key, DVec3::Y, direction));
+    DAffine3::from_rotation_translation(rotation, center)
+}
+
+fn check_inside(table: &TableReader, shape: &dyn Shape, transform: Transform, (center, radius): Ball) {
+    let Some(reach) = shape.reach(transform.0, center) else {
+        return;
+    };
+    if reach > radius * (1.0 + 1e-9) {
+        let beyond = round_up(reach - radius);
+        let problem = format!("the object reaches {beyond} beyond the bound, where rays do not come");
+        let enough = round_up(reach);
+        let help = format!("a radius of {enough} would do in rays.bound");
+        table.fault(&["shape"], problem, help);
+    }
+}

@@ -1,0 +1,96 @@
+//! The unit sphere. u runs round y, v from the south to the north pole. Stretched unevenly it is an ellipsoid.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DQuat, DVec3};
+
+use super::extent::ellipsoid;
+use super::solid::Lists;
+use super::{CENTER, Contact, Kind, Placed, RADIUS, Shape, Solid};
+use crate::assets::Transform;
+use crate::document::values::{positive, vector};
+use crate::model::cut::{Outline, OwnPlane, circle};
+use crate::model::medium::Surroundings;
+
+pub static KIND: Kind = Kind {
+    name: "sphere",
+    keys: &[CENTER, RADIUS],
+    read: |table, _, _| {
+        let center = table.or("center", DVec3::ZERO, vector);
+        let radius = DVec3::splat(table.or("radius", 1.0, positive));
+        let own = DAffine3::from_scale_rotation_translation(radius, DQuat::IDENTITY, center);
+        Some((Arc::new(Sphere), own))
+    },
+};
+
+pub static SOLID: Solid = Solid {
+    name: "sphere",
+    lists: Some(Lists { opaque: "sphere_list", two_sided: "sided_sphere_list", placed: "spheres", row: Placed::ball }),
+};
+
+pub static ELLIPSOID: Solid = Solid {
+    name: "ellipsoid",
+    lists: Some(Lists {
+        opaque: "ellipsoid_list",
+        two_sided: "sided_ellipsoid_list",
+        placed: "ellipsoids",
+        row: Placed::space,
+    }),
+};
+
+/// The unit sphere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sphere;
+
+impl Shape for Sphere {
+    fn solid(&self, place: &Transform) -> &'static Solid {
+        if place.uniform_scale().is_some() { &SOLID } else { &ELLIPSOID }
+    }
+
+    fn number(&self, place: &Transform) -> f64 {
+        place.uniform_scale().unwrap_or(0.0)
+    }
+
+    fn faces(&self, p: DVec3) -> Vec<(f64, DVec3)> {
+        // At the middle every direction away from it is as good.
+        vec![(p.length() - 1.0, p.normalize_or(DVec3::X))]
+    }
+
+    fn opening(&self) -> Option<String> {
+        None
+    }
+
+    fn contacts(&self, map: DAffine3) -> Vec<Contact> {
+        vec![Contact::round(map, DVec3::ONE)]
+    }
+
+    fn reach(&self, map: DAffine3, center: DVec3) -> Option<f64> {
+        Some(ellipsoid(&map, center))
+    }
+
+    fn radius(&self) -> f64 {
+        1.0
+    }
+
+    fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
+        let radius = (1.0 - plane.offset * plane.offset).sqrt();
+        let outline = || circle(plane.normal * plane.offset, plane.normal, radius);
+        (radius > 0.0).then(outline).into_iter().collect()
+    }
+
+    fn surroundings(&self, place: &Transform) -> Surroundings {
+        Surroundings { center: place.0.translation, radius: place.uniform_scale(), axis: None }
+    }
+
+    fn ball_radius(&self, place: &Transform) -> Option<f64> {
+        place.uniform_scale()
+    }
+
+    fn holds_ball(&self, place: &Transform, center: DVec3, radius: f64) -> bool {
+        place.uniform_scale().is_some_and(|own| center.distance(place.0.translation) + radius <= own)
+    }
+
+    fn ball_inside(&self, place: &Transform, center: DVec3) -> f64 {
+        place.uniform_scale().map_or(0.0, |radius| radius - center.distance(place.0.translation))
+    }
+}

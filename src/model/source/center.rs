@@ -1,0 +1,8 @@
+//! A force centre: a point.
+
+use glam::DVec3;
+
+use super::Kind;
+
+pub static KIND: Kind =
+    Kind { name: "center", keys: &[], along: |_| Some(DVec3::ZERO), offset: |d, _| d, is_point: true };

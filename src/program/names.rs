@@ -1,0 +1,49 @@
+//! The parts chosen so far, by name.
+
+use super::link::Unit;
+use super::{ProgramError, part};
+use crate::model::Wgsl;
+
+/// Names of parts, and text made for a scene.
+#[derive(Default)]
+pub(super) struct Names {
+    names: Vec<String>,
+    made: Vec<Unit>,
+}
+
+impl Names {
+    pub fn add(&mut self, name: &str) {
+        self.names.push(name.to_owned());
+    }
+
+    pub fn all(&mut self, names: &[&str]) {
+        names.iter().for_each(|name| self.add(name));
+    }
+
+    pub fn each<'a>(&mut self, folder: &str, files: impl IntoIterator<Item = &'a str>) {
+        self.names.extend(files.into_iter().map(|file| format!("{folder}/{file}")));
+    }
+
+    /// What a kind names.
+    pub fn wgsl(&mut self, parts: impl IntoIterator<Item = Wgsl>) {
+        for part in parts {
+            match part {
+                Wgsl::Part(name) => self.names.push(name.into_owned()),
+                Wgsl::Text { file, text } => self.made.push(Unit { file, text }),
+            }
+        }
+    }
+
+    /// Text made for the scene.
+    pub fn make(&mut self, unit: Unit) {
+        self.made.push(unit);
+    }
+
+    /// The parts, and behind them the text.
+    pub fn units(self) -> Result<Vec<Unit>, ProgramError> {
+        let found = |name: &String| part(name).map(Unit::from).ok_or_else(|| ProgramError::NoPart(name.clone()));
+        let mut units: Vec<Unit> = self.names.iter().map(found).collect::<Result<_, _>>()?;
+        units.extend(self.made);
+        Ok(units)
+    }
+}

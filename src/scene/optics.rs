@@ -1,0 +1,78 @@
+//! What light goes through: the law and the interiors together, for what neither can say alone.
+
+use crate::document::reader::TableReader;
+use crate::model::method::Demands;
+use crate::model::{Law, Material, Medium, Object, Order};
+
+use super::{Precision, Segment};
+
+/// As much of a scene as decides how its rays can be followed.
+#[derive(Clone, Copy)]
+pub(super) struct Optics<'a> {
+    /// None if it cannot be used.
+    pub law: Option<&'a dyn Law>,
+    /// Those that can be used.
+    pub objects: &'a [Object],
+    /// Theirs.
+    pub materials: &'a [Material],
+}
+
+impl Optics<'_> {
+    fn interiors(&self) -> impl Iterator<Item = &dyn Medium> {
+        self.objects.iter().filter_map(|object| Some(&*object.interior()?.medium))
+    }
+
+    /// Is there an opaque surface from which rays continue?
+    fn has_continuing_surface(&self) -> bool {
+        let continues = |material: usize| self.materials.get(material).is_some_and(|m| m.surface.continues());
+        self.objects.iter().filter_map(Object::material).any(continues)
+    }
+
+    /// Is light bent anywhere?
+    pub fn bends(&self) -> bool {
+        self.law.is_none_or(|law| !law.is_straight()) || self.interiors().any(|medium| medium.bends())
+    }
+
+    /// What it demands of a method; `ends` where paths end at a given τ.
+    pub fn demands(&self, ends: bool, has_chords: bool) -> Demands {
+        let is_solved = |medium: &dyn Medium| medium.closed_form(ends).is_none();
+        let has_solved_interior = self.interiors().any(is_solved);
+        let solved_law = |law: &dyn Law| match law.medium() {
+            Some(medium) => is_solved(&**medium),
+            None => !law.is_straight(),
+        };
+        let fills_space = self.law.is_some_and(|law| law.medium().is_some());
+        Demands {
+            order: self.law.map_or(Order::Place, Law::order),
+            has_center: self.law.is_none_or(|law| law.orbit().is_some()),
+            needs_solver: has_solved_interior || self.law.is_some_and(solved_law),
+            has_solved_interior,
+            has_medium: fills_space || self.interiors().any(|medium| medium.bends()),
+            ends,
+            has_chords,
+        }
+    }
+
+    /// What does not go with surfaces that rays continue from.
+    pub fn check(&self, table: &TableReader, segment: Segment, asymptotic: bool, precision: Precision) {
+        let has_interiors = self.interiors().next().is_some();
+        if !has_interiors && !self.has_continuing_surface() {
+            return;
+        }
+        if segment.has_chords() {
+            let problem = "rays that go on from surfaces need arcs: a chord does not end on the path";
+            table.fault(&["segment"], problem, "use segment = \"arc\"");
+        }
+        if asymptotic && has_interiors {
+            let problem = "`asymptotic` is for scenes without interiors";
+            table.fault(&["asymptotic"], problem, "leave it out");
+        }
+        if precision == Precision::Half {
+            let problem = "16 bits are too few for rays that go on from surfaces";
+            table.fault(&["precision"], problem, "use f32 or f64");
+        }
+        if let Some(problem) = self.law.and_then(|law| law.refuses_surfaces(has_interiors)) {
+            table.fault(&[], problem, "take the interiors and mirrors out of the scene, or change its law");
+        }
+    }
+}
