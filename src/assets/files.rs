@@ -19,6 +19,7 @@ pub struct Files {
     picture_of: HashMap<PathBuf, Option<Picture>>,
     mesh_of: HashMap<PathBuf, Option<Arc<Mesh>>>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
+    text_of: HashMap<PathBuf, Option<Arc<str>>>,
     grid_of: HashMap<PathBuf, (Use, Arc<IndexGrid>)>,
 }
 
@@ -29,6 +30,7 @@ impl Files {
         self.picture_of.retain(|_, loaded| loaded.is_some());
         self.mesh_of.retain(|_, loaded| loaded.is_some());
         self.profile_of.retain(|_, loaded| loaded.is_some());
+        self.text_of.retain(|_, loaded| loaded.is_some());
     }
 
     /// All pictures of the scene, in the order that indices count.
@@ -46,6 +48,15 @@ impl Files {
         let picture = self.picture_of.entry(identity.clone()).or_insert_with(load).clone()?;
         self.pictures.push((identity, picture));
         Some(self.pictures.len() - 1)
+    }
+
+    /// The text that a node names, and what errors call it.
+    pub fn text(&mut self, reader: &Reader, node: &Node) -> Option<(String, Arc<str>)> {
+        let (path, identity) = find(reader, node)?;
+        let read = |source| SceneError::Read { path: path.clone(), source };
+        let load = || accept(reader, node, std::fs::read_to_string(&path).map_err(read)).map(Arc::from);
+        let text = self.text_of.entry(identity).or_insert_with(load).clone()?;
+        Some((path.display().to_string(), text))
     }
 
     /// The mesh that a node names.

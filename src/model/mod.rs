@@ -32,7 +32,7 @@ pub use material::{Material, Pattern, Surface};
 pub use medium::{Interior, Medium};
 pub use method::Method;
 pub use motion::{CIRCLE, ClosedForm, HARMONIC, PARABOLA, SPIRAL, STRAIGHT, Start};
-pub use part::{Loops, Wgsl};
+pub use part::{Loops, OwnWgsl, Promise, Wgsl};
 pub use same::Same;
 pub use shape::{Object, Shape, Substance};
 pub use source::{Anchor, Capture, Source};

@@ -10,6 +10,7 @@
 mod flow;
 mod lorenz;
 mod medium;
+pub mod own;
 mod rossler;
 mod schwarzschild;
 mod sources;
@@ -30,6 +31,7 @@ use crate::document::{Key, KeyReference, kind_rows};
 pub use flow::FlowOrder;
 pub use lorenz::Lorenz;
 pub use medium::InMedium;
+pub use own::{Depends, OwnLaw};
 pub use rossler::Rossler;
 pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
 pub use sources::Sources;
@@ -46,8 +48,15 @@ pub struct Kind {
 }
 
 /// Every law, in the order of the reference; the first is that of a scene that names none.
-const LAWS: [&Kind; 6] =
-    [&straight::KIND, &schwarzschild::KIND, &sources::KIND, &lorenz::KIND, &rossler::KIND, &medium::KIND];
+const LAWS: [&Kind; 7] = [
+    &straight::KIND,
+    &schwarzschild::KIND,
+    &sources::KIND,
+    &lorenz::KIND,
+    &rossler::KIND,
+    &medium::KIND,
+    &own::KIND,
+];
 
 /// How light travels.
 pub trait Law: fmt::Debug + Send + Sync + Same {

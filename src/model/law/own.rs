@@ -1,0 +1,197 @@
+//! A law of the user's own, in WGSL: a scene names the file, declares its parameters, and says what the derivative depends on.
+//!
+//! *Practice.* The file keeps the contract of the built-in laws in `shaders/law/`, as far as `depends` asks for it:
+//!
+//! | `depends` | what the file must have |
+//! |---|---|
+//! | `"place"` | `fn law_acceleration(x: Real3, held: Real) -> Real3`, and `law_held` if something is held along a ray |
+//! | `"velocity"` | `fn law_pull(x: Real3, v: Real3) -> Real3`: the acceleration by place and velocity |
+//! | `"time"` | `fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3`: and by τ, from the ray's start |
+//! | `"flow"` | `fn flow_field(x: Real3) -> Real3`: a law of the first order gives the velocity itself |
+//!
+//! It may have `law_start`, `law_projected` and `law_scale` (`flow_time` for a flow) too; what it leaves out is as usual. Parameters
+//! are members of `law`: a number is a `Real`, an array of 2 to 4 numbers a vector of as many. Other names are the file's own. Loops
+//! are `for` loops of a length that is written in the file, and there are no bindings.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3, DVec4};
+
+use super::{Kind, Law, Order};
+use crate::document::reader::TableReader;
+use crate::document::values::{Read, number, positive, word};
+use crate::document::{Node, Value as Written, keys};
+use crate::model::{Binding, OwnWgsl, Promise, Row, Value, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "wgsl",
+    keys: keys! {
+        file: "file" = "required", "the law in WGSL";
+        depends: "place | velocity | time | flow" = "place",
+            "what its acceleration depends on, and so which functions the file has; flow for the first order, where it gives the velocity";
+        scale: "number above 0" = "1",
+            "the length over which the law changes, scene units (the time for a flow): steps are a fraction of it, unless the file has law_scale";
+        parameters: "table of numbers, and of arrays of 2 to 4" = "{}", "members of `law` in the file";
+    },
+    read: |table, files| {
+        let depends = &[
+            ("place", Depends::Place),
+            ("velocity", Depends::Velocity),
+            ("time", Depends::Time),
+            ("flow", Depends::Flow),
+        ];
+        let file = table.required_node("file", "\"law.wgsl\"").and_then(|node| files.text(table.reader, node));
+        let depends = table.or("depends", Depends::Place, word(depends));
+        let scale = table.or("scale", 1.0, positive);
+        let parameters = parameters(table);
+        let (file, text) = file?;
+        Some(Arc::new(OwnLaw { file, text, depends, scale, parameters: parameters? }))
+    },
+};
+
+/// All are read before any is missed.
+fn parameters(table: &TableReader) -> Option<Vec<(String, Value)>> {
+    let Some(own) = table.node("parameters") else { return Some(Vec::new()) };
+    let own = table.reader.open("law.parameters", own)?;
+    let read = |(name, node): (&str, &Node)| {
+        let value = own.reader.accept(is_name(name, node).and_then(|()| parameter(node)))?;
+        Some((name.to_owned(), value))
+    };
+    let all: Vec<Option<_>> = own.entries().map(read).collect();
+    all.into_iter().collect()
+}
+
+fn is_name(name: &str, node: &Node) -> Read<()> {
+    let fits = name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && !name.contains("__");
+    let problem = || format!("`{name}` is no name in WGSL");
+    if fits { Ok(()) } else { Err(node.fault(problem(), "use letters, digits and single underscores, a letter first")) }
+}
+
+fn parameter(node: &Node) -> Read<Value> {
+    let Written::Array(items) = &node.value else { return number(node).map(Value::Float) };
+    match *items.iter().map(number).collect::<Read<Vec<f64>>>()? {
+        [x, y] => Ok(Value::Vec2(DVec2::new(x, y))),
+        [x, y, z] => Ok(Value::Vec3(DVec3::new(x, y, z))),
+        [x, y, z, w] => Ok(Value::Vec4(DVec4::new(x, y, z, w))),
+        _ => Err(node.expected("a number, or an array of 2 to 4")),
+    }
+}
+
+/// What the derivative of one's own law depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Depends {
+    /// Second order, by place alone.
+    Place,
+    /// Second order, by place and velocity.
+    Velocity,
+    /// Second order, by place, velocity and τ.
+    Time,
+    /// First order.
+    Flow,
+}
+
+/// A law from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnLaw {
+    /// What errors call the file.
+    pub file: String,
+    /// Its WGSL.
+    pub text: Arc<str>,
+    /// What the derivative depends on.
+    pub depends: Depends,
+    /// The length over which the law changes, in scene units; for a flow the time.
+    pub scale: f64,
+    /// The members of `law`.
+    pub parameters: Vec<(String, Value)>,
+}
+
+impl OwnLaw {
+    /// What the file has to declare, or may.
+    fn promises(&self) -> Vec<Promise> {
+        let all = [
+            Promise::usual("fn law_start(x: Real3, v: Real3) -> Phase", "law/start_as_given"),
+            Promise::usual("fn law_projected(p: Phase) -> Phase", "law/projected_nothing"),
+            Promise::usual("fn law_scale(p: Phase) -> Real", "law/scale_given"),
+        ];
+        let own = match self.depends {
+            Depends::Place => vec![
+                Promise::required("fn law_acceleration(x: Real3, held: Real) -> Real3"),
+                Promise::usual("fn law_held(p: Phase) -> Real", "law/held_nothing"),
+            ],
+            Depends::Velocity => vec![Promise::required("fn law_pull(x: Real3, v: Real3) -> Real3")],
+            Depends::Time => {
+                let required = Promise::required("fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3");
+                return vec![required, all[1].clone(), all[2].clone()];
+            }
+            Depends::Flow => {
+                let time = Promise::usual("fn flow_time() -> Real", "law/time_given");
+                return vec![Promise::required("fn flow_field(x: Real3) -> Real3"), time];
+            }
+        };
+        own.into_iter().chain(all).collect()
+    }
+
+    /// The uniforms that parameters and scale come in.
+    fn declared(&self) -> String {
+        let mut text = String::from("struct LawScale {\n    scale: Real,\n}\n\n@group(0) @binding(61) var<uniform> own_scale: LawScale;\n");
+        if !self.parameters.is_empty() {
+            text += "\nstruct Law {\n";
+            for (name, value) in &self.parameters {
+                let ty = match value {
+                    Value::Vec2(_) => "Real2",
+                    Value::Vec3(_) => "Real3",
+                    Value::Vec4(_) => "Real4",
+                    _ => "Real",
+                };
+                // Writing to a String cannot fail.
+                let _ = writeln!(text, "    {name}: {ty},");
+            }
+            text += "}\n\n@group(0) @binding(60) var<uniform> law: Law;\n";
+        }
+        text
+    }
+}
+
+impl Law for OwnLaw {
+    fn parts(&self) -> Vec<Wgsl> {
+        let shared: &[&'static str] = match self.depends {
+            Depends::Place => &["law/accelerated"],
+            Depends::Velocity => &["law/by_velocity"],
+            Depends::Time => &["law/by_time"],
+            Depends::Flow => &["law/flow"],
+        };
+        let declared = Wgsl::Text { file: "generated/law.wgsl".into(), text: self.declared().into() };
+        let own = OwnWgsl { file: self.file.clone(), text: Arc::clone(&self.text), promises: self.promises() };
+        Wgsl::parts(shared).into_iter().chain([declared, Wgsl::Own(own)]).collect()
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        let scale = Binding::one("own_scale", row! { scale: Float(self.scale) });
+        let parameters: Row = self.parameters.iter().map(|(name, value)| (name.clone().into(), *value)).collect();
+        let law = (!parameters.is_empty()).then(|| Binding::one("law", parameters));
+        [scale].into_iter().chain(law).collect()
+    }
+
+    fn order(&self) -> Order {
+        match self.depends {
+            Depends::Place => Order::Place,
+            Depends::Velocity | Depends::Time => Order::General,
+            Depends::Flow => Order::Flow,
+        }
+    }
+
+    fn carries_time(&self) -> bool {
+        self.depends == Depends::Time
+    }
+
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        match self.depends {
+            Depends::Flow => Some("an orbit of a flow has no direction of its own"),
+            Depends::Time => Some("behind a surface a law that depends on τ would begin again at 0"),
+            _ => interiors.then_some(super::sources::OWN_SPEED),
+        }
+    }
+}
