@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 
 use super::Structure;
-use super::link::Unit;
 use super::plan::shape_kind;
 use super::regions::Regions;
+use super::unit::Unit;
 use crate::scene::{Falloff, Law, Object, Scene, Source};
 
 pub(super) fn unit(file: &'static str, text: String) -> Unit {
-    Unit { file: file.into(), text: text.into() }
+    Unit::generated(file, text)
 }
 
 /// `signature` as a function that returns `call(kind)` for the kind that `selector` names: `kinds` are (constant, name). A single

@@ -1,7 +1,7 @@
 //! The parts of pictures: where samples lie, the camera, what is seen, and what is made of it.
 
-use super::link::Unit;
 use super::plan::{Names, chosen};
+use super::unit::Unit;
 use super::{Choice, Purpose, generated};
 use crate::scene::{
     CameraKind, Frame, Light, MaterialKind, Pattern, SamplePattern, Scene, Sky, Stereo, StereoLayout, Tonemap,

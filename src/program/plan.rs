@@ -1,9 +1,9 @@
 //! The plan: which parts a scene is made of. One file per contract; the cheapest that is right for the scene.
 
-use super::link::{Parts, Unit};
 use super::picture_parts::{camera_parts, material_parts, picture_parts};
 use super::region_parts::region_parts;
 use super::regions::{Kind, Regions, is_mirror, scatters};
+use super::unit::{Parts, Unit};
 use super::{Choice, Masks, Pass, ProgramError, Purpose, Structure, Work, generated, part};
 use crate::scene::{
     Branches, Control, Law, MaterialKind, Medium, Object, Precision, Scene, SchwarzschildForm, Segment, Shape,

@@ -1,8 +1,8 @@
 //! How light travels: the parts of which every kind of region has a copy of its own.
 
-use super::link::Unit;
 use super::plan::{Names, chosen};
 use super::regions::{Kind, Motion, Regions};
+use super::unit::Unit;
 use super::{ProgramError, Purpose, formula, generated};
 use crate::scene::{
     Control, DoublingRule, Falloff, FlowField, FlowOrder, Formula, Law, Medium, Method, Scene, SchwarzschildForm,
