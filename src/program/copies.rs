@@ -54,14 +54,12 @@ pub(super) fn with_region_copies(parts: &Parts, entry: &str) -> Result<Vec<Copy>
 /// What tells copy `k` from the original: suffixes on the names of its region, and bindings of its own.
 fn copy_edits(declaration: &Declaration, k: usize, own: &BTreeSet<&str>) -> Vec<Edit> {
     let tokens = &declaration.tokens;
-    let mut edits: Vec<Edit> = Vec::new();
-    for &i in declaration.names.iter().filter(|&&i| own.contains(tokens.word(i))) {
-        edits.push((tokens.range(i), format!("{}_{k}", tokens.word(i))));
-    }
+    let named = declaration.names.iter().filter(|&&i| own.contains(tokens.word(i)));
+    let mut edits: Vec<Edit> = named.map(|&i| (tokens.range(i), format!("{}_{k}", tokens.word(i)))).collect();
     edits.extend(binding_edit(tokens, COPY_BINDINGS * (k as u32 + 1)));
-    edits.iter_mut().for_each(|(range, _)| *range = range.start + declaration.at..range.end + declaration.at);
     edits.sort_by_key(|(range, _)| (range.start, range.end));
-    edits
+    let at = declaration.at;
+    edits.into_iter().map(|(range, text)| (range.start + at..range.end + at, text)).collect()
 }
 
 /// The binding's number, so much further on.

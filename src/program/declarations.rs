@@ -6,7 +6,8 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use super::names::outer_names;
+use super::scopes::outer_names;
+use super::signature::Signature;
 use super::tokens::{Tokens, behind_spaces, comment};
 
 /// One function, struct, alias, constant, override or variable of a part.
@@ -78,41 +79,6 @@ impl<'a> Declaration<'a> {
 
     fn up_to(&self, from: usize, signs: &[&str]) -> usize {
         (from..self.tokens.len()).find(|&i| signs.contains(&self.tokens.word(i))).unwrap_or(self.tokens.len())
-    }
-}
-
-/// A function's parameters and result, as tokens.
-#[derive(Debug)]
-pub(super) struct Signature {
-    pub(super) parameters: Vec<Parameter>,
-    /// The type of what it returns, without attributes.
-    pub(super) result: Option<Range<usize>>,
-    /// The brace that opens its body.
-    pub(super) body: usize,
-}
-
-#[derive(Debug)]
-pub(super) struct Parameter {
-    pub(super) name: usize,
-    pub(super) ty: Range<usize>,
-}
-
-impl Signature {
-    /// Of the function whose keyword is the token `head`.
-    pub(super) fn of(tokens: &Tokens, head: usize) -> Option<Self> {
-        if tokens.word(head) != "fn" || tokens.word(head + 2) != "(" {
-            return None;
-        }
-        let end = tokens.closing(head + 2)?;
-        let parameters = tokens.split(head + 3..end).into_iter().map(|piece| {
-            let name = tokens.behind_attributes(piece.start);
-            Parameter { name, ty: piece.end.min(name + 2)..piece.end }
-        });
-        let parameters = parameters.collect();
-        let body = (end..tokens.len()).find(|&i| tokens.word(i) == "{")?;
-        let has_result = tokens.word(end + 1) == "-" && tokens.word(end + 2) == ">";
-        let result = has_result.then(|| tokens.behind_attributes(end + 3)..body);
-        Some(Self { parameters, result, body })
     }
 }
 

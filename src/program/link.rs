@@ -243,7 +243,7 @@ mod tests {
         // A parameter of the selector's name does not hide it.
         assert!(linked(&plain.replace("(x:", "(region:").replace("* x", "* region")).is_ok());
         let slip = linked(&plain.replace("y.x", "y.q")).unwrap_err().to_string();
-        assert!(slip.starts_with("law/a.wgsl:3:24: "), "{slip}");
+        assert!(slip.starts_with("law/a.wgsl:3:26: "), "{slip}");
         let taken = linked(&plain.replace("(x:", "(law_0:")).unwrap_err().to_string();
         assert!(taken.starts_with("law/a.wgsl:2:13: `law_0` is a name"), "{taken}");
     }

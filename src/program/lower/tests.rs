@@ -102,9 +102,9 @@ fn formatting_changes_nothing() {
 /// Programs with every kind of declaration, and copies of regions.
 #[test]
 fn formatting_changes_no_scene() {
-    for name in ["black_hole", "luneburg_lens", "glass"] {
+    for name in ["black_hole", "thesis/luneburg", "thesis/gaussian"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
-        let Ok(scene) = Scene::load(&path, &[]) else { continue };
+        let scene = Scene::load(&path, &[]).unwrap();
         let choice = Choice::default();
         let parts = plan(&scene, &choice, &Work::of(&scene, crate::program::Extent::default()).unwrap()).unwrap();
         let spaced = |unit: &Unit, gap: &str| Unit { text: with_gaps(&unit.text, gap).into(), ..unit.clone() };
@@ -145,7 +145,7 @@ fn slips_are_not_hidden() {
     for (slip, column) in [
         ("law.a = 1.0;", 5),
         ("law.n.x += 1.0;", 5),
-        ("((law).a) = 1.0;", 5),
+        ("((law).a) = 1.0;", 6),
         ("frame.zero++;", 5),
         ("frame.zero <<= 1u;", 5),
         ("let p = &law; (*p).a = 1.0;", 19),

@@ -3,7 +3,7 @@
 //! Inside of a function WGSL has scopes as other languages have: a parameter or a local variable hides what has its name outside,
 //! from the end of its own statement to the end of its block.
 
-use super::declarations::Signature;
+use super::signature::Signature;
 use super::tokens::Tokens;
 
 /// Names that are known while the tokens up to `end` are read.
@@ -54,12 +54,12 @@ fn in_function(tokens: &Tokens, head: usize) -> Vec<usize> {
     let mut scopes: Vec<Scope> = Vec::new();
     // Declared by the statement that is being read.
     let mut declared = None;
-    let mut is_candidate = vec![false; tokens.len()];
-    plain(tokens, 0).for_each(|i| is_candidate[i] = true);
+    let mut candidates = plain(tokens, 0).peekable();
     for i in 0..tokens.len() {
         while scopes.last().is_some_and(|scope| scope.end < i) {
             scopes.pop();
         }
+        let is_candidate = candidates.next_if_eq(&i).is_some();
         match tokens.word(i) {
             "{" => {
                 let names =
@@ -72,8 +72,9 @@ fn in_function(tokens: &Tokens, head: usize) -> Vec<usize> {
             }
             ";" => {
                 let scope = scopes.last_mut();
-                scope.into_iter().for_each(|scope| scope.names.extend(declared.map(|i| tokens.word(i))));
-                declared = None;
+                if let Some((scope, name)) = scope.zip(declared.take()) {
+                    scope.names.push(tokens.word(name));
+                }
             }
             "let" | "const" if i > head => declared = Some(i + 1),
             "var" if i > head => {
@@ -82,7 +83,7 @@ fn in_function(tokens: &Tokens, head: usize) -> Vec<usize> {
             }
             word => {
                 let is_hidden = scopes.iter().any(|scope| scope.names.contains(&word));
-                if is_candidate[i] && !is_hidden && declared != Some(i) && !parameters.contains(&i) {
+                if is_candidate && !is_hidden && declared != Some(i) && !parameters.contains(&i) {
                     found.push(i);
                 }
             }
