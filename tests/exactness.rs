@@ -1,12 +1,15 @@
 //! 'Model no more than a scene needs', made executable: nothing can be taken out of a scene's program.
 
+use std::collections::BTreeSet;
+
 use bentray::gpu::Geometry;
 use bentray::program::{
     BindingKind, Choice, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
 };
 use bentray::scene::{Override, Scene};
 
-use crate::support::shipped_scenes;
+use crate::support::branches::{Branch, fixed_branches};
+use crate::support::{scenes_in, shipped_scenes};
 
 /// Everything that a module declares, by kind, as names.
 fn declared(module: &naga::Module) -> Vec<String> {
@@ -15,17 +18,44 @@ fn declared(module: &naga::Module) -> Vec<String> {
     all.extend(module.global_variables.iter().map(|(_, v)| named("var", &v.name)));
     all.extend(module.types.iter().filter(|(_, t)| t.name.is_some()).map(|(_, t)| named("type", &t.name)));
     all.extend(module.constants.iter().map(|(_, c)| named("const", &c.name)));
+    all.extend(module.overrides.iter().map(|(_, o)| named("override", &o.name)));
     all.extend(module.entry_points.iter().map(|e| format!("entry {}", e.name)));
     all
 }
 
-/// What naga would remove from the program as unused.
+/// What naga would remove from the program as unused, and variables that are filled for nobody.
 pub fn unused(linked: &Linked) -> Result<Vec<String>, ProgramError> {
     let mut module = validated(linked)?;
     let before = declared(&module);
+    let unread = unread(&module);
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
     let after = declared(&module);
-    Ok(before.into_iter().filter(|name| !after.contains(name)).collect())
+    Ok(before.into_iter().filter(|name| !after.contains(name)).chain(unread).collect())
+}
+
+/// Private variables that nothing reads: copies of uniforms are such variables.
+fn unread(module: &naga::Module) -> Vec<String> {
+    let functions = module.functions.iter().map(|(_, function)| function);
+    let functions: Vec<_> = functions.chain(module.entry_points.iter().map(|entry| &entry.function)).collect();
+    let is_read = |global: naga::Handle<naga::GlobalVariable>| {
+        functions.iter().any(|function| {
+            let points = |mut at: naga::Handle<naga::Expression>| loop {
+                match function.expressions[at] {
+                    naga::Expression::Access { base, .. } | naga::Expression::AccessIndex { base, .. } => at = base,
+                    naga::Expression::GlobalVariable(found) => return found == global,
+                    _ => return false,
+                }
+            };
+            let mut loads = function.expressions.iter().filter_map(|(_, expression)| match expression {
+                naga::Expression::Load { pointer } => Some(*pointer),
+                _ => None,
+            });
+            loads.any(points)
+        })
+    };
+    let private = module.global_variables.iter().filter(|(_, variable)| variable.space == naga::AddressSpace::Private);
+    let unread = private.filter(|(global, _)| !is_read(*global));
+    unread.map(|(_, variable)| format!("unread {}", variable.name.as_deref().unwrap_or("?"))).collect()
 }
 
 /// Cameras and samplings that no shipped scene has.
@@ -73,39 +103,143 @@ fn nothing_can_be_taken_out_of_any_program() {
     }
 }
 
-/// No uniform that only repeats what the scene fixes: kinds of law, shape, method, camera and sky are in the choice of parts.
+/// Branches that stay: each its file, its condition, and the reason.
+const ALLOWED: [(&str, &str, &str); 5] = [
+    ("generated/kinds.wgsl", "region", "the kind of a region of a list, which has one here"),
+    ("generated/shapes.wgsl", "primitive & ~PRIMITIVE_INDEX", "the surface of a region of a list, which has one here"),
+    (
+        "shaders/motion/spiral.wgsl",
+        "media.continued == 1u",
+        "each medium of a list has its own, and the list has one here",
+    ),
+    (
+        "shaders/region/set.wgsl",
+        "start.primitive != NOTHING",
+        "each region of a list has its own, and the list has one here",
+    ),
+    ("shaders/stride/spiral_arc.wgsl", "LEAPS", "generated for a scene: one word instead of a part for each answer"),
+];
+
+/// What the scene fixes is in the choice of parts: no program asks it of a uniform or a constant.
 #[test]
 fn programs_do_not_branch_on_what_the_scene_fixes() {
-    for path in shipped_scenes() {
+    let mut found = BTreeSet::new();
+    let folders = ["scenes", "scenes/thesis", "scenes/bench", "scenes/stability"];
+    for path in folders.into_iter().flat_map(scenes_in) {
         let scene = Scene::load(&path, &[]).unwrap();
         let geometry = Geometry::new(&scene);
-        let program = Program::new(&scene, &Choice::default(), geometry.extent()).unwrap();
-        for (pass, linked, reflection) in &program.passes {
-            for binding in &reflection.bindings {
-                // What is bound apart (the picture's first sample, a walk's later passes) is not the scene's.
-                let BindingKind::Block { members, .. } = &binding.kind else { continue };
-                let fields = members.iter().flat_map(|m| m.layout.fields.iter().map(|f| (&m.name, &f.name)));
-                for (member, field) in fields {
-                    for branch in ["if", "switch"] {
-                        let test = format!("{branch} {}.{member}.{field} ", binding.name);
-                        let found = linked.source.contains(&test);
-                        assert!(!found, "{}: `{test}` in {}", path.display(), pass.entry());
-                    }
-                }
-            }
+        for (schedule, purpose) in [
+            (Schedule::Fused, Purpose::Picture),
+            (Schedule::Segment, Purpose::Trace),
+            (Schedule::Paper, Purpose::Pixels),
+            (Schedule::Fused, Purpose::Bare),
+        ] {
+            let choice = Choice { schedule, purpose, ..Choice::default() };
+            let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
+            found.extend(program.passes.iter().flat_map(|(_, linked, _)| fixed_branches(linked)));
         }
+    }
+    let known = |branch: &Branch| {
+        ALLOWED.iter().any(|(file, condition, _)| (branch.file == *file) && branch.condition == *condition)
+    };
+    let unknown: Vec<_> = found.iter().filter(|branch| !known(branch)).collect();
+    assert!(unknown.is_empty(), "{unknown:#?}");
+    for (file, condition, _) in ALLOWED {
+        assert!(found.iter().any(|branch| branch.file == file && branch.condition == condition), "{file}: {condition}");
     }
 }
 
-/// A part that is planted for nothing is found.
+/// A program of one function, between uniforms of every shape and what uses them all.
+fn planted(function: &str) -> Linked {
+    let text = format!(
+        "override WIDE: u32 = 1u;\nconst LEAPS: bool = false;\nconst ONE: u32 = 1u;\nconst TWO: u32 = 2u;\n\
+         struct Law {{ @size(16) kind: u32, @size(16) a: f32 }}\nstruct Frame {{ first: u32 }}\nstruct Turn {{ first: u32 }}\n\
+         @group(0) @binding(1) var<uniform> frame: Frame;\n@group(0) @binding(2) var<uniform> turn: Turn;\n\
+         @group(0) @binding(3) var<uniform> law: Law;\n@group(0) @binding(4) var<uniform> one: array<Law, ONE>;\n\
+         @group(0) @binding(5) var<uniform> pair: array<Law, TWO>;\n\
+         @group(0) @binding(6) var<uniform> list: array<Law, TWO>;\n\
+         @group(0) @binding(0) var<storage, read_write> out: array<f32>;\n\
+         var<private> region: u32;\n\
+         fn wanted() -> bool {{ return false; }}\nfn of_kind() -> u32 {{ return law.kind; }}\n\
+         fn chosen(kind: u32, x: f32) -> f32 {{ switch kind {{ case 1u: {{ return x; }} default: {{ return -x; }} }} }}\n\
+         fn followed(x: f32) -> f32 {{\n{function}    return x;\n}}\n\
+         @compute @workgroup_size(1) fn entry(@builtin(global_invocation_id) id: vec3u) {{\n\
+         region = id.x % 2u;\n\
+         out[id.x] = followed(out[id.x]) + list[region].a + pair[0].a + pair[1].a + one[0].a + law.a;\n}}\n"
+    );
+    let unit = Unit::user("planted.wgsl", text);
+    link(&Parts { shared: vec![unit], regions: Vec::new() }, "entry").unwrap()
+}
+
+#[test]
+fn planted_branches_are_found() {
+    for (form, function, condition) in [
+        ("a copied variable", "if law.kind == 1u { return -x; }", "law.kind == 1u"),
+        ("a switch", "switch law.kind { case 1u: { return -x; } default: {} }", "law.kind"),
+        ("an array of one", "if one[0].a > 0.0 { return -x; }", "one.a > 0.0"),
+        ("a place copied by itself", "if pair[1].kind == 1u { return -x; }", "pair.kind == 1u"),
+        ("the block", "if list[1].kind == 1u { return -x; }", "uniforms_entry.list[1].kind == 1u"),
+        ("a constant", "if LEAPS { return -x; }", "LEAPS"),
+        ("an override", "if WIDE > 2u { return -x; }", "WIDE > 2u"),
+        ("a local value", "let kind = law.kind + 1u; if kind == 2u { return -x; }", "kind == 2u"),
+        ("a local variable", "var kind = law.kind; if kind == 2u { return -x; }", "kind == 2u"),
+        ("one side", "if law.kind == 1u && x > 0.0 { return -x; }", "law.kind == 1u"),
+        ("the other side", "if x > 0.0 || law.kind == 1u { return -x; }", "law.kind == 1u"),
+        ("a parameter", "if x > 0.0 { return chosen(law.kind, x); }", "kind"),
+        ("a function's result", "if of_kind() == 1u { return -x; }", "of_kind() == 1u"),
+        ("a loop's end", "loop { if law.kind == 1u { break; } if x > 0.0 { break; } }", "law.kind == 1u"),
+        (
+            "a loop's last end",
+            "loop { if x > 0.0 { break; } continuing { break if law.kind == 1u; } }",
+            "law.kind == 1u",
+        ),
+    ] {
+        let found = fixed_branches(&planted(function));
+        let want = Branch { file: "planted.wgsl".to_owned(), condition: condition.to_owned() };
+        assert!(found.contains(&want) && found.len() == 1, "{form}: {found:?}");
+    }
+}
+
+#[test]
+fn other_branches_are_not() {
+    for (form, function) in [
+        ("a ray's own", "if x > law.a { return -x; }"),
+        ("a tile's", "if frame.first == 1u { return -x; }"),
+        ("a dispatch's", "if turn.first == 1u && frame.first == 0u { return -x; }"),
+        ("a count", "var sum = x; for (var i = 0u; i < law.kind; i++) { sum += x; } return sum;"),
+        ("an answer", "if wanted() { return -x; }"),
+        ("a ray's element", "if list[region].kind == 1u { return -x; }"),
+        ("a ray's parameter", "return chosen(region, x) + chosen(law.kind, x);"),
+        ("what changes", "var is = LEAPS; if x > 0.0 { is = true; } if is { return -x; }"),
+        ("what a condition changes", "var is: bool; if x > 0.0 { is = true; } if is { return -x; }"),
+    ] {
+        let found = fixed_branches(&planted(function));
+        assert!(found.is_empty(), "{form}: {found:?}");
+    }
+}
+
+/// What a part declares or reads for nothing is found, where the linker leaves it in.
 #[test]
 fn the_check_finds_what_is_unused() {
-    let text = "struct Kept { a: f32 }\n@group(0) @binding(0) var<storage, read_write> kept: Kept;\n\
-                @group(0) @binding(1) var<uniform> idle: Kept;\n\
-                @compute @workgroup_size(1) fn entry() { let idle_too = 1.0; kept.a = idle_too; if false { kept.a = idle.a; } }\n\
-                fn extra() -> f32 { return 1.0; }\n";
-    let unit = Unit { file: "planted.wgsl".into(), text: text.into() };
-    let linked = link(&Parts { shared: vec![unit], regions: Vec::new() }, "entry").unwrap();
-    assert!(!linked.source.contains("extra"), "the linker leaves out what is not reached");
-    assert!(unused(&linked).unwrap().is_empty());
+    let clean = planted("");
+    assert_eq!(unused(&clean).unwrap(), Vec::<String>::new());
+    let with = |from: &str, to: &str| {
+        let mut linked = clean.clone();
+        linked.source = linked.source.replace(from, to);
+        assert_ne!(linked.source, clean.source, "{from}");
+        unused(&linked).unwrap()
+    };
+    let followed = "fn followed(";
+    for (planted, found) in [
+        ("fn idle() -> f32 { return 1.0; }", "fn idle"),
+        ("var<workgroup> idle: f32;", "var idle"),
+        ("@group(0) @binding(77) var<uniform> idle: vec4f;", "var idle"),
+        ("struct Idle { a: f32 }", "type Idle"),
+        ("const IDLE: f32 = 1.0;", "const IDLE"),
+        ("override IDLE: f32 = 1.0;", "override IDLE"),
+    ] {
+        assert_eq!(with(followed, &format!("{planted}\n{followed}")), [found], "{planted}");
+    }
+    // A copy that is filled, and never read.
+    assert_eq!(with("+ law.a", ""), ["unread law"]);
 }

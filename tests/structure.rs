@@ -1,41 +1,8 @@
 //! The structure holds what the documentation promises of it.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
-use bentray::program::{Pass, all_parts, constant};
-
-fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in folder.read_dir().unwrap().map(|entry| entry.unwrap().path()) {
-        if entry.is_dir() {
-            found.extend(files(&entry, extension));
-        } else if entry.extension().is_some_and(|e| e == extension) {
-            found.push(entry);
-        }
-    }
-    found
-}
-
-/// scene ← program ← gpu ← render ← measure ← output, chart, bench ← cli.
-#[test]
-fn imports_run_one_way() {
-    let order = ["scene", "program", "gpu", "render", "measure", "output", "chart", "bench", "error", "cli"];
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    for (rank, module) in order.iter().enumerate() {
-        let folder = source.join(module);
-        let own = if folder.is_dir() { files(&folder, "rs") } else { vec![source.join(format!("{module}.rs"))] };
-        for file in own {
-            let text = std::fs::read_to_string(&file).unwrap();
-            for later in &order[rank + 1..] {
-                let import = format!("crate::{later}");
-                assert!(!text.contains(&import), "{} imports {import}", file.display());
-            }
-            let knows_gpu = rank < 2 && text.contains("wgpu::") && !text.contains("naga::");
-            assert!(!knows_gpu, "{} knows wgpu", file.display());
-        }
-    }
-}
+use bentray::program::{Pass, all_parts};
 
 /// Every part opens with its contract.
 #[test]
@@ -64,28 +31,6 @@ fn bindings_are_shared_only_by_alternatives() {
         let alternatives =
             folders.iter().all(|f| *f == folders[0]) || folders.iter().all(|f| ["law", "flow", "index"].contains(f));
         assert!(alternatives || names.iter().all(|n| *n == names[0]), "binding {number}: {owners:?}");
-    }
-}
-
-/// The constants that the host reads from the shaders are there.
-#[test]
-fn shared_constants_are_in_the_shaders() {
-    for (part, name) in [
-        ("work", "WORK_LIMIT"),
-        ("curve/arc", "MAX_PIECES"),
-        ("control/doubling_rejecting", "MAX_TRIES"),
-        ("material/emissive", "EMISSIVE"),
-        ("material/phong", "PHONG"),
-        ("pattern/constant", "CONSTANT"),
-        ("pattern/checker", "CHECKER"),
-        ("pattern/image", "IMAGE"),
-        ("ray", "MISSED"),
-        ("ray", "OUTSIDE"),
-        ("ray", "FAILED"),
-        ("moments", "RAYS"),
-        ("pass/refine", "FIRST_SAMPLES"),
-    ] {
-        assert!(constant(part, name).is_finite());
     }
 }
 

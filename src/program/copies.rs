@@ -8,99 +8,112 @@ use std::fmt::Write as _;
 
 use super::ProgramError;
 use super::declarations::{Declaration, declarations};
-use super::link::{Parts, Unit};
+use super::linked::{Copy, Edit, Place};
+use super::tokens::{Tokens, whole_number};
+use super::unit::{Parts, Unit};
 
 /// How far apart the bindings of region copies are.
 const COPY_BINDINGS: u32 = 200;
+/// The private variable that says which kind of region a ray is in.
+const SELECTOR: &str = "region";
+
+/// A unit's declarations.
+pub(super) fn split(unit: &Unit) -> Result<Vec<Declaration<'_>>, ProgramError> {
+    declarations(&unit.text).map_err(|slip| ProgramError::invalid(Place::of(unit, slip.at), slip.message))
+}
 
 /// All the parts that `entry` is linked from.
-pub(super) fn with_region_copies(parts: &Parts, entry: &str) -> Result<Vec<Unit>, ProgramError> {
-    let mut units = parts.shared.clone();
+pub(super) fn with_region_copies(parts: &Parts, entry: &str) -> Result<Vec<Copy>, ProgramError> {
+    let as_it_is = |unit: &Unit| Copy::new(unit, &[]);
+    let mut copies: Vec<Copy> = parts.shared.iter().map(as_it_is).collect();
     if let [only] = parts.regions.as_slice() {
-        units.extend(only.iter().cloned());
-        return Ok(units);
+        copies.extend(only.iter().map(as_it_is));
+        return Ok(copies);
     }
-    for (k, region) in parts.regions.iter().enumerate() {
-        let own: BTreeSet<&str> = region.iter().flat_map(|unit| declarations(&unit.text)).map(|d| d.name).collect();
-        units.extend(region.iter().map(|unit| copied(unit, k, &own)));
+    let mut regions = Vec::new();
+    for region in &parts.regions {
+        regions.push(region.iter().map(|unit| Ok((unit, split(unit)?))).collect::<Result<Vec<_>, ProgramError>>()?);
     }
-    if !parts.regions.is_empty() {
-        units.push(region_switches(parts, entry)?);
-    }
-    Ok(units)
-}
-
-/// The part with every name of its region suffixed, and bindings of its own.
-fn copied(unit: &Unit, k: usize, own: &BTreeSet<&str>) -> Unit {
-    let mut text = String::new();
-    let mut at = 0;
-    for declaration in declarations(&unit.text) {
-        let base = declaration.text.as_ptr() as usize - unit.text.as_ptr() as usize;
-        for range in &declaration.identifiers {
-            if own.contains(&declaration.text[range.clone()]) {
-                text.push_str(&unit.text[at..base + range.end]);
-                let _ = write!(text, "_{k}"); // writing to a String cannot fail
-                at = base + range.end;
+    for (k, region) in regions.iter().enumerate() {
+        let own: BTreeSet<&str> = region.iter().flat_map(|(_, found)| found).map(|d| d.name).collect();
+        let made = own.iter().map(|name| format!("{name}_{k}")).collect();
+        for (unit, found) in region {
+            if let Some((at, name)) = found.iter().find_map(|declaration| declaration.mentions(&made)) {
+                return Err(ProgramError::Reserved { place: Place::of(unit, at), name: name.to_owned() });
             }
+            copies.push(Copy::new(unit, &found.iter().flat_map(|d| copy_edits(d, k, &own)).collect::<Vec<_>>()));
         }
     }
-    text.push_str(&unit.text[at..]);
-    Unit { file: unit.file.clone(), text: with_shifted_bindings(&text, k).into() }
-}
-
-fn with_shifted_bindings(text: &str, k: usize) -> String {
-    const BINDING: &str = "@binding(";
-    let mut pieces = text.split(BINDING);
-    let mut shifted = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
-        let digits = piece.find(')').unwrap_or(0);
-        let number = piece[..digits].parse::<u32>().unwrap_or(0);
-        let _ = write!(shifted, "{BINDING}{}", number + COPY_BINDINGS * (k as u32 + 1));
-        shifted.push_str(&piece[digits..]);
+    if let Some(first) = regions.first() {
+        let own: Vec<_> = first.iter().flat_map(|(unit, found)| found.iter().map(move |d| (*unit, d))).collect();
+        copies.push(Copy::new(&region_switches(parts, &own, entry)?, &[]));
     }
-    shifted
+    Ok(copies)
 }
 
-/// One function for every name of the regions that shared parts use, which picks the copy by the private variable `region`.
-fn region_switches(parts: &Parts, entry: &str) -> Result<Unit, ProgramError> {
-    let first: Vec<(&Unit, Declaration)> =
-        parts.regions[0].iter().flat_map(|unit| declarations(&unit.text).into_iter().map(move |d| (unit, d))).collect();
-    let own: BTreeMap<&str, &(&Unit, Declaration)> = first.iter().map(|pair| (pair.1.name, pair)).collect();
-    let shared: Vec<Declaration> = parts.shared.iter().flat_map(|unit| declarations(&unit.text)).collect();
-    let wanted: BTreeSet<&str> =
-        shared.iter().flat_map(Declaration::used).chain([entry]).filter(|name| own.contains_key(name)).collect();
+/// What tells copy `k` from the original: suffixes on the names of its region, and bindings of its own.
+fn copy_edits(declaration: &Declaration, k: usize, own: &BTreeSet<&str>) -> Vec<Edit> {
+    let tokens = &declaration.tokens;
+    let named = declaration.names.iter().filter(|&&i| own.contains(tokens.word(i)));
+    let mut edits: Vec<Edit> = named.map(|&i| (tokens.range(i), format!("{}_{k}", tokens.word(i)))).collect();
+    edits.extend(binding_edit(tokens, COPY_BINDINGS * (k as u32 + 1)));
+    edits.sort_by_key(|(range, _)| (range.start, range.end));
+    let at = declaration.at;
+    edits.into_iter().map(|(range, text)| (range.start + at..range.end + at, text)).collect()
+}
+
+/// The binding's number, so much further on.
+fn binding_edit(tokens: &Tokens, shift: u32) -> Option<Edit> {
+    let at = (0..tokens.len()).find(|&i| tokens.before(i) == "@" && tokens.word(i) == "binding")?;
+    let end = tokens.closing(at + 1)?;
+    let last = if tokens.word(end - 1) == "," { end - 2 } else { end - 1 };
+    let number = whole_number(tokens.word(last)).filter(|_| last == at + 2);
+    Some(match number {
+        Some(number) => (tokens.range(last), (number + shift).to_string()),
+        None => (tokens.range(last).end..tokens.range(last).end, format!(" + {shift}")),
+    })
+}
+
+/// One function for every name of the regions that shared parts use, which picks the copy by the ray's region.
+fn region_switches(parts: &Parts, first: &[(&Unit, &Declaration)], entry: &str) -> Result<Unit, ProgramError> {
+    let own: BTreeMap<&str, &(&Unit, &Declaration)> = first.iter().map(|pair| (pair.1.name, pair)).collect();
+    let mut wanted: BTreeSet<&str> = own.keys().copied().filter(|name| *name == entry).collect();
+    for unit in &parts.shared {
+        wanted.extend(split(unit)?.iter().flat_map(Declaration::used).filter_map(|name| Some(own.get(name)?.1.name)));
+    }
     let mut text = String::new();
     for name in wanted {
         let (unit, declaration) = own[name];
-        let refused = || ProgramError::NotSwitchable { file: unit.file.to_string(), name: name.to_owned() };
-        let signature = declaration.text.find("fn ").zip(declaration.text.find('{'));
-        let (from, to) = signature.filter(|_| declaration.keyword == "fn").ok_or_else(refused)?;
-        let signature = declaration.text[from..to].trim();
-        if declarations(&format!("{signature} {{}}"))
-            .iter()
-            .flat_map(Declaration::used)
-            .any(|n| n != name && own.contains_key(n))
-        {
-            return Err(refused());
-        }
-        let _ = write!(text, "\n{}", switch(signature, name, parts.regions.len()));
+        let refused = || ProgramError::NotSwitchable { place: Place::of(unit, declaration.at), name: name.to_owned() };
+        let switch = switch(declaration, parts.regions.len(), |name| own.contains_key(name)).ok_or_else(refused)?;
+        let _ = write!(text, "\n{switch}"); // writing to a String cannot fail
     }
-    Ok(Unit { file: "generated/kinds.wgsl".into(), text: text.into() })
+    Ok(Unit::generated("generated/kinds.wgsl", text))
 }
 
-fn switch(signature: &str, name: &str, kinds: usize) -> String {
-    let parameters =
-        signature.split_once('(').map_or("", |(_, rest)| rest.rsplit_once(')').map_or("", |(inside, _)| inside));
-    let arguments: Vec<&str> =
-        parameters.split(',').filter_map(|p| p.split(':').next()).map(str::trim).filter(|p| !p.is_empty()).collect();
-    let call = |k: usize| {
-        let call = format!("{name}_{k}({})", arguments.join(", "));
-        if signature.contains("->") { format!("return {call};") } else { format!("{call};") }
+/// A function of the declaration's name and signature that calls its copies; none where a type has copies itself.
+fn switch(declaration: &Declaration, kinds: usize, has_copies: impl Fn(&str) -> bool) -> Option<String> {
+    let (tokens, name) = (&declaration.tokens, declaration.name);
+    let signature = declaration.signature()?;
+    let types = signature.parameters.iter().map(|parameter| &parameter.ty).chain(&signature.result);
+    if types.flat_map(Clone::clone).any(|i| has_copies(tokens.word(i))) {
+        return None;
+    }
+    // A parameter would hide the selector.
+    let renamed = |i: usize| if tokens.word(i) == SELECTOR { "own_region" } else { tokens.word(i) };
+    let names: Vec<&str> = signature.parameters.iter().map(|parameter| renamed(parameter.name)).collect();
+    let parameters: Vec<String> = (names.iter().zip(&signature.parameters))
+        .map(|(name, parameter)| format!("{name}: {}", tokens.written(parameter.ty.clone())))
+        .collect();
+    let (result, back) = match signature.result {
+        Some(ty) => (format!(" -> {}", tokens.written(ty)), "return "),
+        None => (String::new(), ""),
     };
-    let mut text = format!("{signature} {{\n    switch region {{\n");
+    let call = |k: usize| format!("{back}{name}_{k}({});", names.join(", "));
+    let mut text = format!("fn {name}({}){result} {{\n    switch {SELECTOR} {{\n", parameters.join(", "));
     for k in 0..kinds - 1 {
         let _ = writeln!(text, "        case {k}u: {{\n            {}\n        }}", call(k));
     }
     let _ = writeln!(text, "        default: {{\n            {}\n        }}\n    }}\n}}", call(kinds - 1));
-    text
+    Some(text)
 }

@@ -1,142 +1,156 @@
-//! WGSL text as its top-level declarations: just enough reading to link by name.
+//! WGSL text as its top-level declarations: just enough reading to link by name, and to lower uniforms.
 //!
 //! WGSL at module scope has no order and no scopes but one, so that a declaration is known by its name, and what it needs
-//! by the identifiers in it. Nothing is parsed further: that is naga's work, on the linked program.
+//! by the names in it. Statements and expressions are not parsed: that is naga's work, on the linked program.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// One function, struct, alias, constant or variable of a part.
+use super::scopes::outer_names;
+use super::signature::Signature;
+use super::tokens::{Tokens, behind_spaces, comment};
+
+/// One function, struct, alias, constant, override or variable of a part.
 #[derive(Debug, Clone)]
-pub struct Declaration<'a> {
+pub(super) struct Declaration<'a> {
     /// What it declares.
-    pub name: &'a str,
-    /// `fn`, `struct`, `alias`, `const` or `var`.
-    pub keyword: &'a str,
-    /// Its text, with the comment above it.
-    pub text: &'a str,
-    /// The line of the part that its text starts on, from 1.
-    pub line: usize,
-    /// Where identifiers stand in `text`, but for those behind a dot, which name members.
-    pub identifiers: Vec<Range<usize>>,
+    pub(super) name: &'a str,
+    /// `fn`, `struct`, `alias`, `const`, `override` or `var`.
+    pub(super) keyword: &'a str,
+    /// Its tokens; their text has the comment above it.
+    pub(super) tokens: Tokens<'a>,
+    /// Where that text stands in the part.
+    pub(super) at: usize,
+    /// The tokens that name something of module scope.
+    pub(super) names: Vec<usize>,
+    /// The keyword's token.
+    head: usize,
+    /// The name's token.
+    named: usize,
 }
 
-impl Declaration<'_> {
-    /// The identifiers themselves.
-    pub fn used(&self) -> impl Iterator<Item = &str> {
-        self.identifiers.iter().map(|range| &self.text[range.clone()])
+/// What a text at module scope cannot be split at.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Slip {
+    /// Where it stands.
+    pub(super) at: usize,
+    pub(super) message: String,
+}
+
+impl<'a> Declaration<'a> {
+    /// Names of module scope in it.
+    pub(super) fn used(&self) -> impl Iterator<Item = &'a str> {
+        self.names.iter().map(|&i| self.tokens.word(i))
+    }
+
+    /// Where its name stands in the part.
+    pub(super) fn named_at(&self) -> usize {
+        self.at + self.tokens.range(self.named).start
+    }
+
+    /// One of these names in it, be it of a local variable, and where it stands in the part.
+    pub(super) fn mentions(&self, names: &BTreeSet<String>) -> Option<(usize, &'a str)> {
+        let tokens = &self.tokens;
+        let found = (0..tokens.len()).find(|&i| names.contains(tokens.word(i)) && tokens.before(i) != ".")?;
+        Some((self.at + tokens.range(found).start, tokens.word(found)))
+    }
+
+    /// A function's parameters and result.
+    pub(super) fn signature(&self) -> Option<Signature> {
+        Signature::of(&self.tokens, self.head)
+    }
+
+    /// Is it a uniform?
+    pub(super) fn is_uniform(&self) -> bool {
+        self.keyword == "var" && self.tokens.word(self.head + 1) == "<" && self.tokens.word(self.head + 2) == "uniform"
+    }
+
+    /// The tokens of a variable's type.
+    pub(super) fn ty(&self) -> Option<Range<usize>> {
+        let from = self.named + 2;
+        (self.tokens.word(self.named + 1) == ":").then(|| from..self.up_to(from, &["=", ";"]))
+    }
+
+    /// The tokens of what stands behind its `=`.
+    pub(super) fn value(&self) -> Option<Range<usize>> {
+        let from = self.up_to(self.named, &["="]) + 1;
+        (from < self.tokens.len()).then(|| from..self.up_to(from, &[";"]))
+    }
+
+    fn up_to(&self, from: usize, signs: &[&str]) -> usize {
+        (from..self.tokens.len()).find(|&i| signs.contains(&self.tokens.word(i))).unwrap_or(self.tokens.len())
     }
 }
+
+const KEYWORDS: [&str; 6] = ["fn", "struct", "alias", "const", "override", "var"];
 
 /// The declarations of `source`, in order. A comment with an empty line below it belongs to none.
-#[must_use]
-pub fn declarations(source: &str) -> Vec<Declaration<'_>> {
+pub(super) fn declarations(source: &str) -> Result<Vec<Declaration<'_>>, Slip> {
+    let tokens = Tokens::of(source);
     let mut found = Vec::new();
     let mut from = 0;
-    while let Some(end) = declaration_end(source, from) {
-        let start = with_own_comment(source, from, end);
-        let text = &source[start..end];
-        let identifiers = identifiers(text);
-        if let Some((keyword, name)) = keyword_and_name(text, &identifiers) {
-            let line = 1 + source[..start].matches('\n').count();
-            found.push(Declaration { name, keyword, text, line, identifiers });
+    while from < tokens.len() {
+        if tokens.word(from) == ";" {
+            from += 1;
+            continue;
         }
-        from = end;
+        let (head, named) = head(&tokens, from)?;
+        let end = end(&tokens, from).ok_or_else(|| Slip {
+            at: tokens.range(head).start,
+            message: format!("`{} {}` has no end: a `}}` or a `;` is missing", tokens.word(head), tokens.word(named)),
+        })?;
+        let at = with_own_comment(source, from.checked_sub(1).map_or(0, |last| tokens.range(last).end));
+        let own = tokens.part(at, from..end + 1);
+        let (head, named) = (head - from, named - from);
+        let names = outer_names(&own, head);
+        found.push(Declaration { name: own.word(named), keyword: own.word(head), tokens: own, at, names, head, named });
+        from = end + 1;
     }
-    found
+    Ok(found)
 }
 
-/// Just behind the `;` or the outermost `}` that closes the declaration which starts at or after `from`.
-fn declaration_end(source: &str, from: usize) -> Option<usize> {
+/// The keyword and the name of the declaration that starts with the token `from`.
+fn head(tokens: &Tokens, from: usize) -> Result<(usize, usize), Slip> {
+    let expected = |i: usize, what: &str| {
+        let found = if i < tokens.len() { format!("`{}`", tokens.word(i)) } else { "the end of the file".to_owned() };
+        Slip { at: tokens.range(i.min(tokens.len() - 1)).start, message: format!("expected {what}, found {found}") }
+    };
+    let head = tokens.behind_attributes(from);
+    if !KEYWORDS.contains(&tokens.word(head)) {
+        return Err(expected(head, "`fn`, `struct`, `alias`, `const`, `override` or `var`"));
+    }
+    let space = (tokens.word(head) == "var" && tokens.word(head + 1) == "<").then(|| tokens.closing(head + 1));
+    let named = space.flatten().unwrap_or(head) + 1;
+    if tokens.is_name(named) { Ok((head, named)) } else { Err(expected(named, "a name")) }
+}
+
+/// The `;` or the outermost `}` that closes the declaration which starts with the token `from`.
+fn end(tokens: &Tokens, from: usize) -> Option<usize> {
     let mut depth = 0_usize;
-    for token in Tokens::new(source, from) {
-        match &source[token.clone()] {
-            "{" => depth += 1,
-            "}" => {
-                depth = depth.saturating_sub(1);
-                if depth == 0 {
-                    return Some(token.end);
-                }
-            }
-            ";" if depth == 0 => return Some(token.end),
-            _ => {}
+    (from..tokens.len()).find(|&i| match tokens.word(i) {
+        "{" => {
+            depth += 1;
+            false
         }
-    }
-    None
+        "}" => {
+            depth = depth.saturating_sub(1);
+            depth == 0
+        }
+        sign => sign == ";" && depth == 0,
+    })
 }
 
-/// The start of the declaration's first token, or of the comment that stands directly above it.
-fn with_own_comment(source: &str, from: usize, end: usize) -> usize {
-    let first = Tokens::new(source, from).next().map_or(from, |token| token.start);
-    let gap = &source[from..first.min(end)];
-    gap.rfind("\n\n").map_or_else(|| from + gap.len() - gap.trim_start().len(), |blank| from + blank + 2)
-}
-
-const KEYWORDS: [&str; 6] = ["fn", "struct", "alias", "const", "var", "override"];
-
-fn keyword_and_name<'a>(text: &'a str, identifiers: &[Range<usize>]) -> Option<(&'a str, &'a str)> {
-    let mut words = identifiers.iter();
-    let keyword = words.find_map(|range| {
-        let word = &text[range.clone()];
-        KEYWORDS.contains(&word).then_some(word)
-    })?;
-    let address_space = ["uniform", "storage", "private", "workgroup", "read", "read_write"];
-    let name =
-        words.map(|range| &text[range.clone()]).find(|word| !(keyword == "var" && address_space.contains(word)))?;
-    Some((keyword, name))
-}
-
-/// Names that stand for something of module scope: no members, and nothing that the declaration names itself (members of a
-/// struct, parameters, local variables), for that hides what has the same name outside.
-fn identifiers(text: &str) -> Vec<Range<usize>> {
-    let tokens: Vec<Range<usize>> = Tokens::new(text, 0).collect();
-    let word = |i: Option<usize>| i.and_then(|i| tokens.get(i)).map_or("", |token| &text[token.clone()]);
-    let is_name = |i: usize| word(Some(i)).starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-    let names = (0..tokens.len()).filter(|&i| is_name(i) && word(i.checked_sub(1)) != ".");
-    let keyword = (0..tokens.len()).map(|i| word(Some(i))).find(|word| KEYWORDS.contains(word));
-    let has_inside = matches!(keyword, Some("fn" | "struct"));
-    let own: Vec<&str> = names
-        .clone()
-        .filter(|&i| {
-            // `case NAME: {` and `default: {` name nothing.
-            let typed = word(Some(i + 1)) == ":" && word(Some(i + 2)) != "{";
-            has_inside && (typed || matches!(word(i.checked_sub(1)), "let" | "var" | "const"))
-        })
-        .map(|i| word(Some(i)))
-        .collect();
-    names.filter(|&i| !own.contains(&word(Some(i)))).map(|i| tokens[i].clone()).collect()
-}
-
-/// Words, numbers and single signs; comments and spaces are passed over.
-struct Tokens<'a> {
-    source: &'a str,
-    at: usize,
-}
-
-impl<'a> Tokens<'a> {
-    fn new(source: &'a str, at: usize) -> Self {
-        Self { source, at }
-    }
-}
-
-impl Iterator for Tokens<'_> {
-    type Item = Range<usize>;
-
-    fn next(&mut self) -> Option<Range<usize>> {
-        loop {
-            let rest = &self.source[self.at..];
-            self.at += rest.len() - rest.trim_start().len();
-            let rest = rest.trim_start();
-            if rest.starts_with("//") {
-                self.at += rest.find('\n').unwrap_or(rest.len());
-            } else if rest.starts_with("/*") {
-                self.at += rest.find("*/").map_or(rest.len(), |end| end + 2);
-            } else {
-                let first = rest.chars().next()?;
-                let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-                let length = if word(first) { rest.find(|c| !word(c)).unwrap_or(rest.len()) } else { first.len_utf8() };
-                self.at += length;
-                return Some(self.at - length..self.at);
-            }
+/// The start of the comment that stands directly above the first token from `from` on; of that token if there is none.
+fn with_own_comment(source: &str, from: usize) -> usize {
+    let (mut at, mut start) = (from, None);
+    loop {
+        let next = behind_spaces(source, at);
+        if start.is_none() || source[at..next].matches('\n').count() > 1 {
+            start = Some(next);
+        }
+        match comment(&source[next..]) {
+            0 => return start.unwrap_or(next),
+            length => at = next + length,
         }
     }
 }
@@ -146,36 +160,62 @@ mod tests {
     use super::*;
 
     const SOURCE: &str = "// The contract.\n\n// Doc.\nstruct A {\n    b: f32, // b;\n}\n\nalias B = mat2x3f;\n\
-        @group(0) @binding(1) var<storage, read> c: array<A>;\n/* } */\nfn d(x: A) -> f32 {\n    if x.b > K { return c[0].b; }\n    return 1e-3;\n}\n";
+        @group(0) @binding(1) var<storage, read> c: array<A>;\n/* } \n\n/* { */ */\nfn d(x: A) -> f32 {\n    if x.b > K { return c[0].b; }\n    return 1e-3;\n}\n";
+
+    fn used(source: &str) -> Vec<&str> {
+        declarations(source).unwrap()[0].used().collect()
+    }
 
     #[test]
     fn splits_at_module_scope() {
-        let found = declarations(SOURCE);
-        let names: Vec<_> = found.iter().map(|d| (d.keyword, d.name, d.line)).collect();
-        assert_eq!(names, [("struct", "A", 3), ("alias", "B", 8), ("var", "c", 9), ("fn", "d", 10)]);
-        assert!(found[0].text.starts_with("// Doc."));
-        assert!(found[0].text.ends_with('}'));
+        let found = declarations(SOURCE).unwrap();
+        let names: Vec<_> = found.iter().map(|d| (d.keyword, d.name, SOURCE[..d.at].matches('\n').count())).collect();
+        assert_eq!(names, [("struct", "A", 2), ("alias", "B", 7), ("var", "c", 8), ("fn", "d", 9)]);
+        assert!(found[0].tokens.text.starts_with("// Doc."));
+        assert!(found[0].tokens.text.ends_with('}'));
     }
 
     #[test]
-    fn members_are_no_identifiers() {
-        let found = declarations(SOURCE);
+    fn members_are_no_names() {
+        let found = declarations(SOURCE).unwrap();
         let used: Vec<_> = found[3].used().collect();
         assert!(used.contains(&"K") && used.contains(&"c") && used.contains(&"A"));
         assert!(!used.contains(&"b"));
+        assert!(!found[0].used().any(|name| name == "b"));
     }
 
     #[test]
-    fn own_names_hide_those_outside() {
-        let source = "fn f(steps: u32) -> u32 {\n    let hit = steps;\n    switch hit {\n        case HIT, MISS: {}\n        default: {}\n    }\n    return other;\n}\nstruct S {\n    taken: f32,\n}\n";
-        let found = declarations(source);
-        let used: Vec<_> = found[0].used().collect();
-        for own in ["steps", "hit"] {
-            assert!(!used.contains(&own), "{used:?}");
+    fn attributes_and_address_spaces_name_nothing() {
+        let source = "@compute @workgroup_size(SIZE) fn f(@builtin(position) at: vec4f) {}";
+        assert_eq!(used(source), ["SIZE", "fn", "f", "vec4f"]);
+        assert_eq!(used("@group(0) @binding(N) var<storage, read> a: T;"), ["N", "var", "a", "T"]);
+    }
+
+    #[test]
+    fn local_names_hide_those_outside() {
+        let source = "fn f(steps: u32) -> u32 {\n    let hit = hit(steps);\n    { var law = law.a; law += 1.0; }\n    \
+            for (var i = 0u; i < N; i++) { sum(i); }\n    i(law);\n    switch hit {\n        case HIT, MISS: {}\n        \
+            default: {}\n    }\n    return other;\n}";
+        let names = used(source);
+        let count = |name: &str| names.iter().filter(|used| **used == name).count();
+        assert_eq!(["hit", "law", "i", "steps", "HIT", "MISS", "other", "N"].map(count), [1, 2, 1, 0, 1, 1, 1, 1]);
+    }
+
+    #[test]
+    fn what_cannot_be_split_is_refused() {
+        for (source, at, message) in [
+            ("fn f() {", 0, "`fn f` has no end: a `}` or a `;` is missing"),
+            ("fn f() {}\n}", 10, "expected `fn`, `struct`, `alias`, `const`, `override` or `var`, found `}`"),
+            ("enable f16;", 0, "expected `fn`, `struct`, `alias`, `const`, `override` or `var`, found `enable`"),
+            (
+                "@must_use",
+                0,
+                "expected `fn`, `struct`, `alias`, `const`, `override` or `var`, found the end of the file",
+            ),
+            ("const = 1;", 6, "expected a name, found `=`"),
+        ] {
+            let slip = declarations(source).unwrap_err();
+            assert!(slip.message == message && (slip.at == at || message.ends_with("file")), "{source}: {slip:?}");
         }
-        for outer in ["HIT", "MISS", "other"] {
-            assert!(used.contains(&outer), "{used:?}");
-        }
-        assert!(!found[1].used().any(|name| name == "taken"));
     }
 }

@@ -2,45 +2,51 @@
 
 use thiserror::Error;
 
-/// A program that could not be linked or is not valid. Scenes cannot cause the first five: they are slips in a part.
+use super::linked::Place;
+
+/// A program that could not be linked or is not valid. Scenes of built-in parts alone cause only the last.
 #[derive(Debug, Error)]
 pub enum ProgramError {
     /// A part that does not exist was asked for.
     #[error("there is no shader part `{0}`")]
     NoPart(String),
     /// Two of the parts chosen declare the same name.
-    #[error("both {first} and {second} declare `{name}`")]
+    #[error("{place}: `{name}` is already declared in {other}")]
     Twice {
+        /// Where it is declared: of two places the user's own.
+        place: Place,
         /// The name.
         name: String,
-        /// Where it is declared first.
-        first: String,
-        /// Where it is declared again.
-        second: String,
+        /// The file that declares it too.
+        other: String,
+    },
+    /// A name that the linker makes for its own use.
+    #[error("{place}: `{name}` is a name that programs use for something else: choose another")]
+    Reserved {
+        /// Where it is.
+        place: Place,
+        /// The name.
+        name: String,
     },
     /// The entry point is in none of the parts.
     #[error("no part declares the entry point `{0}`")]
     NoEntry(String),
     /// A name with a copy per region that is no function, or one whose signature needs a type that has copies itself.
     #[error(
-        "{file}: `{name}` has a copy for each kind of region, but is used by all: only functions over shared types can be chosen between"
+        "{place}: `{name}` has a copy for each kind of region, but is used by all: only functions over shared types can be chosen between"
     )]
     NotSwitchable {
-        /// The part.
-        file: String,
+        /// Where it is declared.
+        place: Place,
         /// The name.
         name: String,
     },
-    /// naga refused the program; the place is the part's own.
-    #[error("{file}:{line}:{column}: {message}")]
+    /// The WGSL is not valid.
+    #[error("{place}: {message}")]
     Invalid {
-        /// The part.
-        file: String,
-        /// Its line, from 1.
-        line: usize,
-        /// Its column, from 1.
-        column: usize,
-        /// naga's explanation.
+        /// The place in the file that it was written in.
+        place: Place,
+        /// What is wrong there.
         message: String,
     },
     /// A binding of a kind that no pass of this program uses.
@@ -59,4 +65,10 @@ pub enum ProgramError {
         /// What there are too many of.
         what: &'static str,
     },
+}
+
+impl ProgramError {
+    pub(super) fn invalid(place: Place, message: String) -> Self {
+        Self::Invalid { place, message }
+    }
 }

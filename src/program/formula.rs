@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::generated::{switch, unit};
-use super::link::Unit;
+use super::unit::Unit;
 use crate::scene::{Axis, Formula, Function, Graph, Id, Node};
 
 /// `formula(q)`: gradient and value at q, of the formula that `place` counts.

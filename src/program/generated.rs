@@ -3,14 +3,14 @@
 use std::fmt::Write as _;
 
 use super::Analysis;
-use super::link::Unit;
 use super::regions::Regions;
+use super::unit::Unit;
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::source;
 use crate::scene::{Object, Scene};
 
 pub(super) fn unit(file: &'static str, text: String) -> Unit {
-    Unit { file: file.into(), text: text.into() }
+    Unit::generated(file, text)
 }
 
 /// `signature` as a function that returns `call(kind)` for the kind that `selector` names: `kinds` are (constant, name). A single

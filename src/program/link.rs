@@ -7,118 +7,73 @@
 //!
 //! *Practice.* About a millisecond a pass. Every line of the result knows the part and line it came from.
 
-use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
+use std::ops::Range;
 
-use super::block::Block;
+use super::ProgramError;
 use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
-use super::{Part, ProgramError};
+use super::linked::{Copy, Edit, Linked};
+use super::lower::Lowering;
+use super::unit::{Author, Parts, Unit};
 
-/// A piece of WGSL with a name for errors: a part, or text generated for a scene.
-#[derive(Debug, Clone)]
-pub struct Unit {
-    /// `law/sources.wgsl`, or `generated/shapes.wgsl`.
-    pub file: Cow<'static, str>,
-    /// The WGSL.
-    pub text: Cow<'static, str>,
-}
-
-impl From<Part> for Unit {
-    fn from(part: Part) -> Self {
-        Self { file: part.file.into(), text: part.text.into() }
-    }
-}
-
-/// What a scene's program is linked from.
-#[derive(Debug, Clone, Default)]
-pub struct Parts {
-    /// Parts that all regions share.
-    pub shared: Vec<Unit>,
-    /// The parts of each kind of region; with more than one kind each gets a copy of its own.
-    pub regions: Vec<Vec<Unit>>,
-}
-
-/// One pass's program.
-#[derive(Debug, Clone)]
-pub struct Linked {
-    /// The entry point's name.
-    pub entry: String,
-    /// The WGSL module.
-    pub source: String,
-    /// For each line of the module (from 0) the part and its line.
-    origins: Vec<Origin>,
-}
-
-#[derive(Debug, Clone)]
-struct Origin {
-    file: Cow<'static, str>,
-    line: usize,
-}
-
-impl Linked {
-    /// The parts that are in it, in order.
-    #[must_use]
-    pub fn parts(&self) -> Vec<&str> {
-        let mut parts: Vec<&str> = self.origins.iter().map(|origin| &*origin.file).collect();
-        parts.dedup();
-        parts
-    }
-
-    /// The part and the line in it that line `line` (from 1) of the module came from.
-    #[must_use]
-    pub fn origin(&self, line: usize) -> (&str, usize) {
-        self.origins.get(line.saturating_sub(1)).map_or(("(linked)", line), |origin| (&origin.file, origin.line))
-    }
-}
+/// A declaration, and the number of the copy that it is in.
+type Found<'a> = (usize, Declaration<'a>);
 
 /// The program of the pass whose entry point is `entry`.
 pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
-    let units = with_region_copies(parts, entry)?;
+    let mut copies = with_region_copies(parts, entry)?;
     let mut all = Vec::new();
-    for unit in &units {
-        all.extend(declarations(&unit.text).into_iter().map(|d| (unit, d)));
+    for (k, copy) in copies.iter().enumerate() {
+        let found =
+            declarations(&copy.text).map_err(|slip| ProgramError::invalid(copy.place(slip.at), slip.message))?;
+        all.extend(found.into_iter().map(|declaration| (k, declaration)));
     }
-    let by_name = index(&all)?;
-    let reached = reach(&all, &by_name, entry)?;
-    let reached: Vec<&(&Unit, Declaration)> = reached.iter().map(|&i| &all[i]).collect();
-    let block = Block::of(entry, &reached.iter().map(|(_, declaration)| declaration));
-    let mut linked = Linked { entry: entry.to_owned(), source: String::new(), origins: Vec::new() };
-    let made = Unit { file: "generated/uniforms.wgsl".into(), text: block.declaration().into() };
-    if !made.text.is_empty() {
-        linked.push(&made, 1, &format!("// ---- {}\n{}\n", made.file, made.text));
-    }
-    let mut file: &str = "";
-    for (unit, declaration) in reached.iter().filter(|(_, declaration)| !block.replaces(declaration)) {
-        if unit.file != file {
-            file = &unit.file;
-            linked.push(unit, 1, &format!("// ---- {file}\n"));
-        }
-        linked.push(unit, declaration.line, &block.rewritten(declaration));
-        linked.push(unit, declaration.line, "\n");
-    }
-    Ok(linked)
+    let by_name = index(&copies, &all)?;
+    let reached: Vec<&Found> = reach(&all, &by_name, entry)?.into_iter().map(|i| &all[i]).collect();
+    let lowering = Lowering::of(entry, &reached.iter().map(|(_, declaration)| declaration).collect::<Vec<_>>());
+    refuse_made_names(&copies, &reached, &lowering.made())?;
+    let pieces =
+        reached.iter().filter(|(_, declaration)| !lowering.replaces(declaration)).map(|(copy, declaration)| {
+            let from = declaration.at;
+            (*copy, from..from + declaration.tokens.text.len(), lowering.edits(declaration))
+        });
+    let pieces: Vec<_> = pieces.collect();
+    let made = lowering.declaration();
+    let made = (!made.is_empty()).then(|| Copy::new(&Unit::generated("generated/uniforms.wgsl", made), &[]));
+    let place = made.as_ref().map(|_| copies.len());
+    copies.extend(made);
+    Ok(written(entry, copies, pieces, place))
 }
 
-impl Linked {
-    fn push(&mut self, unit: &Unit, line: usize, text: &str) {
-        for (i, content) in text.lines().enumerate() {
-            self.source.push_str(content);
-            self.source.push('\n');
-            self.origins.push(Origin { file: unit.file.clone(), line: line + i });
-        }
+/// The module: what was made first, then the declarations under the names of their files.
+fn written(
+    entry: &str,
+    copies: Vec<Copy>,
+    pieces: Vec<(usize, Range<usize>, Vec<Edit>)>,
+    made: Option<usize>,
+) -> Linked {
+    let mut linked = Linked::new(entry, copies);
+    let made = made.map(|k| (k, 0..linked.text(k).len(), Vec::new()));
+    for (copy, piece, edits) in made.into_iter().chain(pieces) {
+        linked.open(copy);
+        linked.push(copy, piece, &edits);
     }
+    linked
 }
 
-fn index<'a>(all: &[(&'a Unit, Declaration<'a>)]) -> Result<HashMap<&'a str, usize>, ProgramError> {
+fn index<'a>(copies: &[Copy], all: &'a [Found]) -> Result<HashMap<&'a str, usize>, ProgramError> {
     let mut by_name = HashMap::new();
-    for (i, (unit, declaration)) in all.iter().enumerate() {
+    for (i, (copy, declaration)) in all.iter().enumerate() {
         if let Some(first) = by_name.insert(declaration.name, i) {
-            let first: &(&Unit, Declaration) = &all[first];
+            let mut places = [(*copy, declaration.named_at()), (all[first].0, all[first].1.named_at())];
+            // Of two the user's own is to be mended.
+            places.sort_by_key(|(copy, _)| copies[*copy].unit().author != Author::User);
+            let [(at_fault, at), (other, _)] = places;
             return Err(ProgramError::Twice {
+                place: copies[at_fault].place(at),
                 name: declaration.name.to_owned(),
-                first: first.0.file.to_string(),
-                second: unit.file.to_string(),
+                other: copies[other].unit().shown(),
             });
         }
     }
@@ -126,11 +81,7 @@ fn index<'a>(all: &[(&'a Unit, Declaration<'a>)]) -> Result<HashMap<&'a str, usi
 }
 
 /// The declarations that `entry` reaches, in the order of the parts.
-fn reach(
-    all: &[(&Unit, Declaration)],
-    by_name: &HashMap<&str, usize>,
-    entry: &str,
-) -> Result<BTreeSet<usize>, ProgramError> {
+fn reach(all: &[Found], by_name: &HashMap<&str, usize>, entry: &str) -> Result<BTreeSet<usize>, ProgramError> {
     let start = *by_name.get(entry).ok_or_else(|| ProgramError::NoEntry(entry.to_owned()))?;
     let mut reached = BTreeSet::from([start]);
     let mut open = vec![start];
@@ -144,13 +95,23 @@ fn reach(
     Ok(reached)
 }
 
+/// What lowering makes must not be hidden by a name in a function, nor be declared twice.
+fn refuse_made_names(copies: &[Copy], reached: &[&Found], made: &BTreeSet<String>) -> Result<(), ProgramError> {
+    for (copy, declaration) in reached {
+        if let Some((at, name)) = declaration.mentions(made) {
+            return Err(ProgramError::Reserved { place: copies[*copy].place(at), name: name.to_owned() });
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::program::{reflect, validated};
 
     fn unit(file: &'static str, text: &'static str) -> Unit {
-        Unit { file: file.into(), text: text.into() }
+        Unit::user(file, text)
     }
 
     const ENTRY: &str = "@group(0) @binding(0) var<storage, read_write> out: array<f32>;\n\
@@ -193,44 +154,6 @@ mod tests {
     }
 
     #[test]
-    fn uniforms_are_read_once() {
-        let text = "const ONE: u32 = 1u;\nconst TWO: u32 = 2u;\nstruct A { a: array<vec4f, 3> }\n\
-            struct Frame { zero: u32 }\n@group(0) @binding(3) var<uniform> frame: Frame;\n\
-            @group(0) @binding(50) var<uniform> one: array<A, ONE>;\n\
-            @group(0) @binding(51) var<uniform> two: array<A, TWO>;\n\
-            fn law_rate(x: f32) -> f32 {\n    return one[u32(two[frame.zero].a[0].x)].a[1].y + x;\n}\n";
-        let parts =
-            Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/a.wgsl", text)], regions: Vec::new() };
-        let linked = link(&parts, "entry").unwrap();
-        validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
-        for text in [
-            "fn entry() { read_uniforms();",
-            "own_frame = frame;",
-            "var<private> one: A;",
-            "one = uniforms_entry.one[0];",
-            "return one.a[1].y + x;",
-        ] {
-            assert!(linked.source.contains(text), "{text}\n{}", linked.source);
-        }
-        let with = |value: &str| {
-            let text = text.replace("one[u32(two[frame.zero].a[0].x)]", value).into();
-            let shared = vec![unit("pass/entry.wgsl", ENTRY), Unit { file: "law/a.wgsl".into(), text }];
-            let linked = link(&Parts { shared, regions: Vec::new() }, "entry").unwrap();
-            validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
-            linked.source
-        };
-        let walked = with("two[0].a[2].x + two[frame.zero]");
-        assert!(
-            walked.contains("uniforms_entry.two[0].a[2].x + uniforms_entry.two[own_frame.zero].a[1].y"),
-            "{walked}"
-        );
-        let written_out = with("two[0].a[2].x + two[1u]");
-        for text in ["two_1 = uniforms_entry.two[1];", "return two_0.a[2].x + two_1.a[1].y + x;"] {
-            assert!(written_out.contains(text), "{text}\n{written_out}");
-        }
-    }
-
-    #[test]
     fn one_region_keeps_its_names() {
         let mut parts = two_regions();
         parts.regions.truncate(1);
@@ -256,7 +179,28 @@ mod tests {
         let parts =
             Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/slip.wgsl", slip)], regions: Vec::new() };
         let error = reflect(&link(&parts, "entry").unwrap()).unwrap_err().to_string();
-        assert!(error.starts_with("shaders/law/slip.wgsl:6:16: "), "{error}");
+        assert!(error.starts_with("law/slip.wgsl:6:16: "), "{error}");
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_refused() {
+        let parts = Parts {
+            shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/a.wgsl", "\nfn f() { if true {}\n")],
+            ..Parts::default()
+        };
+        let error = link(&parts, "entry").unwrap_err().to_string();
+        assert_eq!(error, "law/a.wgsl:2:1: `fn f` has no end: a `}` or a `;` is missing");
+    }
+
+    #[test]
+    fn a_users_own_file_is_at_fault() {
+        let built_in = Unit::from(crate::program::part("math").unwrap());
+        let name = declarations(&built_in.text).unwrap()[0].name.to_owned();
+        let own = Unit::user("my/law.wgsl", format!("// Mine.\nfn {name}() {{}}\n"));
+        for shared in [vec![built_in.clone(), own.clone()], vec![own.clone(), built_in.clone()]] {
+            let error = link(&Parts { shared, ..Parts::default() }, "entry").unwrap_err().to_string();
+            assert_eq!(error, format!("my/law.wgsl:2:4: `{name}` is already declared in shaders/math.wgsl"));
+        }
     }
 
     #[test]
@@ -264,6 +208,43 @@ mod tests {
         let twice = unit("law/again.wgsl", ENTRY);
         let parts = Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), twice], regions: Vec::new() };
         let error = link(&parts, "entry").unwrap_err().to_string();
-        assert_eq!(error, "both pass/entry.wgsl and law/again.wgsl declare `out`");
+        assert_eq!(error, "law/again.wgsl:1:48: `out` is already declared in pass/entry.wgsl");
+    }
+
+    #[test]
+    fn copies_are_told_apart_however_they_are_written() {
+        let linked = |text: &str| {
+            let mut parts = two_regions();
+            parts.shared[0].text = ENTRY.replace("law_rate(1.0)", "law_rate(1.0, vec2f(2.0))").into();
+            for region in &mut parts.regions {
+                region[1] = Unit::user("law/a.wgsl", text.to_owned());
+            }
+            link(&parts, "entry").and_then(|linked| reflect(&linked).map(|_| linked.source))
+        };
+        let plain = "@group(0) @binding(60) var table: texture_2d<f32>;\n\
+            fn law_rate(x: f32, y: vec2<f32>) -> f32 {\n    return law.a * x * y.x + textureLoad(table, vec2u(), 0).x;\n}\n";
+        let written = linked(plain).unwrap();
+        for text in
+            ["@binding(260) var table_0", "@binding(460) var table_1", "fn law_rate(x: f32, y: vec2<f32>) -> f32 {"]
+        {
+            assert!(written.contains(text), "{text}\n{written}");
+        }
+        for (from, to) in [
+            ("@binding(60)", "@binding ( 0x3Cu , )"),
+            ("(x: f32, y: vec2<f32>)", "(\n    x /* , */ :f32, // first\n    y: vec2 <f32,>,\n)"),
+            ("(x: f32, y: vec2<f32>) -> f32", "(x: f32,y: vec2<f32>)->f32"),
+        ] {
+            let other = linked(&plain.replace(from, to)).unwrap();
+            let switch = |text: &str| text.split("// ---- generated/kinds.wgsl").last().map(str::to_owned);
+            assert_eq!(switch(&other), switch(&written), "{to}");
+            assert!(other.contains("460") && other.contains("260"), "{to}");
+        }
+        assert!(linked(&plain.replace("60", "59 + 1")).unwrap().contains("@binding(59 + 1 + 200)"));
+        // A parameter of the selector's name does not hide it.
+        assert!(linked(&plain.replace("(x:", "(region:").replace("* x", "* region")).is_ok());
+        let slip = linked(&plain.replace("y.x", "y.q")).unwrap_err().to_string();
+        assert!(slip.starts_with("law/a.wgsl:3:26: "), "{slip}");
+        let taken = linked(&plain.replace("(x:", "(law_0:")).unwrap_err().to_string();
+        assert!(taken.starts_with("law/a.wgsl:2:13: `law_0` is a name"), "{taken}");
     }
 }

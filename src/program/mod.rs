@@ -7,7 +7,6 @@
 //! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing here knows of a GPU.
 
 mod analysis;
-mod block;
 mod choice;
 mod copies;
 mod declarations;
@@ -15,27 +14,38 @@ mod error;
 mod formula;
 mod generated;
 mod link;
+mod linked;
+mod lower;
 mod names;
+mod own;
 mod parts;
 mod picture_parts;
 mod plan;
 mod reflect;
 mod region_parts;
 mod regions;
+mod scopes;
+mod signature;
 mod structure;
+mod tokens;
 mod touching;
+mod unit;
+mod validate;
 mod work;
 
 pub use analysis::Analysis;
 pub use choice::{Choice, Layer, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
-pub use link::{Linked, Parts, Unit, link};
+pub use link::link;
+pub use linked::{Linked, Place};
 pub use parts::{Part, all_parts, constant, part};
 pub use plan::plan;
-pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect, validated};
+pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect};
 pub use regions::{Motion, Obstacle, Region, RegionKind, Regions};
 pub use structure::{Extent, Search, Structure};
 pub use touching::Touching;
+pub use unit::{Author, Parts, Unit};
+pub use validate::validated;
 pub use work::Work;
 
 use crate::scene::Scene;

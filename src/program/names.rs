@@ -1,6 +1,7 @@
 //! The parts chosen so far, by name.
 
-use super::link::Unit;
+use super::own::checked;
+use super::unit::{Author, Unit};
 use super::{ProgramError, part};
 use crate::model::Wgsl;
 
@@ -25,13 +26,19 @@ impl Names {
     }
 
     /// What a kind names.
-    pub fn wgsl(&mut self, parts: impl IntoIterator<Item = Wgsl>) {
+    pub fn wgsl(&mut self, parts: impl IntoIterator<Item = Wgsl>) -> Result<(), ProgramError> {
         for part in parts {
             match part {
                 Wgsl::Part(name) => self.names.push(name.into_owned()),
-                Wgsl::Text { file, text } => self.made.push(Unit { file, text }),
+                Wgsl::Text { file, text } => self.made.push(Unit { file, text, author: Author::Generated }),
+                Wgsl::Own(own) => {
+                    let (unit, usual) = checked(&own)?;
+                    self.all(&usual);
+                    self.made.push(unit);
+                }
             }
         }
+        Ok(())
     }
 
     /// Text made for the scene.

@@ -44,14 +44,13 @@ pub fn all_parts() -> Vec<Part> {
 #[must_use]
 pub fn constant(part_name: &str, name: &str) -> f64 {
     let part = part(part_name).unwrap_or_else(|| panic!("no part {part_name}"));
-    let declared =
-        declarations(part.text).into_iter().find(|d| matches!(d.keyword, "const" | "override") && d.name == name);
-    let value = declared.and_then(|d| number(d.text.split_once('=')?.1));
+    let found = declarations(part.text).unwrap_or_default();
+    let declared = found.iter().find(|d| matches!(d.keyword, "const" | "override") && d.name == name);
+    let value = declared.and_then(|d| number(&d.tokens.written(d.value()?)));
     value.unwrap_or_else(|| panic!("{part_name} has no constant {name} with a plain number"))
 }
 
 fn number(text: &str) -> Option<f64> {
-    let text = text.trim().trim_end_matches(';');
     match text.strip_prefix("0x") {
         Some(hex) => u32::from_str_radix(hex.trim_end_matches('u'), 16).ok().map(f64::from),
         None => text.trim_end_matches(['u', 'f']).parse().ok(),

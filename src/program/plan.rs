@@ -1,11 +1,11 @@
 //! The plan: which parts a scene is made of. One file per contract; the cheapest that is right for the scene.
 
-use super::link::Parts;
 use super::names::Names;
 use super::picture_parts::{camera_parts, material_parts, picture_parts};
 use super::region_parts::region_parts;
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
+use super::unit::Parts;
 use super::{Analysis, Choice, Masks, Pass, ProgramError, Purpose, Work, generated};
 use crate::model::Material;
 use crate::model::source::SOURCES;
@@ -42,7 +42,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     names.each("pass", choice.passes(scene).iter().map(pass_part));
     schedule_parts(scene, choice, regions, &mut names);
     camera_parts(scene, choice, &mut names);
-    end_parts(scene, &mut names);
+    end_parts(scene, &mut names)?;
     surface_parts(scene, choice, work, analysis, &mut names);
     if choice.purpose == Purpose::Picture {
         picture_parts(scene, choice, &mut names);
@@ -124,13 +124,13 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     names.make(generated::regions(regions));
 }
 
-fn end_parts(scene: &Scene, names: &mut Names) {
+fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     let captures = scene.captures(None);
     names.add(if captures.is_empty() { "capture/none" } else { "capture/spheres" });
     let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.anchors());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
     let kinds: Vec<_> = SOURCES.into_iter().filter(|kind| anchors.contains(kind)).collect();
-    names.wgsl(kinds.iter().map(|kind| kind.part()));
+    names.wgsl(kinds.iter().map(|kind| kind.part()))?;
     if !kinds.is_empty() {
         names.make(generated::anchors(&kinds));
     }
@@ -145,6 +145,7 @@ fn end_parts(scene: &Scene, names: &mut Names) {
             names.all(&["follow/steps", if hits { "stage/end_on_chord" } else { "stage/end_open" }]);
         }
     }
+    Ok(())
 }
 
 fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysis, names: &mut Names) {

@@ -1,9 +1,10 @@
 //! What a linked program says of itself: naga's validation, and the bindings and layouts that the host would otherwise repeat.
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAccess, TypeInner};
 
-use super::{Linked, ProgramError};
+use super::ProgramError;
+use super::linked::Linked;
+use super::validate::validated;
 
 /// A validated program and its interface.
 #[derive(Debug, Clone)]
@@ -96,7 +97,7 @@ pub struct Field {
     pub components: u32,
 }
 
-/// Checks the program and reads its interface; errors name the part's own file and line.
+/// Checks the program and reads its interface; errors name the place in the file that it was written in.
 pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
     let module = validated(linked)?;
     let mut bindings = Vec::new();
@@ -112,29 +113,6 @@ pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
     let doubles = module.types.iter().any(|(_, ty)| double(&ty.inner));
     let overrides = module.overrides.iter().filter_map(|(_, own)| own.name.clone()).collect();
     Ok(Reflection { entry: linked.entry.clone(), bindings, doubles, overrides })
-}
-
-/// The program as naga sees it, valid in every respect.
-pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
-    let at = |line: usize, column: usize, message: String| {
-        let (file, line) = linked.origin(line);
-        ProgramError::Invalid { file: format!("shaders/{file}"), line, column, message }
-    };
-    let module = naga::front::wgsl::parse_str(&linked.source).map_err(|error| {
-        let (line, column) = error
-            .location(&linked.source)
-            .map_or((0, 0), |place| (place.line_number as usize, place.line_position as usize));
-        at(line, column, error.message().to_owned())
-    })?;
-    Validator::new(ValidationFlags::all(), Capabilities::default() | Capabilities::FLOAT64).validate(&module).map_err(
-        |error| {
-            let (line, column) = error
-                .location(&linked.source)
-                .map_or((0, 0), |place| (place.line_number as usize, place.line_position as usize));
-            at(line, column, error.emit_to_string(&linked.source))
-        },
-    )?;
-    Ok(module)
 }
 
 fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<BindingKind> {

@@ -1,8 +1,8 @@
 //! How light travels: the parts of which every kind of region has a copy of its own.
 
-use super::link::Unit;
 use super::names::Names;
 use super::regions::{Motion, RegionKind, Regions};
+use super::unit::Unit;
 use super::{ProgramError, Purpose, formula, generated};
 use crate::model::method::Path;
 use crate::model::{ClosedForm, Start};
@@ -18,7 +18,7 @@ pub(super) fn region_parts(
     let mut names = Names::default();
     names.add(if kind.leaps { "leap/sphere" } else { "leap/none" });
     if let Some(index) = &kind.index {
-        names.wgsl(index.iter().cloned());
+        names.wgsl(index.iter().cloned())?;
         names.make(generated::media(kind.media.len()));
         let formulas: Vec<_> = kind.media.iter().filter_map(|medium| medium.formula().cloned()).collect();
         if !formulas.is_empty() {
@@ -34,7 +34,7 @@ pub(super) fn region_parts(
     let orbit = kind.motion == Motion::Law && scene.rays.method.kind.path == Path::Orbit;
     names.add(if orbit { "bare/orbit" } else { "bare/steps" });
     match kind.motion {
-        Motion::Law => law_motion(scene, purpose, &mut names),
+        Motion::Law => law_motion(scene, purpose, &mut names)?,
         Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names),
         Motion::Solved => {
             names.all(&["law/accelerated", "law/medium", "pace/tau", "rate/law"]);
@@ -65,21 +65,22 @@ fn closed_motion(form: &ClosedForm, scene: &Scene, regions: &Regions, kind: &Reg
 }
 
 /// The scene's own law, by the scene's own method.
-fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) {
+fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), ProgramError> {
     let in_plane = scene.rays.method.kind.path == Path::Orbit;
     names.add(if in_plane { "pace/orbit" } else { "pace/tau" });
     if let Some(orbit) = scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic) {
         names.all(&["orbit/orbit", orbit.part]);
     }
-    names.wgsl(scene.law.parts());
+    names.wgsl(scene.law.parts())?;
     if in_plane {
         names.add("rate/none");
         planar_parts(scene, purpose, names);
-        return;
+        return Ok(());
     }
     names.add("rate/law");
     names.all(scene.rays.method.kind.parts);
     names.all(scene.rays.control.kind.parts);
+    Ok(())
 }
 
 /// τ is integrated only where something asks for it: arcs, and the numbers of a trace.

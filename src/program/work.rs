@@ -3,7 +3,7 @@
 //! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
-use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constant};
+use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constant, own};
 use crate::model::control::StepLoops;
 use crate::model::method::Path;
 use crate::model::{Loops, Medium};
@@ -35,7 +35,10 @@ impl Work {
     pub fn of(scene: &Scene, Analysis { regions, structure }: &Analysis, extent: Extent) -> Result<Self, ProgramError> {
         let captures = scene.captures(None).len() as u64;
         // Neighbouring rays may be in regions of all kinds, whose loops then run one after the other.
-        let loops = scene.media().map(Medium::loops).fold(scene.law.loops(), Loops::max);
+        let media = scene.media().map(Medium::loops);
+        let Loops { derivative, scale } = media.fold(scene.law.loops(), Loops::max);
+        let own = own::loops(&scene.law.parts());
+        let loops = Loops { derivative: derivative + own, scale: scale + own };
         let step = step_loops(scene, loops) + closed_loops(regions) + captures + 1;
         let asymptote = if scene.rays.asymptotic { asymptote_loops(scene.rays.precision) } else { 0 };
         let (steps, pieces) = match scene.rays.segment {

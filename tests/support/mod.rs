@@ -1,5 +1,6 @@
 //! What several topics need: a device, scenes, comparisons.
 
+pub mod branches;
 pub mod lens;
 pub mod probe;
 pub mod tree;
@@ -35,4 +36,25 @@ pub fn scenes_in(folder: &str) -> Vec<std::path::PathBuf> {
         .collect();
     scenes.sort();
     scenes
+}
+
+/// Every source file by its path in `src`, but for those of unit tests.
+pub fn sources() -> Vec<(String, String)> {
+    fn read(folder: &Path, name: &str, found: &mut Vec<(String, String)>) {
+        for entry in folder.read_dir().unwrap().map(|entry| entry.unwrap()) {
+            let own = entry.file_name().into_string().unwrap();
+            let name = if name.is_empty() { own.clone() } else { format!("{name}/{own}") };
+            if own == "tests" || own == "tests.rs" {
+                continue;
+            }
+            if entry.path().is_dir() {
+                read(&entry.path(), &name, found);
+            } else if entry.path().extension().is_some_and(|e| e == "rs") {
+                found.push((name, std::fs::read_to_string(entry.path()).unwrap()));
+            }
+        }
+    }
+    let mut found = Vec::new();
+    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "", &mut found);
+    found
 }

@@ -67,7 +67,7 @@ impl Probe {
 
     /// With a few lines of WGSL in place of a part that needs more of a device than a probe has.
     pub fn stub(mut self, text: &str) -> Self {
-        self.units.push(Unit { file: "stub.wgsl".into(), text: text.to_owned().into() });
+        self.units.push(Unit::user("stub.wgsl", text.to_owned()));
         self
     }
 
@@ -186,7 +186,7 @@ fn entry(body: &str, rows_in: usize, rows_out: usize, count: usize) -> Unit {
     }
     text += body;
     text += "    }\n}\n";
-    Unit { file: "probe.wgsl".into(), text: text.into() }
+    Unit::user("probe.wgsl", text)
 }
 
 fn usage(kind: &BindingKind) -> BufferUsages {

@@ -48,15 +48,8 @@ pub struct Kind {
 }
 
 /// Every law, in the order of the reference; the first is that of a scene that names none.
-const LAWS: [&Kind; 7] = [
-    &straight::KIND,
-    &schwarzschild::KIND,
-    &sources::KIND,
-    &lorenz::KIND,
-    &rossler::KIND,
-    &medium::KIND,
-    &own::KIND,
-];
+const LAWS: [&Kind; 7] =
+    [&straight::KIND, &schwarzschild::KIND, &sources::KIND, &lorenz::KIND, &rossler::KIND, &medium::KIND, &own::KIND];
 
 /// How light travels.
 pub trait Law: fmt::Debug + Send + Sync + Same {

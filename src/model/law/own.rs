@@ -24,6 +24,7 @@ use crate::document::values::{Read, number, positive, word};
 use crate::document::{Node, Value as Written, keys};
 use crate::model::{Binding, OwnWgsl, Promise, Row, Value, Wgsl, row};
 
+/// What is known of it.
 pub static KIND: Kind = Kind {
     name: "wgsl",
     keys: keys! {
@@ -112,8 +113,8 @@ impl OwnLaw {
     /// What the file has to declare, or may.
     fn promises(&self) -> Vec<Promise> {
         let all = [
-            Promise::usual("fn law_start(x: Real3, v: Real3) -> Phase", "law/start_as_given"),
-            Promise::usual("fn law_projected(p: Phase) -> Phase", "law/projected_nothing"),
+            Promise::usual("fn law_start(x: Real3, v: Real3) -> Phase", "start/as_given"),
+            Promise::usual("fn law_settled(p: Phase) -> Phase", "law/settled_as_is"),
             Promise::usual("fn law_scale(p: Phase) -> Real", "law/scale_given"),
         ];
         let own = match self.depends {
@@ -136,7 +137,9 @@ impl OwnLaw {
 
     /// The uniforms that parameters and scale come in.
     fn declared(&self) -> String {
-        let mut text = String::from("struct LawScale {\n    scale: Real,\n}\n\n@group(0) @binding(61) var<uniform> own_scale: LawScale;\n");
+        let mut text = String::from(
+            "struct LawScale {\n    scale: Real,\n}\n\n@group(0) @binding(61) var<uniform> own_scale: LawScale;\n",
+        );
         if !self.parameters.is_empty() {
             text += "\nstruct Law {\n";
             for (name, value) in &self.parameters {

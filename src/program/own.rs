@@ -1,0 +1,168 @@
+//! WGSL of the user's own: checked before it is linked.
+//!
+//! *Theory.* A user's file takes the place of a part, and everything that parts may rely on has to hold of it: the functions that
+//! others call are there, with their types; no name of it is one that the other parts mean something else by; it has no bindings; and
+//! its loops end, after so many iterations as can be read from them, for software devices stop a long invocation without a word. What
+//! is left, naga finds in the linked program.
+
+use std::collections::BTreeSet;
+
+use super::copies::split;
+use super::declarations::{Declaration, declarations};
+use super::linked::Place;
+use super::tokens::{Tokens, whole_number};
+use super::unit::Unit;
+use super::{ProgramError, all_parts};
+use crate::model::{OwnWgsl, Promise, Wgsl};
+
+/// Iterations that the loops of one call may come to.
+const MOST: u64 = 4096;
+
+/// The file, and the parts that have what it leaves out.
+pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), ProgramError> {
+    let unit = Unit::user(own.file.clone(), own.text.to_string());
+    let found = split(&unit)?;
+    let refuse = |at: usize, message: String| ProgramError::invalid(Place::of(&unit, at), message);
+    for declaration in &found {
+        if let Some((at, message)) = unfit(declaration) {
+            return Err(refuse(at, message));
+        }
+    }
+    let promised: Vec<&str> = own.promises.iter().map(Promise::name).collect();
+    let meant = names_of_parts();
+    if let Some(declaration) = found.iter().find(|d| !promised.contains(&d.name) && meant.contains(d.name)) {
+        let place = Place::of(&unit, declaration.named_at());
+        return Err(ProgramError::Reserved { place, name: declaration.name.to_owned() });
+    }
+    let mut usual = Vec::new();
+    for promise in &own.promises {
+        match (found.iter().find(|declaration| declaration.name == promise.name()), promise.usual) {
+            (Some(declaration), _) if kept(declaration, promise) => {}
+            (Some(declaration), _) => {
+                return Err(refuse(declaration.named_at(), format!("expected `{}`", promise.signature)));
+            }
+            (None, Some(part)) => usual.push(part),
+            (None, None) => {
+                let message = format!("the file has no `{}`: it has to declare one", promise.signature);
+                return Err(refuse(unit.text.len(), message));
+            }
+        }
+    }
+    let most = promised.iter().map(|name| iterations(&found, name, 0)).max().unwrap_or(0);
+    if most > MOST {
+        return Err(refuse(0, format!("its loops come to {most} iterations in one call: up to {MOST} are allowed")));
+    }
+    Ok((unit, usual))
+}
+
+/// Loop iterations of one call of a user's function among these pieces of WGSL, at most.
+pub(super) fn loops(parts: &[Wgsl]) -> u64 {
+    let own = parts.iter().filter_map(|part| match part {
+        Wgsl::Own(own) => Some(own),
+        Wgsl::Part(_) | Wgsl::Text { .. } => None,
+    });
+    let most = |own: &OwnWgsl| {
+        let found = declarations(&own.text).unwrap_or_default();
+        own.promises.iter().map(|promise| iterations(&found, promise.name(), 0)).max().unwrap_or(0)
+    };
+    own.map(most).sum()
+}
+
+/// What the parts of `shaders/` name, their own and WGSL's.
+fn names_of_parts() -> BTreeSet<&'static str> {
+    all_parts().iter().flat_map(|part| declarations(part.text).unwrap_or_default()).flat_map(|d| used(&d)).collect()
+}
+
+fn used(declaration: &Declaration<'static>) -> Vec<&'static str> {
+    declaration.used().collect()
+}
+
+/// What a file of the user's own may not have, with its place.
+fn unfit(declaration: &Declaration) -> Option<(usize, String)> {
+    let tokens = &declaration.tokens;
+    let at = |i: usize| declaration.at + tokens.range(i).start;
+    if tokens.word(0) == "@" {
+        let message = "attributes and bindings are the program's: declare parameters in the scene";
+        return Some((at(0), message.to_owned()));
+    }
+    if declaration.keyword == "override" {
+        return Some((at(0), "write `const`: nothing overrides it here".to_owned()));
+    }
+    let private = ["var", "<", "private", ">"];
+    if declaration.keyword == "var" && (0..4).any(|i| tokens.word(i) != private[i]) {
+        return Some((at(0), "a variable of a file is `var<private>`".to_owned()));
+    }
+    if declaration.keyword != "fn" {
+        return None;
+    }
+    (0..tokens.len()).find_map(|i| match tokens.word(i) {
+        word @ ("loop" | "while") => {
+            Some((at(i), format!("`{word}` may never end: write `for (var i = 0u; i < 8u; i++)`, with a number")))
+        }
+        "for" if length(tokens, i).is_none() => {
+            let message = "the length of a loop has to be written: `for (var i = 0u; i < 8u; i++)`, with i left alone";
+            Some((at(i), message.to_owned()))
+        }
+        _ => None,
+    })
+}
+
+/// The iterations of the `for` loop at this token, if they are written: from one number to another, by one.
+fn length(tokens: &Tokens, at: usize) -> Option<u64> {
+    let (open, close) = (at + 1, tokens.closing(at + 1)?);
+    let head: Vec<&str> = (open + 1..close).map(|i| tokens.word(i)).collect();
+    let head: Vec<&str> = head.into_iter().filter(|word| !matches!(*word, "u32" | "i32" | ":")).collect();
+    let ["var", name, "=", from, ";", test, "<", to, ";", step, "+", "+"] = head[..] else { return None };
+    if test != name || step != name || tokens.word(close + 1) != "{" {
+        return None;
+    }
+    let body = close + 1..tokens.closing(close + 1)?;
+    let is_written = |i: usize| {
+        let (next, after) = (tokens.word(i + 1), tokens.word(i + 2));
+        let assigned = (next == "=" && after != "=")
+            || (matches!(next, "+" | "-" | "*" | "/" | "%" | "&" | "|" | "^") && matches!(after, "=" | "+" | "-"));
+        tokens.word(i) == name && (assigned || tokens.before(i) == "&" || matches!(tokens.before(i), "var" | "let"))
+    };
+    if body.clone().any(is_written) {
+        return None;
+    }
+    Some(u64::from(whole_number(to)?.saturating_sub(whole_number(from)?)))
+}
+
+/// The loop iterations of one call of a function, with those of the functions that it calls. Recursion is naga's to find.
+fn iterations(found: &[Declaration], name: &str, depth: usize) -> u64 {
+    let function = found.iter().find(|declaration| declaration.keyword == "fn" && declaration.name == name);
+    let Some(Declaration { tokens, .. }) = function.filter(|_| depth < found.len()) else { return 0 };
+    let mut open: Vec<(usize, u64)> = Vec::new();
+    let mut sum = 0_u64;
+    for i in 0..tokens.len() {
+        open.retain(|(end, _)| *end >= i);
+        let times = open.iter().fold(1_u64, |product, (_, times)| product.saturating_mul(*times));
+        if tokens.word(i) == "for" {
+            let times_here = length(tokens, i).unwrap_or(0);
+            let body = tokens.closing(i + 1).and_then(|close| tokens.closing(close + 1));
+            open.push((body.unwrap_or(i), times_here));
+            sum = sum.saturating_add(times.saturating_mul(times_here));
+        } else if tokens.word(i + 1) == "(" && tokens.before(i) != "fn" && tokens.word(i) != name {
+            sum = sum.saturating_add(times.saturating_mul(iterations(found, tokens.word(i), depth + 1)));
+        }
+    }
+    sum
+}
+
+/// Has the declaration the promised types?
+fn kept(declaration: &Declaration, promise: &Promise) -> bool {
+    let wanted = declarations_of(promise);
+    let types = |declaration: &Declaration| {
+        let signature = declaration.signature()?;
+        let all = signature.parameters.iter().map(|parameter| parameter.ty.clone()).chain(signature.result);
+        Some(all.map(|ty| declaration.tokens.written(ty)).collect::<Vec<_>>())
+    };
+    let wanted = declarations(&wanted).unwrap_or_default();
+    wanted.first().is_some_and(|wanted| types(declaration).is_some_and(|own| Some(own) == types(wanted)))
+}
+
+/// The promise as WGSL.
+fn declarations_of(promise: &Promise) -> String {
+    format!("{} {{}}", promise.signature)
+}

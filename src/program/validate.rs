@@ -1,0 +1,31 @@
+//! naga's judgement of a linked program, in terms of the files that it was written in.
+
+use std::error::Error;
+
+use naga::Module;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+use super::ProgramError;
+use super::linked::Linked;
+
+/// The program as naga sees it, valid in every respect.
+pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
+    let at = |spans: &mut dyn Iterator<Item = naga::Span>, message: String| {
+        // Of what naga points at the shortest is what the error is about; others are what that stands in.
+        let spans = spans.filter_map(naga::Span::to_range);
+        let place = spans.min_by_key(ExactSizeIterator::len).map_or(linked.source.len(), |span| span.start);
+        ProgramError::invalid(linked.place(place), message)
+    };
+    let module = naga::front::wgsl::parse_str(&linked.source).map_err(|error| {
+        let message = [error.message()].into_iter().chain(error.notes()).collect::<Vec<_>>().join("; ");
+        at(&mut error.labels().map(|(span, _)| span).take(1), message)
+    })?;
+    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::default() | Capabilities::FLOAT64);
+    validator.validate(&module).map_err(|error| {
+        let first: Option<&dyn Error> = Some(error.as_inner());
+        let chain = std::iter::successors(first, |error: &&dyn Error| (*error).source());
+        let message = chain.map(ToString::to_string).collect::<Vec<_>>().join(": ");
+        at(&mut error.spans().map(|(span, _)| *span), message)
+    })?;
+    Ok(module)
+}

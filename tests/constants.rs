@@ -1,0 +1,96 @@
+//! The constants that the host reads from the shaders are there.
+
+use std::collections::BTreeSet;
+
+use bentray::program::constant;
+
+use crate::support::sources;
+
+/// Calls of `constant` that make up what they ask for, and all that this can be.
+const COMPUTED: [(&str, &[(&str, &str)]); 8] = [
+    ("part, \"ASYMPTOTE_STEPS\"", &[("real/f32", "ASYMPTOTE_STEPS"), ("real/f64", "ASYMPTOTE_STEPS")]),
+    ("part, \"STEPS\"", &[("motion/planar_open", "STEPS")]),
+    ("part, \"CUTS\"", &[("motion/planar_open", "CUTS")]),
+    (
+        "part, name",
+        &[
+            ("material/emissive", "EMISSIVE"),
+            ("material/phong", "PHONG"),
+            ("scatter/mirror", "MIRROR"),
+            ("scatter/clear", "CLEAR"),
+            ("pattern/constant", "CONSTANT"),
+            ("pattern/checker", "CHECKER"),
+            ("pattern/image", "IMAGE"),
+        ],
+    ),
+    (
+        "&format!(\"shape/{kind}\"), &kind.to_uppercase()",
+        &[
+            ("shape/sphere", "SPHERE"),
+            ("shape/ellipsoid", "ELLIPSOID"),
+            ("shape/plane", "PLANE"),
+            ("shape/box", "BOX"),
+            ("shape/cylinder", "CYLINDER"),
+            ("shape/disk", "DISK"),
+            ("shape/triangle", "TRIANGLE"),
+        ],
+    ),
+    (
+        "\"ray\", &self.name().to_uppercase()",
+        &[
+            ("ray", "ALIVE"),
+            ("ray", "HIT"),
+            ("ray", "ESCAPED"),
+            ("ray", "CAPTURED"),
+            ("ray", "ENDED"),
+            ("ray", "EXHAUSTED"),
+            ("ray", "STALLED"),
+            ("ray", "FAILED"),
+            ("ray", "CUT"),
+            ("ray", "OUTSIDE"),
+        ],
+    ),
+    ("\"ray\", name", &[("ray", "ALIVE"), ("ray", "UNFINISHED")]),
+    ("\"living/place\", name", &[("living/place", "GROUP"), ("living/place", "GROUP_WIDTH")]),
+];
+
+/// What stands in the parentheses of every call of `constant` as a function.
+fn calls() -> BTreeSet<String> {
+    let mut calls = BTreeSet::new();
+    for (_, text) in sources() {
+        for (at, name) in text.match_indices("constant(") {
+            let before = text[..at].chars().next_back();
+            let is_other = before.is_some_and(|c| c.is_alphanumeric() || matches!(c, '_' | '.' | '"' | '`'));
+            if is_other || text[..at].ends_with("fn ") {
+                continue;
+            }
+            let inside = &text[at + name.len()..];
+            let mut depth = 1;
+            let end = inside.find(|c| {
+                depth += i32::from(c == '(') - i32::from(c == ')');
+                depth == 0
+            });
+            calls.insert(inside[..end.unwrap()].split_whitespace().collect::<Vec<_>>().join(" "));
+        }
+    }
+    calls
+}
+
+#[test]
+fn shared_constants_are_in_the_shaders() {
+    let mut computed = BTreeSet::new();
+    let mut asked = 0;
+    for call in calls() {
+        match call.split('"').collect::<Vec<_>>()[..] {
+            ["", part, ", ", name, ""] => assert!(constant(part, name).is_finite(), "{call}"),
+            _ => drop(computed.insert(call)),
+        }
+        asked += 1;
+    }
+    assert!(asked > 15, "calls are not found as they are written today");
+    let known: BTreeSet<String> = COMPUTED.iter().map(|(call, _)| (*call).to_owned()).collect();
+    assert_eq!(computed, known, "say above what a computed constant can be");
+    for (part, name) in COMPUTED.iter().flat_map(|(_, pairs)| *pairs) {
+        assert!(constant(part, name).is_finite());
+    }
+}

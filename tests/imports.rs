@@ -1,0 +1,170 @@
+//! Imports run one way: between top-level modules, and between the files of a folder.
+//!
+//! A module is a file, or a folder with all that is in it. `super::x`, `crate::a::b` and names that a folder hands on by `pub use` count as
+//! imports of the file that has them; what a folder's own `mod.rs` says is the folder's, and its files may ask for it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::support::sources;
+
+/// Circles that are still there, each as its folder and the modules in it. None may be added.
+const CIRCLES: [&str; 7] = [
+    "gpu: contents uniforms",
+    "gpu: device pipeline",
+    "output/plot: figure paper raster vector",
+    "output/plot: legend paths style",
+    "program: formula generated picture_parts plan region_parts structure work",
+    "render: adaptive error plan renderer schedule totals window",
+    "scene/check: media written",
+];
+
+/// Imports between modules: for each path of a module those that it names.
+type Imports = BTreeMap<Vec<String>, BTreeSet<Vec<String>>>;
+
+fn path(file: &str) -> Vec<String> {
+    let path = file.trim_end_matches(".rs").trim_end_matches("/mod");
+    path.split('/').filter(|name| !matches!(*name, "mod" | "lib")).map(str::to_owned).collect()
+}
+
+/// A module's text without its tests and comments.
+fn code(text: &str) -> String {
+    let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let lines = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// The paths of a tree such as `a::{b, c::{d, e}}`.
+fn leaves(tree: &str) -> Vec<String> {
+    let tree = tree.trim();
+    let Some((front, inside)) = tree.split_once('{') else {
+        return vec![tree.split(" as ").next().unwrap_or_default().trim().to_owned()];
+    };
+    let (mut depth, mut from, mut found) = (0, 0, Vec::new());
+    let inside = inside.trim_end().strip_suffix('}').unwrap_or(inside);
+    for (i, sign) in inside.char_indices().chain([(inside.len(), ',')]) {
+        depth += i32::from(sign == '{') - i32::from(sign == '}');
+        if sign == ',' && depth == 0 {
+            found.extend(leaves(&inside[from..i]).into_iter().filter(|leaf| !leaf.is_empty()));
+            from = i + 1;
+        }
+    }
+    found.iter().map(|leaf| format!("{front}{leaf}")).collect()
+}
+
+/// Every path that a module's code names: in its imports, and where it stands.
+fn named(code: &str) -> Vec<String> {
+    let uses = code.split("use ").skip(1).flat_map(|rest| leaves(rest.split(';').next().unwrap_or_default()));
+    let is_path = |c: char| c.is_alphanumeric() || matches!(c, '_' | ':');
+    let words = code.split(|c| !is_path(c)).filter(|word| word.starts_with("crate::") || word.starts_with("super::"));
+    uses.chain(words.map(str::to_owned)).collect()
+}
+
+/// The names that folders hand on, and the modules that have them.
+fn handed_on(all: &[(Vec<String>, String)]) -> BTreeMap<Vec<String>, Vec<String>> {
+    let mut found = BTreeMap::new();
+    for (folder, code) in all {
+        for rest in code.split("use ").skip(1) {
+            for leaf in leaves(rest.split(';').next().unwrap_or_default()) {
+                let inner: Vec<&str> = leaf.split("::").filter(|name| *name != "self").collect();
+                let [front @ .., name] = inner.as_slice() else { continue };
+                let module: Vec<String> = folder.iter().cloned().chain(front.iter().map(ToString::to_string)).collect();
+                if *folder != module && all.iter().any(|(path, _)| *path == module) {
+                    let own: Vec<String> = folder.iter().cloned().chain([(*name).to_owned()]).collect();
+                    if own != module {
+                        found.insert(own, module);
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+fn imports() -> Imports {
+    let all: Vec<_> = sources().iter().map(|(file, text)| (path(file), code(text))).collect();
+    let handed_on = handed_on(&all);
+    let mut imports = Imports::new();
+    for (own, code) in &all {
+        for name in named(code) {
+            let mut at = own.clone();
+            for step in name.split("::") {
+                match step {
+                    "crate" => at.clear(),
+                    "super" => drop(at.pop()),
+                    "self" => {}
+                    step => at.push(step.to_owned()),
+                }
+                while let Some(module) = handed_on.get(&at) {
+                    at.clone_from(module);
+                }
+            }
+            let of = |path: &[String]| all.iter().any(|(module, _)| module == path);
+            while !at.is_empty() && !of(&at) {
+                at.pop();
+            }
+            if name.starts_with("crate") || name.starts_with("super") || name.starts_with("self") {
+                imports.entry(own.clone()).or_default().insert(at);
+            }
+        }
+    }
+    imports
+}
+
+/// scene ← program ← gpu ← render ← measure ← output, chart, bench ← cli.
+#[test]
+fn imports_run_one_way() {
+    let order = ["scene", "program", "gpu", "render", "measure", "output", "chart", "bench", "error", "cli"];
+    let rank = |path: &[String]| order.iter().position(|name| path.first().is_some_and(|first| first == name));
+    let imports = imports();
+    assert!(imports.len() > 50, "imports are not found as they are written today");
+    for (own, named) in &imports {
+        for other in named {
+            let runs_back = rank(own).zip(rank(other)).is_some_and(|(own, other)| other > own);
+            assert!(!runs_back, "{} imports {}", own.join("::"), other.join("::"));
+        }
+    }
+    for (file, text) in sources() {
+        let knows_gpu = ["scene", "program"].iter().any(|folder| file.starts_with(folder)) && text.contains("wgpu::");
+        assert!(!knows_gpu, "{file} knows wgpu");
+    }
+}
+
+/// No two modules of a folder need each other, by however many others.
+#[test]
+fn no_folder_has_circles() {
+    let mut edges: BTreeMap<(Vec<String>, String), BTreeSet<String>> = BTreeMap::new();
+    for (own, named) in imports() {
+        for other in named {
+            let common = own.iter().zip(&other).take_while(|(a, b)| a == b).count();
+            if let (Some(a), Some(b)) = (own.get(common), other.get(common)) {
+                edges.entry((own[..common].to_vec(), a.clone())).or_default().insert(b.clone());
+            }
+        }
+    }
+    let reached = |folder: &Vec<String>, from: &String| {
+        let (mut found, mut open) = (BTreeSet::new(), vec![from.clone()]);
+        while let Some(module) = open.pop() {
+            for next in edges.get(&(folder.clone(), module)).into_iter().flatten() {
+                if found.insert(next.clone()) {
+                    open.push(next.clone());
+                }
+            }
+        }
+        found
+    };
+    let mut circles = BTreeSet::new();
+    for (folder, module) in edges.keys() {
+        let circle: Vec<_> =
+            reached(folder, module).into_iter().filter(|other| reached(folder, other).contains(module)).collect();
+        if circle.contains(module) {
+            circles.insert(format!("{}: {}", folder.join("/"), circle.join(" ")));
+        }
+    }
+    assert_eq!(circles.into_iter().collect::<Vec<_>>(), CIRCLES);
+}
+
+#[test]
+fn trees_of_imports_are_read() {
+    assert_eq!(leaves("a::{b, c::{d, e as f}}"), ["a::b", "a::c::d", "a::c::e"]);
+    assert!(named("use super::{x, y::Z};\nlet a = crate::scene::Shape::Box;").contains(&"super::y::Z".to_owned()));
+}

@@ -1,0 +1,274 @@
+//! Branches on what is known before a program runs, found in naga's form of it.
+//!
+//! Every value of a program has an origin: constants (overrides among them), the scene's uniforms, or what a ray, a pixel or a
+//! dispatch makes of them. A value is what its operands are, the latest of them. A variable is what is written to it if that
+//! happens once and at the outermost level of a function, which is how uniforms are copied; a parameter what all calls give, a
+//! result what all returns do. What changes, such as a loop's counter, is a ray's own.
+//!
+//! What is allowed: to ask a part a question whose answer is a constant, `layers_wanted()` of a part that wants none: parts that
+//! stand for a choice answer so, and compilers leave out such a branch. To branch on `frame` and `turn`, which tiles and
+//! dispatches write. To count up to a number that the scene fixes. Buffers and textures are a pass's own: other passes write them.
+
+use std::collections::HashMap;
+
+use bentray::program::{Linked, validated};
+use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement};
+
+/// Where a value comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+enum Origin {
+    /// The text itself.
+    #[default]
+    Constant,
+    /// A part, asked by a call, that answers with a constant.
+    Answer,
+    /// The scene's uniforms.
+    Scene,
+    /// Anything else.
+    Varying,
+}
+
+/// Uniforms that the scene does not fix.
+const APART: [&str; 2] = ["frame", "turn"];
+
+/// A variable, a parameter, or the result of a function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Slot {
+    Global(usize),
+    Local(usize, usize),
+    Parameter(usize, usize),
+    Result(usize),
+}
+
+/// A branch on what a scene or a part fixes: where it stands, and what it asks.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Branch {
+    pub file: String,
+    pub condition: String,
+}
+
+/// Those of a program.
+pub fn fixed_branches(linked: &Linked) -> Vec<Branch> {
+    let module = validated(linked).unwrap_or_else(|error| panic!("{error}"));
+    let mut analysis = Analysis::of(&module);
+    while analysis.pass() {}
+    let mut found: Vec<Branch> = analysis.branches().into_iter().map(|span| branch(linked, span)).collect();
+    found.sort();
+    found.dedup();
+    found
+}
+
+fn branch(linked: &Linked, span: naga::Span) -> Branch {
+    let range = span.to_range().unwrap_or_default();
+    Branch { file: linked.place(range.start).file, condition: without_numbers(&linked.source[range]) }
+}
+
+/// Names without the numbers that copies have behind them.
+fn without_numbers(condition: &str) -> String {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let words = condition.split_inclusive(|c| !is_word(c)).map(|piece| {
+        let end = piece.trim_end_matches(|c| !is_word(c)).len();
+        let name = piece[..end].trim_end_matches(|c: char| c.is_ascii_digit());
+        let name = name.strip_suffix('_').filter(|_| name.len() < end).unwrap_or(&piece[..end]);
+        format!("{name}{}", &piece[end..])
+    });
+    words.collect()
+}
+
+struct Analysis<'a> {
+    module: &'a Module,
+    /// All functions; entry points behind the others.
+    functions: Vec<&'a Function>,
+    origins: HashMap<Slot, Origin>,
+    /// How often a variable is written.
+    writes: HashMap<Slot, usize>,
+}
+
+impl<'a> Analysis<'a> {
+    fn of(module: &'a Module) -> Self {
+        let functions = module.functions.iter().map(|(_, function)| function);
+        let functions = functions.chain(module.entry_points.iter().map(|entry| &entry.function)).collect();
+        let mut analysis = Self { module, functions, origins: HashMap::new(), writes: HashMap::new() };
+        for (k, function) in analysis.functions.clone().into_iter().enumerate() {
+            for (local, variable) in function.local_variables.iter().filter(|(_, variable)| variable.init.is_some()) {
+                analysis.writes.insert(Slot::Local(k, local.index()), usize::from(variable.init.is_some()));
+            }
+            for (i, _) in function.arguments.iter().enumerate().filter(|(_, argument)| argument.binding.is_some()) {
+                analysis.origins.insert(Slot::Parameter(k, i), Origin::Varying);
+            }
+            analysis.count_writes(k, &function.body, true);
+        }
+        analysis
+    }
+
+    fn count_writes(&mut self, k: usize, block: &Block, is_outermost: bool) {
+        for statement in block {
+            // What is written in a branch or a loop, or through a pointer, may be any of several values.
+            match statement {
+                Statement::Store { pointer, .. } => self.write(k, *pointer, if is_outermost { 1 } else { 2 }),
+                Statement::Atomic { pointer, .. } => self.write(k, *pointer, 2),
+                Statement::Call { arguments, .. } => arguments.iter().for_each(|i| self.write(k, *i, 2)),
+                _ => {}
+            }
+            for inner in blocks(statement) {
+                self.count_writes(k, inner, is_outermost && matches!(statement, Statement::Block(_)));
+            }
+        }
+    }
+
+    fn write(&mut self, k: usize, pointer: Handle<Expression>, times: usize) {
+        if let Some(slot) = self.variable(k, pointer) {
+            *self.writes.entry(slot).or_default() += times;
+        }
+    }
+
+    /// The variable that an expression points into.
+    fn variable(&self, k: usize, pointer: Handle<Expression>) -> Option<Slot> {
+        match self.functions[k].expressions[pointer] {
+            Expression::Access { base, .. } | Expression::AccessIndex { base, .. } => self.variable(k, base),
+            Expression::LocalVariable(local) => Some(Slot::Local(k, local.index())),
+            Expression::GlobalVariable(global) => Some(Slot::Global(global.index())),
+            _ => None,
+        }
+    }
+
+    /// Raises origins by all that functions write, return and call with; false if there was nothing to raise.
+    fn pass(&mut self) -> bool {
+        let mut raised = false;
+        for k in 0..self.functions.len() {
+            let function = self.functions[k];
+            let values = self.values(k);
+            let mut found = Vec::new();
+            for (local, variable) in function.local_variables.iter() {
+                let init = variable.init.map_or(Origin::Constant, |init| values[init.index()]);
+                found.push((Slot::Local(k, local.index()), init));
+            }
+            self.written(k, &function.body, &values, &mut found);
+            for (slot, origin) in found {
+                let origin =
+                    if self.writes.get(&slot).is_some_and(|times| *times > 1) { Origin::Varying } else { origin };
+                let known = self.origins.entry(slot).or_default();
+                raised |= origin > *known;
+                *known = origin.max(*known);
+            }
+        }
+        raised
+    }
+
+    fn written(&self, k: usize, block: &Block, values: &[Origin], found: &mut Vec<(Slot, Origin)>) {
+        for statement in block {
+            match statement {
+                Statement::Store { pointer, value } => {
+                    found.extend(self.variable(k, *pointer).map(|slot| (slot, values[value.index()])));
+                }
+                Statement::Return { value: Some(value) } => found.push((Slot::Result(k), values[value.index()])),
+                Statement::Call { function, arguments, .. } => {
+                    let given = arguments.iter().map(|argument| values[argument.index()]).enumerate();
+                    found.extend(given.map(|(i, origin)| (Slot::Parameter(function.index(), i), origin)));
+                    let pointed = arguments.iter().filter_map(|argument| self.variable(k, *argument));
+                    found.extend(pointed.map(|slot| (slot, Origin::Constant)));
+                }
+                _ => {}
+            }
+            for inner in blocks(statement) {
+                self.written(k, inner, values, found);
+            }
+        }
+    }
+
+    /// The origins of a function's expressions.
+    fn values(&self, k: usize) -> Vec<Origin> {
+        let mut values = Vec::new();
+        for (_, expression) in self.functions[k].expressions.iter() {
+            values.push(self.value(k, expression, &values));
+        }
+        values
+    }
+
+    fn value(&self, k: usize, expression: &Expression, values: &[Origin]) -> Origin {
+        let of = |handles: &[Handle<Expression>]| handles.iter().map(|handle| values[handle.index()]).max();
+        let slot = |slot: Slot| self.origins.get(&slot).copied().unwrap_or_default();
+        let all = match expression {
+            Expression::Literal(_) | Expression::Constant(_) | Expression::Override(_) | Expression::ZeroValue(_) => {
+                None
+            }
+            Expression::Compose { components, .. } => of(components),
+            Expression::Access { base, index } => of(&[*base, *index]),
+            Expression::AccessIndex { base: value, .. }
+            | Expression::Splat { value, .. }
+            | Expression::Swizzle { vector: value, .. }
+            | Expression::Load { pointer: value }
+            | Expression::Unary { expr: value, .. }
+            | Expression::Relational { argument: value, .. }
+            | Expression::As { expr: value, .. } => of(&[*value]),
+            Expression::Binary { left, right, .. } => of(&[*left, *right]),
+            Expression::Select { condition, accept, reject } => of(&[*condition, *accept, *reject]),
+            Expression::Math { arg, arg1, arg2, arg3, .. } => {
+                of(&[Some(*arg), *arg1, *arg2, *arg3].into_iter().flatten().collect::<Vec<_>>())
+            }
+            Expression::FunctionArgument(i) => Some(slot(Slot::Parameter(k, *i as usize))),
+            Expression::LocalVariable(local) => Some(slot(Slot::Local(k, local.index()))),
+            Expression::GlobalVariable(global) => Some(self.global(*global)),
+            Expression::CallResult(function) => Some(slot(Slot::Result(function.index())).max(Origin::Answer)),
+            _ => Some(Origin::Varying),
+        };
+        all.unwrap_or_default()
+    }
+
+    fn global(&self, global: Handle<naga::GlobalVariable>) -> Origin {
+        let variable = &self.module.global_variables[global];
+        match variable.space {
+            AddressSpace::Private => self.origins.get(&Slot::Global(global.index())).copied().unwrap_or_default(),
+            AddressSpace::Uniform if !APART.contains(&variable.name.as_deref().unwrap_or_default()) => Origin::Scene,
+            _ => Origin::Varying,
+        }
+    }
+
+    /// Conditions that a scene or a constant fixes.
+    fn branches(&self) -> Vec<naga::Span> {
+        let mut found = Vec::new();
+        for (k, function) in self.functions.iter().enumerate() {
+            let values = self.values(k);
+            let mut asked = Vec::new();
+            self.conditions(k, &function.body, &mut asked);
+            let fixed = asked
+                .into_iter()
+                .filter(|condition| matches!(values[condition.index()], Origin::Constant | Origin::Scene));
+            found.extend(fixed.map(|condition| function.expressions.get_span(condition)));
+        }
+        found
+    }
+
+    fn conditions(&self, k: usize, block: &Block, asked: &mut Vec<Handle<Expression>>) {
+        let function = self.functions[k];
+        for statement in block {
+            match statement {
+                Statement::If { condition, .. } => asked.push(*condition),
+                Statement::Switch { selector, .. } => asked.push(*selector),
+                Statement::Loop { break_if, .. } => asked.extend(break_if),
+                // naga writes `a && b` and `a || b` as branches that set a variable without a name.
+                Statement::Store { pointer, value } => {
+                    let is_own = matches!(function.expressions[*pointer], Expression::LocalVariable(local)
+                        if function.local_variables[local].name.is_none());
+                    let is_written_out = matches!(function.expressions[*value], Expression::Literal(_));
+                    asked.extend((is_own && !is_written_out).then_some(value));
+                }
+                _ => {}
+            }
+            for inner in blocks(statement) {
+                self.conditions(k, inner, asked);
+            }
+        }
+    }
+}
+
+/// The blocks in a statement.
+fn blocks(statement: &Statement) -> Vec<&Block> {
+    match statement {
+        Statement::Block(block) => vec![block],
+        Statement::If { accept, reject, .. } => vec![accept, reject],
+        Statement::Switch { cases, .. } => cases.iter().map(|case| &case.body).collect(),
+        Statement::Loop { body, continuing, .. } => vec![body, continuing],
+        _ => Vec::new(),
+    }
+}
