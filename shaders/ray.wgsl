@@ -89,6 +89,16 @@ fn finite_phase(p: Phase) -> bool {
     return finite(p[0].xyz) && finite(p[1].xyz);
 }
 
+// The ray after a step to `end`, over so much tau.
+fn after_step(ray: Ray, end: Phase, passed: Real) -> Ray {
+    var next = ray;
+    next.phase = opaque_phase(end);
+    next.tau += passed;
+    next.taken = opaque(passed);
+    next.steps += 1u;
+    return next;
+}
+
 // The ray after a step. Before a place where its law has no finite value tries that reach it are rejected (`lost`), however short:
 // a ray that then does not move is not stalled for want of digits, but has failed. Its place stays, its velocity is none any more.
 fn failed_if(lost: bool, before: Ray, after: Ray) -> Ray {

@@ -11,11 +11,7 @@ fn first_step(p: Phase) -> Real {
 fn accepted_step(ray: Ray) -> Ray {
     let h = capped_step(ray);
     let step = doubled_step(ray.phase, h);
-    var next = ray;
-    next.phase = opaque_phase(law_settled(step.end));
-    next.tau += h;
-    next.taken = opaque(h);
-    next.steps += 1u;
+    var next = after_step(ray, law_settled(step.end), h);
     next.rejected += u32(step.error > control.tolerance);
     next.memory.h = h * select(select(Real(1.0), 2.0, step.error < control.grow_below), 0.5, step.error > control.tolerance);
     return next;

@@ -1,7 +1,7 @@
 // Every pixel in every pass, ended or not: the 2004 paper without its early termination (masks off).
 
-fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
-    return grid_pixel(group, lane);
+fn living_pixel(own: Invocation) -> Place {
+    return grid_pixel(own);
 }
 
 fn ray_wanted(code: u32) -> bool {

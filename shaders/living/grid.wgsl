@@ -4,8 +4,8 @@
 
 var<workgroup> any_alive: atomic<u32>;
 
-fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
-    return grid_pixel(group, lane);
+fn living_pixel(own: Invocation) -> Place {
+    return grid_pixel(own);
 }
 
 fn ray_wanted(code: u32) -> bool {

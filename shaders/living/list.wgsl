@@ -20,11 +20,11 @@ const ROW: u32 = 32768u;
 var<workgroup> group_living: atomic<u32>;
 var<workgroup> group_first: u32;
 
-fn living_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
+fn living_pixel(own: Invocation) -> Place {
     if turn.first == 1u && frame.listed == 0u {
-        return grid_pixel(group, lane);
+        return grid_pixel(own);
     }
-    let i = (group.y * groups.x + group.x) * GROUP + lane;
+    let i = (own.group.y * own.groups.x + own.group.x) * GROUP + own.lane;
     let packed = list_in[min(i, arrayLength(&list_in) - 1u)];
     let valid = i < living_in.count;
     return Place(select(vec2u(0u), vec2u(packed & 0xffffu, packed >> 16u), valid), valid);

@@ -6,6 +6,13 @@ const GROUP: u32 = 64u;
 // device, so that the host may set another number.
 override GROUP_WIDTH: u32 = 8u;
 
+// Where an invocation stands in its dispatch.
+struct Invocation {
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+}
+
 struct Place {
     // Always one of the tile's, so that nothing outside it is ever read.
     pixel: vec2u,
@@ -20,6 +27,24 @@ struct Living {
     count: atomic<u32>,
 }
 
+// A pixel in a pass over the living, and the status of its ray.
+struct Under {
+    pixel: vec2u,
+    valid: bool,
+    alive: bool,
+    word: u32,
+    code: u32,
+    index: u32,
+}
+
+fn living_ray(own: Invocation) -> Under {
+    let spot = living_pixel(own);
+    let word = load_status(spot.pixel);
+    let code = status_code(word);
+    load_region(spot.pixel);
+    return Under(spot.pixel, spot.valid, spot.valid && code == ALIVE, word, code, status_index(word));
+}
+
 // Width and height of a workgroup.
 fn group_extent() -> vec2u {
     return vec2u(GROUP_WIDTH, GROUP / GROUP_WIDTH);
@@ -29,8 +54,8 @@ fn group_extent() -> vec2u {
 // of the group: what its lanes have tallied before is complete behind it.
 
 // Of dispatches over the whole grid of pixels.
-fn grid_pixel(group: vec3u, lane: u32) -> Place {
-    let pixel = group.xy * group_extent() + vec2u(lane % GROUP_WIDTH, lane / GROUP_WIDTH);
+fn grid_pixel(own: Invocation) -> Place {
+    let pixel = own.group.xy * group_extent() + vec2u(own.lane % GROUP_WIDTH, own.lane / GROUP_WIDTH);
     let valid = all(pixel < frame.size);
     return Place(select(vec2u(0u), pixel, valid), valid);
 }

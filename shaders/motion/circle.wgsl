@@ -88,10 +88,5 @@ fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
 fn accepted_step(ray: Ray) -> Ray {
     let alpha = stride(ray.phase);
     let passed = circle_tau(ray.phase, alpha);
-    var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, alpha));
-    next.tau += passed;
-    next.taken = opaque(passed);
-    next.steps += 1u;
-    return next;
+    return after_step(ray, retaken_step(ray.phase, alpha), passed);
 }

@@ -21,10 +21,5 @@ fn retaken_step(p: Phase, h: Real) -> Phase {
 
 fn accepted_step(ray: Ray) -> Ray {
     let h = limited_step(stride(ray.phase), ray.tau);
-    var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, h));
-    next.tau += h;
-    next.taken = opaque(h);
-    next.steps += 1u;
-    return next;
+    return after_step(ray, retaken_step(ray.phase, h), h);
 }

@@ -25,11 +25,7 @@ fn accepted_step(ray: Ray) -> Ray {
     let s = orbit_stride(start, control.eta, start.u);
     let end = orbit_step(start, s);
     let passed = orbit_time(start, end, s);
-    var next = ray;
-    next.phase = opaque_phase(orbit_point(end));
-    next.tau += passed;
-    next.taken = opaque(passed);
+    var next = after_step(ray, orbit_point(end), passed);
     next.memory.h = opaque(s);
-    next.steps += 1u;
     return next;
 }

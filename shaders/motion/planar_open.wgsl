@@ -90,10 +90,7 @@ fn accepted_step(ray: Ray) -> Ray {
         passed = orbit_time(start, here, s);
         steps = 1u;
     }
-    var next = ray;
-    next.phase = opaque_phase(orbit_point(here));
-    next.tau += passed;
-    next.taken = opaque(passed);
-    next.steps += steps;
+    var next = after_step(ray, orbit_point(here), passed);
+    next.steps = ray.steps + steps;
     return next;
 }

@@ -15,12 +15,8 @@ struct Record {
 @group(0) @binding(115) var<storage, read_write> records: array<Record>;
 
 @compute @workgroup_size(GROUP)
-fn record(
-    @builtin(workgroup_id) group: vec3u,
-    @builtin(num_workgroups) groups: vec3u,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let spot = grid_pixel(group, lane);
+fn record(own: Invocation) {
+    let spot = grid_pixel(own);
     let pixel = spot.pixel;
     if spot.valid {
         load_region(pixel);
@@ -34,5 +30,5 @@ fn record(
         tally_fate(ray.status);
     }
     workgroupBarrier();
-    total_fates(lane);
+    total_fates(own.lane);
 }

@@ -2,12 +2,12 @@
 
 alias Phase = mat2x3<Real>;
 
-fn unpack_phase(x: Real4, v: Real4, pixel: vec2u) -> Phase {
-    return Phase(x.xyz, v.xyz);
+fn unpack_phase(state: State, pixel: vec2u) -> Phase {
+    return Phase(state[0].xyz, state[1].xyz);
 }
 
-fn unpack_slot(x: Real4, v: Real4, slot: u32, pixel: vec2u) -> Phase {
-    return Phase(x.xyz, v.xyz);
+fn unpack_slot(state: State, slot: u32, pixel: vec2u) -> Phase {
+    return Phase(state[0].xyz, state[1].xyz);
 }
 
 fn store_clock(pixel: vec2u, p: Phase) {

@@ -3,12 +3,12 @@
 
 alias Phase = mat2x4<Real>;
 
-fn unpack_phase(x: Real4, v: Real4, pixel: vec2u) -> Phase {
-    return Phase(Real4(x.xyz, 0.0), Real4(v.xyz, load_clock(pixel)));
+fn unpack_phase(state: State, pixel: vec2u) -> Phase {
+    return Phase(Real4(state[0].xyz, 0.0), Real4(state[1].xyz, load_clock(pixel)));
 }
 
-fn unpack_slot(x: Real4, v: Real4, slot: u32, pixel: vec2u) -> Phase {
-    return Phase(Real4(x.xyz, 0.0), Real4(v.xyz, slot_clock(slot, pixel)));
+fn unpack_slot(state: State, slot: u32, pixel: vec2u) -> Phase {
+    return Phase(Real4(state[0].xyz, 0.0), Real4(state[1].xyz, slot_clock(slot, pixel)));
 }
 
 fn store_clock(pixel: vec2u, p: Phase) {

@@ -1,7 +1,7 @@
 // Every pixel, in every round.
 
-fn round_pixel(group: vec3u, groups: vec3u, lane: u32) -> Place {
-    return grid_pixel(group, lane);
+fn round_pixel(own: Invocation) -> Place {
+    return grid_pixel(own);
 }
 
 fn end_round(followed: bool, pixel: vec2u, lane: u32) {

@@ -1,11 +1,7 @@
 // Reading an ended ray's state from the slot that its status names, of two.
 
-fn slot_x(slot: u32, pixel: vec2u) -> Real4 {
-    return select(x_at_0(pixel), x_at_1(pixel), slot == 1u);
-}
-
-fn slot_v(slot: u32, pixel: vec2u) -> Real4 {
-    return select(v_at_0(pixel), v_at_1(pixel), slot == 1u);
+fn slot_state(slot: u32, pixel: vec2u) -> State {
+    return chosen_state(state_at_0(pixel), state_at_1(pixel), slot == 1u);
 }
 
 fn slot_clock(slot: u32, pixel: vec2u) -> Real {

@@ -1,9 +1,23 @@
-// What a pass of several segments leaves behind: the rays, and the counts of what it did. Called by every lane of the group.
+// What passes over segments leave behind: the rays, and the counts of what was done. Called by every lane of the group.
 
-// before: the ray as the pass found it; end: what it met, where it ended on a surface.
-fn finish_advance(spot: Place, alive: bool, before: Ray, ray: Ray, end: Hit, lane: u32) {
-    let lives = alive && ray.status == ALIVE;
-    if alive {
+// After steps. before: the ray as the pass found it.
+fn finish_steps(spot: Under, before: Ray, ray: Ray, lane: u32) {
+    if spot.alive {
+        store_ray(spot.pixel, ray);
+        store_counts(spot.pixel, ray);
+        store_taken(spot.pixel, ray.taken);
+        tally_steps(ray.steps - before.steps);
+        tally_rejections(ray.rejected - before.rejected);
+    }
+    workgroupBarrier();
+    total_steps(lane);
+    total_rejections(lane);
+}
+
+// After whole segments. end: what the ray met, where it ended on a surface.
+fn finish_advance(spot: Under, before: Ray, ray: Ray, end: Hit, lane: u32) {
+    let lives = spot.alive && ray.status == ALIVE;
+    if spot.alive {
         store_ray(spot.pixel, ray);
         store_counts(spot.pixel, ray);
         store_status(spot.pixel, status_word(ray.status, turn.end, ray.index));

@@ -20,57 +20,33 @@ fn place_of(pixel: vec2u) -> u32 {
 @group(0) @binding(12) var<storage, read_write> x_out: array<Real4>;
 @group(0) @binding(13) var<storage, read_write> v_out: array<Real4>;
 
-fn load_x(pixel: vec2u) -> Real4 {
-    return x_in[place_of(pixel)];
+fn load_state(pixel: vec2u) -> State {
+    return State(x_in[place_of(pixel)], v_in[place_of(pixel)]);
 }
 
-fn start_x(pixel: vec2u) -> Real4 {
-    return x_start[place_of(pixel)];
+fn start_state(pixel: vec2u) -> State {
+    return State(x_start[place_of(pixel)], v_start[place_of(pixel)]);
 }
 
-fn end_x(pixel: vec2u) -> Real4 {
-    return x_end[place_of(pixel)];
+fn end_state(pixel: vec2u) -> State {
+    return State(x_end[place_of(pixel)], v_end[place_of(pixel)]);
 }
 
-fn x_at_0(pixel: vec2u) -> Real4 {
-    return x_0[place_of(pixel)];
+fn state_at_0(pixel: vec2u) -> State {
+    return State(x_0[place_of(pixel)], v_0[place_of(pixel)]);
 }
 
-fn x_at_1(pixel: vec2u) -> Real4 {
-    return x_1[place_of(pixel)];
+fn state_at_1(pixel: vec2u) -> State {
+    return State(x_1[place_of(pixel)], v_1[place_of(pixel)]);
 }
 
-fn x_at_2(pixel: vec2u) -> Real4 {
-    return x_2[place_of(pixel)];
+fn state_at_2(pixel: vec2u) -> State {
+    return State(x_2[place_of(pixel)], v_2[place_of(pixel)]);
 }
 
-fn load_v(pixel: vec2u) -> Real4 {
-    return v_in[place_of(pixel)];
-}
-
-fn start_v(pixel: vec2u) -> Real4 {
-    return v_start[place_of(pixel)];
-}
-
-fn end_v(pixel: vec2u) -> Real4 {
-    return v_end[place_of(pixel)];
-}
-
-fn v_at_0(pixel: vec2u) -> Real4 {
-    return v_0[place_of(pixel)];
-}
-
-fn v_at_1(pixel: vec2u) -> Real4 {
-    return v_1[place_of(pixel)];
-}
-
-fn v_at_2(pixel: vec2u) -> Real4 {
-    return v_2[place_of(pixel)];
-}
-
-fn put_state(pixel: vec2u, x: Real4, v: Real4) {
-    x_out[place_of(pixel)] = x;
-    v_out[place_of(pixel)] = v;
+fn put_state(pixel: vec2u, state: State) {
+    x_out[place_of(pixel)] = state[0];
+    v_out[place_of(pixel)] = state[1];
 }
 
 // ṫ, for laws that carry time.

@@ -4,7 +4,7 @@ use super::link::{Parts, Unit};
 use super::picture_parts::{camera_parts, material_parts, picture_parts};
 use super::region_parts::region_parts;
 use super::regions::{Kind, Regions, is_mirror, scatters};
-use super::{Choice, Masks, Pass, ProgramError, Purpose, Structure, Work, generated, part};
+use super::{Choice, Masks, ProgramError, Purpose, Structure, Work, generated, part};
 use crate::scene::{
     Branches, Control, Law, MaterialKind, Medium, Object, Precision, Scene, SchwarzschildForm, Segment, Shape,
 };
@@ -25,7 +25,7 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
         "path_end",
         "colors",
     ]);
-    names.all(&["state/ray", "living/place", "stage/ended", "stage/between", "stage/advanced"]);
+    names.all(&["state/ray", "living/place", "stage/advanced"]);
     names.all(match scene.rays.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
         Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
@@ -35,9 +35,7 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     let mut made = vec![generated::counts(scene)];
     phase_parts(scene, &mut names);
     scatter_parts(scene, choice, &regions, &mut names, &mut made);
-    let pass_part =
-        |pass: &Pass| if *pass == Pass::Advance && choice.masks == Masks::Off { "advance_all" } else { pass.entry() };
-    names.each("pass", choice.passes(scene).iter().map(pass_part));
+    names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
     schedule_parts(scene, choice, &regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, &mut names);
@@ -90,6 +88,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
         Masks::Grid => "living/grid",
         Masks::List => "living/list",
     });
+    names.add(if choice.masks == Masks::Off { "follow/all" } else { "follow/living" });
     names.add(match (choice.lists_open(scene), choice.rounds(scene) > 1) {
         (false, _) => "round/once",
         (true, false) => "round/chosen",
