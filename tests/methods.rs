@@ -37,7 +37,7 @@ const SETTINGS: &[(&str, For, &str)] = &[
     ("method=dormand-prince segment=chord", For::All, "step/pair step/dormand_prince control/embedded memory/pair"),
     ("method=snell", For::Medium, "step/snell control/planned control/scaled memory/step"),
     ("method=snell step=0.1", For::Medium, "step/snell control/planned control/fixed memory/step"),
-    ("method=exact", For::Straight, "memory/step"),
+    ("method=exact", For::Straight, "method/memory_step"),
 ];
 
 /// A precision, and the parts that numbers and state have in it.

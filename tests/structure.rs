@@ -71,18 +71,18 @@ fn bindings_are_shared_only_by_alternatives() {
 #[test]
 fn shared_constants_are_in_the_shaders() {
     for (part, name) in [
-        ("work", "WORK_LIMIT"),
-        ("curve/arc", "MAX_PIECES"),
-        ("control/doubling_rejecting", "MAX_TRIES"),
-        ("material/emissive", "EMISSIVE"),
-        ("material/phong", "PHONG"),
-        ("pattern/constant", "CONSTANT"),
-        ("pattern/checker", "CHECKER"),
-        ("pattern/image", "IMAGE"),
-        ("ray", "MISSED"),
-        ("ray", "OUTSIDE"),
-        ("ray", "FAILED"),
-        ("moments", "RAYS"),
+        ("state/work", "WORK_LIMIT"),
+        ("segment/curve_arc", "MAX_PIECES"),
+        ("method/control/doubling_rejecting", "MAX_TRIES"),
+        ("surface/material/emissive", "EMISSIVE"),
+        ("surface/material/phong", "PHONG"),
+        ("surface/pattern/constant", "CONSTANT"),
+        ("surface/pattern/checker", "CHECKER"),
+        ("surface/pattern/image", "IMAGE"),
+        ("segment/ray", "MISSED"),
+        ("segment/ray", "OUTSIDE"),
+        ("segment/ray", "FAILED"),
+        ("picture/adaptive", "RAYS"),
         ("pass/refine", "FIRST_SAMPLES"),
     ] {
         assert!(constant(part, name).is_finite());

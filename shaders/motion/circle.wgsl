@@ -34,10 +34,6 @@ fn circle_point(c: Circle, alpha: Real) -> Phase {
     return Phase(x, (0.5 * media[place].n0 * (1.0 - at.w)) * normalize(u));
 }
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn retaken_step(p: Phase, alpha: Real) -> Phase {
     return circle_point(circle_of(p), alpha);
 }

@@ -2,10 +2,6 @@
 // −ω² times the distance across the axis, and the path is a sum of a sine and a cosine (Evans and Rosenquist 1985). Nothing is
 // integrated.
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn retaken_step(p: Phase, h: Real) -> Phase {
     let axis = spring_axis();
     let rate = spring_rate();

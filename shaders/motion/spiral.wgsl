@@ -35,10 +35,6 @@ struct Stride {
     free: bool,
 }
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn law_start(x: Real3, v: Real3) -> Phase {
     let u = normalize(v);
     let n = normalize(x - media[place].center);

@@ -1,9 +1,5 @@
 // Straight lines need no solver: one step to just outside the bounding sphere.
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn retaken_step(p: Phase, h: Real) -> Phase {
     return Phase(p[0] + h * p[1], p[1]);
 }

@@ -35,3 +35,12 @@ fn surface_box(i: u32, x: Real3) -> Surface {
     let gap = (side * dot(p, axis) - 1.0) / steep;
     return Surface(gap, 1.0 / steep, n, vec3f(n), vec2f(0.5 + 0.5 * uv), boxes[i].material, boxes[i].object);
 }
+
+// Those that are crossed: behind the opaque ones in their list.
+
+@group(0) @binding(68) var<uniform> sided_box_list: array<SidedSpace, SIDED_BOX_COUNT>;
+
+fn cross_box(own: SidedSpace, a: Real3, d: Real3) -> Real {
+    let space = sided_space(own);
+    return crossing(box_interval(own_point(space, a), own_vector(space, d)), own.bit);
+}

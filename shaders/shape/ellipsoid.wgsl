@@ -26,3 +26,11 @@ fn surface_ellipsoid(i: u32, x: Real3) -> Surface {
     let n = g / steep;
     return Surface((r - 1.0) / steep, 1.0 / steep, n, vec3f(n), sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
 }
+
+// Those that are crossed: behind the opaque ones in their list.
+
+@group(0) @binding(67) var<uniform> sided_ellipsoid_list: array<SidedSpace, SIDED_ELLIPSOID_COUNT>;
+
+fn cross_ellipsoid(own: SidedSpace, a: Real3, d: Real3) -> Real {
+    return crossing(ellipsoid_interval(sided_space(own), a, d), own.bit);
+}

@@ -88,13 +88,16 @@ impl Source<'_> {
     fn materials(&self, layout: &Layout) -> Result<Vec<u8>, GpuError> {
         let code = |part: &str, name: &str| constant(part, name) as u32;
         let kinds = [
-            code("material/emissive", "EMISSIVE"),
-            code("material/phong", "PHONG"),
-            code("scatter/mirror", "MIRROR"),
-            code("scatter/clear", "CLEAR"),
+            code("surface/material/emissive", "EMISSIVE"),
+            code("surface/material/phong", "PHONG"),
+            code("surface/scatter/mirror", "MIRROR"),
+            code("surface/scatter/clear", "CLEAR"),
         ];
-        let patterns =
-            [code("pattern/constant", "CONSTANT"), code("pattern/checker", "CHECKER"), code("pattern/image", "IMAGE")];
+        let patterns = [
+            code("surface/pattern/constant", "CONSTANT"),
+            code("surface/pattern/checker", "CHECKER"),
+            code("surface/pattern/image", "IMAGE"),
+        ];
         let rows = self.scene.materials.iter().map(|material| {
             let (kind, ambient, specular, shininess, emission) = match material.kind {
                 MaterialKind::Mirror => (kinds[2], 0.0, DVec3::ZERO, 1.0, DVec3::ZERO),
@@ -220,7 +223,7 @@ impl Source<'_> {
 
     /// For each object its bit in the set of regions.
     fn object_bits(&self) -> Vec<u32> {
-        let none = constant("facing/sided", "NO_BIT") as u32;
+        let none = constant("shape/facing_sided", "NO_BIT") as u32;
         let bit = |object| self.geometry.regions.bit(object).map_or(none, |bit| bit as u32);
         (0..self.scene.objects.len()).map(bit).collect()
     }

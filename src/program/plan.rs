@@ -13,19 +13,17 @@ use crate::scene::{
 pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
     let mut names = Names::default();
     names.all(&[
-        "ray",
-        "frame",
-        "work",
-        "bound",
-        "schedule",
-        "turn",
-        "math",
-        "tally/totals",
-        "fate",
-        "path_end",
-        "colors",
+        "segment/ray",
+        "state/arguments",
+        "state/work",
+        "law/bound",
+        "real/math",
+        "state/tally",
+        "segment/termination",
+        "segment/path_end",
+        "picture/colors",
     ]);
-    names.all(&["state/ray", "living/place", "stage/advanced"]);
+    names.all(&["state/ray", "state/active", "state/finish"]);
     names.all(match scene.rays.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
         Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
@@ -39,12 +37,12 @@ pub fn plan(scene: &Scene, choice: &Choice, work: &Work) -> Result<Parts, Progra
     schedule_parts(scene, choice, &regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, &mut names);
-    surface_parts(scene, choice, work, &regions, &mut names, &mut made);
+    surface_parts(scene, work, &regions, &mut names, &mut made);
     if choice.purpose == Purpose::Picture {
         picture_parts(scene, choice, &mut names, &mut made);
     }
     if !scene.pictures.is_empty() {
-        names.add("image_sample");
+        names.add("surface/image_sample");
         made.push(generated::images(scene.pictures.len()));
     }
     if !scene.objects.is_empty() {
@@ -62,7 +60,7 @@ pub(super) struct Names(Vec<String>);
 
 impl Names {
     pub(super) fn add(&mut self, name: &str) {
-        self.0.push(name.to_owned());
+        self.all(&[name]);
     }
 
     pub(super) fn all(&mut self, names: &[&str]) {
@@ -74,7 +72,11 @@ impl Names {
     }
 
     fn each_of(&mut self, names: impl IntoIterator<Item = String>) {
-        self.0.extend(names);
+        for name in names {
+            if !self.0.contains(&name) {
+                self.0.push(name);
+            }
+        }
     }
 
     pub(super) fn units(&self) -> Result<Vec<Unit>, ProgramError> {
@@ -84,22 +86,22 @@ impl Names {
 
 fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
     names.add(match choice.masks {
-        Masks::Off => "living/all",
-        Masks::Grid => "living/grid",
-        Masks::List => "living/list",
+        Masks::Off => "state/active/all",
+        Masks::Grid => "state/active/grid",
+        Masks::List => "state/active/list",
     });
-    names.add(if choice.masks == Masks::Off { "follow/all" } else { "follow/living" });
+    names.add(if choice.masks == Masks::Off { "segment/run_all" } else { "segment/run_active" });
     names.add(match (choice.lists_open(scene), choice.rounds(scene) > 1) {
-        (false, _) => "round/once",
-        (true, false) => "round/chosen",
-        (true, true) => "round/open",
+        (false, _) => "state/round/once",
+        (true, false) => "state/round/chosen",
+        (true, true) => "state/round/open",
     });
-    names.add(if choice.adapts(scene) { "wanted/open" } else { "wanted/all" });
-    names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
-    names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
+    names.add(if choice.adapts(scene) { "picture/adaptive" } else { "picture/samples_all" });
+    names.add(if choice.slots(scene) == 3 { "state/slots_three" } else { "state/slots_two" });
+    names.add(if choice.keeps_counts() { "state/counts_kept" } else { "state/counts_none" });
     let rejects = matches!(scene.rays.control, Control::Embedded { .. } | Control::Doubling { .. });
-    names.add(if rejects { "tally/rejections" } else { "tally/no_rejections" });
-    names.add(if keeps_taken(scene, regions) { "stage/taken_kept" } else { "stage/taken_none" });
+    names.add(if rejects { "state/rejections_some" } else { "state/rejections_none" });
+    names.add(if keeps_taken(scene, regions) { "state/taken_kept" } else { "state/taken_none" });
 }
 
 /// Arcs that are not straight need their step's size in the pass that intersects them.
@@ -111,41 +113,47 @@ fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
 /// What a state is, and what the control remembers of it.
 fn phase_parts(scene: &Scene, names: &mut Names) {
     let spacetime = matches!(scene.law, Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. });
-    names.add(if spacetime { "phase/spacetime" } else { "phase/space" });
+    names.add(if spacetime { "law/phase_spacetime" } else { "law/phase_space" });
     // Embedded pairs remember the error of the step before.
     let pair = matches!(scene.rays.control, Control::Embedded { .. });
-    names.add(if pair { "memory/pair" } else { "memory/step" });
+    names.add(if pair { "method/memory_pair" } else { "method/memory_step" });
 }
 
 /// Which medium a ray is in, and what becomes of it at surfaces that it goes on from.
 fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names, made: &mut Vec<Unit>) {
-    names.add("stride/turn");
     if !scatters(scene) {
-        names.all(&["region/none", "scatter/none", "weight/none", "branch/transmitted", "left/none", "facing/any"]);
+        names.all(&[
+            "surface/region_none",
+            "surface/scatter/none",
+            "surface/weight/none",
+            "surface/branch/transmitted",
+            "segment/last_hit_none",
+            "shape/facing_any",
+        ]);
         return;
     }
     let clear = scene.objects.iter().any(|object| object.interior().is_some());
     let flat = scene.objects.iter().enumerate().any(|(i, o)| is_mirror(scene, o) && regions.bit(i).is_none());
     let sided_mesh = regions.regions.iter().any(|r| matches!(scene.objects[r.object].shape, Shape::Mesh(_)));
-    names.all(&["scatter/some", "scatter/scattered", "branch/branch"]);
-    names.add(if regions.regions.is_empty() { "region/none" } else { "region/set" });
-    names.add(if choice.purpose == Purpose::Trace { "origin/given" } else { "origin/camera" });
-    names.add(if flat { "left/kept" } else { "left/none" });
-    names.add(if sided_mesh { "facing/sided" } else { "facing/any" });
-    names.add(if regions.touching.count() > 0 { "touching/some" } else { "touching/none" });
+    names.all(&["surface/scatter/some"]);
+    names.add(if regions.regions.is_empty() { "surface/region_none" } else { "surface/region_set" });
+    names.add(if choice.purpose == Purpose::Trace { "surface/origin_given" } else { "surface/origin_camera" });
+    names.add(if flat { "segment/last_hit_kept" } else { "segment/last_hit_none" });
+    names.add(if sided_mesh { "shape/facing_sided" } else { "shape/facing_any" });
+    names.add(if regions.touching.count() > 0 { "surface/touching_some" } else { "surface/touching_none" });
     let gray = scene.materials.iter().all(|material| material.kind != MaterialKind::Mirror || material.color.is_gray());
-    let kept = if gray { "weight/gray" } else { "weight/colored" };
+    let kept = if gray { "surface/weight/gray" } else { "surface/weight/colored" };
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
-        (Purpose::Picture, Branches::Enumerated(_)) => (kept, "branch/enumerated"),
-        (Purpose::Picture, Branches::Random) => (kept, "branch/random"),
-        _ => ("weight/none", "branch/transmitted"),
+        (Purpose::Picture, Branches::Enumerated(_)) => (kept, "surface/branch/enumerated"),
+        (Purpose::Picture, Branches::Random) => (kept, "surface/branch/random"),
+        _ => ("surface/weight/none", "surface/branch/transmitted"),
     };
     names.all(&[weight, branch]);
     if clear {
-        names.all(&["scatter/clear", "scatter/refraction"]);
+        names.all(&["surface/scatter/clear"]);
     }
     let kinds = chosen(&[("clear", clear), ("mirror", scene.objects.iter().any(|o| is_mirror(scene, o)))]);
-    names.each("scatter", kinds.iter().copied().filter(|kind| *kind != "clear"));
+    names.each("surface/scatter", kinds.iter().copied().filter(|kind| *kind != "clear"));
     made.push(generated::scatter(&kinds));
     made.push(generated::regions(regions));
 }
@@ -156,16 +164,16 @@ fn end_parts(scene: &Scene, names: &mut Names) {
         Law::Sources(sources) => sources.iter().any(|source| source.capture > 0.0),
         _ => scene.media().any(Medium::captures),
     };
-    names.add(if captures { "capture/spheres" } else { "capture/none" });
-    names.add(if scene.rays.length.is_some() { "limit/length" } else { "limit/none" });
-    names.add(if scene.rays.asymptotic { "asymptotic/orbit" } else { "asymptotic/none" });
+    names.add(if captures { "law/capture_spheres" } else { "law/capture_none" });
+    names.add(if scene.rays.length.is_some() { "law/limit_length" } else { "law/limit_none" });
+    names.add(if scene.rays.asymptotic { "law/asymptotic_orbit" } else { "law/asymptotic_none" });
     let hits = !scene.objects.is_empty();
     match scene.rays.segment {
         Segment::Arc { .. } => {
-            names.all(&["follow/step", if hits { "stage/end_on_arc" } else { "stage/end_open" }]);
+            names.all(&["segment/follow_step", if hits { "segment/end_on_arc" } else { "segment/end_open" }]);
         }
         Segment::Chord { .. } => {
-            names.all(&["follow/steps", if hits { "stage/end_on_chord" } else { "stage/end_open" }]);
+            names.all(&["segment/follow_chord", if hits { "segment/end_on_chord" } else { "segment/end_open" }]);
         }
     }
 }
@@ -192,26 +200,17 @@ pub fn shape_kind(shape: &Shape, transform: &crate::scene::Transform) -> &'stati
     }
 }
 
-fn surface_parts(
-    scene: &Scene,
-    choice: &Choice,
-    work: &Work,
-    regions: &Regions,
-    names: &mut Names,
-    made: &mut Vec<Unit>,
-) {
-    let recorded = choice.purpose != Purpose::Picture;
+fn surface_parts(scene: &Scene, work: &Work, regions: &Regions, names: &mut Names, made: &mut Vec<Unit>) {
     let kinds = shape_kinds(scene.objects.iter());
     if kinds.is_empty() {
-        names.all(&["walk/none", "stage/seen_nothing"]);
-        names.add(if recorded { "stage/recorded_nothing" } else { "stage/seen" });
+        names.all(&["segment/no_surfaces"]);
         return;
     }
-    names.all(&["walk/piece", "hits", "shape/placed"]);
+    names.all(&["segment/pieces", "segment/hits", "shape/placed"]);
     let structure = Structure::of(scene);
-    names.add(if work.resumed { "walk/resumed" } else { "walk/whole" });
+    names.add(if work.resumed { "segment/walk_resumed" } else { "segment/walk_whole" });
     let leaps = regions.kinds.iter().any(|kind| kind.leaps);
-    names.add(if leaps { "walk/leaping" } else { "walk/direct" });
+    names.add(if leaps { "segment/hit_leaping" } else { "segment/hit_direct" });
     names.each("shape", kinds.iter().copied());
     let with_side = |side: bool| {
         let objects = scene.objects.iter().enumerate().filter(move |(i, _)| regions.bit(*i).is_some() == side);
@@ -221,26 +220,16 @@ fn surface_parts(
     // One search meets all triangles, whatever their objects are made of.
     sided.retain(|kind| *kind != "triangle");
     let listed: Vec<&str> = opaque.into_iter().filter(|kind| !structure.holds(kind)).collect();
-    names.add(if listed.is_empty() && sided.is_empty() { "listed/none" } else { "listed/some" });
+    names.add(if listed.is_empty() && sided.is_empty() { "segment/lists_none" } else { "segment/lists_some" });
     if structure.kinds.is_empty() {
-        names.add("structure/none");
+        names.add("segment/structure/none");
     } else {
-        names.add("walk/items");
-        names.add(if structure.in_order() { "order/same" } else { "order/listed" });
-        names.each("structure", [structure.search.name()]);
-    }
-    if !sided.is_empty() {
-        names.add("crossing/crossing");
-        names.each("crossing", sided.iter().copied());
-    } else if regions.regions.iter().any(|region| matches!(scene.objects[region.object].shape, Shape::Mesh(_))) {
-        names.add("crossing/crossing");
+        names.add("segment/pieces");
+        names.add(if structure.in_order() { "segment/order_same" } else { "segment/order_listed" });
+        names.each("segment/structure", [structure.search.name()]);
     }
     made.push(generated::shapes(scene, &kinds, &listed, &sided, &structure));
-    if recorded {
-        names.add("stage/recorded_surface");
-    } else {
-        names.all(&["stage/seen", "stage/seen_surface"]);
-    }
+    names.add("surface/seen");
 }
 
 pub(super) fn chosen<'a>(options: &[(&'a str, bool)]) -> Vec<&'a str> {

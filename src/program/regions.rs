@@ -211,22 +211,22 @@ fn motion(scene: &Scene, medium: &Medium) -> Motion {
 /// The parts that know a medium's index.
 fn index_parts(medium: &Medium) -> &'static [&'static str] {
     match medium {
-        Medium::Constant { .. } => &["index/constant"],
-        Medium::Luneburg { .. } => &["index/luneburg"],
-        Medium::Gaussian { .. } => &["index/gaussian"],
-        Medium::InverseR { .. } => &["index/inverse_r"],
-        Medium::Fisheye { .. } => &["index/fisheye"],
-        Medium::Eaton { .. } => &["index/eaton"],
-        Medium::Rod { .. } => &["index/rod"],
-        Medium::Linear { .. } => &["index/linear"],
-        Medium::Exponential { .. } => &["index/exponential"],
-        Medium::Sech { .. } => &["index/sech"],
-        Medium::Profile { .. } => &["index/profile"],
-        Medium::Noise(_) => &["index/noise", "noise/fractal", "noise/lattice"],
-        Medium::Textured(_) => &["index/textured", "noise/fractal", "noise/lattice"],
-        Medium::Explosion(_) => &["index/explosion", "noise/lattice"],
-        Medium::Expression { .. } => &["index/expression", "formula", "index_limit"],
-        Medium::Grid(_) => &["index/grid", "index_limit"],
+        Medium::Constant { .. } => &["medium/constant"],
+        Medium::Luneburg { .. } => &["medium/luneburg"],
+        Medium::Gaussian { .. } => &["medium/gaussian"],
+        Medium::InverseR { .. } => &["medium/inverse_r"],
+        Medium::Fisheye { .. } => &["medium/fisheye"],
+        Medium::Eaton { .. } => &["medium/eaton"],
+        Medium::Rod { .. } => &["medium/rod"],
+        Medium::Linear { .. } => &["medium/linear"],
+        Medium::Exponential { .. } => &["medium/exponential"],
+        Medium::Sech { .. } => &["medium/sech"],
+        Medium::Profile { .. } => &["medium/profile"],
+        Medium::Noise(_) => &["medium/noise", "medium/fractal_noise"],
+        Medium::Textured(_) => &["medium/textured", "medium/fractal_noise"],
+        Medium::Explosion(_) => &["medium/explosion", "medium/fractal_noise"],
+        Medium::Expression { .. } => &["medium/expression", "medium/formula", "medium/finite"],
+        Medium::Grid(_) => &["medium/grid", "medium/finite"],
     }
 }
 

@@ -8,7 +8,7 @@ use super::{Extent, Kind, Motion, ProgramError, Regions, Search, Structure, cons
 use crate::scene::{Control, Law, Medium, Method, Object, Precision, Scene, Segment};
 
 fn work_limit() -> u64 {
-    constant("work", "WORK_LIMIT") as u64
+    constant("state/work", "WORK_LIMIT") as u64
 }
 
 /// A segment up to this size is walked whole: so many fit into a pass that no batch of segments is cut short.
@@ -46,7 +46,7 @@ impl Work {
         let (steps, pieces) = match scene.rays.segment {
             Segment::Chord { steps } => (u64::from(steps), 1),
             Segment::Arc { .. } if Regions::of(scene).kinds.iter().all(Kind::is_line) => (1, 1),
-            Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
+            Segment::Arc { .. } => (1, constant("segment/curve_arc", "MAX_PIECES") as u64),
         };
         let (structure, regions) = (Structure::of(scene), Regions::of(scene));
         let is_listed = |(i, object): &(usize, &Object)| {
@@ -55,8 +55,11 @@ impl Work {
         let listed = scene.objects.iter().enumerate().filter(is_listed).count() as u64;
         // Where a ray goes on from a surface its last step is taken again, a few times over.
         let touching = regions.touching.count() as u64;
-        let scatter =
-            if scatters(scene) { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching } else { 0 };
+        let scatter = if scatters(scene) {
+            (constant("segment/path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching
+        } else {
+            0
+        };
         // A grid is walked piece by piece.
         let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 1);
         let segment = steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter;
@@ -135,7 +138,7 @@ fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
         Method::DormandPrince => 7,
     };
     if scene.rays.method == Method::Planar {
-        let part = "motion/planar_open";
+        let part = "motion/orbit_open";
         return if scene.objects.is_empty() { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 } else { 0 };
     }
     match scene.rays.control {
@@ -143,10 +146,12 @@ fn step_loops(scene: &Scene, rate: u64, scale: u64) -> u64 {
         Control::Fixed { .. } | Control::Scaled { .. } => evaluations * rate + scale,
         Control::Curvature { .. } => (evaluations + 1) * rate + scale,
         Control::Embedded { .. } => {
-            rate + scale + constant("control/embedded", "MAX_TRIES") as u64 * (1 + evaluations * rate + scale)
+            rate + scale + constant("method/control/embedded", "MAX_TRIES") as u64 * (1 + evaluations * rate + scale)
         }
         Control::Doubling { .. } => {
-            scale + constant("control/doubling_rejecting", "MAX_TRIES") as u64 * (4 + 3 * evaluations * rate + scale)
+            scale
+                + constant("method/control/doubling_rejecting", "MAX_TRIES") as u64
+                    * (4 + 3 * evaluations * rate + scale)
         }
     }
 }
