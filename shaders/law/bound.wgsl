@@ -5,7 +5,7 @@ struct Bound {
     radius: Real,
 }
 
-@group(0) @binding(1) var<uniform> bound: Bound;
+@group(0) @binding(60) var<uniform> bound: Bound;
 
 fn left_bound(x: Real3, v: Real3) -> bool {
     let d = x - bound.center;

@@ -6,7 +6,7 @@ struct CaptureSphere {
     radius: Real,
 }
 
-@group(0) @binding(55) var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
+@group(0) @binding(61) var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
 
 fn law_captured(x: Real3, v: Real3) -> bool {
     var captured = false;

@@ -4,7 +4,7 @@ struct Limit {
     length: Real,
 }
 
-@group(0) @binding(56) var<uniform> limit: Limit;
+@group(0) @binding(66) var<uniform> limit: Limit;
 
 fn limited_step(h: Real, tau: Real) -> Real {
     return min(h, limit.length - tau);

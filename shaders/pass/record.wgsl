@@ -12,7 +12,7 @@ struct Record {
     object: u32,
 }
 
-@group(0) @binding(115) var<storage, read_write> records: array<Record>;
+@group(0) @binding(181) var<storage, read_write> records: array<Record>;
 
 @compute @workgroup_size(GROUP)
 fn record(own: Invocation) {

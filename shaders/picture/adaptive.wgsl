@@ -17,7 +17,7 @@ const CAPPED: u32 = 0x40000000u;
 // The rays without the flags.
 const RAYS: u32 = 0x0000ffffu;
 
-@group(0) @binding(114) var<storage, read_write> moments: array<Moments>;
+@group(0) @binding(150) var<storage, read_write> moments: array<Moments>;
 
 fn place_in_tile(pixel: vec2u) -> u32 {
     return pixel.y * frame.size.x + pixel.x;
@@ -41,7 +41,7 @@ fn sample_wanted(pixel: vec2u) -> bool {
 }
 
 // How the ray through each pixel's top left corner ended, and on which object: what tells an edge from a gradient.
-@group(0) @binding(116) var corner_end: texture_storage_2d<r32uint, read_write>;
+@group(0) @binding(151) var corner_end: texture_storage_2d<r32uint, read_write>;
 
 fn keep_corner(pixel: vec2u, ray: Ray, seen: Seen) {
     if frame.sample + frame.branch == 0u {

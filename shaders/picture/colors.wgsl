@@ -1,8 +1,8 @@
 // Every pixel's colour, summed over what shading adds to it.
 
-@group(0) @binding(110) var red: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(111) var green: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(112) var blue: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(152) var red: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(153) var green: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(154) var blue: texture_storage_2d<r32float, read_write>;
 
 fn load_color(pixel: vec2u) -> vec3f {
     return vec3f(textureLoad(red, pixel).x, textureLoad(green, pixel).x, textureLoad(blue, pixel).x);

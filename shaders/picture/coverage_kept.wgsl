@@ -1,6 +1,6 @@
 // How many of a pixel's samples are of the picture: where the camera has no rays there is nothing to see through it.
 
-@group(0) @binding(113) var alpha: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(155) var alpha: texture_storage_2d<r32float, read_write>;
 
 // The samples' sum, like the colours'; but not that of the rounds in which a sample's branches are followed.
 fn add_coverage(pixel: vec2u, code: u32) {

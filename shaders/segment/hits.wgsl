@@ -1,8 +1,8 @@
 // What each pixel's ray hit: the primitive and the fraction of its last segment. Textures of their own, not a part of the
 // state: they are written once.
 
-@group(0) @binding(71) var hit_primitive: texture_storage_2d<r32uint, read_write>;
-@group(0) @binding(72) var hit_t: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(87) var hit_primitive: texture_storage_2d<r32uint, read_write>;
+@group(0) @binding(88) var hit_t: texture_storage_2d<r32float, read_write>;
 
 fn store_hit(pixel: vec2u, hit: Hit) {
     textureStore(hit_primitive, pixel, vec4u(hit.primitive));

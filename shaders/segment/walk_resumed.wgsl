@@ -3,7 +3,7 @@
 // walk's order is fixed), and the nearest hit so far.
 
 // A place, counted from 1; 0 is a walk that has not begun.
-@group(0) @binding(70) var walk: texture_storage_2d<r32uint, read_write>;
+@group(0) @binding(93) var walk: texture_storage_2d<r32uint, read_write>;
 
 // The place to go on from, counted from 1; 0 when the walk is complete.
 var<private> walk_place: u32;

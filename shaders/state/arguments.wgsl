@@ -30,7 +30,7 @@ struct Schedule {
     segment_work: u32,
 }
 
-@group(0) @binding(5) var<uniform> schedule: Schedule;
+@group(0) @binding(1) var<uniform> schedule: Schedule;
 
 // What changes from pass to pass: which slots of the state pair it reads and writes.
 struct Turn {
@@ -44,4 +44,4 @@ struct Turn {
     first: u32,
 }
 
-@group(0) @binding(6) var<uniform> turn: Turn;
+@group(0) @binding(2) var<uniform> turn: Turn;

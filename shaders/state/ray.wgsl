@@ -7,7 +7,7 @@ fn chosen_state(a: State, b: State, second: bool) -> State {
     return State(select(a[0], b[0], second), select(a[1], b[1], second));
 }
 
-@group(0) @binding(14) var status: texture_storage_2d<r32uint, read_write>;
+@group(0) @binding(4) var status: texture_storage_2d<r32uint, read_write>;
 
 fn load_status(pixel: vec2u) -> u32 {
     return textureLoad(status, pixel).x;

@@ -15,7 +15,7 @@ struct Tally {
     fates: array<atomic<u32>, FATES>,
 }
 
-@group(0) @binding(7) var<storage, read_write> tally: Tally;
+@group(0) @binding(3) var<storage, read_write> tally: Tally;
 
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_segments: atomic<u32>;

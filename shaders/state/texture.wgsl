@@ -3,18 +3,18 @@
 
 @group(0) @binding(10) var x_in: texture_2d<f32>;
 @group(0) @binding(11) var v_in: texture_2d<f32>;
-@group(0) @binding(22) var x_start: texture_2d<f32>;
-@group(0) @binding(23) var v_start: texture_2d<f32>;
-@group(0) @binding(24) var x_end: texture_2d<f32>;
-@group(0) @binding(25) var v_end: texture_2d<f32>;
-@group(0) @binding(30) var x_0: texture_2d<f32>;
-@group(0) @binding(33) var v_0: texture_2d<f32>;
-@group(0) @binding(31) var x_1: texture_2d<f32>;
-@group(0) @binding(34) var v_1: texture_2d<f32>;
-@group(0) @binding(32) var x_2: texture_2d<f32>;
-@group(0) @binding(35) var v_2: texture_2d<f32>;
-@group(0) @binding(12) var x_out: StateTexture;
-@group(0) @binding(13) var v_out: StateTexture;
+@group(0) @binding(12) var x_start: texture_2d<f32>;
+@group(0) @binding(13) var v_start: texture_2d<f32>;
+@group(0) @binding(14) var x_end: texture_2d<f32>;
+@group(0) @binding(15) var v_end: texture_2d<f32>;
+@group(0) @binding(16) var x_0: texture_2d<f32>;
+@group(0) @binding(17) var v_0: texture_2d<f32>;
+@group(0) @binding(18) var x_1: texture_2d<f32>;
+@group(0) @binding(19) var v_1: texture_2d<f32>;
+@group(0) @binding(20) var x_2: texture_2d<f32>;
+@group(0) @binding(21) var v_2: texture_2d<f32>;
+@group(0) @binding(22) var x_out: StateTexture;
+@group(0) @binding(23) var v_out: StateTexture;
 
 fn load_state(pixel: vec2u) -> State {
     return State(textureLoad(x_in, pixel, 0), textureLoad(v_in, pixel, 0));
@@ -46,11 +46,11 @@ fn put_state(pixel: vec2u, state: State) {
 }
 
 // ṫ, for laws that carry time.
-@group(0) @binding(20) var clock_in: texture_2d<f32>;
-@group(0) @binding(36) var clock_0: texture_2d<f32>;
-@group(0) @binding(37) var clock_1: texture_2d<f32>;
-@group(0) @binding(38) var clock_2: texture_2d<f32>;
-@group(0) @binding(21) var clock_out: texture_storage_2d<r32float, write>;
+@group(0) @binding(24) var clock_in: texture_2d<f32>;
+@group(0) @binding(25) var clock_0: texture_2d<f32>;
+@group(0) @binding(26) var clock_1: texture_2d<f32>;
+@group(0) @binding(27) var clock_2: texture_2d<f32>;
+@group(0) @binding(28) var clock_out: texture_storage_2d<r32float, write>;
 
 fn load_clock(pixel: vec2u) -> Real {
     return textureLoad(clock_in, pixel, 0).x;
@@ -73,11 +73,11 @@ fn put_clock(pixel: vec2u, a: Real) {
 }
 
 // The last accepted step's error, for controls that remember it.
-@group(0) @binding(42) var error_in: texture_2d<f32>;
-@group(0) @binding(44) var error_0: texture_2d<f32>;
-@group(0) @binding(45) var error_1: texture_2d<f32>;
-@group(0) @binding(46) var error_2: texture_2d<f32>;
-@group(0) @binding(43) var error_out: texture_storage_2d<r32float, write>;
+@group(0) @binding(29) var error_in: texture_2d<f32>;
+@group(0) @binding(30) var error_0: texture_2d<f32>;
+@group(0) @binding(31) var error_1: texture_2d<f32>;
+@group(0) @binding(32) var error_2: texture_2d<f32>;
+@group(0) @binding(33) var error_out: texture_storage_2d<r32float, write>;
 
 fn load_error(pixel: vec2u) -> Real {
     return textureLoad(error_in, pixel, 0).x;
@@ -100,7 +100,7 @@ fn put_error(pixel: vec2u, a: Real) {
 }
 
 // The size of the step taken last.
-@group(0) @binding(26) var taken: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(34) var taken: texture_storage_2d<r32float, read_write>;
 
 fn load_taken(pixel: vec2u) -> Real {
     return textureLoad(taken, pixel).x;

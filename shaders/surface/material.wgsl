@@ -17,4 +17,4 @@ struct Material {
     bit: u32,
 }
 
-@group(0) @binding(90) var<storage, read> materials: array<Material>;
+@group(0) @binding(134) var<storage, read> materials: array<Material>;

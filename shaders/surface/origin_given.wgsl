@@ -1,7 +1,7 @@
 // Given rays each start inside of other meshes.
 
 // For each ray the meshes that it starts in, as bits of the set of regions.
-@group(0) @binding(16) var<storage, read> given_sets: array<u32>;
+@group(0) @binding(135) var<storage, read> given_sets: array<u32>;
 
 fn starts_inside(region_bit: u32, pixel: vec2u) -> bool {
     let index = pixel.y * frame.image.x + pixel.x;

@@ -15,8 +15,8 @@ struct Region {
     radius: Real,
 }
 
-@group(0) @binding(64) var<uniform> regions: array<Region, REGION_COUNT>;
-@group(0) @binding(65) var inside_set: texture_storage_2d<r32uint, read_write>;
+@group(0) @binding(136) var<uniform> regions: array<Region, REGION_COUNT>;
+@group(0) @binding(137) var inside_set: texture_storage_2d<r32uint, read_write>;
 
 // The set.
 var<private> inside: u32;

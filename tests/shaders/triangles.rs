@@ -10,7 +10,7 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-const PARTS: [&str; 9] = [
+const PARTS: [&str; 8] = [
     "segment/ray",
     "state/work",
     "segment/walk_whole",

@@ -5,7 +5,7 @@ struct Sky {
     image: u32,
 }
 
-@group(0) @binding(95) var<uniform> sky: Sky;
+@group(0) @binding(163) var<uniform> sky: Sky;
 
 fn sky_radiance(d: vec3f) -> vec3f {
     let size = vec2f(image_size(sky.image));

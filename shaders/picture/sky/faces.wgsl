@@ -8,7 +8,7 @@ struct Sky {
     intensity: f32,
 }
 
-@group(0) @binding(95) var<uniform> sky: Sky;
+@group(0) @binding(163) var<uniform> sky: Sky;
 
 fn sky_radiance(d: vec3f) -> vec3f {
     let size = abs(d);

@@ -13,7 +13,7 @@ struct Node {
     leaf: u32,
 }
 
-@group(0) @binding(98) var<storage, read> nodes: array<Node>;
+@group(0) @binding(90) var<storage, read> nodes: array<Node>;
 
 const LEAF_FIRST: u32 = 0x00ffffffu;
 

@@ -1,6 +1,6 @@
 // Every pixel whose ray still lives (W04 §4.1's mask), over the whole grid of pixels; passes stop when none lives.
 
-@group(0) @binding(101) var<storage, read_write> living_out: Living;
+@group(0) @binding(5) var<storage, read_write> living_out: Living;
 
 var<workgroup> any_alive: atomic<u32>;
 

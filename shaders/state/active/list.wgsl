@@ -9,10 +9,10 @@ struct LivingRead {
     count: u32,
 }
 
-@group(0) @binding(100) var<storage, read> living_in: LivingRead;
-@group(0) @binding(101) var<storage, read_write> living_out: Living;
-@group(0) @binding(102) var<storage, read> list_in: array<u32>;
-@group(0) @binding(103) var<storage, read_write> list_out: array<u32>;
+@group(0) @binding(6) var<storage, read> living_in: LivingRead;
+@group(0) @binding(5) var<storage, read_write> living_out: Living;
+@group(0) @binding(7) var<storage, read> list_in: array<u32>;
+@group(0) @binding(8) var<storage, read_write> list_out: array<u32>;
 
 // Groups in one row of a dispatch: under the limit of 65,535 for any number of pixels.
 const ROW: u32 = 32768u;

@@ -8,9 +8,9 @@ struct Branching {
     depth: u32,
 }
 
-@group(0) @binding(109) var<uniform> branching: Branching;
+@group(0) @binding(130) var<uniform> branching: Branching;
 // The code, and above MET how many branchings the path has met.
-@group(0) @binding(108) var branches: texture_storage_2d<r32uint, read_write>;
+@group(0) @binding(131) var branches: texture_storage_2d<r32uint, read_write>;
 
 const MET: u32 = 24u;
 

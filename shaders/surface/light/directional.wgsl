@@ -6,7 +6,7 @@ struct DirectionalLight {
     color: vec3f,
 }
 
-@group(0) @binding(93) var<storage, read> directional_lights: array<DirectionalLight>;
+@group(0) @binding(132) var<storage, read> directional_lights: array<DirectionalLight>;
 
 fn lit_by_directional(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     var sum = vec3f(0.0);

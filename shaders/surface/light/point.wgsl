@@ -5,7 +5,7 @@ struct PointLight {
     color: vec3f,
 }
 
-@group(0) @binding(92) var<storage, read> point_lights: array<PointLight>;
+@group(0) @binding(133) var<storage, read> point_lights: array<PointLight>;
 
 fn lit_by_point(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     var sum = vec3f(0.0);

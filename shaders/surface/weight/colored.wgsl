@@ -2,9 +2,9 @@
 // along a ray (thesis Eq. 14), the square of the index where the camera is over that where the ray ends. However often the
 // index changes on the way, only those two matter.
 
-@group(0) @binding(105) var weight_red: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(106) var weight_green: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(107) var weight_blue: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(139) var weight_red: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(140) var weight_green: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(141) var weight_blue: texture_storage_2d<r32float, read_write>;
 
 var<private> weight: vec3f;
 

@@ -1,6 +1,6 @@
 // As surface/weight/colored.wgsl, where nothing on the way has a colour.
 
-@group(0) @binding(105) var weight_all: texture_storage_2d<r32float, read_write>;
+@group(0) @binding(142) var weight_all: texture_storage_2d<r32float, read_write>;
 
 var<private> weight: f32;
 
