@@ -12,15 +12,15 @@ struct Memory {
 const FIRST_ERROR: Real = 1e-4;
 
 fn first_memory(p: Phase) -> Memory {
-    return Memory(first_step(p), FIRST_ERROR, first_rate(p));
+    return Memory(first_step(p), FIRST_ERROR, first_derivative(p));
 }
 
 fn load_memory(pixel: vec2u, h: Real, p: Phase) -> Memory {
-    return Memory(h, load_error(pixel), opaque_phase(first_rate(p)));
+    return Memory(h, load_error(pixel), opaque_phase(first_derivative(p)));
 }
 
 fn slot_memory(slot: u32, pixel: vec2u, h: Real, p: Phase) -> Memory {
-    return Memory(h, slot_error(slot, pixel), opaque_phase(first_rate(p)));
+    return Memory(h, slot_error(slot, pixel), opaque_phase(first_derivative(p)));
 }
 
 fn store_memory(pixel: vec2u, memory: Memory) {

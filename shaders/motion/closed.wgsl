@@ -4,6 +4,6 @@ fn first_step(p: Phase) -> Real {
     return 0.0;
 }
 
-fn first_rate(p: Phase) -> Phase {
+fn first_derivative(p: Phase) -> Phase {
     return p;
 }

@@ -4,10 +4,10 @@
 
 @compute @workgroup_size(GROUP)
 fn advance(own: Invocation) {
-    let spot = living_ray(own);
+    let spot = active_ray(own);
     load_weight(spot.pixel);
     load_branches(spot.pixel);
-    load_left(spot.pixel, spot.index);
+    load_last_hit(spot.pixel, spot.index);
     // What is kept: the start of the segment under way, or of the last one. An ended ray stays there.
     var ray = load_ray(spot.pixel, spot.word);
     if !spot.alive {
@@ -20,10 +20,10 @@ fn advance(own: Invocation) {
         work += 1u;
         follow_segments(spot, &ray, &end, &segments);
         // Those that met a surface go on from it together, when none has a segment left to its own.
-        if !may_go_on(ray.status) || !spot.alive {
+        if !may_scatter(ray.status) || !spot.alive {
             break;
         }
-        ray = gone_on(ray, &end, spot.pixel);
+        ray = scatter_ray(ray, &end, spot.pixel);
         if ray.status != ALIVE {
             break;
         }

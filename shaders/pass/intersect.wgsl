@@ -2,8 +2,8 @@
 
 @compute @workgroup_size(GROUP)
 fn intersect(own: Invocation) {
-    let spot = living_ray(own);
-    load_left(spot.pixel, spot.index);
+    let spot = active_ray(own);
+    load_last_hit(spot.pixel, spot.index);
     if spot.valid && ray_wanted(spot.code) && walk_needed(spot.pixel) {
         let hit = first_hit(load_segment(spot.pixel), spot.pixel);
         if spot.code == ALIVE && !walk_suspended() {

@@ -27,8 +27,8 @@ fn record(own: Invocation) {
         records[i] = Record(
             seen.end.x, seen.end.tau, seen.end.v, depth, ray.status, ray.steps, ray.rejected, seen.object,
         );
-        tally_fate(ray.status);
+        tally_status(ray.status);
     }
     workgroupBarrier();
-    total_fates(own.lane);
+    total_statuses(own.lane);
 }

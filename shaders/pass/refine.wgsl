@@ -115,5 +115,5 @@ fn refine(own: Invocation) {
         atomicAdd(&refined.open, atomicLoad(&group_open));
         atomicAdd(&refined.capped, atomicLoad(&group_capped));
     }
-    keep_living(open, spot.pixel, own.lane);
+    keep_active(open, spot.pixel, own.lane);
 }

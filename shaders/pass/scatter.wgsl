@@ -3,19 +3,19 @@
 
 @compute @workgroup_size(GROUP)
 fn scatter(own: Invocation) {
-    let spot = living_ray(own);
-    if spot.valid && may_go_on(spot.code) {
+    let spot = active_ray(own);
+    if spot.valid && may_scatter(spot.code) {
         load_weight(spot.pixel);
         load_branches(spot.pixel);
         var met = load_hit(spot.pixel);
-        let next = gone_on(load_ray(spot.pixel, spot.word), &met, spot.pixel);
+        let next = scatter_ray(load_ray(spot.pixel, spot.word), &met, spot.pixel);
         store_weight(spot.pixel);
         store_branches(spot.pixel);
         if next.status == ALIVE {
             store_ray(spot.pixel, next);
             store_region(spot.pixel);
-            store_left(spot.pixel, next.index);
-            store_status(spot.pixel, status_word(ALIVE, turn.end, next.index));
+            store_last_hit(spot.pixel, next.index);
+            store_status(spot.pixel, status_word(ALIVE, dispatch.end, next.index));
         } else {
             store_hit(spot.pixel, met);
             store_status(spot.pixel, status_word(next.status, status_slot(spot.word), next.index));

@@ -20,8 +20,8 @@ fn shade(own: Invocation) {
         add_coverage(pixel, code);
         keep_layers(pixel, ray, seen);
         keep_corner(pixel, ray, seen);
-        tally_fate(code);
+        tally_status(code);
     }
     end_round(followed, pixel, own.lane);
-    total_fates(own.lane);
+    total_statuses(own.lane);
 }

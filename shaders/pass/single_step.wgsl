@@ -2,7 +2,7 @@
 
 @compute @workgroup_size(GROUP)
 fn single_step(own: Invocation) {
-    let spot = living_ray(own);
+    let spot = active_ray(own);
     let ray = load_ray(spot.pixel, spot.word);
     var next = ray;
     if ray_wanted(spot.code) && !path_over(ray) {

@@ -2,15 +2,15 @@
 
 @compute @workgroup_size(GROUP)
 fn terminate(own: Invocation) {
-    let spot = living_ray(own);
-    var fate = segment_fate(load_segment(spot.pixel), load_tau(spot.pixel), spot.index, load_hit(spot.pixel));
-    fate = select(fate, UNFINISHED, walk_unfinished(spot.pixel));
-    let lives = spot.alive && fate == ALIVE;
+    let spot = active_ray(own);
+    var code = segment_status(load_segment(spot.pixel), load_tau(spot.pixel), spot.index, load_hit(spot.pixel));
+    code = select(code, UNFINISHED, walk_unfinished(spot.pixel));
+    let lives = spot.alive && code == ALIVE;
     if spot.alive {
-        let next = status_word(ALIVE, turn.end, spot.index + 1u);
-        store_status(spot.pixel, select(status_word(fate, turn.start, spot.index), next, lives));
+        let next = status_word(ALIVE, dispatch.end, spot.index + 1u);
+        store_status(spot.pixel, select(status_word(code, dispatch.start, spot.index), next, lives));
         tally_segments(1u);
     }
-    keep_living(lives || (spot.alive && may_go_on(fate)), spot.pixel, own.lane);
+    keep_active(lives || (spot.alive && may_scatter(code)), spot.pixel, own.lane);
     total_segments(own.lane);
 }

@@ -2,27 +2,27 @@
 // start. Between passes what it left is in the record of its hits, whose fraction is then the index of the segment that starts
 // on it.
 
-var<private> left: u32;
+var<private> last_primitive: u32;
 
-fn load_left(pixel: vec2u, index: u32) {
+fn load_last_hit(pixel: vec2u, index: u32) {
     let last = load_hit(pixel);
-    left = select(NOTHING, last.primitive, last.t == Real(index));
+    last_primitive = select(NOTHING, last.primitive, last.t == Real(index));
 }
 
-fn store_left(pixel: vec2u, index: u32) {
-    if left != NOTHING {
-        store_hit(pixel, Hit(Real(index), left));
+fn store_last_hit(pixel: vec2u, index: u32) {
+    if last_primitive != NOTHING {
+        store_hit(pixel, Hit(Real(index), last_primitive));
     }
 }
 
-fn leave_surface(primitive: u32) {
-    left = primitive;
+fn set_last_hit(primitive: u32) {
+    last_primitive = primitive;
 }
 
-fn forget_left() {
-    left = NOTHING;
+fn clear_last_hit() {
+    last_primitive = NOTHING;
 }
 
-fn just_left(primitive: u32) -> bool {
-    return primitive == left;
+fn is_last_hit(primitive: u32) -> bool {
+    return primitive == last_primitive;
 }

@@ -1,17 +1,17 @@
 // No ray goes on from a flat surface.
 
-fn load_left(pixel: vec2u, index: u32) {
+fn load_last_hit(pixel: vec2u, index: u32) {
 }
 
-fn store_left(pixel: vec2u, index: u32) {
+fn store_last_hit(pixel: vec2u, index: u32) {
 }
 
-fn leave_surface(primitive: u32) {
+fn set_last_hit(primitive: u32) {
 }
 
-fn forget_left() {
+fn clear_last_hit() {
 }
 
-fn just_left(primitive: u32) -> bool {
+fn is_last_hit(primitive: u32) -> bool {
     return false;
 }

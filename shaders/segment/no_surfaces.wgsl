@@ -8,8 +8,8 @@ fn walk_suspended() -> bool {
     return false;
 }
 
-fn segment_fate(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
-    return open_fate(s, tau, index);
+fn segment_status(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
+    return open_status(s, tau, index);
 }
 
 fn walk_needed(pixel: vec2u) -> bool {

@@ -24,9 +24,9 @@ fn nearer_hit(hit: Hit, t: Real, primitive: u32) -> Hit {
 }
 
 // The ray's status after a segment: hits come first, except that what lies inside a horizon is not seen.
-fn segment_fate(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
+fn segment_status(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
     if hit.primitive == NOTHING {
-        return open_fate(s, tau, index);
+        return open_status(s, tau, index);
     }
     return select(HIT, CAPTURED, law_captured(segment_point(s, hit.t), s.x1 - s.x0));
 }

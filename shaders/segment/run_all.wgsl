@@ -1,10 +1,10 @@
 // Segments of every ray, with ended rays run along, for the comparison with masks: what runs on beside the ray that is kept is twice
 // the state. Where a ray may go on from a surface it waits there.
 
-fn follow_segments(spot: Under, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
+fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
     // What runs on: the same as long as the ray lives.
     var path = *ray;
-    while *segments < schedule.segments && spot.valid && !may_go_on((*ray).status) {
+    while *segments < schedule.segments && spot.valid && !may_scatter((*ray).status) {
         work += 1u;
         if work + schedule.segment_work > WORK_LIMIT {
             break;
@@ -15,15 +15,15 @@ fn follow_segments(spot: Under, ray: ptr<function, Ray>, end: ptr<function, Hit>
         if walk_suspended() {
             break;
         }
-        let fate = segment_fate(segment, next.tau, path.index, hit);
-        forget_left();
+        let code = segment_status(segment, next.tau, path.index, hit);
+        clear_last_hit();
         next.index += 1u;
         *segments += 1u;
         if (*ray).status == ALIVE {
             (*ray).steps = next.steps;
             (*ray).rejected = next.rejected;
-            (*ray).status = fate;
-            if fate == ALIVE {
+            (*ray).status = code;
+            if code == ALIVE {
                 *ray = next;
             } else {
                 // As exact as the record of hits.

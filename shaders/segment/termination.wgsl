@@ -8,12 +8,12 @@ fn path_over(ray: Ray) -> bool {
 }
 
 // The ray's status after a segment in which it met nothing (W04 §4.1's tests for termination): index segments lie before it.
-fn open_fate(s: Segment, tau: Real, index: u32) -> u32 {
+fn open_status(s: Segment, tau: Real, index: u32) -> u32 {
     // From the last test to the first, each overriding those before: without branches, whose masks cost more than the tests.
-    var fate = select(ALIVE, EXHAUSTED, index + 1u >= schedule.max_segments);
-    fate = select(fate, STALLED, all(s.x1 == s.x0));
-    fate = select(fate, ENDED, length_reached(tau));
-    fate = select(fate, CAPTURED, law_captured(s.x1, s.v1));
-    fate = select(fate, ESCAPED, left_bound(s.x1, s.v1));
-    return select(FAILED, fate, finite(s.x1) && finite(s.v1));
+    var code = select(ALIVE, EXHAUSTED, index + 1u >= schedule.max_segments);
+    code = select(code, STALLED, all(s.x1 == s.x0));
+    code = select(code, ENDED, length_reached(tau));
+    code = select(code, CAPTURED, law_captured(s.x1, s.v1));
+    code = select(code, ESCAPED, left_bound(s.x1, s.v1));
+    return select(FAILED, code, finite(s.x1) && finite(s.v1));
 }

@@ -13,7 +13,7 @@ fn walk_begin() -> u32 {
 }
 
 // There is room for the next place, and for all that follows the walk.
-fn walk_may_go_on() -> bool {
+fn walk_has_room() -> bool {
     return work + schedule.segment_work < WORK_LIMIT;
 }
 
@@ -46,7 +46,7 @@ fn walk_suspended() -> bool {
 
 // In the first of a segment's walks always, in the later ones only if it was suspended.
 fn walk_needed(pixel: vec2u) -> bool {
-    return turn.again == 0u || textureLoad(walk, pixel).x != 0u;
+    return dispatch.again == 0u || textureLoad(walk, pixel).x != 0u;
 }
 
 // After all of a segment's walks.

@@ -10,7 +10,7 @@ fn walk_begin() -> u32 {
     return 0u;
 }
 
-fn walk_may_go_on() -> bool {
+fn walk_has_room() -> bool {
     return true;
 }
 

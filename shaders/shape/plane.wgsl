@@ -14,7 +14,7 @@ fn square_fraction(space: OwnSpace, a: Real3, v: Real3) -> Real {
 }
 
 fn hit_plane(own: OwnSpace, primitive: u32, a: Real3, d: Real3) -> Real {
-    return select(square_fraction(own, a, d), 2.0, just_left(primitive));
+    return select(square_fraction(own, a, d), 2.0, is_last_hit(primitive));
 }
 
 fn plane_fraction(i: u32, a: Real3, d: Real3) -> Real {

@@ -50,7 +50,7 @@ fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let n = cross(q - p, r - p);
     let through = dot(n, d);
     let t = dot(n, p) / through;
-    let met = inside && through != 0.0 && may_cross(corners[i].object, through) && !just_left(TRIANGLE | i);
+    let met = inside && through != 0.0 && may_cross(corners[i].object, through) && !is_last_hit(TRIANGLE | i);
     return select(2.0, t, met && t >= -overlap() && t <= 1.0 + OVERLAP);
 }
 

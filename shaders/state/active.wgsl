@@ -20,15 +20,15 @@ struct Place {
     valid: bool,
 }
 
-struct Living {
+struct ActiveList {
     x: atomic<u32>,
     y: atomic<u32>,
     z: atomic<u32>,
     count: atomic<u32>,
 }
 
-// A pixel in a pass over the living, and the status of its ray.
-struct Under {
+// A pixel in a pass over active rays, and the status of its ray.
+struct ActiveRay {
     pixel: vec2u,
     valid: bool,
     alive: bool,
@@ -37,12 +37,12 @@ struct Under {
     index: u32,
 }
 
-fn living_ray(own: Invocation) -> Under {
-    let spot = living_pixel(own);
+fn active_ray(own: Invocation) -> ActiveRay {
+    let spot = active_pixel(own);
     let word = load_status(spot.pixel);
     let code = status_code(word);
     load_region(spot.pixel);
-    return Under(spot.pixel, spot.valid, spot.valid && code == ALIVE, word, code, status_index(word));
+    return ActiveRay(spot.pixel, spot.valid, spot.valid && code == ALIVE, word, code, status_index(word));
 }
 
 // Width and height of a workgroup.
@@ -50,7 +50,7 @@ fn group_extent() -> vec2u {
     return vec2u(GROUP_WIDTH, GROUP / GROUP_WIDTH);
 }
 
-// Which rays go on is told by keep_living(alive, pixel, lane) of this folder's other files. Every lane calls it, and it is a barrier
+// Which rays go on is told by keep_active(alive, pixel, lane) of this folder's other files. Every lane calls it, and it is a barrier
 // of the group: what its lanes have tallied before is complete behind it.
 
 // Of dispatches over the whole grid of pixels.

@@ -33,7 +33,7 @@ struct Schedule {
 @group(0) @binding(1) var<uniform> schedule: Schedule;
 
 // What changes from pass to pass: which slots of the state pair it reads and writes.
-struct Turn {
+struct Dispatch {
     // The slot of the segment's start.
     start: u32,
     // The slot of the segment's end.
@@ -44,4 +44,4 @@ struct Turn {
     first: u32,
 }
 
-@group(0) @binding(2) var<uniform> turn: Turn;
+@group(0) @binding(2) var<uniform> dispatch: Dispatch;

@@ -1,7 +1,7 @@
 // What passes over segments leave behind: the rays, and the counts of what was done. Called by every lane of the group.
 
 // After steps. before: the ray as the pass found it.
-fn finish_steps(spot: Under, before: Ray, ray: Ray, lane: u32) {
+fn finish_steps(spot: ActiveRay, before: Ray, ray: Ray, lane: u32) {
     if spot.alive {
         store_ray(spot.pixel, ray);
         store_counts(spot.pixel, ray);
@@ -15,16 +15,16 @@ fn finish_steps(spot: Under, before: Ray, ray: Ray, lane: u32) {
 }
 
 // After whole segments. end: what the ray met, where it ended on a surface.
-fn finish_advance(spot: Under, before: Ray, ray: Ray, end: Hit, lane: u32) {
+fn finish_advance(spot: ActiveRay, before: Ray, ray: Ray, end: Hit, lane: u32) {
     let lives = spot.alive && ray.status == ALIVE;
     if spot.alive {
         store_ray(spot.pixel, ray);
         store_counts(spot.pixel, ray);
-        store_status(spot.pixel, status_word(ray.status, turn.end, ray.index));
+        store_status(spot.pixel, status_word(ray.status, dispatch.end, ray.index));
         if ends_on_surface(ray.status) {
             store_hit(spot.pixel, end);
         } else {
-            store_left(spot.pixel, ray.index);
+            store_last_hit(spot.pixel, ray.index);
         }
         store_region(spot.pixel);
         store_weight(spot.pixel);
@@ -33,7 +33,7 @@ fn finish_advance(spot: Under, before: Ray, ray: Ray, end: Hit, lane: u32) {
         tally_segments(ray.index - before.index + u32(!lives));
         tally_rejections(ray.rejected - before.rejected);
     }
-    keep_living(lives, spot.pixel, lane);
+    keep_active(lives, spot.pixel, lane);
     total_steps(lane);
     total_segments(lane);
     total_rejections(lane);

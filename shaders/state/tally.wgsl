@@ -1,7 +1,7 @@
 // Totals over all rays, summed on the device.
 
 // Room for every status code.
-const FATES: u32 = 16u;
+const STATUSES: u32 = 16u;
 
 struct Tally {
     // Counts beyond 32 bits: the low word, and how often it has run over.
@@ -12,7 +12,7 @@ struct Tally {
     rejected: atomic<u32>,
     rejected_over: atomic<u32>,
     // By status code.
-    fates: array<atomic<u32>, FATES>,
+    statuses: array<atomic<u32>, STATUSES>,
 }
 
 @group(0) @binding(3) var<storage, read_write> tally: Tally;
@@ -48,17 +48,17 @@ fn total_segments(lane: u32) {
     }
 }
 
-var<workgroup> group_fates: array<atomic<u32>, FATES>;
+var<workgroup> group_statuses: array<atomic<u32>, STATUSES>;
 
-fn tally_fate(code: u32) {
-    atomicAdd(&group_fates[min(code, FATES - 1u)], 1u);
+fn tally_status(code: u32) {
+    atomicAdd(&group_statuses[min(code, STATUSES - 1u)], 1u);
 }
 
-fn total_fates(lane: u32) {
-    if lane < FATES {
-        let n = atomicLoad(&group_fates[lane]);
+fn total_statuses(lane: u32) {
+    if lane < STATUSES {
+        let n = atomicLoad(&group_statuses[lane]);
         if n > 0u {
-            atomicAdd(&tally.fates[lane], n);
+            atomicAdd(&tally.statuses[lane], n);
         }
     }
 }

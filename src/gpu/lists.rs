@@ -91,7 +91,7 @@ impl Source<'_> {
             code("surface/material/emissive", "EMISSIVE"),
             code("surface/material/phong", "PHONG"),
             code("surface/scatter/mirror", "MIRROR"),
-            code("surface/scatter/clear", "CLEAR"),
+            code("surface/scatter/transmissive", "TRANSMISSIVE"),
         ];
         let patterns = [
             code("surface/pattern/constant", "CONSTANT"),

@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 use super::declarations::Declaration;
 
 /// Uniforms that are written for each tile, and for each dispatch.
-const APART: [&str; 2] = ["frame", "turn"];
+const APART: [&str; 2] = ["frame", "dispatch"];
 /// The block's binding.
 const BINDING: u32 = 9;
 

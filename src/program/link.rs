@@ -155,7 +155,7 @@ mod tests {
 
     const ENTRY: &str = "@group(0) @binding(0) var<storage, read_write> out: array<f32>;\n\
         var<private> region: u32;\n\
-        @compute @workgroup_size(1) fn entry() {\n    out[0] = law_rate(1.0);\n}\n";
+        @compute @workgroup_size(1) fn entry() {\n    out[0] = law_derivative(1.0);\n}\n";
 
     fn two_regions() -> Parts {
         let strength = "struct Law { a: f32 }\n@group(0) @binding(50) var<uniform> law: Law;\n";
@@ -164,11 +164,11 @@ mod tests {
             regions: vec![
                 vec![
                     unit("law/weak.wgsl", strength),
-                    unit("law/a.wgsl", "fn law_rate(x: f32) -> f32 { return law.a * x; }\n"),
+                    unit("law/a.wgsl", "fn law_derivative(x: f32) -> f32 { return law.a * x; }\n"),
                 ],
                 vec![
                     unit("law/strong.wgsl", strength),
-                    unit("law/b.wgsl", "fn law_rate(x: f32) -> f32 { return -law.a * x; }\n"),
+                    unit("law/b.wgsl", "fn law_derivative(x: f32) -> f32 { return -law.a * x; }\n"),
                 ],
             ],
         }
@@ -198,7 +198,7 @@ mod tests {
             struct Frame { zero: u32 }\n@group(0) @binding(3) var<uniform> frame: Frame;\n\
             @group(0) @binding(50) var<uniform> one: array<A, ONE>;\n\
             @group(0) @binding(51) var<uniform> two: array<A, TWO>;\n\
-            fn law_rate(x: f32) -> f32 {\n    return one[u32(two[frame.zero].a[0].x)].a[1].y + x;\n}\n";
+            fn law_derivative(x: f32) -> f32 {\n    return one[u32(two[frame.zero].a[0].x)].a[1].y + x;\n}\n";
         let parts =
             Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/a.wgsl", text)], regions: Vec::new() };
         let linked = link(&parts, "entry").unwrap();
@@ -235,7 +235,7 @@ mod tests {
         let mut parts = two_regions();
         parts.regions.truncate(1);
         let linked = link(&parts, "entry").unwrap();
-        assert!(linked.source.contains("fn law_rate(") && !linked.source.contains("switch"));
+        assert!(linked.source.contains("fn law_derivative(") && !linked.source.contains("switch"));
     }
 
     #[test]
@@ -251,8 +251,7 @@ mod tests {
 
     #[test]
     fn errors_name_the_part_and_its_own_line() {
-        let slip =
-            "// A law with a slip.\n\nfn unused() {}\n\nfn law_rate(x: f32) -> f32 {\n    return x * nothing;\n}\n";
+        let slip = "// A law with a slip.\n\nfn unused() {}\n\nfn law_derivative(x: f32) -> f32 {\n    return x * nothing;\n}\n";
         let parts =
             Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/slip.wgsl", slip)], regions: Vec::new() };
         let error = reflect(&link(&parts, "entry").unwrap()).unwrap_err().to_string();

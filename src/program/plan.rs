@@ -150,10 +150,10 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     };
     names.all(&[weight, branch]);
     if clear {
-        names.all(&["surface/scatter/clear"]);
+        names.all(&["surface/scatter/transmissive"]);
     }
-    let kinds = chosen(&[("clear", clear), ("mirror", scene.objects.iter().any(|o| is_mirror(scene, o)))]);
-    names.each("surface/scatter", kinds.iter().copied().filter(|kind| *kind != "clear"));
+    let kinds = chosen(&[("transmissive", clear), ("mirror", scene.objects.iter().any(|o| is_mirror(scene, o)))]);
+    names.each("surface/scatter", kinds.iter().copied().filter(|kind| *kind != "transmissive"));
     made.push(generated::scatter(&kinds));
     made.push(generated::regions(regions));
 }

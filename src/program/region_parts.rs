@@ -58,7 +58,7 @@ pub(super) fn region_parts(
         }
         Motion::Parabola => names.all(&["motion/parabola", "motion/pace_tau", "motion/closed", "law/start_by_index"]),
         Motion::Solved => {
-            names.all(&["law/accelerated", "law/medium", "motion/pace_tau", "method/first_rate"]);
+            names.all(&["law/accelerated", "law/medium", "motion/pace_tau", "method/first_derivative"]);
             step_parts(scene.rays.method, &mut names);
             control_parts(scene.rays.control, &mut names);
         }
@@ -88,7 +88,7 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names, made: &mut Vec
         planar_parts(scene, purpose, names);
         return;
     }
-    names.add("method/first_rate");
+    names.add("method/first_derivative");
     step_parts(scene.rays.method, names);
     control_parts(scene.rays.control, names);
 }

@@ -15,14 +15,14 @@ const LENGTH: f64 = 10.0;
 /// A ray with tau and h, which remembers an error (p2.x) and the rate at its place, or p2.y where p2.z says so; the same step
 /// retaken.
 const CONTROL: &str = "let phase = Phase(Real3(p0.xyz), Real3(p1.xyz));
-    var rate = law_rate(phase);
+    var rate = law_derivative(phase);
     if p2.z != 0.0 {
         rate = Phase(Real3(Real(p2.y)), Real3(Real(p2.y)));
     }
     let ray = Ray(phase, Real(p0.w), Memory(Real(p1.w), Real(p2.x), rate), 9.0, 3u, 10u, 20u, ALIVE);
     let next = accepted_step(ray);
     let again = retaken_step(ray.phase, next.taken);
-    let fresh = law_rate(next.phase);
+    let fresh = law_derivative(next.phase);
     put_real3(0u, next.phase[0]);
     put_real3(3u, next.phase[1]);
     put_real(6u, next.tau);

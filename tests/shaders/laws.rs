@@ -8,9 +8,9 @@ use crate::support::{gpu, probe::Probe};
 
 /// Rate, start and scale of a law whose phase is a place and a velocity.
 pub const LAW: &str = "let here = Phase(p0.xyz, p1.xyz);
-    let rate = law_rate(here);
+    let rate = law_derivative(here);
     let start = law_start(p0.xyz, p1.xyz);
-    let settled = law_settled(here);
+    let settled = law_projected(here);
     put(0u, vec4f(rate[0], law_scale(here)));
     put(1u, vec4f(rate[1], 0.0));
     put(2u, vec4f(start[0], 0.0));
@@ -78,9 +78,9 @@ fn schwarzschild_path_form() {
 
 /// Rows of the clock's value; the other columns are as for laws of space.
 const SPACETIME_LAW: &str = "let here = Phase(vec4f(p0.xyz, 0.0), vec4f(p1.xyz, p1.w));
-    let rate = law_rate(here);
+    let rate = law_derivative(here);
     let start = law_start(p0.xyz, p1.xyz);
-    let onward = law_rate(start);
+    let onward = law_derivative(start);
     put(0u, rate[0]);
     put(1u, rate[1]);
     put(2u, start[0]);

@@ -113,9 +113,9 @@ fn index_and_gradient() {
     let inputs: Vec<[Vec4; 2]> =
         places.iter().map(|d| [(CENTER.as_vec3() + *d).extend(0.0), random.vector(0.1, 10.0).extend(0.0)]).collect();
     let body = "let here = Phase(p0.xyz, p1.xyz);
-        let rate = law_rate(here);
+        let rate = law_derivative(here);
         let start = law_start(p0.xyz, p1.xyz);
-        let settled = law_settled(here);
+        let settled = law_projected(here);
         put(0u, explosion(p0.xyz));
         put(1u, vec4f(rate[1], law_scale(here)));
         put(2u, vec4f(start[1], 0.0));

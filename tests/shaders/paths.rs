@@ -77,7 +77,7 @@ fn fates_in_their_order() {
         .bind("schedule", [vec![("max_segments", Uint(10)), ("segments", Uint(1)), ("segment_work", Uint(1))]]);
     let body = "let s = Segment(p0.xyz, vec3f(1.0), p1.xyz, p2.xyz, 1.0);
         let ray = Ray(Phase(p1.xyz, p2.xyz), p0.w, Memory(0.0), 0.0, 0u, 0u, 0u, ALIVE);
-        put(0u, vec4f(f32(open_fate(s, p0.w, u32(p1.w))), f32(path_over(ray)), 0.0, 0.0));";
+        put(0u, vec4f(f32(open_status(s, p0.w, u32(p1.w))), f32(path_over(ray)), 0.0, 0.0));";
     let at = |x: f32, y: f32, z: f32| Vec4::new(x, y, z, 0.0);
     let (start, v) = (at(10.0, 0.0, 0.0), at(1.0, 0.0, 0.0));
     let cases = [

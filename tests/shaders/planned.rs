@@ -126,7 +126,7 @@ fn steps_by_curvature() {
 #[test]
 fn a_flow_bends_as_its_field_changes() {
     let inputs = phases(67, [0.5, 50.0], [1.0, 1.0]);
-    let body = "let here = Phase(p0.xyz, p1.xyz); put(0u, vec4f(law_bend(here, law_rate(here)), 0.0));";
+    let body = "let here = Phase(p0.xyz, p1.xyz); put(0u, vec4f(path_acceleration(here, law_derivative(here)), 0.0));";
     let out = flow("law/field_lorenz", "law/flow").run::<2, 1>(&gpu(), body, &inputs);
     let (mut bends, beta) = (Errors::of("a flow's bend"), f64::from(8.0_f32 / 3.0));
     let epsilon = 1e-3 / (11.0 + beta);

@@ -60,7 +60,7 @@ impl Method {
     fn body(&self) -> &'static str {
         if self.is_pair() {
             "let p = Phase(Real3(p0.xyz), Real3(p1.xyz));
-            let step = pair_step(p, law_rate(p), Real(p0.w));
+            let step = pair_step(p, law_derivative(p), Real(p0.w));
             put_real3(0u, step.end[0]);
             put_real3(3u, step.end[1]);
             put_real3(6u, step.error[0]);

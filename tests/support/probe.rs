@@ -55,10 +55,10 @@ impl Probe {
         let mut units: Vec<Unit> = names.iter().map(|name| unit(name)).collect();
         // What laws of the second order and steps of a planned size have in common.
         let common = [
-            ("law/", "fn law_rate(", "law/accelerated"),
+            ("law/", "fn law_derivative(", "law/accelerated"),
             ("method/control/", "fn accepted_step(", "method/control/planned"),
             ("motion/", "fn law_start(", "law/start_as_given"),
-            ("method/memory_pair", "fn first_rate(", "method/first_rate"),
+            ("method/memory_pair", "fn first_derivative(", "method/first_derivative"),
             ("segment/walk_", "fn first_hit(", "segment/hit_direct"),
         ];
         for (folder, function, common) in common {

@@ -11,10 +11,10 @@ struct Control {
 @group(0) @binding(75) var<uniform> control: Control;
 
 fn planned_step(p: Phase) -> Real {
-    let rate = law_rate(p);
+    let rate = law_derivative(p);
     let v = rate[0].xyz;
     // κ |v| = |v × a|/|v|²: the angle turned through in a unit of tau.
-    let bend = length(cross(v, law_bend(p, rate)));
+    let bend = length(cross(v, path_acceleration(p, rate)));
     let cap = control.eta * law_scale(p);
     return select(cap, min(control.turn * dot(v, v) / bend, cap), bend > 0.0);
 }

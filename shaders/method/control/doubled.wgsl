@@ -51,5 +51,5 @@ fn doubled_step(p: Phase, h: Real) -> DoubledStep {
 }
 
 fn retaken_step(p: Phase, h: Real) -> Phase {
-    return law_settled(half_steps(p, h));
+    return law_projected(half_steps(p, h));
 }

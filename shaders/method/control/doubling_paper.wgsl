@@ -11,7 +11,7 @@ fn first_step(p: Phase) -> Real {
 fn accepted_step(ray: Ray) -> Ray {
     let h = capped_step(ray);
     let step = doubled_step(ray.phase, h);
-    var next = after_step(ray, law_settled(step.end), h);
+    var next = after_step(ray, law_projected(step.end), h);
     next.rejected += u32(step.error > control.tolerance);
     next.memory.h = h * select(select(Real(1.0), 2.0, step.error < control.grow_below), 0.5, step.error > control.tolerance);
     return next;

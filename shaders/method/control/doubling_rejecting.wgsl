@@ -27,7 +27,7 @@ fn accepted_step(ray: Ray) -> Ray {
         work += 1u;
         let step = doubled_step(ray.phase, h);
         if step.error <= control.tolerance {
-            next.phase = opaque_phase(law_settled(step.end));
+            next.phase = opaque_phase(law_projected(step.end));
             next.tau += h;
             next.taken = opaque(h);
             next.memory.h = h * step_factor(step.error);

@@ -41,7 +41,7 @@ fn first_step(p: Phase) -> Real {
 }
 
 fn retaken_step(p: Phase, h: Real) -> Phase {
-    return law_settled(pair_step(p, law_rate(p), h).end);
+    return law_projected(pair_step(p, law_derivative(p), h).end);
 }
 
 // The error in units of the tolerance.
@@ -62,7 +62,7 @@ fn accepted_step(ray: Ray) -> Ray {
         let error = scaled_error(ray.phase, step.error);
         let factor = error_factor(error);
         if error <= 1.0 {
-            next.phase = opaque_phase(law_settled(step.end));
+            next.phase = opaque_phase(law_projected(step.end));
             next.tau += h;
             next.taken = opaque(h);
             next.steps += 1u;

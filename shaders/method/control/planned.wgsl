@@ -5,7 +5,7 @@ fn first_step(p: Phase) -> Real {
 }
 
 fn retaken_step(p: Phase, h: Real) -> Phase {
-    return law_settled(step_ray(p, h));
+    return law_projected(step_ray(p, h));
 }
 
 fn accepted_step(ray: Ray) -> Ray {

@@ -3,5 +3,5 @@
 const STEP_ORDER: f32 = 1.0;
 
 fn step_ray(p: Phase, h: Real) -> Phase {
-    return p + h * law_rate(p);
+    return p + h * law_derivative(p);
 }

@@ -53,11 +53,11 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     let count = arrayLength(&nodes);
     var node = select(count, walk_begin(), pieces > 0u);
     // In turns: every ray to its next leaf, then all of them through their items, for neighbours run side by side.
-    while node < count && walk_may_go_on() {
+    while node < count && walk_has_room() {
         work += 1u;
         var span = Span(0.0, 0.0);
         var leaf = 0u;
-        while node < count && leaf == 0u && walk_may_go_on() {
+        while node < count && leaf == 0u && walk_has_room() {
             work += 1u;
             let box = nodes[node];
             span = box_span(box.lo, box.hi, sweep, hit.t);

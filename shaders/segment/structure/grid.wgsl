@@ -58,7 +58,7 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var k = select(kept >> CELL_BITS, pieces, pieces == 0u);
     var begun = kept & CELL_MASK;
     // A piece with a hit is the last one.
-    while k < pieces && hit.t * Real(pieces) >= Real(k) - PIECE_SLACK && walk_may_go_on() {
+    while k < pieces && hit.t * Real(pieces) >= Real(k) - PIECE_SLACK && walk_has_room() {
         work += 1u;
         let a = piece_start(s, k, pieces);
         let d = piece_end(s, k, pieces) - a;
@@ -72,7 +72,7 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
         var walking = inside.enters <= inside.leaves;
         while walking {
             work += 1u;
-            if !walk_may_go_on() {
+            if !walk_has_room() {
                 begun = cell_index(cell) + 1u;
                 break;
             }

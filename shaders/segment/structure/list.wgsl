@@ -4,7 +4,7 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var hit = nearest;
     let count = item_count();
     var item = select(count, walk_begin(), pieces > 0u);
-    while item < count && walk_may_go_on() {
+    while item < count && walk_has_room() {
         work += 1u;
         hit = items_hit(s, pieces, Span(0.0, 1.0), item, 1u, hit);
         item += 1u;

@@ -1,6 +1,6 @@
 // Every pixel in every pass, ended or not: the 2004 paper without its early termination (masks off).
 
-fn living_pixel(own: Invocation) -> Place {
+fn active_pixel(own: Invocation) -> Place {
     return grid_pixel(own);
 }
 
@@ -8,6 +8,6 @@ fn ray_wanted(code: u32) -> bool {
     return true;
 }
 
-fn keep_living(alive: bool, pixel: vec2u, lane: u32) {
+fn keep_active(alive: bool, pixel: vec2u, lane: u32) {
     workgroupBarrier();
 }

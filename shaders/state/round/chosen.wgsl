@@ -4,7 +4,7 @@ fn round_pixel(own: Invocation) -> Place {
     if frame.listed == 0u {
         return grid_pixel(own);
     }
-    return living_pixel(own);
+    return active_pixel(own);
 }
 
 fn end_round(followed: bool, pixel: vec2u, lane: u32) {

@@ -8,7 +8,7 @@ struct Scattered {
     // It is followed no further.
     cut: bool,
     // False where the surface is opaque: there it ends.
-    goes_on: bool,
+    continues: bool,
 }
 
 // Which of its two rays is followed where a surface both reflects and transmits.
@@ -23,20 +23,20 @@ struct Branch {
 // A path whose weight has fallen this low adds nothing that a float of the picture could show.
 const DARK: f32 = 1e-8;
 
-fn may_go_on(code: u32) -> bool {
+fn may_scatter(code: u32) -> bool {
     return code == HIT;
 }
 
 // ray: at the start of the segment that met the surface. It comes back under way from there, or with the status that ends it; HIT
 // where the surface is opaque, which `met` then names.
-fn gone_on(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
+fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     let end = path_end(ray, *met);
     let surface = met_surface(met, end.x);
     // A ray that ends here stays on the side that it came from.
     let side = region_bits();
     let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
     var next = ray;
-    if !scattered.goes_on {
+    if !scattered.continues {
         return next;
     }
     let weight = scale_weight(scattered.weight);
@@ -55,6 +55,6 @@ fn gone_on(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     next.memory = first_memory(next.phase);
     next.index += 1u;
     next.status = ALIVE;
-    leave_surface((*met).primitive);
+    set_last_hit((*met).primitive);
     return next;
 }

@@ -1,9 +1,9 @@
 // The surface of an object that light goes through: between the medium on this side and that on the other, which may be the same
 // where a medium of higher priority is on both.
 
-const CLEAR: u32 = 3u;
+const TRANSMISSIVE: u32 = 3u;
 
-fn scatter_clear(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
+fn scatter_transmissive(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
     let bits = inside;
     let near_medium = medium_object();
     let n1 = medium_index(end.x);
