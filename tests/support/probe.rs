@@ -33,14 +33,14 @@ impl Probe {
     pub fn new(parts: &[&str]) -> Self {
         let unit = |name: &str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
         let mut names: Vec<&str> = Vec::new();
-        parts.iter().for_each(|part| {
+        for part in parts {
             if !names.contains(part) {
-                names.push(part)
+                names.push(part);
             }
-        });
+        }
         let usual = [
-            ("real/math", "math"),
-            ("real/", "real/f32"),
+            ("real/math", "real/math"),
+            ("real/f", "real/f32"),
             ("method/memory_", "method/memory_step"),
             ("surface/region_", "surface/region_none"),
             ("segment/last_hit_", "segment/last_hit_none"),
