@@ -20,7 +20,7 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
         _ if scene.image.samples == 1 => names.add("camera/sample/center"),
         SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
         SamplePattern::Progressive if choice.adapts(scene) => {
-            names.all(&["camera/sample/sobol", "camera/sample/adaptive"])
+            names.all(&["camera/sample/sobol", "camera/sample/adaptive"]);
         }
         SamplePattern::Progressive => names.all(&["camera/sample/sobol", "camera/sample/progressive"]),
     }
