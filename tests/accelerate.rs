@@ -161,9 +161,9 @@ fn the_structure_follows_the_scene() {
         assert_eq!((structure.search, structure.kinds.len()), (search, kinds), "{accelerate}, {of_each} of each");
         let geometry = Geometry::new(&scene);
         let parts = Program::new(&scene, &Choice::default(), geometry.extent()).unwrap().passes[1].1.parts().join(" ");
-        let part = if kinds == 0 { "structure/none" } else { &format!("structure/{}", search.name()) };
+        let part = if kinds == 0 { "segment/structure/none" } else { &format!("segment/structure/{}", search.name()) };
         assert!(parts.contains(part), "{accelerate}, {of_each} of each: {parts}");
-        assert_eq!(parts.contains("listed/some"), kinds == 0, "{parts}");
+        assert_eq!(parts.contains("segment/lists_some"), kinds == 0, "{parts}");
         assert_eq!(structure.written_out, accelerate == "auto");
     }
 }

@@ -9,18 +9,18 @@ use crate::support::sources;
 /// Calls of `constant` that make up what they ask for, and all that this can be.
 const COMPUTED: [(&str, &[(&str, &str)]); 8] = [
     ("part, \"ASYMPTOTE_STEPS\"", &[("real/f32", "ASYMPTOTE_STEPS"), ("real/f64", "ASYMPTOTE_STEPS")]),
-    ("part, \"STEPS\"", &[("motion/planar_open", "STEPS")]),
-    ("part, \"CUTS\"", &[("motion/planar_open", "CUTS")]),
+    ("part, \"STEPS\"", &[("motion/orbit_open", "STEPS")]),
+    ("part, \"CUTS\"", &[("motion/orbit_open", "CUTS")]),
     (
         "part, name",
         &[
-            ("material/emissive", "EMISSIVE"),
-            ("material/phong", "PHONG"),
-            ("scatter/mirror", "MIRROR"),
-            ("scatter/clear", "CLEAR"),
-            ("pattern/constant", "CONSTANT"),
-            ("pattern/checker", "CHECKER"),
-            ("pattern/image", "IMAGE"),
+            ("surface/material/emissive", "EMISSIVE"),
+            ("surface/material/phong", "PHONG"),
+            ("surface/scatter/mirror", "MIRROR"),
+            ("surface/scatter/transmissive", "TRANSMISSIVE"),
+            ("surface/pattern/constant", "CONSTANT"),
+            ("surface/pattern/checker", "CHECKER"),
+            ("surface/pattern/image", "IMAGE"),
         ],
     ),
     (
@@ -51,7 +51,7 @@ const COMPUTED: [(&str, &[(&str, &str)]); 8] = [
         ],
     ),
     ("\"ray\", name", &[("ray", "ALIVE"), ("ray", "UNFINISHED")]),
-    ("\"living/place\", name", &[("living/place", "GROUP"), ("living/place", "GROUP_WIDTH")]),
+    ("\"living/place\", name", &[("state/active", "GROUP"), ("state/active", "GROUP_WIDTH")]),
 ];
 
 /// What stands in the parentheses of every call of `constant` as a function.

@@ -113,11 +113,11 @@ const ALLOWED: [(&str, &str, &str); 5] = [
         "each medium of a list has its own, and the list has one here",
     ),
     (
-        "shaders/region/set.wgsl",
+        "shaders/surface/region_set.wgsl",
         "start.primitive != NOTHING",
         "each region of a list has its own, and the list has one here",
     ),
-    ("shaders/stride/spiral_arc.wgsl", "LEAPS", "generated for a scene: one word instead of a part for each answer"),
+    ("shaders/motion/spiral_arc.wgsl", "LEAPS", "generated for a scene: one word instead of a part for each answer"),
 ];
 
 /// What the scene fixes is in the choice of parts: no program asks it of a uniform or a constant.

@@ -21,23 +21,63 @@ enum For {
 
 /// A setting of `[rays]`, the laws it is for, and all the parts of steps, controls and memories that it needs.
 const SETTINGS: &[(&str, For, &str)] = &[
-    ("method=euler", For::All, "step/euler control/planned control/scaled memory/step"),
-    ("method=rk4", For::All, "step/rk4 control/planned control/scaled memory/step"),
-    ("method=rk4 step=0.1", For::All, "step/rk4 control/planned control/fixed memory/step"),
-    ("method=rk4 curvature_step=2", For::All, "step/rk4 control/planned control/curvature memory/step"),
-    ("method=leapfrog", For::SecondOrder, "step/leapfrog control/planned control/scaled memory/step"),
-    ("method=leapfrog step=0.1", For::SecondOrder, "step/leapfrog control/planned control/fixed memory/step"),
-    ("method=rkn4", For::SecondOrder, "step/rkn4 control/planned control/scaled memory/step"),
-    ("method=rkn4 curvature_step=2", For::SecondOrder, "step/rkn4 control/planned control/curvature memory/step"),
-    ("method=euler-doubling", For::All, "step/euler control/doubled control/doubling_rejecting memory/step"),
-    ("method=rk4-doubling", For::All, "step/rk4 control/doubled control/doubling_rejecting memory/step"),
-    ("method=euler-doubling doubling=paper", For::All, "step/euler control/doubled control/doubling_paper memory/step"),
-    ("method=bogacki-shampine", For::All, "step/pair step/bogacki_shampine control/embedded memory/pair"),
-    ("method=dormand-prince", For::All, "step/pair step/dormand_prince control/embedded memory/pair"),
-    ("method=dormand-prince segment=chord", For::All, "step/pair step/dormand_prince control/embedded memory/pair"),
-    ("method=snell", For::Medium, "step/snell control/planned control/scaled memory/step"),
-    ("method=snell step=0.1", For::Medium, "step/snell control/planned control/fixed memory/step"),
-    ("method=exact", For::Straight, "memory/step"),
+    ("method=euler", For::All, "method/step/euler method/control/planned method/control/scaled method/memory_step"),
+    ("method=rk4", For::All, "method/step/rk4 method/control/planned method/control/scaled method/memory_step"),
+    ("method=rk4 step=0.1", For::All, "method/step/rk4 method/control/planned method/control/fixed method/memory_step"),
+    (
+        "method=rk4 curvature_step=2",
+        For::All,
+        "method/step/rk4 method/control/planned method/control/curvature method/memory_step",
+    ),
+    (
+        "method=leapfrog",
+        For::SecondOrder,
+        "method/step/leapfrog method/control/planned method/control/scaled method/memory_step",
+    ),
+    (
+        "method=leapfrog step=0.1",
+        For::SecondOrder,
+        "method/step/leapfrog method/control/planned method/control/fixed method/memory_step",
+    ),
+    (
+        "method=rkn4",
+        For::SecondOrder,
+        "method/step/rkn4 method/control/planned method/control/scaled method/memory_step",
+    ),
+    (
+        "method=rkn4 curvature_step=2",
+        For::SecondOrder,
+        "method/step/rkn4 method/control/planned method/control/curvature method/memory_step",
+    ),
+    (
+        "method=euler-doubling",
+        For::All,
+        "method/step/euler method/control/doubled method/control/doubling_rejecting method/memory_step",
+    ),
+    (
+        "method=rk4-doubling",
+        For::All,
+        "method/step/rk4 method/control/doubled method/control/doubling_rejecting method/memory_step",
+    ),
+    (
+        "method=euler-doubling doubling=paper",
+        For::All,
+        "method/step/euler method/control/doubled method/control/doubling_paper method/memory_step",
+    ),
+    ("method=bogacki-shampine", For::All, "method/step/bogacki_shampine method/control/embedded method/memory_pair"),
+    ("method=dormand-prince", For::All, "method/step/dormand_prince method/control/embedded method/memory_pair"),
+    (
+        "method=dormand-prince segment=chord",
+        For::All,
+        "method/step/dormand_prince method/control/embedded method/memory_pair",
+    ),
+    ("method=snell", For::Medium, "method/step/snell method/control/planned method/control/scaled method/memory_step"),
+    (
+        "method=snell step=0.1",
+        For::Medium,
+        "method/step/snell method/control/planned method/control/fixed method/memory_step",
+    ),
+    ("method=exact", For::Straight, "method/memory_step"),
 ];
 
 /// A precision, and the parts that numbers and state have in it.
@@ -100,8 +140,9 @@ fn check(scene: &Scene, geometry: &Geometry, choice: &Choice, needed: &str, at: 
         assert!(unused.is_empty(), "{at}: pass {} has {unused:?} for nothing", pass.entry());
         parts.extend(linked.parts().into_iter().map(|part| part.trim_end_matches(".wgsl").to_owned()));
     }
-    let folders = ["step", "control", "memory", "real", "state"];
-    parts.retain(|part| folders.contains(&part.split('/').next().unwrap_or_default()));
+    let contracts =
+        ["method/step/", "method/control/", "method/memory_", "real/f", "state/ray", "state/te", "state/buffer"];
+    parts.retain(|part| contracts.iter().any(|contract| part.starts_with(contract)));
     let needed: BTreeSet<String> = needed.split_whitespace().map(str::to_owned).collect();
     assert_eq!(parts, needed, "{at}");
 }

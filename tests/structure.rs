@@ -1,8 +1,41 @@
 //! The structure holds what the documentation promises of it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 
-use bentray::program::{Pass, all_parts};
+use bentray::program::{Part, Pass, all_parts, constant};
+
+fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in folder.read_dir().unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.is_dir() {
+            found.extend(files(&entry, extension));
+        } else if entry.extension().is_some_and(|e| e == extension) {
+            found.push(entry);
+        }
+    }
+    found
+}
+
+/// scene ← program ← gpu ← render ← measure ← output, chart, bench ← cli.
+#[test]
+fn imports_run_one_way() {
+    let order = ["scene", "program", "gpu", "render", "measure", "output", "chart", "bench", "error", "cli"];
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for (rank, module) in order.iter().enumerate() {
+        let folder = source.join(module);
+        let own = if folder.is_dir() { files(&folder, "rs") } else { vec![source.join(format!("{module}.rs"))] };
+        for file in own {
+            let text = std::fs::read_to_string(&file).unwrap();
+            for later in &order[rank + 1..] {
+                let import = format!("crate::{later}");
+                assert!(!text.contains(&import), "{} imports {import}", file.display());
+            }
+            let knows_gpu = rank < 2 && text.contains("wgpu::") && !text.contains("naga::");
+            assert!(!knows_gpu, "{} knows wgpu", file.display());
+        }
+    }
+}
 
 /// Every part opens with its contract.
 #[test]
@@ -13,25 +46,147 @@ fn parts_state_their_contract() {
     }
 }
 
-/// Parts that can be linked together never share a binding: only alternatives of one folder may.
+/// The rows of `shaders/README.md`'s tables with so many columns, but for their headings.
+fn rows<const N: usize>() -> Vec<[String; N]> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("shaders/README.md");
+    let text = std::fs::read_to_string(path).unwrap();
+    let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect::<Vec<_>>();
+    let rows = text.lines().filter(|line| line.starts_with("| ")).filter_map(|line| cells(line).try_into().ok());
+    rows.filter(|row: &[String; N]| !["area", "contract"].contains(&row[0].as_str())).collect()
+}
+
+/// What a cell names in code.
+fn code(cell: &str) -> Vec<&str> {
+    cell.split('`').skip(1).step_by(2).collect()
+}
+
+fn area(file: &str) -> &str {
+    file.split('/').next().unwrap_or_default()
+}
+
+/// A number is one name's, and of its area's range.
 #[test]
-fn bindings_are_shared_only_by_alternatives() {
-    let mut owners: BTreeMap<u32, Vec<(String, String)>> = BTreeMap::new();
-    for part in all_parts() {
-        for declaration in part.text.split("@binding(").skip(1) {
-            let number = declaration.split(')').next().unwrap().parse().unwrap();
+fn bindings_are_numbered_by_area() {
+    let mut names: BTreeMap<u32, BTreeSet<&str>> = BTreeMap::new();
+    let parts = all_parts();
+    let declared: Vec<(u32, &str, &str)> = parts
+        .iter()
+        .flat_map(|part| part.text.split("@binding(").skip(1).map(move |declaration| (part.file, declaration)))
+        .map(|(file, declaration)| {
             let name = declaration.split(':').next().unwrap().rsplit(' ').next().unwrap();
-            owners.entry(number).or_default().push((part.file.to_owned(), name.to_owned()));
+            (declaration.split(')').next().unwrap().parse().unwrap(), name, file)
+        })
+        .collect();
+    for (number, name, _) in &declared {
+        names.entry(*number).or_default().insert(name);
+    }
+    let ranges = rows::<2>();
+    for (number, name, file) in declared {
+        let [_, range] = ranges.iter().find(|[areas, _]| code(areas).contains(&area(file))).unwrap();
+        let (first, last) = range.split_once('–').unwrap();
+        let own = first.parse().unwrap()..=last.parse().unwrap();
+        let free = own.clone().find(|number| !names.contains_key(number) && *number != JOINED);
+        let next = free.map_or("none is free".to_owned(), |free| format!("the next free one is {free}"));
+        let area = area(file);
+        assert!(own.contains(&number), "{file}: binding {number} is not in {area}'s range {range}; {next}");
+        let taken = names[&number].iter().find(|other| **other != name);
+        assert!(taken.is_none(), "{file}: binding {number} of `{name}` is taken by `{}`; {next}", taken.unwrap());
+    }
+}
+
+/// The binding of the buffer that uniforms are joined in.
+const JOINED: u32 = 9;
+
+/// A function without the names of its parameters, or the beginning of another declaration.
+fn without_names(signature: &str) -> String {
+    let mut pieces: Vec<&str> = signature.split(": ").collect();
+    let last = pieces.pop().unwrap_or_default();
+    let word = |c: char| c.is_alphanumeric() || c == '_';
+    pieces.iter().map(|piece| piece.trim_end_matches(word)).chain([last]).collect()
+}
+
+/// Does the text declare what the signature says, with these types?
+fn declares(text: &str, signature: &str) -> bool {
+    let lines = || text.lines().map(|line| line.trim_start_matches("@compute @workgroup_size(GROUP) "));
+    if signature.starts_with("fn ") {
+        let own = without_names(signature);
+        return lines().filter_map(|line| line.strip_suffix(" {")).any(|line| without_names(line) == own);
+    }
+    let (_, declared) = signature.split_once(' ').unwrap();
+    lines().any(|line| {
+        let found =
+            line.find(signature).or_else(|| line.starts_with(['@', 'v']).then(|| line.find(declared)).flatten());
+        found.is_some_and(|at| !line[at..].starts_with(&format!("{signature}_")))
+    })
+}
+
+/// What a signature declares.
+fn name(signature: &str) -> &str {
+    let (_, declared) = signature.split_once(' ').unwrap();
+    declared.split(['(', ':']).next().unwrap()
+}
+
+fn uses(text: &str, name: &str) -> bool {
+    text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name)
+}
+
+/// `shaders/README.md` states every contract as its parts keep it, and names those that use it.
+#[test]
+fn the_table_of_contracts_is_true() {
+    let parts = all_parts();
+    let with_name = |name: &str| parts.iter().find(|part| part.file.strip_suffix(".wgsl") == Some(name));
+    let rows = rows::<5>();
+    let mut stated = BTreeSet::new();
+    for [contract, _, signatures, keepers, users] in &rows {
+        let (signatures, keepers) = (code(signatures), code(keepers));
+        assert!(!signatures.is_empty() && !keepers.is_empty(), "`{contract}` states nothing");
+        let kind = |signature: &str, keeper: &str| signature.replace("KIND", keeper.rsplit('/').next().unwrap());
+        for keeper in &keepers {
+            stated.insert(*keeper);
+            let part = with_name(keeper).unwrap_or_else(|| panic!("`{contract}` names {keeper}, which is no part"));
+            for signature in signatures.iter().map(|signature| kind(signature, keeper)) {
+                assert!(declares(part.text, &signature), "{keeper} keeps `{contract}` without `{signature}`");
+            }
+        }
+        for user in code(users).into_iter().filter(|user| *user != "generated") {
+            let own =
+                |file: &str| file.strip_suffix(".wgsl") == Some(user) || file.starts_with(user) && user.ends_with('/');
+            let names = || keepers.iter().flat_map(|k| signatures.iter().map(|s| kind(name(s), k)));
+            let found = parts.iter().filter(|part| own(part.file)).any(|part| names().any(|n| uses(part.text, &n)));
+            assert!(found, "{user} uses nothing of `{contract}`");
         }
     }
-    for (number, owners) in owners {
-        let names: Vec<_> = owners.iter().map(|(_, name)| name).collect();
-        let folders: Vec<_> = owners.iter().map(|(file, _)| file.split('/').next().unwrap()).collect();
-        // Laws, flows and indices exclude each other too.
-        let alternatives =
-            folders.iter().all(|f| *f == folders[0]) || folders.iter().all(|f| ["law", "flow", "index"].contains(f));
-        assert!(alternatives || names.iter().all(|n| *n == names[0]), "binding {number}: {owners:?}");
+    for part in &parts {
+        let own = part.file.trim_end_matches(".wgsl");
+        assert!(stated.contains(own), "shaders/README.md does not say what {own} keeps");
     }
+}
+
+/// Every part and every constant of one that the host names is there.
+#[test]
+fn what_the_host_names_is_in_the_shaders() {
+    let parts = all_parts();
+    let areas: BTreeSet<&str> = parts.iter().map(|part| area(part.file)).collect();
+    let mut constants = 0;
+    for file in files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), "rs") {
+        let text = std::fs::read_to_string(&file).unwrap();
+        let literals: Vec<&str> = text.split('"').collect();
+        for window in literals.windows(3) {
+            let [literal, between, next] = window else { continue };
+            let plain = literal.contains('/') && literal.chars().all(|c| c.is_alphanumeric() || "/_".contains(c));
+            if !plain || !areas.contains(area(literal)) {
+                continue;
+            }
+            let is = |part: &&Part| part.file.strip_prefix(literal).is_some_and(|rest| rest.starts_with(['.', '/']));
+            assert!(parts.iter().any(|part| is(&part)), "{} names `{literal}`", file.display());
+            let constant_name = next.chars().all(|c| c.is_ascii_uppercase() || c == '_');
+            if *between == ", " && constant_name {
+                assert!(constant(literal, next).is_finite());
+                constants += 1;
+            }
+        }
+    }
+    assert!(constants > 15, "only {constants} constants were found");
 }
 
 /// One name per stage: entry point, file and Rust variant.

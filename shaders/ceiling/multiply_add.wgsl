@@ -2,7 +2,7 @@
 
 const ITERATIONS: u32 = 1024u;
 
-@group(0) @binding(128) var<storage, read_write> sums: array<f32>;
+@group(0) @binding(190) var<storage, read_write> sums: array<f32>;
 
 @compute @workgroup_size(64)
 fn ceiling(@builtin(global_invocation_id) id: vec3u) {

@@ -1,7 +1,7 @@
 // Every texel once, and next to nothing else.
 
-@group(0) @binding(128) var<storage, read_write> sums: array<f32>;
-@group(0) @binding(129) var texels: texture_2d<f32>;
+@group(0) @binding(190) var<storage, read_write> sums: array<f32>;
+@group(0) @binding(191) var texels: texture_2d<f32>;
 
 @compute @workgroup_size(8, 8)
 fn ceiling(@builtin(global_invocation_id) id: vec3u) {

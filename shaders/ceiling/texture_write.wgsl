@@ -1,6 +1,6 @@
 // Every texel once, and nothing else.
 
-@group(0) @binding(129) var texels: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(191) var texels: texture_storage_2d<rgba32float, write>;
 
 @compute @workgroup_size(8, 8)
 fn ceiling(@builtin(global_invocation_id) id: vec3u) {

@@ -1,10 +1,10 @@
 // A law of the second order, dx = v, dv = a(x): with a constant of its own that each ray holds, or with none.
 
-fn law_rate(p: Phase) -> Phase {
+fn law_derivative(p: Phase) -> Phase {
     return Phase(p[1], law_acceleration(p[0], law_held(p)));
 }
 
 // dv, for the control by curvature.
-fn law_bend(p: Phase, rate: Phase) -> Real3 {
+fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     return rate[1];
 }

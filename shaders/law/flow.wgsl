@@ -1,12 +1,12 @@
 // A dynamical system as a first-order flow (G95 §2.2): dx = F(x). The direction of view does not matter; v is F(x), set
 // anew after each step, so that arcs and outputs find the path's tangent where other laws keep it.
 
-fn law_rate(p: Phase) -> Phase {
+fn law_derivative(p: Phase) -> Phase {
     return Phase(flow_field(p[0]), Real3(0.0));
 }
 
 // Along the flow F changes as DF · F; the curvature needs only its direction and size, for which a small step is enough.
-fn law_bend(p: Phase, rate: Phase) -> Real3 {
+fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     let small = 1e-3 * flow_time();
     return (flow_field(p[0] + small * rate[0]) - rate[0]) / small;
 }
@@ -15,7 +15,7 @@ fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, flow_field(x));
 }
 
-fn law_settled(p: Phase) -> Phase {
+fn law_projected(p: Phase) -> Phase {
     return Phase(p[0], flow_field(p[0]));
 }
 

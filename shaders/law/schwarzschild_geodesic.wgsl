@@ -10,11 +10,11 @@ struct Law {
     mass: Real,
 }
 
-@group(0) @binding(50) var<uniform> law: Law;
+@group(0) @binding(67) var<uniform> law: Law;
 
 const NEAR: Real = 0.05;
 
-fn law_rate(p: Phase) -> Phase {
+fn law_derivative(p: Phase) -> Phase {
     let x = p[0].xyz - law.center;
     let v = p[1].xyz;
     let clock = p[1].w;
@@ -29,10 +29,10 @@ fn law_rate(p: Phase) -> Phase {
     let safe = max(f, NEAR);
     let inverse_f = 1.0 / safe;
     let pull = law.mass * inverse_r * inverse_r;
-    let far_rate = pull * (radial * radial * inverse_f - safe * clock * clock - 2.0 * across2);
-    let near_rate = -3.0 * pull * across2;
+    let far_pull = pull * (radial * radial * inverse_f - safe * clock * clock - 2.0 * across2);
+    let near_pull = -3.0 * pull * across2;
     let clock_rate = select(-2.0 * pull * inverse_f * radial * clock, 0.0, near);
-    return Phase(Real4(v, clock), Real4(select(far_rate, near_rate, near) * n, clock_rate));
+    return Phase(Real4(v, clock), Real4(select(far_pull, near_pull, near) * n, clock_rate));
 }
 
 // ṫ from the null condition (1 − 2M/r) ṫ² = |v⊥|² + ṙ²/(1 − 2M/r).
@@ -45,11 +45,11 @@ fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(Real4(x, 0.0), Real4(v, sqrt((dot(across, across) + radial * radial / f) / f)));
 }
 
-fn law_bend(p: Phase, rate: Phase) -> Real3 {
+fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     return rate[1].xyz;
 }
 
-fn law_settled(p: Phase) -> Phase {
+fn law_projected(p: Phase) -> Phase {
     return p;
 }
 

@@ -7,7 +7,7 @@ struct Law {
     mass: Real,
 }
 
-@group(0) @binding(50) var<uniform> law: Law;
+@group(0) @binding(67) var<uniform> law: Law;
 
 // h² = |x × v|².
 fn law_held(p: Phase) -> Real {
@@ -25,7 +25,7 @@ fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
-fn law_settled(p: Phase) -> Phase {
+fn law_projected(p: Phase) -> Phase {
     return p;
 }
 

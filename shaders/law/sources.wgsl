@@ -1,6 +1,9 @@
 // Force centres whose accelerations add (G95 §2.1, W04 §5.2): dv = −Σ strength · d(r) n̂. v is taken as it is: Newtonian
 // motion does not keep the speed.
 
+// Further than any scene reaches.
+const FAR_AWAY: Real = 1e30;
+
 // Nothing is held.
 fn law_held(p: Phase) -> Real {
     return 0.0;
@@ -14,7 +17,7 @@ fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
-fn law_settled(p: Phase) -> Phase {
+fn law_projected(p: Phase) -> Phase {
     return p;
 }
 

@@ -13,7 +13,7 @@ fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v);
 }
 
-fn law_settled(p: Phase) -> Phase {
+fn law_projected(p: Phase) -> Phase {
     return p;
 }
 

@@ -34,10 +34,6 @@ fn circle_point(c: Circle, alpha: Real) -> Phase {
     return Phase(x, (0.5 * media[place].n0 * (1.0 - at.w)) * normalize(u));
 }
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn retaken_step(p: Phase, alpha: Real) -> Phase {
     return circle_point(circle_of(p), alpha);
 }
@@ -88,10 +84,5 @@ fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
 fn accepted_step(ray: Ray) -> Ray {
     let alpha = stride(ray.phase);
     let passed = circle_tau(ray.phase, alpha);
-    var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, alpha));
-    next.tau += passed;
-    next.taken = opaque(passed);
-    next.steps += 1u;
-    return next;
+    return after_step(ray, retaken_step(ray.phase, alpha), passed);
 }

@@ -2,10 +2,6 @@
 // −ω² times the distance across the axis, and the path is a sum of a sine and a cosine (Evans and Rosenquist 1985). Nothing is
 // integrated.
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn retaken_step(p: Phase, h: Real) -> Phase {
     let axis = spring_axis();
     let rate = spring_rate();
@@ -21,10 +17,5 @@ fn retaken_step(p: Phase, h: Real) -> Phase {
 
 fn accepted_step(ray: Ray) -> Ray {
     let h = limited_step(stride(ray.phase), ray.tau);
-    var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, h));
-    next.tau += h;
-    next.taken = opaque(h);
-    next.steps += 1u;
-    return next;
+    return after_step(ray, retaken_step(ray.phase, h), h);
 }

@@ -1,10 +1,6 @@
 // Parabolas: in n² = n₀² + g·x rays fall evenly, x″ = g/2 (Evans and Rosenquist 1985). A cubic arc is the parabola itself, so that
 // only what objects need cuts it into steps.
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn retaken_step(p: Phase, h: Real) -> Phase {
     let pull = medium_pull(p[0]);
     return Phase(p[0] + h * (p[1] + (0.5 * h) * pull), p[1] + h * pull);
@@ -19,10 +15,5 @@ fn stride(p: Phase) -> Real {
 
 fn accepted_step(ray: Ray) -> Ray {
     let h = limited_step(stride(ray.phase), ray.tau);
-    var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, h));
-    next.tau += h;
-    next.taken = opaque(h);
-    next.steps += 1u;
-    return next;
+    return after_step(ray, retaken_step(ray.phase, h), h);
 }

@@ -35,10 +35,6 @@ struct Stride {
     free: bool,
 }
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn law_start(x: Real3, v: Real3) -> Phase {
     let u = normalize(v);
     let n = normalize(x - media[place].center);
@@ -90,11 +86,8 @@ fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
 fn accepted_step(ray: Ray) -> Ray {
     let way = stride(ray.phase);
     let passed = spiral_tau(ray.phase, way.size);
-    var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, way.size));
-    next.tau += passed;
+    var next = after_step(ray, retaken_step(ray.phase, way.size), passed);
     // What is free of all objects is no arc to be tested.
-    next.taken = select(opaque(passed), 0.0, way.free);
-    next.steps += 1u;
+    next.taken = select(next.taken, 0.0, way.free);
     return next;
 }

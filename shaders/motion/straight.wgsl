@@ -1,9 +1,5 @@
 // Straight lines need no solver: one step to just outside the bounding sphere.
 
-fn first_step(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn retaken_step(p: Phase, h: Real) -> Phase {
     return Phase(p[0] + h * p[1], p[1]);
 }
@@ -17,10 +13,5 @@ fn accepted_step(ray: Ray) -> Ray {
     let inside = max(bound.radius * bound.radius - dot(miss, miss), 0.0);
     let exit = -b + sqrt(inside / vv) + 1e-3 * bound.radius * inverseSqrt(vv);
     let h = limited_step(exit, ray.tau);
-    var next = ray;
-    next.phase = opaque_phase(retaken_step(ray.phase, h));
-    next.tau += h;
-    next.taken = opaque(h);
-    next.steps += 1u;
-    return next;
+    return after_step(ray, retaken_step(ray.phase, h), h);
 }

@@ -1,11 +1,11 @@
 // As many steps of every ray as it is told, in registers, and nothing else: no segments, no tests for their end, no masks. What
 // `bench limit` holds the schedules against.
 
-@group(0) @binding(118) var<storage, read> wanted_steps: array<u32>;
+@group(0) @binding(180) var<storage, read> wanted_steps: array<u32>;
 
 @compute @workgroup_size(GROUP)
-fn bare(@builtin(workgroup_id) group: vec3u, @builtin(local_invocation_index) lane: u32) {
-    let spot = grid_pixel(group, lane);
+fn bare(own: Invocation) {
+    let spot = grid_pixel(own);
     let word = load_status(spot.pixel);
     load_region(spot.pixel);
     let wanted = wanted_steps[spot.pixel.y * frame.size.x + spot.pixel.x];

@@ -12,15 +12,11 @@ struct Record {
     object: u32,
 }
 
-@group(0) @binding(115) var<storage, read_write> records: array<Record>;
+@group(0) @binding(181) var<storage, read_write> records: array<Record>;
 
 @compute @workgroup_size(GROUP)
-fn record(
-    @builtin(workgroup_id) group: vec3u,
-    @builtin(num_workgroups) groups: vec3u,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let spot = grid_pixel(group, lane);
+fn record(own: Invocation) {
+    let spot = grid_pixel(own);
     let pixel = spot.pixel;
     if spot.valid {
         load_region(pixel);
@@ -31,8 +27,8 @@ fn record(
         records[i] = Record(
             seen.end.x, seen.end.tau, seen.end.v, depth, ray.status, ray.steps, ray.rejected, seen.object,
         );
-        tally_fate(ray.status);
+        tally_status(ray.status);
     }
     workgroupBarrier();
-    total_fates(lane);
+    total_statuses(own.lane);
 }

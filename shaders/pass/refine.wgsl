@@ -11,7 +11,7 @@ struct Refinement {
     gain: f32,
 }
 
-@group(0) @binding(119) var<uniform> refinement: Refinement;
+@group(0) @binding(182) var<uniform> refinement: Refinement;
 
 // Counts for the host.
 struct Refined {
@@ -19,7 +19,7 @@ struct Refined {
     capped: atomic<u32>,
 }
 
-@group(0) @binding(117) var<storage, read_write> refined: Refined;
+@group(0) @binding(183) var<storage, read_write> refined: Refined;
 
 const FIRST_SAMPLES: u32 = 16u;
 
@@ -83,12 +83,8 @@ fn judged(m: Moments, n: u32) -> Moments {
 }
 
 @compute @workgroup_size(GROUP)
-fn refine(
-    @builtin(workgroup_id) group: vec3u,
-    @builtin(num_workgroups) groups: vec3u,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let spot = round_pixel(group, groups, lane);
+fn refine(own: Invocation) {
+    let spot = round_pixel(own);
     let n = frame.sample;
     let judges = n == 0u || (n >= FIRST_SAMPLES && countOneBits(n) == 1u);
     var state = 0u;
@@ -115,9 +111,9 @@ fn refine(
         atomicAdd(&group_capped, 1u);
     }
     workgroupBarrier();
-    if lane == 0u {
+    if own.lane == 0u {
         atomicAdd(&refined.open, atomicLoad(&group_open));
         atomicAdd(&refined.capped, atomicLoad(&group_capped));
     }
-    keep_living(open, spot.pixel, lane);
+    keep_active(open, spot.pixel, own.lane);
 }

@@ -1,12 +1,8 @@
 // Ray setup (W04 §3.1): the camera's rays into the first slot of the state.
 
 @compute @workgroup_size(GROUP)
-fn setup(
-    @builtin(workgroup_id) group: vec3u,
-    @builtin(num_workgroups) groups: vec3u,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let spot = round_pixel(group, groups, lane);
+fn setup(own: Invocation) {
+    let spot = round_pixel(own);
     let pixel = spot.pixel;
     let start = arrived(picture_ray(sampled_pixel(pixel)));
     start_region(start.x, start.d, pixel);

@@ -2,12 +2,8 @@
 // counted and shown in the status output, never painted as sky.
 
 @compute @workgroup_size(GROUP)
-fn shade(
-    @builtin(workgroup_id) group: vec3u,
-    @builtin(num_workgroups) groups: vec3u,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let spot = round_pixel(group, groups, lane);
+fn shade(own: Invocation) {
+    let spot = round_pixel(own);
     let pixel = spot.pixel;
     let followed = spot.valid && status_code(load_status(pixel)) != RESTING;
     if followed {
@@ -24,8 +20,8 @@ fn shade(
         add_coverage(pixel, code);
         keep_layers(pixel, ray, seen);
         keep_corner(pixel, ray, seen);
-        tally_fate(code);
+        tally_status(code);
     }
-    end_round(followed, pixel, lane);
-    total_fates(lane);
+    end_round(followed, pixel, own.lane);
+    total_statuses(own.lane);
 }

@@ -1,28 +1,12 @@
 // One integration step of every ray (`paper`: W04 §3.2 has one pass for each).
 
 @compute @workgroup_size(GROUP)
-fn single_step(
-    @builtin(workgroup_id) group: vec3u,
-    @builtin(num_workgroups) groups: vec3u,
-    @builtin(local_invocation_index) lane: u32,
-) {
-    let spot = living_pixel(group, groups, lane);
-    let word = load_status(spot.pixel);
-    let alive = spot.valid && status_code(word) == ALIVE;
-    load_region(spot.pixel);
-    let ray = load_ray(spot.pixel, word);
+fn single_step(own: Invocation) {
+    let spot = active_ray(own);
+    let ray = load_ray(spot.pixel, spot.word);
     var next = ray;
-    if ray_wanted(status_code(word)) && !path_over(ray) {
+    if ray_wanted(spot.code) && !path_over(ray) {
         next = accepted_step(ray);
     }
-    if alive {
-        store_ray(spot.pixel, next);
-        store_counts(spot.pixel, next);
-        store_taken(spot.pixel, next.taken);
-        tally_steps(next.steps - ray.steps);
-        tally_rejections(next.rejected - ray.rejected);
-    }
-    workgroupBarrier();
-    total_steps(lane);
-    total_rejections(lane);
+    finish_steps(spot, ray, next, own.lane);
 }

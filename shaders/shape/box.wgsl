@@ -2,8 +2,8 @@
 
 const BOX: u32 = 0x20000000u;
 
-@group(0) @binding(82) var<storage, read> boxes: array<Placed>;
-@group(0) @binding(76) var<uniform> box_list: array<OwnSpace, BOX_COUNT>;
+@group(0) @binding(100) var<storage, read> boxes: array<Placed>;
+@group(0) @binding(101) var<uniform> box_list: array<OwnSpace, BOX_COUNT>;
 
 // Of the cube itself: p and v are in its own space.
 fn box_interval(p: Real3, v: Real3) -> Interval {
@@ -34,4 +34,13 @@ fn surface_box(i: u32, x: Real3) -> Surface {
     uv = select(uv, Real2(side * p.x, p.y), axis.z > 0.0);
     let gap = (side * dot(p, axis) - 1.0) / steep;
     return Surface(gap, 1.0 / steep, n, vec3f(n), vec2f(0.5 + 0.5 * uv), boxes[i].material, boxes[i].object);
+}
+
+// Those that are crossed: behind the opaque ones in their list.
+
+@group(0) @binding(102) var<uniform> sided_box_list: array<SidedSpace, SIDED_BOX_COUNT>;
+
+fn cross_box(own: SidedSpace, a: Real3, d: Real3) -> Real {
+    let space = sided_space(own);
+    return crossing(box_interval(own_point(space, a), own_vector(space, d)), own.bit);
 }

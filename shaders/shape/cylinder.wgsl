@@ -2,8 +2,8 @@
 
 const CYLINDER: u32 = 0x50000000u;
 
-@group(0) @binding(88) var<storage, read> cylinders: array<Placed>;
-@group(0) @binding(78) var<uniform> cylinder_list: array<OwnSpace, CYLINDER_COUNT>;
+@group(0) @binding(103) var<storage, read> cylinders: array<Placed>;
+@group(0) @binding(104) var<uniform> cylinder_list: array<OwnSpace, CYLINDER_COUNT>;
 
 // Of the unit cylinder itself: p and v are in its own space.
 fn cylinder_interval(p: Real3, v: Real3) -> Interval {
@@ -38,4 +38,13 @@ fn surface_cylinder(i: u32, x: Real3) -> Surface {
     let uv = vec2f(turn_round(p), f32(v));
     let gap = (max(abs(p.y), rho) - 1.0) / steep;
     return Surface(gap, 1.0 / steep, n, vec3f(n), uv, cylinders[i].material, cylinders[i].object);
+}
+
+// Those that are crossed: behind the opaque ones in their list.
+
+@group(0) @binding(105) var<uniform> sided_cylinder_list: array<SidedSpace, SIDED_CYLINDER_COUNT>;
+
+fn cross_cylinder(own: SidedSpace, a: Real3, d: Real3) -> Real {
+    let space = sided_space(own);
+    return crossing(cylinder_interval(own_point(space, a), own_vector(space, d)), own.bit);
 }

@@ -10,8 +10,8 @@ struct DiskSpace {
     hole: Real,
 }
 
-@group(0) @binding(89) var<storage, read> disks: array<Placed>;
-@group(0) @binding(79) var<uniform> disk_list: array<DiskSpace, DISK_COUNT>;
+@group(0) @binding(106) var<storage, read> disks: array<Placed>;
+@group(0) @binding(107) var<uniform> disk_list: array<DiskSpace, DISK_COUNT>;
 
 fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
     let p = own_point(space, a);
@@ -25,7 +25,7 @@ fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
 
 fn hit_disk(own: DiskSpace, primitive: u32, a: Real3, d: Real3) -> Real {
     let space = OwnSpace(own.row_x, own.row_y, own.row_z);
-    return select(ring_fraction(space, own.hole, a, d), 2.0, just_left(primitive));
+    return select(ring_fraction(space, own.hole, a, d), 2.0, is_last_hit(primitive));
 }
 
 fn disk_fraction(i: u32, a: Real3, d: Real3) -> Real {

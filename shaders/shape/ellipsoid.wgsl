@@ -2,8 +2,8 @@
 
 const ELLIPSOID: u32 = 0x10000000u;
 
-@group(0) @binding(81) var<storage, read> ellipsoids: array<Placed>;
-@group(0) @binding(75) var<uniform> ellipsoid_list: array<OwnSpace, ELLIPSOID_COUNT>;
+@group(0) @binding(108) var<storage, read> ellipsoids: array<Placed>;
+@group(0) @binding(109) var<uniform> ellipsoid_list: array<OwnSpace, ELLIPSOID_COUNT>;
 
 fn ellipsoid_interval(space: OwnSpace, a: Real3, d: Real3) -> Interval {
     let v = own_vector(space, d);
@@ -25,4 +25,12 @@ fn surface_ellipsoid(i: u32, x: Real3) -> Surface {
     let steep = length(g);
     let n = g / steep;
     return Surface((r - 1.0) / steep, 1.0 / steep, n, vec3f(n), sphere_uv(p), ellipsoids[i].material, ellipsoids[i].object);
+}
+
+// Those that are crossed: behind the opaque ones in their list.
+
+@group(0) @binding(110) var<uniform> sided_ellipsoid_list: array<SidedSpace, SIDED_ELLIPSOID_COUNT>;
+
+fn cross_ellipsoid(own: SidedSpace, a: Real3, d: Real3) -> Real {
+    return crossing(ellipsoid_interval(sided_space(own), a, d), own.bit);
 }

@@ -2,8 +2,8 @@
 
 const PLANE: u32 = 0x30000000u;
 
-@group(0) @binding(83) var<storage, read> planes: array<Placed>;
-@group(0) @binding(77) var<uniform> plane_list: array<OwnSpace, PLANE_COUNT>;
+@group(0) @binding(112) var<storage, read> planes: array<Placed>;
+@group(0) @binding(113) var<uniform> plane_list: array<OwnSpace, PLANE_COUNT>;
 
 fn square_fraction(space: OwnSpace, a: Real3, v: Real3) -> Real {
     let p = own_point(space, a);
@@ -14,7 +14,7 @@ fn square_fraction(space: OwnSpace, a: Real3, v: Real3) -> Real {
 }
 
 fn hit_plane(own: OwnSpace, primitive: u32, a: Real3, d: Real3) -> Real {
-    return select(square_fraction(own, a, d), 2.0, just_left(primitive));
+    return select(square_fraction(own, a, d), 2.0, is_last_hit(primitive));
 }
 
 fn plane_fraction(i: u32, a: Real3, d: Real3) -> Real {

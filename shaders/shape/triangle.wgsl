@@ -24,10 +24,10 @@ struct Corners {
     r: Real3,
 }
 
-@group(0) @binding(84) var<storage, read> corners: array<Corners>;
-@group(0) @binding(85) var<storage, read> triangles: array<Triangle>;
-@group(0) @binding(86) var<storage, read> vertices: array<Vertex>;
-@group(0) @binding(87) var<storage, read> object_materials: array<u32>;
+@group(0) @binding(117) var<storage, read> corners: array<Corners>;
+@group(0) @binding(118) var<storage, read> triangles: array<Triangle>;
+@group(0) @binding(119) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(120) var<storage, read> object_materials: array<u32>;
 
 // Which side of the line along d through the origin the edge p → q passes, as a volume. Both triangles at an edge get the
 // same number with opposite signs, whatever the rounding, because it is always computed from the lesser end: so no ray
@@ -50,7 +50,7 @@ fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let n = cross(q - p, r - p);
     let through = dot(n, d);
     let t = dot(n, p) / through;
-    let met = inside && through != 0.0 && may_cross(corners[i].object, through) && !just_left(TRIANGLE | i);
+    let met = inside && through != 0.0 && may_cross(corners[i].object, through) && !is_last_hit(TRIANGLE | i);
     return select(2.0, t, met && t >= -overlap() && t <= 1.0 + OVERLAP);
 }
 

@@ -11,7 +11,7 @@ use wgpu::{
 use super::{GpuError, Pipeline};
 use crate::program::constant;
 
-/// The number of `shaders/living/place.wgsl` that a device has its own of.
+/// The number of `shaders/state/active.wgsl` that a device has its own of.
 pub(super) const GROUP_WIDTH: &str = "GROUP_WIDTH";
 
 /// An open device.
@@ -78,7 +78,7 @@ fn found() -> Vec<Adapter> {
 /// A processor runs the lanes of a row side by side and fetches memory ahead along it: there a workgroup is one row, by which
 /// passes are 1.03 to 1.1 times as fast as by squares.
 fn group_extent(device: DeviceType) -> [u32; 2] {
-    let number = |name| constant("living/place", name) as u32;
+    let number = |name| constant("state/active", name) as u32;
     let pixels = number("GROUP");
     let across = if device == DeviceType::Cpu { pixels } else { number(GROUP_WIDTH) };
     [across, pixels / across]

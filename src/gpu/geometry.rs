@@ -107,7 +107,7 @@ impl Geometry {
     pub fn primitive(&self, object: usize) -> u32 {
         let place = |shapes: &Vec<PlacedShape>| shapes.iter().position(|shape| shape.object as usize == object);
         let found = self.placed.iter().find_map(|(kind, shapes)| Some((kind, place(shapes)?)));
-        found.map_or(constant("ray", "NOTHING") as u32, |(kind, at)| code(kind) | at as u32)
+        found.map_or(constant("segment/ray", "NOTHING") as u32, |(kind, at)| code(kind) | at as u32)
     }
 
     fn add_placed(&mut self, object: &Object, index: u32) {

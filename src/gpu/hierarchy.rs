@@ -11,7 +11,7 @@ use obvhs::bvh2::builder::build_bvh2;
 /// What can be met: its primitive, and its box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Item {
-    /// Kind and index, as in `shaders/ray.wgsl`.
+    /// Kind and index, as in `shaders/segment/ray.wgsl`.
     pub primitive: u32,
     /// The box's lower corner.
     pub lo: Vec3,

@@ -115,11 +115,12 @@ impl Source<'_> {
     fn materials(&self, layout: &Layout) -> Result<Vec<u8>, GpuError> {
         let code = |part: &str| Uint(constant(part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()) as u32);
         let row = |material: &Material| -> Row {
-            let pattern = format!("pattern/{}", material.color.part());
+            let pattern = format!("surface/pattern/{}", material.color.part());
             let kinds = vec![("kind".into(), code(material.surface.part())), ("pattern".into(), code(&pattern))];
             [kinds, material.color.values(), material.surface.values()].concat()
         };
-        let side = |bit: usize| vec![("kind".into(), code("scatter/clear")), ("bit".into(), Uint(bit as u32))];
+        let side =
+            |bit: usize| vec![("kind".into(), code("surface/scatter/transmissive")), ("bit".into(), Uint(bit as u32))];
         let sides = (0..self.geometry.analysis.regions.regions.len()).map(side);
         pack_shared("materials", layout, self.scene.materials.iter().map(row).chain(sides))
     }
@@ -161,7 +162,7 @@ impl Source<'_> {
 
     /// For each object its bit in the set of regions.
     fn object_bits(&self) -> Vec<u32> {
-        let none = constant("facing/sided", "NO_BIT") as u32;
+        let none = constant("shape/facing_sided", "NO_BIT") as u32;
         let bit = |object| self.geometry.analysis.regions.bit(object).map_or(none, |bit| bit as u32);
         (0..self.scene.objects.len()).map(bit).collect()
     }

@@ -29,7 +29,7 @@ pub struct Pipeline {
 pub struct Pipelines(Vec<(Pass, Pipeline)>);
 
 /// Buffers of which each pass sees its own part.
-pub(super) const PER_PASS: [&str; 3] = ["turn", "living_in", "living_out"];
+pub(super) const PER_PASS: [&str; 3] = ["dispatch", "active_in", "active_out"];
 
 impl Pipelines {
     /// Compiles the program for the device; refuses what exceeds its limits.

@@ -54,7 +54,7 @@ impl Built {
         }
         let (nodes, order) = hierarchy(&over);
         let mut ordered: Vec<Item> = order.iter().map(|&i| over[i as usize]).collect();
-        let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
+        let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
         let mut next = BTreeMap::<u32, u32>::new();
         for item in &mut ordered {
             let kind = item.primitive & !mask;
@@ -82,7 +82,7 @@ impl Built {
 
     /// The boxes of its nodes, grown by what rounding may hide of them.
     pub fn boxes(&self) -> impl Iterator<Item = [DVec3; 2]> {
-        let slack = constant("structure/bvh", "BOX_SLACK");
+        let slack = constant("segment/structure/bvh", "BOX_SLACK");
         self.nodes.iter().map(move |node| {
             let (lo, hi) = (node.lo.as_dvec3(), node.hi.as_dvec3());
             let slack = slack * lo.abs().max(hi.abs());
@@ -92,7 +92,7 @@ impl Built {
 
     /// The places that the items of a kind, given by its code, had before, in the order that they have now.
     pub fn moved(&self, code: u32) -> impl Iterator<Item = usize> {
-        let mask = constant("ray", "PRIMITIVE_INDEX") as u32;
+        let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
         let own = self.order.iter().map(|&i| self.over[i as usize].primitive);
         own.filter(move |own| own & !mask == code).map(move |own| (own & mask) as usize)
     }

@@ -32,7 +32,7 @@ pub struct Slots {
 }
 
 /// The arguments of dispatches over each list.
-const LIVING: [&str; 6] = ["living_0", "living_1", "living_2", "living_3", "living_4", "living_5"];
+const LIVING: [&str; 6] = ["active_0", "active_1", "active_2", "active_3", "active_4", "active_5"];
 
 /// The parts of the buffers of which each pass sees its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,8 +70,8 @@ fn resource_name(name: &str, slots: Slots) -> String {
         ("x" | "v" | "clock" | "error", "out") => format!("{base}_{}", slots.output),
         ("x" | "v", "start") => format!("{base}_{}", slots.start),
         ("x" | "v", "end") => format!("{base}_{}", slots.end),
-        ("list" | "living", "in") => format!("{base}_{}", slots.list[0]),
-        ("list" | "living", "out") => format!("{base}_{}", slots.list[1]),
+        ("list" | "active", "in") => format!("{base}_{}", slots.list[0]),
+        ("list" | "active", "out") => format!("{base}_{}", slots.list[1]),
         _ => name.to_owned(),
     }
 }
@@ -131,7 +131,9 @@ fn state_buffers(program: &Program, slots: usize) -> BTreeMap<String, u32> {
         let BindingKind::Storage { layout, read_only: false } = &binding.kind else { continue };
         for output in 0..slots {
             let name = resource_name(&binding.name, Slots { input: 0, output, start: 0, end: 0, list: [0; 2] });
-            if ["taken", "moments"].contains(&name.as_str()) || (name != binding.name && !name.starts_with("li")) {
+            if ["taken", "moments"].contains(&name.as_str())
+                || (name != binding.name && !name.starts_with("list_") && !name.starts_with("active_"))
+            {
                 all.insert(name, layout.span);
             }
         }
@@ -195,7 +197,7 @@ impl Tile {
             };
             tile.add_buffer(gpu, name, TURN_STRIDE * parts, BufferUsages::STORAGE | BufferUsages::INDIRECT)?;
         }
-        tile.add_buffer(gpu, "turn", TURN_STRIDE * parts.turns, BufferUsages::UNIFORM)?;
+        tile.add_buffer(gpu, "dispatch", TURN_STRIDE * parts.turns, BufferUsages::UNIFORM)?;
         tile.add_buffer(gpu, "frame", 64, BufferUsages::UNIFORM)?;
         tile.add_buffer(gpu, "tally", 128, BufferUsages::STORAGE)?;
         if program.passes.iter().any(|(pass, ..)| *pass == Pass::Refine) {

@@ -36,7 +36,7 @@ pub enum Start {
 /// Straight on.
 pub static STRAIGHT: ClosedForm = ClosedForm {
     name: "straight",
-    parts: &["motion/straight", "pace/tau", "rate/none"],
+    parts: &["motion/straight", "motion/pace_tau", "motion/closed"],
     strides: None,
     is_line: true,
     meets_obstacles: false,
@@ -47,8 +47,8 @@ pub static STRAIGHT: ClosedForm = ClosedForm {
 /// As on a spring.
 pub static HARMONIC: ClosedForm = ClosedForm {
     name: "harmonic",
-    parts: &["motion/harmonic", "pace/tau", "rate/none"],
-    strides: Some(["stride/harmonic_arc", "stride/harmonic_leap"]),
+    parts: &["motion/harmonic", "motion/pace_tau", "motion/closed"],
+    strides: Some(["motion/harmonic_arc", "motion/harmonic_leap"]),
     is_line: false,
     meets_obstacles: false,
     loops: 0,
@@ -58,8 +58,8 @@ pub static HARMONIC: ClosedForm = ClosedForm {
 /// Along logarithmic spirals.
 pub static SPIRAL: ClosedForm = ClosedForm {
     name: "spiral",
-    parts: &["motion/spiral", "rate/none"],
-    strides: Some(["stride/spiral_arc", "stride/spiral_leap"]),
+    parts: &["motion/spiral", "motion/closed"],
+    strides: Some(["motion/spiral_arc", "motion/spiral_leap"]),
     is_line: false,
     meets_obstacles: true,
     loops: 0,
@@ -69,8 +69,8 @@ pub static SPIRAL: ClosedForm = ClosedForm {
 /// In circles.
 pub static CIRCLE: ClosedForm = ClosedForm {
     name: "circle",
-    parts: &["motion/circle", "rate/none"],
-    strides: Some(["stride/circle_arc", "stride/circle_leap"]),
+    parts: &["motion/circle", "motion/closed"],
+    strides: Some(["motion/circle_arc", "motion/circle_leap"]),
     is_line: false,
     meets_obstacles: false,
     loops: 16,
@@ -80,7 +80,7 @@ pub static CIRCLE: ClosedForm = ClosedForm {
 /// Along parabolas.
 pub static PARABOLA: ClosedForm = ClosedForm {
     name: "parabola",
-    parts: &["motion/parabola", "pace/tau", "rate/none"],
+    parts: &["motion/parabola", "motion/pace_tau", "motion/closed"],
     strides: None,
     is_line: false,
     meets_obstacles: false,

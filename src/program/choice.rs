@@ -137,7 +137,7 @@ impl Layer {
         self != Self::Samples
     }
 
-    /// The name of its file in `shaders/layer/`, if it is of a ray; its texture is `layer_` and this.
+    /// The name of its file in `shaders/picture/layer/`, if it is of a ray; its texture is `layer_` and this.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

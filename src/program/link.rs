@@ -116,7 +116,7 @@ mod tests {
 
     const ENTRY: &str = "@group(0) @binding(0) var<storage, read_write> out: array<f32>;\n\
         var<private> region: u32;\n\
-        @compute @workgroup_size(1) fn entry() {\n    out[0] = law_rate(1.0);\n}\n";
+        @compute @workgroup_size(1) fn entry() {\n    out[0] = law_derivative(1.0);\n}\n";
 
     fn two_regions() -> Parts {
         let strength = "struct Law { a: f32 }\n@group(0) @binding(50) var<uniform> law: Law;\n";
@@ -125,11 +125,11 @@ mod tests {
             regions: vec![
                 vec![
                     unit("law/weak.wgsl", strength),
-                    unit("law/a.wgsl", "fn law_rate(x: f32) -> f32 { return law.a * x; }\n"),
+                    unit("law/a.wgsl", "fn law_derivative(x: f32) -> f32 { return law.a * x; }\n"),
                 ],
                 vec![
                     unit("law/strong.wgsl", strength),
-                    unit("law/b.wgsl", "fn law_rate(x: f32) -> f32 { return -law.a * x; }\n"),
+                    unit("law/b.wgsl", "fn law_derivative(x: f32) -> f32 { return -law.a * x; }\n"),
                 ],
             ],
         }
@@ -158,7 +158,7 @@ mod tests {
         let mut parts = two_regions();
         parts.regions.truncate(1);
         let linked = link(&parts, "entry").unwrap();
-        assert!(linked.source.contains("fn law_rate(") && !linked.source.contains("switch"));
+        assert!(linked.source.contains("fn law_derivative(") && !linked.source.contains("switch"));
     }
 
     #[test]
@@ -174,8 +174,7 @@ mod tests {
 
     #[test]
     fn errors_name_the_part_and_its_own_line() {
-        let slip =
-            "// A law with a slip.\n\nfn unused() {}\n\nfn law_rate(x: f32) -> f32 {\n    return x * nothing;\n}\n";
+        let slip = "// A law with a slip.\n\nfn unused() {}\n\nfn law_derivative(x: f32) -> f32 {\n    return x * nothing;\n}\n";
         let parts =
             Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/slip.wgsl", slip)], regions: Vec::new() };
         let error = reflect(&link(&parts, "entry").unwrap()).unwrap_err().to_string();
@@ -199,7 +198,7 @@ mod tests {
         let own = Unit::user("my/law.wgsl", format!("// Mine.\nfn {name}() {{}}\n"));
         for shared in [vec![built_in.clone(), own.clone()], vec![own.clone(), built_in.clone()]] {
             let error = link(&Parts { shared, ..Parts::default() }, "entry").unwrap_err().to_string();
-            assert_eq!(error, format!("my/law.wgsl:2:4: `{name}` is already declared in shaders/math.wgsl"));
+            assert_eq!(error, format!("my/law.wgsl:2:4: `{name}` is already declared in shaders/real/math.wgsl"));
         }
     }
 
@@ -215,18 +214,20 @@ mod tests {
     fn copies_are_told_apart_however_they_are_written() {
         let linked = |text: &str| {
             let mut parts = two_regions();
-            parts.shared[0].text = ENTRY.replace("law_rate(1.0)", "law_rate(1.0, vec2f(2.0))").into();
+            parts.shared[0].text = ENTRY.replace("law_derivative(1.0)", "law_derivative(1.0, vec2f(2.0))").into();
             for region in &mut parts.regions {
                 region[1] = Unit::user("law/a.wgsl", text.to_owned());
             }
             link(&parts, "entry").and_then(|linked| reflect(&linked).map(|_| linked.source))
         };
         let plain = "@group(0) @binding(60) var table: texture_2d<f32>;\n\
-            fn law_rate(x: f32, y: vec2<f32>) -> f32 {\n    return law.a * x * y.x + textureLoad(table, vec2u(), 0).x;\n}\n";
+            fn law_derivative(x: f32, y: vec2<f32>) -> f32 {\n    return law.a * x * y.x + textureLoad(table, vec2u(), 0).x;\n}\n";
         let written = linked(plain).unwrap();
-        for text in
-            ["@binding(260) var table_0", "@binding(460) var table_1", "fn law_rate(x: f32, y: vec2<f32>) -> f32 {"]
-        {
+        for text in [
+            "@binding(260) var table_0",
+            "@binding(460) var table_1",
+            "fn law_derivative(x: f32, y: vec2<f32>) -> f32 {",
+        ] {
             assert!(written.contains(text), "{text}\n{written}");
         }
         for (from, to) in [

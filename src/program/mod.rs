@@ -1,7 +1,7 @@
 //! From a scene to its program: which WGSL parts it needs, linked into one module a pass, validated and reflected.
 //!
-//! *Theory.* `shaders/` has one folder for each contract and one file for each way to keep it. A scene picks one file per
-//! folder, and several shapes, materials and falloffs with the few-line switches between them generated. The program that
+//! *Theory.* `shaders/` has one file for each way to keep a contract, and its README states them all. A scene picks one file
+//! per contract, and several shapes, materials and falloffs with the few-line switches between them generated. The program that
 //! results has nothing in it that the scene does not use: 'model no more than a scene needs', and a test holds it to that.
 //!
 //! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing here knows of a GPU.

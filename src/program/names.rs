@@ -13,8 +13,11 @@ pub(super) struct Names {
 }
 
 impl Names {
+    /// Once, however often it is named.
     pub fn add(&mut self, name: &str) {
-        self.names.push(name.to_owned());
+        if !self.names.iter().any(|known| known == name) {
+            self.names.push(name.to_owned());
+        }
     }
 
     pub fn all(&mut self, names: &[&str]) {
@@ -22,14 +25,14 @@ impl Names {
     }
 
     pub fn each<'a>(&mut self, folder: &str, files: impl IntoIterator<Item = &'a str>) {
-        self.names.extend(files.into_iter().map(|file| format!("{folder}/{file}")));
+        files.into_iter().for_each(|file| self.add(&format!("{folder}/{file}")));
     }
 
     /// What a kind names.
     pub fn wgsl(&mut self, parts: impl IntoIterator<Item = Wgsl>) -> Result<(), ProgramError> {
         for part in parts {
             match part {
-                Wgsl::Part(name) => self.names.push(name.into_owned()),
+                Wgsl::Part(name) => self.add(&name),
                 Wgsl::Text { file, text } => self.made.push(Unit { file, text, author: Author::Generated }),
                 Wgsl::Own(own) => {
                     let (unit, usual) = checked(&own)?;

@@ -1,6 +1,6 @@
 //! The WGSL parts, embedded in the binary.
 
-use include_dir::{Dir, include_dir};
+use include_dir::{Dir, File, include_dir};
 
 use super::declarations::declarations;
 
@@ -25,14 +25,15 @@ pub fn part(name: &str) -> Option<Part> {
 /// Every part, by path.
 #[must_use]
 pub fn all_parts() -> Vec<Part> {
-    let mut parts: Vec<Part> = SHADERS
-        .dirs()
-        .flat_map(Dir::files)
-        .chain(SHADERS.files())
-        .filter_map(|file| Some(Part { file: file.path().to_str()?, text: file.contents_utf8()? }))
-        .collect();
+    let mut parts = parts_in(&SHADERS);
     parts.sort_by_key(|part| part.file);
     parts
+}
+
+fn parts_in(folder: &'static Dir) -> Vec<Part> {
+    let part = |file: &'static File| Some(Part { file: file.path().to_str()?, text: file.contents_utf8()? });
+    let wgsl = folder.files().filter(|file| file.path().extension().is_some_and(|extension| extension == "wgsl"));
+    wgsl.filter_map(part).chain(folder.dirs().flat_map(parts_in)).collect()
 }
 
 /// The number that the constant `name` of a part is set to, or that one has which the host may override: WGSL is the one place

@@ -6,63 +6,65 @@ use crate::model::{CameraFrame, Pattern, Projection, Stereo, StereoLayout};
 use crate::scene::{Light, SamplePattern, Scene, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
-    names.add(if choice.purpose == Purpose::Pixels { "sample/chosen_pixels" } else { "sample/every_pixel" });
+    names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
     if choice.purpose == Purpose::Trace {
-        names.all(&["camera/ray", "camera/given", "view/one", "sample/index"]);
-        names.add(if scene.rays.asymptotic { "arrival/from_infinity" } else { "arrival/as_given" });
+        names.all(&["camera/ray", "camera/given"]);
+        names.add(if scene.rays.asymptotic { "camera/arrival/from_infinity" } else { "camera/arrival/as_given" });
         return;
     }
-    names.all(&["camera/ray", "sample/image_plane"]);
-    names.add(if scene.rays.asymptotic { "arrival/along_orbit" } else { "arrival/straight" });
+    names.all(&["camera/ray"]);
+    names.add(if scene.rays.asymptotic { "camera/arrival/along_orbit" } else { "camera/arrival/straight" });
     match scene.image.pattern {
-        _ if scene.image.samples == 1 => names.add("sample/center"),
-        SamplePattern::MultiJittered => names.add("sample/multi_jittered"),
-        SamplePattern::Progressive if choice.adapts(scene) => names.all(&["sample/sobol", "sample/adaptive"]),
-        SamplePattern::Progressive => names.all(&["sample/sobol", "sample/progressive"]),
+        _ if scene.image.samples == 1 => names.add("camera/sample/center"),
+        SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
+        SamplePattern::Progressive if choice.adapts(scene) => {
+            names.all(&["camera/sample/sobol", "camera/sample/adaptive"]);
+        }
+        SamplePattern::Progressive => names.all(&["camera/sample/sobol", "camera/sample/progressive"]),
     }
     let Some(camera) = &scene.camera else { return };
     names.add(camera.projection.part());
     names.add(match camera.frame {
-        CameraFrame::Static => "frame/static",
-        CameraFrame::Coordinate => "frame/coordinate",
+        CameraFrame::Static => "camera/frame_static",
+        CameraFrame::Coordinate => "camera/frame_coordinate",
     });
     match camera.stereo {
         Some(stereo) => stereo_parts(&*camera.projection, stereo, names),
-        None => names.add("view/one"),
+        None => names.add("camera/view/one"),
     }
 }
 
 /// A picture of two views.
 fn stereo_parts(projection: &dyn Projection, stereo: Stereo, names: &mut Names) {
     names.add(match stereo.layout {
-        StereoLayout::SideBySide => "view/side_by_side",
-        StereoLayout::TopBottom => "view/top_bottom",
+        StereoLayout::SideBySide => "camera/view/side_by_side",
+        StereoLayout::TopBottom => "camera/view/top_bottom",
     });
-    names.add(if stereo.convergence.is_some() { projection.convergence_part() } else { "eyes/parallel" });
+    names.add(if stereo.convergence.is_some() { projection.convergence_part() } else { "camera/eyes/parallel" });
 }
 
 pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
-    names.add(if scene.is_transparent() { "coverage/kept" } else { "coverage/none" });
+    names.add(if scene.is_transparent() { "picture/coverage_kept" } else { "picture/coverage_none" });
     names.add(match scene.sky {
-        Sky::Color(_) => "sky/color",
-        Sky::Equirectangular(..) => "sky/equirectangular",
-        Sky::Faces(..) => "sky/faces",
+        Sky::Color(_) => "picture/sky/color",
+        Sky::Equirectangular(..) => "picture/sky/equirectangular",
+        Sky::Faces(..) => "picture/sky/faces",
     });
     if choice.adapts(scene) {
-        names.all(&["sum/one_sample", "corner/kept", "moments", "displayed"]);
+        names.all(&["picture/adaptive"]);
         names.add(match scene.output.tonemap {
-            Tonemap::None => "tonemap/none",
-            Tonemap::Filmic => "tonemap/filmic",
+            Tonemap::None => "picture/tonemap_none",
+            Tonemap::Filmic => "picture/tonemap_filmic",
         });
     } else {
-        names.all(&["sum/all_samples", "corner/none"]);
+        names.all(&["picture/samples_all"]);
     }
     let layers: Vec<_> = choice.layers.iter().filter(|layer| layer.is_of_a_ray()).map(|layer| layer.name()).collect();
     if layers.is_empty() {
-        names.add("layer/none");
+        names.add("picture/layers_none");
     } else {
-        names.add("layer/kept");
-        names.each("layer", layers.iter().copied());
+        names.add("picture/layers_kept");
+        names.each("picture/layer", layers.iter().copied());
         names.make(generated::layers(&layers));
     }
 }
@@ -81,10 +83,10 @@ pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
         ("directional", scene.lights.iter().any(|light| matches!(light, Light::Directional { .. }))),
     ];
     let lights: Vec<&str> = lights.into_iter().filter(|(_, there)| *there && is_lit).map(|(name, _)| name).collect();
-    names.add("material/material");
+    names.add("surface/material");
     names.all(&kinds);
-    names.each("pattern", patterns.iter().copied());
-    names.each("light", lights.iter().copied());
-    names.add(if lights.is_empty() { "light/none" } else { "light/blinn_phong" });
+    names.each("surface/pattern", patterns.iter().copied());
+    names.each("surface/light", lights.iter().copied());
+    names.add(if lights.is_empty() { "surface/light/none" } else { "surface/light/blinn_phong" });
     names.make(generated::materials(&kinds, &patterns, &lights));
 }

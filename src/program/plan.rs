@@ -15,19 +15,17 @@ use crate::scene::{Branches, Precision, Scene, Segment};
 pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
     let mut names = Names::default();
     names.all(&[
-        "ray",
-        "frame",
-        "work",
-        "bound",
-        "schedule",
-        "turn",
-        "math",
-        "tally/totals",
-        "fate",
-        "path_end",
-        "colors",
+        "segment/ray",
+        "state/arguments",
+        "state/work",
+        "law/bound",
+        "real/math",
+        "state/tally",
+        "segment/termination",
+        "segment/path_end",
+        "picture/colors",
     ]);
-    names.all(&["state/ray", "living/place", "stage/ended", "stage/between", "stage/advanced"]);
+    names.all(&["state/ray", "state/active", "state/finish"]);
     names.all(match scene.rays.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
         Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
@@ -43,12 +41,12 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     schedule_parts(scene, choice, regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, &mut names)?;
-    surface_parts(scene, choice, work, analysis, &mut names);
+    surface_parts(scene, work, analysis, &mut names);
     if choice.purpose == Purpose::Picture {
         picture_parts(scene, choice, &mut names);
     }
     if !scene.pictures.is_empty() {
-        names.add("image_sample");
+        names.add("surface/image_sample");
         names.make(generated::images(scene.pictures.len()));
     }
     if !scene.objects.is_empty() {
@@ -60,20 +58,21 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
 
 fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
     names.add(match choice.masks {
-        Masks::Off => "living/all",
-        Masks::Grid => "living/grid",
-        Masks::List => "living/list",
+        Masks::Off => "state/active/all",
+        Masks::Grid => "state/active/grid",
+        Masks::List => "state/active/list",
     });
+    names.add(if choice.masks == Masks::Off { "segment/run_all" } else { "segment/run_active" });
     names.add(match (choice.lists_open(scene), choice.rounds(scene) > 1) {
-        (false, _) => "round/once",
-        (true, false) => "round/chosen",
-        (true, true) => "round/open",
+        (false, _) => "state/round/once",
+        (true, false) => "state/round/chosen",
+        (true, true) => "state/round/open",
     });
-    names.add(if choice.adapts(scene) { "wanted/open" } else { "wanted/all" });
-    names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
-    names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
-    names.add(if scene.rays.control.kind.rejects { "tally/rejections" } else { "tally/no_rejections" });
-    names.add(if keeps_taken(scene, regions) { "stage/taken_kept" } else { "stage/taken_none" });
+    names.add(if choice.adapts(scene) { "picture/adaptive" } else { "picture/samples_all" });
+    names.add(if choice.slots(scene) == 3 { "state/slots_three" } else { "state/slots_two" });
+    names.add(if choice.keeps_counts() { "state/counts_kept" } else { "state/counts_none" });
+    names.add(if scene.rays.control.kind.rejects { "state/rejections_some" } else { "state/rejections_none" });
+    names.add(if keeps_taken(scene, regions) { "state/taken_kept" } else { "state/taken_none" });
 }
 
 /// Arcs that are not straight need their step's size in the pass that intersects them.
@@ -84,38 +83,43 @@ fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
 
 /// What a state is, and what the control remembers of it.
 fn phase_parts(scene: &Scene, names: &mut Names) {
-    names.add(if scene.law.carries_time() { "phase/spacetime" } else { "phase/space" });
+    names.add(if scene.law.carries_time() { "law/phase_spacetime" } else { "law/phase_space" });
     names.add(scene.rays.control.kind.memory);
 }
 
 /// Which medium a ray is in, and what becomes of it at surfaces that it goes on from.
 fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
-    names.add("stride/turn");
     if !scene.scatters() {
-        names.all(&["region/none", "scatter/none", "weight/none", "branch/transmitted", "left/none", "facing/any"]);
+        names.all(&[
+            "surface/region_none",
+            "surface/scatter/none",
+            "surface/weight/none",
+            "surface/branch/transmitted",
+            "segment/last_hit_none",
+            "shape/facing_any",
+        ]);
         return;
     }
     let continuing = || scene.objects.iter().enumerate().filter(|(_, object)| scene.continues_from(object));
     let flat = continuing().any(|(i, _)| regions.bit(i).is_none());
     let sided_mesh = regions.regions.iter().any(|region| scene.objects[region.object].shape.mesh().is_some());
-    names.all(&["scatter/some", "scatter/scattered", "branch/branch"]);
-    names.add(if regions.regions.is_empty() { "region/none" } else { "region/set" });
-    names.add(if choice.purpose == Purpose::Trace { "origin/given" } else { "origin/camera" });
-    names.add(if flat { "left/kept" } else { "left/none" });
-    names.add(if sided_mesh { "facing/sided" } else { "facing/any" });
-    names.add(if regions.touching.count() > 0 { "touching/some" } else { "touching/none" });
+    names.all(&["surface/scatter/some"]);
+    names.add(if regions.regions.is_empty() { "surface/region_none" } else { "surface/region_set" });
+    names.add(if choice.purpose == Purpose::Trace { "surface/origin_given" } else { "surface/origin_camera" });
+    names.add(if flat { "segment/last_hit_kept" } else { "segment/last_hit_none" });
+    names.add(if sided_mesh { "shape/facing_sided" } else { "shape/facing_any" });
+    names.add(if regions.touching.count() > 0 { "surface/touching_some" } else { "surface/touching_none" });
     let is_gray = |material: &Material| !material.surface.continues() || material.color.is_gray();
-    let kept = if scene.materials.iter().all(is_gray) { "weight/gray" } else { "weight/colored" };
+    let kept = if scene.materials.iter().all(is_gray) { "surface/weight/gray" } else { "surface/weight/colored" };
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
-        (Purpose::Picture, Branches::Enumerated(_)) => (kept, "branch/enumerated"),
-        (Purpose::Picture, Branches::Random) => (kept, "branch/random"),
-        _ => ("weight/none", "branch/transmitted"),
+        (Purpose::Picture, Branches::Enumerated(_)) => (kept, "surface/branch/enumerated"),
+        (Purpose::Picture, Branches::Random) => (kept, "surface/branch/random"),
+        _ => ("surface/weight/none", "surface/branch/transmitted"),
     };
     names.all(&[weight, branch]);
     let mut kinds: Vec<&str> = continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.part())).collect();
     if scene.splits() {
-        names.add("scatter/refraction");
-        kinds.push("scatter/clear");
+        kinds.push("surface/scatter/transmissive");
     }
     kinds.sort_unstable();
     kinds.dedup();
@@ -126,7 +130,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
 
 fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     let captures = scene.captures(None);
-    names.add(if captures.is_empty() { "capture/none" } else { "capture/spheres" });
+    names.add(if captures.is_empty() { "law/capture_none" } else { "law/capture_spheres" });
     let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.anchors());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
     let kinds: Vec<_> = SOURCES.into_iter().filter(|kind| anchors.contains(kind)).collect();
@@ -134,33 +138,31 @@ fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     if !kinds.is_empty() {
         names.make(generated::anchors(&kinds));
     }
-    names.add(if scene.rays.length.is_some() { "limit/length" } else { "limit/none" });
-    names.add(if scene.rays.asymptotic { "asymptotic/orbit" } else { "asymptotic/none" });
+    names.add(if scene.rays.length.is_some() { "law/limit_length" } else { "law/limit_none" });
+    names.add(if scene.rays.asymptotic { "law/asymptotic_orbit" } else { "law/asymptotic_none" });
     let hits = !scene.objects.is_empty();
     match scene.rays.segment {
         Segment::Arc { .. } => {
-            names.all(&["follow/step", if hits { "stage/end_on_arc" } else { "stage/end_open" }]);
+            names.all(&["segment/follow_step", if hits { "segment/end_on_arc" } else { "segment/end_open" }]);
         }
         Segment::Chord { .. } => {
-            names.all(&["follow/steps", if hits { "stage/end_on_chord" } else { "stage/end_open" }]);
+            names.all(&["segment/follow_chord", if hits { "segment/end_on_chord" } else { "segment/end_open" }]);
         }
     }
     Ok(())
 }
 
-fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysis, names: &mut Names) {
-    let recorded = choice.purpose != Purpose::Picture;
+fn surface_parts(scene: &Scene, work: &Work, analysis: &Analysis, names: &mut Names) {
     let all = solids(scene.objects.iter());
     if all.is_empty() {
-        names.all(&["walk/none", "stage/seen_nothing"]);
-        names.add(if recorded { "stage/recorded_nothing" } else { "stage/seen" });
+        names.all(&["segment/no_surfaces"]);
         return;
     }
     let Analysis { regions, structure } = analysis;
-    names.all(&["walk/piece", "hits", "shape/placed"]);
-    names.add(if work.resumed { "walk/resumed" } else { "walk/whole" });
+    names.all(&["segment/pieces", "segment/hits", "shape/placed"]);
+    names.add(if work.resumed { "segment/walk_resumed" } else { "segment/walk_whole" });
     let leaps = regions.kinds.iter().any(|kind| kind.leaps);
-    names.add(if leaps { "walk/leaping" } else { "walk/direct" });
+    names.add(if leaps { "segment/hit_leaping" } else { "segment/hit_direct" });
     names.each("shape", all.iter().map(|solid| solid.name));
     let with_side = |side: bool| {
         let objects = scene.objects.iter().enumerate().filter(move |(i, _)| regions.bit(*i).is_some() == side);
@@ -170,23 +172,14 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysi
     // One search meets all triangles, whatever their objects are made of.
     sided.retain(|solid| solid.lists.is_some());
     listed.retain(|solid| !structure.holds(solid));
-    names.add(if listed.is_empty() && sided.is_empty() { "listed/none" } else { "listed/some" });
+    names.add(if listed.is_empty() && sided.is_empty() { "segment/lists_none" } else { "segment/lists_some" });
     if structure.solids.is_empty() {
-        names.add("structure/none");
+        names.add("segment/structure/none");
     } else {
-        names.add("walk/items");
-        names.add(if structure.in_order() { "order/same" } else { "order/listed" });
-        names.each("structure", [structure.search.name()]);
-    }
-    let sided_mesh = regions.regions.iter().any(|region| scene.objects[region.object].shape.mesh().is_some());
-    if !sided.is_empty() || sided_mesh {
-        names.add("crossing/crossing");
-        names.each("crossing", sided.iter().map(|solid| solid.name));
+        names.add("segment/pieces");
+        names.add(if structure.in_order() { "segment/order_same" } else { "segment/order_listed" });
+        names.each("segment/structure", [structure.search.name()]);
     }
     names.make(generated::shapes(scene, analysis, &all, &listed, &sided));
-    if recorded {
-        names.add("stage/recorded_surface");
-    } else {
-        names.all(&["stage/seen", "stage/seen_surface"]);
-    }
+    names.add("surface/seen");
 }

@@ -16,7 +16,7 @@ pub(super) fn region_parts(
     kind: &RegionKind,
 ) -> Result<Vec<Unit>, ProgramError> {
     let mut names = Names::default();
-    names.add(if kind.leaps { "leap/sphere" } else { "leap/none" });
+    names.add(if kind.leaps { "motion/leap_sphere" } else { "motion/leap_none" });
     if let Some(index) = &kind.index {
         names.wgsl(index.iter().cloned())?;
         names.make(generated::media(kind.media.len()));
@@ -25,19 +25,19 @@ pub(super) fn region_parts(
             names.make(formula::formulas(&formulas));
         }
     } else {
-        names.add("index/vacuum");
+        names.add("medium/vacuum");
     }
     let chords = scene.rays.segment.has_chords();
-    names.add(if chords || kind.is_line() { "curve/line" } else { "curve/arc" });
+    names.add(if chords || kind.is_line() { "segment/curve_line" } else { "segment/curve_arc" });
     let whole = kind.motion.closed_form().is_some_and(|form| form.is_line) && !chords;
-    names.add(if whole { "join/whole" } else { "join/pieces" });
+    names.add(if whole { "segment/join_whole" } else { "segment/join_pieces" });
     let orbit = kind.motion == Motion::Law && scene.rays.method.kind.path == Path::Orbit;
-    names.add(if orbit { "bare/orbit" } else { "bare/steps" });
+    names.add(if orbit { "motion/orbit" } else { "motion/bare_steps" });
     match kind.motion {
         Motion::Law => law_motion(scene, purpose, &mut names)?,
         Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names),
         Motion::Solved => {
-            names.all(&["law/accelerated", "law/medium", "pace/tau", "rate/law"]);
+            names.all(&["law/accelerated", "law/medium", "motion/pace_tau", "method/first_derivative"]);
             names.all(scene.rays.method.kind.parts);
             names.all(scene.rays.control.kind.parts);
         }
@@ -48,9 +48,6 @@ pub(super) fn region_parts(
 /// A motion in closed form.
 fn closed_motion(form: &ClosedForm, scene: &Scene, regions: &Regions, kind: &RegionKind, names: &mut Names) {
     names.all(form.parts);
-    if let Some(medium) = kind.media.first() {
-        names.all(medium.closed_form_parts());
-    }
     if let Some([arc, leap]) = form.strides {
         names.add(if kind.leaps { leap } else { arc });
     }
@@ -59,25 +56,25 @@ fn closed_motion(form: &ClosedForm, scene: &Scene, regions: &Regions, kind: &Reg
     }
     match form.start {
         Start::Own => {}
-        Start::ByIndexIfAny if kind.index.is_none() => names.add("start/as_given"),
-        Start::ByIndex | Start::ByIndexIfAny => names.add("start/by_index"),
+        Start::ByIndexIfAny if kind.index.is_none() => names.add("law/start_as_given"),
+        Start::ByIndex | Start::ByIndexIfAny => names.add("law/start_by_index"),
     }
 }
 
 /// The scene's own law, by the scene's own method.
 fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), ProgramError> {
     let in_plane = scene.rays.method.kind.path == Path::Orbit;
-    names.add(if in_plane { "pace/orbit" } else { "pace/tau" });
+    names.add(if in_plane { "motion/orbit" } else { "motion/pace_tau" });
     if let Some(orbit) = scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic) {
-        names.all(&["orbit/orbit", orbit.part]);
+        names.all(&["law/orbit", orbit.part]);
     }
     names.wgsl(scene.law.parts())?;
     if in_plane {
-        names.add("rate/none");
+        names.add("motion/closed");
         planar_parts(scene, purpose, names);
         return Ok(());
     }
-    names.add("rate/law");
+    names.add("method/first_derivative");
     names.all(scene.rays.method.kind.parts);
     names.all(scene.rays.control.kind.parts);
     Ok(())
@@ -86,7 +83,7 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
 /// τ is integrated only where something asks for it: arcs, and the numbers of a trace.
 fn planar_parts(scene: &Scene, purpose: Purpose, names: &mut Names) {
     let open = scene.objects.is_empty();
-    names.add(if open { "motion/planar_open" } else { "motion/planar" });
+    names.add(if open { "motion/orbit_open" } else { "motion/orbit_arcs" });
     let asked = !open || !matches!(purpose, Purpose::Picture | Purpose::Bare);
-    names.add(if asked { "clock/kept" } else { "clock/none" });
+    names.add(if asked { "motion/time_kept" } else { "motion/time_none" });
 }

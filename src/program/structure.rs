@@ -21,7 +21,7 @@ pub enum Search {
 }
 
 impl Search {
-    /// The name of its file in `shaders/structure/`.
+    /// The name of its file in `shaders/segment/structure/`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -10,7 +10,7 @@ use crate::model::{Loops, Medium};
 use crate::scene::{Object, Precision, Scene, Segment};
 
 fn work_limit() -> u64 {
-    constant("work", "WORK_LIMIT") as u64
+    constant("state/work", "WORK_LIMIT") as u64
 }
 
 /// A segment up to this size is walked whole: so many fit into a pass that no batch of segments is cut short.
@@ -44,14 +44,17 @@ impl Work {
         let (steps, pieces) = match scene.rays.segment {
             Segment::Chord { steps } => (u64::from(steps), 1),
             Segment::Arc { .. } if regions.kinds.iter().all(RegionKind::is_line) => (1, 1),
-            Segment::Arc { .. } => (1, constant("curve/arc", "MAX_PIECES") as u64),
+            Segment::Arc { .. } => (1, constant("segment/curve_arc", "MAX_PIECES") as u64),
         };
         let is_listed = |(i, object): &(usize, &Object)| regions.bit(*i).is_some() || !structure.holds(object.solid());
         let listed = scene.objects.iter().enumerate().filter(is_listed).count() as u64;
         // Where a ray goes on from a surface its last step is taken again, a few times over.
         let touching = regions.touching.count() as u64;
-        let scatter =
-            if scene.scatters() { (constant("path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching } else { 0 };
+        let scatter = if scene.scatters() {
+            (constant("segment/path_end", "STOP_STEPS") as u64 + 2) * (step + 1) + touching
+        } else {
+            0
+        };
         // A grid is walked piece by piece.
         let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 1);
         let segment = steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter;
@@ -98,7 +101,7 @@ fn asymptote_loops(precision: Precision) -> u64 {
 fn step_loops(scene: &Scene, Loops { derivative, scale }: Loops) -> u64 {
     let (method, control) = (scene.rays.method.kind, scene.rays.control.kind);
     if method.path == Path::Orbit {
-        let part = "motion/planar_open";
+        let part = "motion/orbit_open";
         return if scene.objects.is_empty() { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 } else { 0 };
     }
     let tries = control.tries.map_or(1, |part| constant(part, "MAX_TRIES") as u64);

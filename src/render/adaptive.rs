@@ -118,7 +118,7 @@ impl Renderer<'_> {
         let Some(buffer) = tile.buffer("moments") else { return Ok(None) };
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-        let rays = constant("moments", "RAYS") as u32;
+        let rays = constant("picture/adaptive", "RAYS") as u32;
         let moments = |words: &[u32]| {
             let color = [words[0], words[1], words[2], words[3]].map(f32::from_bits);
             Moments { color, rays: words[7] & rays }

@@ -22,7 +22,7 @@ impl Plan {
     }
 }
 
-/// What a pass is told of its step: `shaders/turn.wgsl`.
+/// What a pass is told of its step: `shaders/state/arguments.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Turn {
     start: usize,

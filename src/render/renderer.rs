@@ -231,9 +231,9 @@ impl<'a> Renderer<'a> {
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(GpuError::Lost(error.to_string()));
         }
-        if let Some(turn) = self.binding_layout("turn") {
+        if let Some(turn) = self.binding_layout("dispatch") {
             for (i, own) in turns.iter().enumerate() {
-                self.write(&tile, "turn", i as u64 * TURN_STRIDE, &pack("turn", turn, [own.row()])?);
+                self.write(&tile, "dispatch", i as u64 * TURN_STRIDE, &pack("dispatch", turn, [own.row()])?);
             }
         }
         Ok(tile)

@@ -193,8 +193,8 @@ impl<'r, 'a> Runner<'r, 'a> {
         Tile::offsets(&self.renderer.pipelines, step.pass)
             .into_iter()
             .map(|name| match name {
-                "turn" => turn,
-                "living_in" => read,
+                "dispatch" => turn,
+                "active_in" => read,
                 _ => written,
             })
             .map(|part| (part * TURN_STRIDE) as u32)

@@ -46,21 +46,21 @@ impl Status {
         Self::Outside,
     ];
 
-    /// The status of a code of `shaders/ray.wgsl`.
+    /// The status of a code of `shaders/segment/ray.wgsl`.
     #[must_use]
     pub fn from_code(code: u32) -> Self {
         // Read from the WGSL once: a trace asks for every ray.
         static CODES: LazyLock<Vec<(u32, Status)>> = LazyLock::new(|| {
-            let missed = (constant("ray", "MISSED") as u32, Status::Escaped);
+            let missed = (constant("segment/ray", "MISSED") as u32, Status::Escaped);
             Status::ENDS.into_iter().map(|status| (status.code(), status)).chain([missed]).collect()
         });
         CODES.iter().find(|(known, _)| *known == code).map_or(Self::Alive, |(_, status)| *status)
     }
 
-    /// Its code in `shaders/ray.wgsl`, which outputs carry too.
+    /// Its code in `shaders/segment/ray.wgsl`, which outputs carry too.
     #[must_use]
     pub fn code(self) -> u32 {
-        constant("ray", &self.name().to_uppercase()) as u32
+        constant("segment/ray", &self.name().to_uppercase()) as u32
     }
 
     /// Its name in outputs.
@@ -130,11 +130,11 @@ impl Totals {
 
     /// Rays in a tally whose walks did not end: left alive by passes that ran out, or stopped by the termination.
     pub(super) fn unfinished(words: &[u32]) -> u32 {
-        let fate = |name: &str| words[6 + constant("ray", name) as usize];
+        let fate = |name: &str| words[6 + constant("segment/ray", name) as usize];
         fate("ALIVE") + fate("UNFINISHED")
     }
 
-    /// Adds a tile's tally, the words of `Tally` in `shaders/tally/totals.wgsl`.
+    /// Adds a tile's tally, the words of `Tally` in `shaders/state/tally.wgsl`.
     pub(super) fn add_tally(&mut self, words: &[u32]) {
         let wide = |i: usize| u64::from(words[i]) + (u64::from(words[i + 1]) << 32);
         self.steps += wide(0);

@@ -42,9 +42,16 @@ fn pinhole_and_plane() {
                 other => other,
             });
             let part = format!("camera/{kind}");
-            let probe = Probe::new(&["ray", "bound", "camera/ray", "arrival/straight", "frame/coordinate", &part])
-                .bind("camera", [stretched.collect::<Record>()])
-                .bind("bound", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(RADIUS))]]);
+            let probe = Probe::new(&[
+                "segment/ray",
+                "law/bound",
+                "camera/ray",
+                "camera/arrival/straight",
+                "camera/frame_coordinate",
+                &part,
+            ])
+            .bind("camera", [stretched.collect::<Record>()])
+            .bind("bound", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(RADIUS))]]);
             let [mut directions, mut starts] = ["camera's directions", "camera's starts"].map(Errors::of);
             let mut missed = 0;
             for (input, output) in inputs.iter().zip(&probe.run::<1, 2>(&gpu, body, &inputs)) {
@@ -67,7 +74,7 @@ fn pinhole_and_plane() {
                 let misses = outside && (inside < 0.0 || b > 0.0);
                 assert_eq!(
                     f64::from(output[0].w),
-                    if misses { constant("ray", "MISSED") } else { 0.0 },
+                    if misses { constant("segment/ray", "MISSED") } else { 0.0 },
                     "{kind} at {input:?}"
                 );
                 missed += u32::from(misses);
@@ -161,10 +168,10 @@ fn directions(part: &str, real: &str, own: Record, inputs: &[[Vec4; 1]]) -> Vec<
     let position = DVec3::new(1.0, -2.0, 4.0);
     let axes = [("position", position), ("forward", forward), ("right", right), ("up", up)];
     let record: Record = axes.map(|(name, v)| (name, V3(v))).into_iter().chain(own).collect();
-    let probe = Probe::new(&["ray", "camera/ray", part, real]).stub(REALS).bind("camera", [record]);
+    let probe = Probe::new(&["segment/ray", "camera/ray", part, real]).stub(REALS).bind("camera", [record]);
     let body = "let ray = camera_ray(p0.xy); put_real3(0u, ray.d); put(3u, vec4f(vec3f(ray.x), f32(ray.status)));";
     let rows = probe.run::<1, 4>(&gpu(), body, inputs);
-    let outside = constant("ray", "OUTSIDE") as f32;
+    let outside = constant("segment/ray", "OUTSIDE") as f32;
     rows.iter()
         .map(|row| {
             assert_eq!(wide(row[3]), position);
@@ -244,26 +251,26 @@ fn eyes() {
         put_real3(6u, right.x);
         put_real3(9u, right.d);";
     for (real, u) in PRECISIONS {
-        for part in ["eyes/parallel", "eyes/crossing_plane", "eyes/crossing_sphere"] {
+        for part in ["camera/eyes/parallel", "camera/eyes/crossing_plane", "camera/eyes/crossing_sphere"] {
             let mut record = vec![("offset", V3(offset))];
-            if part != "eyes/parallel" {
+            if part != "camera/eyes/parallel" {
                 record.push(("distance", Float(distance)));
             }
-            let probe = Probe::new(&["ray", "camera/ray", "camera/pinhole", part, real]).stub(REALS);
+            let probe = Probe::new(&["segment/ray", "camera/ray", "camera/pinhole", part, real]).stub(REALS);
             let probe = probe.bind("stereo", [record]).bind("camera", [camera.clone()]);
             let [mut starts, mut directions] =
                 ["starts", "directions"].map(|what| Ratio::of(format!("{real}: {part}'s {what}")));
             for (input, output) in inputs.iter().zip(&probe.run::<1, 12>(&gpu(), body, &inputs)) {
                 let d = wide(input[0]);
                 let ahead = d.dot(forward);
-                if part == "eyes/crossing_plane" && ahead < 0.1 {
+                if part == "camera/eyes/crossing_plane" && ahead < 0.1 {
                     continue;
                 }
-                let reach = if part == "eyes/crossing_plane" { distance / ahead } else { distance };
+                let reach = if part == "camera/eyes/crossing_plane" { distance / ahead } else { distance };
                 for (rows, offset) in [(&output[..6], -offset), (&output[6..], offset)] {
                     starts.check(joined3(&rows[..3]), position + offset, 4.0 * u, input);
                     let towards = position + reach * d - (position + offset);
-                    let want = if part == "eyes/parallel" { d } else { towards.normalize() };
+                    let want = if part == "camera/eyes/parallel" { d } else { towards.normalize() };
                     // The dot product errs by 3 U of 1 beside `ahead`, the point by that and 4 U more of its distance, of which
                     // what is left is at least 2; normalising by 4 U.
                     let bound = (3.0 / ahead.abs().min(1.0) + 4.0) * u * reach / towards.length() + 4.0 * u;
@@ -272,7 +279,7 @@ fn eyes() {
             }
             println!("{part}: starts off by {:.1e}", starts.worst);
             assert!(starts.share <= 1.0, "{}", starts.at);
-            if part == "eyes/parallel" {
+            if part == "camera/eyes/parallel" {
                 assert_eq!(directions.worst, 0.0, "{}", directions.at);
             } else {
                 directions.report();

@@ -26,7 +26,8 @@ pub const ETA: f64 = 0.5;
 
 pub fn probe(step: &str, control: &[&str], limit: &str, values: Record) -> Probe {
     let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
-    let mut parts = vec!["ray", "frame", "work", "phase/space", "law/schwarzschild_path", step, limit];
+    let mut parts =
+        vec!["segment/ray", "state/arguments", "state/work", "law/phase_space", "law/schwarzschild_path", step, limit];
     parts.extend(control);
     Probe::new(&parts)
         .frame()
@@ -105,8 +106,8 @@ fn capped(input: &[Vec4; 2]) -> f64 {
 #[test]
 fn the_papers_doubling() {
     let inputs = rays(62);
-    let rule = ["control/doubled", "control/doubling_paper"];
-    let out = probe("step/euler", &rule, "limit/none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
+    let rule = ["method/control/doubled", "method/control/doubling_paper"];
+    let out = probe("method/step/euler", &rule, "law/limit_none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
     let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_paper's sizes"));
     let (mut grown, mut shrunk, mut same, mut open) = (0, 0, 0, 0);
     for (input, output) in inputs.iter().zip(&out) {
@@ -160,9 +161,9 @@ fn tried(scheme: Scheme, order: f64, p: Phase, mut h: f64) -> (f64, f64, u32, bo
 fn doubling_that_rejects() {
     let gpu = gpu();
     let inputs = rays(63);
-    let rule = ["control/doubled", "control/doubling_rejecting"];
-    for (step, scheme, order) in [("step/euler", euler as Scheme, 1.0), ("step/rk4", rk4, 4.0)] {
-        let out = probe(step, &rule, "limit/none", doubling()).run::<2, 5>(&gpu, CONTROL, &inputs);
+    let rule = ["method/control/doubled", "method/control/doubling_rejecting"];
+    for (step, scheme, order) in [("method/step/euler", euler as Scheme, 1.0), ("method/step/rk4", rk4, 4.0)] {
+        let out = probe(step, &rule, "law/limit_none", doubling()).run::<2, 5>(&gpu, CONTROL, &inputs);
         let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_rejecting's sizes"));
         let (mut twice, mut open) = (0, 0);
         for (input, output) in inputs.iter().zip(&out) {
@@ -201,8 +202,8 @@ fn a_ray_that_no_try_moves() {
     let inputs: Vec<[Vec4; 2]> = [Vec4::new(f32::NAN, 1.0, 0.0, 0.5), Vec4::new(f32::INFINITY, 1.0, 0.0, 0.5)]
         .map(|x| [x, Vec4::new(1.0, 0.0, 0.0, 1.0)])
         .into();
-    let rule = ["control/doubled", "control/doubling_rejecting"];
-    let out = probe("step/rk4", &rule, "limit/none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
+    let rule = ["method/control/doubled", "method/control/doubling_rejecting"];
+    let out = probe("method/step/rk4", &rule, "law/limit_none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
     for (input, output) in inputs.iter().zip(&out) {
         assert_eq!(output[2], Vec4::new(0.0, 3.0, 10.0, 36.0), "taken, index, steps, rejected");
         assert_eq!(output[0].w, 0.5, "tau stays");
@@ -219,21 +220,21 @@ fn the_last_step_is_shortened_to_the_length() {
         input[0].w = 10.0 - (0.001 * (k + 1) as f32);
     }
     let rules: [(&[&str], Record); 3] = [
-        (&["control/fixed"], vec![("step", Float(0.25)), ("eta", Float(ETA))]),
-        (&["control/scaled"], vec![("eta", Float(0.25))]),
-        (&["control/doubled", "control/doubling_paper"], doubling()),
+        (&["method/control/fixed"], vec![("step", Float(0.25)), ("eta", Float(ETA))]),
+        (&["method/control/scaled"], vec![("eta", Float(0.25))]),
+        (&["method/control/doubled", "method/control/doubling_paper"], doubling()),
     ];
     for (rule, values) in rules {
         let body =
             format!("{CONTROL} put(5u, vec4f(f32(length_reached(next.tau)), f32(length_reached(p0.w)), 0.0, 0.0));");
-        let out = probe("step/euler", rule, "limit/length", values).run::<2, 6>(&gpu, &body, &inputs);
+        let out = probe("method/step/euler", rule, "law/limit_length", values).run::<2, 6>(&gpu, &body, &inputs);
         let mut sizes = Errors::of("sizes under a length");
         let mut shortened = 0;
         for (input, output) in inputs.iter().zip(&out) {
             let (r, left) = (wide(input[0]).length(), 10.0 - f64::from(input[0].w));
             let h = match rule[0] {
-                "control/fixed" => 0.25,
-                "control/scaled" => 0.25 * r / wide(input[1]).length(),
+                "method/control/fixed" => 0.25,
+                "method/control/scaled" => 0.25 * r / wide(input[1]).length(),
                 _ => capped(input),
             };
             sizes.check(output[2].x, h.min(left), 6.0 * U * h.min(left), input);

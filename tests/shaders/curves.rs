@@ -84,7 +84,7 @@ fn arcs_are_hermite_curves() {
         put(5u, vec4f(segment_fraction(2u, 5u, 0.5), segment_fraction(4u, 5u, 1.00001), segment_fraction(0u, 5u, -1e-5), 0.0));"
     );
     let everything = arc(DVec3::splat(-1e3), DVec3::splat(1e3));
-    let probe = Probe::new(&["ray", "curve/arc", "walk/piece"]).bind("arc", [everything]);
+    let probe = Probe::new(&["segment/ray", "segment/curve_arc", "segment/pieces"]).bind("arc", [everything]);
     let mut errors = Errors::of("segment_point");
     let mut worst = 0.0_f64;
     for (input, output) in inputs.iter().zip(&probe.run::<4, 6>(&gpu, &body, &inputs)) {
@@ -107,7 +107,9 @@ fn arcs_are_hermite_curves() {
     let body = format!(
         "{SEGMENT}put(0u, vec4f(segment_point(s, 0.0), f32(segment_pieces(s)))); put(1u, vec4f(segment_point(s, 1.0), 0.0));"
     );
-    for (input, output) in inputs.iter().zip(&Probe::new(&["ray", "curve/line"]).run::<4, 2>(&gpu, &body, &inputs)) {
+    for (input, output) in
+        inputs.iter().zip(&Probe::new(&["segment/ray", "segment/curve_line"]).run::<4, 2>(&gpu, &body, &inputs))
+    {
         assert_eq!(
             (output[0], output[1].truncate()),
             (row(input[0].truncate(), 1.0), input[2].truncate()),
@@ -134,7 +136,7 @@ fn chord_distance(curve: &Hermite, n: f64) -> f64 {
 #[test]
 fn arcs_far_from_the_scene_have_no_pieces() {
     let inputs = arcs(72, 4000);
-    let probe = Probe::new(&["ray", "curve/arc"]).bind("arc", [arc(BOX[0], BOX[1])]);
+    let probe = Probe::new(&["segment/ray", "segment/curve_arc"]).bind("arc", [arc(BOX[0], BOX[1])]);
     let body = format!("{SEGMENT}put(0u, vec4f(f32(segment_pieces(s))));");
     let (mut inside, mut skipped) = (0, 0);
     for (input, [pieces]) in inputs.iter().zip(&probe.run::<4, 1>(&gpu(), &body, &inputs)) {
@@ -181,13 +183,13 @@ fn first_hit_of_arcs_in_several_pieces() {
     }
     let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
     let parts = [
-        "ray",
-        "work",
-        "curve/arc",
-        "walk/piece",
-        "walk/whole",
-        "listed/some",
-        "structure/none",
+        "segment/ray",
+        "state/work",
+        "segment/curve_arc",
+        "segment/pieces",
+        "segment/walk_whole",
+        "segment/lists_some",
+        "segment/structure/none",
         "shape/placed",
         "shape/sphere",
     ];

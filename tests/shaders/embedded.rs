@@ -15,14 +15,14 @@ const LENGTH: f64 = 10.0;
 /// A ray with tau and h, which remembers an error (p2.x) and the rate at its place, or p2.y where p2.z says so; the same step
 /// retaken.
 const CONTROL: &str = "let phase = Phase(Real3(p0.xyz), Real3(p1.xyz));
-    var rate = law_rate(phase);
+    var rate = law_derivative(phase);
     if p2.z != 0.0 {
         rate = Phase(Real3(Real(p2.y)), Real3(Real(p2.y)));
     }
     let ray = Ray(phase, Real(p0.w), Memory(Real(p1.w), Real(p2.x), rate), 9.0, 3u, 10u, 20u, ALIVE);
     let next = accepted_step(ray);
     let again = retaken_step(ray.phase, next.taken);
-    let fresh = law_rate(next.phase);
+    let fresh = law_derivative(next.phase);
     put_real3(0u, next.phase[0]);
     put_real3(3u, next.phase[1]);
     put_real(6u, next.tau);
@@ -84,7 +84,7 @@ struct Setting {
 }
 
 const SHAMPINE: Setting = Setting {
-    part: "step/bogacki_shampine",
+    part: "method/step/bogacki_shampine",
     pair: BOGACKI_SHAMPINE,
     order: 3.0,
     tolerance: 1e-2,
@@ -92,7 +92,7 @@ const SHAMPINE: Setting = Setting {
     unit: U,
 };
 const PRINCE: Setting =
-    Setting { part: "step/dormand_prince", pair: DORMAND_PRINCE, order: 5.0, tolerance: 5e-4, ..SHAMPINE };
+    Setting { part: "method/step/dormand_prince", pair: DORMAND_PRINCE, order: 5.0, tolerance: 5e-4, ..SHAMPINE };
 
 fn in_64_bits(setting: Setting) -> Setting {
     Setting { real: "real/f64", unit: U64, ..setting }
@@ -101,8 +101,15 @@ fn in_64_bits(setting: Setting) -> Setting {
 impl Setting {
     fn run(&self, limit: &str, inputs: &[Input]) -> Vec<Output> {
         let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
-        let mut parts = vec!["ray", "frame", "work", "memory/pair", "phase/space", "law/schwarzschild_path"];
-        parts.extend(["step/pair", self.part, "control/embedded", limit, self.real]);
+        let mut parts = vec![
+            "segment/ray",
+            "state/arguments",
+            "state/work",
+            "method/memory_pair",
+            "law/phase_space",
+            "law/schwarzschild_path",
+        ];
+        parts.extend(["method/control/embedded", self.part, "method/control/embedded", limit, self.real]);
         let rows = Probe::new(&parts)
             .frame()
             .stub(REALS)
@@ -198,7 +205,7 @@ fn the_controller_is_dopri5s() {
     for setting in [SHAMPINE, PRINCE, in_64_bits(SHAMPINE), in_64_bits(PRINCE)] {
         let inputs = inputs(71);
         let (mut rejected, mut held, mut grown, mut open) = (0, 0, 0, 0);
-        for (input, out) in inputs.iter().zip(&setting.run("limit/none", &inputs)) {
+        for (input, out) in inputs.iter().zip(&setting.run("law/limit_none", &inputs)) {
             assert!(close_to(out.first, cap(input), 6.0 * setting.unit), "the first step is the cap");
             check_accepted(&setting, input, out);
             let first = f64::from(input[1].w).min(cap(input));
@@ -235,7 +242,7 @@ fn a_ray_that_no_try_moves() {
         inputs.push([Vec4::new(5.0, 1.0, 0.0, 0.5), v, Vec4::new(0.25, rate, 1.0, 0.0)]);
     }
     for setting in [SHAMPINE, PRINCE, in_64_bits(PRINCE)] {
-        for (input, out) in inputs.iter().zip(&setting.run("limit/none", &inputs)) {
+        for (input, out) in inputs.iter().zip(&setting.run("law/limit_none", &inputs)) {
             assert_eq!((out.taken, out.rejected, out.tau), (0.0, 16.0, 0.5), "{input:?}");
             assert_eq!((out.h, out.error), (1.0, 0.25), "what was remembered stays");
             let same = |a: f64, b: f32| a == f64::from(b) || (a.is_nan() && b.is_nan());
@@ -255,7 +262,7 @@ fn the_last_step_is_shortened_to_the_length() {
     }
     for setting in [SHAMPINE, PRINCE] {
         let (mut reached, mut open) = (0, 0);
-        for (input, out) in inputs.iter().zip(&setting.run("limit/length", &inputs)) {
+        for (input, out) in inputs.iter().zip(&setting.run("law/limit_length", &inputs)) {
             check_accepted(&setting, input, out);
             let left = LENGTH - f64::from(input[0].w);
             let (h, failed, slack, close) = setting.tried(input, f64::from(input[1].w).min(cap(input)).min(left));

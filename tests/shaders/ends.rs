@@ -18,7 +18,8 @@ fn static_observer() {
         inputs.extend([d, n, -n, n.any_orthonormal_vector()].map(|d| [row(x + center, 0.0), row(d, 0.0)]));
     }
     let law = vec![("center", V3(center.as_dvec3())), ("mass", Float(1.0))];
-    let probe = Probe::new(&["ray", "phase/space", "law/schwarzschild_path", "frame/static"]).bind("law", [law]);
+    let probe = Probe::new(&["segment/ray", "law/phase_space", "law/schwarzschild_path", "camera/frame_static"])
+        .bind("law", [law]);
     let out = probe.run::<2, 1>(&gpu(), "put(0u, vec4f(frame_velocity(p0.xyz, p1.xyz), 0.0));", &inputs);
     let (mut errors, mut lengths) = (Errors::of("static frame"), Errors::of("static frame's metric length"));
     for (input, [v]) in inputs.iter().zip(&out) {
@@ -65,7 +66,7 @@ fn bounding_sphere() {
     }
     let bound = vec![("center", V3(MIDDLE.as_dvec3())), ("radius", Float(BOUND))];
     let body = "put(0u, vec4f(bound_entry(p0.xyz, p1.xyz), f32(left_bound(p0.xyz, p1.xyz)), 0.0, 0.0));";
-    let out = Probe::new(&["bound"]).bind("bound", [bound]).run::<2, 1>(&gpu(), body, &inputs);
+    let out = Probe::new(&["law/bound"]).bind("bound", [bound]).run::<2, 1>(&gpu(), body, &inputs);
     let mut entries = Errors::of("bound_entry, as length over the size of its terms");
     let (mut open, mut entered) = (0, 0);
     for (input, [got]) in inputs.iter().zip(&out) {
@@ -106,7 +107,7 @@ fn capture_spheres() {
         .collect();
     let body = "put(0u, vec4f(f32(law_captured(p0.xyz, p1.xyz)))); put(1u, capture_gap(p0.xyz));";
     let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
-    let probe = Probe::new(&["work", "capture/spheres"]).list("capture_spheres", "CAPTURE_COUNT", records);
+    let probe = Probe::new(&["state/work", "law/capture_spheres"]).list("capture_spheres", "CAPTURE_COUNT", records);
     let out = probe.run::<2, 2>(&gpu(), body, &inputs);
     let (mut gaps, mut normals) = (Errors::of("capture_gap"), Errors::of("capture_gap's normal"));
     let mut captured = 0;

@@ -27,7 +27,7 @@ fn generated(name: &str, formula: &str) -> String {
 }
 
 fn with_formulas<'f>(real: &str, formulas: impl IntoIterator<Item = &'f str>) -> Probe {
-    let probe = Probe::new(&["frame", "work", "formula", "index_limit", real]).frame();
+    let probe = Probe::new(&["state/arguments", "state/work", "medium/formula", "medium/finite", real]).frame();
     formulas
         .into_iter()
         .enumerate()

@@ -8,9 +8,9 @@ use crate::support::{gpu, probe::Probe};
 
 /// Rate, start and scale of a law whose phase is a place and a velocity.
 pub const LAW: &str = "let here = Phase(p0.xyz, p1.xyz);
-    let rate = law_rate(here);
+    let rate = law_derivative(here);
     let start = law_start(p0.xyz, p1.xyz);
-    let settled = law_settled(here);
+    let settled = law_projected(here);
     put(0u, vec4f(rate[0], law_scale(here)));
     put(1u, vec4f(rate[1], 0.0));
     put(2u, vec4f(start[0], 0.0));
@@ -50,13 +50,13 @@ const CENTER: Vec3 = Vec3::new(0.5, -1.0, 0.25);
 
 fn hole(part: &str, phase: &str) -> Probe {
     let law = vec![("center", V3(CENTER.as_dvec3())), ("mass", Float(MASS))];
-    Probe::new(&["ray", phase, part]).bind("law", [law])
+    Probe::new(&["segment/ray", phase, part]).bind("law", [law])
 }
 
 #[test]
 fn schwarzschild_path_form() {
     let inputs = phases(11, [0.05, 1e6], [1e-3, 1e3]);
-    let out = hole("law/schwarzschild_path", "phase/space").run::<2, 6>(&gpu(), LAW, &inputs);
+    let out = hole("law/schwarzschild_path", "law/phase_space").run::<2, 6>(&gpu(), LAW, &inputs);
     let (mut rates, mut scales) = (Errors::of("schwarzschild_path rate"), Errors::of("schwarzschild_path scale"));
     for (input, output) in inputs.iter().zip(&out) {
         keeps_phase(input, output);
@@ -78,9 +78,9 @@ fn schwarzschild_path_form() {
 
 /// Rows of the clock's value; the other columns are as for laws of space.
 const SPACETIME_LAW: &str = "let here = Phase(vec4f(p0.xyz, 0.0), vec4f(p1.xyz, p1.w));
-    let rate = law_rate(here);
+    let rate = law_derivative(here);
     let start = law_start(p0.xyz, p1.xyz);
-    let onward = law_rate(start);
+    let onward = law_derivative(start);
     put(0u, rate[0]);
     put(1u, rate[1]);
     put(2u, start[0]);
@@ -100,7 +100,7 @@ fn schwarzschild_geodesic_form() {
             row(input[1].truncate(), random.within(0.5, 2.0) as f32 * input[1].length()),
         ];
     }
-    let out = hole("law/schwarzschild_geodesic", "phase/spacetime").run::<2, 5>(&gpu(), SPACETIME_LAW, &inputs);
+    let out = hole("law/schwarzschild_geodesic", "law/phase_spacetime").run::<2, 5>(&gpu(), SPACETIME_LAW, &inputs);
     let names = [
         "geodesic rate",
         "geodesic clock's rate",
@@ -166,12 +166,12 @@ fn rossler(x: DVec3) -> (DVec3, f64) {
 }
 
 pub fn flow(part: &str, order: &str) -> Probe {
-    let values = if part == "flow/lorenz" {
+    let values = if part == "law/field_lorenz" {
         vec![("sigma", Float(10.0)), ("rho", Float(28.0)), ("beta", Float(f64::from(8.0_f32 / 3.0)))]
     } else {
         vec![("alpha", Float(0.375)), ("beta", Float(2.0)), ("gamma", Float(4.0))]
     };
-    Probe::new(&["ray", "phase/space", part, order]).bind("flow", [values])
+    Probe::new(&["segment/ray", "law/phase_space", part, order]).bind("flow", [values])
 }
 
 #[test]
@@ -180,7 +180,7 @@ fn flows_of_both_orders() {
     let inputs = phases(14, [1e-6, 1e5], [1e-3, 1e3]);
     // The rate at which volumes shrink, and that of z about z = 0.
     let fields: [(&str, Field, f64); 2] =
-        [("flow/lorenz", lorenz, 10.0 + 1.0 + 8.0 / 3.0), ("flow/rossler", rossler, 1.0 + 0.375 + 4.0)];
+        [("law/field_lorenz", lorenz, 10.0 + 1.0 + 8.0 / 3.0), ("law/field_rossler", rossler, 1.0 + 0.375 + 4.0)];
     for (part, field, fastest) in fields {
         let mut errors = Errors::of("flows");
         let first = flow(part, "law/flow").run::<2, 6>(&gpu, LAW, &inputs);
@@ -207,7 +207,7 @@ fn flows_of_both_orders() {
 fn straight_lines_have_no_rate() {
     let inputs = phases(15, [1e-3, 1e5], [1e-3, 1e3]);
     let bound = vec![("center", V3(DVec3::ZERO)), ("radius", Float(50.0))];
-    let probe = Probe::new(&["ray", "bound", "phase/space", "law/straight"]).bind("bound", [bound]);
+    let probe = Probe::new(&["segment/ray", "law/bound", "law/phase_space", "law/straight"]).bind("bound", [bound]);
     let mut scales = Errors::of("straight scale");
     for (input, output) in inputs.iter().zip(&probe.run::<2, 6>(&gpu(), LAW, &inputs)) {
         keeps_phase(input, output);

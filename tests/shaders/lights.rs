@@ -18,9 +18,9 @@ const SHININESS: [f64; 4] = [1.0, 8.0, 50.0, 400.0];
 fn material(k: usize) -> Record {
     vec![
         ("color", V3(DVec3::new(1.0, 0.0, 0.0))),
-        ("kind", Uint(constant("material/phong", "PHONG") as u32)),
+        ("kind", Uint(constant("surface/material/phong", "PHONG") as u32)),
         ("second_color", V3(DVec3::new(0.0, 0.0, 1.0))),
-        ("pattern", Uint(constant("pattern/checker", "CHECKER") as u32)),
+        ("pattern", Uint(constant("surface/pattern/checker", "CHECKER") as u32)),
         ("specular", V3(SPECULAR)),
         ("shininess", Float(SHININESS[k])),
         ("emission", V3(EMISSION)),
@@ -63,7 +63,7 @@ fn blinn_phong_answers() {
         inputs.push([row(to_light.as_vec3(), (k % 4) as f32), row(normal.as_vec3(), 0.0), row(view.as_vec3(), 0.0)]);
     }
     let body = "put(0u, vec4f(blinn_phong(materials[u32(p0.w)], vec3f(0.0, 1.0, 0.5), p0.xyz, p1.xyz, p2.xyz), 0.0));";
-    let probe = materials(Probe::new(&["material/material", "light/blinn_phong"]));
+    let probe = materials(Probe::new(&["surface/material", "surface/light/blinn_phong"]));
     let mut errors = Errors::of("blinn_phong");
     let mut lit = 0;
     for (input, [got]) in inputs.iter().zip(&probe.run::<3, 1>(&gpu(), body, &inputs)) {
@@ -104,13 +104,13 @@ fn lights_add_up() {
         })
         .collect();
     let parts = [
-        "work",
-        "material/material",
-        "material/phong",
-        "material/emissive",
-        "light/blinn_phong",
-        "light/point",
-        "light/directional",
+        "state/work",
+        "surface/material",
+        "surface/material/phong",
+        "surface/material/emissive",
+        "surface/light/blinn_phong",
+        "surface/light/point",
+        "surface/light/directional",
     ];
     let probe = materials(Probe::new(&parts))
         .stub(
@@ -171,7 +171,7 @@ fn checkers_alternate() {
         }
     }
     let body = "put(0u, vec4f(pattern_checker(materials[0], p0.xy), 0.0)); put(1u, vec4f(pattern_constant(materials[0], p0.xy), 0.0));";
-    let probe = materials(Probe::new(&["material/material", "pattern/checker", "pattern/constant"]));
+    let probe = materials(Probe::new(&["surface/material", "surface/pattern/checker", "surface/pattern/constant"]));
     for (input, output) in inputs.iter().zip(&probe.run::<1, 2>(&gpu(), body, &inputs)) {
         let want = if input[0].z == 1.0 { DVec3::Z } else { DVec3::X };
         assert_eq!(wide(output[0]), want, "at {input:?}");
@@ -196,7 +196,8 @@ fn pictures_on_surfaces() {
             )]);
         }
     }
-    let probe = materials(Probe::new(&["material/material", "image_sample", "pattern/image"])).stub(stub);
+    let probe =
+        materials(Probe::new(&["surface/material", "surface/image_sample", "surface/pattern/image"])).stub(stub);
     let out = probe.run::<1, 1>(&gpu(), "put(0u, vec4f(pattern_image(materials[0], p0.xy), 0.0));", &inputs);
     for (input, [got]) in inputs.iter().zip(&out) {
         assert!(

@@ -14,7 +14,14 @@ const OCTAVES: i32 = 3;
 const SEED: u32 = 77;
 
 fn probe() -> Probe {
-    with_medium(&["ray", "work", "phase/space", "law/medium", "index/explosion", "noise/lattice"])
+    with_medium(&[
+        "segment/ray",
+        "state/work",
+        "law/phase_space",
+        "law/medium",
+        "medium/explosion",
+        "medium/fractal_noise",
+    ])
 }
 
 fn with_medium(parts: &[&str]) -> Probe {
@@ -26,7 +33,7 @@ fn with_medium(parts: &[&str]) -> Probe {
         ("octaves", Uint(OCTAVES as u32)),
         ("seed", Uint(SEED)),
     ];
-    Probe::new(&[parts, &["region/none"]].concat()).list("media", "MEDIA_COUNT", [medium])
+    Probe::new(&[parts, &["surface/region_none"]].concat()).list("media", "MEDIA_COUNT", [medium])
 }
 
 /// The rotation's rows; its f32 entries as they are.
@@ -106,9 +113,9 @@ fn index_and_gradient() {
     let inputs: Vec<[Vec4; 2]> =
         places.iter().map(|d| [(CENTER.as_vec3() + *d).extend(0.0), random.vector(0.1, 10.0).extend(0.0)]).collect();
     let body = "let here = Phase(p0.xyz, p1.xyz);
-        let rate = law_rate(here);
+        let rate = law_derivative(here);
         let start = law_start(p0.xyz, p1.xyz);
-        let settled = law_settled(here);
+        let settled = law_projected(here);
         put(0u, explosion(p0.xyz));
         put(1u, vec4f(rate[1], law_scale(here)));
         put(2u, vec4f(start[1], 0.0));
@@ -189,8 +196,15 @@ fn snell_steps() {
         .iter()
         .map(|d| [(CENTER.as_vec3() + *d).extend(random.log(1e-3, 0.1) as f32), random.vector(0.9, 1.15).extend(0.0)])
         .collect();
-    let probe = with_medium(&["ray", "work", "phase/space", "index/explosion", "noise/lattice", "step/snell"])
-        .bind("snell", [vec![("threshold", Float(THRESHOLD))]]);
+    let probe = with_medium(&[
+        "segment/ray",
+        "state/work",
+        "law/phase_space",
+        "medium/explosion",
+        "medium/fractal_noise",
+        "method/step/snell",
+    ])
+    .bind("snell", [vec![("threshold", Float(THRESHOLD))]]);
     let body =
         "let next = step_ray(Phase(p0.xyz, p1.xyz), p0.w); put(0u, vec4f(next[0], 0.0)); put(1u, vec4f(next[1], 0.0));";
     let (mut places, mut velocities) = (Errors::of("snell's places"), Errors::of("snell's velocities"));

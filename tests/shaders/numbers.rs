@@ -28,7 +28,7 @@ fn arc_tangent_in_all_octants() {
         }
     }
     let rows: Vec<[Vec4; 1]> = inputs.iter().map(|[y, x]| [Vec4::new(*y, *x, 0.0, 0.0)]).collect();
-    let out = Probe::new(&["math"]).run::<1, 1>(&gpu(), "put(0u, vec4f(arc_tangent(p0.x, p0.y)));", &rows);
+    let out = Probe::new(&["real/math"]).run::<1, 1>(&gpu(), "put(0u, vec4f(arc_tangent(p0.x, p0.y)));", &rows);
     let mut errors = Errors::of("arc_tangent");
     for ([y, x], [angle]) in inputs.iter().zip(&out) {
         if *x == 0.0 && *y == 0.0 {
@@ -54,7 +54,7 @@ fn status_words_keep_their_parts() {
     }
     let body = "let word = status_word(u32(p0.x), u32(p0.y), u32(p0.z));
         put(0u, vec4f(f32(status_code(word)), f32(status_slot(word)), f32(status_index(word)), 0.0));";
-    let out = Probe::new(&["ray"]).run::<1, 1>(&gpu(), body, &inputs);
+    let out = Probe::new(&["segment/ray"]).run::<1, 1>(&gpu(), body, &inputs);
     for ([input], [output]) in inputs.iter().zip(&out) {
         assert_eq!(input, output);
     }
@@ -72,8 +72,11 @@ fn finite_sees_every_kind_of_number() {
         inputs.extend(all().map(|b| [Vec4::new(a, 0.5, b, 0.0)]));
     }
     for real in ["real/f32", "real/f64"] {
-        let out =
-            Probe::new(&["ray", real]).run::<1, 1>(&gpu(), "put(0u, vec4f(f32(finite(Real3(p0.xyz)))));", &inputs);
+        let out = Probe::new(&["segment/ray", real]).run::<1, 1>(
+            &gpu(),
+            "put(0u, vec4f(f32(finite(Real3(p0.xyz)))));",
+            &inputs,
+        );
         for ([input], [output]) in inputs.iter().zip(&out) {
             assert_eq!(output.x == 1.0, input.is_finite(), "{real}: {input}");
         }
@@ -91,7 +94,7 @@ fn opaque_numbers_keep_their_bits() {
     let body = "put(0u, vec4f(f32(opaque(Real(p0.x))), vec3f(opaque3(Real3(p0.yzw)))));
         put(1u, vec4f(opaque4(Real4(p0))));";
     for real in ["real/f32", "real/f64"] {
-        let out = Probe::new(&["frame", real]).frame().run::<1, 2>(&gpu(), body, &inputs);
+        let out = Probe::new(&["state/arguments", real]).frame().run::<1, 2>(&gpu(), body, &inputs);
         for ([input], rows) in inputs.iter().zip(&out) {
             let bits = |row: &Vec4| row.to_array().map(f32::to_bits);
             assert_eq!([bits(&rows[0]), bits(&rows[1])], [bits(input); 2], "{real}");

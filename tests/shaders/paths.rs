@@ -29,7 +29,10 @@ fn straight_motion_leaves_the_bound_in_one_step() {
         put(0u, vec4f(next.phase[0], next.taken));
         put(1u, vec4f(next.phase[1], f32(left_bound(next.phase[0], next.phase[1]))));
         put(2u, vec4f(next.tau, f32(next.steps), 0.0, 0.0));";
-    let probe = bounded(&["ray", "frame", "bound", "phase/space", "motion/straight", "limit/none"], CENTER);
+    let probe = bounded(
+        &["segment/ray", "state/arguments", "law/bound", "law/phase_space", "motion/straight", "law/limit_none"],
+        CENTER,
+    );
     let (mut places, mut exits) = (Errors::of("straight motion"), Errors::of("straight motion's exit"));
     for (input, output) in inputs.iter().zip(&probe.run::<2, 3>(&gpu(), body, &inputs)) {
         let (x, v) = (wide(input[0]), wide(input[1]));
@@ -52,20 +55,29 @@ fn straight_motion_leaves_the_bound_in_one_step() {
 }
 
 fn code(name: &str) -> f32 {
-    constant("ray", name) as f32
+    constant("segment/ray", name) as f32
 }
 
 #[test]
 fn fates_in_their_order() {
     let spheres = vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))];
-    let parts = ["ray", "work", "frame", "bound", "schedule", "phase/space", "capture/spheres", "limit/length", "fate"];
+    let parts = [
+        "segment/ray",
+        "state/work",
+        "state/arguments",
+        "law/bound",
+        "law/phase_space",
+        "law/capture_spheres",
+        "law/limit_length",
+        "segment/termination",
+    ];
     let probe = bounded(&parts, DVec3::ZERO)
         .list("capture_spheres", "CAPTURE_COUNT", [spheres])
         .bind("limit", [vec![("length", Float(100.0))]])
         .bind("schedule", [vec![("max_segments", Uint(10)), ("segments", Uint(1)), ("segment_work", Uint(1))]]);
     let body = "let s = Segment(p0.xyz, vec3f(1.0), p1.xyz, p2.xyz, 1.0);
         let ray = Ray(Phase(p1.xyz, p2.xyz), p0.w, Memory(0.0), 0.0, 0u, 0u, 0u, ALIVE);
-        put(0u, vec4f(f32(open_fate(s, p0.w, u32(p1.w))), f32(path_over(ray)), 0.0, 0.0));";
+        put(0u, vec4f(f32(open_status(s, p0.w, u32(p1.w))), f32(path_over(ray)), 0.0, 0.0));";
     let at = |x: f32, y: f32, z: f32| Vec4::new(x, y, z, 0.0);
     let (start, v) = (at(10.0, 0.0, 0.0), at(1.0, 0.0, 0.0));
     let cases = [
@@ -98,21 +110,21 @@ fn fates_in_their_order() {
 /// Parts that find where a path ends, with RK4 steps of one size round a hole of mass 1.
 fn path_end(step: f64) -> Probe {
     let parts = [
-        "ray",
-        "work",
-        "frame",
-        "bound",
-        "phase/space",
+        "segment/ray",
+        "state/work",
+        "state/arguments",
+        "law/bound",
+        "law/phase_space",
         "law/schwarzschild_path",
-        "step/rk4",
-        "control/fixed",
-        "limit/none",
-        "capture/spheres",
-        "follow/step",
-        "stage/end_open",
-        "path_end",
-        "pace/tau",
-        "asymptotic/none",
+        "method/step/rk4",
+        "method/control/fixed",
+        "law/limit_none",
+        "law/capture_spheres",
+        "segment/follow_step",
+        "segment/end_open",
+        "segment/path_end",
+        "motion/pace_tau",
+        "law/asymptotic_none",
     ];
     bounded(&parts, DVec3::ZERO)
         .bind("law", [vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))]])

@@ -26,8 +26,9 @@ fn multi_jittered_samples() {
         for pixel in 0..SIDE * SIDE {
             inputs.extend((0..count).map(|s| [Vec4::new((pixel % SIDE) as f32, (pixel / SIDE) as f32, s as f32, 0.0)]));
         }
-        let probe =
-            Probe::new(&["work", "sample/multi_jittered"]).stub(FRAME).bind("sampling", [vec![("grid", Uint2(grid))]]);
+        let probe = Probe::new(&["state/work", "camera/sample/multi_jittered"])
+            .stub(FRAME)
+            .bind("sampling", [vec![("grid", Uint2(grid))]]);
         let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)), 0.0, 0.0));";
         let out = probe.run::<1, 1>(&gpu, body, &inputs);
         let mut patterns = BTreeSet::new();
@@ -103,7 +104,7 @@ fn progressive_samples() {
     let inputs: Vec<[Vec4; 1]> = (0..SIDE * SIDE)
         .flat_map(|i| (0..COUNT).map(move |s| [Vec4::new(pixel(i)[0] as f32, pixel(i)[1] as f32, s as f32, 0.0)]))
         .collect();
-    let probe = Probe::new(&["work", "sample/sobol", "sample/progressive"]).stub(FRAME);
+    let probe = Probe::new(&["state/work", "camera/sample/sobol", "camera/sample/progressive"]).stub(FRAME);
     let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)) - p0.xy, 0.0, 0.0));";
     let out = probe.run::<1, 1>(&gpu(), body, &inputs);
     let mut patterns = BTreeSet::new();
@@ -135,7 +136,7 @@ fn progressive_samples() {
 fn image_plane_and_centre() {
     let inputs = [[0.0_f32, 0.0], [640.0, 480.0], [320.0, 240.0], [640.0, 0.0], [0.0, 480.0], [160.0, 120.0]]
         .map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]);
-    let probe = Probe::new(&["sample/image_plane", "sample/center"]);
+    let probe = Probe::new(&["camera/ray", "camera/sample/center"]);
     let body = "put(0u, vec4f(image_plane(p0.xy, vec2u(640u, 480u)), sample_point(vec2u(p0.xy))));";
     let want = [[-1.0, 1.0], [1.0, -1.0], [0.0, 0.0], [1.0, 1.0], [-1.0, -1.0], [-0.5, 0.5]];
     for ((input, [got]), want) in inputs.iter().zip(probe.run::<1, 1>(&gpu(), body, &inputs)).zip(want) {

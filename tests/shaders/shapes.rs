@@ -10,9 +10,9 @@ use crate::support::{
 };
 
 pub const PARTS: [&str; 10] = [
-    "ray",
-    "work",
-    "walk/piece",
+    "segment/ray",
+    "state/work",
+    "segment/pieces",
     "shape/placed",
     "shape/sphere",
     "shape/ellipsoid",

@@ -73,14 +73,13 @@ fn centres() -> impl Iterator<Item = (&'static str, Centre)> {
 
 fn probe() -> Probe {
     let parts = [
-        "ray",
-        "work",
-        "phase/space",
+        "segment/ray",
+        "state/work",
+        "law/phase_space",
         "law/sources",
-        "falloff/far_away",
-        "falloff/inverse_square",
-        "falloff/cubic",
-        "falloff/yukawa",
+        "law/falloff/inverse_square",
+        "law/falloff/cubic",
+        "law/falloff/yukawa",
     ];
     Probe::new(&parts)
         .generated(SCENE, "generated/sources.wgsl")

@@ -25,18 +25,18 @@ fn rough_rate(p: [Rough; 2]) -> [Rough; 2] {
 }
 
 const METHODS: [Method; 6] = [
-    Method { part: "step/euler", rough: |p, h| vec![euler(rough_rate, p, h)], orders: &[1.0], size: 1e-4 },
-    Method { part: "step/leapfrog", rough: |p, h| vec![leapfrog(rough_bend, p, h)], orders: &[2.0], size: 4e-3 },
-    Method { part: "step/rkn4", rough: |p, h| vec![rkn4(rough_bend, p, h)], orders: &[4.0], size: 1e-2 },
-    Method { part: "step/rk4", rough: |p, h| vec![rk4(rough_rate, p, h)], orders: &[4.0], size: 4e-3 },
+    Method { part: "method/step/euler", rough: |p, h| vec![euler(rough_rate, p, h)], orders: &[1.0], size: 1e-4 },
+    Method { part: "method/step/leapfrog", rough: |p, h| vec![leapfrog(rough_bend, p, h)], orders: &[2.0], size: 4e-3 },
+    Method { part: "method/step/rkn4", rough: |p, h| vec![rkn4(rough_bend, p, h)], orders: &[4.0], size: 1e-2 },
+    Method { part: "method/step/rk4", rough: |p, h| vec![rk4(rough_rate, p, h)], orders: &[4.0], size: 4e-3 },
     Method {
-        part: "step/bogacki_shampine",
+        part: "method/step/bogacki_shampine",
         rough: |p, h| BOGACKI_SHAMPINE.step(rough_rate, p, h).to_vec(),
         orders: &[3.0, 2.0],
         size: 2e-3,
     },
     Method {
-        part: "step/dormand_prince",
+        part: "method/step/dormand_prince",
         rough: |p, h| DORMAND_PRINCE.step(rough_rate, p, h).to_vec(),
         orders: &[5.0, 4.0],
         size: 2e-3,
@@ -49,18 +49,18 @@ impl Method {
     }
 
     fn needs_acceleration(&self) -> bool {
-        ["step/leapfrog", "step/rkn4"].contains(&self.part)
+        ["method/step/leapfrog", "method/step/rkn4"].contains(&self.part)
     }
 
     fn parts(&self) -> Vec<&'static str> {
-        if self.is_pair() { vec!["step/pair", self.part] } else { vec![self.part] }
+        if self.is_pair() { vec!["method/control/embedded", self.part] } else { vec![self.part] }
     }
 
     /// A probe's lines that take one step of p0.w from (p0, p1) and put out all that it makes.
     fn body(&self) -> &'static str {
         if self.is_pair() {
             "let p = Phase(Real3(p0.xyz), Real3(p1.xyz));
-            let step = pair_step(p, law_rate(p), Real(p0.w));
+            let step = pair_step(p, law_derivative(p), Real(p0.w));
             put_real3(0u, step.end[0]);
             put_real3(3u, step.end[1]);
             put_real3(6u, step.error[0]);
@@ -76,7 +76,7 @@ impl Method {
 
     /// What the device makes of the inputs.
     fn taken(&self, law: &Law, real: &str, inputs: &[[Vec4; 2]]) -> Vec<Steps<DVec3>> {
-        let mut parts = vec!["ray", "frame", "phase/space", real];
+        let mut parts = vec!["segment/ray", "state/arguments", "law/phase_space", real];
         parts.extend(law.parts);
         parts.extend(self.parts());
         let probe = Probe::new(&parts).frame().bind(law.binding, [law.record.clone()]).stub(REALS);
@@ -144,9 +144,9 @@ fn one_step_of_each_method() {
 /// Lorenz' system as a flow, and as an acceleration.
 fn lorenz_rates(second_order: bool) -> (Law, fn(Phase) -> Phase) {
     if second_order {
-        (lorenz(&["flow/lorenz", "law/flow_acceleration"]), |p| [p[1], lorenz_field(p[0])])
+        (lorenz(&["law/field_lorenz", "law/flow_acceleration"]), |p| [p[1], lorenz_field(p[0])])
     } else {
-        (lorenz(&["flow/lorenz", "law/flow"]), |p| [lorenz_field(p[0]), DVec3::ZERO])
+        (lorenz(&["law/field_lorenz", "law/flow"]), |p| [lorenz_field(p[0]), DVec3::ZERO])
     }
 }
 

@@ -10,15 +10,14 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-const PARTS: [&str; 9] = [
-    "ray",
-    "work",
-    "walk/whole",
-    "walk/piece",
-    "walk/items",
-    "structure/bvh",
-    "order/same",
-    "curve/line",
+const PARTS: [&str; 8] = [
+    "segment/ray",
+    "state/work",
+    "segment/walk_whole",
+    "segment/pieces",
+    "segment/structure/bvh",
+    "segment/order_same",
+    "segment/curve_line",
     "shape/placed",
 ];
 
@@ -37,7 +36,7 @@ fn corners(t: [Vec3; 3], object: u32) -> Record {
 
 /// A box as the host writes it.
 fn grown(lo: Vec3, hi: Vec3) -> [Vec3; 2] {
-    let slack = constant("structure/bvh", "BOX_SLACK") * lo.abs().max(hi.abs()).as_dvec3();
+    let slack = constant("segment/structure/bvh", "BOX_SLACK") * lo.abs().max(hi.abs()).as_dvec3();
     [lo.as_dvec3() - slack, hi.as_dvec3() + slack].map(DVec3::as_vec3)
 }
 

@@ -29,7 +29,7 @@ enum Origin {
 }
 
 /// Uniforms that the scene does not fix.
-const APART: [&str; 2] = ["frame", "turn"];
+const APART: [&str; 2] = ["frame", "dispatch"];
 
 /// A variable, a parameter, or the result of a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -32,15 +32,20 @@ impl Probe {
     /// Of the parts with these names, in 32 bits unless they say otherwise.
     pub fn new(parts: &[&str]) -> Self {
         let unit = |name: &str| Unit::from(part(name).unwrap_or_else(|| panic!("no part {name}")));
-        let mut names: Vec<&str> = parts.to_vec();
+        let mut names: Vec<&str> = Vec::new();
+        for part in parts {
+            if !names.contains(part) {
+                names.push(part);
+            }
+        }
         let usual = [
-            ("math", "math"),
-            ("real/", "real/f32"),
-            ("memory/", "memory/step"),
-            ("region/", "region/none"),
-            ("left/", "left/none"),
-            ("facing/", "facing/any"),
-            ("join/", "join/pieces"),
+            ("real/math", "real/math"),
+            ("real/f", "real/f32"),
+            ("method/memory_", "method/memory_step"),
+            ("surface/region_", "surface/region_none"),
+            ("segment/last_hit_", "segment/last_hit_none"),
+            ("shape/facing_", "shape/facing_any"),
+            ("segment/join_", "segment/join_pieces"),
         ];
         for (folder, usual) in usual {
             if !names.iter().any(|name| name.starts_with(folder)) {
@@ -50,11 +55,11 @@ impl Probe {
         let mut units: Vec<Unit> = names.iter().map(|name| unit(name)).collect();
         // What laws of the second order and steps of a planned size have in common.
         let common = [
-            ("law/", "fn law_rate(", "law/accelerated"),
-            ("control/", "fn accepted_step(", "control/planned"),
-            ("motion/", "fn law_start(", "start/as_given"),
-            ("memory/pair", "fn first_rate(", "rate/law"),
-            ("walk/", "fn first_hit(", "walk/direct"),
+            ("law/", "fn law_derivative(", "law/accelerated"),
+            ("method/control/", "fn accepted_step(", "method/control/planned"),
+            ("motion/", "fn law_start(", "law/start_as_given"),
+            ("method/memory_pair", "fn first_derivative(", "method/first_derivative"),
+            ("segment/walk_", "fn first_hit(", "segment/hit_direct"),
         ];
         for (folder, function, common) in common {
             let some = names.iter().any(|name| name.starts_with(folder));

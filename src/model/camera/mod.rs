@@ -57,7 +57,7 @@ pub trait Projection: fmt::Debug + Send + Sync + Same {
 
     /// The WGSL part by which two eyes see the same at a distance.
     fn convergence_part(&self) -> &'static str {
-        "eyes/crossing_sphere"
+        "camera/eyes/crossing_sphere"
     }
 
     /// Do its pictures have pixels that show nothing, so that its files carry alpha?

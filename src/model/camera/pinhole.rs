@@ -37,6 +37,6 @@ impl Projection for Pinhole {
     }
 
     fn convergence_part(&self) -> &'static str {
-        "eyes/crossing_plane"
+        "camera/eyes/crossing_plane"
     }
 }

@@ -34,7 +34,7 @@ impl Projection for Plane {
     }
 
     fn convergence_part(&self) -> &'static str {
-        "eyes/crossing_plane"
+        "camera/eyes/crossing_plane"
     }
 
     fn is_from_a_point(&self) -> bool {

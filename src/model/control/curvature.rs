@@ -11,8 +11,8 @@ pub static KIND: Kind = Kind {
         curvature_step (" (the others choose their steps)"): "number above 0" = "none",
             "every step turns the ray through this angle, degrees";
     },
-    parts: &["control/planned", "control/curvature"],
-    memory: "memory/step",
+    parts: &["method/control/planned", "method/control/curvature"],
+    memory: "method/memory_step",
     values: |control| row! { turn: Float(control.setting), eta: Float(control.cap) },
     // The derivative once more, for the curvature.
     loops: |step| (step.evaluations + 1) * step.derivative + step.scale,

@@ -29,8 +29,8 @@ const KEYS: &[Key] = &[
 pub static REJECTING: Kind = Kind {
     name: "rejecting",
     keys: KEYS,
-    parts: &["control/doubled", "control/doubling_rejecting"],
-    memory: "memory/step",
+    parts: &["method/control/doubled", "method/control/doubling_rejecting"],
+    memory: "method/memory_step",
     values,
     loops,
     evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
@@ -40,7 +40,7 @@ pub static REJECTING: Kind = Kind {
     usual,
     divides: false,
     rejects: true,
-    tries: Some("control/doubling_rejecting"),
+    tries: Some("method/control/doubling_rejecting"),
     keeps_errors: false,
     has_tolerance: true,
 };
@@ -48,11 +48,11 @@ pub static REJECTING: Kind = Kind {
 /// Two thresholds, and only the next step changes (W04 §4.2).
 pub static PAPER: Kind = Kind {
     name: "paper",
-    parts: &["control/doubled", "control/doubling_paper"],
+    parts: &["method/control/doubled", "method/control/doubling_paper"],
     words: |method, control| format!("{method}-doubling (paper), tolerance {:.1e}", control.setting),
     keeps_errors: true,
     keys: KEYS,
-    memory: "memory/step",
+    memory: "method/memory_step",
     values,
     loops,
     evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
@@ -61,7 +61,7 @@ pub static PAPER: Kind = Kind {
     usual,
     divides: false,
     rejects: true,
-    tries: Some("control/doubling_rejecting"),
+    tries: Some("method/control/doubling_rejecting"),
     has_tolerance: true,
 };
 

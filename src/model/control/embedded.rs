@@ -11,9 +11,9 @@ use crate::model::row;
 pub static KIND: Kind = Kind {
     name: "embedded",
     keys: &[TOLERANCE, SCALED_STEP],
-    parts: &["control/embedded"],
+    parts: &["method/control/embedded"],
     // The error of the step before, and the derivative at its end.
-    memory: "memory/pair",
+    memory: "method/memory_pair",
     values: |control| row! { tolerance: Float(control.setting), eta: Float(control.cap) },
     // The first evaluation of a path, and then those of each try.
     loops: |step| {
@@ -26,7 +26,7 @@ pub static KIND: Kind = Kind {
     usual: |_, refined| with(1e-5 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined)),
     divides: true,
     rejects: true,
-    tries: Some("control/embedded"),
+    tries: Some("method/control/embedded"),
     keeps_errors: false,
     has_tolerance: true,
 };

@@ -7,7 +7,7 @@ pub static KIND: Kind = Kind {
     name: "exact",
     keys: &[],
     parts: &[],
-    memory: "memory/step",
+    memory: "method/memory_step",
     values: |_| Vec::new(),
     loops: |_| 0,
     evaluations: |step, steps, _| step * steps,

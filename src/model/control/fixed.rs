@@ -11,8 +11,8 @@ pub static KIND: Kind = Kind {
         step (" (the others choose their steps)"): "number above 0" = "none",
             "length of a step, in τ; excludes curvature_step";
     },
-    parts: &["control/planned", "control/fixed"],
-    memory: "memory/step",
+    parts: &["method/control/planned", "method/control/fixed"],
+    memory: "method/memory_step",
     values: |control| row! { step: Float(control.setting), eta: Float(control.cap) },
     loops: |step| step.evaluations * step.derivative + step.scale,
     evaluations: |step, steps, _| step * steps,

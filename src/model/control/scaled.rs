@@ -16,8 +16,8 @@ pub const SCALED_STEP: Key = keys! {
 pub static KIND: Kind = Kind {
     name: "scaled",
     keys: &[SCALED_STEP],
-    parts: &["control/planned", "control/scaled"],
-    memory: "memory/step",
+    parts: &["method/control/planned", "method/control/scaled"],
+    memory: "method/memory_step",
     values: |control| row! { eta: Float(control.setting) },
     loops: |step| step.evaluations * step.derivative + step.scale,
     evaluations: |step, steps, _| step * steps,

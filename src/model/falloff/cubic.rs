@@ -18,6 +18,6 @@ pub static KIND: Kind = Kind {
         if inside { r.powi(4) / (2.0 * radius.powi(3)) - r.powi(3) / radius.powi(2) + r - 0.5 * radius } else { 0.0 }
     },
     reach: |radius| radius,
-    orbit: "orbit/cubic",
+    orbit: "law/orbit/cubic",
     is_free_far_away: false,
 };

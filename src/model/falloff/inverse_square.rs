@@ -8,6 +8,6 @@ pub static KIND: Kind = Kind {
     wgsl: "inverse_square",
     potential: |r, _| -1.0 / r,
     reach: |_| 0.0,
-    orbit: "orbit/inverse_square",
+    orbit: "law/orbit/inverse_square",
     is_free_far_away: true,
 };

@@ -23,7 +23,7 @@ pub struct Kind {
     pub name: &'static str,
     /// Its length or rate, if it has one, as a member of its sources in WGSL; a scene file writes `{ name = number }` then.
     pub parameter: Option<(&'static str, Key)>,
-    /// The name of its WGSL part in `shaders/falloff/`, of its functions and of its list.
+    /// The name of its WGSL part in `shaders/law/falloff/`, of its functions and of its list.
     pub wgsl: &'static str,
     /// V at a distance, of a source of strength 1; 0 far away.
     pub potential: fn(r: f64, parameter: f64) -> f64,

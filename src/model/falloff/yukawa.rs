@@ -9,6 +9,6 @@ pub static KIND: Kind = Kind {
     wgsl: "yukawa",
     potential: |r, mu| -(-mu * r).exp() / r,
     reach: |_| 0.0,
-    orbit: "orbit/yukawa",
+    orbit: "law/orbit/yukawa",
     is_free_far_away: false,
 };

@@ -41,7 +41,7 @@ pub struct Lorenz {
 
 impl Law for Lorenz {
     fn parts(&self) -> Vec<Wgsl> {
-        self.order.parts("flow/lorenz")
+        self.order.parts("law/field_lorenz")
     }
 
     fn values(&self) -> Vec<Binding> {

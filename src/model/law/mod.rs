@@ -1,7 +1,7 @@
 //! Laws: how light travels. The contract, and the table of kinds.
 //!
 //! *Theory.* A law gives the derivative of a point of phase space p = (x, v) along a ray, dp/dτ. The WGSL contract is
-//! `law_rate(p)`, `law_start(x, v)`, `law_settled(p)`, `law_scale(p)` and `law_bend(p, rate)`; a law whose acceleration depends on
+//! `law_derivative(p)`, `law_start(x, v)`, `law_projected(p)`, `law_scale(p)` and `path_acceleration(p, rate)`; a law whose acceleration depends on
 //! place alone gives `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] is what the host has to
 //! know besides.
 //!

@@ -113,8 +113,8 @@ impl OwnLaw {
     /// What the file has to declare, or may.
     fn promises(&self) -> Vec<Promise> {
         let all = [
-            Promise::usual("fn law_start(x: Real3, v: Real3) -> Phase", "start/as_given"),
-            Promise::usual("fn law_settled(p: Phase) -> Phase", "law/settled_as_is"),
+            Promise::usual("fn law_start(x: Real3, v: Real3) -> Phase", "law/start_as_given"),
+            Promise::usual("fn law_projected(p: Phase) -> Phase", "law/projected_as_is"),
             Promise::usual("fn law_scale(p: Phase) -> Real", "law/scale_given"),
         ];
         let own = match self.depends {
@@ -138,7 +138,7 @@ impl OwnLaw {
     /// The uniforms that parameters and scale come in.
     fn declared(&self) -> String {
         let mut text = String::from(
-            "struct LawScale {\n    scale: Real,\n}\n\n@group(0) @binding(61) var<uniform> own_scale: LawScale;\n",
+            "struct LawScale {\n    scale: Real,\n}\n\n@group(0) @binding(69) var<uniform> own_scale: LawScale;\n",
         );
         if !self.parameters.is_empty() {
             text += "\nstruct Law {\n";

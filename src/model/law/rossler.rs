@@ -41,7 +41,7 @@ pub struct Rossler {
 
 impl Law for Rossler {
     fn parts(&self) -> Vec<Wgsl> {
-        self.order.parts("flow/rossler")
+        self.order.parts("law/field_rossler")
     }
 
     fn values(&self) -> Vec<Binding> {

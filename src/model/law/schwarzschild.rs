@@ -78,7 +78,7 @@ impl Law for Schwarzschild {
     }
 
     fn orbit(&self) -> Option<Orbit> {
-        let orbit = Orbit { center: self.center, part: "orbit/schwarzschild", is_free_far_away: true };
+        let orbit = Orbit { center: self.center, part: "law/orbit/schwarzschild", is_free_far_away: true };
         (self.form == SchwarzschildForm::Path).then_some(orbit)
     }
 

@@ -87,8 +87,8 @@ impl Sources {
 
 impl Law for Sources {
     fn parts(&self) -> Vec<Wgsl> {
-        let mut parts = Wgsl::parts(&["law/accelerated", "law/sources", "falloff/far_away"]);
-        parts.extend(self.falloffs().map(|kind| Wgsl::Part(format!("falloff/{}", kind.wgsl).into())));
+        let mut parts = Wgsl::parts(&["law/accelerated", "law/sources"]);
+        parts.extend(self.falloffs().map(|kind| Wgsl::Part(format!("law/falloff/{}", kind.wgsl).into())));
         let text = |file: &'static str, text: String| Wgsl::Text { file: file.into(), text: text.into() };
         parts.push(text("generated/sources.wgsl", self.sums()));
         parts.push(text("generated/source_counts.wgsl", self.counts()));

@@ -19,6 +19,6 @@ pub struct Emissive;
 
 impl Surface for Emissive {
     fn part(&self) -> &'static str {
-        "material/emissive"
+        "surface/material/emissive"
     }
 }

@@ -22,7 +22,7 @@ pub struct Mirror;
 
 impl Surface for Mirror {
     fn part(&self) -> &'static str {
-        "scatter/mirror"
+        "surface/scatter/mirror"
     }
 
     fn continues(&self) -> bool {

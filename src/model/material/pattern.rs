@@ -30,7 +30,7 @@ pub enum Pattern {
 }
 
 impl Pattern {
-    /// The names of their WGSL parts in `shaders/pattern/`.
+    /// The names of their WGSL parts in `shaders/surface/pattern/`.
     pub const PARTS: [&'static str; 3] = ["constant", "checker", "image"];
 
     /// Does it give all colours the same part?

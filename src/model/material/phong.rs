@@ -47,7 +47,7 @@ pub struct Phong {
 
 impl Surface for Phong {
     fn part(&self) -> &'static str {
-        "material/phong"
+        "surface/material/phong"
     }
 
     fn values(&self) -> Row {

@@ -39,7 +39,7 @@ pub struct Constant {
 
 impl Medium for Constant {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/constant"])
+        Wgsl::parts(&["medium/constant"])
     }
 
     fn values(&self, _: u32) -> Row {

@@ -27,7 +27,7 @@ pub struct Eaton {
 
 impl Medium for Eaton {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/eaton"])
+        Wgsl::parts(&["medium/eaton"])
     }
 
     fn values(&self, _: u32) -> Row {

@@ -53,7 +53,7 @@ pub struct Explosion {
 
 impl Medium for Explosion {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/explosion", "noise/lattice"])
+        Wgsl::parts(&["medium/explosion", "medium/fractal_noise"])
     }
 
     fn values(&self, _: u32) -> Row {

@@ -42,7 +42,7 @@ pub struct Exponential {
 
 impl Medium for Exponential {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/exponential"])
+        Wgsl::parts(&["medium/exponential"])
     }
 
     fn values(&self, _: u32) -> Row {

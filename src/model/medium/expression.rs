@@ -63,7 +63,7 @@ pub struct Expression {
 
 impl Medium for Expression {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/expression", "formula", "index_limit"])
+        Wgsl::parts(&["medium/expression", "medium/formula", "medium/finite"])
     }
 
     fn values(&self, _: u32) -> Row {

@@ -36,7 +36,7 @@ pub struct Fisheye {
 
 impl Medium for Fisheye {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/fisheye"])
+        Wgsl::parts(&["medium/fisheye"])
     }
 
     fn values(&self, _: u32) -> Row {

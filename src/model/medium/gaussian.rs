@@ -40,7 +40,7 @@ pub struct Gaussian {
 
 impl Medium for Gaussian {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/gaussian"])
+        Wgsl::parts(&["medium/gaussian"])
     }
 
     fn values(&self, _: u32) -> Row {

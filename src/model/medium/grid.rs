@@ -79,7 +79,7 @@ pub struct Grid(pub Arc<IndexGrid>);
 
 impl Medium for Grid {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/grid", "index_limit"])
+        Wgsl::parts(&["medium/grid", "medium/finite"])
     }
 
     fn values(&self, first: u32) -> Row {

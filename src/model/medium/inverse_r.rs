@@ -58,7 +58,7 @@ impl InverseR {
 
 impl Medium for InverseR {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/inverse_r"])
+        Wgsl::parts(&["medium/inverse_r"])
     }
 
     fn values(&self, _: u32) -> Row {

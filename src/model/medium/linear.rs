@@ -44,7 +44,7 @@ pub struct Linear {
 
 impl Medium for Linear {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/linear"])
+        Wgsl::parts(&["medium/linear"])
     }
 
     fn values(&self, _: u32) -> Row {

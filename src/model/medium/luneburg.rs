@@ -32,7 +32,7 @@ pub struct Luneburg {
 
 impl Medium for Luneburg {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/luneburg"])
+        Wgsl::parts(&["medium/luneburg"])
     }
 
     fn values(&self, _: u32) -> Row {
@@ -45,10 +45,6 @@ impl Medium for Luneburg {
 
     fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
         Some(&HARMONIC)
-    }
-
-    fn closed_form_parts(&self) -> &'static [&'static str] {
-        &["spring/luneburg"]
     }
 
     fn center(&self) -> Option<DVec3> {

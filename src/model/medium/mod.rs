@@ -101,11 +101,6 @@ pub trait Medium: fmt::Debug + Send + Sync + Same {
         None
     }
 
-    /// The WGSL that its closed form needs besides.
-    fn closed_form_parts(&self) -> &'static [&'static str] {
-        &[]
-    }
-
     /// Is light bent in it?
     fn bends(&self) -> bool {
         true

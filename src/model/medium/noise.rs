@@ -103,7 +103,7 @@ impl Noise {
 
 impl Medium for Noise {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/noise", "noise/fractal", "noise/lattice"])
+        Wgsl::parts(&["medium/noise", "medium/fractal_noise"])
     }
 
     fn values(&self, _: u32) -> Row {

@@ -71,7 +71,7 @@ pub struct Layers {
 
 impl Medium for Layers {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/profile"])
+        Wgsl::parts(&["medium/profile"])
     }
 
     fn values(&self, first: u32) -> Row {

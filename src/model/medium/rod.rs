@@ -43,7 +43,7 @@ pub struct Rod {
 
 impl Medium for Rod {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/rod"])
+        Wgsl::parts(&["medium/rod"])
     }
 
     fn values(&self, _: u32) -> Row {
@@ -57,9 +57,5 @@ impl Medium for Rod {
 
     fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
         Some(&HARMONIC)
-    }
-
-    fn closed_form_parts(&self) -> &'static [&'static str] {
-        &["spring/rod"]
     }
 }

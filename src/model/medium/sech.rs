@@ -36,7 +36,7 @@ pub struct Sech {
 
 impl Medium for Sech {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/sech"])
+        Wgsl::parts(&["medium/sech"])
     }
 
     fn values(&self, _: u32) -> Row {

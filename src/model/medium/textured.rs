@@ -25,7 +25,7 @@ pub struct Textured(pub Noise);
 
 impl Medium for Textured {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["index/textured", "noise/fractal", "noise/lattice"])
+        Wgsl::parts(&["medium/textured", "medium/fractal_noise"])
     }
 
     fn values(&self, _: u32) -> Row {

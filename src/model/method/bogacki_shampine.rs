@@ -6,7 +6,7 @@ use crate::model::control::embedded;
 pub static KIND: Kind = Kind {
     name: "bogacki-shampine",
     path: Path::Steps,
-    parts: &["step/pair", "step/bogacki_shampine"],
+    parts: &["method/control/embedded", "method/step/bogacki_shampine"],
     evaluations: 3,
     order: 3,
     controls: Controls::Embedded,

@@ -6,7 +6,7 @@ use crate::model::control::embedded;
 pub static KIND: Kind = Kind {
     name: "dormand-prince",
     path: Path::Steps,
-    parts: &["step/pair", "step/dormand_prince"],
+    parts: &["method/control/embedded", "method/step/dormand_prince"],
     evaluations: 6,
     order: 5,
     controls: Controls::Embedded,

@@ -6,7 +6,7 @@ use crate::model::control::{doubling, scaled};
 pub static KIND: Kind = Kind {
     name: "euler",
     path: Path::Steps,
-    parts: &["step/euler"],
+    parts: &["method/step/euler"],
     evaluations: 1,
     order: 1,
     controls: Controls::PlannedOrDoubled,

@@ -7,7 +7,7 @@ use crate::model::control::scaled;
 pub static KIND: Kind = Kind {
     name: "leapfrog",
     path: Path::Steps,
-    parts: &["step/leapfrog"],
+    parts: &["method/step/leapfrog"],
     evaluations: 1,
     order: 2,
     controls: Controls::Planned,

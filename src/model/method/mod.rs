@@ -1,7 +1,7 @@
 //! Methods: how a ray is followed, one kind a file.
 //!
 //! *Practice.* A kind says which WGSL takes its step, what that costs, which controls go with it, which laws it suits, and which
-//! settings a chart tries. [`METHODS`] names each kind once; nothing else does. Adding one is a WGSL file in `shaders/step/`, a file
+//! settings a chart tries. [`METHODS`] names each kind once; nothing else does. Adding one is a WGSL file in `shaders/method/step/`, a file
 //! here and a line of that table.
 
 mod bogacki_shampine;

@@ -6,7 +6,7 @@ use crate::model::control::{curvature, doubling, scaled};
 pub static KIND: Kind = Kind {
     name: "rk4",
     path: Path::Steps,
-    parts: &["step/rk4"],
+    parts: &["method/step/rk4"],
     evaluations: 4,
     order: 4,
     controls: Controls::PlannedOrDoubled,

@@ -7,7 +7,7 @@ use crate::model::control::scaled;
 pub static KIND: Kind = Kind {
     name: "rkn4",
     path: Path::Steps,
-    parts: &["step/rkn4"],
+    parts: &["method/step/rkn4"],
     evaluations: 3,
     order: 4,
     controls: Controls::Planned,

@@ -7,7 +7,7 @@ use crate::model::control::scaled;
 pub static KIND: Kind = Kind {
     name: "snell",
     path: Path::Steps,
-    parts: &["step/snell"],
+    parts: &["method/step/snell"],
     evaluations: 1,
     order: 1,
     controls: Controls::Planned,

@@ -14,7 +14,7 @@ pub const SOLIDS: [&Solid; 7] =
 
 /// What is known of a solid.
 pub struct Solid {
-    /// The name of its WGSL part in `shaders/shape/` and `shaders/crossing/`, in those of its functions, and in capitals of its code.
+    /// The name of its WGSL part in `shaders/shape/` and `shaders/shape/`, in those of its functions, and in capitals of its code.
     pub name: &'static str,
     /// Its lists in WGSL; none for triangles, which lie in a structure always.
     pub lists: Option<Lists>,

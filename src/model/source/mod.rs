@@ -22,7 +22,7 @@ pub const SOURCES: [&Kind; 1] = [&center::KIND];
 
 /// What is known of a kind of source.
 pub struct Kind {
-    /// As a scene file has it; its WGSL part is of this name in `shaders/offset/`.
+    /// As a scene file has it; its WGSL part is of this name in `shaders/law/offset/`.
     pub name: &'static str,
     /// The keys that it reads besides those that all sources have.
     pub keys: &'static [Key],
@@ -91,7 +91,7 @@ impl Kind {
     /// Its WGSL.
     #[must_use]
     pub fn part(&self) -> Wgsl {
-        Wgsl::Part(format!("offset/{}", self.name).into())
+        Wgsl::Part(format!("law/offset/{}", self.name).into())
     }
 }
 

@@ -27,7 +27,7 @@ use super::declarations::Declaration;
 use super::linked::Edit;
 
 /// Uniforms that are written for each tile, and for each dispatch.
-const APART: [&str; 2] = ["frame", "turn"];
+const APART: [&str; 2] = ["frame", "dispatch"];
 /// The block's binding.
 const BINDING: u32 = 9;
 /// The block's type.

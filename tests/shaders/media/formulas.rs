@@ -20,7 +20,7 @@ fn radial(d: DVec3, n: f64, slope: f64, error: f64) -> (DVec3, f64) {
 fn constant() {
     let case = Case {
         name: "constant",
-        parts: &["index/constant"],
+        parts: &["medium/constant"],
         index: "{ kind = \"constant\", n = 1.5 }",
         center: CENTER,
         reach: [1e-3, 1e3],
@@ -35,7 +35,7 @@ fn constant() {
 fn luneburg() {
     let case = Case {
         name: "luneburg",
-        parts: &["index/luneburg"],
+        parts: &["medium/luneburg"],
         index: "{ kind = \"luneburg\", center = [0.5, -0.25, 1], radius = 3, c = 2.5 }",
         center: CENTER,
         reach: [1e-6, 20.0],
@@ -76,7 +76,7 @@ fn gaussian_want(x: DVec3, u: f64, b: f64) -> Want {
 fn gaussian() {
     let case = Case {
         name: "gaussian",
-        parts: &["index/gaussian"],
+        parts: &["medium/gaussian"],
         index: "{ kind = \"gaussian\", center = [0.5, -0.25, 1], radius = 2, a = 1.5, b = 0.375 }",
         center: CENTER,
         reach: [1e-6, 1e3],
@@ -89,7 +89,7 @@ fn gaussian() {
     // One that grows outwards.
     let case = Case {
         name: "growing gaussian",
-        parts: &["index/gaussian"],
+        parts: &["medium/gaussian"],
         index: "{ kind = \"gaussian\", center = [0.5, -0.25, 1], radius = 2, a = 1.5, b = -0.5 }",
         center: CENTER,
         reach: [1e-6, 8.0],
@@ -105,7 +105,7 @@ fn gaussian() {
 fn inverse_r() {
     let case = Case {
         name: "inverse r",
-        parts: &["index/inverse_r"],
+        parts: &["medium/inverse_r"],
         index: "{ kind = \"inverse-r\", center = [0.5, -0.25, 1], k = 4 }",
         center: CENTER,
         // Much nearer to the centre x − c has no digits of its own in f32.
@@ -126,7 +126,7 @@ fn inverse_r() {
 fn fisheye() {
     let case = Case {
         name: "fisheye",
-        parts: &["index/fisheye"],
+        parts: &["medium/fisheye"],
         index: "{ kind = \"maxwell-fisheye\", center = [0.5, -0.25, 1], n0 = 2, a = 1.5 }",
         center: CENTER,
         reach: [1e-6, 1e4],
@@ -150,7 +150,7 @@ fn fisheye() {
 fn eaton() {
     let case = Case {
         name: "eaton",
-        parts: &["index/eaton"],
+        parts: &["medium/eaton"],
         index: "{ kind = \"eaton\", center = [0.5, -0.25, 1], radius = 3 }",
         center: CENTER,
         reach: [1e-5, 20.0],
@@ -175,7 +175,7 @@ fn eaton() {
 fn rod() {
     let case = Case {
         name: "rod",
-        parts: &["index/rod"],
+        parts: &["medium/rod"],
         index: "{ kind = \"rod\", center = [0.5, -0.25, 1], axis = [0.6, 0, 0.8], n0 = 1.625, g = 0.25 }",
         center: CENTER,
         reach: [1e-6, 30.0],
@@ -207,7 +207,7 @@ fn linear() {
     const GRADIENT: DVec3 = DVec3::new(0.0625, 0.25, -0.125);
     let case = Case {
         name: "linear",
-        parts: &["index/linear"],
+        parts: &["medium/linear"],
         index: "{ kind = \"linear\", origin = [0.5, -0.25, 1], n0 = 1.25, gradient = [0.0625, 0.25, -0.125] }",
         center: CENTER,
         reach: [1e-6, 30.0],
@@ -246,7 +246,7 @@ fn exponential_want(x: DVec3, u: f64, delta: f64) -> Want {
 fn exponential() {
     let case = Case {
         name: "exponential",
-        parts: &["index/exponential"],
+        parts: &["medium/exponential"],
         index: "{ kind = \"exponential\", origin = [0.5, -0.25, 1], up = [0.6, 0, 0.8], delta = 0.125, height = 2 }",
         center: CENTER,
         reach: [1e-6, 50.0],
@@ -271,7 +271,7 @@ fn exponential() {
 fn sech() {
     let case = Case {
         name: "sech",
-        parts: &["index/sech"],
+        parts: &["medium/sech"],
         index: "{ kind = \"sech\", origin = [0.5, -0.25, 1], up = [0.6, 0, 0.8], n0 = 1.5, g = 0.5 }",
         center: CENTER,
         reach: [1e-6, 1e3],

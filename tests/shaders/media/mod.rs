@@ -54,7 +54,7 @@ impl Case {
 
     fn probe(&self, real: &'static str) -> Probe {
         let medium = self.medium();
-        let parts = [self.parts, &["work", "bound", "region/none", real]].concat();
+        let parts = [self.parts, &["state/work", "law/bound", "surface/region_none", real]].concat();
         let profile: Vec<_> = profile_values(&medium).into_iter().map(Vec::from).collect();
         Probe::new(&parts)
             .list("media", "MEDIA_COUNT", [medium_values(&medium, 0)])

@@ -81,7 +81,7 @@ fn want(x: DVec3, u: f64) -> Want {
 fn noise() {
     let case = Case {
         name: "noise",
-        parts: &["index/noise", "noise/fractal", "noise/lattice"],
+        parts: &["medium/noise", "medium/fractal_noise"],
         index: "{ kind = \"noise\", center = [0.5, -0.25, 1], n0 = 1.5, amplitude = 0.25, frequency = 1.5, octaves = 3, \
                 seed = 77 }",
         center: CENTER,
@@ -99,7 +99,7 @@ fn noise() {
 fn textured() {
     let case = Case {
         name: "textured",
-        parts: &["index/textured", "noise/fractal", "noise/lattice"],
+        parts: &["medium/textured", "medium/fractal_noise"],
         index: "{ kind = \"textured\", center = [0.5, -0.25, 1], n = 1.5, amplitude = 0.25, frequency = 1.5, octaves = 3, \
                 seed = 77 }",
         center: CENTER,

@@ -88,7 +88,7 @@ fn want(x: DVec3, u: f64) -> Want {
 fn profile() {
     let case = Case {
         name: "profile",
-        parts: &["index/profile"],
+        parts: &["medium/profile"],
         index: "{ kind = \"profile\", origin = [0.5, -0.25, 1], up = [0, 0.6, 0.8], \
                 points = [[-1, 1.25], [0.5, 1.1875], [0.75, 1.3125], [2, 1.375], [6, 1.0625], [6.5, 1]] }",
         center: ORIGIN,

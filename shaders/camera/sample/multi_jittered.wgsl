@@ -1,0 +1,66 @@
+// Correlated multi-jittered samples (Kensler 2013): stratified in both axes and in the plane, without tables. The pattern is
+// seeded by the pixel's place in the whole picture, so that tiles and schedules do not show.
+
+struct Sampling {
+    // The pattern's columns and rows; their product is at least the number of samples.
+    grid: vec2u,
+}
+
+@group(0) @binding(54) var<uniform> sampling: Sampling;
+
+// A permutation of 0 … l − 1 chosen by p: an invertible hash on the next power of two, walked until it lands inside.
+fn permuted(index: u32, l: u32, p: u32) -> u32 {
+    var mask = l - 1u;
+    mask |= mask >> 1u;
+    mask |= mask >> 2u;
+    mask |= mask >> 4u;
+    mask |= mask >> 8u;
+    mask |= mask >> 16u;
+    var i = index;
+    loop {
+        work += 1u;
+        i ^= p;
+        i *= 0xe170893du;
+        i ^= p >> 16u;
+        i ^= (i & mask) >> 4u;
+        i ^= p >> 8u;
+        i *= 0x0929eb3fu;
+        i ^= p >> 23u;
+        i ^= (i & mask) >> 1u;
+        i *= 1u | (p >> 27u);
+        i *= 0x6935fa69u;
+        i ^= (i & mask) >> 11u;
+        i *= 0x74dcb303u;
+        i ^= (i & mask) >> 2u;
+        i *= 0x9e501cc3u;
+        i ^= (i & mask) >> 2u;
+        i *= 0xc860a3dfu;
+        i &= mask;
+        i ^= i >> 5u;
+        if i < l {
+            break;
+        }
+    }
+    return (i + p) % l;
+}
+
+// In [0, 1): PCG's output function on a seed.
+fn unit_random(seed: u32) -> f32 {
+    let state = seed * 747796405u + 2891336453u;
+    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return f32(((word >> 22u) ^ word) >> 8u) / 16777216.0;
+}
+
+fn sample_point(pixel: vec2u) -> vec2f {
+    let seed = (pixel.x * 0x9e3779b1u) ^ (pixel.y * 0x85ebca77u);
+    let s = permuted(frame.sample, sampling.grid.x * sampling.grid.y, seed * 0x51633e2du);
+    let column = s % sampling.grid.x;
+    let row = s / sampling.grid.x;
+    let sx = permuted(column, sampling.grid.x, seed * 0x68bc21ebu);
+    let sy = permuted(row, sampling.grid.y, seed * 0x02e5be93u);
+    let jx = unit_random(s ^ (seed * 0x967a889bu));
+    let jy = unit_random(s ^ (seed * 0x368cc8b7u));
+    let x = (f32(column) + (f32(sy) + jx) / f32(sampling.grid.y)) / f32(sampling.grid.x);
+    let y = (f32(row) + (f32(sx) + jy) / f32(sampling.grid.x)) / f32(sampling.grid.y);
+    return vec2f(pixel) + vec2f(x, y);
+}

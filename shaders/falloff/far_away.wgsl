@@ -1,2 +1,0 @@
-// Further than any scene reaches.
-const FAR_AWAY: Real = 1e30;

@@ -1,0 +1,31 @@
+// The bounding sphere, in (almost) flat space, which no ray that left it re-enters (W04 §4.1).
+
+struct Bound {
+    center: Real3,
+    radius: Real,
+}
+
+@group(0) @binding(60) var<uniform> bound: Bound;
+
+fn left_bound(x: Real3, v: Real3) -> bool {
+    let d = x - bound.center;
+    return dot(d, d) > bound.radius * bound.radius && dot(d, v) > 0.0;
+}
+
+// How far along v the line through x enters the sphere: 0 from inside, negative if it never does.
+fn bound_entry(x: Real3, v: Real3) -> Real {
+    let d = x - bound.center;
+    let outside = dot(d, d) - bound.radius * bound.radius;
+    if outside <= 0.0 {
+        return 0.0;
+    }
+    let b = dot(d, v);
+    let vv = dot(v, v);
+    // The nearest point's own distance, not b² − |v|²|d|²: the difference of squares loses all digits far away.
+    let miss = d - (b / vv) * v;
+    let inside = bound.radius * bound.radius - dot(miss, miss);
+    if b >= 0.0 || inside < 0.0 {
+        return -1.0;
+    }
+    return -b / vv - sqrt(inside / vv);
+}

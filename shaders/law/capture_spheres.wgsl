@@ -1,0 +1,41 @@
+// Rays inside a sphere and moving inwards are captured. For a Schwarzschild hole the sphere is the horizon, or wider, up to
+// the photon sphere r = 3M, where nothing of the scene lies between: what moves inwards there never comes back.
+
+struct CaptureSphere {
+    center: Real3,
+    radius: Real,
+    // What its kind has besides a position, and its kind.
+    along: Real3,
+    kind: u32,
+}
+
+@group(0) @binding(61) var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
+
+fn law_captured(x: Real3, v: Real3) -> bool {
+    var captured = false;
+    for (var i = 0u; i < CAPTURE_COUNT; i++) {
+        work += 1u;
+        let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
+        captured = captured || (dot(d, d) < capture_spheres[i].radius * capture_spheres[i].radius && dot(d, v) < 0.0);
+    }
+    return captured;
+}
+
+// About the only centre.
+fn captured_within() -> Real {
+    return capture_spheres[0].radius;
+}
+
+// The outward normal and the signed distance of the nearest of the spheres.
+fn capture_gap(x: Real3) -> Real4 {
+    var nearest = Real4(0.0, 0.0, 0.0, 1e30);
+    for (var i = 0u; i < CAPTURE_COUNT; i++) {
+        work += 1u;
+        let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
+        let gap = length(d) - capture_spheres[i].radius;
+        if gap < nearest.w {
+            nearest = Real4(normalize(d), gap);
+        }
+    }
+    return nearest;
+}

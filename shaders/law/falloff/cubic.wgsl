@@ -1,0 +1,36 @@
+// Centres with the local fall-off d(r) = 2r³/R³ − 3r²/R² + 1 inside R, else 0 (G95 after Wyvill, W04 §5.2). d(0) = 1, so
+// the force turns at once from one side of the centre to the other: the scale stops shrinking at R/50, past which a step
+// sees the jump as the law has it.
+
+struct Cubic {
+    position: Real3,
+    strength: Real,
+    // What its kind has besides a position, and its kind.
+    along: Real3,
+    kind: u32,
+    radius: Real,
+}
+
+@group(0) @binding(62) var<uniform> cubic: array<Cubic, CUBIC_COUNT>;
+
+fn cubic_acceleration(x: Real3) -> Real3 {
+    var sum = Real3(0.0);
+    for (var i = 0u; i < CUBIC_COUNT; i++) {
+        work += 1u;
+        let d = anchor_offset(cubic[i].kind, x - cubic[i].position, cubic[i].along);
+        let r = length(d);
+        let q = min(r / cubic[i].radius, 1.0);
+        let unit = select(d / r, Real3(0.0), r == 0.0);
+        sum -= (cubic[i].strength * (q * q * (2.0 * q - 3.0) + 1.0)) * unit;
+    }
+    return sum;
+}
+
+fn cubic_distance(x: Real3) -> Real {
+    var nearest = FAR_AWAY;
+    for (var i = 0u; i < CUBIC_COUNT; i++) {
+        work += 1u;
+        nearest = min(nearest, max(length(anchor_offset(cubic[i].kind, x - cubic[i].position, cubic[i].along)), 0.02 * cubic[i].radius));
+    }
+    return nearest;
+}

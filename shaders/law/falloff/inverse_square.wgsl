@@ -1,0 +1,31 @@
+// Centres with d(r) = 1/r²: singular at the centre, where steps shrink until the ray is captured or stalls.
+
+struct InverseSquare {
+    position: Real3,
+    strength: Real,
+    // What its kind has besides a position, and its kind.
+    along: Real3,
+    kind: u32,
+}
+
+@group(0) @binding(63) var<uniform> inverse_square: array<InverseSquare, INVERSE_SQUARE_COUNT>;
+
+fn inverse_square_acceleration(x: Real3) -> Real3 {
+    var sum = Real3(0.0);
+    for (var i = 0u; i < INVERSE_SQUARE_COUNT; i++) {
+        work += 1u;
+        let d = anchor_offset(inverse_square[i].kind, x - inverse_square[i].position, inverse_square[i].along);
+        let r2 = dot(d, d);
+        sum -= (inverse_square[i].strength / (r2 * sqrt(r2))) * d;
+    }
+    return sum;
+}
+
+fn inverse_square_distance(x: Real3) -> Real {
+    var nearest = FAR_AWAY;
+    for (var i = 0u; i < INVERSE_SQUARE_COUNT; i++) {
+        work += 1u;
+        nearest = min(nearest, length(anchor_offset(inverse_square[i].kind, x - inverse_square[i].position, inverse_square[i].along)));
+    }
+    return nearest;
+}

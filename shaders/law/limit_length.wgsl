@@ -1,0 +1,16 @@
+// Paths end at a given tau (G95 limits the length of rays): the last step is shortened to it.
+
+struct Limit {
+    length: Real,
+}
+
+@group(0) @binding(66) var<uniform> limit: Limit;
+
+fn limited_step(h: Real, tau: Real) -> Real {
+    return min(h, limit.length - tau);
+}
+
+// A last step of a rounding error's size would move nothing.
+fn length_reached(tau: Real) -> bool {
+    return limit.length - tau <= LAST_PART * limit.length;
+}

@@ -1,5 +1,0 @@
-// A law that leaves a step's end as it is.
-
-fn law_settled(p: Phase) -> Phase {
-    return p;
-}

@@ -1,3 +1,0 @@
-// Numbers that hold in every precision.
-
-const PI = 3.14159265358979323846;

@@ -1,0 +1,31 @@
+// Exponential air: n = 1 + δ e^(−y/H), y the height over the origin.
+
+struct Medium {
+    origin: Real3,
+    up: Real3,
+    delta: Real,
+    height: Real,
+}
+
+@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+
+// n − 1.
+fn excess(x: Real3) -> Real {
+    let y = dot(x - media[place].origin, media[place].up);
+    return media[place].delta * real_exp(-y / media[place].height);
+}
+
+fn medium_index(x: Real3) -> Real {
+    return max(1.0 + excess(x), 0.0);
+}
+
+// ∇(n²/2).
+fn medium_pull(x: Real3) -> Real3 {
+    let more = excess(x);
+    return (-(1.0 + more) * more / media[place].height) * media[place].up;
+}
+
+// The length over which the index changes.
+fn medium_length(x: Real3) -> Real {
+    return media[place].height;
+}

@@ -1,0 +1,75 @@
+// Layered air after a measured profile: n by the height over the origin, a cubic between each two of its points, constant below
+// the first and above the last.
+
+struct Medium {
+    origin: Real3,
+    up: Real3,
+    // Its points in `profile`.
+    first: u32,
+    points: u32,
+}
+
+@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+
+// A point, and the cubic from there to the next: n + t (slope + t (bend + t twist)), t the height over the point.
+struct ProfilePoint {
+    height: Real,
+    n: Real,
+    slope: Real,
+    bend: Real,
+    twist: Real,
+}
+
+@group(0) @binding(72) var<storage, read> profile: array<ProfilePoint>;
+
+// The last of the points that is not above y, or the first; the last of all has no cubic.
+fn profile_piece(y: Real) -> u32 {
+    var low = media[place].first;
+    var high = low + media[place].points - 1u;
+    while high - low > 1u {
+        work += 1u;
+        let middle = (low + high) / 2u;
+        if profile[middle].height <= y {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+fn profile_height(x: Real3) -> Real {
+    return dot(x - media[place].origin, media[place].up);
+}
+
+// n and dn/dy.
+fn profile_index(x: Real3) -> Real2 {
+    let y = profile_height(x);
+    let low = profile[media[place].first];
+    let high = profile[media[place].first + media[place].points - 1u];
+    let point = profile[profile_piece(y)];
+    let t = y - point.height;
+    let n = point.n + t * (point.slope + t * (point.bend + t * point.twist));
+    let slope = point.slope + t * (2.0 * point.bend + 3.0 * t * point.twist);
+    let inside = select(Real2(high.n, 0.0), Real2(n, slope), y < high.height);
+    return select(Real2(low.n, 0.0), inside, y > low.height);
+}
+
+fn medium_index(x: Real3) -> Real {
+    return profile_index(x).x;
+}
+
+// ∇(n²/2).
+fn medium_pull(x: Real3) -> Real3 {
+    let n = profile_index(x);
+    return (n.x * n.y) * media[place].up;
+}
+
+// The length over which the index changes: between two points their distance, outside what is left to the first or last and theirs.
+fn medium_length(x: Real3) -> Real {
+    let y = profile_height(x);
+    let k = profile_piece(y);
+    let low = profile[k].height;
+    let high = profile[k + 1u].height;
+    return high - low + max(max(low - y, y - high), 0.0);
+}

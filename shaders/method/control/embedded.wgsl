@@ -1,0 +1,83 @@
+// Embedded pairs under a PI controller (Hairer, Nørsett, Wanner, Solving ODEs I, §II.4; Gustafsson 1991), with the names of their
+// DOPRI5: a step whose error exceeds the tolerance is tried again, shorter; the next size follows from this error and the
+// last one's; and h ≤ η · scale, without which a controller far from a hole sees flat space, grows, and jumps over it. A ray
+// that no try moves is stalled; or it has failed, if the shortest way on leads to where the law has no finite value.
+
+struct Control {
+    // Of the whole path's error: of positions over the law's length, of velocities over the speed.
+    tolerance: Real,
+    // h ≤ η · scale.
+    eta: Real,
+}
+
+@group(0) @binding(75) var<uniform> control: Control;
+
+// One step of an embedded pair.
+struct PairStep {
+    end: Phase,
+    // The difference of the two methods.
+    error: Phase,
+    // At the end: the next step's first.
+    rate: Phase,
+}
+
+const MAX_TRIES: u32 = 16u;
+const SAFETY: f32 = 0.9;
+// h shrinks to no less than FAC1 of itself, and grows to no more than FAC2.
+const FAC1: f32 = 0.2;
+const FAC2: f32 = 10.0;
+const BETA: f32 = 0.04;
+// What one step may have of the tolerance: a path has tens of steps and their errors add, so that the tolerance is about what the
+// whole path errs by where it does not diverge.
+const SHARE: Real = 0.1;
+
+// What the step is divided by. A factor needs no more digits than f32 has.
+fn error_factor(error: f32) -> f32 {
+    return pow(max(error, 1e-10), 1.0 / STEP_ORDER - 0.75 * BETA);
+}
+
+fn first_step(p: Phase) -> Real {
+    return control.eta * law_scale(p);
+}
+
+fn retaken_step(p: Phase, h: Real) -> Phase {
+    return law_projected(pair_step(p, law_derivative(p), h).end);
+}
+
+// The error in units of the tolerance.
+fn scaled_error(p: Phase, difference: Phase) -> f32 {
+    let error = length(difference[0].xyz) / law_scale(p) + length(difference[1].xyz);
+    return f32(error / (SHARE * control.tolerance * length(p[1].xyz)));
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    var next = ray;
+    var h = limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray.tau);
+    var longest = FAC2;
+    var lost = false;
+    next.taken = 0.0;
+    for (var tries = 0u; tries < MAX_TRIES; tries++) {
+        work += 1u;
+        let step = pair_step(ray.phase, ray.memory.rate, h);
+        let error = scaled_error(ray.phase, step.error);
+        let factor = error_factor(error);
+        if error <= 1.0 {
+            next.phase = opaque_phase(law_projected(step.end));
+            next.tau += h;
+            next.taken = opaque(h);
+            next.steps += 1u;
+            let pi = factor / pow(f32(ray.memory.error), BETA) / SAFETY;
+            next.memory.h = h * Real(min(1.0 / clamp(pi, 1.0 / FAC2, 1.0 / FAC1), longest));
+            next.memory.error = Real(max(error, 1e-4));
+            next.memory.rate = step.rate;
+            break;
+        }
+        next.rejected += 1u;
+        lost = lost || !finite_phase(step.end);
+        // Not a number is not less than anything either.
+        h *= Real(select(FAC1, max(FAC1, SAFETY / factor), error < 1e30));
+        // A step that follows a rejection does not grow.
+        longest = 1.0;
+    }
+    return failed_if(lost, ray, next);
+}

@@ -1,0 +1,13 @@
+// Steps of one size h, shorter where η · scale is less.
+
+struct Control {
+    step: Real,
+    // h ≤ η · scale.
+    eta: Real,
+}
+
+@group(0) @binding(75) var<uniform> control: Control;
+
+fn planned_step(p: Phase) -> Real {
+    return min(control.step, control.eta * law_scale(p));
+}

@@ -1,0 +1,28 @@
+// What an embedded pair remembers: the size of the step to try next, the error of the last accepted one (for the PI controller),
+// and the rate at its end, which is the next step's first ("first same as last"). The rate is not kept between passes: it is
+// the same function of the same state, evaluated again.
+
+struct Memory {
+    h: Real,
+    error: Real,
+    rate: Phase,
+}
+
+// Of the step before a path's first.
+const FIRST_ERROR: Real = 1e-4;
+
+fn first_memory(p: Phase) -> Memory {
+    return Memory(first_step(p), FIRST_ERROR, first_derivative(p));
+}
+
+fn load_memory(pixel: vec2u, h: Real, p: Phase) -> Memory {
+    return Memory(h, load_error(pixel), opaque_phase(first_derivative(p)));
+}
+
+fn slot_memory(slot: u32, pixel: vec2u, h: Real, p: Phase) -> Memory {
+    return Memory(h, slot_error(slot, pixel), opaque_phase(first_derivative(p)));
+}
+
+fn store_memory(pixel: vec2u, memory: Memory) {
+    put_error(pixel, memory.error);
+}

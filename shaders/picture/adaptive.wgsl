@@ -1,0 +1,55 @@
+// Adaptive sampling: what a pixel's samples so far say of it, which decides how many it takes.
+
+struct Moments {
+    // The samples' sum while the pixel is open, and its mean once it is done.
+    color: vec3f,
+    alpha: f32,
+    // Sums of the squared distances from the mean (Welford 1962).
+    squares: vec3f,
+    // How many rays the pixel has taken, with flags above.
+    state: u32,
+}
+
+// The pixel takes more samples.
+const OPEN: u32 = 0x80000000u;
+// The pixel took all samples that it may, and its mean is not good enough.
+const CAPPED: u32 = 0x40000000u;
+// The rays without the flags.
+const RAYS: u32 = 0x0000ffffu;
+
+@group(0) @binding(150) var<storage, read_write> moments: array<Moments>;
+
+fn place_in_tile(pixel: vec2u) -> u32 {
+    return pixel.y * frame.size.x + pixel.x;
+}
+
+// What a screen shows of linear light, from 0 to 1: exposure, tone map and the sRGB curve (IEC 61966-2-1), as in the PNG.
+fn displayed(c: vec3f) -> vec3f {
+    let x = clamp(tonemapped(max(c, vec3f(0.0)) * refinement.gain), vec3f(0.0), vec3f(1.0));
+    let bent = 1.055 * pow(max(x, vec3f(0.0031308)), vec3f(1.0 / 2.4)) - 0.055;
+    return select(bent, 12.92 * x, x <= vec3f(0.0031308));
+}
+
+// Sums run over the branches of one sample: samples are added up by pass/refine.wgsl, which needs each by itself.
+fn sum_begins() -> bool {
+    return frame.branch == 0u;
+}
+
+// Every pixel has the ray through its corner; samples after that are for those whose mean is not good enough yet.
+fn sample_wanted(pixel: vec2u) -> bool {
+    return frame.sample == 0u || (moments[place_in_tile(pixel)].state & OPEN) != 0u;
+}
+
+// How the ray through each pixel's top left corner ended, and on which object: what tells an edge from a gradient.
+@group(0) @binding(151) var corner_end: texture_storage_2d<r32uint, read_write>;
+
+fn keep_corner(pixel: vec2u, ray: Ray, seen: Seen) {
+    if frame.sample + frame.branch == 0u {
+        let code = select(ray.status, ESCAPED, ray.status == MISSED);
+        textureStore(corner_end, pixel, vec4u(code | (seen.object << 4u)));
+    }
+}
+
+fn load_corner(pixel: vec2u) -> u32 {
+    return textureLoad(corner_end, pixel).x;
+}

@@ -1,0 +1,16 @@
+// An equirectangular picture at infinity, seen from inside: -z in its middle, +x to the right of that, +y at the top.
+
+struct Sky {
+    intensity: f32,
+    image: u32,
+}
+
+@group(0) @binding(163) var<uniform> sky: Sky;
+
+fn sky_radiance(d: vec3f) -> vec3f {
+    let size = vec2f(image_size(sky.image));
+    let u = 0.5 + f32(arc_tangent(Real(d.x), Real(-d.z))) / (2.0 * PI);
+    let v = 0.5 - f32(arc_tangent(Real(d.y), Real(length(d.xz)))) / PI;
+    // The picture wraps round the poles' axis, not over the poles.
+    return sky.intensity * image_sample(sky.image, vec2f(u, clamp(v, 0.5 / size.y, 1.0 - 0.5 / size.y)), true);
+}

@@ -1,5 +1,0 @@
-// Closed forms have no rate.
-
-fn first_rate(p: Phase) -> Phase {
-    return p;
-}

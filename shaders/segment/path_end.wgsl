@@ -1,0 +1,110 @@
+// Where a path ends, found once per ray after all segments: on the surface, on the bounding sphere, at the horizon.
+
+// The last step of a path's last segment.
+struct LastStep {
+    phase: Phase,
+    tau: Real,
+    // Its size, in the measure that retaken_step takes.
+    h: Real,
+    end: Phase,
+    end_tau: Real,
+}
+
+// A point of a path, and the fraction of its segment that leads to it.
+struct PathPoint {
+    x: Real3,
+    v: Real3,
+    tau: Real,
+    fraction: Real,
+}
+
+// What a ray saw at its end.
+struct Seen {
+    end: PathPoint,
+    // What surfaces send back; black elsewhere.
+    color: vec3f,
+    normal: vec3f,
+    // 0 for none, else the object's place in the scene file, from 1.
+    object: u32,
+}
+
+// What a record says of it.
+struct Recorded {
+    end: PathPoint,
+    // 0 for none, else the object's place in the scene file, from 1.
+    object: u32,
+}
+
+const STOP_STEPS: u32 = 4u;
+
+// The outward normal and the signed distance of the sphere at which a ray that met nothing stops.
+fn open_gap(code: u32, x: Real3) -> Real4 {
+    let d = x - bound.center;
+    let r = length(d);
+    return select(capture_gap(x), Real4(d / r, r - bound.radius), code == ESCAPED);
+}
+
+// The step retaken so that it ends where the ray stops, by Newton's method. The curve's own point and direction would be off
+// by up to 3e-4.
+fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
+    var h = first_guess(code, hit, step);
+    var p = step.end;
+    var there = false;
+    for (var i = 0u; i <= STOP_STEPS; i++) {
+        work += 1u;
+        p = retaken_step(step.phase, h);
+        if there {
+            break;
+        }
+        let gap = stop_gap(code, hit, p[0].xyz);
+        let slope = dot(gap.xyz, p[1].xyz);
+        let steep = abs(slope) > 1e-3 * length(p[1].xyz);
+        let correction = select(0.0, gap.w / (slope * own_pace(p)), steep && i < STOP_STEPS);
+        h = clamp(h - correction, 0.0, step.h);
+        // Straight lines and leaps are there at once.
+        there = abs(correction) <= LAST_PART * step.h;
+    }
+    let tau = step.tau + own_tau(step.phase, p, h);
+    let far = departed(code, p[0].xyz, p[1].xyz);
+    return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
+}
+
+// Where the gap of a ray that met nothing vanishes if it is linear along the step; the step's end where it does not change its sign.
+fn secant_guess(code: u32, step: LastStep) -> Real {
+    let g0 = open_gap(code, step.phase[0].xyz).w;
+    let g1 = open_gap(code, step.end[0].xyz).w;
+    return select(step.h, step.h * g0 / (g0 - g1), (g0 < 0.0) != (g1 < 0.0));
+}
+
+// How far along v the line from the step's start leaves the bounding sphere.
+fn line_exit(p: Phase) -> Real {
+    let d = p[0].xyz - bound.center;
+    let v = p[1].xyz;
+    let vv = dot(v, v);
+    let b = dot(d, v) / vv;
+    let miss = d - b * v;
+    return sqrt(max(bound.radius * bound.radius - dot(miss, miss), 0.0) / vv) - b;
+}
+
+// A ray that first moves inwards comes nearer before it goes: there Newton's method would run back to where it came in.
+fn open_guess(code: u32, step: LastStep) -> Real {
+    let inwards = dot(step.phase[0].xyz - bound.center, step.phase[1].xyz) < 0.0;
+    return select(secant_guess(code, step), min(own_measure(step.phase, line_exit(step.phase)), step.h), code == ESCAPED && inwards);
+}
+
+// ray: the state at the start of its last segment, which is followed again, to its very end.
+fn path_end(ray: Ray, hit: Hit) -> PathPoint {
+    let x = ray.phase[0].xyz;
+    let v = ray.phase[1].xyz;
+    let unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
+    let nowhere = unfollowed || (ray.status == CAPTURED && law_captured(x, v));
+    if nowhere {
+        let far = departed(ray.status, x, v);
+        return PathPoint(far[0], far[1], ray.tau, 0.0);
+    }
+    let step = last_step(ray);
+    if stops_inside(ray.status) {
+        return stop_point(ray.status, hit, step);
+    }
+    return segment_end(ray, hit, step);
+}

@@ -1,0 +1,35 @@
+// Segments of every ray, with ended rays run along, for the comparison with masks: what runs on beside the ray that is kept is twice
+// the state. Where a ray may go on from a surface it waits there.
+
+fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
+    // What runs on: the same as long as the ray lives.
+    var path = *ray;
+    while *segments < schedule.segments && spot.valid && !may_scatter((*ray).status) {
+        work += 1u;
+        if work + schedule.segment_work > WORK_LIMIT {
+            break;
+        }
+        var next = path;
+        let segment = follow_segment(&next);
+        let hit = first_hit(segment, spot.pixel);
+        if walk_suspended() {
+            break;
+        }
+        let code = segment_status(segment, next.tau, path.index, hit);
+        clear_last_hit();
+        next.index += 1u;
+        *segments += 1u;
+        if (*ray).status == ALIVE {
+            (*ray).steps = next.steps;
+            (*ray).rejected = next.rejected;
+            (*ray).status = code;
+            if code == ALIVE {
+                *ray = next;
+            } else {
+                // As exact as the record of hits.
+                *end = Hit(Real(f32(hit.t)), hit.primitive);
+            }
+        }
+        path = next;
+    }
+}

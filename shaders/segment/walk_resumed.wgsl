@@ -1,0 +1,55 @@
+// A segment's walk over the scene's structure may need more iterations than one pass has: it stops where the work runs out, and a
+// later pass, which takes the same segment again, goes on from there. What is kept is the place in the structure that is next (the
+// walk's order is fixed), and the nearest hit so far.
+
+// A place, counted from 1; 0 is a walk that has not begun.
+@group(0) @binding(93) var walk: texture_storage_2d<r32uint, read_write>;
+
+// The place to go on from, counted from 1; 0 when the walk is complete.
+var<private> walk_place: u32;
+
+fn walk_begin() -> u32 {
+    return max(walk_place, 1u) - 1u;
+}
+
+// There is room for the next place, and for all that follows the walk.
+fn walk_has_room() -> bool {
+    return work + schedule.segment_work < WORK_LIMIT;
+}
+
+fn walk_stop(place: u32, done: bool) {
+    walk_place = select(place + 1u, 0u, done);
+}
+
+fn walked_hit(s: Segment, pixel: vec2u) -> Hit {
+    let pieces = segment_pieces(s);
+    let kept = textureLoad(walk, pixel).x;
+    var hit = Hit(Real(textureLoad(hit_t, pixel).x), textureLoad(hit_primitive, pixel).x);
+    if kept == 0u {
+        hit = listed_hit(s, pieces);
+    }
+    walk_place = kept;
+    hit = structure_hit(s, pieces, hit);
+    if walk_place != kept {
+        textureStore(walk, pixel, vec4u(walk_place));
+    }
+    if walk_suspended() {
+        textureStore(hit_t, pixel, vec4f(f32(hit.t)));
+        textureStore(hit_primitive, pixel, vec4u(hit.primitive));
+    }
+    return Hit(select(hit.t, 0.0, hit.primitive == NOTHING), hit.primitive);
+}
+
+fn walk_suspended() -> bool {
+    return walk_place != 0u;
+}
+
+// In the first of a segment's walks always, in the later ones only if it was suspended.
+fn walk_needed(pixel: vec2u) -> bool {
+    return dispatch.again == 0u || textureLoad(walk, pixel).x != 0u;
+}
+
+// After all of a segment's walks.
+fn walk_unfinished(pixel: vec2u) -> bool {
+    return textureLoad(walk, pixel).x != 0u;
+}

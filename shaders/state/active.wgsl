@@ -1,0 +1,61 @@
+// Which pixel an invocation works on, and the arguments of indirect dispatches.
+
+// Pixels of one workgroup.
+const GROUP: u32 = 64u;
+// How many of them lie side by side. Squares end together, and long rows are read ahead: which counts for more is known of the
+// device, so that the host may set another number.
+override GROUP_WIDTH: u32 = 8u;
+
+// Where an invocation stands in its dispatch.
+struct Invocation {
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+}
+
+struct Place {
+    // Always one of the tile's, so that nothing outside it is ever read.
+    pixel: vec2u,
+    // Invocations past the end of the work have no pixel of their own.
+    valid: bool,
+}
+
+struct ActiveList {
+    x: atomic<u32>,
+    y: atomic<u32>,
+    z: atomic<u32>,
+    count: atomic<u32>,
+}
+
+// A pixel in a pass over active rays, and the status of its ray.
+struct ActiveRay {
+    pixel: vec2u,
+    valid: bool,
+    alive: bool,
+    word: u32,
+    code: u32,
+    index: u32,
+}
+
+fn active_ray(own: Invocation) -> ActiveRay {
+    let spot = active_pixel(own);
+    let word = load_status(spot.pixel);
+    let code = status_code(word);
+    load_region(spot.pixel);
+    return ActiveRay(spot.pixel, spot.valid, spot.valid && code == ALIVE, word, code, status_index(word));
+}
+
+// Width and height of a workgroup.
+fn group_extent() -> vec2u {
+    return vec2u(GROUP_WIDTH, GROUP / GROUP_WIDTH);
+}
+
+// Which rays go on is told by keep_active(alive, pixel, lane) of this folder's other files. Every lane calls it, and it is a barrier
+// of the group: what its lanes have tallied before is complete behind it.
+
+// Of dispatches over the whole grid of pixels.
+fn grid_pixel(own: Invocation) -> Place {
+    let pixel = own.group.xy * group_extent() + vec2u(own.lane % GROUP_WIDTH, own.lane / GROUP_WIDTH);
+    let valid = all(pixel < frame.size);
+    return Place(select(vec2u(0u), pixel, valid), valid);
+}

@@ -1,0 +1,27 @@
+// Every pixel whose ray still lives (W04 §4.1's mask), over the whole grid of pixels; passes stop when none lives.
+
+@group(0) @binding(5) var<storage, read_write> active_out: ActiveList;
+
+var<workgroup> any_active: atomic<u32>;
+
+fn active_pixel(own: Invocation) -> Place {
+    return grid_pixel(own);
+}
+
+fn ray_wanted(code: u32) -> bool {
+    return code == ALIVE;
+}
+
+// The next segment's passes run over the whole grid if one ray lives, else over nothing.
+fn keep_active(alive: bool, pixel: vec2u, lane: u32) {
+    if alive {
+        atomicStore(&any_active, 1u);
+    }
+    workgroupBarrier();
+    if lane == 0u && atomicLoad(&any_active) == 1u {
+        let groups = (frame.size + group_extent() - 1u) / group_extent();
+        atomicMax(&active_out.x, groups.x);
+        atomicMax(&active_out.y, groups.y);
+        atomicMax(&active_out.z, 1u);
+    }
+}

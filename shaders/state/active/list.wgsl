@@ -1,0 +1,58 @@
+// A list of the active rays' pixels (compaction): passes run over it by indirect dispatch, so that ended rays cost nothing. Each
+// group counts its own active rays and takes room for all of them at once; the leader raises the next pass's group count. A round's
+// first segments need no list: nearly all of its rays live.
+
+struct ActiveRead {
+    x: u32,
+    y: u32,
+    z: u32,
+    count: u32,
+}
+
+@group(0) @binding(6) var<storage, read> active_in: ActiveRead;
+@group(0) @binding(5) var<storage, read_write> active_out: ActiveList;
+@group(0) @binding(7) var<storage, read> list_in: array<u32>;
+@group(0) @binding(8) var<storage, read_write> list_out: array<u32>;
+
+// Groups in one row of a dispatch: under the limit of 65,535 for any number of pixels.
+const ROW: u32 = 32768u;
+
+var<workgroup> group_active: atomic<u32>;
+var<workgroup> group_first: u32;
+
+fn active_pixel(own: Invocation) -> Place {
+    if dispatch.first == 1u && frame.listed == 0u {
+        return grid_pixel(own);
+    }
+    let i = (own.group.y * own.groups.x + own.group.x) * GROUP + own.lane;
+    let packed = list_in[min(i, arrayLength(&list_in) - 1u)];
+    let valid = i < active_in.count;
+    return Place(select(vec2u(0u), vec2u(packed & 0xffffu, packed >> 16u), valid), valid);
+}
+
+fn ray_wanted(code: u32) -> bool {
+    return code == ALIVE;
+}
+
+fn keep_active(alive: bool, pixel: vec2u, lane: u32) {
+    var mine = 0u;
+    if alive {
+        mine = atomicAdd(&group_active, 1u);
+    }
+    workgroupBarrier();
+    if lane == 0u {
+        let count = atomicLoad(&group_active);
+        if count > 0u {
+            let first = atomicAdd(&active_out.count, count);
+            let needed = (first + count + GROUP - 1u) / GROUP;
+            atomicMax(&active_out.x, min(needed, ROW));
+            atomicMax(&active_out.y, (needed + ROW - 1u) / ROW);
+            atomicMax(&active_out.z, 1u);
+            group_first = first;
+        }
+    }
+    workgroupBarrier();
+    if alive {
+        list_out[group_first + mine] = pixel.x | (pixel.y << 16u);
+    }
+}

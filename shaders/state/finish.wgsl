@@ -1,0 +1,40 @@
+// What passes over segments leave behind: the rays, and the counts of what was done. Called by every lane of the group.
+
+// After steps. before: the ray as the pass found it.
+fn finish_steps(spot: ActiveRay, before: Ray, ray: Ray, lane: u32) {
+    if spot.alive {
+        store_ray(spot.pixel, ray);
+        store_counts(spot.pixel, ray);
+        store_taken(spot.pixel, ray.taken);
+        tally_steps(ray.steps - before.steps);
+        tally_rejections(ray.rejected - before.rejected);
+    }
+    workgroupBarrier();
+    total_steps(lane);
+    total_rejections(lane);
+}
+
+// After whole segments. end: what the ray met, where it ended on a surface.
+fn finish_advance(spot: ActiveRay, before: Ray, ray: Ray, end: Hit, lane: u32) {
+    let lives = spot.alive && ray.status == ALIVE;
+    if spot.alive {
+        store_ray(spot.pixel, ray);
+        store_counts(spot.pixel, ray);
+        store_status(spot.pixel, status_word(ray.status, dispatch.end, ray.index));
+        if ends_on_surface(ray.status) {
+            store_hit(spot.pixel, end);
+        } else {
+            store_last_hit(spot.pixel, ray.index);
+        }
+        store_region(spot.pixel);
+        store_weight(spot.pixel);
+        store_branches(spot.pixel);
+        tally_steps(ray.steps - before.steps);
+        tally_segments(ray.index - before.index + u32(!lives));
+        tally_rejections(ray.rejected - before.rejected);
+    }
+    keep_active(lives, spot.pixel, lane);
+    total_steps(lane);
+    total_segments(lane);
+    total_rejections(lane);
+}

@@ -1,0 +1,65 @@
+// Both, without a stack and without noise: the whole path is followed anew for every leaf of its tree. Bit k of a pixel's code
+// says which ray is taken at the k-th branching: 0 transmits, 1 reflects. Codes are taken in the order of a depth-first walk:
+// the next one differs at the last branching whose reflected ray has not been followed, so that a tree of n leaves takes n
+// rounds, whatever its depth; with all of them followed, the pixel rests.
+
+struct Branching {
+    // Branchings along a path, at most.
+    depth: u32,
+}
+
+@group(0) @binding(130) var<uniform> branching: Branching;
+// The code, and above MET how many branchings the path has met.
+@group(0) @binding(131) var branches: texture_storage_2d<r32uint, read_write>;
+
+const MET: u32 = 24u;
+
+var<private> branch_code: u32;
+
+fn load_branches(pixel: vec2u) {
+    branch_code = textureLoad(branches, pixel).x;
+}
+
+fn store_branches(pixel: vec2u) {
+    textureStore(branches, pixel, vec4u(branch_code));
+}
+
+fn low_bits(n: u32) -> u32 {
+    return (1u << n) - 1u;
+}
+
+// The branchings of the last path whose reflected rays have not been followed.
+fn open_branches() -> u32 {
+    return ~branch_code & low_bits(branch_code >> MET);
+}
+
+fn branches_left(pixel: vec2u) -> bool {
+    load_branches(pixel);
+    return open_branches() != 0u;
+}
+
+// False where the pixel has no path left.
+fn begin_branches(pixel: vec2u) -> bool {
+    if frame.branch == 0u {
+        branch_code = 0u;
+        return true;
+    }
+    load_branches(pixel);
+    let open = open_branches();
+    if open == 0u {
+        return false;
+    }
+    let k = firstLeadingBit(open);
+    branch_code = (branch_code & low_bits(k)) | (1u << k);
+    return true;
+}
+
+fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
+    let met = branch_code >> MET;
+    if met >= branching.depth {
+        return Branch(false, 0.0, true);
+    }
+    branch_code += 1u << MET;
+    let reflects = ((branch_code >> met) & 1u) == 1u;
+    return Branch(reflects, select(1.0 - reflectance, reflectance, reflects), false);
+}

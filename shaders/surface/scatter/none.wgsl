@@ -1,0 +1,9 @@
+// Surfaces end the rays that meet them.
+
+fn may_scatter(code: u32) -> bool {
+    return false;
+}
+
+fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
+    return ray;
+}

@@ -1,0 +1,60 @@
+// From some surfaces rays go on: what met one is looked at, and where it is reflected or refracted, it is under way again.
+
+// What becomes of a ray at such a surface.
+struct Scattered {
+    v: Real3,
+    // What its weight is multiplied by.
+    weight: vec3f,
+    // It is followed no further.
+    cut: bool,
+    // False where the surface is opaque: there it ends.
+    continues: bool,
+}
+
+// Which of its two rays is followed where a surface both reflects and transmits.
+struct Branch {
+    reflects: bool,
+    // What the ray's weight is multiplied by.
+    weight: f32,
+    // It is followed no further.
+    cut: bool,
+}
+
+// A path whose weight has fallen this low adds nothing that a float of the picture could show.
+const DARK: f32 = 1e-8;
+
+fn may_scatter(code: u32) -> bool {
+    return code == HIT;
+}
+
+// ray: at the start of the segment that met the surface. It comes back under way from there, or with the status that ends it; HIT
+// where the surface is opaque, which `met` then names.
+fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
+    let end = path_end(ray, *met);
+    let surface = met_surface(met, end.x);
+    // A ray that ends here stays on the side that it came from.
+    let side = region_bits();
+    let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
+    var next = ray;
+    if !scattered.continues {
+        return next;
+    }
+    let weight = scale_weight(scattered.weight);
+    if scattered.cut || weight < DARK {
+        next.status = CUT;
+        enter_set(side);
+        return next;
+    }
+    if ray.index + 1u >= schedule.max_segments {
+        next.status = EXHAUSTED;
+        enter_set(side);
+        return next;
+    }
+    next.phase = opaque_phase(law_start(end.x, scattered.v));
+    next.tau = opaque(end.tau);
+    next.memory = first_memory(next.phase);
+    next.index += 1u;
+    next.status = ALIVE;
+    set_last_hit((*met).primitive);
+    return next;
+}

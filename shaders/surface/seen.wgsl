@@ -1,0 +1,28 @@
+// The surface that a ray hit, and the light it sends back. Normals face the viewer.
+
+fn seen_at(ray: Ray, pixel: vec2u) -> Seen {
+    let hit = load_hit(pixel);
+    let end = path_end(ray, hit);
+    if ray.status != HIT {
+        return Seen(end, vec3f(0.0), vec3f(0.0), 0u);
+    }
+    let surface = hit_surface(hit.primitive, end.x);
+    let view = vec3f(-normalize(end.v));
+    let across = vec3f(surface.across);
+    // Which side is seen is for the geometric normal to say; whether a mesh's triangles wind with its normals is not certain.
+    let seen_side = dot(across, view) * dot(across, surface.normal);
+    let normal = select(-surface.normal, surface.normal, seen_side >= 0.0);
+    let material = materials[surface.material];
+    let color = surface_radiance(material, pattern_color(material, surface.uv), vec3f(end.x), normal, view);
+    return Seen(end, color, normal, surface.object + 1u);
+}
+
+// Where the ray ended, and which object it hit.
+fn recorded_at(ray: Ray, pixel: vec2u) -> Recorded {
+    let hit = load_hit(pixel);
+    let end = path_end(ray, hit);
+    if ray.status != HIT {
+        return Recorded(end, 0u);
+    }
+    return Recorded(end, hit_surface(hit.primitive, end.x).object + 1u);
+}
