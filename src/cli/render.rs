@@ -9,12 +9,11 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::frames::{Film, Frames, path_of};
 use super::options::{DeviceFlags, Rays, SceneOptions, parse_bytes, parse_window};
-use crate::bench::StartUp;
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
-use crate::output::{ImageWriter, Settings, open};
+use crate::output::{FileSettings, ImageWriter, open};
 use crate::program::Layer;
-use crate::render::{self, RenderError, Renderer, Status, Totals, Window};
+use crate::render::{RenderError, Renderer, Settings, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
@@ -137,8 +136,8 @@ impl Arguments {
     }
 
     /// How the file at `path` is to be written; `metadata` is what it says of itself.
-    fn file_settings(&self, scene: &Scene, path: &Path, metadata: &[(String, String)]) -> Settings {
-        Settings {
+    fn file_settings(&self, scene: &Scene, path: &Path, metadata: &[(String, String)]) -> FileSettings {
+        FileSettings {
             size: scene.image.size,
             window: self.crop.unwrap_or(Window::whole(scene.image.size)),
             exposure: scene.output.exposure,
@@ -186,7 +185,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let gpu = arguments.device.open()?;
     launch.next();
     let settings = arguments.device.settings(arguments.layers(&scene));
-    let settings = render::Settings { memory: arguments.memory, window: arguments.crop, ..settings };
+    let settings = Settings { memory: arguments.memory, window: arguments.crop, ..settings };
     let Window { size: [width, height], .. } = arguments.crop.unwrap_or(Window::whole(scene.image.size));
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
     let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Camera(rays))?;
