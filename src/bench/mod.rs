@@ -28,7 +28,7 @@ pub use sampling::sampling;
 pub use scaling::scaling;
 pub use schedules::schedules;
 pub use shadow::{CRITICAL, shadow_edge};
-pub use start::{StartUp, start};
+pub use start::start;
 pub use times::Times;
 
 /// Where and how to measure.

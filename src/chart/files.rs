@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Point, SceneChart};
+use super::{MethodCurve, Point, SceneChart};
 use crate::output::OutputError;
 use crate::output::csv::{Row, Table};
 use crate::output::plot::{PrecisionPlot, Series, plot_precision};
@@ -86,7 +86,7 @@ fn known(error: f64) -> f64 {
 }
 
 fn plot(chart: &SceneChart, label: &str, cost: Cost) -> PrecisionPlot {
-    let curve = |curve: &super::Curve| Series {
+    let curve = |curve: &MethodCurve| Series {
         name: curve.name.to_owned(),
         points: curve.points.iter().map(|point| [known(point.found.seen.p95), cost(point)]).collect(),
     };

@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use crate::measure::Curve;
 use crate::model::shape::Sphere;
-use crate::output::plot::{Chart, Frame, PathLine, PathPlot, Series, Surface, SurfaceKind};
+use crate::output::plot::{Chart, CrossSection, PathLine, PathPlot, PlotRange, Series, SurfaceKind};
 use crate::render::PathPoint;
 use crate::scene::{CutPlane, Object, Substance, Transform};
 
@@ -140,8 +140,8 @@ pub fn spiral_plot<'n>(ratio: f64, psis: &[f64], names: &'n [String]) -> PathPlo
     let line = |(psi, name): (&f64, &'n String)| PathLine { curve: spiral(ratio, *psi), status: name };
     let place = Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::ZERO);
     let sphere = Object { shape: Arc::new(Sphere), transform: place, substance: Substance::Opaque(0) };
-    let surfaces = vec![Surface { kind: SurfaceKind::Medium, outlines: sphere.cut(&plane) }];
-    PathPlot { surfaces, frame: Frame::Objects, ..PathPlot::new(plane, psis.iter().zip(names).map(line).collect()) }
+    let surfaces = vec![CrossSection { kind: SurfaceKind::Medium, outlines: sphere.cut(&plane) }];
+    PathPlot { surfaces, range: PlotRange::Objects, ..PathPlot::new(plane, psis.iter().zip(names).map(line).collect()) }
 }
 
 /// r(θ) = S e^(θ tan ψ), by s in [0, 1] with ln r = ln S + s L and θ = s L cot ψ: a radial ray is no exception.

@@ -10,4 +10,4 @@ pub use formulas::{
     beer_chart, fresnel_chart, reflectance, refracted_sine, snell_chart, spiral_angle, spiral_chart, spiral_plot,
 };
 pub use stability::{Outcome, Place, default_settings};
-pub use sweep::{Curve, Point, SceneChart, Sweep};
+pub use sweep::{MethodCurve, Point, SceneChart, Sweep};

@@ -55,7 +55,7 @@ pub struct Point {
 
 /// A method over its settings, from coarse to fine.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
+pub struct MethodCurve {
     /// The method.
     pub name: &'static str,
     /// Its settings.
@@ -72,7 +72,7 @@ pub struct SceneChart {
     /// Rays whose error was measured, and those whose truth is not known.
     pub compared: [usize; 2],
     /// The methods.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<MethodCurve>,
 }
 
 /// The truth's tolerance.
@@ -106,7 +106,7 @@ impl Sweep<'_> {
         for candidate in all_methods(&scene).into_iter().filter(wanted) {
             progress(candidate.name);
             let points = self.method(&scene, &candidate, starts, &truth, &reference, &mut fastest)?;
-            curves.push(Curve { name: candidate.name, points });
+            curves.push(MethodCurve { name: candidate.name, points });
         }
         let rays = u64::from(scene.image.size[0]) * u64::from(scene.image.size[1]);
         let compared = [pixels.len() - truth.unresolved(), truth.unresolved()];
@@ -226,7 +226,7 @@ impl SceneChart {
 
     /// The fastest method and setting by which 95 of 100 rays err by at most `error`.
     #[must_use]
-    pub fn fastest(&self, error: f64) -> Option<(&Curve, &Point)> {
+    pub fn fastest(&self, error: f64) -> Option<(&MethodCurve, &Point)> {
         let all = self.curves.iter().flat_map(|curve| curve.points.iter().map(move |point| (curve, point)));
         all.filter(|(_, point)| point.found.seen.p95 <= error).min_by(|a, b| a.1.time.total_cmp(&b.1.time))
     }

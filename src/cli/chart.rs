@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::options::{SceneOptions, Schedule, choice};
+use super::options::{SceneOptions, choice, schedules};
 use crate::chart::{Outcome, Place, SceneChart, Sweep, default_settings, fastest_table, write_chart};
 use crate::error::Error;
 use crate::gpu::Gpu;
@@ -14,6 +14,7 @@ use crate::measure::{Candidate, all_methods};
 use crate::output::csv::read_rays;
 use crate::output::report::{ReportTable, Section, text_table, write_report};
 use crate::output::{AtomicFile, OutputError};
+use crate::program::Schedule;
 use crate::scene::Scene;
 
 /// Chart speed against accuracy: every method that a scene's law allows, over its settings
@@ -45,7 +46,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
     /// The schedule that is timed. In all but fused, scattering at surfaces has a pass of its own and is left out
-    #[arg(long, value_enum, default_value_t = Schedule::Fused)]
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
     schedule: Schedule,
     /// A method's curve ends at the setting that takes so many times the fastest method's time
     #[arg(long, value_name = "FACTOR", default_value_t = 300.0)]

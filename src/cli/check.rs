@@ -6,10 +6,10 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::frames::Film;
-use super::options::{SceneOptions, Schedule, choice};
+use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
 use crate::gpu::{Built, Geometry, Grid, memory};
-use crate::program::{Choice, Program};
+use crate::program::{Choice, Program, Schedule};
 use crate::scene::{Scene, reference_markdown};
 
 /// Validate scenes, and say what will be modelled: parts, passes, bytes per pixel
@@ -24,7 +24,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     changes: SceneOptions,
     /// The schedule to count passes and memory for
-    #[arg(long, value_enum, default_value_t = Schedule::Fused)]
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
     schedule: Schedule,
 }
 

@@ -1,12 +1,13 @@
 //! Options that several commands share.
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::gpu::{Gpu, GpuError};
 use crate::measure::{calibrate, calibrate_for};
-use crate::program::{Choice, Layer, Masks, Purpose};
+use crate::program::{Choice, Layer, Masks, Purpose, Schedule};
 use crate::render::{RenderError, Settings, Window};
-use crate::scene::{Override, Scene};
+use crate::scene::{Override, Precision, Scene};
 
 /// Changes to the scene's values.
 #[derive(Debug, Args)]
@@ -21,19 +22,25 @@ pub(super) struct SceneOptions {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: Option<u32>,
     /// Bits of the numbers that paths are followed in, instead of the scene's
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = one_of(Precision::ALL, Precision::name, Precision::meaning))]
     precision: Option<Precision>,
 }
 
-/// The precisions by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Precision {
-    /// 32 bits, kept in 16 between passes as in 2004
-    F16,
-    /// 32 bits
-    F32,
-    /// 64 bits, where the device has them
-    F64,
+/// Reads one of these by its name, and says in the help what each of them means.
+pub(super) fn one_of<T: Copy + Send + Sync + 'static>(
+    all: impl IntoIterator<Item = T>,
+    name: fn(T) -> &'static str,
+    meaning: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    let all: Vec<T> = all.into_iter().collect();
+    let words: Vec<_> = all.iter().map(|one| PossibleValue::new(name(*one)).help(meaning(*one))).collect();
+    let read = move |word: String| all.iter().copied().find(|one| name(*one) == word).ok_or("there is no such word");
+    PossibleValuesParser::new(words).try_map(read)
+}
+
+/// Reads the name of a schedule.
+pub(super) fn schedules() -> impl TypedValueParser<Value = Schedule> {
+    one_of(Schedule::ALL, Schedule::name, Schedule::meaning)
 }
 
 pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
@@ -71,14 +78,7 @@ impl SceneOptions {
     pub(super) fn overrides(&self) -> Vec<Override> {
         let size = self.size.map(|[w, h]| format!("image.size=[{w}, {h}]"));
         let samples = self.samples.map(|n| format!("image.samples={n}"));
-        let precision = self.precision.map(|precision| {
-            let name = match precision {
-                Precision::F16 => "f16",
-                Precision::F32 => "f32",
-                Precision::F64 => "f64",
-            };
-            format!("rays.precision=\"{name}\"")
-        });
+        let precision = self.precision.map(|precision| format!("rays.precision=\"{}\"", precision.name()));
         let own = size.into_iter().chain(samples).chain(precision).filter_map(|text| text.parse().ok());
         self.set.iter().cloned().chain(own).collect()
     }
@@ -92,7 +92,7 @@ pub(super) struct DeviceFlags {
     device: Option<String>,
     /// How the stages of a segment are cut into passes: all give the same picture. Without it fused, unless method = "auto"
     /// measures otherwise
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = schedules())]
     schedule: Option<Schedule>,
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
@@ -103,17 +103,6 @@ pub(super) struct DeviceFlags {
     /// K: segments of one fused pass. Without it, large pictures choose it by rendering themselves small
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
     segments_per_pass: Option<u32>,
-}
-
-/// The schedules by name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum Schedule {
-    /// One pass for every integration step, as in 2004
-    Paper,
-    /// One pass a stage a segment
-    Segment,
-    /// K segments with all their stages in one pass
-    Fused,
 }
 
 impl DeviceFlags {
@@ -184,10 +173,5 @@ impl DeviceFlags {
 
 /// A schedule with masks, for pictures without layers.
 pub(super) fn choice(schedule: Schedule) -> Choice {
-    let schedule = match schedule {
-        Schedule::Paper => crate::program::Schedule::Paper,
-        Schedule::Segment => crate::program::Schedule::Segment,
-        Schedule::Fused => crate::program::Schedule::Fused,
-    };
     Choice { schedule, masks: schedule.masks(), purpose: Purpose::Picture, layers: Vec::new() }
 }

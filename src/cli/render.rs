@@ -4,17 +4,17 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::TypedValueParser;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::frames::{Film, Frames, path_of};
-use super::options::{DeviceFlags, Rays, SceneOptions, parse_bytes, parse_window};
-use crate::bench::StartUp;
+use super::options::{DeviceFlags, Rays, SceneOptions, one_of, parse_bytes, parse_window};
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
-use crate::output::{ImageWriter, Settings, open};
+use crate::output::{FileSettings, ImageWriter, open};
 use crate::program::Layer;
-use crate::render::{self, RenderError, Renderer, Status, Totals, Window};
+use crate::render::{RenderError, Renderer, Settings, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
@@ -26,8 +26,8 @@ pub(super) struct Arguments {
     #[arg(short, long, required = true, value_name = "FILE")]
     output: Vec<PathBuf>,
     /// Layers of the EXR; all of them unless named, `samples` where sampling is adaptive
-    #[arg(long, value_enum, value_delimiter = ',', value_name = "LAYER")]
-    layers: Option<Vec<LayerName>>,
+    #[arg(long, value_parser = layers(), value_delimiter = ',', value_name = "LAYER")]
+    layers: Option<Vec<Option<Layer>>>,
     #[command(flatten)]
     changes: SceneOptions,
     #[command(flatten)]
@@ -51,39 +51,14 @@ pub(super) struct Arguments {
     strict: bool,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum LayerName {
-    /// Segments along the path, whole ones and a fraction
-    Depth,
-    /// Where the ray ended
-    Position,
-    /// The surface's normal
-    Normal,
-    /// The object, from 1; 0 for none
-    Object,
-    /// How the ray ended
-    Status,
-    /// Integration steps
-    Steps,
-    /// Rays that the pixel took
-    Samples,
-    /// No layers, only colour
-    None,
-}
-
-impl LayerName {
-    fn layer(self) -> Option<Layer> {
-        Some(match self {
-            Self::Depth => Layer::Depth,
-            Self::Position => Layer::Position,
-            Self::Normal => Layer::Normal,
-            Self::Object => Layer::Object,
-            Self::Status => Layer::Status,
-            Self::Steps => Layer::Steps,
-            Self::Samples => Layer::Samples,
-            Self::None => return None,
-        })
-    }
+/// The layers that can be asked for, and none.
+fn layers() -> impl TypedValueParser<Value = Option<Layer>> {
+    let all = Layer::ALL.into_iter().map(Some).chain([None]);
+    one_of(
+        all,
+        |layer| layer.map_or("none", Layer::name),
+        |layer| layer.map_or("No layers, only colour", Layer::meaning),
+    )
 }
 
 fn is_exr(path: &Path) -> bool {
@@ -137,8 +112,8 @@ impl Arguments {
     }
 
     /// How the file at `path` is to be written; `metadata` is what it says of itself.
-    fn file_settings(&self, scene: &Scene, path: &Path, metadata: &[(String, String)]) -> Settings {
-        Settings {
+    fn file_settings(&self, scene: &Scene, path: &Path, metadata: &[(String, String)]) -> FileSettings {
+        FileSettings {
             size: scene.image.size,
             window: self.crop.unwrap_or(Window::whole(scene.image.size)),
             exposure: scene.output.exposure,
@@ -156,10 +131,9 @@ impl Arguments {
         if !self.output.iter().any(|path| is_exr(path)) {
             return Vec::new();
         }
-        let wanted: Option<Vec<Layer>> =
-            self.layers.as_ref().map(|names| names.iter().filter_map(|name| name.layer()).collect());
         let usual = |layer: Layer| layer != Layer::Samples || scene.image.adaptive.is_some();
-        let keeps = |layer: &Layer| wanted.as_ref().map_or_else(|| usual(*layer), |wanted| wanted.contains(layer));
+        let keeps =
+            |layer: &Layer| self.layers.as_ref().map_or_else(|| usual(*layer), |wanted| wanted.contains(&Some(*layer)));
         Layer::ALL.into_iter().filter(keeps).collect()
     }
 }
@@ -186,7 +160,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let gpu = arguments.device.open()?;
     launch.next();
     let settings = arguments.device.settings(arguments.layers(&scene));
-    let settings = render::Settings { memory: arguments.memory, window: arguments.crop, ..settings };
+    let settings = Settings { memory: arguments.memory, window: arguments.crop, ..settings };
     let Window { size: [width, height], .. } = arguments.crop.unwrap_or(Window::whole(scene.image.size));
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
     let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Camera(rays))?;

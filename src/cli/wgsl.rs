@@ -5,10 +5,10 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::options::{SceneOptions, Schedule, choice};
+use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
 use crate::gpu::Geometry;
-use crate::program::Program;
+use crate::program::{Program, Schedule};
 use crate::scene::Scene;
 
 /// Print the linked program of a scene, pass by pass, with the part's file over each piece
@@ -22,7 +22,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     changes: SceneOptions,
     /// The schedule to link for
-    #[arg(long, value_enum, default_value_t = Schedule::Fused)]
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
     schedule: Schedule,
 }
 

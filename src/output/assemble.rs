@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::exr::ExrWriter;
 use super::part::Part;
-use super::{ImageWriter, OutputError, Settings};
+use super::{FileSettings, ImageWriter, OutputError};
 use crate::render::Window;
 
 /// Rows of the whole that are written at once: enough blocks for all cores.
@@ -29,7 +29,7 @@ pub fn assemble(parts: &[PathBuf], output: &Path) -> Result<(), OutputError> {
         );
         return Err(OutputError::Part { path: output.to_owned(), problem });
     }
-    let settings = Settings { window: Window::whole(size), ..first.settings.clone() };
+    let settings = FileSettings { window: Window::whole(size), ..first.settings.clone() };
     let mut writer = Box::new(ExrWriter::create(output, &settings)?);
     let samples = first.row_bytes / SAMPLE_BYTES / windows[0].size[0] as usize;
     let row_bytes = SAMPLE_BYTES * samples * size[0] as usize;
@@ -86,7 +86,7 @@ fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
 }
 
 /// What a picture says of itself under a key.
-fn text<'a>(settings: &'a Settings, key: &str) -> Option<&'a str> {
+fn text<'a>(settings: &'a FileSettings, key: &str) -> Option<&'a str> {
     settings.metadata.iter().find_map(|(own, text)| (own == key).then_some(text.as_str()))
 }
 

@@ -28,7 +28,7 @@ use ::exr::{
 };
 
 use super::band::{Rows, channels as channels_of, components, is_id};
-use super::{AtomicFile, ImageWriter, OutputError, Settings};
+use super::{AtomicFile, FileSettings, ImageWriter, OutputError};
 use crate::program::Layer;
 use crate::render::Band;
 
@@ -49,7 +49,7 @@ pub struct ExrWriter {
 
 impl ExrWriter {
     /// Begins an EXR at `path`; exposure, tone map and bits are not used.
-    pub fn create(path: &Path, settings: &Settings) -> Result<Self, OutputError> {
+    pub fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
         let layers = sorted_layers(settings);
         let rows = Rows::new(path.to_owned(), settings.window.size, settings.alpha, layers);
         let header = header(settings);
@@ -169,7 +169,7 @@ fn compress(header: &Header, index: usize, rows: usize, data: &[u8]) -> Result<C
 }
 
 /// The header of a file that holds what the settings say.
-pub(super) fn header(settings: &Settings) -> Header {
+pub(super) fn header(settings: &FileSettings) -> Header {
     let size = |[width, height]: [u32; 2]| Vec2(width as usize, height as usize);
     let mut names: Vec<(&str, SampleType)> = ["R", "G", "B"].map(|c| (c, SampleType::F32)).into();
     if settings.alpha {
@@ -190,7 +190,7 @@ pub(super) fn header(settings: &Settings) -> Header {
         .with_shared_attributes(ImageAttributes { other, ..ImageAttributes::with_size(size(settings.size)) })
 }
 
-fn sorted_layers(settings: &Settings) -> Vec<Layer> {
+fn sorted_layers(settings: &FileSettings) -> Vec<Layer> {
     let mut layers = settings.layers.clone();
     layers.sort_unstable();
     layers.dedup();

@@ -35,7 +35,7 @@ use crate::scene::Tonemap;
 
 /// How a picture is to be written.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Settings {
+pub struct FileSettings {
     /// Width and height of the whole picture in pixels, neither zero.
     pub size: [u32; 2],
     /// The part of it that the file holds: a PNG forgets where that was, an EXR has it as its data window.
@@ -55,7 +55,7 @@ pub struct Settings {
     pub metadata: Vec<(String, String)>,
 }
 
-impl Settings {
+impl FileSettings {
     /// Eight bits of plain colour: no exposure, tone map, alpha, layers or metadata.
     #[must_use]
     pub fn new(size: [u32; 2]) -> Self {
@@ -113,7 +113,7 @@ pub trait ImageWriter: Send {
 }
 
 /// Starts a picture at `path`, in the format its extension names: `.png` or `.exr`.
-pub fn open(path: &Path, settings: &Settings) -> Result<Box<dyn ImageWriter>, OutputError> {
+pub fn open(path: &Path, settings: &FileSettings) -> Result<Box<dyn ImageWriter>, OutputError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     let setting = |problem| OutputError::Setting { path: path.to_owned(), problem };
     if let Some(problem) = settings.problem() {

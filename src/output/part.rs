@@ -24,7 +24,7 @@ use ::exr::{
 
 use super::band::channels as channels_of;
 use super::exr::{header as header_of, row_bytes};
-use super::{OutputError, Settings};
+use super::{FileSettings, OutputError};
 use crate::program::Layer;
 use crate::render::Window;
 
@@ -34,7 +34,7 @@ type Blocks = SequentialBlockDecompressor<AllChunksReader<BufReader<File>>>;
 pub struct Part {
     pub path: PathBuf,
     /// What it would be written with.
-    pub settings: Settings,
+    pub settings: FileSettings,
     /// Bytes of one of its rows.
     pub row_bytes: usize,
     reading: Option<Reading>,
@@ -109,7 +109,7 @@ fn reader(path: &Path) -> Result<block::reader::Reader<BufReader<File>>, OutputE
 }
 
 /// The settings that a file like this is written with; none where it is none of ours.
-fn settings(header: &Header) -> Option<Settings> {
+fn settings(header: &Header) -> Option<FileSettings> {
     let IntegerBounds { position, size } = header.shared_attributes.display_window;
     let at = header.own_attributes.layer_position;
     let whole = |size: ::exr::math::Vec2<usize>| Some([u32::try_from(size.0).ok()?, u32::try_from(size.1).ok()?]);
@@ -122,12 +122,12 @@ fn settings(header: &Header) -> Option<Settings> {
     }
     metadata.sort();
     (position.0 == 0 && position.1 == 0).then_some(())?;
-    Some(Settings {
+    Some(FileSettings {
         window: Window { origin, size: whole(header.layer_size)? },
         alpha: has(&"A"),
         layers: Layer::ALL.into_iter().filter(|layer| channels_of(*layer).iter().all(has)).collect(),
         metadata,
-        ..Settings::new(whole(size)?)
+        ..FileSettings::new(whole(size)?)
     })
 }
 

@@ -12,7 +12,7 @@ use std::{
 
 use ::png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, StreamWriter};
 
-use super::{AtomicFile, ImageWriter, OutputError, Settings, band::Rows, color::display};
+use super::{AtomicFile, FileSettings, ImageWriter, OutputError, band::Rows, color::display};
 use crate::render::Band;
 use crate::scene::Tonemap;
 
@@ -46,7 +46,7 @@ impl Write for Outbox {
 
 impl PngWriter {
     /// Begins a PNG at `path`; layers are refused, since it has no place for them.
-    pub fn create(path: &Path, settings: &Settings) -> Result<Self, OutputError> {
+    pub fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
         if let Some(problem) = problem(settings) {
             return Err(OutputError::Setting { path: path.to_owned(), problem });
         }
@@ -108,7 +108,7 @@ fn drain(encoded: &Receiver<Vec<u8>>, file: &mut AtomicFile) -> Result<(), Outpu
     encoded.try_iter().try_for_each(|bytes| file.write_all(&bytes)).map_err(|e| file.failed(e))
 }
 
-fn problem(settings: &Settings) -> Option<String> {
+fn problem(settings: &FileSettings) -> Option<String> {
     if !matches!(settings.bits, 8 | 16) {
         return Some(format!("a PNG has 8 or 16 bits per channel, not {}", settings.bits));
     }
@@ -122,7 +122,7 @@ fn problem(settings: &Settings) -> Option<String> {
         .then(|| "a PNG holds only colour; write an .exr for the layers, or leave them out".into())
 }
 
-fn encoder(outbox: Outbox, settings: &Settings) -> Result<StreamWriter<'static, Outbox>, EncodingError> {
+fn encoder(outbox: Outbox, settings: &FileSettings) -> Result<StreamWriter<'static, Outbox>, EncodingError> {
     let [width, height] = settings.window.size;
     let mut encoder = Encoder::new(outbox, width, height);
     encoder.set_color(if settings.alpha { ColorType::Rgba } else { ColorType::Rgb });

@@ -32,6 +32,16 @@ impl Schedule {
             Self::Fused => "fused",
         }
     }
+
+    /// In a few words.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Paper => "One pass for every integration step, as in 2004",
+            Self::Segment => "One pass a stage a segment",
+            Self::Fused => "K segments with all their stages in one pass",
+        }
+    }
 }
 
 /// Which pixels the passes over segments run over. All give the same picture.
@@ -149,6 +159,21 @@ impl Layer {
             Self::Steps => "steps",
             Self::Samples => "samples",
             Self::Way => "way",
+        }
+    }
+
+    /// In a few words.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Depth => "Segments along the path, whole ones and a fraction",
+            Self::Position => "Where the ray ended",
+            Self::Normal => "The surface's normal",
+            Self::Object => "The object, from 1; 0 for none",
+            Self::Status => "How the ray ended",
+            Self::Steps => "Integration steps",
+            Self::Samples => "Rays that the pixel took",
+            Self::Way => "Where the ray was going at its end",
         }
     }
 }

@@ -109,3 +109,28 @@ pub enum Precision {
     /// 64, where the device has them.
     Double,
 }
+
+impl Precision {
+    /// All, from the fewest bits to the most.
+    pub const ALL: [Self; 3] = [Self::Half, Self::Single, Self::Double];
+
+    /// As users write it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Half => "f16",
+            Self::Single => "f32",
+            Self::Double => "f64",
+        }
+    }
+
+    /// In a few words.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Half => "32 bits, kept in 16 between passes as in 2004",
+            Self::Single => "32 bits",
+            Self::Double => "64 bits, where the device has them",
+        }
+    }
+}

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::measure::{Curve, Focus, focus, windings};
 use crate::model::Landmark;
 use crate::model::cut::sphere_in_plane;
-use crate::output::plot::{Frame, PathLine, PathPlot, Surface, SurfaceKind, plot_paths};
+use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKind, plot_paths};
 use crate::render::{PathPoint, Status};
 use crate::scene::{CutPlane, Scene};
 
@@ -25,7 +25,7 @@ pub(super) struct DiagramOptions {
     /// The part of it that is shown: "[left, right, bottom, top]" in scene units, objects (their box and half of it more) or all
     /// (every path and the bounding sphere). Without it objects, if the plane crosses any
     #[arg(long, value_name = "FRAME", value_parser = parse_frame)]
-    frame: Option<Frame>,
+    frame: Option<PlotRange>,
     /// Find and mark where the rays of each fan, bundle or file come closest together, and by how much they miss each other there
     #[arg(long)]
     pub focus: bool,
@@ -73,12 +73,12 @@ impl Cut {
     }
 }
 
-fn parse_frame(text: &str) -> Result<Frame, String> {
+fn parse_frame(text: &str) -> Result<PlotRange, String> {
     match text.trim() {
-        "all" => Ok(Frame::All),
-        "objects" => Ok(Frame::Objects),
+        "all" => Ok(PlotRange::All),
+        "objects" => Ok(PlotRange::Objects),
         _ => match numbers(text) {
-            Some(sides @ [left, right, bottom, top]) if left < right && bottom < top => Ok(Frame::Given(sides)),
+            Some(sides @ [left, right, bottom, top]) if left < right && bottom < top => Ok(PlotRange::Given(sides)),
             Some(_) => Err(format!("`{text}`: left must be less than right, and bottom less than top")),
             None => Err(format!("`{text}`: expected all, objects, or four numbers [left, right, bottom, top]")),
         },
@@ -132,9 +132,9 @@ impl Diagram<'_> {
         let turns = self.options.windings.map(|about| (about, self.turns(about)));
         let Some(path) = plot else { return Ok(()) };
         let surfaces = surfaces(scene, &self.plane);
-        let frame = self.options.frame.unwrap_or(Frame::Objects);
+        let range = self.options.frame.unwrap_or(PlotRange::Objects);
         let bound = Some((scene.rays.bound.center, scene.rays.bound.radius));
-        let plot = PathPlot { frame, surfaces, bound, foci, windings: turns, ..PathPlot::new(self.plane, self.lines) };
+        let plot = PathPlot { range, surfaces, bound, foci, windings: turns, ..PathPlot::new(self.plane, self.lines) };
         Ok(plot_paths(path, &plot)?)
     }
 
@@ -194,14 +194,14 @@ fn plane_of(lines: &[PathLine]) -> CutPlane {
 }
 
 /// What of a scene crosses the plane, the filled first.
-fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<Surface> {
+fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<CrossSection> {
     let objects = scene.objects.iter().map(|object| {
         let kind = if object.interior().is_some() { SurfaceKind::Medium } else { SurfaceKind::Opaque };
-        Surface { kind, outlines: object.cut(plane) }
+        CrossSection { kind, outlines: object.cut(plane) }
     });
     let landmark = |landmark: Landmark| {
         let outline = sphere_in_plane(landmark.center, landmark.radius, plane)?;
-        Some(Surface { kind: SurfaceKind::Landmark(landmark.name), outlines: vec![outline] })
+        Some(CrossSection { kind: SurfaceKind::Landmark(landmark.name), outlines: vec![outline] })
     };
     let landmarks = scene.law.landmarks().into_iter().filter_map(landmark);
     landmarks.chain(objects).filter(|surface| !surface.outlines.is_empty()).collect()

@@ -152,7 +152,7 @@ impl OwnLaw {
                 // Writing to a String cannot fail.
                 let _ = writeln!(text, "    {name}: {ty},");
             }
-            text += "}\n\n@group(0) @binding(60) var<uniform> law: Law;\n";
+            text += "}\n\n@group(0) @binding(67) var<uniform> law: Law;\n";
         }
         text
     }

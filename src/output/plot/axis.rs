@@ -4,8 +4,6 @@
 
 use std::ops::Range;
 
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
-
 /// Ticks that an axis has about.
 const TICKS: f64 = 7.0;
 /// How far the range goes beyond the data, in parts of its width.
@@ -47,40 +45,17 @@ impl Axis {
         self.range = middle - span / 2.0..middle + span / 2.0;
     }
 
-    fn ticks(&self) -> Vec<f64> {
+    /// Where the ticks are, and what stands beside them.
+    pub fn ticks(&self) -> Vec<(f64, String)> {
         if !self.log {
-            return linear_ticks(&self.range);
+            return linear_ticks(&self.range).into_iter().map(|at| (at, number(at))).collect();
         }
-        let ticks = log_ticks(&self.range);
-        if ticks.len() >= 2 {
-            return ticks;
+        let mut ticks = log_ticks(&self.range);
+        if ticks.len() < 2 {
+            let values = 10f64.powf(self.range.start)..10f64.powf(self.range.end);
+            ticks = linear_ticks(&values).into_iter().map(f64::log10).collect();
         }
-        let values = 10f64.powf(self.range.start)..10f64.powf(self.range.end);
-        linear_ticks(&values).into_iter().map(f64::log10).collect()
-    }
-}
-
-impl Ranged for Axis {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, pixels: (i32, i32)) -> i32 {
-        let part = (value - self.range.start) / self.span();
-        pixels.0 + (part * f64::from(pixels.1 - pixels.0)).round() as i32
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
-        self.ticks()
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.range.clone()
-    }
-}
-
-impl ValueFormatter<f64> for Axis {
-    fn format_ext(&self, at: &f64) -> String {
-        number(if self.log { 10f64.powf(*at) } else { *at })
+        ticks.into_iter().map(|at| (at, number(10f64.powf(at)))).collect()
     }
 }
 

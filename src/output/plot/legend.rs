@@ -1,18 +1,18 @@
 //! The legend: a column beside the plot, with a line for each series.
 
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use kurbo::Point;
 
-use super::{Area, CANVAS, Drawn, LABEL_SIZE, MARGIN, style::Look, write};
+use super::canvas::{Align, CANVAS, Canvas, text_width};
+use super::style::Look;
 
-const ANCHOR: Pos = Pos { h_pos: HPos::Left, v_pos: VPos::Center };
-const ROW_HEIGHT: i32 = 44;
+/// Empty room around the plot and the legend in pixels.
+pub(super) const MARGIN: f64 = 30.0;
+const ROW_HEIGHT: f64 = 44.0;
 /// Length of the sample of line before a name.
-const SAMPLE: i32 = 90;
-const GAP: i32 = 14;
-/// Width of a character in parts of the font size, about: the library has no font to measure.
-const CHARACTER: f64 = 0.56;
+const SAMPLE: f64 = 90.0;
+const GAP: f64 = 14.0;
 /// Rows that fit between the margins.
-const ROWS: usize = ((CANVAS.1 - 2 * MARGIN) / ROW_HEIGHT as u32) as usize;
+const ROWS: usize = ((CANVAS[1] as f64 - 2.0 * MARGIN) / ROW_HEIGHT) as usize;
 /// Characters of a line that are shown, at most.
 const LONGEST: usize = 28;
 
@@ -36,40 +36,32 @@ impl Legend {
         }
     }
 
-    /// The width of the column in pixels; none if there is nothing to say.
-    pub fn width(&self) -> u32 {
-        let names = self.entries.iter().map(|(name, _)| text_width(name) + SAMPLE + GAP);
-        let notes = self.notes.iter().map(|note| text_width(note));
-        let widest = names.chain(notes).max();
-        widest.map_or(0, |w| w as u32 + MARGIN)
+    /// Where the column begins, in pixels; the canvas's edge if there is nothing to say.
+    pub fn left(&self) -> f64 {
+        let names = self.entries.iter().map(|(name, _)| text_width(&shortened(name)) + SAMPLE + GAP);
+        let notes = self.notes.iter().map(|note| text_width(&shortened(note)));
+        let widest = names.chain(notes).reduce(f64::max);
+        f64::from(CANVAS[0]) - widest.map_or(0.0, |width| width.ceil() + MARGIN)
     }
 
     /// Draws the column at the right edge of the canvas.
-    pub fn draw(&self, canvas: &Area) -> Drawn<()> {
-        let left = (CANVAS.0 - self.width()).cast_signed();
-        let mut y = MARGIN.cast_signed() + ROW_HEIGHT / 2;
+    pub fn draw(&self, canvas: &mut Canvas) {
+        let mut at = Point::new(self.left(), MARGIN + ROW_HEIGHT / 2.0);
         let room = ROWS - self.notes.len();
         let crowded = self.entries.len() > room;
         let shown = if crowded { room - 1 } else { self.entries.len() };
         for (name, look) in &self.entries[..shown] {
-            look.stroke(canvas, vec![(left, y), (left + SAMPLE, y)])?;
-            look.mark(canvas, (left + SAMPLE / 2, y))?;
-            write(canvas, &shortened(name), (left + SAMPLE + GAP, y), ANCHOR)?;
-            y += ROW_HEIGHT;
+            look.join(canvas, [at, at + (SAMPLE, 0.0)]);
+            look.mark(canvas, at + (SAMPLE / 2.0, 0.0));
+            canvas.write(&shortened(name), at + (SAMPLE + GAP, 0.0), Align::Start);
+            at.y += ROW_HEIGHT;
         }
         let rest = crowded.then(|| format!("and {} more", self.entries.len() - shown));
         for line in rest.iter().chain(&self.notes) {
-            write(canvas, &shortened(line), (left, y), ANCHOR)?;
-            y += ROW_HEIGHT;
+            canvas.write(&shortened(line), at, Align::Start);
+            at.y += ROW_HEIGHT;
         }
-        Ok(())
     }
-}
-
-/// The width of a line in pixels, about.
-pub(super) fn text_width(line: &str) -> i32 {
-    let characters = line.chars().count().min(LONGEST) as f64;
-    (characters * CHARACTER * f64::from(LABEL_SIZE)).ceil() as i32
 }
 
 fn shortened(line: &str) -> String {

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use super::{
-    Area, Drawn, OutputError,
-    axis::{Axis, place},
-    frame,
-    legend::Legend,
-    save,
-    style::{Look, Place},
-};
+use kurbo::Point;
+
+use super::axis::{Axis, place};
+use super::canvas::Canvas;
+use super::legend::Legend;
+use super::sheet::Sheet;
+use super::style::Look;
+use crate::output::OutputError;
 
 /// Markers on a line, at most: more would hide its dashes.
 const MARKS: usize = 20;
@@ -41,34 +41,37 @@ pub struct Series {
     pub points: Vec<[f64; 2]>,
 }
 
+impl Series {
+    /// The points in plot coordinates, if they have any.
+    pub(super) fn placed(&self, [log_x, log_y]: [bool; 2]) -> Vec<Option<[f64; 2]>> {
+        self.points.iter().map(|[x, y]| Some([place(*x, log_x)?, place(*y, log_y)?])).collect()
+    }
+}
+
 /// Draws a chart at `path`, as SVG or PNG by its extension.
 pub fn plot_lines(path: &Path, chart: &Chart) -> Result<(), OutputError> {
-    let placed: Vec<Vec<_>> =
-        chart.series.iter().map(|s| s.points.iter().map(|p| place_on(chart, *p)).collect()).collect();
+    let placed: Vec<_> = chart.series.iter().map(|series| series.placed([chart.log_x, chart.log_y])).collect();
     let all = || placed.iter().flatten().flatten();
-    let x = Axis::around(&chart.x_label, chart.log_x, all().map(|p| p[0]));
-    let y = Axis::around(&chart.y_label, chart.log_y, all().map(|p| p[1]));
     let missing = placed.iter().flatten().filter(|p| p.is_none()).count();
-    let legend = Legend::of(chart.series.iter().map(|s| &s.name), missing);
-    save(path, &legend, |canvas, area| {
-        let plot = frame(area, &chart.title, &x, &y)?;
+    let sheet = Sheet {
+        title: &chart.title,
+        x: Axis::around(&chart.x_label, chart.log_x, all().map(|p| p[0])),
+        y: Axis::around(&chart.y_label, chart.log_y, all().map(|p| p[1])),
+        legend: &Legend::of(chart.series.iter().map(|s| &s.name), missing),
+    };
+    sheet.save(path, |canvas| {
         for (i, line) in placed.iter().enumerate() {
-            let on_canvas: Vec<_> = line.iter().map(|p| p.map(|p| plot.backend_coord(&p.into()))).collect();
-            draw(canvas, &on_canvas, Look::of(i))?;
+            let line: Vec<_> = line.iter().map(|p| p.map(|p| sheet.at(p))).collect();
+            draw_line(canvas, &line, Look::of(i));
+            let every = line.len().div_ceil(MARKS).max(1);
+            line.iter().step_by(every).flatten().for_each(|at| Look::of(i).mark(canvas, *at));
         }
-        Ok(())
     })
 }
 
-/// A point in plot coordinates, if it has any.
-fn place_on(chart: &Chart, [x, y]: [f64; 2]) -> Option<[f64; 2]> {
-    Some([place(x, chart.log_x)?, place(y, chart.log_y)?])
-}
-
-fn draw(canvas: &Area, line: &[Option<Place>], look: Look) -> Drawn<()> {
+/// Draws a line that is broken where there is no place.
+pub(super) fn draw_line(canvas: &mut Canvas, line: &[Option<Point>], look: Look) {
     for part in line.split(Option::is_none) {
-        look.stroke(canvas, part.iter().copied().flatten().collect())?;
+        look.join(canvas, part.iter().copied().flatten());
     }
-    let every = line.len().div_ceil(MARKS).max(1);
-    line.iter().step_by(every).flatten().try_for_each(|at| look.mark(canvas, *at))
 }

@@ -6,22 +6,22 @@
 
 use std::path::Path;
 
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use kurbo::Point;
 
-use super::{
-    Area, Drawn, OutputError, Plot, Series,
-    axis::{Axis, place},
-    frame,
-    legend::{Legend, text_width},
-    save,
-    style::{Look, Place},
-    write,
-};
+use super::axis::{Axis, place};
+use super::canvas::{Align, Canvas, TEXT_SIZE, text_width};
+use super::legend::Legend;
+use super::lines::{Series, draw_line};
+use super::sheet::Sheet;
+use super::style::Look;
+use crate::output::OutputError;
 
+/// Both axes are logarithmic.
+const LOG_LOG: [bool; 2] = [true; 2];
 const FLOOR: &str = "f32 floor";
 const WRONG: &str = "wrong";
 /// Between a line and its name.
-const GAP: i32 = 10;
+const GAP: f64 = 10.0;
 /// From the largest error to the line of what is wrong, in decades.
 const BEYOND: f64 = 0.5;
 
@@ -51,7 +51,7 @@ impl PrecisionPlot {
             .iter()
             .enumerate()
             .flat_map(|(i, curve)| curve.points.iter().enumerate().map(move |(k, point)| ((i, k), *point)))
-            .filter(|(_, point)| log_log(*point).is_some())
+            .filter(|(_, [error, time])| place(*error, true).and(place(*time, true)).is_some())
             .unzip();
         pareto_front(&points).into_iter().map(|i| places[i]).collect()
     }
@@ -64,7 +64,7 @@ impl PrecisionPlot {
 
     /// The curves in plot coordinates.
     fn placed(&self) -> Vec<Vec<Option<[f64; 2]>>> {
-        self.curves.iter().map(|curve| curve.points.iter().map(|point| log_log(*point)).collect()).collect()
+        self.curves.iter().map(|curve| curve.placed(LOG_LOG)).collect()
     }
 }
 
@@ -97,29 +97,26 @@ pub fn plot_precision(path: &Path, chart: &PrecisionPlot) -> Result<(), OutputEr
     let largest = all().map(|p| p[0]).chain(floor).fold(f64::NEG_INFINITY, f64::max);
     let beyond =
         Some(if largest.is_finite() { largest + BEYOND } else { 0.0 }).filter(|_| wrong.iter().any(|w| !w.is_empty()));
-    let x = Axis::around(&chart.x_label, true, all().map(|p| p[0]).chain(floor).chain(beyond));
-    let y = Axis::around(&chart.y_label, true, all().map(|p| p[1]).chain(wrong.iter().flatten().copied()));
+    let sheet = Sheet {
+        title: &chart.title,
+        x: Axis::around(&chart.x_label, true, all().map(|p| p[0]).chain(floor).chain(beyond)),
+        y: Axis::around(&chart.y_label, true, all().map(|p| p[1]).chain(wrong.iter().flatten().copied())),
+        legend: &legend(chart, &placed, &wrong),
+    };
     let front: Vec<_> = chart.front().into_iter().filter_map(|(curve, point)| placed[curve][point]).collect();
-    save(path, &legend(chart, &placed, &wrong), |canvas, area| {
-        let plot = frame(area, &chart.title, &x, &y)?;
-        if let Some(floor) = floor {
-            draw_limit(canvas, &plot, (floor, FLOOR), [&x, &y])?;
+    let at = |p: &[f64; 2]| sheet.at(*p);
+    let curves: Vec<Vec<_>> = placed.iter().map(|curve| curve.iter().map(|p| p.as_ref().map(at)).collect()).collect();
+    sheet.save(path, |canvas| {
+        for (error, name) in [(floor, FLOOR), (beyond, WRONG)] {
+            if let Some(error) = error {
+                draw_limit(canvas, &sheet, error, name);
+            }
         }
-        if let Some(beyond) = beyond {
-            draw_limit(canvas, &plot, (beyond, WRONG), [&x, &y])?;
-            let mut marks = wrong.iter().enumerate().flat_map(|(i, times)| times.iter().map(move |time| (i, *time)));
-            marks.try_for_each(|(i, time)| Look::of(i).mark(canvas, plot.backend_coord(&(beyond, time))))?;
+        for (i, time) in wrong.iter().enumerate().flat_map(|(i, times)| times.iter().map(move |time| (i, *time))) {
+            Look::of(i).mark(canvas, sheet.at([beyond.unwrap_or_default(), time]));
         }
-        let at = |p: &[f64; 2]| plot.backend_coord(&(p[0], p[1]));
-        let curves: Vec<Vec<_>> =
-            placed.iter().map(|curve| curve.iter().map(|p| p.as_ref().map(at)).collect()).collect();
-        draw_curves(canvas, &curves, &front.iter().map(at).collect::<Vec<_>>())
+        draw_curves(canvas, &curves, &front.iter().map(at).collect::<Vec<_>>());
     })
-}
-
-/// A point in plot coordinates, if it has any.
-fn log_log([error, time]: [f64; 2]) -> Option<[f64; 2]> {
-    Some([place(error, true)?, place(time, true)?])
 }
 
 fn legend(chart: &PrecisionPlot, placed: &[Vec<Option<[f64; 2]>>], wrong: &[Vec<f64>]) -> Legend {
@@ -132,34 +129,31 @@ fn legend(chart: &PrecisionPlot, placed: &[Vec<Option<[f64; 2]>>], wrong: &[Vec<
 }
 
 /// Lines first and markers last, so that none of them is hidden.
-fn draw_curves(canvas: &Area, curves: &[Vec<Option<Place>>], front: &[Place]) -> Drawn<()> {
-    Look::best().stroke(canvas, stairs(front))?;
+fn draw_curves(canvas: &mut Canvas, curves: &[Vec<Option<Point>>], front: &[Point]) {
+    Look::best().join(canvas, stairs(front));
     for (i, curve) in curves.iter().enumerate() {
-        for part in curve.split(Option::is_none) {
-            Look::of(i).stroke(canvas, part.iter().copied().flatten().collect())?;
-        }
+        draw_line(canvas, curve, Look::of(i));
     }
-    front.iter().try_for_each(|at| Look::best().mark(canvas, *at))?;
+    for at in front {
+        Look::best().mark(canvas, *at);
+    }
     for (i, curve) in curves.iter().enumerate() {
-        curve.iter().flatten().try_for_each(|at| Look::of(i).mark(canvas, *at))?;
+        curve.iter().flatten().for_each(|at| Look::of(i).mark(canvas, *at));
     }
-    Ok(())
 }
 
 /// From each place right to below which the next one is, and down to it.
-fn stairs(front: &[Place]) -> Vec<Place> {
-    let mut line: Vec<_> = front.windows(2).flat_map(|pair| [pair[0], (pair[1].0, pair[0].1)]).collect();
+fn stairs(front: &[Point]) -> Vec<Point> {
+    let mut line: Vec<_> = front.windows(2).flat_map(|pair| [pair[0], Point::new(pair[1].x, pair[0].y)]).collect();
     line.extend(front.last());
     line
 }
 
 /// An upright line with its name at the foot, where little is: a small error takes its time.
-fn draw_limit(canvas: &Area, plot: &Plot, (error, name): (f64, &str), [x, y]: [&Axis; 2]) -> Drawn<()> {
-    let foot = plot.backend_coord(&(error, y.range.start));
-    let head = plot.backend_coord(&(error, y.range.end));
-    Look::limit().stroke(canvas, vec![foot, head])?;
-    let (right, _) = plot.backend_coord(&(x.range.end, y.range.start));
-    let fits = foot.0 + GAP + text_width(name) <= right;
-    let (h_pos, gap) = if fits { (HPos::Left, GAP) } else { (HPos::Right, -GAP) };
-    write(canvas, name, (foot.0 + gap, foot.1 - GAP), Pos::new(h_pos, VPos::Bottom))
+fn draw_limit(canvas: &mut Canvas, sheet: &Sheet, error: f64, name: &str) {
+    let [foot, head] = [sheet.y.range.start, sheet.y.range.end].map(|time| sheet.at([error, time]));
+    Look::limit().join(canvas, [foot, head]);
+    let fits = foot.x + GAP + text_width(name) <= sheet.window().x1;
+    let (align, aside) = if fits { (Align::Start, GAP) } else { (Align::End, -GAP) };
+    canvas.write(name, foot + (aside, -GAP - TEXT_SIZE / 2.0), align);
 }

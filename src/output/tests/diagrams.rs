@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3};
 
 use super::plots::{png, svg};
 use crate::measure::{Curve, Focus};
-use crate::output::plot::{Frame, PathLine, PathPlot, Surface, SurfaceKind, plot_paths};
+use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKind, plot_paths};
 use crate::scene::{CutPlane, Object, Shape, Substance, Transform};
 
 /// Straight lines past a centre, bent towards it, in the plane of x and z.
@@ -31,10 +31,10 @@ pub(super) fn all(lines: Vec<PathLine<'static>>) -> PathPlot<'static> {
 }
 
 /// A ball of this radius.
-fn ball(center: DVec3, radius: f64, kind: SurfaceKind) -> Surface {
+fn ball(center: DVec3, radius: f64, kind: SurfaceKind) -> CrossSection {
     let transform = Transform::new(DVec3::splat(radius), DVec3::ZERO, center);
     let object = Object { shape: Shape::Sphere, transform, substance: Substance::Opaque(0) };
-    Surface { kind, outlines: object.cut(&plane()) }
+    CrossSection { kind, outlines: object.cut(&plane()) }
 }
 
 /// The numbers in a text, in order.
@@ -43,26 +43,22 @@ fn numbers(text: &str) -> Vec<f64> {
     words.filter_map(|word| word.parse().ok()).collect()
 }
 
-/// The `<path>` elements of an SVG: all of the line, and the points of its data.
-fn paths(svg: &str) -> Vec<(&str, Vec<[f64; 2]>)> {
-    let lines = svg.lines().filter(|line| line.starts_with("<path"));
-    lines
-        .map(|line| {
-            let data = line.split(" d=\"").nth(1).unwrap();
-            (line, numbers(data).chunks_exact(2).map(|p| [p[0], p[1]]).collect())
-        })
-        .collect()
+/// The numbers of a path element's data, as points.
+pub(super) fn points(line: &str) -> Vec<[f64; 2]> {
+    let data = line.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
+    numbers(data).chunks_exact(2).map(|p| [p[0], p[1]]).collect()
 }
 
-/// Where the axes are: the box of the long grid lines.
-fn axes(svg: &str) -> [f64; 4] {
-    let mut found = [f64::INFINITY, f64::INFINITY, 0.0, 0.0];
-    for line in svg.lines().filter(|line| line.starts_with("<line")) {
-        let place = line.split(" x1=").nth(1).unwrap().replace("x2", "").replace("y1", "").replace("y2", "");
-        let [x1, y1, x2, y2] = numbers(&place)[..] else { panic!("{line}") };
-        found = [found[0].min(x1), found[1].min(y1.min(y2)), found[2].max(x2), found[3].max(y1.max(y2))];
-    }
-    found
+/// The `<path>` elements that are drawn in the window of an SVG: all of the line, and the points of its data.
+fn paths(svg: &str) -> Vec<(&str, Vec<[f64; 2]>)> {
+    let inside = svg.split("<g clip-path").nth(1).unwrap().split("</g>").next().unwrap();
+    inside.lines().filter(|line| line.starts_with("<path")).map(|line| (line, points(line))).collect()
+}
+
+/// The window that data are drawn in: left, top, right and bottom.
+fn window(svg: &str) -> [f64; 4] {
+    let corners = points(svg.split("<clipPath").nth(1).unwrap());
+    [corners[0][0], corners[0][1], corners[2][0], corners[2][1]]
 }
 
 #[test]
@@ -97,20 +93,26 @@ fn nothing_is_outside_of_the_frame() {
         ball(DVec3::new(2.0, 0.0, 3.0), 4.0, SurfaceKind::Medium),
         ball(DVec3::new(-9.0, 0.0, 0.0), 6.0, SurfaceKind::Opaque),
     ];
-    let plot = PathPlot { frame: Frame::Given([-3.0, 4.0, -2.0, 3.0]), surfaces, ..all(lines()) };
+    let plot = PathPlot { range: PlotRange::Given([-3.0, 4.0, -2.0, 3.0]), surfaces, ..all(lines()) };
     let svg = svg("frame.svg", |path| plot_paths(path, &plot).unwrap());
-    let [left, top, right, bottom] = axes(&svg);
+    let [left, top, right, bottom] = window(&svg);
     let mut count = 0;
-    for (line, points) in paths(&svg).into_iter().filter(|(line, _)| !line.contains("fill=\"#")) {
+    for (line, points) in paths(&svg).into_iter().filter(|(line, _)| line.contains("fill=\"none\"")) {
         count += 1;
         for [x, y] in points {
             let within = x >= left - 0.01 && x <= right + 0.01 && y >= top - 0.01 && y <= bottom + 0.01;
-            assert!(within, "[{x}, {y}] is not in {:?}: {line}", axes(&svg));
+            assert!(within, "[{x}, {y}] is not in {:?}: {line}", window(&svg));
         }
     }
     assert!(count > 10);
     // The bound is beyond it.
     assert!(!svg.contains("bound"));
+    // Areas are cut off too: between the window and the legend, and above it, all is white.
+    let picture = png("frame.png", |path| plot_paths(path, &plot).unwrap());
+    let white = |x: u32, y: u32| picture.get_pixel(x, y).0 == [255; 3];
+    assert!((0..1080).all(|y| (1..29).all(|x| white(right as u32 + x, y))));
+    assert!((170..right as u32).all(|x| (0..29).all(|y| white(x, y))));
+    assert!(!white(right as u32 - 2, 35), "the medium fills the upper right corner");
 }
 
 #[test]
@@ -118,13 +120,13 @@ fn a_ball_is_a_circle_of_its_size() {
     let radius = 2.5;
     // Not through the middle: √(2.5² − 1.5²) = 2.
     let surfaces = vec![ball(DVec3::new(1.0, 1.5, -1.0), radius, SurfaceKind::Medium)];
-    let plot = PathPlot { frame: Frame::Objects, surfaces, ..all(lines()) };
+    let plot = PathPlot { range: PlotRange::Objects, surfaces, ..all(lines()) };
     let svg = svg("ball.svg", |path| plot_paths(path, &plot).unwrap());
     assert!(svg.contains("medium"));
     let paths = paths(&svg);
     let filled: Vec<_> = paths.iter().filter(|(line, _)| line.contains("fill-opacity=\"0.2\"")).collect();
     let [(_, points)] = filled[..] else { panic!("{} filled", filled.len()) };
-    let [left, top, right, bottom] = axes(&svg);
+    let [left, top, right, bottom] = window(&svg);
     let middle = points.iter().fold([0.0; 2], |sum, p| [sum[0] + p[0], sum[1] + p[1]]).map(|v| v / points.len() as f64);
     let distances: Vec<f64> = points.iter().map(|p| (p[0] - middle[0]).hypot(p[1] - middle[1])).collect();
     // The frame about an object is half as large again, so that its height is 3 radii.
@@ -138,8 +140,8 @@ fn a_ball_is_a_circle_of_its_size() {
 fn a_hole_in_an_area_stays_empty() {
     let outer = ball(DVec3::ZERO, 3.0, SurfaceKind::Medium);
     let inner = ball(DVec3::ZERO, 2.0, SurfaceKind::Medium);
-    let ring = Surface { outlines: [outer.outlines, inner.outlines].concat(), ..outer };
-    let plot = PathPlot { frame: Frame::Objects, surfaces: vec![ring], bound: None, ..all(Vec::new()) };
+    let ring = CrossSection { outlines: [outer.outlines, inner.outlines].concat(), ..outer };
+    let plot = PathPlot { range: PlotRange::Objects, surfaces: vec![ring], bound: None, ..all(Vec::new()) };
     let picture = png("ring.png", |path| plot_paths(path, &plot).unwrap());
     // Along a line through it, which also meets lines of the grid.
     let tinted = |x: u32, y: u32| picture.get_pixel(x, y).0 != [255; 3];
@@ -158,8 +160,8 @@ fn bent_arcs_are_curves_and_straight_ones_lines() {
     let svg = svg("curves.svg", |path| plot_paths(path, &PathPlot::new(plane(), vec![bent, straight])).unwrap());
     let strokes: Vec<_> = paths(&svg).into_iter().filter(|(line, _)| line.contains("fill=\"none\"")).collect();
     let [(bent, points), (straight, ends)] = &strokes[..] else { panic!("{}", strokes.len()) };
-    assert!(bent.contains('C') && points.len() == 4, "{bent}");
-    assert!(!straight.contains('C') && ends.len() == 2, "{straight}");
+    assert!(bent.contains(" C") && points.len() == 4, "{bent}");
+    assert!(straight.contains(" L") && ends.len() == 2, "{straight}");
     assert_eq!(format!("{:?}", [points[0], points[3]]), format!("{ends:?}"), "{bent} {straight}");
 }
 
@@ -185,10 +187,10 @@ fn foci_and_windings_are_marked_and_written() {
         svg.lines().filter(|line| line.starts_with("<text") && line.contains('.') && line.ends_with("</text>"));
     let turns =
         labels.filter(|line| line.contains("text-anchor=\"middle\"") && line.split('>').nth(1).unwrap().contains('.'));
-    let places: Vec<_> = turns.map(numbers).map(|n| [n[0], n[1]]).collect();
+    let places: Vec<_> = turns.map(numbers).map(|n| [n[1], n[2]]).collect();
     assert!(places.len() >= 2, "{places:?}");
     for (i, a) in places.iter().enumerate() {
-        let apart = |b: &[f64; 2]| (a[0] - b[0]).abs() >= 62.0 || (a[1] - b[1]).abs() >= 28.0;
+        let apart = |b: &[f64; 2]| (a[0] - b[0]).abs() >= 62.0 || (a[1] - b[1]).abs() >= 27.5;
         assert!(places[i + 1..].iter().all(apart), "{places:?}");
     }
     png("marks.png", |path| plot_paths(path, &plot).unwrap());
@@ -201,5 +203,57 @@ fn an_oblique_plane_names_its_directions() {
     let svg = svg("oblique.svg", |path| plot_paths(path, &plot).unwrap());
     for text in ["along [-0.48, 0.88, 0.00] (scene units)", "z (scene units)", "rays leave the plane"] {
         assert!(svg.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn what_is_far_larger_than_the_window_is_drawn_in_it() {
+    let far = 1e7;
+    let line = |y: f64, status| PathLine {
+        curve: Curve::through(&[DVec3::new(-far, 0.0, y), DVec3::new(far, 0.0, y)]),
+        status,
+    };
+    let plot = PathPlot {
+        range: PlotRange::Given([-1.0, 1.0, -1.0, 1.0]),
+        surfaces: vec![ball(DVec3::new(0.0, 0.0, -far), far, SurfaceKind::Landmark("r = R"))],
+        ..PathPlot::new(plane(), vec![line(0.5, "escaped"), line(-0.5, "hit")])
+    };
+    let svg = svg("far.svg", |path| plot_paths(path, &plot).unwrap());
+    let [left, top, right, bottom] = window(&svg);
+    let strokes: Vec<_> = paths(&svg).into_iter().filter(|(line, _)| line.contains("fill=\"none\"")).collect();
+    assert_eq!(strokes.len(), 3);
+    let ends = |k: usize| [strokes[k].1[0], *strokes[k].1.last().unwrap()];
+    let unit = (bottom - top) / 2.0;
+    for (k, z) in [(1, 0.5), (2, -0.5)] {
+        let y = f64::midpoint(top, bottom) - z * unit;
+        for ([x, found], side) in ends(k).into_iter().zip([left, right]) {
+            assert!((x - side).abs() < 0.02 && (found - y).abs() < 0.02, "[{x}, {found}]");
+        }
+    }
+    // The dashes of the second are there, half of the way.
+    let picture = png("far.png", |path| plot_paths(path, &plot).unwrap());
+    let row = (f64::midpoint(top, bottom) + 0.5 * unit) as u32;
+    let dashed = (left as u32..right as u32).filter(|x| picture.get_pixel(*x, row).0 == [0xd5, 0x5e, 0]).count();
+    let part = dashed as f64 / (right - left);
+    assert!((0.6..0.72).contains(&part), "{part} of the row is dash");
+}
+
+#[test]
+fn a_path_through_the_window_is_seen_from_edge_to_edge() {
+    // Parabolas, of which nothing is left in the third order but roundings.
+    let through = |i: u32| {
+        let [a, b, c] =
+            [[-30.0, 0.3 * f64::from(i)], [1.0, f64::from(i)], [30.0, 0.7]].map(|[x, z]| DVec3::new(x, 0.0, z));
+        Curve(vec![[a, a.lerp(b, 2.0 / 3.0), c.lerp(b, 2.0 / 3.0), c]])
+    };
+    let lines = (0..12).map(|i| PathLine { curve: through(i), status: "escaped" }).collect();
+    let plot = PathPlot { range: PlotRange::Given([-12.0, 12.0, -9.0, 9.0]), ..PathPlot::new(plane(), lines) };
+    let svg = svg("through.svg", |path| plot_paths(path, &plot).unwrap());
+    let [left, _, right, _] = window(&svg);
+    let strokes: Vec<_> = paths(&svg).into_iter().filter(|(line, _)| line.contains("fill=\"none\"")).collect();
+    assert_eq!(strokes.len(), 12);
+    for (line, points) in strokes {
+        let ends = [points[0][0], points.last().unwrap()[0]];
+        assert!((ends[0] - left).abs() < 0.03 && (ends[1] - right).abs() < 0.03, "{line}");
     }
 }

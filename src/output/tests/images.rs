@@ -9,7 +9,7 @@ use ::exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use super::{folder, names};
 use crate::output::band::{channels, components};
 use crate::output::{
-    OutputError, Settings,
+    FileSettings, OutputError,
     color::{display, srgb_from_linear, tonemapped},
     open,
 };
@@ -49,7 +49,7 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
     bands
 }
 
-fn write(path: &Path, settings: &Settings, bands: &[Band]) {
+fn write(path: &Path, settings: &FileSettings, bands: &[Band]) {
     let mut writer = open(path, settings).unwrap();
     for band in bands {
         writer.write_band(band).unwrap();
@@ -97,10 +97,10 @@ fn band_bits(bands: &[Band]) -> BTreeMap<String, Vec<u32>> {
 fn exr_keeps_every_bit_however_the_bands_fall() {
     let folder = folder();
     let path = folder.path().join("a.exr");
-    let settings = Settings {
+    let settings = FileSettings {
         layers: Layer::ALL.to_vec(),
         metadata: vec![("scene".into(), "två hål".into()), ("a".into(), String::new())],
-        ..Settings::new([13, 61])
+        ..FileSettings::new([13, 61])
     };
     let mut seen: Option<Vec<u8>> = None;
     for heights in [vec![61], vec![1; 61], vec![16, 16, 16, 13], vec![3, 40, 18]] {
@@ -122,7 +122,7 @@ fn exr_keeps_every_bit_however_the_bands_fall() {
 fn exr_carries_only_the_layers_asked_for() {
     let folder = folder();
     let path = folder.path().join("a.EXR");
-    let settings = Settings { layers: vec![Layer::Steps, Layer::Depth, Layer::Depth], ..Settings::new([5, 4]) };
+    let settings = FileSettings { layers: vec![Layer::Steps, Layer::Depth, Layer::Depth], ..FileSettings::new([5, 4]) };
     write(&path, &settings, &bands(5, &[4]));
     let names: Vec<_> = exr_bits(&path).into_keys().collect();
     assert_eq!(names, ["B", "G", "R", "Z", "steps"]);
@@ -173,9 +173,9 @@ fn grey_row(values: &[f32]) -> Band {
 fn png_holds_srgb() {
     let folder = folder();
     let path = folder.path().join("a.png");
-    let mut settings = Settings {
+    let mut settings = FileSettings {
         metadata: vec![("Software".into(), "bentray".into()), ("Title".into(), "två".into())],
-        ..Settings::new([5, 1])
+        ..FileSettings::new([5, 1])
     };
     let band = grey_row(&[0.0, 0.25, 0.5, 7.0, f32::NAN]);
     write(&path, &settings, std::slice::from_ref(&band));
@@ -200,7 +200,7 @@ fn png_holds_srgb() {
 fn png_rows_come_in_order_whatever_the_bands() {
     let folder = folder();
     let [one, many] = ["one.png", "many.png"].map(|name| folder.path().join(name));
-    let settings = Settings::new([200, 90]);
+    let settings = FileSettings::new([200, 90]);
     write(&one, &settings, &bands(200, &[90]));
     write(&many, &settings, &bands(200, &[1, 30, 7, 52]));
     assert_eq!(fs::read(&one).unwrap(), fs::read(&many).unwrap());
@@ -214,14 +214,14 @@ fn alpha_is_stored_where_it_is_asked_for() {
     let mut band = grey_row(&[0.0, 0.125, 0.25, 0.5]);
     for name in ["a.png", "a.exr"] {
         let path = folder.path().join(name);
-        write(&path, &Settings::new([4, 1]), std::slice::from_ref(&band));
+        write(&path, &FileSettings::new([4, 1]), std::slice::from_ref(&band));
         let plain = fs::read(&path).unwrap();
-        let settings = Settings { alpha: true, ..Settings::new([4, 1]) };
+        let settings = FileSettings { alpha: true, ..FileSettings::new([4, 1]) };
         let mut writer = open(&path, &settings).unwrap();
         assert!(writer.write_band(&band).is_err(), "{name} without alpha");
         drop(writer);
         band.alpha = Some(vec![0.0, 0.25, 0.5, 1.0]);
-        write(&path, &Settings::new([4, 1]), std::slice::from_ref(&band));
+        write(&path, &FileSettings::new([4, 1]), std::slice::from_ref(&band));
         assert!(fs::read(&path).unwrap() == plain, "{name} depends on what it does not store");
         write(&path, &settings, std::slice::from_ref(&band));
         if name == "a.exr" {
@@ -248,7 +248,7 @@ fn bands_must_come_whole_and_in_order() {
         let path = folder.path().join(name);
         fs::write(&path, "old").unwrap();
         let good = bands(4, &[2, 2, 1]);
-        let mut writer = open(&path, &Settings::new([4, 4])).unwrap();
+        let mut writer = open(&path, &FileSettings::new([4, 4])).unwrap();
         let mut refused = |band: &Band| {
             let error = writer.write_band(band).unwrap_err();
             assert!(matches!(error, OutputError::Band { .. }), "{error}");
@@ -265,7 +265,7 @@ fn bands_must_come_whole_and_in_order() {
         let error = writer.finish().unwrap_err();
         assert!(matches!(error, OutputError::Incomplete { rows: 2, .. }), "{error}");
         assert_eq!(fs::read(&path).unwrap(), b"old");
-        drop(open(&path, &Settings::new([4, 4])).unwrap());
+        drop(open(&path, &FileSettings::new([4, 4])).unwrap());
         assert_eq!(fs::read(&path).unwrap(), b"old");
     }
     assert_eq!(names(folder.path()).len(), 2);
@@ -274,7 +274,7 @@ fn bands_must_come_whole_and_in_order() {
 #[test]
 fn exr_layers_must_be_there_and_of_their_kind() {
     let folder = folder();
-    let settings = Settings { layers: vec![Layer::Depth], ..Settings::new([4, 4]) };
+    let settings = FileSettings { layers: vec![Layer::Depth], ..FileSettings::new([4, 4]) };
     let mut writer = open(&folder.path().join("a.exr"), &settings).unwrap();
     let mut band = bands(4, &[4]).remove(0);
     band.layers.clear();
@@ -291,8 +291,8 @@ fn exr_layers_must_be_there_and_of_their_kind() {
 #[test]
 fn settings_are_checked_at_the_start() {
     let folder = folder();
-    let refused = |name: &str, change: &dyn Fn(&mut Settings)| {
-        let mut settings = Settings::new([4, 4]);
+    let refused = |name: &str, change: &dyn Fn(&mut FileSettings)| {
+        let mut settings = FileSettings::new([4, 4]);
         change(&mut settings);
         let path = folder.path().join(name);
         let error = open(&path, &settings).map(|_| ()).unwrap_err().to_string();

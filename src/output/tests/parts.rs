@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use tempfile::TempDir;
 
 use super::{folder, names};
-use crate::output::{Settings, assemble, open};
+use crate::output::{FileSettings, assemble, open};
 use crate::program::Layer;
 use crate::render::{Band, Plane, Window};
 
@@ -24,17 +24,17 @@ fn band(window: Window) -> Band {
     Band { first_row: 0, rows, width, color: [1, 2, 3].map(plane), alpha: Some(plane(4)), layers }
 }
 
-fn settings(size: [u32; 2], window: Window) -> Settings {
-    Settings {
+fn settings(size: [u32; 2], window: Window) -> FileSettings {
+    FileSettings {
         window,
         alpha: true,
         layers: vec![Layer::Position, Layer::Object],
         metadata: vec![("method".to_owned(), "två".to_owned()), ("Software".to_owned(), "bentray".to_owned())],
-        ..Settings::new(size)
+        ..FileSettings::new(size)
     }
 }
 
-fn write(path: &Path, settings: &Settings, band: &Band) {
+fn write(path: &Path, settings: &FileSettings, band: &Band) {
     let mut writer = open(path, settings).unwrap();
     writer.write_band(band).unwrap();
     writer.finish().unwrap();
@@ -45,7 +45,10 @@ fn window(origin: [u32; 2], size: [u32; 2]) -> Window {
 }
 
 /// A folder with these parts of a picture of 40 by 50, and what putting them together says.
-fn assembled(windows: &[Window], change: impl Fn(usize, &mut Settings, &mut Band)) -> (TempDir, Result<(), String>) {
+fn assembled(
+    windows: &[Window],
+    change: impl Fn(usize, &mut FileSettings, &mut Band),
+) -> (TempDir, Result<(), String>) {
     let folder = folder();
     let mut paths = Vec::new();
     for (i, &window) in windows.iter().enumerate() {
@@ -59,7 +62,7 @@ fn assembled(windows: &[Window], change: impl Fn(usize, &mut Settings, &mut Band
     (folder, result)
 }
 
-fn unchanged(_: usize, _: &mut Settings, _: &mut Band) {}
+fn unchanged(_: usize, _: &mut FileSettings, _: &mut Band) {}
 
 /// Windows that cover a picture: a rectangle split at random, some of the pieces grown over their neighbours.
 fn cuts(size: [u32; 2]) -> impl Strategy<Value = Vec<Window>> {
@@ -123,7 +126,7 @@ proptest! {
     }
 }
 
-type Change = fn(usize, &mut Settings, &mut Band);
+type Change = fn(usize, &mut FileSettings, &mut Band);
 
 #[test]
 fn parts_that_do_not_belong_together_are_refused() {

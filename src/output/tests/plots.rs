@@ -7,7 +7,7 @@ use std::{
 
 use image::{ColorType, Rgb, RgbImage};
 
-use super::diagrams::{all, lines};
+use super::diagrams::{all, lines, points};
 use super::{folder, names};
 use crate::output::{
     OutputError,
@@ -125,10 +125,70 @@ fn a_png_shows_the_colours_and_words_of_the_svg() {
     png("paths.PNG", |path| plot_paths(path, &all(lines)).unwrap());
 }
 
+/// The place of a label by its text, `[x, y]` of its middle line.
+fn label(svg: &str, align: &str, text: &str) -> [f64; 2] {
+    let is_label = |line: &&str| line.contains(&format!("\"{align}\"")) && line.ends_with(&format!(">{text}</text>"));
+    let line = svg.lines().find(is_label).unwrap_or_else(|| panic!("no {text}"));
+    let number = |name: &str| line.split(name).nth(1).unwrap().split('"').next().unwrap().parse::<f64>().unwrap();
+    [number(" x=\""), number(" y=\"") - 0.35 * number("font-size=\"")]
+}
+
+#[test]
+fn points_are_where_the_ticks_say() {
+    let decades = Chart {
+        log_x: true,
+        log_y: true,
+        series: vec![Series {
+            name: "a".into(),
+            points: (0..5).map(|i| [10f64.powi(i), 10f64.powi(2 * i - 4)]).collect(),
+        }],
+        ..Chart::default()
+    };
+    let thirds = Chart {
+        series: vec![Series { name: "a".into(), points: vec![[0.0, 3.0], [2.0, -1.0], [4.0, 1.0]] }],
+        ..Chart::default()
+    };
+    let cases: [(&Chart, &[[&str; 2]]); 2] = [
+        (&decades, &[["1", "1e-4"], ["10", "0.01"], ["100", "1"], ["1000", "100"], ["10000", "10000"]]),
+        (&thirds, &[["0", "3"], ["2", "-1"], ["4", "1"]]),
+    ];
+    for (k, (chart, ticks)) in cases.into_iter().enumerate() {
+        let svg = svg(&format!("ticks{k}.svg"), |path| plot_lines(path, chart).unwrap());
+        let picture = png(&format!("ticks{k}.png"), |path| plot_lines(path, chart).unwrap());
+        let curve = svg.lines().find(|line| line.contains("stroke=\"#0072b2\"")).unwrap();
+        let places = points(curve);
+        assert_eq!(places.len(), ticks.len());
+        for ([x, y], [x_tick, y_tick]) in places.into_iter().zip(ticks) {
+            let expected = [label(&svg, "middle", x_tick)[0], label(&svg, "end", y_tick)[1]];
+            assert!((x - expected[0]).abs() < 0.02 && (y - expected[1]).abs() < 0.02, "[{x}, {y}] {expected:?}");
+            // The marker, which is a disc.
+            assert_eq!(picture.get_pixel(x as u32, y as u32).0, [0, 0x72, 0xb2]);
+        }
+    }
+}
+
+#[test]
+fn letters_beyond_ascii_have_shapes() {
+    let title = |text: &str| {
+        let chart = Chart { title: text.into(), ..Chart::default() };
+        png("letter.png", |path| plot_lines(path, &chart).unwrap())
+    };
+    // The last of them is in no font.
+    let letters = ["τ", "η", "µ", "μ", "θ", "ψ", "°", "–", "…", "×", "ö", "²", "\u{10fffd}"];
+    let pictures = letters.map(title);
+    for (i, one) in pictures.iter().enumerate() {
+        for (k, other) in pictures.iter().enumerate().skip(i + 1) {
+            assert!(one != other || [letters[i], letters[k]] == ["µ", "μ"], "{} {}", letters[i], letters[k]);
+        }
+    }
+}
+
 #[test]
 fn the_same_plot_gives_the_same_bytes() {
     for name in ["same.svg", "same.png"] {
         let [first, second] = [0, 1].map(|_| bytes(name, |path| plot_lines(path, &chart(true)).unwrap()));
+        assert!(first == second, "{name}");
+        let [first, second] = [0, 1].map(|_| bytes(name, |path| plot_paths(path, &all(lines())).unwrap()));
         assert!(first == second, "{name}");
     }
 }

@@ -17,8 +17,11 @@ const ACCELERATE: &[(&str, Accelerate)] = &[
     ("none", Accelerate::None),
 ];
 
-const PRECISIONS: &[(&str, Precision)] =
-    &[("f16", Precision::Half), ("f32", Precision::Single), ("f64", Precision::Double)];
+const PRECISIONS: &[(&str, Precision)] = &[
+    (Precision::Half.name(), Precision::Half),
+    (Precision::Single.name(), Precision::Single),
+    (Precision::Double.name(), Precision::Double),
+];
 
 /// The table itself, which every scene has.
 pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> {

@@ -1,20 +1,22 @@
-//! Lines, areas and curves on the canvas, cut off at the frame.
+//! Paths of rays and outlines of surfaces on the canvas.
 
-use glam::DVec2;
-use tiny_skia::{Path, PathBuilder};
+use glam::DVec3;
+use kurbo::{
+    BezPath, Circle, CubicBez, Line, ParamCurve, ParamCurveArclen, ParamCurveDeriv, PathEl, PathSeg, Point, Shape, Vec2,
+};
 
-use super::clip::Arc;
+use super::contents::{CrossSection, SurfaceKind};
 use super::view::View;
-use super::{Surface, SurfaceKind};
 use crate::measure::Curve;
-use crate::output::plot::figure::Figure;
-use crate::output::plot::style::{Look, Place};
-use crate::output::plot::{Area, Drawn, words};
+use crate::output::plot::canvas::Canvas;
+use crate::output::plot::style::{Look, ring};
 
 /// Arcs that differ from their chord by less than this many pixels are drawn as lines.
 const FLAT: f64 = 0.02;
 /// Points nearer than this to the last one, in pixels, are not drawn.
 const NEAR: f64 = 0.4;
+/// To how much of a pixel lengths and circles are right.
+const ACCURACY: f64 = 0.01;
 /// Paths that are visible for fewer pixels than this get no arrow.
 const SHORT: f64 = 60.0;
 /// Where on the visible path its arrow is.
@@ -22,138 +24,116 @@ const ARROW_AT: f64 = 0.4;
 /// Length and half the width of an arrow's head in pixels.
 const ARROW: [f64; 2] = [20.0, 7.0];
 
-/// The whole pixel of a place.
-pub(super) fn place(p: DVec2) -> Place {
-    (p.x.round() as i32, p.y.round() as i32)
-}
-
-/// Draws a line through places of the plane, which are all in the frame.
-pub(super) fn line(canvas: &Area, view: &View, points: &[DVec2], look: Look) -> Drawn<()> {
-    let mut path = PathBuilder::new();
-    trace(&mut path, view, points);
-    figure(canvas, path.finish(), None, Some(look))
+/// What is seen of the circle that bounds all rays.
+pub(super) fn bound(view: &View, (center, radius): (DVec3, f64)) -> BezPath {
+    let circle = Circle::new(view.at(center), view.length(radius)).to_path(ACCURACY);
+    BezPath::from_path_segments(circle.segments().flat_map(|arc| view.visible(arc)))
 }
 
 /// Fills the inside of what has one: a hole of an outline stays empty.
-pub(super) fn fill(canvas: &Area, view: &View, surface: &Surface) -> Drawn<()> {
-    let Some(color) = Look::inside(surface.kind) else { return Ok(()) };
-    let mut path = PathBuilder::new();
-    for outline in surface.outlines.iter().filter(|outline| outline.closed) {
-        let corners: Vec<_> = outline.points.iter().map(|p| view.flat(*p)).collect();
-        let corners = view.window.area(&corners);
-        if corners.len() > 2 {
-            trace(&mut path, view, &corners);
-            path.close();
-        }
-    }
-    let Some(path) = path.finish() else { return Ok(()) };
-    canvas.draw(&Figure { path, fill: Some(color), stroke: None }).map_err(words)
+pub(super) fn fill(canvas: &mut Canvas, view: &View, surface: &CrossSection) {
+    let Some(opacity) = opacity(surface.kind) else { return };
+    let closed = surface.outlines.iter().filter(|outline| outline.closed);
+    let area: BezPath = closed.flat_map(|outline| polygon(view, &outline.points)).collect();
+    canvas.draw(&area, Some(look(surface.kind).fill(opacity)), None);
 }
 
 /// Strokes where a surface crosses the plane.
-pub(super) fn outline(canvas: &Area, view: &View, surface: &Surface) -> Drawn<()> {
-    let mut path = PathBuilder::new();
+pub(super) fn outline(canvas: &mut Canvas, view: &View, surface: &CrossSection) {
+    let mut path = BezPath::new();
     for outline in &surface.outlines {
-        let mut points: Vec<_> = outline.points.iter().map(|p| view.flat(*p)).collect();
-        if outline.closed {
-            points.extend(points.first().copied());
-        }
-        let whole = points.iter().all(|p| view.window.contains(*p));
-        for part in view.window.line(&points) {
-            trace(&mut path, view, &part);
-            if whole && outline.closed {
-                path.close();
-            }
-        }
-    }
-    figure(canvas, path.finish(), None, Some(Look::surface(surface.kind)))
-}
-
-/// Strokes a ray's path with an arrow on it, and says where it is last seen and in which direction it goes there, in pixels.
-pub(super) fn path(canvas: &Area, view: &View, curve: &Curve, look: Look) -> Drawn<Option<[DVec2; 2]>> {
-    let flat = curve.0.iter().map(|arc| arc.map(|p| view.flat(p)));
-    let arcs: Vec<Arc> = flat.flat_map(|arc| view.window.arc(&arc)).map(|arc| arc.map(|p| view.pixel(p))).collect();
-    let mut path = PathBuilder::new();
-    let mut at: Option<DVec2> = None;
-    for (i, arc) in arcs.iter().enumerate() {
-        let [a, b, c, d] = *arc;
-        if i == 0 || a.distance(arcs[i - 1][3]) > NEAR {
-            path.move_to(a.x as f32, a.y as f32);
-            at = Some(a);
-        }
-        let last = arcs.get(i + 1).is_none_or(|next| next[0].distance(d) > NEAR);
-        if !last && at.is_some_and(|at| at.distance(d) < NEAR) {
+        if outline.closed && outline.points.iter().all(|p| view.shows(view.at(*p))) {
+            path.extend(polygon(view, &outline.points));
             continue;
         }
-        if bend(arc) < FLAT || at != Some(a) {
-            path.line_to(d.x as f32, d.y as f32);
-        } else {
-            path.cubic_to(b.x as f32, b.y as f32, c.x as f32, c.y as f32, d.x as f32, d.y as f32);
-        }
-        at = Some(d);
+        let first = outline.points.first().filter(|_| outline.closed);
+        let places: Vec<_> = outline.points.iter().chain(first).map(|p| view.at(*p)).collect();
+        let sides = places.windows(2).map(|ends| PathSeg::Line(Line::new(ends[0], ends[1])));
+        path.extend(BezPath::from_path_segments(sides.flat_map(|side| view.visible(side))));
     }
-    figure(canvas, path.finish(), None, Some(look))?;
-    if let Some(head) = arrow(&arcs) {
-        let mut path = PathBuilder::new();
-        for (i, p) in head.into_iter().enumerate() {
-            let go = if i == 0 { PathBuilder::move_to } else { PathBuilder::line_to };
-            go(&mut path, p.x as f32, p.y as f32);
-        }
-        path.close();
-        figure(canvas, path.finish(), Some(look), None)?;
-    }
-    Ok(arcs.last().map(|&[a, _, c, d]| [d, (d - c).try_normalize().or((d - a).try_normalize()).unwrap_or(DVec2::X)]))
+    look(surface.kind).stroke(canvas, &path);
 }
 
-/// How far an arc's control points are from its chord.
-fn bend(&[a, b, c, d]: &Arc) -> f64 {
-    let chord = (d - a).normalize_or_zero();
-    let off = |p: DVec2| if chord == DVec2::ZERO { p.distance(a) } else { chord.perp_dot(p - a).abs() };
-    off(b).max(off(c))
+fn polygon(view: &View, corners: &[DVec3]) -> BezPath {
+    ring(corners.iter().map(|p| view.at(*p)))
 }
 
-/// The corners of an arrow's head on a path, if there is room for one.
-fn arrow(arcs: &[Arc]) -> Option<[DVec2; 3]> {
-    let length = |arc: &Arc| arc[0].distance(arc[3]);
-    let whole: f64 = arcs.iter().map(length).sum();
+/// Strokes a ray's path with an arrow on it, and says where it is last seen and in which direction it goes there.
+pub(super) fn path(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Option<[Point; 2]> {
+    let seen: Vec<PathSeg> = curve.0.iter().flat_map(|arc| view.visible(segment(arc.map(|p| view.at(p))))).collect();
+    look.stroke(canvas, &thinned(&seen));
+    if let Some(head) = arrow(&seen) {
+        canvas.draw(&head, Some(look.fill(1.0)), None);
+    }
+    seen.last().map(|last| [last.end(), last.end() + direction(last, 1.0)])
+}
+
+/// A segment that is a curve only if it bends.
+fn segment([a, b, c, d]: [Point; 4]) -> PathSeg {
+    let chord = d - a;
+    let off = |p: Point| if chord == Vec2::ZERO { p.distance(a) } else { chord.normalize().cross(p - a).abs() };
+    if off(b).max(off(c)) < FLAT { PathSeg::Line(Line::new(a, d)) } else { PathSeg::Cubic(CubicBez::new(a, b, c, d)) }
+}
+
+/// Segments as one path, without those that are too short to be seen.
+fn thinned(segments: &[PathSeg]) -> BezPath {
+    let mut path = BezPath::new();
+    let mut at: Option<Point> = None;
+    for (i, segment) in segments.iter().enumerate() {
+        let (start, end) = (segment.start(), segment.end());
+        if i == 0 || start.distance(segments[i - 1].end()) > NEAR {
+            path.move_to(start);
+            at = Some(start);
+        }
+        let is_last = segments.get(i + 1).is_none_or(|next| next.start().distance(end) > NEAR);
+        if !is_last && at.is_some_and(|at| at.distance(end) < NEAR) {
+            continue;
+        }
+        path.push(if at == Some(start) { segment.as_path_el() } else { PathEl::LineTo(end) });
+        at = Some(end);
+    }
+    path
+}
+
+/// The head of an arrow on a path, if there is room for one.
+fn arrow(segments: &[PathSeg]) -> Option<BezPath> {
+    let lengths: Vec<f64> = segments.iter().map(|segment| segment.arclen(ACCURACY)).collect();
+    let whole: f64 = lengths.iter().sum();
     let mut left = whole * ARROW_AT;
-    for arc in arcs.iter().filter(|_| whole > SHORT) {
-        if length(arc) < left {
-            left -= length(arc);
-            continue;
-        }
-        let part = left / length(arc);
-        let thirds = [0, 1, 2].map(|i| arc[i].lerp(arc[i + 1], part));
-        let [from, to] = [0, 1].map(|i| thirds[i].lerp(thirds[i + 1], part));
-        let along = (to - from).try_normalize()?;
-        let (tip, back) = (from.lerp(to, part) + along * (ARROW[0] / 2.0), along * ARROW[0]);
-        let aside = along.perp() * ARROW[1];
-        return Some([tip, tip - back + aside, tip - back - aside]);
+    let (segment, _) = segments.iter().zip(lengths).filter(|_| whole > SHORT).find(|(_, length)| {
+        left -= length;
+        left < 0.0
+    })?;
+    let t = segment.inv_arclen(left + segment.arclen(ACCURACY), ACCURACY);
+    let along = direction(segment, t);
+    let [length, half] = ARROW;
+    let tip = segment.eval(t) + along * (length / 2.0);
+    let aside = Vec2::new(-along.y, along.x) * half;
+    Some(ring([tip, tip - along * length + aside, tip - along * length - aside]))
+}
+
+/// The unit vector along a segment at a value of its parameter.
+fn direction(segment: &PathSeg, t: f64) -> Vec2 {
+    let along = segment.to_cubic().deriv().eval(t).to_vec2();
+    let along = if along.hypot() > 0.0 { along } else { segment.end() - segment.start() };
+    if along.hypot() > 0.0 { along.normalize() } else { Vec2::new(1.0, 0.0) }
+}
+
+/// How something that crosses the plane is drawn.
+pub(super) fn look(kind: SurfaceKind) -> Look {
+    match kind {
+        SurfaceKind::Opaque => Look::solid(),
+        SurfaceKind::Medium => Look::glass(),
+        SurfaceKind::Landmark("horizon" | "capture") => Look::hole(),
+        SurfaceKind::Landmark(_) => Look::limit(),
     }
-    None
 }
 
-fn trace(path: &mut PathBuilder, view: &View, points: &[DVec2]) {
-    for (i, p) in points.iter().map(|p| view.pixel(*p)).enumerate() {
-        let go = if i == 0 { PathBuilder::move_to } else { PathBuilder::line_to };
-        go(path, p.x as f32, p.y as f32);
-    }
-}
-
-/// A path filled in one look's colour and stroked in another's.
-fn figure(canvas: &Area, path: Option<Path>, fill: Option<Look>, stroke: Option<Look>) -> Drawn<()> {
-    let Some(path) = path else { return Ok(()) };
-    canvas.draw(&Figure { path, fill: fill.map(|look| look.pen().color), stroke: stroke.map(Look::pen) }).map_err(words)
-}
-
-impl Look {
-    /// How something that crosses the plane is drawn.
-    pub(super) fn surface(kind: SurfaceKind) -> Self {
-        match kind {
-            SurfaceKind::Opaque => Self::solid(),
-            SurfaceKind::Medium => Self::glass(),
-            SurfaceKind::Landmark("horizon" | "capture") => Self::hole(),
-            SurfaceKind::Landmark(_) => Self::limit(),
-        }
+/// How much of what is behind it the inside of a surface hides, if light comes or stays in it.
+fn opacity(kind: SurfaceKind) -> Option<f64> {
+    match kind {
+        SurfaceKind::Medium => Some(0.2),
+        SurfaceKind::Landmark("horizon" | "capture") => Some(0.6),
+        SurfaceKind::Opaque | SurfaceKind::Landmark(_) => None,
     }
 }

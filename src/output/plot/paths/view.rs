@@ -1,43 +1,46 @@
 //! Which part of the plane is shown, and where it is on the canvas.
 
 use glam::{DVec2, DVec3};
+use kurbo::{CubicBez, ParamCurve, PathSeg, Point, Rect};
 
-use super::clip::Window;
-use super::{Frame, PathPlot};
-use crate::output::plot::{Plot, axis::Axis, data_size, legend::Legend};
+use super::contents::{PathPlot, PlotRange};
+use crate::output::plot::axis::Axis;
+use crate::output::plot::legend::Legend;
+use crate::output::plot::sheet::Sheet;
 use crate::scene::{CutPlane, Outline};
 
-/// By how much a frame about objects goes beyond them: by half of their size.
+/// By how much a range about objects goes beyond them: by half of their size.
 const ROOM: f64 = 1.5;
-
 /// Surfaces that come nearer to the bound than this part of its radius go on for ever.
 const WITHIN: f64 = 0.99;
+/// What is this near to the window's edge, in pixels, is in it.
+const EDGE: f64 = 1e-6;
+/// To how much of a pixel lines are cut at the edge.
+const FINE: f64 = 0.01;
 
-/// Axes on which a unit is equally long, about what the frame asks for; the shorter side shows more.
+/// Axes on which a unit is equally long, about what is asked for; the shorter side shows more.
 pub(super) fn axes(plot: &PathPlot, legend: &Legend) -> (Axis, Axis) {
     let [right, up] = plot.plane.names().map(|name| format!("{name} (scene units)"));
-    let (mut x, mut y) = if let Some(Window { low, high }) = asked(plot) {
+    let (mut x, mut y) = if let Some([low, high]) = asked(plot) {
         (Axis::over(&right, low.x..high.x), Axis::over(&up, low.y..high.y))
     } else {
         let points = everything(plot);
         let along = |k: usize| points.iter().map(move |p| p[k]);
         (Axis::around(&right, false, along(0)), Axis::around(&up, false, along(1)))
     };
-    let (width, height) = data_size(legend);
-    let unit = (x.span() / width).max(y.span() / height);
-    x.widen(unit * width);
-    y.widen(unit * height);
+    let room = Sheet::room("", legend);
+    let unit = (x.span() / room.width()).max(y.span() / room.height());
+    x.widen(unit * room.width());
+    y.widen(unit * room.height());
     (x, y)
 }
 
-/// The rectangle that the frame names; none for everything.
-fn asked(plot: &PathPlot) -> Option<Window> {
-    match plot.frame {
-        Frame::All => None,
-        Frame::Given([left, right, bottom, top]) => {
-            Some(Window { low: DVec2::new(left, bottom), high: DVec2::new(right, top) })
-        }
-        Frame::Objects => {
+/// The corners of the part that is asked for; none for everything.
+fn asked(plot: &PathPlot) -> Option<[DVec2; 2]> {
+    match plot.range {
+        PlotRange::All => None,
+        PlotRange::Given([left, right, bottom, top]) => Some([DVec2::new(left, bottom), DVec2::new(right, top)]),
+        PlotRange::Objects => {
             // A floor that goes on to the bound is no place to look at, unless there is nothing else.
             let is_whole = |outline: &&Outline| outline.points.iter().all(|p| is_well_within(*p, plot.bound));
             let outlines = || plot.surfaces.iter().flat_map(|surface| &surface.outlines);
@@ -51,7 +54,7 @@ fn is_well_within(p: DVec3, bound: Option<(DVec3, f64)>) -> bool {
 }
 
 /// A box about outlines, with room, as far as rays come.
-fn about<'o>(outlines: impl Iterator<Item = &'o Outline>, plot: &PathPlot) -> Option<Window> {
+fn about<'o>(outlines: impl Iterator<Item = &'o Outline>, plot: &PathPlot) -> Option<[DVec2; 2]> {
     let within = |p: DVec2| {
         plot.bound.map_or(p, |(center, radius)| {
             let middle = DVec2::from(plot.plane.flat(center));
@@ -64,7 +67,7 @@ fn about<'o>(outlines: impl Iterator<Item = &'o Outline>, plot: &PathPlot) -> Op
         .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
     let half = (high - low) / 2.0 * ROOM;
     let middle = low.midpoint(high);
-    (half.max_element() > 0.0 && half.is_finite()).then(|| Window { low: middle - half, high: middle + half })
+    (half.max_element() > 0.0 && half.is_finite()).then(|| [middle - half, middle + half])
 }
 
 /// All paths and the bound.
@@ -78,37 +81,55 @@ fn everything(plot: &PathPlot) -> Vec<DVec2> {
     points
 }
 
-/// From the plane to fractions of pixels of the canvas.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct View {
+/// From the scene to the canvas.
+pub(super) struct View<'s> {
     plane: CutPlane,
-    /// What is shown, in the plane's units.
-    pub window: Window,
-    /// Where the window's low corner is, in pixels.
-    corner: DVec2,
-    /// Pixels a unit; downwards on the canvas is upwards in the plane.
-    unit: DVec2,
+    sheet: &'s Sheet<'s>,
+    /// What is shown, in pixels.
+    pub window: Rect,
 }
 
-impl View {
-    pub fn new(plane: CutPlane, plot: &Plot, x: &Axis, y: &Axis) -> Self {
-        let place = |x: f64, y: f64| {
-            let (x, y) = plot.backend_coord(&(x, y));
-            DVec2::new(x.into(), y.into())
-        };
-        let window =
-            Window { low: DVec2::new(x.range.start, y.range.start), high: DVec2::new(x.range.end, y.range.end) };
-        let [low, high] = [window.low, window.high].map(|p| place(p.x, p.y));
-        Self { plane, window, corner: low, unit: (high - low) / (window.high - window.low) }
+impl<'s> View<'s> {
+    pub fn new(plane: CutPlane, sheet: &'s Sheet) -> Self {
+        Self { plane, sheet, window: sheet.window() }
     }
 
-    /// A point's place in the plane.
-    pub fn flat(&self, p: DVec3) -> DVec2 {
-        self.plane.flat(p).into()
+    /// Where the shadow of a point of the scene is on the canvas.
+    pub fn at(&self, p: DVec3) -> Point {
+        self.sheet.at(self.plane.flat(p))
     }
 
-    /// Where a place of the plane is on the canvas.
-    pub fn pixel(&self, p: DVec2) -> DVec2 {
-        self.corner + (p - self.window.low) * self.unit
+    /// A length in pixels.
+    pub fn length(&self, units: f64) -> f64 {
+        units * self.window.width() / self.sheet.x.span()
+    }
+
+    pub fn shows(&self, at: Point) -> bool {
+        self.window.inflate(EDGE, EDGE).contains(at)
+    }
+
+    /// The parts of a segment in the window, in order, found by halves. The canvas cuts at the window itself; but what is far larger
+    /// than it has too many dashes to draw, and a label or an arrow belongs on a part that is seen.
+    pub fn visible(&self, segment: PathSeg) -> Vec<PathSeg> {
+        let window = self.window.inflate(EDGE, EDGE);
+        let mut seen: Vec<[f64; 2]> = Vec::new();
+        let mut left = vec![[0.0, 1.0]];
+        while let Some([from, to]) = left.pop() {
+            let CubicBez { p0, p1, p2, p3 } = segment.subsegment(from..to).to_cubic();
+            let hull = Rect::from_points(p0, p3).union_pt(p1).union_pt(p2);
+            if !hull.overlaps(window) {
+                continue;
+            }
+            if window.contains_rect(hull) {
+                match seen.last_mut() {
+                    Some(last) if last[1] >= from => last[1] = to,
+                    _ => seen.push([from, to]),
+                }
+            } else if hull.width().max(hull.height()) > FINE {
+                let middle = f64::midpoint(from, to);
+                left.extend([[middle, to], [from, middle]]);
+            }
+        }
+        seen.into_iter().map(|[from, to]| segment.subsegment(from..to)).collect()
     }
 }
