@@ -27,10 +27,18 @@ fn declared(module: &naga::Module) -> Vec<String> {
 pub fn unused(linked: &Linked) -> Result<Vec<String>, ProgramError> {
     let mut module = validated(linked)?;
     let before = declared(&module);
-    let unread = unread(&module);
+    let idle = unread(&module).into_iter().chain(unnamed(&module, &linked.source)).collect::<Vec<_>>();
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
     let after = declared(&module);
-    Ok(before.into_iter().filter(|name| !after.contains(name)).chain(unread).collect())
+    Ok(before.into_iter().filter(|name| !after.contains(name)).chain(idle).collect())
+}
+
+/// Constants that stand nowhere but where they are declared: naga keeps them all, for it has put their values in already.
+fn unnamed(module: &naga::Module, source: &str) -> Vec<String> {
+    let words: Vec<&str> = source.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    let names = module.constants.iter().filter_map(|(_, constant)| constant.name.as_deref());
+    let unnamed = names.filter(|name| words.iter().filter(|word| *word == name).count() < 2);
+    unnamed.map(|name| format!("const {name}")).collect()
 }
 
 /// Private variables that nothing reads: copies of uniforms are such variables.
