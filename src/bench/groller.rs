@@ -16,7 +16,7 @@ use super::{Bench, Cell, Report, Table, Times};
 use crate::gpu::Geometry;
 use crate::output::plot::{Chart, Series};
 use crate::program::{Choice, Schedule};
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Accelerate, Mesh, Scene, Shape, Vertex};
 
 const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
@@ -108,7 +108,8 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     drop(Geometry::new(scene));
     let build = started.elapsed().as_secs_f64();
     let choice = Choice { schedule: Schedule::Segment, ..Choice::default() };
-    let renderer = Renderer::new(bench.gpu, scene, Settings { choice, apart: true, ..Settings::default() })?;
+    let renderer =
+        Renderer::new(bench.gpu, scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
     let mut segments = 0;
     let slow = scene.rays.accelerate == Accelerate::None;
     let times = Times::of(if slow { 1 } else { bench.repeats }, || {

@@ -4,7 +4,7 @@ use super::ceiling::ceilings;
 use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::{calibrate, evaluations, every_pixel, method_words};
 use crate::program::{Choice, Purpose, scatters};
-use crate::render::{RenderError, Renderer, Settings, Starts};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts};
 use crate::scene::{Method, Scene};
 
 /// Iterations that a bare loop has room for: lavapipe's limit over the loops of one step.
@@ -49,14 +49,15 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
     scene.image.size = bench.size;
     scene.image.samples = 1;
     scene.image.adaptive = None;
-    if let Some(found) = calibrate(bench.gpu, &scene, &Settings::default(), None)? {
+    if let Some(found) = calibrate(bench.gpu, &scene, &RenderSettings::default(), None)? {
         scene = found.applied(&scene);
     }
     let words = method_words(scene.rays.method, scene.rays.control);
     let Some(steps) = steps(bench, &scene)? else {
         return Ok([name.into(), words.into()].into_iter().chain(vec![Cell::None; 9]).collect());
     };
-    let settings = |purpose| Settings { choice: Choice { purpose, ..Choice::default() }, ..Settings::default() };
+    let settings =
+        |purpose| RenderSettings { choice: Choice { purpose, ..Choice::default() }, ..RenderSettings::default() };
     let bare = Renderer::new(bench.gpu, &scene, settings(Purpose::Bare))?;
     let mut fused = Renderer::new(bench.gpu, &scene, settings(Purpose::Picture))?;
     let segments = fused.choose_segments()?;
@@ -86,7 +87,7 @@ fn steps(bench: &Bench, scene: &Scene) -> Result<Option<Vec<u32>>, RenderError> 
         return Ok(None);
     }
     let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-    let renderer = Renderer::new(bench.gpu, scene, Settings { choice, ..Settings::default() })?;
+    let renderer = Renderer::new(bench.gpu, scene, RenderSettings { choice, ..RenderSettings::default() })?;
     let (rays, _) = renderer.follow(Starts::Pixels(&every_pixel(scene.image.size), scene.image.size[0]))?;
     Ok(Some(rays.iter().map(|ray| ray.steps.min(MOST_STEPS)).collect()))
 }

@@ -7,7 +7,7 @@ use super::paper::{How, SCHWARZSCHILD, scene};
 use super::times::slope;
 use super::{Bench, Report, Table, Times};
 use crate::output::plot::{Chart, Series};
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Control, Method, Scene};
 
 const DOUBLINGS: u32 = 5;
@@ -32,7 +32,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
         for doubling in 0..DOUBLINGS {
             let factor = 1 << doubling;
             let scene = grow(bench, factor)?;
-            let renderer = Renderer::new(bench.gpu, &scene, Settings::default())?;
+            let renderer = Renderer::new(bench.gpu, &scene, RenderSettings::default())?;
             let mut all = 0.0;
             let advance = Times::of(bench.repeats, || {
                 let totals = renderer.picture()?.totals;

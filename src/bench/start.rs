@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::calibrate_for;
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Override, Scene};
 
 /// Width and height of the picture that is started.
@@ -133,7 +133,7 @@ fn second(bench: &Bench, path: &Path) -> Result<Times, RenderError> {
     let size: Vec<Override> = format!("image.size=[{SIZE}, {SIZE}]").parse().into_iter().collect();
     let mut scene = Scene::load(path, &size).map_err(|error| RenderError::Output(Box::new(error)))?;
     let rays = u64::from(SIZE) * u64::from(SIZE) * u64::from(scene.image.samples);
-    let mut settings = Settings::default();
+    let mut settings = RenderSettings::default();
     if let Some(found) = calibrate_for(bench.gpu, &scene, &settings, rays)? {
         settings.choice.layers.clone_from(&found.layers);
         scene = found.applied(&scene);

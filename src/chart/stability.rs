@@ -10,7 +10,7 @@
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Truth, all_methods};
 use crate::program::{Choice, Purpose};
-use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Status, Traced};
 use crate::scene::{Control, DoublingRule, Scene};
 
 /// Directions (radians), speeds (relative) and places (in parts of the bound's radius) are right within this.
@@ -96,7 +96,8 @@ impl<'a> Place<'a> {
     pub fn outcome(&self, candidate: &Candidate, settings: [Control; 3]) -> Result<Outcome, RenderError> {
         let scene = candidate.applied(&self.scene, settings[0]);
         let choice = Choice { purpose: Purpose::Trace, ..Choice::default() };
-        let mut renderer = Renderer::new(self.gpu, &scene, Settings { choice, segments: 256, ..Settings::default() })?;
+        let mut renderer =
+            Renderer::new(self.gpu, &scene, RenderSettings { choice, segments: 256, ..RenderSettings::default() })?;
         let mut follow = |control| -> Result<Vec<Traced>, RenderError> {
             renderer.retune(control, SEGMENTS)?;
             Ok(renderer.follow(Starts::Given(&self.rays))?.0)

@@ -186,7 +186,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let gpu = arguments.device.open()?;
     launch.next();
     let settings = arguments.device.settings(arguments.layers(&scene));
-    let settings = render::Settings { memory: arguments.memory, window: arguments.crop, ..settings };
+    let settings = render::RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };
     let Window { size: [width, height], .. } = arguments.crop.unwrap_or(Window::whole(scene.image.size));
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
     let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Camera(rays))?;

@@ -3,12 +3,12 @@
 use glam::{DVec2, DVec3};
 
 use super::GpuError;
-use super::contents::Source;
 use super::geometry::PlacedShape;
 use super::hierarchy::Node;
 use super::media::capture_radius;
 use super::records::Value::{self, Float, Uint, Vec2, Vec3, Vec4};
 use super::records::pack;
+use super::source::Source;
 use crate::program::{Layout, Obstacle, Purpose, constant};
 use crate::scene::{Falloff, Law, Light, MaterialKind, Medium, Pattern};
 

@@ -1,7 +1,7 @@
 //! The values of media, by the names of their members in WGSL.
 
-use super::contents::Source;
 use super::records::Value::{self, Float, Uint, Uint4, Vec3};
+use super::source::Source;
 use crate::program::{Purpose, Region};
 use crate::scene::{Ingoing, Medium, ProfilePoint, Shape};
 

@@ -1,6 +1,6 @@
 //! The values of a scene's uniforms, by the names of their members in WGSL.
 
-use super::contents::Source;
+use super::source::Source;
 use glam::DVec2;
 
 use super::records::Value::{self, Float, Uint, Uint2, Uint4, Vec2, Vec3};

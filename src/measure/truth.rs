@@ -2,7 +2,7 @@
 
 use crate::gpu::{Gpu, GpuError, adapters};
 use crate::program::{Choice, Purpose, Regions};
-use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Status, Traced};
 use crate::scene::{Control, Law, Method, Precision, Scene, Segment};
 
 /// The least tolerance that f64 is sure to keep.
@@ -60,8 +60,11 @@ impl Truth {
         let scene = reference(scene, tolerance);
         let purpose = if matches!(starts, Starts::Given(_)) { Purpose::Trace } else { Purpose::Pixels };
         let choice = Choice { purpose, ..Choice::default() };
-        let mut renderer =
-            Renderer::new(gpu, &scene, Settings { choice, segments: SEGMENTS_PER_PASS, ..Settings::default() })?;
+        let mut renderer = Renderer::new(
+            gpu,
+            &scene,
+            RenderSettings { choice, segments: SEGMENTS_PER_PASS, ..RenderSettings::default() },
+        )?;
         let fine = renderer.follow(starts)?.0;
         let Control::Embedded { tolerance, eta } = scene.rays.control else {
             return Ok(Self(fine.into_iter().map(Some).collect()));
