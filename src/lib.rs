@@ -20,12 +20,12 @@
 //! 7. [`cli`]: the `bentray` command.
 //!
 //! ```no_run
-//! use bentray::{gpu::Gpu, render::{Renderer, Settings}, scene::Scene};
+//! use bentray::{gpu::Gpu, render::{Renderer, RenderSettings}, scene::Scene};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let scene = Scene::load("scenes/black_hole.toml".as_ref(), &[])?;
 //! let gpu = Gpu::open(None)?;
-//! let picture = Renderer::new(&gpu, &scene, Settings::default())?.picture()?;
+//! let picture = Renderer::new(&gpu, &scene, RenderSettings::default())?.picture()?;
 //! println!("{}", picture.totals);
 //! # Ok(())
 //! # }

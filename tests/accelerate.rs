@@ -5,7 +5,7 @@ use std::path::Path;
 
 use bentray::gpu::Geometry;
 use bentray::program::{Choice, Program, Schedule, Search, Structure};
-use bentray::render::{Renderer, Settings, Status, Traced, trace};
+use bentray::render::{RenderSettings, Renderer, Status, Traced, trace};
 use bentray::scene::Scene;
 
 use crate::shaders::Random;
@@ -88,7 +88,7 @@ fn ends(
         "{keys}max_segments = 60\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{objects}"
     );
     let scene = Scene::parse(&text, &folder.join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
-    let settings = Settings { choice: Choice { schedule, ..Choice::default() }, ..Settings::default() };
+    let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
     trace(&gpu(), &scene, &settings, rays).unwrap().0
 }
 
@@ -203,7 +203,7 @@ fn long_walks_go_on_in_every_structure() {
         assert!(program.work.resumed && program.work.passes_per_segment > 1, "{accelerate}");
         for schedule in [Schedule::Fused, Schedule::Segment] {
             let choice = Choice { schedule, ..Choice::default() };
-            let settings = Settings { choice, ..Settings::default() };
+            let settings = RenderSettings { choice, ..RenderSettings::default() };
             for end in trace(&gpu, &scene, &settings, &rays).unwrap().0 {
                 assert_eq!(end.status, Status::Hit, "{accelerate} {schedule:?}");
                 assert!((end.x[2] + 3.0).abs() < 1e-4, "{accelerate} {schedule:?}: {:?}", end.x);

@@ -8,7 +8,7 @@ use bentray::chart::{Outcome, Place, default_settings};
 use bentray::measure::{Deviations, Truth, all_methods, calibrate, calibrate_for, verify};
 use bentray::output::csv::read_rays;
 use bentray::program::{Choice, Purpose};
-use bentray::render::{Renderer, Settings, Starts, Status, Traced, trace};
+use bentray::render::{RenderSettings, Renderer, Starts, Status, Traced, trace};
 use bentray::scene::{Control, Scene};
 
 use crate::shaders::Random;
@@ -45,7 +45,7 @@ fn deflections_at_infinity() {
         for rows in rows.chunk_by(|a, b| a[1] == b[1]) {
             let scene = at_infinity(rows[0][1], method);
             let rays: Vec<_> = rows.iter().map(|r| [-900.0, number(r[2]), 0.0, number(r[3]), 0.0, 0.0]).collect();
-            let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+            let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
             for (row, end) in rows.iter().zip(ends) {
                 assert_eq!(end.status, Status::Escaped, "{}", row[0]);
                 let error = off(turned(&end), number(row[4]));
@@ -65,7 +65,7 @@ fn measured_errors_are_the_true_ones() {
     let scene = at_infinity(law, "method = \"rk4\"\nscaled_step = 0.2");
     let impacts: Vec<f64> = (0..200).map(|i| f64::from(0.5_f32 + 0.1 * i as f32)).collect();
     let rays: Vec<_> = impacts.iter().map(|b| [-900.0, *b, 0.0, 1.0, 0.0, 0.0]).collect();
-    let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+    let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
     let truth = Truth::new(&gpu, &scene, 1e-13, Starts::Given(&rays)).unwrap();
     assert_eq!(truth.unresolved(), 0);
     let measured = Deviations::new(&ends, &truth).angle;
@@ -85,16 +85,17 @@ const HOLE: &str = "[image]\nsize = [96, 72]\n[camera]\nposition = [0, 2, 20]\n[
 fn a_calibrated_scene_is_as_accurate_as_was_asked() {
     let gpu = gpu();
     let asked = scene(&format!("{HOLE}accuracy = \"0.05px\"\n"));
-    let calibration = calibrate(&gpu, &asked, &Settings::default(), None).unwrap().expect("the scene names no method");
+    let calibration =
+        calibrate(&gpu, &asked, &RenderSettings::default(), None).unwrap().expect("the scene names no method");
     println!("{calibration}");
     assert!(calibration.reached());
     let chosen = calibration.applied(&asked);
-    let found = verify(&gpu, &chosen, &Settings::default(), 500).unwrap().found;
+    let found = verify(&gpu, &chosen, &RenderSettings::default(), 500).unwrap().found;
     let accuracy = asked.accuracy().unwrap();
     assert!(found.seen.p99 <= accuracy, "{:e} where {accuracy:e} was asked for", found.seen.p99);
     // A scene that names its method is left alone.
     let named = scene(&format!("{HOLE}method = \"rk4\"\n"));
-    assert!(calibrate(&gpu, &named, &Settings::default(), None).unwrap().is_none());
+    assert!(calibrate(&gpu, &named, &RenderSettings::default(), None).unwrap().is_none());
 }
 
 /// What is chosen without a search is right too, for laws that bend rays little and much and where something is in their way; and a
@@ -110,15 +111,15 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
     for text in [HOLE.to_owned(), format!("{HOLE}{ball}"), format!("{eye}{fields}"), format!("{eye}{fields}{ball}")] {
         let asked = scene(&text);
         let found =
-            calibrate_for(&gpu, &asked, &Settings::default(), 5000).unwrap().expect("the scene names no method");
+            calibrate_for(&gpu, &asked, &RenderSettings::default(), 5000).unwrap().expect("the scene names no method");
         println!("{found}");
         assert!(!found.compared && found.reached(), "{text}");
         assert!(found.to_string().contains("not compared with other methods"));
-        let verified = verify(&gpu, &found.applied(&asked), &Settings::default(), 2000).unwrap().found;
+        let verified = verify(&gpu, &found.applied(&asked), &RenderSettings::default(), 2000).unwrap().found;
         let accuracy = asked.accuracy().unwrap();
         assert!(verified.seen.p99 <= accuracy, "{text}: {:e} where {accuracy:e} was asked for", verified.seen.p99);
     }
-    let searched = calibrate_for(&gpu, &scene(HOLE), &Settings::default(), 1 << 40).unwrap().unwrap();
+    let searched = calibrate_for(&gpu, &scene(HOLE), &RenderSettings::default(), 1 << 40).unwrap().unwrap();
     assert!(searched.compared && searched.tried.len() > 1, "{searched}");
 }
 
@@ -131,7 +132,7 @@ fn a_calibration_says_what_cannot_be_had() {
          up = [0, 0, 1]\nheight = 20\n[law]\nkind = \"lorenz\"\n[rays]\nbound = { radius = 500 }\nlength = 18\n\
          max_segments = 20000\naccuracy = 1e-5\n",
     );
-    let calibration = calibrate(&gpu, &flow, &Settings::default(), None).unwrap().unwrap();
+    let calibration = calibrate(&gpu, &flow, &RenderSettings::default(), None).unwrap().unwrap();
     println!("{calibration}");
     assert!(!calibration.reached() && calibration.to_string().contains("no method reaches"));
 }
@@ -159,7 +160,7 @@ fn every_fate_is_right() {
     for method in ["planar", "rkn4", "rk4", "dormand-prince", "bogacki-shampine"] {
         let rays_table = format!("[rays]\nbound = {{ radius = 1001 }}\nmax_segments = 5000\nmethod = \"{method}\"\n");
         let scene = scene(&format!("[law]\nkind = \"schwarzschild\"\n{rays_table}"));
-        let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+        let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
         let wrong = ends.iter().zip(&fates).filter(|(end, fate)| end.status != **fate).count();
         assert_eq!(wrong, 0, "{method}");
     }
@@ -211,9 +212,9 @@ fn a_controller_without_its_cap_is_found_out() {
 fn chosen_pixels_are_the_pictures_own() {
     let gpu = gpu();
     let scene = scene(&format!("{HOLE}method = \"rk4\"\n[sky]\ncolor = [1, 1, 1]\n"));
-    let picture = Renderer::new(&gpu, &scene, Settings::default()).unwrap().picture().unwrap();
+    let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
     let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-    let renderer = Renderer::new(&gpu, &scene, Settings { choice, ..Settings::default() }).unwrap();
+    let renderer = Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap();
     let pixels: Vec<[u32; 2]> = (0..72).flat_map(|y| (0..96).map(move |x| [95 - x, y])).collect();
     let (rays, _) = renderer.follow(Starts::Pixels(&pixels, 96)).unwrap();
     for ([x, y], ray) in pixels.iter().zip(&rays) {

@@ -3,7 +3,7 @@
 #![allow(clippy::float_cmp)] // shares of four samples are exact
 
 use bentray::program::{Choice, Layer};
-use bentray::render::{Picture, Plane, Renderer, Settings, Status};
+use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
 use bentray::scene::{CameraKind, Corners, Scene};
 use glam::DVec3;
 
@@ -14,13 +14,13 @@ const BALL: &str = "[rays]\nbound = { radius = 20 }\n[sky]\ncolor = [0.1, 0.2, 0
     [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.5, 0.2], [0.2, 0.9, 1]] }\n\
     [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n";
 
-fn rendered(scene: &Scene, settings: Settings) -> Picture {
+fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     let gpu = gpu();
     Renderer::new(&gpu, scene, settings).unwrap().picture().unwrap()
 }
 
-fn with_status() -> Settings {
-    Settings { choice: Choice { layers: vec![Layer::Status], ..Choice::default() }, ..Settings::default() }
+fn with_status() -> RenderSettings {
+    RenderSettings { choice: Choice { layers: vec![Layer::Status], ..Choice::default() }, ..RenderSettings::default() }
 }
 
 /// From pixel centre to pixel centre: a panorama as large as the sky, from anywhere in straight space, is that sky.
@@ -35,7 +35,7 @@ fn a_panorama_of_a_bare_sky_is_the_sky() {
     let mut check = |fov: [f64; 2], first: [u32; 2], cut: [u32; 2]| {
         scene.image.size = cut;
         scene.camera.as_mut().unwrap().kind = CameraKind::Panorama { fov };
-        let picture = rendered(&scene, Settings::default());
+        let picture = rendered(&scene, RenderSettings::default());
         assert_eq!(picture.totals.unfollowed(), 0);
         let mut off = 0.0_f32;
         for i in 0..cut[0] * cut[1] {
@@ -186,7 +186,7 @@ fn the_shadow_has_its_size_in_a_fisheye() {
         let gpu = gpu();
         let scene = scene(&text);
         let pixels: Vec<[u32; 2]> = (0..2001).map(|x| [x, 1000]).collect();
-        let (rays, _) = bentray::render::trace_pixels(&gpu, &scene, &Settings::default(), &pixels).unwrap();
+        let (rays, _) = bentray::render::trace_pixels(&gpu, &scene, &RenderSettings::default(), &pixels).unwrap();
         let half = 0.5 * fov.to_radians();
         let shadow = |x: i32| {
             let turned = (f64::from(x - 1000) / 1000.5 * half).abs() % std::f64::consts::TAU;
@@ -209,8 +209,8 @@ fn tiles_do_not_show_in_pairs() {
     assert!(matches!(scene.camera.as_ref().unwrap().kind, CameraKind::Fisheye { corners: Corners::Transparent, .. }));
     let whole = rendered(&scene, with_status());
     for tile_pixels in [64, 1000] {
-        let tiled = rendered(&scene, Settings { tile_pixels, ..with_status() });
+        let tiled = rendered(&scene, RenderSettings { tile_pixels, ..with_status() });
         assert!(whole.band == tiled.band, "tiles of {tile_pixels} pixels");
-        assert_eq!(whole.totals.fates, tiled.totals.fates);
+        assert_eq!(whole.totals.by_status, tiled.totals.by_status);
     }
 }

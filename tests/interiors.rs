@@ -3,7 +3,7 @@
 
 use bentray::gpu::Geometry;
 use bentray::program::{BindingKind, Choice, Layer, Masks, Program, Purpose, Schedule};
-use bentray::render::{Picture, Renderer, Settings, Status, Traced, trace};
+use bentray::render::{RenderSettings, Renderer, Rendering, Status, Traced, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
 
@@ -20,8 +20,8 @@ fn room(rays: &str, objects: &[&str]) -> String {
     format!("[rays]\nbound = {{ radius = 25 }}\n{rays}\n{ROOM}{objects}")
 }
 
-fn rendered(scene: &Scene, choice: Choice) -> Picture {
-    let settings = Settings { choice, ..Settings::default() };
+fn rendered(scene: &Scene, choice: Choice) -> Rendering {
+    let settings = RenderSettings { choice, ..RenderSettings::default() };
     Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
 }
 
@@ -59,7 +59,7 @@ fn all_schedules_give_the_same_picture() {
         {
             let other = rendered(&scene, choice(schedule, masks));
             assert!(first.band == other.band, "{schedule:?}, masks {masks:?}\n{text}");
-            assert_eq!(first.totals.fates, other.totals.fates);
+            assert_eq!(first.totals.by_status, other.totals.by_status);
             assert_eq!(first.totals.segments, other.totals.segments, "{schedule:?}, masks {masks:?}");
         }
     }
@@ -108,7 +108,7 @@ fn random_branches_have_the_mean_of_all() {
 }
 
 fn traced(text: &str, rays: &[[f64; 6]]) -> Vec<Traced> {
-    trace(&gpu(), &scene(text), &Settings::default(), rays).unwrap().0
+    trace(&gpu(), &scene(text), &RenderSettings::default(), rays).unwrap().0
 }
 
 /// The closed form finds the first of a spiral's meetings with a ball: the same as many small steps in 64 bits.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use bentray::render::{Settings, Traced, trace};
+use bentray::render::{RenderSettings, Traced, trace};
 use glam::DVec3;
 
 use crate::support::lens::{Fate, Lens, lens_scene, lenses};
@@ -35,7 +35,7 @@ fn traced<'l>(lenses: &[&'l Lens], rays: &str) -> Vec<(&'l Lens, Traced)> {
             [x.x, x.y, x.z, v.x, v.y, v.z]
         };
         let rays: Vec<[f64; 6]> = lenses.iter().map(given).collect();
-        let (results, _) = trace(&gpu, &scene(&text), &Settings::default(), &rays).unwrap();
+        let (results, _) = trace(&gpu, &scene(&text), &RenderSettings::default(), &rays).unwrap();
         ends.extend(lenses.into_iter().zip(results));
     }
     ends
@@ -126,7 +126,7 @@ fn a_luneburg_lens_has_one_focus() {
         [x.x, x.y, x.z, d.x, d.y, d.z]
     };
     let rays: Vec<[f64; 6]> = (0..1000).map(ray).collect();
-    let (ends, _) = trace(&gpu(), &scene(text), &Settings::default(), &rays).unwrap();
+    let (ends, _) = trace(&gpu(), &scene(text), &RenderSettings::default(), &rays).unwrap();
     let focus = center + radius * d;
     for (i, end) in ends.iter().enumerate() {
         assert_eq!(end.status.name(), "escaped", "ray {i}");

@@ -7,7 +7,7 @@ use std::process::Command;
 use bentray::gpu::{Geometry, Gpu};
 use bentray::program::Program;
 use bentray::program::{Choice, Purpose};
-use bentray::render::{Settings, Status, trace};
+use bentray::render::{RenderSettings, Status, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
 
@@ -182,7 +182,7 @@ fn the_hierarchy_finds_what_brute_force_finds() {
             [x.x, x.y, x.z, d.x, d.y, d.z].map(|v| f64::from(v as f32))
         })
         .collect();
-    let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+    let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
     let mut silhouettes = 0;
     for (ray, end) in rays.iter().zip(&ends) {
         let (x, d) = (DVec3::new(ray[0], ray[1], ray[2]), DVec3::new(ray[3], ray[4], ray[5]));
@@ -232,7 +232,8 @@ fn suspended_walks_go_on() {
         assert!(program.work.resumed && program.work.passes_per_segment > 1);
         let rays: Vec<[f64; 6]> = (0..100).map(|i| [1.0 + 0.03 * f64::from(i), 4.5, 9.0, 0.0, 0.0, -1.0]).collect();
         for schedule in [bentray::program::Schedule::Fused, bentray::program::Schedule::Segment] {
-            let settings = Settings { choice: Choice { schedule, ..Choice::default() }, ..Settings::default() };
+            let settings =
+                RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
             let (ends, _) = trace(&gpu, &scene, &settings, &rays).unwrap();
             for end in ends {
                 assert_eq!(end.status, Status::Hit, "{keys} {schedule:?}");
@@ -249,6 +250,7 @@ fn large_meshes_are_usable() {
     let folder = with_mesh(&box_obj(9.0, 92));
     let scene = bent_scene(folder.path(), "[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 17 }");
     assert!(Geometry::new(&scene).triangles.len() > 100_000);
-    let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays_from(DVec3::new(5.0, 4.0, 3.0), 5_000)).unwrap();
+    let (ends, _) =
+        trace(&gpu, &scene, &RenderSettings::default(), &rays_from(DVec3::new(5.0, 4.0, 3.0), 5_000)).unwrap();
     assert!(ends.iter().all(|end| matches!(end.status, Status::Hit | Status::Captured)));
 }

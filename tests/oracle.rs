@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use bentray::gpu::Gpu;
 use bentray::measure::drift;
-use bentray::render::{Settings, Status, Traced, trace};
+use bentray::render::{RenderSettings, Status, Traced, trace};
 use glam::DVec3;
 
 use crate::support::{gpu, scene};
@@ -34,7 +34,7 @@ fn traced<'t>(
                 [x.x, x.y, x.z, v.x, v.y, v.z]
             })
             .collect();
-        let (results, _) = trace(gpu, &scene(&text), &Settings::default(), &rays).unwrap();
+        let (results, _) = trace(gpu, &scene(&text), &RenderSettings::default(), &rays).unwrap();
         for (i, end) in members.into_iter().zip(results) {
             ends[i] = Some(end);
         }
@@ -142,11 +142,11 @@ fn rays_keep_what_their_law_keeps() {
              bound = {{ radius = 20 }}\n"
         );
         // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.
-        let (ends, _) = trace(&gpu, &scene(&medium), &Settings::default(), &rays).unwrap();
+        let (ends, _) = trace(&gpu, &scene(&medium), &RenderSettings::default(), &rays).unwrap();
         let short = medium.replace("length = 9", "length = 1e-6");
         let again: Vec<[f64; 6]> =
             ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2]].map(f64::from)).collect();
-        let (starts, _) = trace(&gpu, &scene(&short), &Settings::default(), &again).unwrap();
+        let (starts, _) = trace(&gpu, &scene(&short), &RenderSettings::default(), &again).unwrap();
         for (end, start) in ends.iter().zip(starts) {
             let (kept, index) = (DVec3::from(end.v).length(), DVec3::from(start.v).length());
             assert!((kept - index).abs() < 2e-5, "|v| = {kept}, n = {index}");
@@ -174,7 +174,7 @@ fn speed_follows_the_index_of_every_medium() {
              bound = {{ radius = 20 }}\n"
         );
         let scene = scene(&text);
-        let (ends, _) = trace(&gpu, &scene, &Settings::default(), &rays).unwrap();
+        let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
         assert!(ends.iter().all(|end| end.status == Status::Ended), "{index}");
         let start = |ray: &[f64; 6]| {
             let [x, v] = [DVec3::from_slice(&ray[..3]), DVec3::from_slice(&ray[3..])];
@@ -194,10 +194,10 @@ fn paths_can_be_followed_back() {
         "[law]\nkind = \"schwarzschild\"\n[rays]\nscaled_step = 0.03\nmax_segments = 4000\nbound = { radius = 30 }\n",
     );
     let rays: Vec<[f64; 6]> = (0..40).map(|i| [-29.9, 6.5 + 0.2 * f64::from(i), 1.0, 1.0, 0.0, 0.0]).collect();
-    let (ends, _) = trace(&gpu, &hole, &Settings::default(), &rays).unwrap();
+    let (ends, _) = trace(&gpu, &hole, &RenderSettings::default(), &rays).unwrap();
     let back: Vec<[f64; 6]> =
         ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], -e.v[0], -e.v[1], -e.v[2]].map(f64::from)).collect();
-    let (starts, _) = trace(&gpu, &hole, &Settings::default(), &back).unwrap();
+    let (starts, _) = trace(&gpu, &hole, &RenderSettings::default(), &back).unwrap();
     for (ray, start) in rays.iter().zip(starts) {
         let line = DVec3::new(ray[3], ray[4], ray[5]);
         let off = (DVec3::from(start.x) - DVec3::new(ray[0], ray[1], ray[2])).reject_from_normalized(line).length();

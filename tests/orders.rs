@@ -4,7 +4,7 @@
 //! f64 would show too.
 
 use bentray::gpu::Gpu;
-use bentray::render::{Settings, Status, Traced, trace};
+use bentray::render::{RenderSettings, Status, Traced, trace};
 use glam::DVec3;
 
 use crate::shaders::schemes::{DORMAND_PRINCE, Phase, lorenz_field, path_rate};
@@ -78,7 +78,7 @@ impl Law {
             self.text, self.length
         );
         let starts: Vec<[f64; 6]> = self.starts().map(|[x, v]| [x.x, x.y, x.z, v.x, v.y, v.z]).collect();
-        let (ends, _) = trace(gpu, &scene(&text), &Settings::default(), &starts).unwrap();
+        let (ends, _) = trace(gpu, &scene(&text), &RenderSettings::default(), &starts).unwrap();
         for end in &ends {
             assert_eq!(end.status, Status::Ended, "{} with {rays}", self.name);
             assert!((end.tau / self.length - 1.0).abs() < 1e-6, "{} with {rays} ends at {}", self.name, end.tau);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use bentray::gpu::{Geometry, memory};
 use bentray::program::{Choice, Layer, Program, Schedule};
-use bentray::render::{Picture, Plane, Renderer, Settings, Status};
+use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
 use bentray::scene::{Object, Scene, Shape};
 use glam::DVec3;
 
@@ -41,7 +41,7 @@ fn state_on_the_device_is_small() {
     }
 }
 
-fn rendered(scene: &Scene, settings: Settings) -> Picture {
+fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     let gpu = gpu();
     Renderer::new(&gpu, scene, settings).unwrap().picture().unwrap()
 }
@@ -52,11 +52,12 @@ fn tiles_do_not_show() {
     let mut scene = scene(HOLE);
     scene.image.samples = 3;
     let choice = Choice { layers: Layer::ALL.to_vec(), ..Choice::default() };
-    let whole = rendered(&scene, Settings { choice: choice.clone(), ..Settings::default() });
+    let whole = rendered(&scene, RenderSettings { choice: choice.clone(), ..RenderSettings::default() });
     for tile_pixels in [64, 1000] {
-        let tiled = rendered(&scene, Settings { choice: choice.clone(), tile_pixels, ..Settings::default() });
+        let tiled =
+            rendered(&scene, RenderSettings { choice: choice.clone(), tile_pixels, ..RenderSettings::default() });
         assert!(whole.band == tiled.band, "tiles of {tile_pixels} pixels");
-        assert_eq!(whole.totals.fates, tiled.totals.fates);
+        assert_eq!(whole.totals.by_status, tiled.totals.by_status);
         assert_eq!(whole.totals.steps, tiled.totals.steps);
     }
 }
@@ -79,7 +80,7 @@ fn a_large_sky_is_where_it_is_in_its_file() {
             pixels: Arc::new(pixels.collect()),
             name: "blocks".to_owned(),
         };
-        let band = rendered(&scene, Settings::default()).band;
+        let band = rendered(&scene, RenderSettings::default()).band;
         for (i, row) in (0..BLOCKS).flat_map(|block| [block; 4]).enumerate() {
             let found = [0, 1, 2].map(|channel: usize| band.color[channel][i]);
             let near = found.iter().zip(level(row)).all(|(a, b)| (a - b).abs() <= 1e-6 * b);
@@ -93,7 +94,7 @@ fn a_large_sky_is_where_it_is_in_its_file() {
 fn every_ray_is_counted() {
     let mut scene = scene(HOLE);
     scene.image.samples = 2;
-    let picture = rendered(&scene, Settings::default());
+    let picture = rendered(&scene, RenderSettings::default());
     assert_eq!(picture.totals.rays, 2 * 96 * 64);
     for status in [Status::Hit, Status::Escaped, Status::Captured] {
         assert!(picture.totals.count(status) > 100, "{}", picture.totals);
@@ -107,7 +108,7 @@ fn samples_converge() {
     let mut scene = scene(HOLE);
     let mut with = |samples: u32| {
         scene.image.samples = samples;
-        rendered(&scene, Settings::default()).band.color.concat()
+        rendered(&scene, RenderSettings::default()).band.color.concat()
     };
     let (few, more, many) = (with(4), with(16), with(64));
     let error = |a: &[f32]| -> f64 { a.iter().zip(&many).map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>().sqrt() };
@@ -130,7 +131,7 @@ fn the_shadow_has_its_size() {
              [law]\nkind = \"schwarzschild\"\n[rays]\nbound = {{ radius = 50 }}\n[sky]\ncolor = [1, 1, 1]\n"
         );
         let scene = scene(&text);
-        let picture = rendered(&scene, Settings::default());
+        let picture = rendered(&scene, RenderSettings::default());
         let row = &picture.band.color[0][401..802];
         let dark = row.iter().filter(|v| **v == 0.0).count() as f64;
         let angle: f64 = f64::asin(f64::sqrt(sin2));
@@ -169,7 +170,7 @@ fn crossings(object: &Object, from: DVec3, along: DVec3) -> Vec<f64> {
 fn cylinders_and_disks_are_where_they_are() {
     let scene = scene(ROUND);
     let choice = Choice { layers: vec![Layer::Object], ..Choice::default() };
-    let picture = rendered(&scene, Settings { choice, ..Settings::default() });
+    let picture = rendered(&scene, RenderSettings { choice, ..RenderSettings::default() });
     let [(_, Plane::Id(seen))] = &picture.band.layers[..] else { panic!("one layer") };
     let camera = scene.camera.as_ref().expect("a camera");
     let half = 25_f64.to_radians().tan();

@@ -1,7 +1,7 @@
 //! Adaptive sampling: more samples where the picture needs them, the same in every schedule and tile, and nothing silent.
 
 use bentray::program::{Choice, Layer, Masks, Schedule};
-use bentray::render::{Adaptive, Picture, Plane, Renderer, Settings, Window};
+use bentray::render::{Adaptive, Plane, RenderSettings, Renderer, Rendering, Window};
 use bentray::scene::Scene;
 
 use crate::support::{gpu, scene};
@@ -69,16 +69,16 @@ center = [0.4, 0.2, 0]
 material = "white"
 "#;
 
-fn rendered(scene: &Scene, settings: Settings) -> Picture {
+fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
 }
 
-fn with_layers(layers: &[Layer]) -> Settings {
-    Settings { choice: Choice { layers: layers.to_vec(), ..Choice::default() }, ..Settings::default() }
+fn with_layers(layers: &[Layer]) -> RenderSettings {
+    RenderSettings { choice: Choice { layers: layers.to_vec(), ..Choice::default() }, ..RenderSettings::default() }
 }
 
 /// How many rays each pixel took, and what the totals say of them.
-fn counts(picture: &Picture) -> (&[u32], Adaptive) {
+fn counts(picture: &Rendering) -> (&[u32], Adaptive) {
     let Some(Plane::Id(samples)) = picture.band.layer(Layer::Samples) else { panic!("no layer of samples") };
     (samples, picture.totals.adaptive.expect("an adaptive picture"))
 }
@@ -89,7 +89,7 @@ fn adaptive_pictures_do_not_depend_on_the_schedule() {
     let scene = scene(GLASS);
     let one = |schedule, masks, segments| {
         let choice = Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
-        rendered(&scene, Settings { choice, segments, ..Settings::default() })
+        rendered(&scene, RenderSettings { choice, segments, ..RenderSettings::default() })
     };
     let first = one(Schedule::Fused, Masks::List, 16);
     let (samples, adaptive) = counts(&first);
@@ -106,7 +106,7 @@ fn adaptive_pictures_do_not_depend_on_the_schedule() {
     ] {
         let other = one(schedule, masks, segments);
         assert!(first.band == other.band, "{schedule:?}, {masks:?}, K = {segments}");
-        assert_eq!((&first.totals.fates, adaptive), (&other.totals.fates, counts(&other).1), "{schedule:?}");
+        assert_eq!((&first.totals.by_status, adaptive), (&other.totals.by_status, counts(&other).1), "{schedule:?}");
     }
 }
 
@@ -127,12 +127,12 @@ fn adaptive_tiles_do_not_show() {
     let scene = scene(GLASS);
     let whole = rendered(&scene, with_layers(&Layer::ALL));
     for tile_pixels in [64, 150] {
-        let tiled = rendered(&scene, Settings { tile_pixels, ..with_layers(&Layer::ALL) });
+        let tiled = rendered(&scene, RenderSettings { tile_pixels, ..with_layers(&Layer::ALL) });
         assert!(whole.band == tiled.band, "tiles of {tile_pixels} pixels");
         assert_eq!(counts(&whole).1.capped, counts(&tiled).1.capped);
     }
     let window = Window { origin: [7, 4], size: [9, 6] };
-    let crop = rendered(&scene, Settings { window: Some(window), ..with_layers(&[Layer::Samples]) });
+    let crop = rendered(&scene, RenderSettings { window: Some(window), ..with_layers(&[Layer::Samples]) });
     for (i, red) in crop.band.color[0].iter().enumerate() {
         let at = (window.origin[1] as usize + i / 9) * 20 + window.origin[0] as usize + i % 9;
         assert_eq!((*red, counts(&crop).0[i]), (whole.band.color[0][at], counts(&whole).0[at]), "pixel {i}");
@@ -187,10 +187,10 @@ fn an_edge_is_refined_and_nothing_else() {
         assert_eq!(*n > 1, parted, "pixel {i} took {n}");
     }
     let uniform = |samples: u32| {
-        rendered(&scene(&BALL.replace("adaptive = 0.02", &format!("samples = {samples}"))), Settings::default())
+        rendered(&scene(&BALL.replace("adaptive = 0.02", &format!("samples = {samples}"))), RenderSettings::default())
     };
     let truth = uniform(1024);
-    let off = |picture: &Picture| -> f64 {
+    let off = |picture: &Rendering| -> f64 {
         let pairs = picture.band.color[0].iter().zip(&truth.band.color[0]);
         pairs.map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>().sqrt()
     };

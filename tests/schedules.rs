@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use bentray::program::{Choice, Layer};
-use bentray::render::{Picture, Plane, Renderer, Settings, Status};
+use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
 use bentray::scene::Scene;
 use glam::DVec3;
 
@@ -62,7 +62,7 @@ fn scattered_survivors_do_not_depend_on_the_schedule() {
     for (path, survivors) in scenes_in("scenes/bench").into_iter().zip([1.0..=1.0, 0.08..=0.12]) {
         assert_all_the_same(&path, &["--size", "48x36"]);
         let scene = Scene::load(&path, &["image.size=[160, 120]".parse().unwrap()]).unwrap();
-        let totals = Renderer::new(&gpu, &scene, Settings::default()).unwrap().picture().unwrap().totals;
+        let totals = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap().totals;
         let share = totals.count(Status::Escaped) as f64 / totals.rays as f64;
         assert!(survivors.contains(&share), "{}: {share} of the rays go on", path.display());
         assert!(totals.segments as f64 > 100.0 * share * totals.rays as f64, "{totals}");
@@ -188,11 +188,12 @@ fn in_16_bits_paper_and_segment_round_alike() {
 }
 
 /// How every ray ended in some precision, and where; the picture.
-fn ends(precision: &str) -> (Vec<u32>, Vec<DVec3>, Picture) {
+fn ends(precision: &str) -> (Vec<u32>, Vec<DVec3>, Rendering) {
     let gpu = gpu();
     let scene = scene(&HOLE.replace("[rays]", &format!("[rays]\nprecision = \"{precision}\"")));
     let choice = Choice { layers: vec![Layer::Status, Layer::Position], ..Choice::default() };
-    let picture = Renderer::new(&gpu, &scene, Settings { choice, ..Settings::default() }).unwrap().picture().unwrap();
+    let picture =
+        Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().picture().unwrap();
     let [(_, Plane::Id(statuses)), (_, Plane::Vector([x, y, z]))] = &picture.band.layers[..] else {
         panic!("two layers: {:?}", picture.band.layers)
     };

@@ -1,13 +1,13 @@
 //! Media that a scene gives in full, formulas and samples, through whole programs.
 
-use bentray::render::{Settings, Status, Traced, trace};
+use bentray::render::{RenderSettings, Status, Traced, trace};
 use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
 fn ends(index: &str, rays_table: &str, rays: &[[f64; 6]]) -> Vec<Traced> {
     let text = format!("[law]\nkind = \"medium\"\nindex = {index}\n[rays]\n{rays_table}\n");
-    trace(&gpu(), &scene(&text), &Settings::default(), rays).unwrap_or_else(|error| panic!("{error}")).0
+    trace(&gpu(), &scene(&text), &RenderSettings::default(), rays).unwrap_or_else(|error| panic!("{error}")).0
 }
 
 fn parallel_rays() -> Vec<[f64; 6]> {

@@ -1,8 +1,8 @@
-//! What a dense list of the living is worth: where few rays go on, scattered over the picture, and where all do.
+//! What compaction is worth, a dense list of the active rays: where few go on, scattered over the picture, and where all do.
 
 use super::{Bench, Cell, Report, Table, Times};
 use crate::program::{Choice, Masks, Purpose, Schedule};
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
 /// The schedules that are compared, with K where it counts.
@@ -22,7 +22,7 @@ pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, R
         "spread (list)",
         "list over masks",
     ];
-    let caption = "Ended rays run along, skipped where they lie, and left out of a list of the living";
+    let caption = "Ended rays run along, skipped where they lie, and left out of a list of the active ones";
     let mut table = Table::new("compaction", caption, &header);
     for (name, scene) in scenes {
         let mut scene = scene.clone();
@@ -60,7 +60,7 @@ pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, R
 fn times(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 3], RenderError> {
     let renderer = |masks: Masks| {
         let choice = Choice { schedule, masks, purpose: Purpose::Picture, layers: Vec::new() };
-        Renderer::new(bench.gpu, scene, Settings { choice, segments, ..Settings::default() })
+        Renderer::new(bench.gpu, scene, RenderSettings { choice, segments, ..RenderSettings::default() })
     };
     let (off, grid, list) = (renderer(Masks::Off)?, renderer(Masks::Grid)?, renderer(Masks::List)?);
     let run = |renderer: &Renderer| Ok(renderer.picture()?.totals.advance());

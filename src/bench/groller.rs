@@ -17,7 +17,7 @@ use crate::gpu::Geometry;
 use crate::model::shape::Triangles;
 use crate::output::plot::{Chart, Series};
 use crate::program::{Choice, Schedule};
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Accelerate, Mesh, Scene, Vertex};
 
 const COUNTS: [usize; 6] = [10, 100, 1_000, 10_000, 100_000, 1_000_000];
@@ -109,7 +109,8 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     drop(Geometry::new(scene));
     let build = started.elapsed().as_secs_f64();
     let choice = Choice { schedule: Schedule::Segment, ..Choice::default() };
-    let renderer = Renderer::new(bench.gpu, scene, Settings { choice, apart: true, ..Settings::default() })?;
+    let renderer =
+        Renderer::new(bench.gpu, scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
     let mut segments = 0;
     let slow = scene.rays.accelerate == Accelerate::None;
     let times = Times::of(if slow { 1 } else { bench.repeats }, || {

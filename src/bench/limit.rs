@@ -5,7 +5,7 @@ use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::{calibrate, evaluations, every_pixel, method_words};
 use crate::model::method::CLOSED_FORMS;
 use crate::program::{Choice, Purpose};
-use crate::render::{RenderError, Renderer, Settings, Starts};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts};
 use crate::scene::Scene;
 
 /// Iterations that a bare loop has room for: lavapipe's limit over the loops of one step.
@@ -50,14 +50,15 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
     scene.image.size = bench.size;
     scene.image.samples = 1;
     scene.image.adaptive = None;
-    if let Some(found) = calibrate(bench.gpu, &scene, &Settings::default(), None)? {
+    if let Some(found) = calibrate(bench.gpu, &scene, &RenderSettings::default(), None)? {
         scene = found.applied(&scene);
     }
     let words = method_words(scene.rays.method, scene.rays.control);
     let Some(steps) = steps(bench, &scene)? else {
         return Ok([name.into(), words.into()].into_iter().chain(vec![Cell::None; 9]).collect());
     };
-    let settings = |purpose| Settings { choice: Choice { purpose, ..Choice::default() }, ..Settings::default() };
+    let settings =
+        |purpose| RenderSettings { choice: Choice { purpose, ..Choice::default() }, ..RenderSettings::default() };
     let bare = Renderer::new(bench.gpu, &scene, settings(Purpose::Bare))?;
     let mut fused = Renderer::new(bench.gpu, &scene, settings(Purpose::Picture))?;
     let segments = fused.choose_segments()?;
@@ -87,7 +88,7 @@ fn steps(bench: &Bench, scene: &Scene) -> Result<Option<Vec<u32>>, RenderError> 
         return Ok(None);
     }
     let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-    let renderer = Renderer::new(bench.gpu, scene, Settings { choice, ..Settings::default() })?;
+    let renderer = Renderer::new(bench.gpu, scene, RenderSettings { choice, ..RenderSettings::default() })?;
     let (rays, _) = renderer.follow(Starts::Pixels(&every_pixel(scene.image.size), scene.image.size[0]))?;
     Ok(Some(rays.iter().map(|ray| ray.steps.min(MOST_STEPS)).collect()))
 }

@@ -14,7 +14,7 @@ use super::{Bench, CRITICAL, Cell, Report, Table, Times, shadow_edge};
 use crate::measure::{calibrate, method_words};
 use crate::output::plot::{Chart, Series};
 use crate::program::{Choice, Masks, Purpose, Schedule};
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Scene, SceneError};
 
 /// A law of Table 1: its name there, its keys, those that leave us the choice between its forms, and the seconds that the paper
@@ -114,7 +114,7 @@ fn table(bench: &Bench) -> Result<Table, RenderError> {
         let [plain, accelerated] = scenes;
         let (plain, accelerated) = (plain?, accelerated?);
         let (ours, settings, words, error) = own(bench, own_keys, 10)?;
-        let (mut a, mut b) = (run(bench, &plain, unmasked())?, run(bench, &accelerated, Settings::default())?);
+        let (mut a, mut b) = (run(bench, &plain, unmasked())?, run(bench, &accelerated, RenderSettings::default())?);
         let mut c = run(bench, &ours, settings)?;
         let [a, b, c] = Times::by_turns(bench.repeats, [&mut a, &mut b, &mut c])?;
         table.rows.push(vec![
@@ -144,7 +144,7 @@ fn figure(bench: &Bench) -> Result<Table, RenderError> {
     let mut scenes = Vec::new();
     for spheres in SPHERES {
         scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Plain)?, unmasked()));
-        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Published)?, Settings::default()));
+        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Published)?, RenderSettings::default()));
         let (ours, settings, ..) = own(bench, SCHWARZSCHILD, spheres)?;
         scenes.push((ours, settings));
     }
@@ -192,9 +192,9 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
 }
 
 /// The scene by the method that `auto` takes, its words and its error.
-fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, Settings, String, Cell), RenderError> {
+fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings, String, Cell), RenderError> {
     let scene = scene(bench.size, keys, spheres, 30, How::Ours)?;
-    let mut settings = Settings::default();
+    let mut settings = RenderSettings::default();
     let Some(found) = calibrate(bench.gpu, &scene, &settings, None)? else {
         return Ok((scene, settings, "exact".to_owned(), Cell::None));
     };
@@ -204,16 +204,16 @@ fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, Settings, Stri
 }
 
 /// Every pixel in every pass.
-pub(super) fn unmasked() -> Settings {
+pub(super) fn unmasked() -> RenderSettings {
     let choice = Choice { schedule: Schedule::Fused, masks: Masks::Off, purpose: Purpose::Picture, layers: Vec::new() };
-    Settings { choice, ..Settings::default() }
+    RenderSettings { choice, ..RenderSettings::default() }
 }
 
 /// What renders a scene once more, and says how long the passes that advance and intersect took.
 pub(super) fn run<'s>(
     bench: &Bench<'s>,
     scene: &'s Scene,
-    settings: Settings,
+    settings: RenderSettings,
 ) -> Result<impl FnMut() -> Result<Duration, RenderError> + 's, RenderError> {
     let renderer = Renderer::new(bench.gpu, scene, settings)?;
     Ok(move || Ok(renderer.picture()?.totals.advance()))

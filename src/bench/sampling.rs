@@ -6,7 +6,7 @@ use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::{calibrate, method_words};
 use crate::output::color::display;
 use crate::output::plot::{Chart, Series};
-use crate::render::{Picture, RenderError, Renderer, Settings, Totals};
+use crate::render::{RenderError, RenderSettings, Renderer, Rendering, Totals};
 use crate::scene::{SamplePattern, Scene};
 
 /// Samples of the pictures that others are compared with.
@@ -138,15 +138,15 @@ fn curves(name: &str, measured: &[Measured]) -> [Series; 2] {
 fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), RenderError> {
     let mut scene = sampled(scene, Sampling::Uniform(1));
     scene.image.size = bench.size;
-    if let Some(found) = calibrate(bench.gpu, &scene, &Settings::default(), None)? {
+    if let Some(found) = calibrate(bench.gpu, &scene, &RenderSettings::default(), None)? {
         scene = found.applied(&scene);
     }
     let truth = sampled(&scene, Sampling::Uniform(REFERENCE));
-    let truth = shown(&scene, &Renderer::new(bench.gpu, &truth, Settings::default())?.picture()?);
+    let truth = shown(&scene, &Renderer::new(bench.gpu, &truth, RenderSettings::default())?.picture()?);
     let mut measured = Vec::new();
     for sampling in UNIFORM.map(Sampling::Uniform).into_iter().chain(TOLERANCES.map(Sampling::Adaptive)) {
         let scene = sampled(&scene, sampling);
-        let mut renderer = Renderer::new(bench.gpu, &scene, Settings::default())?;
+        let mut renderer = Renderer::new(bench.gpu, &scene, RenderSettings::default())?;
         renderer.choose_segments()?;
         let picture = renderer.picture()?;
         let off = shown(&scene, &picture).iter().zip(&truth).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
@@ -174,7 +174,7 @@ fn sampled(scene: &Scene, sampling: Sampling) -> Scene {
 }
 
 /// What a PNG shows of the picture.
-fn shown(scene: &Scene, picture: &Picture) -> Vec<f64> {
+fn shown(scene: &Scene, picture: &Rendering) -> Vec<f64> {
     let [red, green, blue] = &picture.band.color;
     let colors = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, *g, *b]);
     colors.flat_map(|color| display(color, scene.output.exposure.exp2(), scene.output.tonemap)).collect()

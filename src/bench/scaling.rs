@@ -9,7 +9,7 @@ use super::{Bench, Report, Table, Times};
 use crate::model::control::scaled;
 use crate::model::method;
 use crate::output::plot::{Chart, Series};
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
 const DOUBLINGS: u32 = 5;
@@ -34,7 +34,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
         for doubling in 0..DOUBLINGS {
             let factor = 1 << doubling;
             let scene = grow(bench, factor)?;
-            let renderer = Renderer::new(bench.gpu, &scene, Settings::default())?;
+            let renderer = Renderer::new(bench.gpu, &scene, RenderSettings::default())?;
             let mut all = 0.0;
             let advance = Times::of(bench.repeats, || {
                 let totals = renderer.picture()?.totals;

@@ -4,13 +4,13 @@ use super::paper::{GEODESIC, How, scene};
 use super::{Bench, Cell, Report, Table, Times};
 use crate::output::plot::{Chart, Series};
 use crate::program::{Choice, Masks, Purpose, Schedule};
-use crate::render::{RenderError, Renderer, Settings};
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
 /// K of the fused schedule; the last is all of a path's segments.
 const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
 
-/// The 2004 paper's case by every schedule and K, without masks and with them: those of 2004 under `paper`, else the list of the living.
+/// The 2004 paper's case by every schedule and K, without masks and with them: those of 2004 under `paper`, else the list of active rays.
 pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     let scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
     let others = [Schedule::Paper, Schedule::Segment].map(|schedule| (schedule, 1));
@@ -45,7 +45,7 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
         y_label: "seconds on the device".to_owned(),
         log_x: true,
         log_y: true,
-        series: vec![series("every pixel", |p| p.1), series("the living", |p| p.2)],
+        series: vec![series("every pixel", |p| p.1), series("active rays", |p| p.2)],
     };
     let [width, height] = bench.size;
     Ok(Report {
@@ -53,7 +53,7 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
         title: "Schedules".to_owned(),
         intro: vec![format!(
             "{width}×{height} pixels. The same stages in different passes; every picture is the same, bit for bit. With masks \
-             ended rays are skipped: where they lie in `paper`, by a dense list of the living in the others."
+             ended rays are skipped: where they lie in `paper`, by a dense list of the active rays in the others."
         )],
         tables: vec![table],
         plots: vec![("fused", chart)],
@@ -64,7 +64,7 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
 fn by_masks(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 2], RenderError> {
     let renderer = |masks: Masks| {
         let choice = Choice { schedule, masks, purpose: Purpose::Picture, layers: Vec::new() };
-        Renderer::new(bench.gpu, scene, Settings { choice, segments, ..Settings::default() })
+        Renderer::new(bench.gpu, scene, RenderSettings { choice, segments, ..RenderSettings::default() })
     };
     let (plain, masked) = (renderer(Masks::Off)?, renderer(schedule.masks())?);
     let mut plain = || Ok(plain.picture()?.totals.advance());

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::gpu::Gpu;
-use crate::render::{RenderError, Settings, Status, trace};
+use crate::render::{RenderError, RenderSettings, Status, trace};
 use crate::scene::Scene;
 
 /// The impact parameter of the photon sphere: √27 M.
@@ -18,7 +18,7 @@ pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
     let scene = Scene::parse(&text, Path::new("bench"), &[]).map_err(|error| RenderError::Output(Box::new(error)))?;
     let impact: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
     let starts: Vec<[f64; 6]> = impact.iter().map(|b| ray(50.0, *b)).collect();
-    let (ends, _) = trace(gpu, &scene, &Settings::default(), &starts)?;
+    let (ends, _) = trace(gpu, &scene, &RenderSettings::default(), &starts)?;
     let captured = impact.iter().zip(&ends).filter(|(_, end)| end.status == Status::Captured).map(|(b, _)| *b);
     Ok(captured.fold(None, |most: Option<f64>, b| Some(most.map_or(b, |most| most.max(b)))))
 }

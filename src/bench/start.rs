@@ -10,7 +10,7 @@ use std::process::Command;
 
 use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::calibrate_for;
-use crate::render::{RenderError, Renderer, Settings, StartUp};
+use crate::render::{RenderError, RenderSettings, Renderer, StartUp};
 use crate::scene::{Override, Scene};
 
 /// Width and height of the picture that is started.
@@ -79,7 +79,7 @@ fn second(bench: &Bench, path: &Path) -> Result<Times, RenderError> {
     let size: Vec<Override> = format!("image.size=[{SIZE}, {SIZE}]").parse().into_iter().collect();
     let mut scene = Scene::load(path, &size).map_err(|error| RenderError::Output(Box::new(error)))?;
     let rays = u64::from(SIZE) * u64::from(SIZE) * u64::from(scene.image.samples);
-    let mut settings = Settings::default();
+    let mut settings = RenderSettings::default();
     if let Some(found) = calibrate_for(bench.gpu, &scene, &settings, rays)? {
         settings.choice.layers.clone_from(&found.layers);
         scene = found.applied(&scene);

@@ -10,12 +10,12 @@
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Truth, all_methods};
 use crate::program::{Choice, Purpose};
-use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Status, Traced};
 use crate::scene::{Control, Scene};
 
 /// Directions (radians), speeds (relative) and places (in parts of the bound's radius) are right within this.
 const RIGHT: f64 = 1e-3;
-/// Settings agree if they differ by no more than this part of what is right: halving the steps of a method of order 1 shows
+/// RenderSettings agree if they differ by no more than this part of what is right: halving the steps of a method of order 1 shows
 /// half of its error, and the rest is margin.
 const AGREES: f64 = 0.25;
 const TOLERANCE: f64 = 1e-13;
@@ -84,7 +84,8 @@ impl<'a> Place<'a> {
     pub fn outcome(&self, candidate: &Candidate, settings: [Control; 3]) -> Result<Outcome, RenderError> {
         let scene = candidate.applied(&self.scene, settings[0]);
         let choice = Choice { purpose: Purpose::Trace, ..Choice::default() };
-        let mut renderer = Renderer::new(self.gpu, &scene, Settings { choice, segments: 256, ..Settings::default() })?;
+        let mut renderer =
+            Renderer::new(self.gpu, &scene, RenderSettings { choice, segments: 256, ..RenderSettings::default() })?;
         let mut follow = |control| -> Result<Vec<Traced>, RenderError> {
             renderer.retune(control, SEGMENTS)?;
             Ok(renderer.follow(Starts::Given(&self.rays))?.0)

@@ -7,7 +7,7 @@
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
 use crate::program::{Choice, Purpose, Schedule};
-use crate::render::{RenderError, Renderer, Settings, Starts, Traced};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced};
 use crate::scene::Scene;
 
 /// How to measure.
@@ -128,7 +128,7 @@ impl Sweep<'_> {
     fn reference_picture(&self, scene: &Scene) -> Result<Vec<f32>, RenderError> {
         let scene = crate::measure::reference(scene, 1e-9);
         let other = crate::measure::double_device(self.gpu)?;
-        let settings = Settings { segments: 256, ..Settings::default() };
+        let settings = RenderSettings { segments: 256, ..RenderSettings::default() };
         let picture = Renderer::new(other.as_ref().unwrap_or(self.gpu), &scene, settings)?.picture()?;
         Ok(picture.band.color.concat())
     }
@@ -145,9 +145,11 @@ impl Sweep<'_> {
         let mut scene = candidate.applied(scene, candidate.controls[0]);
         scene.rays.max_segments = SEGMENTS;
         let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-        let mut few = Renderer::new(self.gpu, &scene, Settings { choice, segments: 256, ..Settings::default() })?;
+        let mut few =
+            Renderer::new(self.gpu, &scene, RenderSettings { choice, segments: 256, ..RenderSettings::default() })?;
         let choice = Choice { schedule: self.schedule, ..Choice::default() };
-        let mut all = Renderer::new(self.gpu, &scene, Settings { choice, apart: true, ..Settings::default() })?;
+        let mut all =
+            Renderer::new(self.gpu, &scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
         // The first run compiles.
         all.picture()?;
         let mut points: Vec<Point> = Vec::new();

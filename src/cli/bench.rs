@@ -67,7 +67,7 @@ enum Name {
     Sampling,
     /// The device's own ceilings, and how much of a render its steps alone are
     Limit,
-    /// What a dense list of the living is worth, where few rays go on and where all do
+    /// What a dense list of the active rays is worth, where few go on and where all do
     Compaction,
     /// From launch to the first pixel, with the driver's cache empty and filled
     Start,

@@ -6,7 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use crate::gpu::{Gpu, GpuError};
 use crate::measure::{calibrate, calibrate_for};
 use crate::program::{Choice, Layer, Masks, Purpose, Schedule};
-use crate::render::{RenderError, Settings, Window};
+use crate::render::{RenderError, RenderSettings, Window};
 use crate::scene::{Override, Precision, Scene};
 
 /// Changes to the scene's values.
@@ -97,7 +97,7 @@ pub(super) struct DeviceFlags {
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
     no_masks: bool,
-    /// Skip ended rays where they lie, not by a list of the living
+    /// Skip ended rays where they lie, not by a list of the active ones
     #[arg(long, conflicts_with = "no_masks")]
     no_list: bool,
     /// K: segments of one fused pass. Without it, large pictures choose it by rendering themselves small
@@ -128,10 +128,10 @@ impl DeviceFlags {
         Choice { masks, ..choice }
     }
 
-    /// Settings for pictures with these layers.
-    pub(super) fn settings(&self, layers: Vec<Layer>) -> Settings {
-        let default = Settings::default();
-        Settings {
+    /// RenderSettings for pictures with these layers.
+    pub(super) fn settings(&self, layers: Vec<Layer>) -> RenderSettings {
+        let default = RenderSettings::default();
+        RenderSettings {
             choice: Choice { layers, ..self.masked(choice(self.schedule.unwrap_or(Schedule::Fused))) },
             segments: self.segments_per_pass.unwrap_or(default.segments),
             ..default
@@ -154,9 +154,9 @@ impl DeviceFlags {
         &self,
         gpu: &Gpu,
         scene: Scene,
-        mut settings: Settings,
+        mut settings: RenderSettings,
         rays: Rays,
-    ) -> Result<(Scene, Settings), RenderError> {
+    ) -> Result<(Scene, RenderSettings), RenderError> {
         let calibration = match rays {
             Rays::Given(rays) => calibrate(gpu, &scene, &settings, Some(rays)),
             Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),

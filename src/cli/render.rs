@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
 use crate::output::{FileSettings, ImageWriter, open};
 use crate::program::Layer;
-use crate::render::{RenderError, Renderer, Settings, StartUp, Status, Totals, Window};
+use crate::render::{RenderError, RenderSettings, Renderer, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
@@ -160,7 +160,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let gpu = arguments.device.open()?;
     launch.next();
     let settings = arguments.device.settings(arguments.layers(&scene));
-    let settings = Settings { memory: arguments.memory, window: arguments.crop, ..settings };
+    let settings = RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };
     let Window { size: [width, height], .. } = arguments.crop.unwrap_or(Window::whole(scene.image.size));
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
     let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Camera(rays))?;

@@ -12,31 +12,20 @@ use wgpu::{
 };
 
 use super::records::pack;
+use super::source::Source;
 use super::uniforms::schedule_values;
 use super::{Geometry, Gpu, GpuError};
 use crate::model::Value::{self, Float, Uint, Uint2, Uint3, Vec3};
-use crate::program::{Binding, BindingKind, BlockMember, Layout, Program};
+use crate::program::{Binding, BindingKind, BlockMember, Layout, Program, Role, SceneValue};
 use crate::scene::{Branches, Picture, Scene, Segment};
 
-/// The bindings of a scene, by name.
+/// The bindings of a scene.
 #[derive(Debug)]
 pub struct SceneBuffers {
-    /// Uniform and storage buffers.
-    pub buffers: BTreeMap<String, Buffer>,
-    /// Pictures.
-    pub textures: BTreeMap<String, Texture>,
-    /// What each of them shows.
-    pictures: BTreeMap<String, Picture>,
-}
-
-/// What the values are read from.
-pub(super) struct Source<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) geometry: &'a Geometry,
-    pub(super) program: &'a Program,
-    segments: u32,
-    /// What the scene's kinds feed their own parts.
-    kinds: Vec<crate::model::Binding>,
+    /// Uniform and storage buffers, by what they are for.
+    buffers: BTreeMap<Role, Buffer>,
+    /// Pictures, by their place in the scene.
+    pictures: BTreeMap<usize, (Picture, Texture)>,
 }
 
 impl SceneBuffers {
@@ -52,52 +41,56 @@ impl SceneBuffers {
     ) -> Result<Self, GpuError> {
         let mut source = Source { scene, geometry, program, segments, kinds: Vec::new() };
         source.kinds = source.of_kinds();
-        let mut made = Self { buffers: BTreeMap::new(), textures: BTreeMap::new(), pictures: BTreeMap::new() };
-        for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
-            let name = &binding.name;
-            if made.buffers.contains_key(name) || made.textures.contains_key(name) {
-                continue;
-            }
-            if let Some(picture) = image_index(name).and_then(|k| scene.pictures.get(k)) {
-                let texture = before.and_then(|before| before.texture_of(picture));
-                let texture = texture.map_or_else(|| upload_picture(gpu, picture), Ok)?;
-                made.textures.insert(name.clone(), texture);
-                made.pictures.insert(name.clone(), picture.clone());
-            } else if let Some(bytes) = source.bytes(binding)? {
-                made.buffers.insert(name.clone(), upload(gpu, binding, &bytes)?);
+        let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
+        for binding in program.bindings() {
+            match &binding.role {
+                Role::Uniforms(_) | Role::Scene(_) if !made.buffers.contains_key(&binding.role) => {
+                    let buffer = upload(gpu, binding, &source.bytes(binding)?)?;
+                    made.buffers.insert(binding.role.clone(), buffer);
+                }
+                Role::Picture(k) if !made.pictures.contains_key(k) => {
+                    let picture = scene.pictures.get(*k).ok_or_else(|| no_value(&binding.name))?;
+                    let there = before.and_then(|before| before.texture_of(picture));
+                    let texture = there.map_or_else(|| upload_picture(gpu, picture), Ok)?;
+                    made.pictures.insert(*k, (picture.clone(), texture));
+                }
+                _ => {}
             }
         }
         Ok(made)
     }
 
+    /// The buffer for a binding, if it is the scene's.
+    #[must_use]
+    pub fn buffer(&self, role: &Role) -> Option<&Buffer> {
+        self.buffers.get(role)
+    }
+
+    /// The scene's picture in this place.
+    #[must_use]
+    pub fn picture(&self, k: usize) -> Option<&Texture> {
+        self.pictures.get(&k).map(|(_, texture)| texture)
+    }
+
     fn texture_of(&self, picture: &Picture) -> Option<Texture> {
-        let (name, _) = self.pictures.iter().find(|(_, there)| Arc::ptr_eq(&there.pixels, &picture.pixels))?;
-        self.textures.get(name).cloned()
+        let mut there = self.pictures.values();
+        there.find(|(there, _)| Arc::ptr_eq(&there.pixels, &picture.pixels)).map(|(_, texture)| texture.clone())
     }
 
     /// What they take on the device.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        let texture = |texture: &Texture| {
+        let texture = |(_, texture): &(Picture, Texture)| {
             u64::from(texture.width())
                 * u64::from(texture.height())
                 * u64::from(texture.format().block_copy_size(None).unwrap_or(0))
         };
-        self.buffers.values().map(Buffer::size).sum::<u64>() + self.textures.values().map(texture).sum::<u64>()
+        self.buffers.values().map(Buffer::size).sum::<u64>() + self.pictures.values().map(texture).sum::<u64>()
     }
 }
 
-/// A uniform of a region's parts has a copy for each kind of region, with the kind at the end of its name.
-#[must_use]
-pub fn copy_of(name: &str) -> (&str, usize) {
-    match name.rsplit_once('_').map(|(own, kind)| (own, kind.parse())) {
-        Some((own, Ok(kind))) => (own, kind),
-        _ => (name, 0),
-    }
-}
-
-fn image_index(name: &str) -> Option<usize> {
-    name.strip_prefix("image_")?.parse().ok()
+fn no_value(binding: &str) -> GpuError {
+    GpuError::Layout { binding: binding.to_owned(), problem: "the scene has no value for it".to_owned() }
 }
 
 fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError> {
@@ -165,30 +158,27 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
 }
 
 impl Source<'_> {
-    /// The bytes of a binding; none for what belongs to tiles and passes.
-    fn bytes(&self, binding: &Binding) -> Result<Option<Vec<u8>>, GpuError> {
-        match &binding.kind {
-            BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. } => self.values(&binding.name, layout),
-            BindingKind::Block { members, span } => {
+    /// The bytes of one of the scene's buffers.
+    fn bytes(&self, binding: &Binding) -> Result<Vec<u8>, GpuError> {
+        match (&binding.kind, &binding.role) {
+            (BindingKind::Block { members, span }, _) => {
                 let mut bytes = vec![0; *span as usize];
-                for BlockMember { name, offset, layout } in members {
-                    let missing = || GpuError::Layout {
-                        binding: name.clone(),
-                        problem: "the scene has no value for it".to_owned(),
-                    };
-                    let part = self.values(name, layout)?.ok_or_else(missing)?;
+                for BlockMember { name, value, offset, layout } in members {
+                    let part = self.values(value, layout)?.ok_or_else(|| no_value(name))?;
                     bytes[*offset as usize..*offset as usize + part.len()].copy_from_slice(&part);
                 }
-                Ok(Some(bytes))
+                Ok(bytes)
             }
-            _ => Ok(None),
+            (BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. }, Role::Scene(value)) => {
+                self.values(value, layout)?.ok_or_else(|| no_value(&binding.name))
+            }
+            _ => Err(no_value(&binding.name)),
         }
     }
 
-    fn values(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
+    fn values(&self, SceneValue { name, region }: &SceneValue, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let one = |row: &[(&'static str, Value)]| pack(name, layout, [row]).map(Some);
-        let (own, kind) = copy_of(name);
-        match own {
+        match name.as_str() {
             "bound" => {
                 let bound = &self.scene.rays.bound;
                 one(&[("center", Vec3(bound.center)), ("radius", Float(bound.radius))])
@@ -199,9 +189,9 @@ impl Source<'_> {
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
             "refinement" => one(&self.refinement()),
-            "media" => pack(name, layout, self.media(kind)).map(Some),
-            "profile" => pack(name, layout, self.profiles(kind)).map(Some),
-            "index_samples" => Ok(Some(bytemuck::cast_slice(&self.index_samples(kind)).to_vec())),
+            "media" => pack(name, layout, self.media(*region)).map(Some),
+            "profile" => pack(name, layout, self.profiles(*region)).map(Some),
+            "index_samples" => Ok(Some(bytemuck::cast_slice(&self.index_samples(*region)).to_vec())),
             "regions" => pack(name, layout, self.regions()).map(Some),
             "branching" => match self.scene.rays.branches {
                 Branches::Enumerated(depth) => one(&[("depth", Uint(depth))]),

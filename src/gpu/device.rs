@@ -1,14 +1,12 @@
 //! Choosing and opening a device.
 
-use std::collections::VecDeque;
-use std::sync::{Mutex, PoisonError};
-
 use wgpu::{
     Adapter, AdapterInfo, Backends, Device, DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor,
     InstanceFlags, Limits, Queue,
 };
 
-use super::{GpuError, Pipeline};
+use super::GpuError;
+use super::compiled::Compiled;
 use crate::program::constant;
 
 /// The number of `shaders/state/active.wgsl` that a device has its own of.
@@ -31,11 +29,8 @@ pub struct Gpu {
     pub f64: bool,
     /// Width and height of the block of pixels that one workgroup takes.
     pub group: [u32; 2],
-    compiled: Mutex<VecDeque<(String, Pipeline)>>,
+    pub(super) compiled: Compiled,
 }
-
-/// Passes that are kept compiled for programs that have them too: those of a few programs.
-const KEPT: usize = 16;
 
 /// One line of `bentray devices`.
 #[derive(Debug, Clone)]
@@ -130,20 +125,7 @@ impl Gpu {
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
         let f64 = features.contains(Features::SHADER_F64);
         let group = group_extent(info.device_type);
-        Ok(Self { device, queue, info, limits, timestamps, f64, group, compiled: Mutex::default() })
-    }
-
-    /// The pass whose WGSL this is, if it was compiled lately: a method that is tried has most passes of the picture's own program.
-    pub(super) fn compiled(&self, source: &str) -> Option<Pipeline> {
-        let compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
-        compiled.iter().find(|(kept, _)| kept == source).map(|(_, pipeline)| pipeline.clone())
-    }
-
-    /// Keeps a pass for [`compiled`](Self::compiled), in place of the oldest.
-    pub(super) fn keep(&self, source: &str, pipeline: &Pipeline) {
-        let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
-        compiled.truncate(KEPT - 1);
-        compiled.push_front((source.to_owned(), pipeline.clone()));
+        Ok(Self { device, queue, info, limits, timestamps, f64, group, compiled: Compiled::default() })
     }
 
     /// An error if `needed` is more than the device allows.

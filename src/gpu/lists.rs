@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::GpuError;
-use super::contents::Source;
 use super::geometry::PlacedShape;
 use super::hierarchy::Node;
 use super::records::{pack, pack_shared};
+use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Vec3};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};

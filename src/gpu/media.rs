@@ -1,6 +1,6 @@
 //! The values of media, by the names of their members in WGSL.
 
-use super::contents::Source;
+use super::source::Source;
 use crate::model::Value::{self, Float, Uint};
 use crate::model::{Medium, Row};
 use crate::program::{Purpose, Region};

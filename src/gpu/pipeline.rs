@@ -3,33 +3,18 @@
 use std::num::NonZeroU64;
 
 use wgpu::{
-    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
-    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor,
-    ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType,
-    TextureViewDimension,
+    BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipelineDescriptor,
+    ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource,
+    ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
 };
 
 use super::device::GROUP_WIDTH;
-use super::{Gpu, GpuError, adapters};
+use super::{Gpu, GpuError, Pipeline, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
-
-/// A pass that can be dispatched.
-#[derive(Debug, Clone)]
-pub struct Pipeline {
-    /// wgpu's pipeline.
-    pub pipeline: ComputePipeline,
-    /// The layout of its only group.
-    pub layout: BindGroupLayout,
-    /// What it binds, in order of number.
-    pub bindings: Vec<Binding>,
-}
 
 /// Every pass of a program.
 #[derive(Debug)]
 pub struct Pipelines(Vec<(Pass, Pipeline)>);
-
-/// Buffers of which each pass sees its own part.
-pub(super) const PER_PASS: [&str; 3] = ["dispatch", "active_in", "active_out"];
 
 impl Pipelines {
     /// Compiles the program for the device; refuses what exceeds its limits.
@@ -56,11 +41,11 @@ impl Pipelines {
 impl Pipeline {
     /// Compiles one linked program, unless it was compiled lately.
     pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
-        if let Some(compiled) = gpu.compiled(&linked.source) {
+        if let Some(compiled) = gpu.compiled.find(&linked.source) {
             return Ok(compiled);
         }
         let pipeline = Self::compile(gpu, linked, reflection)?;
-        gpu.keep(&linked.source, &pipeline);
+        gpu.compiled.keep(&linked.source, &pipeline);
         Ok(pipeline)
     }
 
@@ -131,7 +116,7 @@ fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
     };
     let sized = |ty, bytes: u64| BindingType::Buffer {
         ty,
-        has_dynamic_offset: PER_PASS.contains(&binding.name.as_str()),
+        has_dynamic_offset: binding.role.is_per_dispatch(),
         min_binding_size: NonZeroU64::new(bytes),
     };
     let buffer = |ty, layout: &Layout| sized(ty, u64::from(layout.span) * u64::from(layout.count.unwrap_or(1)));

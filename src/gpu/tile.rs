@@ -1,80 +1,18 @@
 //! What lives as long as one tile of a picture: the state of its rays in slots that ping-pong, and what passes hand to the next.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::num::NonZeroU64;
 
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, Buffer, BufferBinding, BufferDescriptor,
-    BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
+    BufferUsages, Extent3d, Texture, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages, TextureView,
     TextureViewDescriptor,
 };
 
-use super::pipeline::{PER_PASS, Pipeline, Pipelines, texture_format};
-use super::{Gpu, GpuError, SceneBuffers};
-use crate::program::{BindingKind, Linked, Pass, Program, Reflection};
-
-/// Bytes between the parts that passes see of a buffer: any device's alignment.
-pub const TURN_STRIDE: u64 = 256;
-
-/// Which slots of the state a pass reads and writes, and which lists of pixels.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Slots {
-    /// Read as `x_in`, `v_in`.
-    pub input: usize,
-    /// Written as `x_out`, `v_out`.
-    pub output: usize,
-    /// Read as `x_start`.
-    pub start: usize,
-    /// Read as `x_end`.
-    pub end: usize,
-    /// The lists that are read and written: 0 and 1 are of the living, from [`OPEN`] on two of the open pixels, and from [`WANTED`]
-    /// on two of those that want more samples.
-    pub list: [usize; 2],
-}
-
-/// The arguments of dispatches over each list.
-const LIVING: [&str; 6] = ["active_0", "active_1", "active_2", "active_3", "active_4", "active_5"];
-
-/// The parts of the buffers of which each pass sees its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Parts {
-    /// Of what differs between steps.
-    pub turns: u64,
-    /// Of each list of the living.
-    pub living: u64,
-    /// Of each list of the open pixels.
-    pub open: u64,
-}
-
-/// The first of the two lists of the pixels that have a path left.
-pub const OPEN: usize = 2;
-/// The first of the two lists of the pixels that want more samples.
-pub const WANTED: usize = 4;
-
-impl Slots {
-    /// From those of a sample's first round those of another: the lists of open pixels take turns.
-    #[must_use]
-    pub fn in_round(self, round: u32) -> Self {
-        let is_open = |list: usize| (OPEN..WANTED).contains(&list);
-        let turned = |list: usize| if is_open(list) { OPEN + (list + round as usize) % 2 } else { list };
-        Self { list: self.list.map(turned), ..self }
-    }
-}
-
-/// Where a pass finds a binding: names of the state's slots depend on the pass, all others are their own.
-fn resource_name(name: &str, slots: Slots) -> String {
-    let Some((base, role)) = name.rsplit_once('_') else {
-        return name.to_owned();
-    };
-    match (base, role) {
-        ("x" | "v" | "clock" | "error", "in") => format!("{base}_{}", slots.input),
-        ("x" | "v" | "clock" | "error", "out") => format!("{base}_{}", slots.output),
-        ("x" | "v", "start") => format!("{base}_{}", slots.start),
-        ("x" | "v", "end") => format!("{base}_{}", slots.end),
-        ("list" | "active", "in") => format!("{base}_{}", slots.list[0]),
-        ("list" | "active", "out") => format!("{base}_{}", slots.list[1]),
-        _ => name.to_owned(),
-    }
-}
+use super::pipeline::texture_format;
+use super::slots::{List, Listed, SECTION, Sections, Selection};
+use super::{Gpu, GpuError, Pipeline, SceneBuffers};
+use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot};
 
 /// What one pixel costs on the device.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -100,181 +38,236 @@ impl Memory {
 /// Everything that `program` allocates for each pixel, whatever the number of segments.
 #[must_use]
 pub fn memory(program: &Program, slots: usize) -> Memory {
-    let textures = textures(program, slots).into_iter().map(|(name, format)| (name, texel_bytes(format)));
-    let buffers = state_buffers(program, slots).into_iter().map(|(name, bytes)| (name, u64::from(bytes)));
-    let lists = lists(program).into_iter().map(|name| (name, 4));
-    Memory { items: textures.chain(buffers).chain(lists).collect() }
+    let items = per_pixel(program, slots).into_iter().map(|item| (item.role.to_string(), item.storage.bytes()));
+    let lists = lists(program).into_iter().map(|list| (format!("list_{}", list.number()), 4));
+    Memory { items: items.chain(lists).collect() }
 }
 
-fn texel_bytes(format: TextureFormat) -> u64 {
-    u64::from(format.block_copy_size(None).unwrap_or(0))
+/// A texture or buffer with a value for every pixel.
+struct PerPixel {
+    role: Role,
+    storage: Storage,
 }
 
-/// The textures that passes write, by name.
-fn textures(program: &Program, slots: usize) -> BTreeMap<String, TextureFormat> {
-    let mut all = BTreeMap::new();
-    for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
-        let BindingKind::StorageTexture { format, .. } = binding.kind else { continue };
-        let Some(format) = texture_format(format) else { continue };
-        for output in 0..slots {
-            let roles = Slots { input: 0, output, start: 0, end: 0, list: [0; 2] };
-            all.insert(resource_name(&binding.name, roles), format);
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Storage {
+    Texture(TextureFormat),
+    /// Of so many bytes a pixel: where no texture can hold the values.
+    Buffer(u32),
+}
+
+impl Storage {
+    fn bytes(self) -> u64 {
+        match self {
+            Self::Texture(format) => u64::from(format.block_copy_size(None).unwrap_or(0)),
+            Self::Buffer(bytes) => u64::from(bytes),
         }
     }
-    all
 }
 
-/// The buffers that hold the state where no texture can, with their bytes a pixel: what passes write to a slot's role.
-fn state_buffers(program: &Program, slots: usize) -> BTreeMap<String, u32> {
+/// What passes write for each pixel: textures first, by name.
+fn per_pixel(program: &Program, slots: usize) -> Vec<PerPixel> {
     let mut all = BTreeMap::new();
-    for binding in program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
-        let BindingKind::Storage { layout, read_only: false } = &binding.kind else { continue };
-        for output in 0..slots {
-            let name = resource_name(&binding.name, Slots { input: 0, output, start: 0, end: 0, list: [0; 2] });
-            if ["taken", "moments"].contains(&name.as_str())
-                || (name != binding.name && !name.starts_with("list_") && !name.starts_with("active_"))
-            {
-                all.insert(name, layout.span);
+    for Binding { kind, role, .. } in program.bindings() {
+        let storage = match (kind, role) {
+            (BindingKind::StorageTexture { format, .. }, _) => texture_format(*format).map(Storage::Texture),
+            (BindingKind::Storage { layout, read_only: false }, Role::State(..) | Role::Kept(_) | Role::Moments) => {
+                Some(Storage::Buffer(layout.span))
             }
+            _ => None,
+        };
+        let Some(storage) = storage else { continue };
+        let roles = match role {
+            Role::State(part, Slot::Output) => (0..slots).map(|slot| Role::State(*part, Slot::Fixed(slot))).collect(),
+            role => vec![role.clone()],
+        };
+        for role in roles {
+            let is_buffer = matches!(storage, Storage::Buffer(_));
+            all.insert((is_buffer, role.to_string()), PerPixel { role, storage });
         }
     }
-    all
+    all.into_values().collect()
 }
 
-fn lists(program: &Program) -> Vec<String> {
-    let lists = |(pass, _, reflection): &(Pass, Linked, Reflection)| {
-        reflection.bindings.iter().any(|binding| binding.name == "list_out").then_some(match pass {
-            Pass::Shade => OPEN,
-            Pass::Refine => WANTED,
-            _ => 0,
-        })
-    };
-    let firsts: BTreeSet<usize> = program.passes.iter().filter_map(lists).collect();
-    firsts.into_iter().flat_map(|first| [first, first + 1]).map(|list| format!("list_{list}")).collect()
+/// The lists that passes write, in pairs.
+fn lists(program: &Program) -> Vec<List> {
+    let mut written = BTreeSet::new();
+    for (pass, _, reflection) in &program.passes {
+        if reflection.bindings.iter().any(|binding| binding.role == Role::List(Access::Write)) {
+            written.insert(match pass {
+                Pass::Shade => Listed::Open,
+                Pass::Refine => Listed::Wanted,
+                _ => Listed::Active,
+            });
+        }
+    }
+    written.into_iter().flat_map(List::both).collect()
 }
 
-/// A tile's textures and buffers.
+/// A tile's textures and buffers, by what they are for.
 #[derive(Debug)]
 pub struct Tile {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    textures: BTreeMap<String, Texture>,
-    buffers: BTreeMap<String, Buffer>,
+    textures: BTreeMap<Role, Texture>,
+    buffers: BTreeMap<Role, Buffer>,
+    lists: BTreeMap<List, Buffer>,
+    /// Of dispatches over the lists.
+    arguments: BTreeMap<List, Buffer>,
+}
+
+/// What is bound.
+enum Bound<'t> {
+    View(TextureView),
+    Buffer(&'t Buffer),
 }
 
 impl Tile {
     /// Allocates a tile of `size` pixels for `program`, with so many slots of state.
-    pub fn new(gpu: &Gpu, program: &Program, size: [u32; 2], slots: usize, parts: &Parts) -> Result<Self, GpuError> {
+    pub fn new(
+        gpu: &Gpu,
+        program: &Program,
+        size: [u32; 2],
+        slots: usize,
+        sections: &Sections,
+    ) -> Result<Self, GpuError> {
         let side = u64::from(size[0].max(size[1]));
         let allowed = u64::from(gpu.limits.max_texture_dimension_2d);
         gpu.check("max_texture_dimension_2d", "pixels along one side of a tile", allowed, side)?;
-        let mut tile = Self { size, textures: BTreeMap::new(), buffers: BTreeMap::new() };
-        for (name, format) in textures(program, slots) {
-            let texture = gpu.device.create_texture(&TextureDescriptor {
-                label: Some(&name),
-                size: Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: TextureDimension::D2,
-                format,
-                usage: TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC,
-                view_formats: &[],
-            });
-            tile.textures.insert(name, texture);
-        }
+        let (textures, buffers) = (BTreeMap::new(), BTreeMap::new());
+        let mut tile = Self { size, textures, buffers, lists: BTreeMap::new(), arguments: BTreeMap::new() };
         let pixels = u64::from(size[0]) * u64::from(size[1]);
-        for (name, bytes) in state_buffers(program, slots) {
-            tile.add_buffer(gpu, &name, u64::from(bytes) * pixels, BufferUsages::STORAGE)?;
+        for PerPixel { role, storage } in per_pixel(program, slots) {
+            match storage {
+                Storage::Texture(format) => {
+                    let texture = texture(gpu, &role.to_string(), size, format);
+                    tile.textures.insert(role, texture);
+                }
+                Storage::Buffer(bytes) => tile.add_storage(gpu, &role, u64::from(bytes) * pixels)?,
+            }
         }
-        for name in lists(program) {
-            tile.add_buffer(gpu, &name, 4 * pixels, BufferUsages::STORAGE)?;
+        for list in lists(program) {
+            let label = format!("list_{}", list.number());
+            tile.lists.insert(list, buffer(gpu, &label, 4 * pixels, BufferUsages::STORAGE)?);
         }
-        for (list, name) in LIVING.into_iter().enumerate() {
-            let parts = match list {
-                ..OPEN => parts.living,
-                OPEN..WANTED => parts.open,
-                _ => 1,
-            };
-            tile.add_buffer(gpu, name, TURN_STRIDE * parts, BufferUsages::STORAGE | BufferUsages::INDIRECT)?;
+        for of in [Listed::Active, Listed::Open, Listed::Wanted] {
+            for list in List::both(of) {
+                let label = format!("arguments_{}", list.number());
+                let usage = BufferUsages::STORAGE | BufferUsages::INDIRECT;
+                tile.arguments.insert(list, buffer(gpu, &label, SECTION * sections.of(of), usage)?);
+            }
         }
-        tile.add_buffer(gpu, "dispatch", TURN_STRIDE * parts.turns, BufferUsages::UNIFORM)?;
-        tile.add_buffer(gpu, "frame", 64, BufferUsages::UNIFORM)?;
-        tile.add_buffer(gpu, "tally", 128, BufferUsages::STORAGE)?;
+        for (role, bytes) in [(Role::Parameters, SECTION * sections.parameters), (Role::Frame, 64)] {
+            let uniform = buffer(gpu, &role.to_string(), bytes, BufferUsages::UNIFORM)?;
+            tile.buffers.insert(role, uniform);
+        }
+        tile.add_storage(gpu, &Role::Tally, 128)?;
         if program.passes.iter().any(|(pass, ..)| *pass == Pass::Refine) {
-            tile.add_buffer(gpu, "refined", 8, BufferUsages::STORAGE)?;
+            tile.add_storage(gpu, &Role::Refined, 8)?;
         }
         Ok(tile)
     }
 
-    /// Adds a buffer that passes find by `name`.
-    pub fn add_buffer(&mut self, gpu: &Gpu, name: &str, size: u64, usage: BufferUsages) -> Result<(), GpuError> {
-        if usage.contains(BufferUsages::STORAGE) {
-            let allowed = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
-            gpu.check("max_storage_buffer_binding_size", &format!("bytes in one buffer (`{name}`)"), allowed, size)?;
-        }
-        let usage = usage | BufferUsages::COPY_DST | BufferUsages::COPY_SRC;
-        let buffer =
-            gpu.device.create_buffer(&BufferDescriptor { label: Some(name), size, usage, mapped_at_creation: false });
-        self.buffers.insert(name.to_owned(), buffer);
+    /// Adds a buffer of zeros.
+    pub fn add_storage(&mut self, gpu: &Gpu, role: &Role, bytes: u64) -> Result<(), GpuError> {
+        let storage = buffer(gpu, &role.to_string(), bytes, BufferUsages::STORAGE)?;
+        self.buffers.insert(role.clone(), storage);
         Ok(())
+    }
+
+    /// Adds a buffer that holds `bytes`.
+    pub fn add_input(&mut self, gpu: &Gpu, role: &Role, bytes: &[u8]) -> Result<(), GpuError> {
+        self.add_storage(gpu, role, bytes.len() as u64)?;
+        self.write(gpu, role, 0, bytes);
+        Ok(())
+    }
+
+    /// Writes into a buffer of the tile, where it has that.
+    pub fn write(&self, gpu: &Gpu, role: &Role, offset: u64, bytes: &[u8]) {
+        if let Some(buffer) = self.buffer(role) {
+            gpu.queue.write_buffer(buffer, offset, bytes);
+        }
     }
 
     /// A buffer of the tile.
     #[must_use]
-    pub fn buffer(&self, name: &str) -> Option<&Buffer> {
-        self.buffers.get(name)
+    pub fn buffer(&self, role: &Role) -> Option<&Buffer> {
+        self.buffers.get(role)
     }
 
     /// The arguments of dispatches over a list.
     #[must_use]
-    pub fn living(&self, list: usize) -> Option<&Buffer> {
-        self.buffer(LIVING[list])
+    pub fn arguments(&self, list: List) -> Option<&Buffer> {
+        self.arguments.get(&list)
     }
 
     /// A texture of the tile.
     #[must_use]
-    pub fn texture(&self, name: &str) -> Option<&Texture> {
-        self.textures.get(name)
+    pub fn texture(&self, role: &Role) -> Option<&Texture> {
+        self.textures.get(role)
     }
 
-    /// The bind group of a pass that uses these slots.
+    /// The bind group of a pass that uses these slots and lists.
     pub fn bind_group(
         &self,
         gpu: &Gpu,
         pipeline: &Pipeline,
         scene: &SceneBuffers,
-        slots: Slots,
+        selection: Selection,
     ) -> Result<BindGroup, GpuError> {
-        let missing = |binding: &str| GpuError::Layout {
-            binding: binding.to_owned(),
-            problem: "no resource of this name was made".to_owned(),
+        let missing = |binding: &Binding| GpuError::Layout {
+            binding: binding.name.clone(),
+            problem: "nothing was made for this binding".to_owned(),
         };
-        let mut views = Vec::new();
-        for binding in &pipeline.bindings {
-            let name = resource_name(&binding.name, slots);
-            let texture = self.textures.get(&name).or_else(|| scene.textures.get(&name));
-            views.push((name, texture.map(|texture| texture.create_view(&TextureViewDescriptor::default()))));
-        }
-        let entries = pipeline.bindings.iter().zip(&views).map(|(binding, (name, view))| {
-            let resource = if let Some(view) = view {
-                BindingResource::TextureView(view)
-            } else {
-                let buffer = self.buffers.get(name).or_else(|| scene.buffers.get(name)).ok_or_else(|| missing(name))?;
-                let part = PER_PASS.contains(&binding.name.as_str());
-                let size = if part { std::num::NonZeroU64::new(16) } else { None };
-                BindingResource::Buffer(BufferBinding { buffer, offset: 0, size })
+        let bound = |own: &Binding| self.bound(&own.role, scene, selection).ok_or_else(|| missing(own));
+        let all = pipeline.bindings.iter().map(bound).collect::<Result<Vec<_>, _>>()?;
+        let entries = pipeline.bindings.iter().zip(&all).map(|(binding, bound)| {
+            let resource = match bound {
+                Bound::View(view) => BindingResource::TextureView(view),
+                Bound::Buffer(buffer) => {
+                    let size = if binding.role.is_per_dispatch() { NonZeroU64::new(16) } else { None };
+                    BindingResource::Buffer(BufferBinding { buffer, offset: 0, size })
+                }
             };
-            Ok(BindGroupEntry { binding: binding.number, resource })
+            BindGroupEntry { binding: binding.number, resource }
         });
-        let entries = entries.collect::<Result<Vec<_>, GpuError>>()?;
+        let entries: Vec<_> = entries.collect();
         let descriptor = BindGroupDescriptor { label: None, layout: &pipeline.layout, entries: &entries };
         Ok(gpu.device.create_bind_group(&descriptor))
     }
 
-    /// How many of a pass's bindings are parts of per-pass buffers, each wanting an offset.
-    #[must_use]
-    pub fn offsets(pipelines: &Pipelines, pass: Pass) -> Vec<&'static str> {
-        let bindings = pipelines.get(pass).map_or(&[][..], |pipeline| &pipeline.bindings);
-        bindings.iter().filter_map(|binding| PER_PASS.iter().copied().find(|name| *name == binding.name)).collect()
+    fn bound<'t>(&'t self, role: &Role, scene: &'t SceneBuffers, selection: Selection) -> Option<Bound<'t>> {
+        let view = |texture: &Texture| Bound::View(texture.create_view(&TextureViewDescriptor::default()));
+        let own = |role: &Role| self.texture(role).map(view).or_else(|| self.buffer(role).map(Bound::Buffer));
+        match role {
+            Role::Uniforms(_) | Role::Scene(_) => scene.buffer(role).map(Bound::Buffer),
+            Role::Picture(k) => scene.picture(*k).map(view),
+            Role::State(part, slot) => own(&Role::State(*part, Slot::Fixed(selection.slots.number(*slot)))),
+            Role::List(access) => self.lists.get(&selection.list(*access)).map(Bound::Buffer),
+            Role::Arguments(access) => self.arguments(selection.list(*access)).map(Bound::Buffer),
+            role => own(role),
+        }
     }
+}
+
+fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: TextureFormat) -> Texture {
+    gpu.device.create_texture(&TextureDescriptor {
+        label: Some(label),
+        size: Extent3d { width: size[0], height: size[1], depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format,
+        usage: TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC,
+        view_formats: &[],
+    })
+}
+
+fn buffer(gpu: &Gpu, label: &str, size: u64, usage: BufferUsages) -> Result<Buffer, GpuError> {
+    if usage.contains(BufferUsages::STORAGE) {
+        let allowed = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
+        gpu.check("max_storage_buffer_binding_size", &format!("bytes in one buffer (`{label}`)"), allowed, size)?;
+    }
+    let usage = usage | BufferUsages::COPY_DST | BufferUsages::COPY_SRC;
+    Ok(gpu.device.create_buffer(&BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: false }))
 }

@@ -1,6 +1,6 @@
 //! The values of a scene's uniforms, by the names of their members in WGSL.
 
-use super::contents::Source;
+use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
 use crate::program::Work;
 use crate::scene::{Scene, Sky};

@@ -11,7 +11,7 @@ use super::refined::{self, Found};
 use super::{Candidate, Deviations, Truth, fast_methods, groups, method_words, scattered};
 use crate::gpu::Gpu;
 use crate::program::{Choice, Layer, Purpose, Schedule};
-use crate::render::{RenderError, Renderer, Settings, Starts};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts};
 use crate::scene::{Control, Method, Scene};
 
 /// Rays whose error is measured.
@@ -91,7 +91,7 @@ fn segments(scene: &Scene) -> u32 {
 pub fn calibrate_for(
     gpu: &Gpu,
     scene: &Scene,
-    settings: &Settings,
+    settings: &RenderSettings,
     rays: u64,
 ) -> Result<Option<Calibration>, RenderError> {
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
@@ -100,7 +100,7 @@ pub fn calibrate_for(
         let mut layers = settings.choice.layers.clone();
         layers.extend(refined::LAYERS.into_iter().filter(|layer| !settings.choice.layers.contains(layer)));
         let choice = Choice { layers: layers.clone(), ..settings.choice.clone() };
-        let keeping = Settings { choice, ..settings.clone() };
+        let keeping = RenderSettings { choice, ..settings.clone() };
         let found = refined::first_right(gpu, scene, &keeping, method, segments(scene), MARGIN * accuracy)?;
         if let Some(Found { control, error, time, build }) = found {
             let search = build.as_secs_f64() * (methods.len() + OTHER_PROGRAMS) as f64;
@@ -126,7 +126,7 @@ pub fn calibrate_for(
 pub fn calibrate(
     gpu: &Gpu,
     scene: &Scene,
-    settings: &Settings,
+    settings: &RenderSettings,
     given: Option<&[[f64; 6]]>,
 ) -> Result<Option<Calibration>, RenderError> {
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
@@ -155,7 +155,7 @@ pub fn calibrate(
 struct Trials<'a> {
     gpu: &'a Gpu,
     scene: &'a Scene,
-    settings: Settings,
+    settings: RenderSettings,
     given: Option<Vec<[f64; 6]>>,
     pixels: Vec<[u32; 2]>,
     timed: Vec<[u32; 2]>,
@@ -168,14 +168,14 @@ impl<'a> Trials<'a> {
     fn new(
         gpu: &'a Gpu,
         scene: &'a Scene,
-        settings: &Settings,
+        settings: &RenderSettings,
         given: Option<&[[f64; 6]]>,
         accuracy: f64,
     ) -> Result<Self, RenderError> {
         let tolerance = (1e-3 * accuracy).min(1e-10);
         let purpose = if given.is_some() { Purpose::Trace } else { Purpose::Pixels };
         let choice = Choice { purpose, layers: Vec::new(), ..settings.choice.clone() };
-        let settings = Settings { choice, ..settings.clone() };
+        let settings = RenderSettings { choice, ..settings.clone() };
         let size = scene.image.size;
         let (pixels, timed) = (scattered(size, RAYS, 1), groups(size, gpu.group, GROUPS));
         let given =
@@ -202,7 +202,7 @@ impl<'a> Trials<'a> {
         'a: 's,
     {
         // Few rays: what counts is not how many run but how many passes are recorded.
-        let settings = Settings { segments: 256, ..self.settings.clone() };
+        let settings = RenderSettings { segments: 256, ..self.settings.clone() };
         let mut renderer = Renderer::new(self.gpu, scene, settings)?;
         let mut error_at = |control| -> Result<f64, RenderError> {
             renderer.retune(control, scene.rays.max_segments)?;
@@ -261,7 +261,7 @@ impl<'a> Trials<'a> {
         scene.rays.control = chosen.control;
         scene.rays.max_segments = segments(self.scene);
         let choice = Choice { schedule: Schedule::Segment, ..self.settings.choice.clone() };
-        let settings = Settings { choice, ..self.settings.clone() };
+        let settings = RenderSettings { choice, ..self.settings.clone() };
         let times = self.times(&[fused, &Renderer::new(self.gpu, &scene, settings)?])?;
         Ok(if times[1] < times[0] { Schedule::Segment } else { Schedule::Fused })
     }

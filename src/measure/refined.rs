@@ -16,7 +16,7 @@ use super::{Candidate, Quantiles};
 use crate::gpu::Gpu;
 use crate::model::control::scaled;
 use crate::program::{Choice, Layer, Purpose};
-use crate::render::{self, Plane, RenderError, Renderer, Settings, Status};
+use crate::render::{self, Plane, RenderError, RenderSettings, Renderer, Status};
 use crate::scene::{Control, Picture, Scene};
 
 /// Rays that are compared, about.
@@ -60,7 +60,7 @@ fn comparable(scene: &Scene, choice: &Choice, candidate: &Candidate, accuracy: f
 pub(super) fn first_right(
     gpu: &Gpu,
     scene: &Scene,
-    settings: &Settings,
+    settings: &RenderSettings,
     candidate: &Candidate,
     max_segments: u32,
     accuracy: f64,
@@ -79,12 +79,12 @@ pub(super) fn first_right(
     for picture in &mut small.pictures {
         *picture = Picture { size: [1, 1], pixels: Arc::new(vec![[0.0; 3]]), name: picture.name.clone() };
     }
-    let settings = Settings { window: None, segments: 256, ..settings.clone() };
+    let settings = RenderSettings { window: None, segments: 256, ..settings.clone() };
     let mut renderer = Renderer::new(gpu, &small, settings)?;
     let mut build = None;
     let mut run = |k: usize| -> Result<(Vec<End>, Duration), RenderError> {
         renderer.retune(controls[k], small.rays.max_segments)?;
-        let render::Picture { band, totals } = renderer.first_sample()?;
+        let render::Rendering { band, totals } = renderer.first_sample()?;
         build.get_or_insert_with(|| begun.elapsed());
         let plane = |layer| band.layer(layer);
         Ok((ends(LAYERS.map(plane)), totals.device.map_or(totals.wall, |stages| stages.iter().sum())))

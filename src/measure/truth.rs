@@ -4,7 +4,7 @@ use crate::gpu::{Gpu, GpuError, adapters};
 use crate::model::control::{embedded, exact};
 use crate::model::method::{CLOSED_FORMS, TOLERANT};
 use crate::program::{Choice, Purpose};
-use crate::render::{RenderError, Renderer, Settings, Starts, Status, Traced};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Status, Traced};
 use crate::scene::{Precision, Scene, Segment};
 
 /// The least tolerance that f64 is sure to keep.
@@ -62,8 +62,11 @@ impl Truth {
         let scene = reference(scene, tolerance);
         let purpose = if matches!(starts, Starts::Given(_)) { Purpose::Trace } else { Purpose::Pixels };
         let choice = Choice { purpose, ..Choice::default() };
-        let mut renderer =
-            Renderer::new(gpu, &scene, Settings { choice, segments: SEGMENTS_PER_PASS, ..Settings::default() })?;
+        let mut renderer = Renderer::new(
+            gpu,
+            &scene,
+            RenderSettings { choice, segments: SEGMENTS_PER_PASS, ..RenderSettings::default() },
+        )?;
         let fine = renderer.follow(starts)?.0;
         let control = scene.rays.control;
         let Some(tolerance) = control.tolerance() else {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Deviations, Quantiles, Truth, scattered};
 use crate::gpu::Gpu;
-use crate::render::{RenderError, Settings, Starts, trace_pixels};
+use crate::render::{RenderError, RenderSettings, Starts, trace_pixels};
 use crate::scene::Scene;
 
 /// The error of a scene's picture.
@@ -22,7 +22,7 @@ const VERIFIED: u64 = 2;
 const LOOSEST: f64 = 1e-10;
 
 /// Follows the rays of `count` random pixels (of their first sample) as the picture does, and again in 64 bits.
-pub fn verify(gpu: &Gpu, scene: &Scene, settings: &Settings, count: usize) -> Result<Verification, RenderError> {
+pub fn verify(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, count: usize) -> Result<Verification, RenderError> {
     let pixels = scattered(scene.image.size, count, VERIFIED);
     let (rays, _) = trace_pixels(gpu, scene, settings, &pixels)?;
     let own = scene.rays.control.tolerance().unwrap_or(LOOSEST);

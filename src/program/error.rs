@@ -49,9 +49,14 @@ pub enum ProgramError {
         /// What is wrong there.
         message: String,
     },
-    /// A binding of a kind that no pass of this program uses.
-    #[error("the binding `{0}` has a type that the driver does not know")]
-    UnknownBinding(String),
+    /// A binding that is neither the renderer's nor a value of the scene, or of a type that no pass binds.
+    #[error("{place}: the renderer has nothing to bind to `{name}`")]
+    UnknownBinding {
+        /// Where it is declared.
+        place: Place,
+        /// The variable.
+        name: String,
+    },
     /// One segment may need more loop iterations than a software device grants an invocation.
     #[error(
         "one segment of this scene may need {needed} loop iterations, and an invocation has {limit}: \

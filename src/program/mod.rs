@@ -13,6 +13,7 @@ mod declarations;
 mod error;
 mod formula;
 mod generated;
+mod interface;
 mod link;
 mod linked;
 mod lower;
@@ -36,6 +37,8 @@ mod work;
 pub use analysis::Analysis;
 pub use choice::{Choice, Layer, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
+
+pub use interface::{Access, Channel, Role, SceneValue, Slot, StatePart};
 pub use link::link;
 pub use linked::{Linked, Place};
 pub use parts::{Part, all_parts, constant, part};
@@ -49,6 +52,7 @@ pub use validate::validated;
 pub use work::Work;
 
 use crate::scene::Scene;
+use reflect::reflect_pass;
 
 /// A scene's passes, linked and reflected, in the order in which they first run.
 #[derive(Debug, Clone)]
@@ -71,11 +75,25 @@ impl Program {
             .into_iter()
             .map(|pass| {
                 let linked = link(&parts, pass.entry())?;
-                let reflection = reflect(&linked)?;
+                let reflection = reflect_pass(&linked)?;
                 Ok((pass, linked, reflection))
             })
             .collect::<Result<_, ProgramError>>()?;
         Ok(Self { passes, work, choice: choice.clone() })
+    }
+
+    /// What its passes bind; what several bind comes several times.
+    pub fn bindings(&self) -> impl Iterator<Item = &Binding> {
+        self.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings)
+    }
+
+    /// How the buffer for a binding of this role lies, if a pass has one.
+    #[must_use]
+    pub fn layout(&self, role: &Role) -> Option<&Layout> {
+        self.bindings().filter(|binding| binding.role == *role).find_map(|binding| match &binding.kind {
+            BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. } => Some(layout),
+            _ => None,
+        })
     }
 
     /// Are its passes those of the other, so that what is compiled for one runs the other?

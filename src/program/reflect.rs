@@ -3,6 +3,7 @@
 use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAccess, TypeInner};
 
 use super::ProgramError;
+use super::interface::{PICTURE, Role, SceneValue};
 use super::linked::Linked;
 use super::validate::validated;
 
@@ -22,12 +23,14 @@ pub struct Reflection {
 /// One resource that a program binds, in group 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Binding {
-    /// The variable's name: what the host knows it by.
+    /// The variable's name.
     pub name: String,
     /// `@binding`.
     pub number: u32,
     /// What it is.
     pub kind: BindingKind,
+    /// What it is for.
+    pub role: Role,
 }
 
 /// The kinds of resource.
@@ -63,8 +66,10 @@ pub enum BindingKind {
 /// One of a scene's uniforms in its block.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlockMember {
-    /// The name that the part gives it.
+    /// Its name in the block.
     pub name: String,
+    /// Which value it is.
+    pub value: SceneValue,
     /// Where it begins, in bytes.
     pub offset: u32,
     /// How its own values lie.
@@ -101,18 +106,50 @@ pub struct Field {
 pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
     let module = validated(linked)?;
     let mut bindings = Vec::new();
-    for (_, variable) in module.global_variables.iter() {
+    for (handle, variable) in module.global_variables.iter() {
         let (Some(place), Some(name)) = (variable.binding, &variable.name) else {
             continue;
         };
-        let kind = binding_kind(&module, variable).ok_or_else(|| ProgramError::UnknownBinding(name.clone()))?;
-        bindings.push(Binding { name: name.clone(), number: place.binding, kind });
+        let at = module.global_variables.get_span(handle).to_range().map_or(0, |range| range.start);
+        let kind = binding_kind(&module, variable).ok_or_else(|| nothing_to_bind(linked, at, name))?;
+        let role = role(name, &kind, &linked.entry, at);
+        bindings.push(Binding { name: name.clone(), number: place.binding, kind, role });
     }
     bindings.sort_by_key(|binding| binding.number);
     let double = |inner: &TypeInner| inner.scalar().is_some_and(|scalar| scalar == naga::Scalar::F64);
     let doubles = module.types.iter().any(|(_, ty)| double(&ty.inner));
     let overrides = module.overrides.iter().filter_map(|(_, own)| own.name.clone()).collect();
     Ok(Reflection { entry: linked.entry.clone(), bindings, doubles, overrides })
+}
+
+/// As [`reflect`], of a pass: it binds nothing but what has a role.
+pub(super) fn reflect_pass(linked: &Linked) -> Result<Reflection, ProgramError> {
+    let reflection = reflect(linked)?;
+    for Binding { name, role, .. } in &reflection.bindings {
+        if let Role::Other { at } = role {
+            return Err(nothing_to_bind(linked, *at, name));
+        }
+    }
+    Ok(reflection)
+}
+
+fn nothing_to_bind(linked: &Linked, at: usize, name: &str) -> ProgramError {
+    ProgramError::UnknownBinding { place: linked.place(at), name: name.to_owned() }
+}
+
+/// Of a binding that is declared here in the program of `entry`.
+fn role(name: &str, kind: &BindingKind, entry: &str, at: usize) -> Role {
+    if let BindingKind::Block { .. } = kind {
+        return Role::Uniforms(entry.to_owned());
+    }
+    Role::of_renderer(name).unwrap_or_else(|| {
+        let value = SceneValue::of(name);
+        match kind {
+            BindingKind::Texture(_) if value.name == PICTURE => Role::Picture(value.region),
+            BindingKind::Uniform(_) | BindingKind::Storage { read_only: true, .. } => Role::Scene(value),
+            _ => Role::Other { at },
+        }
+    })
 }
 
 fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<BindingKind> {
@@ -141,7 +178,8 @@ fn block(module: &Module, members: &[naga::StructMember]) -> Option<Vec<BlockMem
         let inner = &module.types[member.ty].inner;
         let whole = matches!(inner, TypeInner::Struct { .. } | TypeInner::Array { .. });
         let layout = layout(module, inner).filter(|layout| whole && !layout.fields.is_empty())?;
-        Some(BlockMember { name: member.name.clone()?, offset: member.offset, layout })
+        let name = member.name.clone()?;
+        Some(BlockMember { value: SceneValue::of(&name), name, offset: member.offset, layout })
     };
     members.iter().map(part).collect()
 }
@@ -183,4 +221,21 @@ fn field(module: &Module, member: &naga::StructMember) -> Option<Field> {
     };
     let width = u32::from(scalar.width);
     Some(Field { name: member.name.clone()?, offset: member.offset, scalar: scalar.kind, width, components })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::{Parts, Unit, link};
+
+    #[test]
+    fn what_has_no_role_is_refused_where_it_is_declared() {
+        let text = "// A part.\n@group(0) @binding(1) var<storage, read_write> scratch: array<u32>;\n\
+                    @compute @workgroup_size(1) fn entry() { scratch[0] = 1u; }\n";
+        let shared = vec![Unit { file: "law/own.wgsl".into(), text: text.into() }];
+        let linked = link(&Parts { shared, regions: Vec::new() }, "entry").unwrap();
+        assert!(matches!(reflect(&linked).unwrap().bindings[0].role, Role::Other { .. }));
+        let error = reflect_pass(&linked).unwrap_err().to_string();
+        assert!(error.contains("law/own.wgsl:2") && error.contains("`scratch`"), "{error}");
+    }
 }

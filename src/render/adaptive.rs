@@ -9,37 +9,12 @@
 //! row of corners. Pixels that want more are listed on the device; the host reads how many there are after each doubling.
 //! 36 bytes a pixel, and 8 for the lists.
 
-use std::fmt;
-
 use super::clock::Clock;
 use super::readback::read_buffer;
-use super::renderer::{Frame, Refines};
-use super::{RenderError, Renderer};
-use crate::gpu::{GpuError, Tile, WANTED};
-use crate::program::constant;
-
-/// What adaptive sampling came to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Adaptive {
-    /// Pixels of the window.
-    pub pixels: u64,
-    /// Samples that they took together, with the rays through their corners.
-    pub samples: u64,
-    /// Those that took all the samples they may, and whose mean is not as good as it should be.
-    pub capped: u64,
-    /// Samples of its own that a pixel may take.
-    pub most: u32,
-    /// The standard error below which a mean is good enough, in what a screen shows.
-    pub tolerance: f64,
-}
-
-impl Adaptive {
-    /// Samples of a pixel on average.
-    #[must_use]
-    pub fn mean(&self) -> f64 {
-        self.samples as f64 / self.pixels as f64
-    }
-}
+use super::sample::{Refines, Sample};
+use super::{Adaptive, RenderError, Renderer};
+use crate::gpu::{GpuError, Tile};
+use crate::program::{Role, constant};
 
 /// What `moments` says of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,23 +23,6 @@ pub(super) struct Moments {
     pub color: [f32; 4],
     /// Rays that it took: that through its corner, and its own samples.
     pub rays: u32,
-}
-
-impl fmt::Display for Adaptive {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { pixels, capped, most, tolerance, .. } = self;
-        write!(f, "{:.2} samples a pixel, ", self.mean())?;
-        if *capped == 0 {
-            return write!(f, "all pixels within {tolerance}");
-        }
-        let share = 100.0 * *capped as f64 / *pixels as f64;
-        write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most}")
-    }
-}
-
-impl Refines {
-    /// After the rays through the corners.
-    pub(super) const FIRST: Self = Self { listed: false, lists: [WANTED + 1, WANTED] };
 }
 
 impl Renderer<'_> {
@@ -81,23 +39,22 @@ impl Renderer<'_> {
         const CORNERS: f64 = 0.3;
         let image = &self.scene.image;
         let first = constant("pass/refine", "FIRST_SAMPLES") as u32;
-        let frame = |sample: u32, refines: Refines| Frame { origin, image: image.size, sample, refines: Some(refines) };
-        self.run_sample(tile, frame(0, Refines::FIRST), clock, &|done| progress(CORNERS * done))?;
+        let at = |number: u32, refines: Refines| Sample { origin, image: image.size, number, refines: Some(refines) };
+        self.run_sample(tile, at(0, Refines::FIRST), clock, &|done| progress(CORNERS * done))?;
         sums.samples += u64::from(tile.size[0]) * u64::from(tile.size[1]);
         let mut open = self.read_refined(tile, sums)?;
-        let mut list = 0;
+        let mut list = Refines::FIRST.list + 1;
         for sample in 1..=image.samples {
             if open == 0 {
                 break;
             }
-            let lists = [WANTED + list, WANTED + 1 - list];
-            let refines = Refines { listed: self.settings.choice.lists_open(&self.scene), lists };
-            self.run_sample(tile, frame(sample, refines), clock, &|_| {})?;
+            let refines = Refines { listed: self.settings.choice.lists_open(&self.scene), list };
+            self.run_sample(tile, at(sample, refines), clock, &|_| {})?;
             sums.samples += open;
             progress(CORNERS + (1.0 - CORNERS) * f64::from(sample) / f64::from(image.samples));
             if sample >= first && sample.is_power_of_two() {
                 open = self.read_refined(tile, sums)?;
-                list = 1 - list;
+                list += 1;
             }
         }
         Ok(())
@@ -105,7 +62,7 @@ impl Renderer<'_> {
 
     /// How many pixels want more samples; those that stopped at the cap since this was read last are added to `sums`.
     fn read_refined(&self, tile: &Tile, sums: &mut Adaptive) -> Result<u64, GpuError> {
-        let Some(buffer) = tile.buffer("refined") else { return Ok(0) };
+        let Some(buffer) = tile.buffer(&Role::Refined) else { return Ok(0) };
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
@@ -115,7 +72,7 @@ impl Renderer<'_> {
 
     /// Of every pixel of the tile with its margin, row by row; none if the tile has none.
     pub(super) fn read_moments(&self, tile: &Tile) -> Result<Option<Vec<Moments>>, GpuError> {
-        let Some(buffer) = tile.buffer("moments") else { return Ok(None) };
+        let Some(buffer) = tile.buffer(&Role::Moments) else { return Ok(None) };
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
         let rays = constant("picture/adaptive", "RAYS") as u32;

@@ -5,10 +5,11 @@
 //! different passes.
 //!
 //! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
-//! dispatch drops what no longer lives. Submissions are kept short, because drivers kill long ones.
+//! dispatch drops the rays that have ended. Submissions are kept short, because drivers kill long ones.
 
 mod adaptive;
 mod bare;
+mod batch;
 mod clock;
 mod error;
 mod picture;
@@ -16,19 +17,24 @@ mod plan;
 mod readback;
 mod renderer;
 mod runner;
+mod sample;
 mod schedule;
 mod segments;
+mod settings;
 mod start;
+mod step;
+mod tiles;
 mod totals;
 mod trace;
 mod window;
 
-pub use adaptive::Adaptive;
 pub use error::RenderError;
-pub use picture::{Band, Picture, Plane};
-pub use renderer::{Renderer, Settings};
-pub use schedule::{Dispatch, Step, steps};
+pub use picture::{Band, Plane, Rendering};
+pub use renderer::Renderer;
+pub use schedule::steps;
+pub use settings::RenderSettings;
 pub use start::StartUp;
-pub use totals::{Status, Totals};
+pub use step::{Dispatch, PixelList, Step};
+pub use totals::{Adaptive, Status, Totals};
 pub use trace::{PathPoint, Starts, Traced, trace, trace_paths, trace_pixels};
 pub use window::Window;

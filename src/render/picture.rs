@@ -4,10 +4,11 @@ use std::time::Instant;
 
 use super::clock::Clock;
 use super::readback::read_texture;
-use super::renderer::{Frame, Walks};
+use super::renderer::Walks;
+use super::sample::Sample;
 use super::{Adaptive, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
-use crate::program::Layer;
+use crate::program::{Channel, Layer, Role};
 
 /// Values of a layer, row by row.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +40,7 @@ pub struct Band {
 
 /// A whole picture in memory, for tests and comparisons.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
+pub struct Rendering {
     /// All its rows in one band.
     pub band: Band,
     /// What rendering it took.
@@ -94,7 +95,7 @@ impl Renderer<'_> {
     }
 
     /// The whole picture at once.
-    pub fn picture(&self) -> Result<Picture, RenderError> {
+    pub fn picture(&self) -> Result<Rendering, RenderError> {
         let mut whole: Option<Band> = None;
         let mut append = |band: Band| {
             match &mut whole {
@@ -105,7 +106,7 @@ impl Renderer<'_> {
         };
         let totals = self.render(&mut append, &|_| {})?;
         let band = whole.unwrap_or_else(|| self.band(0, 0));
-        Ok(Picture { band, totals })
+        Ok(Rendering { band, totals })
     }
 
     /// What adaptive sampling is to do, if it is asked for.
@@ -118,19 +119,18 @@ impl Renderer<'_> {
     }
 
     /// The layers of the picture's first sample, on one tile: for pictures that are no larger.
-    pub fn first_sample(&self) -> Result<Picture, RenderError> {
+    pub fn first_sample(&self) -> Result<Rendering, RenderError> {
         let size = self.scene.image.size;
         let (tile, mut band) = (self.tile(size)?, self.band(0, size[1]));
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
         let started = Instant::now();
-        let frame = Frame { origin: [0, 0], image: size, sample: 0, refines: None };
-        self.run_sample(&tile, frame, &mut clock, &|_| {})?;
+        self.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
         if self.read_tally(&tile, &mut totals)? == Walks::Unfinished {
             return self.first_sample();
         }
         self.read_tile(&tile, 0, &mut band)?;
         self.finish_totals(&mut totals, &clock, started)?;
-        Ok(Picture { band, totals })
+        Ok(Rendering { band, totals })
     }
 
     /// Some black rows of the picture.
@@ -154,29 +154,30 @@ impl Renderer<'_> {
             return self.sample_adaptively(tile, origin, clock, progress, sums);
         }
         let samples = self.scene.image.samples;
-        for sample in 0..samples {
-            let frame = Frame { origin, image: self.scene.image.size, sample, refines: None };
-            let part = |done: f64| progress((f64::from(sample) + done) / f64::from(samples));
-            self.run_sample(tile, frame, clock, &part)?;
+        for number in 0..samples {
+            let sample = Sample { origin, image: self.scene.image.size, number, refines: None };
+            let part = |done: f64| progress((f64::from(number) + done) / f64::from(samples));
+            self.run_sample(tile, sample, clock, &part)?;
         }
         Ok(())
     }
 
     fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band) -> Result<(), RenderError> {
         let moments = self.read_moments(tile)?;
-        let at = Place { left, width: tile.size[0], margin: self.settings.choice.margin(&self.scene) };
+        let at = TilePlace { left, width: tile.size[0], margin: self.settings.choice.margin(&self.scene) };
         let weight = 1.0 / self.scene.image.samples as f32;
         let planes = band.color.iter_mut().chain(&mut band.alpha);
-        for (k, (channel, name)) in planes.zip(["red", "green", "blue", "alpha"]).enumerate() {
+        let channels = [Channel::Red, Channel::Green, Channel::Blue, Channel::Alpha];
+        for (k, (plane, channel)) in planes.zip(channels).enumerate() {
             if let Some(moments) = &moments {
-                at.put(channel, band.width, moments.iter().map(|moments| moments.color[k]));
-            } else if let Some(texture) = tile.texture(name) {
+                at.put(plane, band.width, moments.iter().map(|moments| moments.color[k]));
+            } else if let Some(texture) = tile.texture(&Role::Color(channel)) {
                 let sums = read_texture(self.gpu, texture)?;
-                at.put(channel, band.width, sums.iter().map(|bits| f32::from_bits(*bits) * weight));
+                at.put(plane, band.width, sums.iter().map(|bits| f32::from_bits(*bits) * weight));
             }
         }
         for &layer in &self.settings.choice.layers {
-            let words = match (layer, &moments, tile.texture(&format!("layer_{}", layer.name()))) {
+            let words = match (layer, &moments, tile.texture(&Role::Layer(layer))) {
                 (Layer::Samples, Some(moments), _) => moments.iter().map(|moments| moments.rays).collect(),
                 (Layer::Samples, None, _) => {
                     vec![self.scene.image.samples; tile.size.map(|n| n as usize).iter().product()]
@@ -191,14 +192,14 @@ impl Renderer<'_> {
 }
 
 /// Where in the rows of a band a tile's values go.
-struct Place {
+struct TilePlace {
     left: u32,
     /// The tile's width, with its margin.
     width: u32,
     margin: u32,
 }
 
-impl Place {
+impl TilePlace {
     /// A tile's values without its margin, row by row, into full rows of the picture.
     fn put<T: Copy>(&self, rows: &mut [T], width: u32, values: impl Iterator<Item = T>) {
         for (i, value) in values.enumerate() {

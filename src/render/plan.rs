@@ -1,38 +1,51 @@
 //! A schedule's steps, and what the device is told of each.
 
-use super::schedule::{Batch, Step};
+use super::batch::Batch;
+use super::step::Step;
+use crate::gpu::Sections;
 use crate::model::Value::{self, Uint};
 
 /// What runs for each round of a sample.
 #[derive(Debug, Default)]
 pub(super) struct Plan {
     pub steps: Vec<Step>,
-    /// What differs between steps.
-    pub turns: Vec<Turn>,
+    /// All that differ, in order.
+    pub parameters: Vec<DispatchParameters>,
     pub batch: Batch,
 }
 
 impl Plan {
     pub(super) fn new(steps: Vec<Step>, rounds: u32) -> Self {
-        let mut turns: Vec<_> = steps.iter().map(Turn::of).collect();
-        turns.sort_unstable();
-        turns.dedup();
+        let mut parameters: Vec<_> = steps.iter().map(DispatchParameters::of).collect();
+        parameters.sort_unstable();
+        parameters.dedup();
         let batch = Batch::of(&steps, rounds);
-        Self { steps, turns, batch }
+        Self { steps, parameters, batch }
+    }
+
+    /// What the device needs of the buffers that are cut into sections.
+    pub(super) fn sections(&self) -> Sections {
+        let Batch { rounds, active } = self.batch;
+        Sections { parameters: self.parameters.len() as u64, active: rounds * active, open: self.batch.open() }
+    }
+
+    /// The section in which a step's parameters are.
+    pub(super) fn parameters_of(&self, step: &Step) -> u64 {
+        self.parameters.binary_search(&DispatchParameters::of(step)).unwrap_or(0) as u64
     }
 }
 
 /// What a pass is told of its step: `shaders/state/arguments.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Turn {
+pub(super) struct DispatchParameters {
     start: usize,
     end: usize,
     again: bool,
     first: bool,
 }
 
-impl Turn {
-    pub(super) fn of(step: &Step) -> Self {
+impl DispatchParameters {
+    fn of(step: &Step) -> Self {
         Self { start: step.slots.start, end: step.slots.end, again: step.again, first: step.first }
     }
 

@@ -4,53 +4,20 @@ use std::borrow::Cow;
 use std::cell::{Cell, OnceCell};
 use std::time::Instant;
 
-use wgpu::{BufferUsages, ErrorFilter};
+use wgpu::ErrorFilter;
 
 use super::clock::Clock;
 use super::plan::Plan;
 use super::readback::read_buffer;
-use super::schedule::{Batch, steps};
-use super::{RenderError, Totals, Window};
+use super::sample::Sample;
+use super::schedule::steps;
+use super::{RenderError, RenderSettings, Totals};
 use crate::gpu::{
-    Built, Geometry, Gpu, GpuError, Memory, Parts, Pipelines, SceneBuffers, TURN_STRIDE, Tile, copy_of, memory, pack,
-    schedule_values,
+    Built, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
-use crate::model::Control;
-use crate::model::Value::{self, Uint, Uint2};
-use crate::program::{BindingKind, Choice, Program, Purpose, Regions, Work};
+use crate::model::{Control, Value};
+use crate::program::{BindingKind, Layout, Program, Purpose, Regions, Role, Work};
 use crate::scene::Scene;
-
-/// How to render.
-#[derive(Debug, Clone)]
-pub struct Settings {
-    /// Schedule, masks, purpose and layers.
-    pub choice: Choice,
-    /// K: segments of one fused pass, at most; more where a sample has many rounds.
-    pub segments: u32,
-    /// Bytes on the device that a picture may take, with its scene.
-    pub memory: u64,
-    /// The largest tile, in pixels; the memory and the device's limits apply besides.
-    pub tile_pixels: u64,
-    /// The part of the picture that is rendered; none for all of it.
-    pub window: Option<Window>,
-    /// Are intersecting and scattering timed apart from advancing, where they have passes? That takes a pass of the encoder for each
-    /// of them, which costs more than the round where nothing lives.
-    pub apart: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            choice: Choice::default(),
-            segments: 64,
-            memory: 1 << 30,
-            // Enough to fill any device, and bands that the host holds with ease.
-            tile_pixels: 1 << 22,
-            window: None,
-            apart: false,
-        }
-    }
-}
 
 /// In so many rounds of a sample and more most pixels rest, so that a pass costs more than the ended rays that it drops: passes
 /// are longer, and fewer.
@@ -61,7 +28,7 @@ const MANY_ROUNDS: u32 = 64;
 pub struct Renderer<'a> {
     pub(super) gpu: &'a Gpu,
     pub(super) scene: Cow<'a, Scene>,
-    pub(super) settings: Settings,
+    pub(super) settings: RenderSettings,
     /// The linked program.
     pub program: Program,
     pub(super) pipelines: Pipelines,
@@ -86,28 +53,9 @@ pub(super) enum Walks {
     Unfinished,
 }
 
-/// A part of the picture and a sample of it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Frame {
-    pub origin: [u32; 2],
-    pub image: [u32; 2],
-    pub sample: u32,
-    /// In an adaptive picture, for which pixels the sample is.
-    pub refines: Option<Refines>,
-}
-
-/// The pixels that take a sample, and those of them that will take more.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Refines {
-    /// Are they listed, or every one of the tile?
-    pub listed: bool,
-    /// Their list, and the one of those that go on.
-    pub lists: [usize; 2],
-}
-
 impl<'a> Renderer<'a> {
     /// Links, compiles and uploads.
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, mut settings: Settings) -> Result<Self, RenderError> {
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, mut settings: RenderSettings) -> Result<Self, RenderError> {
         if settings.choice.purpose != Purpose::Trace && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
         }
@@ -145,7 +93,7 @@ impl<'a> Renderer<'a> {
     /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
     /// pass is compiled again.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        let Settings { window, choice, segments, .. } = &self.settings;
+        let RenderSettings { window, choice, segments, .. } = &self.settings;
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
@@ -180,11 +128,12 @@ impl<'a> Renderer<'a> {
         Ok(())
     }
 
+    /// Gives one of the scene's uniforms other values.
     fn rewrite<N: AsRef<str>>(&self, name: &str, values: &[(N, Value)]) -> Result<(), GpuError> {
-        for binding in self.program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings) {
+        for binding in self.program.bindings() {
             let BindingKind::Block { members, .. } = &binding.kind else { continue };
-            let Some(buffer) = self.buffers.buffers.get(&binding.name) else { continue };
-            for member in members.iter().filter(|member| copy_of(&member.name).0 == name) {
+            let Some(buffer) = self.buffers.buffer(&binding.role) else { continue };
+            for member in members.iter().filter(|member| member.value.name == name) {
                 let bytes = pack(name, &member.layout, [values])?;
                 self.gpu.queue.write_buffer(buffer, u64::from(member.offset), &bytes);
             }
@@ -224,47 +173,31 @@ impl<'a> Renderer<'a> {
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
         let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let slots = self.settings.choice.slots(&self.scene);
-        let Plan { turns, batch, .. } = self.plan();
-        let Batch { rounds, living } = *batch;
-        let parts = Parts { turns: turns.len() as u64, living: rounds * living, open: 2 * rounds };
-        let tile = Tile::new(self.gpu, &self.program, size, slots, &parts)?;
+        let plan = self.plan();
+        let tile = Tile::new(self.gpu, &self.program, size, slots, &plan.sections())?;
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(GpuError::Lost(error.to_string()));
         }
-        if let Some(turn) = self.binding_layout("dispatch") {
-            for (i, own) in turns.iter().enumerate() {
-                self.write(&tile, "dispatch", i as u64 * TURN_STRIDE, &pack("dispatch", turn, [own.row()])?);
+        if let Some(layout) = self.program.layout(&Role::Parameters) {
+            for (i, parameters) in plan.parameters.iter().enumerate() {
+                let bytes = pack("dispatch parameters", layout, [parameters.row()])?;
+                tile.write(self.gpu, &Role::Parameters, i as u64 * SECTION, &bytes);
             }
         }
         Ok(tile)
     }
 
-    pub(super) fn binding_layout(&self, name: &str) -> Option<&crate::program::Layout> {
-        let bindings = self.program.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings);
-        bindings.filter(|binding| binding.name == name).find_map(|binding| match &binding.kind {
-            BindingKind::Uniform(layout) | BindingKind::Storage { layout, .. } => Some(layout),
-            _ => None,
+    /// How the buffer for a binding of this role lies.
+    pub(super) fn layout(&self, role: &Role) -> Result<&Layout, GpuError> {
+        self.program.layout(role).ok_or_else(|| GpuError::Layout {
+            binding: role.to_string(),
+            problem: "the program does not bind it".to_owned(),
         })
     }
 
-    fn write(&self, tile: &Tile, name: &str, offset: u64, bytes: &[u8]) {
-        if let Some(buffer) = tile.buffer(name) {
-            self.gpu.queue.write_buffer(buffer, offset, bytes);
-        }
-    }
-
-    pub(super) fn write_frame(&self, tile: &Tile, frame: Frame, round: u32) -> Result<(), GpuError> {
-        let Some(layout) = self.binding_layout("frame") else { return Ok(()) };
-        let row = [
-            ("origin", Uint2(frame.origin)),
-            ("size", Uint2(tile.size)),
-            ("image", Uint2(frame.image)),
-            ("sample", Uint(frame.sample)),
-            ("branch", Uint(round.min(1))),
-            ("listed", Uint((round > 0 || frame.refines.is_some_and(|refines| refines.listed)).into())),
-            ("zero", Uint(0)),
-        ];
-        self.write(tile, "frame", 0, &pack("frame", layout, [row])?);
+    pub(super) fn write_sample(&self, tile: &Tile, sample: Sample, round: u32) -> Result<(), GpuError> {
+        let Some(layout) = self.program.layout(&Role::Frame) else { return Ok(()) };
+        tile.write(self.gpu, &Role::Frame, 0, &pack("frame", layout, [sample.row(tile.size, round)])?);
         Ok(())
     }
 
@@ -272,7 +205,7 @@ impl<'a> Renderer<'a> {
     /// next tile: this one is to be made anew.
     #[must_use = "a tile may have to be rendered again"]
     pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals) -> Result<Walks, GpuError> {
-        let Some(buffer) = tile.buffer("tally") else { return Ok(Walks::Ended) };
+        let Some(buffer) = tile.buffer(&Role::Tally) else { return Ok(Walks::Ended) };
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
@@ -292,9 +225,6 @@ impl<'a> Renderer<'a> {
     }
 }
 
-/// Storage that a trace adds to its tile.
-pub(super) const RECORDS: BufferUsages = BufferUsages::STORAGE;
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -312,10 +242,10 @@ mod tests {
     fn another_scene_runs_the_pipelines_that_there_are() {
         let gpu = Gpu::open(Some("llvmpipe")).unwrap();
         let (first, second) = (scene("center = [3, 0, 0]\n"), scene("center = [4, 1, 0]\nradius = 2\n"));
-        let fresh = |scene| Renderer::new(&gpu, scene, Settings::default()).unwrap().picture().unwrap().band;
+        let fresh = |scene| Renderer::new(&gpu, scene, RenderSettings::default()).unwrap().picture().unwrap().band;
         let expected = [fresh(&first), fresh(&second)];
         assert!(expected[0] != expected[1]);
-        let mut renderer = Renderer::new(&gpu, &first, Settings::default()).unwrap();
+        let mut renderer = Renderer::new(&gpu, &first, RenderSettings::default()).unwrap();
         let compiled = |renderer: &Renderer| -> Vec<_> {
             renderer.pipelines.iter().map(|(_, pass)| pass.pipeline.clone()).collect()
         };
@@ -339,13 +269,17 @@ mod tests {
         let first = Scene::parse(text, std::path::Path::new("scenes/test.toml"), &[]).unwrap();
         let mut other = first.clone();
         other.pictures[0].pixels = vec![[0.0, 0.5, 1.0]; first.pictures[0].pixels.len()].into();
-        let mut renderer = Renderer::new(&gpu, &first, Settings::default()).unwrap();
+        let mut renderer = Renderer::new(&gpu, &first, RenderSettings::default()).unwrap();
         let stars = renderer.picture().unwrap().band;
-        let before = renderer.buffers.textures.clone();
+        let before = renderer.buffers.picture(0).cloned();
         renderer.set_scene(first.clone()).unwrap();
-        assert!(renderer.buffers.textures == before && renderer.picture().unwrap().band == stars);
+        assert!(renderer.buffers.picture(0) == before.as_ref() && renderer.picture().unwrap().band == stars);
         renderer.set_scene(other.clone()).unwrap();
-        let fresh = Renderer::new(&gpu, &other, Settings::default()).unwrap().picture().unwrap().band;
-        assert!(renderer.buffers.textures != before && renderer.picture().unwrap().band == fresh && fresh != stars);
+        let fresh = Renderer::new(&gpu, &other, RenderSettings::default()).unwrap().picture().unwrap().band;
+        assert!(
+            renderer.buffers.picture(0) != before.as_ref()
+                && renderer.picture().unwrap().band == fresh
+                && fresh != stars
+        );
     }
 }

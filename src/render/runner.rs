@@ -15,11 +15,10 @@ use wgpu::{
 
 use super::Renderer;
 use super::clock::{Clock, Stage};
-use super::plan::Turn;
-use super::renderer::{Frame, Refines};
-use super::schedule::{Dispatch, Step, refining};
-use crate::gpu::{GpuError, OPEN, Slots, TURN_STRIDE, Tile};
-use crate::program::Pass;
+use super::sample::Sample;
+use super::step::{Dispatch, Step};
+use crate::gpu::{GpuError, List, Listed, SECTION, Selection, Tile};
+use crate::program::{Access, Pass, Role};
 
 /// Ray-steps of one submission, about: a few tenths of a second on a slow device, long before any driver's watchdog.
 const SUBMISSION: u64 = 1 << 26;
@@ -32,7 +31,7 @@ impl Renderer<'_> {
     pub(super) fn run_sample(
         &self,
         tile: &Tile,
-        frame: Frame,
+        sample: Sample,
         clock: &mut Clock,
         progress: &dyn Fn(f64),
     ) -> Result<(), GpuError> {
@@ -45,7 +44,7 @@ impl Renderer<'_> {
             if round < 2 {
                 runner.submit(clock)?;
                 weight = 0;
-                self.write_frame(tile, frame, round)?;
+                self.write_sample(tile, sample, round)?;
             }
             for step in &self.plan().steps {
                 weight += step.weight;
@@ -54,23 +53,23 @@ impl Renderer<'_> {
                     weight = step.weight;
                     progress(f64::from(round) / f64::from(rounds));
                 }
-                runner.recorded.push((round, taking_part(*step, round, frame.refines)));
+                runner.recorded.push((round, step.in_round(round, sample.refines)));
             }
         }
-        if let Some(refines) = frame.refines {
+        if let Some(refines) = sample.refines {
             if rounds > 1 {
                 runner.submit(clock)?;
-                self.write_frame(tile, frame, 0)?;
+                self.write_sample(tile, sample, 0)?;
             }
-            runner.recorded.push((0, refining(refines, self.settings.choice.masks)));
+            runner.recorded.push((0, Step::refining(refines, self.settings.choice.masks)));
         }
         runner.submit(clock)?;
         runner.wait(0)
     }
 
     /// Runs some steps at once, outside the loop over a whole sample.
-    pub(super) fn run_steps(&self, tile: &Tile, frame: Frame, steps: &[Step]) -> Result<(), GpuError> {
-        self.write_frame(tile, frame, 0)?;
+    pub(super) fn run_steps(&self, tile: &Tile, sample: Sample, steps: &[Step]) -> Result<(), GpuError> {
+        self.write_sample(tile, sample, 0)?;
         let mut runner = Runner::new(self, tile);
         runner.recorded.extend(steps.iter().map(|step| (0, *step)));
         runner.submit(&mut Clock::new(self.gpu, false))?;
@@ -90,20 +89,11 @@ fn stage_of(pass: Pass, round: u32, apart: bool) -> Stage {
     }
 }
 
-/// A step of a sample's round: over the pixels that take the sample, if these are listed.
-fn taking_part(mut step: Step, round: u32, refines: Option<Refines>) -> Step {
-    if let (0, Dispatch::Open, Some(Refines { listed, lists })) = (round, step.dispatch, refines) {
-        step.slots.list[0] = lists[0];
-        step.dispatch = if listed { Dispatch::Living } else { Dispatch::Grid };
-    }
-    step
-}
-
 /// One sample under way.
 struct Runner<'r, 'a> {
     renderer: &'r Renderer<'a>,
     tile: &'r Tile,
-    groups: HashMap<(Pass, Slots), BindGroup>,
+    groups: HashMap<(Pass, Selection), BindGroup>,
     /// Steps to be submitted, each with its round.
     recorded: Vec<(u32, Step)>,
     under_way: VecDeque<SubmissionIndex>,
@@ -129,25 +119,25 @@ impl<'r, 'a> Runner<'r, 'a> {
             let descriptor = ComputePassDescriptor { label: None, timestamp_writes: Some(timestamp_writes) };
             drop(encoder.begin_compute_pass(&descriptor));
         }
-        let batch = |round: u32| u64::from(round) / self.renderer.plan().batch.rounds;
+        let lists = self.renderer.plan().batch;
+        let batch = |round: u32| u64::from(round) / lists.rounds;
         let key = |(round, step): &(u32, Step)| {
             (batch(*round), stage_of(step.pass, *round, apart), step.pass == Pass::Refine)
         };
         for steps in self.recorded.chunk_by(|a, b| key(a) == key(b)) {
             let ((batch, stage, refines), (round, first)) = (key(&steps[0]), steps[0]);
-            if let (true, Some(buffer)) = (refines, self.tile.living(first.slots.list[1])) {
+            if let (true, Some(buffer)) = (refines, self.tile.arguments(lists.place(first.written, round).list)) {
                 encoder.clear_buffer(buffer, 0, None);
             }
-            if first.pass == Pass::Setup && u64::from(round) % self.renderer.plan().batch.rounds == 0 {
+            if first.pass == Pass::Setup && u64::from(round) % lists.rounds == 0 {
                 self.clear_lists(&mut encoder, batch);
             }
             let timestamp_writes = clock.next(gpu, stage);
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: None, timestamp_writes });
             let mut current = None;
             for (round, step) in steps {
-                let slots = step.slots.in_round(*round);
-                let (Some(pipeline), Some(group)) =
-                    (self.renderer.pipelines.get(step.pass), self.groups.get(&(step.pass, slots)))
+                let key = (step.pass, lists.selection(step, *round));
+                let (Some(pipeline), Some(group)) = (self.renderer.pipelines.get(step.pass), self.groups.get(&key))
                 else {
                     continue;
                 };
@@ -166,8 +156,8 @@ impl<'r, 'a> Runner<'r, 'a> {
 
     fn prepare(&mut self, i: usize) -> Result<(), GpuError> {
         let (round, step) = self.recorded[i];
-        let key = (step.pass, step.slots.in_round(round));
         let renderer = self.renderer;
+        let key = (step.pass, renderer.plan().batch.selection(&step, round));
         if let (false, Some(pipeline)) = (self.groups.contains_key(&key), renderer.pipelines.get(step.pass)) {
             let group = self.tile.bind_group(renderer.gpu, pipeline, &renderer.buffers, key.1)?;
             self.groups.insert(key, group);
@@ -175,41 +165,41 @@ impl<'r, 'a> Runner<'r, 'a> {
         Ok(())
     }
 
-    /// Nothing lives before a round's setup says so, and nothing is open in the next round before its shading says so. What the
-    /// batch before has left open stays.
+    /// No ray is active before a round's setup says so, and no pixel is open in the next round before its shading says so. What
+    /// the batch before has left open stays.
     fn clear_lists(&self, encoder: &mut CommandEncoder, batch: u64) {
-        let half = self.renderer.plan().batch.rounds * TURN_STRIDE;
-        for list in 0..OPEN + 2 {
-            let Some(buffer) = self.tile.living(list) else { continue };
-            let (offset, size) = if list < OPEN { (0, None) } else { (batch % 2 * half, Some(half)) };
-            encoder.clear_buffer(buffer, offset, size);
+        let half = self.renderer.plan().batch.rounds * SECTION;
+        for (of, offset, size) in [(Listed::Active, 0, None), (Listed::Open, batch % 2 * half, Some(half))] {
+            for list in List::both(of) {
+                if let Some(buffer) = self.tile.arguments(list) {
+                    encoder.clear_buffer(buffer, offset, size);
+                }
+            }
         }
     }
 
-    /// Where in the per-pass buffers the step's own parts lie.
+    /// Where the step's own sections lie in the buffers that are cut into such, in the order of the bindings.
     fn offsets(&self, step: &Step, round: u32) -> Vec<u32> {
-        let turn = self.renderer.plan().turns.binary_search(&Turn::of(step)).unwrap_or(0) as u64;
-        let [read, written] = self.renderer.plan().batch.parts(step, round);
-        Tile::offsets(&self.renderer.pipelines, step.pass)
-            .into_iter()
-            .map(|name| match name {
-                "dispatch" => turn,
-                "active_in" => read,
-                _ => written,
-            })
-            .map(|part| (part * TURN_STRIDE) as u32)
-            .collect()
+        let plan = self.renderer.plan();
+        let bindings = self.renderer.pipelines.get(step.pass).map_or(&[][..], |pipeline| &pipeline.bindings);
+        let offset = |role: &Role| match role {
+            Role::Parameters => Some(plan.parameters_of(step) * SECTION),
+            Role::Arguments(Access::Read) => Some(plan.batch.place(step.read, round).offset()),
+            Role::Arguments(Access::Write) => Some(plan.batch.place(step.written, round).offset()),
+            _ => None,
+        };
+        bindings.iter().filter_map(|binding| offset(&binding.role)).map(|offset| offset as u32).collect()
     }
 
     fn dispatch(&self, pass: &mut ComputePass, step: &Step, round: u32) {
-        let [read, _] = self.renderer.plan().batch.parts(step, round);
         let indirect = match step.dispatch {
             Dispatch::Grid => false,
-            Dispatch::Living => true,
-            Dispatch::Open => round > 0,
+            Dispatch::Listed => true,
+            Dispatch::ListedLater => round > 0,
         };
-        match self.tile.living(step.slots.in_round(round).list[0]) {
-            Some(buffer) if indirect => pass.dispatch_workgroups_indirect(buffer, read * TURN_STRIDE),
+        let read = self.renderer.plan().batch.place(step.read, round);
+        match self.tile.arguments(read.list) {
+            Some(buffer) if indirect => pass.dispatch_workgroups_indirect(buffer, read.offset()),
             _ => {
                 let [across, down] = self.renderer.gpu.group;
                 pass.dispatch_workgroups(self.tile.size[0].div_ceil(across), self.tile.size[1].div_ceil(down), 1);

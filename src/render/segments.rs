@@ -9,7 +9,7 @@
 use std::time::{Duration, Instant};
 
 use super::clock::Clock;
-use super::renderer::{Frame, Refines};
+use super::sample::{Refines, Sample};
 use super::{RenderError, Renderer, Totals, Window};
 use crate::program::Schedule;
 
@@ -38,15 +38,15 @@ impl Renderer<'_> {
         let small = |side: u32| (u64::from(side) * u64::from(SMALL.min(longer)) / u64::from(longer)) as u32;
         let size = [width, height].map(|side| small(side).max(1));
         let refines = choice.adapts(&self.scene).then_some(Refines::FIRST);
-        let frame =
-            Frame { origin: corner.map(small), image: image.size.map(|side| small(side).max(1)), sample: 0, refines };
+        let image = image.size.map(|side| small(side).max(1));
+        let sample = Sample { origin: corner.map(small), image, number: 0, refines };
         let useful = 1 + CHOICES.iter().filter(|segments| **segments < self.max_segments).count();
         let mut times: Vec<_> = CHOICES.into_iter().take(useful).map(|segments| (segments, Duration::MAX)).collect();
         // By turns, so that a slow moment is nobody's own. The first run of all compiles, and its times rule nothing out.
         for run in 0..RUNS {
             for (segments, least) in &mut times {
                 self.set_segments(self.max_segments, *segments)?;
-                *least = self.small_time(size, frame)?.min(*least);
+                *least = self.small_time(size, sample)?.min(*least);
             }
             let best = times.iter().map(|(_, time)| *time).min().unwrap_or_default();
             times.retain(|(_, time)| run == 0 || *time <= best.mul_f64(HOPELESS));
@@ -56,11 +56,11 @@ impl Renderer<'_> {
         Ok(chosen)
     }
 
-    fn small_time(&self, size: [u32; 2], frame: Frame) -> Result<Duration, RenderError> {
+    fn small_time(&self, size: [u32; 2], sample: Sample) -> Result<Duration, RenderError> {
         let tile = self.tile(size)?;
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
         let started = Instant::now();
-        self.run_sample(&tile, frame, &mut clock, &|_| {})?;
+        self.run_sample(&tile, sample, &mut clock, &|_| {})?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(totals.advance())
     }

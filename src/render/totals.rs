@@ -4,7 +4,6 @@ use std::fmt;
 use std::sync::LazyLock;
 use std::time::Duration;
 
-use super::Adaptive;
 use crate::program::constant;
 
 /// How a ray ended.
@@ -81,6 +80,41 @@ impl Status {
     }
 }
 
+/// What adaptive sampling came to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Adaptive {
+    /// Pixels of the window.
+    pub pixels: u64,
+    /// Samples that they took together, with the rays through their corners.
+    pub samples: u64,
+    /// Those that took all the samples they may, and whose mean is not as good as it should be.
+    pub capped: u64,
+    /// Samples of its own that a pixel may take.
+    pub most: u32,
+    /// The standard error below which a mean is good enough, in what a screen shows.
+    pub tolerance: f64,
+}
+
+impl Adaptive {
+    /// Samples of a pixel on average.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
+        self.samples as f64 / self.pixels as f64
+    }
+}
+
+impl fmt::Display for Adaptive {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { pixels, capped, most, tolerance, .. } = self;
+        write!(f, "{:.2} samples a pixel, ", self.mean())?;
+        if *capped == 0 {
+            return write!(f, "all pixels within {tolerance}");
+        }
+        let share = 100.0 * *capped as f64 / *pixels as f64;
+        write!(f, "{capped} pixels ({share:.2} %) not within {tolerance} after {most}")
+    }
+}
+
 /// Sums over all rays.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Totals {
@@ -93,7 +127,7 @@ pub struct Totals {
     /// Segments tested.
     pub segments: u64,
     /// Rays by how they ended.
-    pub fates: Vec<(Status, u64)>,
+    pub by_status: Vec<(Status, u64)>,
     /// Time on the device by stage (setup, advance, intersect, scatter, shade; advancing includes the two after it unless they are
     /// timed apart, and all rounds of a sample after its first); none without timestamp queries.
     pub device: Option<[Duration; 5]>,
@@ -119,7 +153,7 @@ impl Totals {
     /// Rays that ended so.
     #[must_use]
     pub fn count(&self, status: Status) -> u64 {
-        self.fates.iter().filter(|(s, _)| *s == status).map(|(_, n)| n).sum()
+        self.by_status.iter().filter(|(s, _)| *s == status).map(|(_, n)| n).sum()
     }
 
     /// Rays that could not be followed to an end.
@@ -130,8 +164,8 @@ impl Totals {
 
     /// Rays in a tally whose walks did not end: left alive by passes that ran out, or stopped by the termination.
     pub(super) fn unfinished(words: &[u32]) -> u32 {
-        let fate = |name: &str| words[6 + constant("segment/ray", name) as usize];
-        fate("ALIVE") + fate("UNFINISHED")
+        let count = |name: &str| words[6 + constant("segment/ray", name) as usize];
+        count("ALIVE") + count("UNFINISHED")
     }
 
     /// Adds a tile's tally, the words of `Tally` in `shaders/state/tally.wgsl`.
@@ -143,9 +177,9 @@ impl Totals {
         for (code, &n) in words[6..].iter().take(16).enumerate() {
             self.rays += u64::from(n);
             let status = Status::from_code(code as u32);
-            match self.fates.iter_mut().find(|(s, _)| *s == status) {
+            match self.by_status.iter_mut().find(|(s, _)| *s == status) {
                 Some((_, count)) => *count += u64::from(n),
-                None => self.fates.push((status, u64::from(n))),
+                None => self.by_status.push((status, u64::from(n))),
             }
         }
     }
@@ -162,7 +196,7 @@ impl fmt::Display for Totals {
             write!(f, ", {:.3} s on the device", device.iter().sum::<Duration>().as_secs_f64())?;
         }
         write!(f, ", {:.3} s in all;", self.wall.as_secs_f64())?;
-        for (status, count) in self.fates.iter().filter(|(_, count)| *count > 0) {
+        for (status, count) in self.by_status.iter().filter(|(_, count)| *count > 0) {
             write!(f, " {} {count}", status.name())?;
         }
         if let Some(adaptive) = &self.adaptive {

@@ -1,16 +1,16 @@
 //! Following given rays, one by one, through the same passes.
 
 use glam::DVec3;
-use wgpu::BufferUsages;
 
 use super::readback::read_buffer;
-use super::renderer::{Frame, RECORDS, Walks};
-use super::schedule::Step;
-use super::{RenderError, Renderer, Settings, Status, Totals};
-use crate::gpu::{Gpu, GpuError, Tile, pack};
+use super::renderer::Walks;
+use super::sample::Sample;
+use super::step::Step;
+use super::{RenderError, RenderSettings, Renderer, Status, Totals};
+use crate::gpu::{Gpu, Tile, pack};
 use crate::model::Object;
 use crate::model::Value::Vec3;
-use crate::program::{Analysis, Choice, Field, Layout, Masks, Pass, Purpose, Regions, Schedule};
+use crate::program::{Analysis, Choice, Field, Layout, Masks, Pass, Purpose, Regions, Role, Schedule};
 use crate::scene::Scene;
 
 /// Where a ray ended.
@@ -88,22 +88,22 @@ pub enum Starts<'s> {
 pub fn trace(
     gpu: &Gpu,
     scene: &Scene,
-    settings: &Settings,
+    settings: &RenderSettings,
     rays: &[[f64; 6]],
 ) -> Result<(Vec<Traced>, Totals), RenderError> {
     let choice = Choice { purpose: Purpose::Trace, layers: Vec::new(), ..settings.choice.clone() };
-    Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?.follow(Starts::Given(rays))
+    Renderer::new(gpu, scene, RenderSettings { choice, ..settings.clone() })?.follow(Starts::Given(rays))
 }
 
 /// Follows the camera's rays of some pixels to their ends.
 pub fn trace_pixels(
     gpu: &Gpu,
     scene: &Scene,
-    settings: &Settings,
+    settings: &RenderSettings,
     pixels: &[[u32; 2]],
 ) -> Result<(Vec<Traced>, Totals), RenderError> {
     let choice = Choice { purpose: Purpose::Pixels, layers: Vec::new(), ..settings.choice.clone() };
-    Renderer::new(gpu, scene, Settings { choice, ..settings.clone() })?.follow(Starts::Pixels(pixels, ROW))
+    Renderer::new(gpu, scene, RenderSettings { choice, ..settings.clone() })?.follow(Starts::Pixels(pixels, ROW))
 }
 
 impl Renderer<'_> {
@@ -119,11 +119,11 @@ impl Renderer<'_> {
         let mut traced = Vec::with_capacity(count);
         while traced.len() < count {
             let part = traced.len()..count.min(traced.len() + BATCH);
-            let (tile, frame) = match starts {
+            let (tile, sample) = match starts {
                 Starts::Given(rays) => ray_tile(self, &rays[part.clone()])?,
                 Starts::Pixels(pixels, row) => pixel_tile(self, &pixels[part.clone()], row)?,
             };
-            self.run_sample(&tile, frame, &mut clock, &|_| {})?;
+            self.run_sample(&tile, sample, &mut clock, &|_| {})?;
             if self.read_tally(&tile, &mut totals)? == Walks::Ended {
                 traced.extend(read_records(self, &tile, part.len())?);
             }
@@ -131,12 +131,12 @@ impl Renderer<'_> {
         self.finish_totals(&mut totals, &clock, started)?;
         // The last row of the state is filled up with pixels that have no ray.
         totals.rays = count as u64;
-        totals.fates = count_fates(&traced);
+        totals.by_status = count_by_status(&traced);
         Ok((traced, totals))
     }
 }
 
-fn count_fates(traced: &[Traced]) -> Vec<(Status, u64)> {
+fn count_by_status(traced: &[Traced]) -> Vec<(Status, u64)> {
     let count = |status: Status| traced.iter().filter(|ray| ray.status == status).count() as u64;
     std::iter::once(Status::Alive).chain(Status::ENDS).map(|s| (s, count(s))).filter(|(_, n)| *n > 0).collect()
 }
@@ -146,7 +146,7 @@ fn count_fates(traced: &[Traced]) -> Vec<(Status, u64)> {
 pub fn trace_paths(
     gpu: &Gpu,
     scene: &Scene,
-    settings: &Settings,
+    settings: &RenderSettings,
     rays: &[[f64; 6]],
 ) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
     let choice =
@@ -156,7 +156,7 @@ pub fn trace_paths(
     if std::mem::take(&mut scene.rays.leaps) && leaping {
         scene.rays.max_segments = scene.rays.max_segments.max(ARCS);
     }
-    let renderer = Renderer::new(gpu, &scene, Settings { choice, ..settings.clone() })?;
+    let renderer = Renderer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() })?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());
     for batch in rays.chunks(batch) {
@@ -167,24 +167,24 @@ pub fn trace_paths(
 
 fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
     let plan = renderer.longest_plan();
-    let (tile, frame) = ray_tile(renderer, batch)?;
+    let (tile, sample) = ray_tile(renderer, batch)?;
     let mut paths = vec![(Status::Alive, Vec::new()); batch.len()];
     let Some((record, rest)) = plan.steps.split_last() else { return Ok(paths) };
-    let rounds = rest.chunk_by(|a, b| a.round == b.round && b.pass != Pass::Setup && a.pass != Pass::Setup);
-    // Setup, then round by round until nothing lives.
-    for round in rounds {
-        let steps: Vec<Step> = round.iter().copied().chain([*record]).collect();
-        renderer.run_steps(&tile, frame, &steps)?;
-        let mut living = false;
+    let iterations = rest.chunk_by(|a, b| a.iteration == b.iteration && b.pass != Pass::Setup && a.pass != Pass::Setup);
+    // Setup, then segment by segment until no ray is active.
+    for iteration in iterations {
+        let steps: Vec<Step> = iteration.iter().copied().chain([*record]).collect();
+        renderer.run_steps(&tile, sample, &steps)?;
+        let mut active = false;
         for ((status, points), ray) in paths.iter_mut().zip(read_records(renderer, &tile, batch.len())?) {
-            let started = round[0].pass == Pass::Setup;
+            let started = iteration[0].pass == Pass::Setup;
             if *status == Status::Alive && (started || !points.is_empty()) {
                 points.push(PathPoint { x: ray.x, v: ray.v, tau: ray.tau });
                 *status = ray.status;
             }
-            living |= *status == Status::Alive;
+            active |= *status == Status::Alive;
         }
-        if !living {
+        if !active {
             break;
         }
     }
@@ -192,23 +192,18 @@ fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Sta
 }
 
 /// A tile with one pixel a ray.
-fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Frame), RenderError> {
-    let given = layout(renderer, "given")?;
+fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Sample), RenderError> {
     let row = |ray: &[f64; 6]| {
         [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
     };
-    let bytes = pack("given", given, batch.iter().map(row))?;
-    let mut tile = list_tile(renderer, batch.len(), ROW, "given", &bytes)?;
-    if layout(renderer, "given_sets").is_ok() {
+    let bytes = pack("given", renderer.layout(&Role::Given)?, batch.iter().map(row))?;
+    let mut tile = list_tile(renderer, batch.len(), ROW, &Role::Given, &bytes)?;
+    if renderer.program.layout(&Role::GivenSets).is_some() {
         let sets: Vec<u32> = batch.iter().map(|ray| starting_set(&renderer.scene, &renderer.regions, ray)).collect();
-        let bytes: &[u8] = bytemuck::cast_slice(&sets);
-        tile.add_buffer(renderer.gpu, "given_sets", bytes.len() as u64, BufferUsages::STORAGE)?;
-        if let Some(buffer) = tile.buffer("given_sets") {
-            renderer.gpu.queue.write_buffer(buffer, 0, bytes);
-        }
+        tile.add_input(renderer.gpu, &Role::GivenSets, bytemuck::cast_slice(&sets))?;
     }
     let image = tile.size;
-    Ok((tile, Frame { origin: [0, 0], image, sample: 0, refines: None }))
+    Ok((tile, Sample::first(image)))
 }
 
 /// The meshes that a ray starts in, as bits of the set of regions.
@@ -219,35 +214,25 @@ fn starting_set(scene: &Scene, regions: &Regions, ray: &[f64; 6]) -> u32 {
 }
 
 /// A tile whose pixels stand for pixels of the picture.
-fn pixel_tile(renderer: &Renderer, batch: &[[u32; 2]], row: u32) -> Result<(Tile, Frame), RenderError> {
-    let tile = list_tile(renderer, batch.len(), row, "chosen", bytemuck::cast_slice(batch))?;
-    Ok((tile, Frame { origin: [0, 0], image: renderer.scene.image.size, sample: 0, refines: None }))
+fn pixel_tile(renderer: &Renderer, batch: &[[u32; 2]], row: u32) -> Result<(Tile, Sample), RenderError> {
+    let tile = list_tile(renderer, batch.len(), row, &Role::Chosen, bytemuck::cast_slice(batch))?;
+    Ok((tile, Sample::first(renderer.scene.image.size)))
 }
 
 /// A tile of rows of `row` pixels, with a list of what each is and room for their records.
-fn list_tile(renderer: &Renderer, count: usize, row: u32, name: &str, list: &[u8]) -> Result<Tile, RenderError> {
+fn list_tile(renderer: &Renderer, count: usize, row: u32, role: &Role, list: &[u8]) -> Result<Tile, RenderError> {
     let width = row.min(count as u32).max(1);
     let size = [width, (count as u32).div_ceil(width).max(1)];
     let mut tile = renderer.tile(size)?;
-    tile.add_buffer(renderer.gpu, name, list.len() as u64, BufferUsages::STORAGE)?;
-    if let Some(buffer) = tile.buffer(name) {
-        renderer.gpu.queue.write_buffer(buffer, 0, list);
-    }
-    let records = u64::from(layout(renderer, "records")?.span) * u64::from(size[0]) * u64::from(size[1]);
-    tile.add_buffer(renderer.gpu, "records", records, RECORDS)?;
+    tile.add_input(renderer.gpu, role, list)?;
+    let records = u64::from(renderer.layout(&Role::Records)?.span) * u64::from(size[0]) * u64::from(size[1]);
+    tile.add_storage(renderer.gpu, &Role::Records, records)?;
     Ok(tile)
 }
 
-fn layout<'r>(renderer: &'r Renderer, name: &str) -> Result<&'r Layout, GpuError> {
-    renderer.binding_layout(name).ok_or_else(|| GpuError::Layout {
-        binding: name.to_owned(),
-        problem: "the program does not bind it".to_owned(),
-    })
-}
-
 fn read_records(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<Traced>, RenderError> {
-    let layout = layout(renderer, "records")?;
-    let Some(buffer) = tile.buffer("records") else { return Ok(Vec::new()) };
+    let layout = renderer.layout(&Role::Records)?;
+    let Some(buffer) = tile.buffer(&Role::Records) else { return Ok(Vec::new()) };
     let bytes = read_buffer(renderer.gpu, buffer, |_| {})?;
     let rows = bytes.chunks_exact(layout.span as usize).take(count).map(|row| Row { layout, bytes: row });
     Ok(rows

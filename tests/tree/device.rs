@@ -3,14 +3,14 @@
 use super::with_objects;
 use crate::support::tree::Tracer;
 use crate::support::{gpu, scene};
-use bentray::render::{Renderer, Settings};
+use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;
 
 /// The part of the pixels in which both agree to `tolerance`, in every channel.
 pub fn agreement(text: &str, tolerance: f64) -> f64 {
     let scene = scene(text);
     let expected = Tracer::new(&scene).picture();
-    let rendered = Renderer::new(&gpu(), &scene, Settings::default()).unwrap().picture().unwrap().band.color;
+    let rendered = Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().picture().unwrap().band.color;
     let at = |i: usize| DVec3::from([0, 1, 2].map(|channel: usize| f64::from(rendered[channel][i])));
     assert_eq!(expected.len(), rendered[0].len());
     let agree = |(i, color): (usize, &DVec3)| (at(i) - color).abs().max_element() <= tolerance;

@@ -6,7 +6,7 @@ use crate::exactness::unused;
 use crate::support::{gpu, scene};
 use bentray::gpu::Geometry;
 use bentray::program::{Choice, Layer, Masks, Program, Purpose, Schedule};
-use bentray::render::{Renderer, Settings};
+use bentray::render::{RenderSettings, Renderer};
 use glam::DVec3;
 
 const LEFT: &str = "shape = \"box\"\nmin = [-1.1, -1.2, -0.4]\nmax = [0.3, 0.5, 0.9]\ninterior = 1.5";
@@ -77,8 +77,11 @@ fn cylinders_and_disks_are_rendered_as_they_are_traced() {
     }
 }
 
-fn rendered(text: &str, choice: Choice) -> bentray::render::Picture {
-    Renderer::new(&gpu(), &scene(text), Settings { choice, ..Settings::default() }).unwrap().picture().unwrap()
+fn rendered(text: &str, choice: Choice) -> bentray::render::Rendering {
+    Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
+        .unwrap()
+        .picture()
+        .unwrap()
 }
 
 /// Two boxes of one glass are one box, in 64 bits too.
@@ -119,7 +122,7 @@ fn touching_objects_do_not_depend_on_the_schedule() {
             {
                 let other = rendered(&text, choice(schedule, masks));
                 assert!(first.band == other.band, "{name}: {schedule:?}, masks {masks:?}, {segments} segments");
-                assert_eq!(first.totals.fates, other.totals.fates, "{name}");
+                assert_eq!(first.totals.by_status, other.totals.by_status, "{name}");
             }
         }
     }

@@ -1,0 +1,48 @@
+//! In what tiles a picture is rendered.
+//!
+//! *Practice.* What does not grow with the tile (the scene's buffers and pictures, the lists' arguments) is taken off the budget
+//! first; the rest buys pixels, each at what its state takes and what the readback of a layer takes besides. A tile is at most as
+//! wide as a texture may be, and as high as keeps a band of full rows within the pixels bought, because the host holds one.
+
+use super::{Renderer, Window};
+use crate::gpu::GpuError;
+
+/// The widest texel of which a whole tile is read back at once: a vector layer's.
+const READBACK: u64 = 16;
+/// A tile of fewer pixels is not worth a dispatch.
+const LEAST: u64 = 64;
+
+impl Renderer<'_> {
+    /// What is rendered: the settings' window, or all of the picture.
+    pub(super) fn window(&self) -> Window {
+        self.settings.window.unwrap_or(Window::whole(self.scene.image.size))
+    }
+
+    /// Bytes on the device that are the same for every size of tile.
+    fn fixed_memory(&self) -> u64 {
+        self.buffers.bytes() + self.plan().sections().bytes()
+    }
+
+    /// The largest tile that the budget and the device allow for the window.
+    pub(super) fn tile_size(&self) -> Result<[u32; 2], GpuError> {
+        let [width, height] = self.window().size;
+        // Of an adaptive picture the colours are read with all that is known of them.
+        let readback = READBACK * u64::from(1 + self.settings.choice.margin(&self.scene));
+        let (fixed, each) = (self.fixed_memory(), self.memory().bytes_per_pixel() + readback);
+        let bought = self.settings.memory.saturating_sub(fixed) / each;
+        if bought < LEAST {
+            return Err(GpuError::Memory { allowed: self.settings.memory, needed: fixed + LEAST * each });
+        }
+        let side = self.gpu.limits.max_texture_dimension_2d.min(1 << 16);
+        // In 64 bits the state lies in buffers, whose size the device bounds.
+        let buffer = self.gpu.limits.max_storage_buffer_binding_size.min(self.gpu.limits.max_buffer_size);
+        let pixels = bought.min(self.settings.tile_pixels).min(buffer / self.memory().largest_item()).max(LEAST);
+        // Of a tile's corners a column and a row are beyond it.
+        let margin = self.settings.choice.margin(&self.scene);
+        let columns = u32::try_from(pixels / u64::from(1 + margin)).unwrap_or(u32::MAX);
+        let tile_width = width.min(side - margin).min(columns - margin);
+        let rows = pixels / u64::from(width + margin);
+        let rows = rows.saturating_sub(margin.into()).clamp(1, u64::from((side - margin).min(height)));
+        Ok([tile_width, rows as u32])
+    }
+}
