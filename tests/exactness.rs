@@ -52,7 +52,7 @@ fn nothing_can_be_taken_out_of_any_program() {
             for (masks, layers) in [(Masks::List, Vec::new()), (Masks::Off, Layer::ALL.to_vec())] {
                 for purpose in purposes {
                     let choice = Choice { schedule, masks, purpose, layers: layers.clone() };
-                    let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
+                    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
                     for (pass, linked, reflection) in &program.passes {
                         // More than three uniform buffers are more than lavapipe's search for inlinable uniforms bears.
                         let uniform =
@@ -79,7 +79,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
     for path in shipped_scenes() {
         let scene = Scene::load(&path, &[]).unwrap();
         let geometry = Geometry::new(&scene);
-        let program = Program::new(&scene, &Choice::default(), geometry.extent()).unwrap();
+        let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()).unwrap();
         for (pass, linked, reflection) in &program.passes {
             for binding in &reflection.bindings {
                 // What is bound apart (the picture's first sample, a walk's later passes) is not the scene's.
