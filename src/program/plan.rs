@@ -72,7 +72,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
     names.add(if choice.adapts(scene) { "wanted/open" } else { "wanted/all" });
     names.add(if choice.slots(scene) == 3 { "slots/three" } else { "slots/two" });
     names.add(if choice.keeps_counts() { "counts/kept" } else { "counts/none" });
-    names.add(if scene.rays.control.kind.rejects { "tally/rejections" } else { "tally/no_rejections" });
+    names.add(if scene.rays.control.kind.tries.is_some() { "tally/rejections" } else { "tally/no_rejections" });
     names.add(if keeps_taken(scene, regions) { "stage/taken_kept" } else { "stage/taken_none" });
 }
 
