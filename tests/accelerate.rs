@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use bentray::gpu::Geometry;
-use bentray::program::{Choice, Program, Schedule, Search, Structure};
+use bentray::program::{Analysis, Choice, Program, ProgramError, Schedule, Search};
 use bentray::render::{RenderSettings, Renderer, Status, Traced, trace};
 use bentray::scene::Scene;
 
@@ -136,6 +136,10 @@ fn lists_written_out_are_the_same_lists() {
     arcs_agree(folder.path(), &objects, &rays, &[("auto", Schedule::Fused), ("bvh", Schedule::Segment)]);
 }
 
+fn program_of(scene: &Scene, geometry: &Geometry) -> Result<Program, ProgramError> {
+    Program::new(scene, &geometry.analysis, &Choice::default(), geometry.extent())
+}
+
 /// The structure is what the scene asks for, and a few shapes are a list where it does not say.
 #[test]
 fn the_structure_follows_the_scene() {
@@ -157,10 +161,10 @@ fn the_structure_follows_the_scene() {
         ("none", 600, Search::List, all),
     ] {
         let scene = scene(accelerate, of_each);
-        let structure = Structure::of(&scene);
-        assert_eq!((structure.search, structure.kinds.len()), (search, kinds), "{accelerate}, {of_each} of each");
         let geometry = Geometry::new(&scene);
-        let parts = Program::new(&scene, &Choice::default(), geometry.extent()).unwrap().passes[1].1.parts().join(" ");
+        let Analysis { structure, .. } = &geometry.analysis;
+        assert_eq!((structure.search, structure.solids.len()), (search, kinds), "{accelerate}, {of_each} of each");
+        let parts = program_of(&scene, &geometry).unwrap().passes[1].1.parts().join(" ");
         let part = if kinds == 0 { "segment/structure/none" } else { &format!("segment/structure/{}", search.name()) };
         assert!(parts.contains(part), "{accelerate}, {of_each} of each: {parts}");
         assert_eq!(parts.contains("segment/lists_some"), kinds == 0, "{parts}");
@@ -199,7 +203,7 @@ fn long_walks_go_on_in_every_structure() {
     let rays: Vec<[f64; 6]> = (0..40).map(|i| [2.5 + 0.02 * f64::from(i), 3.0, 30.0, 0.0, 0.0, -1.0]).collect();
     for accelerate in ["bvh", "grid", "none"] {
         let scene = heap_scene(&folder, accelerate);
-        let program = Program::new(&scene, &Choice::default(), Geometry::new(&scene).extent()).unwrap();
+        let program = program_of(&scene, &Geometry::new(&scene)).unwrap();
         assert!(program.work.resumed && program.work.passes_per_segment > 1, "{accelerate}");
         for schedule in [Schedule::Fused, Schedule::Segment] {
             let choice = Choice { schedule, ..Choice::default() };
@@ -231,7 +235,7 @@ fn a_heap_in_one_cell_is_refused() {
     std::fs::write(folder.path().join("heaps.obj"), obj).unwrap();
     let program = |accelerate: &str| {
         let scene = heap_scene(&folder, accelerate);
-        Program::new(&scene, &Choice::default(), Geometry::new(&scene).extent())
+        program_of(&scene, &Geometry::new(&scene))
     };
     let refused = program("grid").unwrap_err().to_string();
     assert!(refused.contains("triangles in the same place, or `accelerate = \"bvh\"`"), "{refused}");

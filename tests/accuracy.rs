@@ -6,10 +6,11 @@ use std::path::Path;
 
 use bentray::chart::{Outcome, Place, default_settings};
 use bentray::measure::{Deviations, Truth, all_methods, calibrate, calibrate_for, verify};
+use bentray::model::control::embedded;
 use bentray::output::csv::read_rays;
 use bentray::program::{Choice, Purpose};
 use bentray::render::{RenderSettings, Renderer, Starts, Status, Traced, trace};
-use bentray::scene::{Control, Scene};
+use bentray::scene::Scene;
 
 use crate::shaders::Random;
 use crate::support::{gpu, scene};
@@ -202,7 +203,7 @@ fn a_controller_without_its_cap_is_found_out() {
     let pair = methods.iter().find(|method| method.name == "dormand-prince").unwrap();
     let capped = place.outcome(pair, default_settings(pair)).unwrap();
     assert_eq!((capped.silent, capped.right), (0, rays.len()), "{capped:?}");
-    let uncapped = [1e-1, 3e-2, 1e-2].map(|tolerance| Control::Embedded { tolerance, eta: 1e9 });
+    let uncapped = [1e-1, 3e-2, 1e-2].map(|tolerance| embedded::with(tolerance, 1e9));
     let found = place.outcome(pair, uncapped).unwrap();
     assert!(found.silent > 0, "{found:?}");
 }

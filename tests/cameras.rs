@@ -2,9 +2,12 @@
 
 #![allow(clippy::float_cmp)] // shares of four samples are exact
 
+use std::sync::Arc;
+
+use bentray::model::camera::{Corners, Fisheye, Panorama};
 use bentray::program::{Choice, Layer};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
-use bentray::scene::{CameraKind, Corners, Scene};
+use bentray::scene::Scene;
 use glam::DVec3;
 
 use crate::support::{gpu, scene};
@@ -34,7 +37,7 @@ fn a_panorama_of_a_bare_sky_is_the_sky() {
     let brightest = sky.iter().flatten().copied().fold(0.0, f32::max);
     let mut check = |fov: [f64; 2], first: [u32; 2], cut: [u32; 2]| {
         scene.image.size = cut;
-        scene.camera.as_mut().unwrap().kind = CameraKind::Panorama { fov };
+        scene.camera.as_mut().unwrap().projection = Arc::new(Panorama { fov });
         let picture = rendered(&scene, RenderSettings::default());
         assert_eq!(picture.totals.unfollowed(), 0);
         let mut off = 0.0_f32;
@@ -206,7 +209,8 @@ fn tiles_do_not_show_in_pairs() {
          corners = \"transparent\"\nstereo = {{ separation = 0.5, convergence = 4 }}\n{BALL}"
     );
     let scene = scene(&text);
-    assert!(matches!(scene.camera.as_ref().unwrap().kind, CameraKind::Fisheye { corners: Corners::Transparent, .. }));
+    let projection = &scene.camera.as_ref().unwrap().projection;
+    assert!(matches!(projection.downcast(), Some(Fisheye { corners: Corners::Transparent, .. })));
     let whole = rendered(&scene, with_status());
     for tile_pixels in [64, 1000] {
         let tiled = rendered(&scene, RenderSettings { tile_pixels, ..with_status() });

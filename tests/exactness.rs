@@ -90,7 +90,7 @@ fn nothing_can_be_taken_out_of_any_program() {
             for (masks, layers) in [(Masks::List, Vec::new()), (Masks::Off, Layer::ALL.to_vec())] {
                 for purpose in purposes {
                     let choice = Choice { schedule, masks, purpose, layers: layers.clone() };
-                    let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
+                    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
                     for (pass, linked, reflection) in &program.passes {
                         // More than three uniform buffers are more than lavapipe's search for inlinable uniforms bears.
                         let uniform =
@@ -143,7 +143,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
             (Schedule::Fused, Purpose::Bare),
         ] {
             let choice = Choice { schedule, purpose, ..Choice::default() };
-            let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
+            let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
             found.extend(program.passes.iter().flat_map(|(_, linked, _)| fixed_branches(linked)));
         }
     }

@@ -196,7 +196,7 @@ fn nothing_can_be_taken_out_of_the_programs_of_interiors() {
                 [(Purpose::Picture, Masks::List), (Purpose::Picture, Masks::Off), (Purpose::Trace, Masks::Grid)]
             {
                 let choice = Choice { schedule, masks, purpose, layers: Vec::new() };
-                let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
+                let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
                 for (pass, linked, reflection) in &program.passes {
                     let uniform =
                         |kind: &BindingKind| matches!(kind, BindingKind::Uniform(_) | BindingKind::Block { .. });

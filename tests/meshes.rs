@@ -228,7 +228,7 @@ fn suspended_walks_go_on() {
         let scene = bent_scene(folder.path(), keys);
         let geometry = Geometry::new(&scene);
         let choice = Choice { purpose: Purpose::Trace, ..Choice::default() };
-        let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
+        let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
         assert!(program.work.resumed && program.work.passes_per_segment > 1);
         let rays: Vec<[f64; 6]> = (0..100).map(|i| [1.0 + 0.03 * f64::from(i), 4.5, 9.0, 0.0, 0.0, -1.0]).collect();
         for schedule in [bentray::program::Schedule::Fused, bentray::program::Schedule::Segment] {

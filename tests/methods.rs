@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use bentray::gpu::Geometry;
-use bentray::program::{Choice, Layer, Masks, Purpose, Schedule, Work, link, plan};
-use bentray::scene::{FlowOrder, Law, Precision, Rays, Scene, SchwarzschildForm};
+use bentray::model::Law;
+use bentray::model::law::{FlowOrder, InMedium, Lorenz, Rossler, Schwarzschild, SchwarzschildForm, Straight};
+use bentray::program::{Analysis, Choice, Layer, Masks, Purpose, Schedule, Work, link, plan};
+use bentray::scene::{Precision, Rays, Scene};
 
 use crate::exactness::unused;
 use crate::support::shipped_scenes;
@@ -83,15 +85,25 @@ const SETTINGS: &[(&str, For, &str)] = &[
 /// A precision, and the parts that numbers and state have in it.
 type State = (Precision, &'static str);
 
-fn allows(law: &Law, wanted: For) -> bool {
+/// The order of a flow.
+fn flow_order(law: &dyn Law) -> Option<FlowOrder> {
+    let lorenz = law.downcast().map(|Lorenz { order, .. }| *order);
+    lorenz.or_else(|| law.downcast().map(|Rossler { order, .. }| *order))
+}
+
+/// The form of a hole's law.
+fn form(law: &dyn Law) -> Option<SchwarzschildForm> {
+    law.downcast().map(|Schwarzschild { form, .. }| *form)
+}
+
+fn allows(law: &dyn Law, wanted: For) -> bool {
     match wanted {
         For::All => true,
-        For::Medium => matches!(law, Law::Medium(_)),
-        For::Straight => *law == Law::Straight,
-        For::SecondOrder => !matches!(
-            law,
-            Law::Flow { order: FlowOrder::Velocity, .. } | Law::Schwarzschild { form: SchwarzschildForm::Geodesic, .. }
-        ),
+        For::Medium => law.downcast::<InMedium>().is_some(),
+        For::Straight => law.downcast::<Straight>().is_some(),
+        For::SecondOrder => {
+            flow_order(law) != Some(FlowOrder::Velocity) && form(law) != Some(SchwarzschildForm::Geodesic)
+        }
     }
 }
 
@@ -103,12 +115,8 @@ fn bare(path: &Path, setting: &str) -> Option<Scene> {
 }
 
 /// The other form that the scene's law has.
-fn other_form(law: &Law) -> Option<&'static str> {
-    match law {
-        Law::Schwarzschild { .. } => Some("law.form=geodesic"),
-        Law::Flow { .. } => Some("law.order=2"),
-        _ => None,
-    }
+fn other_form(law: &dyn Law) -> Option<&'static str> {
+    form(law).map(|_| "law.form=geodesic").or(flow_order(law).map(|_| "law.order=2"))
 }
 
 /// One after the other, so that each way to cut a program meets each part of the table: seven, which is no multiple of the
@@ -131,8 +139,9 @@ fn choices() -> Vec<Choice> {
 /// Every pass of the scene's program: nothing in it is unused, and of steps, controls, memories, numbers and states all of them
 /// together have what is needed, and no more.
 fn check(scene: &Scene, geometry: &Geometry, choice: &Choice, needed: &str, at: &str) {
-    let work = Work::of(scene, geometry.extent()).unwrap();
-    let planned = plan(scene, choice, &work).unwrap();
+    let analysis = Analysis::of(scene);
+    let work = Work::of(scene, &analysis, geometry.extent()).unwrap();
+    let planned = plan(scene, &analysis, choice, &work).unwrap();
     let mut parts = BTreeSet::new();
     for pass in choice.passes(scene) {
         let linked = link(&planned, pass.entry()).unwrap_or_else(|error| panic!("{at}: {error}"));
@@ -155,7 +164,7 @@ fn check_settings(path: &Path, full: &Scene, form: &str, precisions: &[State]) -
     let [mut allowed, mut refused] = [0, 0];
     for (setting, wanted, steps) in SETTINGS {
         let bare = bare(path, &format!("rays.{} {form}", setting.replace(' ', " rays.")));
-        assert_eq!(bare.is_some(), allows(&law, *wanted), "{}: {form} {setting}", path.display());
+        assert_eq!(bare.is_some(), allows(&*law, *wanted), "{}: {form} {setting}", path.display());
         let Some(bare) = bare else {
             refused += 1;
             continue;
@@ -177,7 +186,7 @@ fn check_scenes(precisions: &[State]) {
     for path in shipped_scenes() {
         let full = Scene::load(&path, &[]).unwrap();
         // A law's other form once only.
-        let other = other_form(&full.law).filter(|form| seen.insert(*form));
+        let other = other_form(&*full.law).filter(|form| seen.insert(*form));
         for form in [""].into_iter().chain(other) {
             let of_form = check_settings(&path, &full, form, precisions);
             counts = [0, 1].map(|k| counts[k] + of_form[k]);

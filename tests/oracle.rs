@@ -96,7 +96,7 @@ fn rays_of_media_end_where_closed_forms_say() {
             let position = DVec3::from(end.x).distance(vector(row[7])) / radius;
             let direction = DVec3::from(end.v).normalize().distance(vector(row[8]));
             let start = [vector(row[4]), law.starting_velocity(vector(row[4]), vector(row[5]))];
-            let [(_, drifted)] = drift(&law, [(start, &end)].into_iter())[..] else {
+            let [(_, drifted)] = drift(&*law, [(start, &end)].into_iter())[..] else {
                 panic!("{}: nothing is kept", row[0])
             };
             let bounds = [floor.max(factor * number(9) / radius), floor.max(factor * number(10)), floor];
@@ -180,7 +180,7 @@ fn speed_follows_the_index_of_every_medium() {
             let [x, v] = [DVec3::from_slice(&ray[..3]), DVec3::from_slice(&ray[3..])];
             [x, scene.law.starting_velocity(x, v)]
         };
-        let [(what, drifted)] = drift(&scene.law, rays.iter().map(start).zip(&ends))[..] else { panic!("{index}") };
+        let [(what, drifted)] = drift(&*scene.law, rays.iter().map(start).zip(&ends))[..] else { panic!("{index}") };
         println!("{index}: {what} drifts by {:.1e}", drifted.max);
         assert!(drifted.max < 2e-5, "{index}: {what} drifts by {:e}", drifted.max);
     }

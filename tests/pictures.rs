@@ -5,9 +5,10 @@ use std::process::Command;
 use std::sync::Arc;
 
 use bentray::gpu::{Geometry, memory};
+use bentray::model::shape::{Cylinder, Disk};
 use bentray::program::{Choice, Layer, Program, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
-use bentray::scene::{Object, Scene, Shape};
+use bentray::scene::{Object, Scene};
 use glam::DVec3;
 
 use crate::support::{gpu, scene, shipped_scenes};
@@ -25,7 +26,7 @@ fn state_on_the_device_is_small() {
         let mut scene = Scene::load(&path, &[]).unwrap();
         let geometry = Geometry::new(&scene);
         let bytes = |scene: &Scene, choice: &Choice| {
-            let program = Program::new(scene, choice, geometry.extent()).unwrap();
+            let program = Program::new(scene, &geometry.analysis, choice, geometry.extent()).unwrap();
             memory(&program, choice.slots(scene)).bytes_per_pixel()
         };
         let plain = bytes(&scene, &Choice::default());
@@ -153,16 +154,14 @@ fn crossings(object: &Object, from: DVec3, along: DVec3) -> Vec<f64> {
     let (p, d) = (inverse.transform_point3(from), inverse.transform_vector3(along));
     let rho = |t: f64| (p.x + t * d.x).hypot(p.z + t * d.z);
     let flat = |y: f64| (y - p.y) / d.y;
-    match object.shape {
-        Shape::Disk { hole } => [flat(0.0)].into_iter().filter(|t| (hole..=1.0).contains(&rho(*t))).collect(),
-        Shape::Cylinder => {
-            let (dd, pd, pp) = (d.x * d.x + d.z * d.z, p.x * d.x + p.z * d.z, p.x * p.x + p.z * p.z);
-            let root = (pd * pd - dd * (pp - 1.0)).sqrt();
-            let mantle = [(-pd - root) / dd, (-pd + root) / dd].into_iter().filter(|t| (p.y + t * d.y).abs() <= 1.0);
-            mantle.chain([flat(1.0), flat(-1.0)].into_iter().filter(|t| rho(*t) <= 1.0)).collect()
-        }
-        _ => panic!("no other shape here"),
+    if let Some(Disk { hole }) = object.shape.downcast() {
+        return [flat(0.0)].into_iter().filter(|t| (*hole..=1.0).contains(&rho(*t))).collect();
     }
+    assert!(object.shape.downcast::<Cylinder>().is_some(), "no other shape here");
+    let (dd, pd, pp) = (d.x * d.x + d.z * d.z, p.x * d.x + p.z * d.z, p.x * p.x + p.z * p.z);
+    let root = (pd * pd - dd * (pp - 1.0)).sqrt();
+    let mantle = [(-pd - root) / dd, (-pd + root) / dd].into_iter().filter(|t| (p.y + t * d.y).abs() <= 1.0);
+    mantle.chain([flat(1.0), flat(-1.0)].into_iter().filter(|t| rho(*t) <= 1.0)).collect()
 }
 
 /// Which object each pixel shows, against the nearest of all crossings.

@@ -34,6 +34,7 @@ impl Files {
     }
 
     /// All pictures of the scene, in the order that indices count.
+    #[must_use]
     pub fn pictures(&self) -> Vec<Picture> {
         self.pictures.iter().map(|(_, picture)| picture.clone()).collect()
     }

@@ -135,11 +135,13 @@ impl Document {
     }
 
     /// The file's path.
+    #[must_use]
     pub fn path(&self) -> &Path {
         &self.sources[0].name
     }
 
     /// The place of a part of a string, in bytes of its text: exact unless the string is written with escapes.
+    #[must_use]
     pub fn inside(&self, node: &Node, part: Range<usize>) -> Place {
         let Place { source, start, end } = node.place;
         let written = self.sources[source].text.get(start..end);
@@ -154,6 +156,7 @@ impl Document {
     }
 
     /// Looks a fault's place up.
+    #[must_use]
     pub fn locate(&self, fault: Fault) -> Mistake {
         let Place { source, start, end } = fault.place;
         let source = &self.sources[source];

@@ -41,6 +41,7 @@ impl FromStr for Override {
 }
 
 /// The names in a dotted key, some of them perhaps quoted.
+#[must_use]
 pub fn names(key: &str) -> Option<Vec<String>> {
     let text = format!("{key} = 0");
     let document = DeTable::parse(&text).ok()?;

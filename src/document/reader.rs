@@ -22,6 +22,7 @@ pub struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     /// Begins with the faults of the document's overrides; `reference` says what goes with what.
+    #[must_use]
     pub fn new(document: &'a Document, reference: &'a [KeyReference]) -> Self {
         let faults = document.faults.iter().cloned();
         Self {

@@ -21,6 +21,7 @@ impl Node {
     }
 
     /// That this is not what was expected.
+    #[must_use]
     pub fn expected(&self, what: &str) -> Fault {
         let found = match &self.value {
             Value::Text(text) => &format!("the string \"{text}\""),
@@ -162,6 +163,7 @@ pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
 }
 
 /// Help for a name that is none of `names`: the one that was probably meant, then all of them.
+#[must_use]
 pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
     let nearest = names.iter().min_by_key(|n| distance(name, n));
     let meant = nearest.filter(|n| distance(name, n) <= 1 + name.chars().count() / 4);

@@ -236,8 +236,8 @@ mod tests {
     fn bound() -> Vec<(String, String)> {
         let parts = all_parts().into_iter().filter(|part| !part.file.starts_with("ceiling/"));
         let variables = parts.flat_map(|part| {
-            let own = declarations(part.text).into_iter().filter(|own| own.text.contains("@binding("));
-            own.map(|own| (own.name.to_owned(), own.text.to_owned())).collect::<Vec<_>>()
+            let own = declarations(part.text).unwrap().into_iter().filter(|own| own.tokens.text.contains("@binding("));
+            own.map(|own| (own.name.to_owned(), own.tokens.text.to_owned())).collect::<Vec<_>>()
         });
         variables.collect()
     }

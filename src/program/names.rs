@@ -21,7 +21,7 @@ impl Names {
     }
 
     pub fn all(&mut self, names: &[&str]) {
-        names.iter().for_each(|name| self.add(name));
+        self.names.extend(names.iter().map(|name| (*name).to_owned()));
     }
 
     pub fn each<'a>(&mut self, folder: &str, files: impl IntoIterator<Item = &'a str>) {

@@ -71,7 +71,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
     names.add(if choice.adapts(scene) { "picture/adaptive" } else { "picture/samples_all" });
     names.add(if choice.slots(scene) == 3 { "state/slots_three" } else { "state/slots_two" });
     names.add(if choice.keeps_counts() { "state/counts_kept" } else { "state/counts_none" });
-    names.add(if scene.rays.control.kind.rejects { "state/rejections_some" } else { "state/rejections_none" });
+    names.add(if scene.rays.control.kind.tries.is_some() { "state/rejections_some" } else { "state/rejections_none" });
     names.add(if keeps_taken(scene, regions) { "state/taken_kept" } else { "state/taken_none" });
 }
 

@@ -232,7 +232,7 @@ mod tests {
     fn what_has_no_role_is_refused_where_it_is_declared() {
         let text = "// A part.\n@group(0) @binding(1) var<storage, read_write> scratch: array<u32>;\n\
                     @compute @workgroup_size(1) fn entry() { scratch[0] = 1u; }\n";
-        let shared = vec![Unit { file: "law/own.wgsl".into(), text: text.into() }];
+        let shared = vec![Unit::user("law/own.wgsl", text)];
         let linked = link(&Parts { shared, regions: Vec::new() }, "entry").unwrap();
         assert!(matches!(reflect(&linked).unwrap().bindings[0].role, Role::Other { .. }));
         let error = reflect_pass(&linked).unwrap_err().to_string();

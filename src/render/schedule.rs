@@ -111,7 +111,7 @@ impl Recorder<'_> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::program::{Extent, Purpose};
+    use crate::program::{Analysis, Extent, Purpose};
 
     fn scene(segment: &str, image: &str) -> Scene {
         let text = format!(
@@ -126,7 +126,7 @@ pub(super) mod tests {
     pub(in crate::render) fn recorded(schedule: Schedule, segment: &str, image: &str) -> Vec<Step> {
         let scene = scene(segment, image);
         let choice = Choice { schedule, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() };
-        let work = Work::of(&scene, Extent::default()).unwrap();
+        let work = Work::of(&scene, &Analysis::of(&scene), Extent::default()).unwrap();
         steps(&scene, &choice, &work, scene.rays.max_segments, 4)
     }
 

@@ -30,7 +30,7 @@ impl Optics<'_> {
 
     /// Is light bent anywhere?
     pub fn bends(&self) -> bool {
-        self.law.is_none_or(|law| !law.is_straight()) || self.interiors().any(|medium| medium.bends())
+        self.law.is_none_or(|law| !law.is_straight()) || self.interiors().any(Medium::bends)
     }
 
     /// What it demands of a method; `ends` where paths end at a given τ.
@@ -47,7 +47,7 @@ impl Optics<'_> {
             has_center: self.law.is_none_or(|law| law.orbit().is_some()),
             needs_solver: has_solved_interior || self.law.is_some_and(solved_law),
             has_solved_interior,
-            has_medium: fills_space || self.interiors().any(|medium| medium.bends()),
+            has_medium: fills_space || self.interiors().any(Medium::bends),
             ends,
             has_chords,
         }

@@ -56,7 +56,7 @@ fn check_goes_through_all_scenes_before_it_fails() {
 fn check_prints_every_key() {
     let ran = Folder::new().run("check --reference").succeeds();
     assert_eq!(ran.err, "");
-    for key in REFERENCE {
+    for key in REFERENCE.iter() {
         assert!(ran.out.contains(&format!("\n| `{}` | ", key.key)), "{}", key.key);
         assert!(ran.out.contains(&format!("[{}]", key.table)) || key.table.is_empty(), "{}", key.table);
     }

@@ -1,6 +1,6 @@
 //! Where a camera's rays start and where they point.
 
-use bentray::gpu::Value::{Float, Vec2, Vec3 as V3};
+use bentray::model::Value::{Float, Vec2, Vec3 as V3};
 use bentray::program::constant;
 use glam::{DVec2, DVec3, Vec4};
 

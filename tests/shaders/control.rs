@@ -1,6 +1,6 @@
 //! Step control by doubling: what each rule does with a step, and with the next; and the last step under every control.
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::schemes::{Phase, euler, path_rate, rk4};

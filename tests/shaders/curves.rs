@@ -1,6 +1,6 @@
 //! Segments as curves: arcs, their pieces, and the first hit along them.
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::{Errors, Random, U, Verdict, check_hits, row, wide};

@@ -1,6 +1,6 @@
 //! Embedded pairs under their controller, against DOPRI5's own rule (Hairer, Nørsett, Wanner I, §II.4 and the code) in f64.
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::reals::{REALS, U64, joined, joined3};

@@ -1,10 +1,13 @@
 //! Where rays start and stop: the static observer's frame, the bounding sphere, capture.
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec3, Vec4};
 
 use super::{Errors, Random, U, awkward_directions, row, vectors, wide};
-use crate::support::{gpu, probe::Probe};
+use crate::support::{
+    gpu,
+    probe::{Probe, about_a_point},
+};
 
 /// EQUATIONS 4: v = d⊥ + √(1 − 2M/r) (d·n̂) n̂, whose length by the hole's metric is that of d.
 #[test]
@@ -106,7 +109,8 @@ fn capture_spheres() {
         })
         .collect();
     let body = "put(0u, vec4f(f32(law_captured(p0.xyz, p1.xyz)))); put(1u, capture_gap(p0.xyz));";
-    let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
+    let records =
+        spheres.map(|(center, radius)| about_a_point(vec![("center", V3(center)), ("radius", Float(radius))]));
     let probe = Probe::new(&["state/work", "law/capture_spheres"]).list("capture_spheres", "CAPTURE_COUNT", records);
     let out = probe.run::<2, 2>(&gpu(), body, &inputs);
     let (mut gaps, mut normals) = (Errors::of("capture_gap"), Errors::of("capture_gap's normal"));

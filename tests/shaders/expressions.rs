@@ -1,6 +1,6 @@
 //! Formulas as WGSL: the functions that they call, what is generated for them, and what becomes of places without a value.
 
-use bentray::program::{Choice, Extent, Work, plan};
+use bentray::program::{Analysis, Choice, Extent, Work, plan};
 use glam::{DVec3, Vec4};
 
 use super::reals::{U64, answers, joined, joined3, split};
@@ -14,8 +14,9 @@ fn generated(name: &str, formula: &str) -> String {
          [rays]\nbound = {{ radius = 9 }}\ntolerance = 1e-6\n"
     );
     let scene = scene(&text);
-    let work = Work::of(&scene, Extent::default()).unwrap();
-    let parts = plan(&scene, &Choice::default(), &work).unwrap();
+    let analysis = Analysis::of(&scene);
+    let work = Work::of(&scene, &analysis, Extent::default()).unwrap();
+    let parts = plan(&scene, &analysis, &Choice::default(), &work).unwrap();
     let unit = parts
         .shared
         .into_iter()

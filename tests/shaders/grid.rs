@@ -1,6 +1,6 @@
 //! The spline through a grid's samples, against Hermite's cubics through the same points, axis by axis.
 
-use bentray::gpu::Value::{Uint4, Vec3 as V3};
+use bentray::model::Value::{Uint4, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::reals::{REALS, U64, joined, joined3, split};

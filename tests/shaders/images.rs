@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use bentray::gpu::Value::{Float, Uint, Uint2, Uint4};
+use bentray::model::Value::{Float, Uint, Uint2, Uint4};
 use glam::{DVec2, DVec3, Vec3, Vec4};
 
 use super::{Errors, Random, U, awkward_directions, row, wide};

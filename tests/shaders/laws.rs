@@ -1,6 +1,6 @@
 //! Laws that are formulas of their own: both Schwarzschild forms, flows of both orders, straight lines.
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec3, Vec4};
 
 use super::{Errors, Random, U, row, vectors, wide};

@@ -1,6 +1,6 @@
 //! What surfaces send back: patterns, the Blinn–Phong answer, sums over lights.
 
-use bentray::gpu::Value::{Float, Uint, Vec2 as V2, Vec3 as V3};
+use bentray::model::Value::{Float, Uint, Vec2 as V2, Vec3 as V3};
 use bentray::program::constant;
 use glam::{DVec2, DVec3, Vec4};
 

@@ -1,6 +1,6 @@
 //! The noise index and the medium's law, against the same noise written anew in f64.
 
-use bentray::gpu::Value::{Float, Uint, Vec3 as V3};
+use bentray::model::Value::{Float, Uint, Vec3 as V3};
 use glam::{DMat3, DVec3, Vec4};
 
 use super::{Errors, Random, U, vectors, wide};

@@ -1,12 +1,15 @@
 //! How paths run and end: straight motion, the fate of a segment, the last step retaken to where it stops.
 
-use bentray::gpu::Value::{Float, Uint, Vec3 as V3};
+use bentray::model::Value::{Float, Uint, Vec3 as V3};
 use bentray::program::constant;
 use glam::{DVec3, Vec4};
 
 use super::schemes::{path_rate, rk4};
 use super::{Errors, Random, U, row, wide};
-use crate::support::{gpu, probe::Probe};
+use crate::support::{
+    gpu,
+    probe::{Probe, about_a_point},
+};
 
 const RADIUS: f64 = 50.0;
 const CENTER: DVec3 = DVec3::new(1.0, -2.0, 0.5);
@@ -60,7 +63,7 @@ fn code(name: &str) -> f32 {
 
 #[test]
 fn fates_in_their_order() {
-    let spheres = vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))];
+    let spheres = about_a_point(vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))]);
     let parts = [
         "segment/ray",
         "state/work",
@@ -129,7 +132,11 @@ fn path_end(step: f64) -> Probe {
     bounded(&parts, DVec3::ZERO)
         .bind("law", [vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))]])
         .bind("control", [vec![("step", Float(step)), ("eta", Float(100.0))]])
-        .list("capture_spheres", "CAPTURE_COUNT", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))]])
+        .list(
+            "capture_spheres",
+            "CAPTURE_COUNT",
+            [about_a_point(vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))])],
+        )
 }
 
 const PATH_END: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), 0.5, Memory(0.0), 0.0, 0u, 0u, 0u, u32(p0.w));

@@ -1,6 +1,6 @@
 //! Step control that knows a step's size before it is taken: fixed, scaled, and by curvature.
 
-use bentray::gpu::Value::Float;
+use bentray::model::Value::Float;
 use glam::{DVec3, Vec3, Vec4};
 
 use super::control::{CONTROL, ETA, Kept, probe, rays};

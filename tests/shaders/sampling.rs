@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use bentray::gpu::Value::Uint2;
+use bentray::model::Value::Uint2;
 use glam::Vec4;
 
 use crate::support::{gpu, probe::Probe};

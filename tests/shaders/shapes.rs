@@ -1,6 +1,6 @@
 //! Where straight pieces meet spheres, ellipsoids, boxes, cylinders, planes and disks, and where they are inside.
 
-use bentray::gpu::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
+use bentray::model::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec4};
 
 use super::{Errors, Random, U, Verdict, awkward_directions, check_hits, row, wide};

@@ -1,11 +1,14 @@
 //! Force centres: every fall-off, and sums of several.
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::laws::{LAW, keeps_phase, phases};
 use super::{Errors, U, wide};
-use crate::support::{gpu, probe::Probe};
+use crate::support::{
+    gpu,
+    probe::{Probe, about_a_point},
+};
 
 /// A centre: position, strength, and what its fall-off has besides (a radius, μ); all exact in f32.
 type Centre = (DVec3, f64, f64);
@@ -86,17 +89,19 @@ fn probe() -> Probe {
         .list(
             "inverse_square",
             "INVERSE_SQUARE_COUNT",
-            INVERSE_SQUARE.map(|(p, s, _)| vec![("position", V3(p)), ("strength", Float(s))]),
+            INVERSE_SQUARE.map(|(p, s, _)| about_a_point(vec![("position", V3(p)), ("strength", Float(s))])),
         )
         .list(
             "cubic",
             "CUBIC_COUNT",
-            CUBIC.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("radius", Float(e))]),
+            CUBIC.map(|(p, s, e)| {
+                about_a_point(vec![("position", V3(p)), ("strength", Float(s)), ("radius", Float(e))])
+            }),
         )
         .list(
             "yukawa",
             "YUKAWA_COUNT",
-            YUKAWA.map(|(p, s, e)| vec![("position", V3(p)), ("strength", Float(s)), ("mu", Float(e))]),
+            YUKAWA.map(|(p, s, e)| about_a_point(vec![("position", V3(p)), ("strength", Float(s)), ("mu", Float(e))])),
         )
 }
 

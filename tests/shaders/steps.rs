@@ -1,6 +1,6 @@
 //! One step of each method.
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
+use bentray::model::Value::{Float, Vec3 as V3};
 use glam::{DVec3, Vec4};
 
 use super::reals::{REALS, U64, joined3};

@@ -1,6 +1,6 @@
 //! Triangles: no gaps between neighbours, hits, and a hierarchy whose boxes are never missed.
 
-use bentray::gpu::Value::{Float, Uint, Vec3 as V3};
+use bentray::model::Value::{Float, Uint, Vec3 as V3};
 use bentray::program::constant;
 use glam::{DVec3, Vec3, Vec4};
 

@@ -3,19 +3,26 @@
 //! *Practice.* A new program costs about 0.3 s on lavapipe, so one probe tries many functions on many inputs. A probe's body
 //! reads its input rows as `p0`, `p1`, … (vec4f) and writes each output row by `put(k, row)`; rows that it does not write show.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use bentray::gpu::{Gpu, Pipeline, Value, pack};
+use bentray::gpu::{Gpu, Pipeline, pack};
+use bentray::model::{Row, Value};
 use bentray::program::{
-    BindingKind, Choice, Extent, Layout, Linked, Parts, Reflection, Unit, Work, link, part, plan, reflect,
+    Analysis, BindingKind, Choice, Extent, Layout, Linked, Parts, Reflection, Unit, Work, link, part, plan, reflect,
 };
-use glam::Vec4;
+use glam::{DVec3, Vec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, MapMode, PollType};
 
 /// One record as (member, value).
 pub type Record = Vec<(&'static str, Value)>;
+
+/// A source or a sphere that captures: a record, about a point.
+pub fn about_a_point(record: Record) -> Record {
+    [record, vec![("along", Value::Vec3(DVec3::ZERO)), ("kind", Value::Uint(0))]].concat()
+}
 
 /// What an output holds until it is written: a NaN that no arithmetic makes.
 const UNWRITTEN: u32 = 0x7fc0_dead;
@@ -24,7 +31,7 @@ const UNWRITTEN: u32 = 0x7fc0_dead;
 #[derive(Default)]
 pub struct Probe {
     units: Vec<Unit>,
-    records: BTreeMap<&'static str, Vec<Record>>,
+    records: BTreeMap<&'static str, Vec<Row>>,
     numbers: BTreeMap<&'static str, Vec<u32>>,
 }
 
@@ -67,7 +74,15 @@ impl Probe {
                 units.push(unit(common));
             }
         }
-        Self { units, ..Self::default() }
+        let probe = Self { units, ..Self::default() };
+        if !probe.units.iter().any(|unit| unit.text.contains("anchor_offset(")) {
+            return probe;
+        }
+        // What forces come from is a point, unless the probe says otherwise.
+        let mut probe = probe
+            .stub("fn anchor_offset(kind: u32, d: Real3, along: Real3) -> Real3 { return offset_center(d, along); }");
+        probe.units.push(unit("offset/center"));
+        probe
     }
 
     /// With a few lines of WGSL in place of a part that needs more of a device than a probe has.
@@ -79,23 +94,34 @@ impl Probe {
     /// With the text generated for a scene, such as `generated/sources.wgsl`.
     pub fn generated(mut self, scene: &str, file: &str) -> Self {
         let scene = super::scene(scene);
-        let work =
-            Work::of(&scene, Extent { places: 1, items: 1, at_once: 1 }).unwrap_or_else(|error| panic!("{error}"));
-        let parts = plan(&scene, &Choice::default(), &work).unwrap_or_else(|error| panic!("{error}"));
+        let analysis = Analysis::of(&scene);
+        let work = Work::of(&scene, &analysis, Extent { places: 1, items: 1, at_once: 1 })
+            .unwrap_or_else(|error| panic!("{error}"));
+        let parts = plan(&scene, &analysis, &Choice::default(), &work).unwrap_or_else(|error| panic!("{error}"));
         let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);
         self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
         self
     }
 
     /// With records in the binding `name`: one, or as many as a list has.
-    pub fn bind(mut self, name: &'static str, records: impl Into<Vec<Record>>) -> Self {
-        self.records.insert(name, records.into());
+    pub fn bind<N: Into<Cow<'static, str>>>(
+        mut self,
+        name: &'static str,
+        records: impl IntoIterator<Item = Vec<(N, Value)>>,
+    ) -> Self {
+        let row = |record: Vec<(N, Value)>| record.into_iter().map(|(name, value)| (name.into(), value)).collect();
+        self.records.insert(name, records.into_iter().map(row).collect());
         self
     }
 
     /// With a list whose length the program knows as the constant `count`.
-    pub fn list(self, name: &'static str, count: &str, records: impl Into<Vec<Record>>) -> Self {
-        let records = records.into();
+    pub fn list<N: Into<Cow<'static, str>>>(
+        self,
+        name: &'static str,
+        count: &str,
+        records: impl IntoIterator<Item = Vec<(N, Value)>>,
+    ) -> Self {
+        let records: Vec<_> = records.into_iter().collect();
         let constant = format!("const {count}: u32 = {}u;", records.len());
         self.stub(&constant).bind(name, records)
     }

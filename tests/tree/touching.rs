@@ -138,7 +138,7 @@ fn what_does_not_touch_pays_nothing() {
         let mut found = Vec::new();
         for (schedule, purpose) in [(Schedule::Fused, Purpose::Picture), (Schedule::Segment, Purpose::Trace)] {
             let choice = Choice { schedule, purpose, ..Choice::default() };
-            let program = Program::new(&scene, &choice, geometry.extent()).unwrap();
+            let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
             for (pass, linked, _) in &program.passes {
                 let unused = unused(linked).unwrap_or_else(|error| panic!("{error}"));
                 assert!(unused.is_empty(), "pass {} has {unused:?}", pass.entry());

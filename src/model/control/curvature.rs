@@ -22,7 +22,6 @@ pub static KIND: Kind = Kind {
     from_file: f64::to_radians,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined), 0.2 * 0.5_f64.powi(refined)),
     divides: false,
-    rejects: false,
     tries: None,
     keeps_errors: false,
     has_tolerance: false,

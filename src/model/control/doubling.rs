@@ -39,7 +39,6 @@ pub static REJECTING: Kind = Kind {
     from_file: |written| written,
     usual,
     divides: false,
-    rejects: true,
     tries: Some("method/control/doubling_rejecting"),
     keeps_errors: false,
     has_tolerance: true,
@@ -60,7 +59,6 @@ pub static PAPER: Kind = Kind {
     from_file: |written| written,
     usual,
     divides: false,
-    rejects: true,
     tries: Some("method/control/doubling_rejecting"),
     has_tolerance: true,
 };

@@ -25,7 +25,6 @@ pub static KIND: Kind = Kind {
     from_file: |written| written,
     usual: |_, refined| with(1e-5 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined)),
     divides: true,
-    rejects: true,
     tries: Some("method/control/embedded"),
     keeps_errors: false,
     has_tolerance: true,

@@ -21,7 +21,6 @@ pub static KIND: Kind = Kind {
     from_file: |written| written,
     usual: |control, _| *control,
     divides: false,
-    rejects: false,
     tries: None,
     keeps_errors: false,
     has_tolerance: false,

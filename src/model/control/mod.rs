@@ -49,9 +49,7 @@ pub struct Kind {
     pub usual: fn(&Control, refined: i32) -> Control,
     /// May a setting between two be tried, their geometric mean?
     pub divides: bool,
-    /// Is a step tried again when its error is too large, or would it be?
-    pub rejects: bool,
-    /// The part whose `MAX_TRIES` says how often.
+    /// The part whose `MAX_TRIES` says how often a step may be tried again when its error is too large; none if it never is.
     pub tries: Option<&'static str>,
     /// Are steps over the tolerance kept, and counted as rejected?
     pub keeps_errors: bool,
@@ -99,7 +97,7 @@ impl Control {
             return other;
         }
         let setting = (self.setting * other.setting).sqrt();
-        let cap = if self.setting == self.cap { setting } else { self.cap };
+        let cap = if self.kind.has_tolerance { self.cap } else { setting };
         Self { setting, cap, ..self }
     }
 

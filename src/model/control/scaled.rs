@@ -26,7 +26,6 @@ pub static KIND: Kind = Kind {
     from_file: |written| written,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined)),
     divides: true,
-    rejects: false,
     tries: None,
     keeps_errors: false,
     has_tolerance: false,

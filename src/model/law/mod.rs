@@ -15,6 +15,8 @@ mod rossler;
 mod schwarzschild;
 mod sources;
 mod straight;
+#[cfg(test)]
+mod tests;
 
 use std::fmt;
 use std::sync::Arc;

@@ -85,10 +85,10 @@ impl Law for Schwarzschild {
     /// h = |x × v| and E² = ṙ² + (1 − 2M/r) h²/r², which together are the null condition.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let d = x - self.center;
-        let (r, h) = (d.length(), d.cross(v).length());
-        let energy = ((d.dot(v) / r).powi(2) + (1.0 - 2.0 * self.mass / r) * (h / r).powi(2)).sqrt();
+        let (r, momentum) = (d.length(), d.cross(v).length());
+        let energy = ((d.dot(v) / r).powi(2) + (1.0 - 2.0 * self.mass / r) * (momentum / r).powi(2)).sqrt();
         vec![
-            Invariant { name: "angular momentum", value: h, size: r * v.length() },
+            Invariant { name: "angular momentum", value: momentum, size: r * v.length() },
             Invariant { name: "energy", value: energy, size: v.length() },
         ]
     }

@@ -32,8 +32,11 @@ pub struct Kind {
     /// The keys that it reads.
     pub keys: &'static [Key],
     /// Reads its colour and what else it has; none if it cannot be used.
-    pub(crate) read: fn(&TableReader, &mut Files) -> Option<(Pattern, Arc<dyn Surface>)>,
+    pub(crate) read: fn(&TableReader, &mut Files) -> Option<Answer>,
 }
+
+/// The colour that a kind uses, and what it does with it.
+type Answer = (Pattern, Arc<dyn Surface>);
 
 /// Every material, in the order of the reference; the first is that of a table that names none.
 const MATERIALS: [&Kind; 3] = [&phong::KIND, &emissive::KIND, &mirror::KIND];

@@ -115,6 +115,7 @@ pub struct Method {
 
 /// What a scene demands of the method that follows its rays.
 #[derive(Debug, Clone, Copy)]
+#[expect(clippy::struct_excessive_bools, reason = "questions that have nothing to do with each other")]
 pub struct Demands {
     /// What the law's derivative depends on.
     pub order: Order,

@@ -50,8 +50,11 @@ pub struct Kind {
     pub keys: &'static [Key],
     /// Reads it, with the map from its own space that its keys make; none if it cannot be used. `across` is twice the radius of the
     /// bounding sphere.
-    pub(crate) read: fn(&TableReader, across: f64, &mut Files) -> Option<(Arc<dyn Shape>, DAffine3)>,
+    pub(crate) read: fn(&TableReader, across: f64, &mut Files) -> Option<Own>,
 }
+
+/// A shape, and the map from its own space that its keys make.
+type Own = (Arc<dyn Shape>, DAffine3);
 
 /// Every shape, in the order of the reference.
 const SHAPES: [&Kind; 6] = [&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &mesh::KIND];

@@ -63,10 +63,8 @@ fn substance(
     let around = object.map_or_else(Surroundings::default, |(shape, place)| shape.surroundings(&place));
     let medium = medium::read(table, node, around, files);
     let priority = table.or("priority", 0, whole(0..=1000));
-    if let Some((shape, _)) = object {
-        if let Some(problem) = shape.opening() {
-            table.fault(&["interior"], problem, "give it a material, or close it");
-        }
+    if let Some(problem) = object.and_then(|(shape, _)| shape.opening()) {
+        table.fault(&["interior"], problem, "give it a material, or close it");
     }
     medium.map(|medium| Substance::Clear(Interior { medium, priority }))
 }

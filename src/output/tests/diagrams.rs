@@ -1,11 +1,14 @@
 //! Ray diagrams show what crosses their plane, and nothing outside their frame.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DVec3};
 
 use super::plots::{png, svg};
 use crate::measure::{Curve, Focus};
+use crate::model::shape::Sphere;
 use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKind, plot_paths};
-use crate::scene::{CutPlane, Object, Shape, Substance, Transform};
+use crate::scene::{CutPlane, Object, Substance, Transform};
 
 /// Straight lines past a centre, bent towards it, in the plane of x and z.
 pub(super) fn lines() -> Vec<PathLine<'static>> {
@@ -33,7 +36,7 @@ pub(super) fn all(lines: Vec<PathLine<'static>>) -> PathPlot<'static> {
 /// A ball of this radius.
 fn ball(center: DVec3, radius: f64, kind: SurfaceKind) -> CrossSection {
     let transform = Transform::new(DVec3::splat(radius), DVec3::ZERO, center);
-    let object = Object { shape: Shape::Sphere, transform, substance: Substance::Opaque(0) };
+    let object = Object { shape: Arc::new(Sphere), transform, substance: Substance::Opaque(0) };
     CrossSection { kind, outlines: object.cut(&plane()) }
 }
 

@@ -106,7 +106,9 @@ fn formatting_changes_no_scene() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
         let scene = Scene::load(&path, &[]).unwrap();
         let choice = Choice::default();
-        let parts = plan(&scene, &choice, &Work::of(&scene, crate::program::Extent::default()).unwrap()).unwrap();
+        let analysis = crate::program::Analysis::of(&scene);
+        let work = Work::of(&scene, &analysis, crate::program::Extent::default()).unwrap();
+        let parts = plan(&scene, &analysis, &choice, &work).unwrap();
         let spaced = |unit: &Unit, gap: &str| Unit { text: with_gaps(&unit.text, gap).into(), ..unit.clone() };
         for pass in choice.passes(&scene) {
             let golden = link(&parts, pass.entry()).unwrap().source;

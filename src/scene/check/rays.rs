@@ -39,7 +39,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let length = table.optional("length", positive);
     let segment = segment(&table, bound.map_or(1.0, |bound| bound.radius));
     let demands = optics.demands(length.is_some(), segment.has_chords());
-    let (named, auto) = method(&table, optics, &demands)?;
+    let (named, auto) = method(&table, optics, demands);
     let (method, control) = match named {
         Some(named) => named.read(&table),
         // Until a calibration has run.
@@ -75,12 +75,12 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
 
 /// The method that the scene names, or the one that what it says calls for; none where a calibration finds it, or where closed forms
 /// need none. And was it left to `auto`?
-fn method(table: &TableReader, optics: &Optics, demands: &Demands) -> Option<(Option<Named>, bool)> {
+fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<Named>, bool) {
     let names = method::names();
     let words: Vec<&str> = std::iter::once("auto").chain(names.iter().map(|(name, _)| name.as_str())).collect();
     let Some(chosen) = table.decide("method", None, |node| choice(&words)(node).map(Some)) else {
         // It is reported; all keys of methods are let be.
-        return Some((Some(Named::plain(default_method(table, optics, demands).unwrap_or(method::PLANNED))), false));
+        return (Some(Named::plain(default_method(table, optics, demands).unwrap_or(method::PLANNED))), false);
     };
     let named = match chosen {
         Some(0) => None,
@@ -89,14 +89,14 @@ fn method(table: &TableReader, optics: &Optics, demands: &Demands) -> Option<(Op
     };
     match named {
         Some(named) => {
-            let refused = if optics.law.is_some() { (named.kind.refuses)(demands) } else { Vec::new() };
+            let refused = if optics.law.is_some() { (named.kind.refuses)(&demands) } else { Vec::new() };
             for refusal in refused {
                 table.fault(&[refusal.key], refusal.problem, refusal.help);
             }
-            Some((Some(named), false))
+            (Some(named), false)
         }
-        None if demands.needs_solver => Some((None, true)),
-        None => Some((Some(Named::plain(method::CLOSED_FORMS)), true)),
+        None if demands.needs_solver => (None, true),
+        None => (Some(Named::plain(method::CLOSED_FORMS)), true),
     }
 }
 
@@ -122,7 +122,7 @@ fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
 }
 
 /// What chooses steps chooses a method with them; a scene that says nothing leaves both to a calibration.
-fn default_method(table: &TableReader, optics: &Optics, demands: &Demands) -> Option<method::Method> {
+fn default_method(table: &TableReader, optics: &Optics, demands: Demands) -> Option<method::Method> {
     let given = |keys: &[&str]| keys.iter().any(|key| table.gives(key));
     if !optics.bends() {
         Some(method::CLOSED_FORMS)

@@ -20,6 +20,7 @@ macro_rules! fixed {
 }
 
 /// The keys that are read whatever the kinds of a scene are.
+#[expect(clippy::too_many_lines, reason = "a table")]
 pub(super) fn fixed() -> Vec<KeyReference> {
     fixed! {
         "" {

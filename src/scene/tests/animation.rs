@@ -3,7 +3,8 @@
 #![allow(clippy::float_cmp)] // values at key frames are exact
 
 use super::{Override, RAYS, Scene, SceneError, mistakes_of};
-use crate::scene::{CameraKind, Files};
+use crate::assets::Files;
+use crate::model::camera::Pinhole;
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -22,10 +23,8 @@ fn frame(tracks: &str, overrides: &[&str], frame: u32) -> Result<Scene, SceneErr
 }
 
 fn fov(scene: &Scene) -> f64 {
-    match scene.camera.as_ref().map(|camera| camera.kind) {
-        Some(CameraKind::Pinhole { fov }) => fov,
-        other => panic!("{other:?}"),
-    }
+    let Pinhole { fov } = scene.camera.as_ref().expect("a camera").projection.downcast().expect("a pinhole");
+    *fov
 }
 
 #[test]

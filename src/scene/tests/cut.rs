@@ -5,15 +5,19 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::scene::{CutPlane, Law, Mesh, Object, Outline, SchwarzschildForm, Shape, Substance, Transform};
+use crate::model::Law;
+use crate::model::cut::sphere_in_plane;
+use crate::model::law::{Schwarzschild, SchwarzschildForm};
+use crate::model::shape::{Cuboid, Plane, Sphere, Triangles};
+use crate::scene::{CutPlane, Mesh, Object, Outline, Shape, Substance, Transform};
 
 fn plane(point: [f64; 3], normal: [f64; 3]) -> CutPlane {
     CutPlane::new(point.into(), normal.into()).unwrap()
 }
 
-fn object(shape: Shape, scale: [f64; 3], rotate: [f64; 3], translate: [f64; 3]) -> Object {
+fn object(shape: impl Shape, scale: [f64; 3], rotate: [f64; 3], translate: [f64; 3]) -> Object {
     let transform = Transform::new(scale.into(), rotate.into(), translate.into());
-    Object { shape, transform, substance: Substance::Opaque(0) }
+    Object { shape: Arc::new(shape), transform, substance: Substance::Opaque(0) }
 }
 
 /// The only outline, all of whose points are in the plane.
@@ -65,14 +69,14 @@ fn a_plane_is_fitted_to_points_that_have_one() {
 
 #[test]
 fn a_sphere_is_cut_in_a_circle_or_an_ellipse() {
-    let ball = object(Shape::Sphere, [5.0; 3], [0.0; 3], [1.0, 2.0, 3.0]);
+    let ball = object(Sphere, [5.0; 3], [0.0; 3], [1.0, 2.0, 3.0]);
     let circle = only(&ball, &plane([0.0, 5.0, 0.0], [0.0, 1.0, 0.0]));
     assert!(circle.closed);
     let center = DVec3::new(1.0, 5.0, 3.0);
     assert!(circle.points.iter().all(|p| (p.distance(center) - 4.0).abs() < 1e-12));
     assert!(ball.cut(&plane([0.0, 7.1, 0.0], [0.0, 1.0, 0.0])).is_empty());
     // x²/9 + y² + z²/4 = 1, turned by 90° about z: x² + y²/9 + z²/4 = 1.
-    let egg = object(Shape::Sphere, [3.0, 1.0, 2.0], [0.0, 0.0, 90.0], [0.0; 3]);
+    let egg = object(Sphere, [3.0, 1.0, 2.0], [0.0, 0.0, 90.0], [0.0; 3]);
     let ellipse = only(&egg, &plane([0.5, 0.0, 0.0], [1.0, 0.0, 0.0]));
     let off = |p: &DVec3| (p.x * p.x + p.y * p.y / 9.0 + p.z * p.z / 4.0 - 1.0).abs();
     assert!(ellipse.points.iter().all(|p| off(p) < 1e-12));
@@ -82,11 +86,11 @@ fn a_sphere_is_cut_in_a_circle_or_an_ellipse() {
 
 #[test]
 fn a_box_is_cut_in_three_to_six_corners() {
-    let cube = object(Shape::Box, [1.0, 2.0, 3.0], [0.0; 3], [10.0, 0.0, 0.0]);
+    let cube = object(Cuboid, [1.0, 2.0, 3.0], [0.0; 3], [10.0, 0.0, 0.0]);
     let square = only(&cube, &plane([0.0, 0.5, 0.0], [0.0, 1.0, 0.0]));
     assert!(square.closed && square.points.len() == 4);
     assert!((length(&square) - 16.0).abs() < 1e-7);
-    let unit = object(Shape::Box, [1.0; 3], [0.0; 3], [0.0; 3]);
+    let unit = object(Cuboid, [1.0; 3], [0.0; 3], [0.0; 3]);
     // Through the middle across a diagonal: a regular hexagon of side √2. Nearer to a corner: a triangle.
     let hexagon = only(&unit, &plane([0.0; 3], [1.0; 3]));
     assert_eq!(hexagon.points.len(), 6);
@@ -101,7 +105,7 @@ fn a_box_is_cut_in_three_to_six_corners() {
 
 #[test]
 fn a_plane_is_cut_in_a_line() {
-    let floor = object(Shape::Plane, [4.0, 1.0, 2.0], [0.0; 3], [1.0, -1.0, 0.0]);
+    let floor = object(Plane, [4.0, 1.0, 2.0], [0.0; 3], [1.0, -1.0, 0.0]);
     let line = only(&floor, &plane([0.0, 0.0, 0.5], [0.0, 0.0, 1.0]));
     assert!(!line.closed && line.points.len() == 2);
     let mut xs = [line.points[0].x, line.points[1].x];
@@ -120,7 +124,7 @@ fn a_plane_is_cut_in_a_line() {
 fn a_mesh_is_cut_in_closed_lines_where_it_is_closed() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     let closed = Arc::new(Mesh::parse(text, Path::new("tetrahedron.obj")).unwrap());
-    let scaled = object(Shape::Mesh(closed), [2.0; 3], [0.0; 3], [0.0, 0.0, 5.0]);
+    let scaled = object(Triangles(closed), [2.0; 3], [0.0; 3], [0.0, 0.0, 5.0]);
     let triangle = only(&scaled, &plane([0.0, 0.0, 6.0], [0.0, 0.0, 1.0]));
     assert!(triangle.closed && triangle.points.len() == 3);
     assert!((length(&triangle) - (2.0 + 2.0_f64.sqrt())).abs() < 1e-12, "{triangle:?}");
@@ -130,7 +134,7 @@ fn a_mesh_is_cut_in_closed_lines_where_it_is_closed() {
     let without_a_face = text.rsplit_once("f 3").unwrap().0;
     let open = Arc::new(Mesh::parse(without_a_face, Path::new("open.obj")).unwrap());
     let open =
-        only(&object(Shape::Mesh(open), [2.0; 3], [0.0; 3], [0.0, 0.0, 5.0]), &plane([0.0, 0.0, 6.0], [0.0, 0.0, 1.0]));
+        only(&object(Triangles(open), [2.0; 3], [0.0; 3], [0.0, 0.0, 5.0]), &plane([0.0, 0.0, 6.0], [0.0, 0.0, 1.0]));
     assert!(!open.closed && open.points.len() == 3);
 }
 
@@ -155,7 +159,7 @@ fn a_real_mesh_has_as_much_outline_as_edges() {
             expected += a.distance(b);
         }
     }
-    let outlines = object(Shape::Mesh(mesh), [1.0; 3], [0.0; 3], [0.0; 3]).cut(&plane);
+    let outlines = object(Triangles(mesh), [1.0; 3], [0.0; 3], [0.0; 3]).cut(&plane);
     let found: f64 = outlines.iter().map(length).sum();
     assert!(expected > 0.0 && (found / expected - 1.0).abs() < 1e-6, "{found} {expected}");
     assert!(outlines.len() < 10, "{} pieces", outlines.len());
@@ -163,10 +167,13 @@ fn a_real_mesh_has_as_much_outline_as_edges() {
 
 #[test]
 fn a_horizon_is_cut_like_a_sphere() {
-    let hole = Law::Schwarzschild { mass: 1.5, center: DVec3::X, form: SchwarzschildForm::Path };
-    let [horizon] = &hole.cut(&plane([0.0, 0.0, 1.8], [0.0, 0.0, 1.0]))[..] else { panic!() };
+    let hole = Schwarzschild { mass: 1.5, center: DVec3::X, form: SchwarzschildForm::Path };
+    let [horizon] = &hole.landmarks()[..] else { panic!() };
     assert_eq!(horizon.name, "horizon");
+    let cut =
+        |height: f64| sphere_in_plane(horizon.center, horizon.radius, &plane([0.0, 0.0, height], [0.0, 0.0, 1.0]));
+    let outline = cut(1.8).expect("an outline");
     let center = DVec3::new(1.0, 0.0, 1.8);
-    assert!(horizon.outline.points.iter().all(|p| (p.distance(center) - 2.4).abs() < 1e-12));
-    assert!(hole.cut(&plane([0.0, 0.0, 3.1], [0.0, 0.0, 1.0])).is_empty());
+    assert!(outline.points.iter().all(|p| (p.distance(center) - 2.4).abs() < 1e-12));
+    assert!(cut(3.1).is_none());
 }

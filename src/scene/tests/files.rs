@@ -1,7 +1,9 @@
 //! Meshes and pictures, and scenes that name them.
 
 use super::{Scene, mistakes_of};
-use crate::scene::{Files, Interior, Medium, Mesh, Mistake, Pattern, Picture, SceneError, Shape, Sky, Substance};
+use crate::assets::Files;
+use crate::model::medium::Grid;
+use crate::scene::{Interior, Mesh, Mistake, Pattern, Picture, SceneError, Sky, Substance};
 use glam::{Vec2, Vec3};
 use image::{DynamicImage, GrayImage, ImageFormat, Luma, Rgb, Rgb32FImage, RgbImage};
 use std::fs;
@@ -197,10 +199,12 @@ fn scenes_that_share_their_files_load_each_once() {
     };
     let mut good = |text: &str| load(text).unwrap_or_else(|e| panic!("{e}"));
     let loaded = |scene: &Scene| match (&scene.objects[0].shape, &scene.objects[1].substance) {
-        (Shape::Mesh(mesh), Substance::Clear(Interior { medium: Medium::Grid(grid), .. })) => {
+        (shape, Substance::Clear(Interior { medium, .. })) => {
+            let mesh = shape.mesh().expect("a mesh");
+            let Grid(grid) = medium.downcast().expect("a grid");
             (Arc::clone(mesh), Arc::clone(grid))
         }
-        other => panic!("{other:?}"),
+        other @ (_, Substance::Opaque(_)) => panic!("{other:?}"),
     };
     let [first, again, other] = [("a.png", 1.0), ("a.png", 1.0), ("b.png", 2.0)].map(|(sky, n)| good(&scene(sky, n)));
     let ((mesh_1, grid_1), (mesh_2, grid_2), (mesh_3, grid_3)) = (loaded(&first), loaded(&again), loaded(&other));

@@ -1,6 +1,8 @@
 //! What is inside: closed meshes and open ones, and points against what sampling says.
 
 use super::{good, parse};
+use crate::model::medium::{Constant, Luneburg, Rod};
+use crate::model::shape::{Cuboid, Cylinder, Disk, Plane, Sphere, Triangles};
 use crate::scene::{Interior, Medium, Mesh, Object, Shape, Substance, Transform};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
@@ -19,8 +21,12 @@ pub fn cube() -> Mesh {
     mesh(&format!("{CUBE}{}", FACES.concat()))
 }
 
-pub fn object(shape: Shape, transform: Transform) -> Object {
-    let medium = Medium::Constant { n: 1.5 };
+pub fn object(shape: impl Shape, transform: Transform) -> Object {
+    placed(Arc::new(shape), transform)
+}
+
+fn placed(shape: Arc<dyn Shape>, transform: Transform) -> Object {
+    let medium = Arc::new(Constant { n: 1.5 });
     Object { shape, transform, substance: Substance::Clear(Interior { medium, priority: 0 }) }
 }
 
@@ -53,7 +59,7 @@ fn triangles_that_wind_otherwise_than_their_neighbours_are_a_hole() {
     assert_eq!(inverted.hole(), None);
     assert!((inverted.winding(DVec3::splat(0.3)) + 1.0).abs() < 1e-14);
     assert!(
-        object(Shape::Mesh(Arc::new(inverted)), Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::ZERO))
+        object(Triangles(Arc::new(inverted)), Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::ZERO))
             .contains(DVec3::ZERO)
     );
 }
@@ -100,9 +106,12 @@ fn open_shapes_contain_nothing() {
     let place = Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::ZERO);
     let mut open = cube();
     open.triangles.pop();
-    for shape in [Shape::Plane, Shape::Disk { hole: 0.0 }, Shape::Mesh(Arc::new(open))] {
-        assert!(!object(shape.clone(), place).contains(DVec3::ZERO), "{shape:?}");
-        assert_eq!(object(shape, place).gap(DVec3::ZERO), None);
+    let shapes: [Arc<dyn Shape>; 3] =
+        [Arc::new(Plane), Arc::new(Disk { hole: 0.0 }), Arc::new(Triangles(Arc::new(open)))];
+    for shape in shapes {
+        let object = placed(shape, place);
+        assert!(!object.contains(DVec3::ZERO), "{:?}", object.shape);
+        assert_eq!(object.gap(DVec3::ZERO), None);
     }
 }
 
@@ -111,29 +120,29 @@ fn gaps_are_distances() {
     let turn = DVec3::new(30.0, 40.0, 50.0);
     let at = DVec3::new(1.0, -2.0, 3.0);
     let near = |a: Option<f64>, b: f64| assert!((a.expect("a gap") - b).abs() < 1e-12, "{a:?} {b}");
-    let ball = object(Shape::Sphere, Transform::new(DVec3::splat(2.0), turn, at));
+    let ball = object(Sphere, Transform::new(DVec3::splat(2.0), turn, at));
     near(ball.gap(at + 5.0 * DVec3::Y), 3.0);
     near(ball.gap(at), -2.0);
     let place = Transform::new(DVec3::new(1.0, 2.0, 3.0), turn, at);
     let from = |own: DVec3| place.0.transform_point3(own);
-    let cuboid = object(Shape::Box, place);
+    let cuboid = object(Cuboid, place);
     near(cuboid.gap(from(DVec3::new(0.5, 0.5, 0.5))), -0.5);
     near(cuboid.gap(from(DVec3::new(0.0, 0.9, 0.0))), -0.2);
     near(cuboid.gap(from(DVec3::new(0.0, 0.0, 2.0))), 3.0);
     let place = Transform::new(DVec3::new(2.0, 5.0, 2.0), turn, at);
     let from = |own: DVec3| place.0.transform_point3(own);
-    let cylinder = object(Shape::Cylinder, place);
+    let cylinder = object(Cylinder, place);
     near(cylinder.gap(from(DVec3::new(0.3, 0.0, 0.4))), -1.0);
     near(cylinder.gap(from(DVec3::new(0.0, 0.9, 0.0))), -0.5);
     near(cylinder.gap(from(DVec3::new(0.0, 0.0, -3.0))), 4.0);
     // The first order of an ellipsoid: along its own short axis the distance itself.
-    let flat = object(Shape::Sphere, Transform::new(DVec3::new(4.0, 1.0, 4.0), DVec3::ZERO, DVec3::ZERO));
+    let flat = object(Sphere, Transform::new(DVec3::new(4.0, 1.0, 4.0), DVec3::ZERO, DVec3::ZERO));
     near(flat.gap(DVec3::new(0.0, 1.25, 0.0)), 0.25);
 }
 
 #[test]
 fn a_cylinder_gives_its_medium_its_radius_and_axis() {
-    let rod = |keys: &str, medium: &str| {
+    let rod = |keys: &str, medium: &str| -> Arc<dyn Medium> {
         let text = format!(
             "[rays]\nbound = {{ radius = 99 }}\n[[objects]]\nshape = \"cylinder\"\n{keys}\ninterior = {{ {medium} }}\n"
         );
@@ -143,10 +152,12 @@ fn a_cylinder_gives_its_medium_its_radius_and_axis() {
         }
     };
     let keys = "center = [1, 0, 0]\naxis = [0, 2, 0]\nradius = 2\nscale = [3, 7, 3]\nrotate = [90, 0, 0]\ntranslate = [0, 0, 4]";
-    let Medium::Rod { center, axis, .. } = rod(keys, "kind = \"rod\", n0 = 1.6, g = 0.1") else { panic!() };
+    let medium = rod(keys, "kind = \"rod\", n0 = 1.6, g = 0.1");
+    let Rod { center, axis, .. } = medium.downcast().expect("a rod");
     assert!(center.abs_diff_eq(DVec3::new(3.0, 0.0, 4.0), 1e-12), "{center}");
     assert!(axis.abs_diff_eq(DVec3::Z, 1e-12), "{axis}");
-    let Medium::Luneburg { radius, .. } = rod(keys, "kind = \"luneburg\"") else { panic!() };
+    let medium = rod(keys, "kind = \"luneburg\"");
+    let Luneburg { radius, .. } = medium.downcast().expect("a lens");
     assert!((radius - 6.0).abs() < 1e-12, "{radius}");
     // An elliptic or a sheared cylinder has no radius.
     for place in ["scale = [3, 7, 2]", "axis = [0, 1, 1]\nscale = [1, 1, 2]"] {
@@ -172,23 +183,24 @@ proptest! {
         let x = place.0.transform_point3(own);
         let [a, b, c] = own.to_array();
         let square = a.abs().max(b.abs()).max(c.abs());
-        for (shape, size) in [
-            (Shape::Sphere, (a * a + b * b + c * c).sqrt()),
-            (Shape::Box, square),
-            (Shape::Cylinder, a.hypot(c).max(b.abs())),
-            (Shape::Mesh(Arc::new(cube())), square),
-        ] {
+        let shapes: [(Arc<dyn Shape>, f64); 4] = [
+            (Arc::new(Sphere), (a * a + b * b + c * c).sqrt()),
+            (Arc::new(Cuboid), square),
+            (Arc::new(Cylinder), a.hypot(c).max(b.abs())),
+            (Arc::new(Triangles(Arc::new(cube()))), square),
+        ];
+        for (shape, size) in shapes {
             if (size - 1.0).abs() < 1e-9 {
                 continue;
             }
             let what = format!("{shape:?}");
-            let object = object(shape, place);
+            let object = placed(shape, place);
             prop_assert_eq!(object.contains(x), size < 1.0, "{} at {}", what, own);
             if let Some(gap) = object.gap(x) {
                 prop_assert_eq!(gap < 0.0, size < 1.0, "{} at {}", what, own);
                 // From a point inside a box no face is nearer than the gap, whatever the direction.
                 let moved = x + DVec3::new(0.6, -0.64, 0.48) * (0.999 * gap);
-                prop_assert!(gap >= 0.0 || !matches!(object.shape, Shape::Box) || object.contains(moved), "{} of {}", gap, own);
+                prop_assert!(gap >= 0.0 || object.shape.downcast::<Cuboid>().is_none() || object.contains(moved), "{} of {}", gap, own);
             }
         }
     }

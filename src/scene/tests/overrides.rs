@@ -1,7 +1,9 @@
 //! `--set KEY=VALUE`.
 
 use super::{Override, RAYS, Scene, mistakes_of};
-use crate::scene::{Bound, CameraKind, Law, SceneError, SchwarzschildForm};
+use crate::model::camera::Pinhole;
+use crate::model::law::{Schwarzschild, SchwarzschildForm};
+use crate::scene::{Bound, SceneError};
 use glam::DVec3;
 use std::path::Path;
 
@@ -28,11 +30,11 @@ fn values_are_replaced_and_added() {
     ])
     .expect("good overrides");
     assert_eq!(scene.image.size, [10, 12]);
-    let kind = scene.camera.expect("a camera").kind;
-    assert_eq!(kind, CameraKind::Pinhole { fov: 40.0 });
-    let Law::Schwarzschild { form, center, .. } = scene.law else { panic!() };
-    assert_eq!(form, SchwarzschildForm::Geodesic);
-    assert_eq!(center, DVec3::Z);
+    let projection = scene.camera.expect("a camera").projection;
+    assert_eq!(projection.downcast(), Some(&Pinhole { fov: 40.0 }));
+    let Schwarzschild { form, center, .. } = scene.law.downcast().expect("a hole");
+    assert_eq!(*form, SchwarzschildForm::Geodesic);
+    assert_eq!(*center, DVec3::Z);
     assert_eq!(scene.objects[0].transform.uniform_scale(), Some(2.0));
     let center = DVec3::ZERO;
     assert_eq!(scene.rays.bound, Bound { center, radius: 30.0 });

@@ -3,7 +3,9 @@
 #![allow(clippy::float_cmp, reason = "numbers of few bits, which the spline keeps whole")]
 
 use super::{Scene, mistakes_of};
-use crate::scene::{Law, Medium, Mistake, Profile, SceneError};
+use crate::model::law::InMedium;
+use crate::model::medium::Layers;
+use crate::scene::{Medium, Mistake, Profile, SceneError};
 use std::fs;
 use std::path::Path;
 
@@ -87,7 +89,8 @@ fn a_scene_finds_its_profile() {
     let text = "[rays]\nbound = { radius = 10 }\n[law]\nkind = \"medium\"\nindex = { kind = \"profile\", file = \"air.csv\", up = [0, 0, 2] }";
     fs::write(folder.path().join("air.csv"), "\u{feff}height, n\n\n 0, 1.5 \n4,1.25\n").expect("written");
     let law = Scene::parse(text, &scene, &[]).unwrap_or_else(|e| panic!("{e}")).law;
-    let Law::Medium(medium @ Medium::Profile { .. }) = law else { panic!("{law:?}") };
+    let InMedium(medium) = law.downcast().expect("a medium");
+    let medium: &Layers = medium.downcast().expect("a profile");
     assert_eq!(medium.index(glam::DVec3::new(7.0, 8.0, 1.0)), Some(1.4375));
     fs::write(folder.path().join("air.csv"), "height,n\n0,1.5\n4,none\n").expect("written");
     let mistakes = mistakes_of(Scene::parse(text, &scene, &[]));

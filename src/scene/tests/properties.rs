@@ -1,8 +1,9 @@
 //! What must hold for any input: nothing panics, and reaches are what sampling finds.
 
 use super::{Override, Scene};
-use crate::scene::check::bounds::{reach, round_up};
-use crate::scene::{Mesh, Shape, TEMPLATE, Transform};
+use crate::model::Shape;
+use crate::model::shape::{Cylinder, Disk, Sphere, round_up};
+use crate::scene::{Mesh, TEMPLATE, Transform};
 use glam::DVec3;
 use proptest::prelude::*;
 use std::path::Path;
@@ -53,7 +54,7 @@ proptest! {
         center in vector(-3.0..3.0),
     ) {
         let transform = Transform::new(scale, rotate, translate);
-        let far = reach(&Shape::Sphere, transform, center).expect("a reach");
+        let far = Sphere.reach(transform.0, center).expect("a reach");
         // A spiral of points, about 0.03 apart.
         let sampled = (0..16_000).map(|i| {
             let z = 1.0 - (2.0 * f64::from(i) + 1.0) / 16_000.0;
@@ -77,10 +78,10 @@ proptest! {
             let (z, x) = (f64::from(i) * std::f64::consts::TAU / 2000.0).sin_cos();
             transform.0.transform_point3(DVec3::new(x, y, z)).distance(center)
         }).fold(0.0, f64::max);
-        for (shape, sampled) in
-            [(Shape::Cylinder, sampled(1.0).max(sampled(-1.0))), (Shape::Disk { hole: 0.5 }, sampled(0.0))]
-        {
-            let far = reach(&shape, transform, center).expect("a reach");
+        let shapes: [(&dyn Shape, f64); 2] =
+            [(&Cylinder, sampled(1.0).max(sampled(-1.0))), (&Disk { hole: 0.5 }, sampled(0.0))];
+        for (shape, sampled) in shapes {
+            let far = shape.reach(transform.0, center).expect("a reach");
             prop_assert!(sampled <= far * (1.0 + 1e-9), "{sampled} {far}");
             prop_assert!(far <= sampled * 1.0001, "{sampled} {far}");
         }
@@ -92,9 +93,9 @@ proptest! {
         let transform = Transform::new(scale, tilt, DVec3::ZERO);
         let x = transform.0.matrix3.x_axis.length().max(transform.0.matrix3.z_axis.length());
         for center in [DVec3::ZERO, DVec3::splat(1e-18)] {
-            let ball = reach(&Shape::Sphere, transform, center).expect("a reach");
+            let ball = Sphere.reach(transform.0, center).expect("a reach");
             prop_assert!((ball - scale.max_element()).abs() < 1e-9, "{ball}");
-            let rims = reach(&Shape::Cylinder, transform, center).expect("a reach");
+            let rims = Cylinder.reach(transform.0, center).expect("a reach");
             prop_assert!((rims - x.hypot(scale.y)).abs() < 1e-9, "{rims}");
         }
     }

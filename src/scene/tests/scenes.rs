@@ -1,12 +1,20 @@
 //! Good scenes: defaults, every kind, the template, and the reference against what is asked for.
 
 use super::{RAYS, good};
+use crate::assets::Files;
 use crate::document::Document;
 use crate::document::reader::Reader;
-use crate::scene::check::{Files, scene};
+use crate::model::camera::{Corners, Fisheye, Panorama, Pinhole};
+use crate::model::control::{self, doubling, scaled};
+use crate::model::falloff::Falloff;
+use crate::model::law::{FlowOrder, Lorenz, Schwarzschild, Sources, Straight};
+use crate::model::material::Phong;
+use crate::model::method::{self, Method};
+use crate::model::shape::Plane;
+use crate::scene::check::scene;
 use crate::scene::{
-    CameraKind, Control, Corners, DoublingRule, Falloff, FlowField, FlowOrder, Frame, Law, Light, MaterialKind, Method,
-    Pattern, REFERENCE, Scene, SceneError, Segment, Shape, Sky, Stereo, StereoLayout, TEMPLATE, reference_markdown,
+    CameraFrame, Control, Light, Pattern, REFERENCE, Scene, SceneError, Segment, Sky, Stereo, StereoLayout, TEMPLATE,
+    reference_markdown,
 };
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -54,7 +62,7 @@ fn the_reference_lists_the_keys_that_are_asked_for() {
     let mut asked = BTreeSet::new();
     for text in KINDS.iter().chain([&TEMPLATE]) {
         let document = Document::parse(text, Path::new("no folder/scene.toml"), &[]).expect("TOML");
-        let reader = Reader::new(&document);
+        let reader = Reader::new(&document, &REFERENCE);
         scene(&reader, &mut Files::default());
         asked.extend(reader.asked());
     }
@@ -75,7 +83,7 @@ fn the_template_parses() {
     let scene = good(TEMPLATE);
     assert_eq!(scene.objects.len(), 1);
     assert_eq!(scene.lights.len(), 1);
-    assert!(matches!(scene.law, Law::Schwarzschild { .. }));
+    assert!(scene.law.downcast::<Schwarzschild>().is_some());
     for line in TEMPLATE.lines().filter(|l| !l.is_empty() && !l.starts_with('[')) {
         assert!(line.contains('#'), "no comment: {line}");
     }
@@ -85,9 +93,9 @@ fn the_template_parses() {
 fn little_is_needed() {
     let scene = good(RAYS);
     assert_eq!((scene.image.size, scene.image.samples), ([800, 600], 1));
-    assert_eq!(scene.camera, None);
-    assert_eq!(scene.law, Law::Straight);
-    assert_eq!((scene.rays.method, scene.rays.control), (Method::Exact, Control::Exact));
+    assert!(scene.camera.is_none());
+    assert_eq!(scene.law.downcast(), Some(&Straight));
+    assert_eq!((scene.rays.method, scene.rays.control), (method::CLOSED_FORMS, control::exact::CONTROL));
     assert_eq!(scene.rays.segment, Segment::Arc { tolerance: 1e-3 });
     assert_eq!((scene.rays.max_segments, scene.rays.length), (1000, None));
     assert_eq!(scene.sky, Sky::Color(DVec3::ZERO));
@@ -101,8 +109,8 @@ fn a_camera_has_orthonormal_axes() {
     assert_eq!(camera.forward, -DVec3::Z);
     assert_eq!(camera.right, DVec3::X);
     assert_eq!(camera.up, DVec3::Y);
-    assert_eq!(camera.kind, CameraKind::Pinhole { fov: 50.0 });
-    assert_eq!(camera.frame, Frame::Coordinate);
+    assert_eq!(camera.projection.downcast(), Some(&Pinhole { fov: 50.0 }));
+    assert_eq!(camera.frame, CameraFrame::Coordinate);
     let scene = good(&format!("{RAYS}[camera]\nposition = [1, 3, 4]\nup = [3, 1, 0]"));
     let camera = scene.camera.expect("a camera");
     let axes = glam::DMat3::from_cols(camera.right, camera.up, -camera.forward);
@@ -114,12 +122,15 @@ fn a_camera_has_orthonormal_axes() {
 fn cameras_become_values() {
     let camera = |text: &str| good(&format!("{RAYS}[camera]\nposition = [0, 0, 5]\n{text}")).camera.expect("a camera");
     let black = Corners::Black;
-    assert_eq!(camera("kind = \"fisheye\"").kind, CameraKind::Fisheye { fov: 180.0, corners: black });
-    let around = camera("kind = \"fisheye\"\nfov = 3600\ncorners = \"transparent\"");
-    assert_eq!(around.kind, CameraKind::Fisheye { fov: 3600.0, corners: Corners::Transparent });
-    assert!(around.is_transparent() && !camera("kind = \"fisheye\"").is_transparent());
-    assert_eq!(camera("kind = \"panorama\"").kind, CameraKind::Panorama { fov: [360.0, 180.0] });
-    assert_eq!(camera("kind = \"panorama\"\nfov = [90, 45.5]").kind, CameraKind::Panorama { fov: [90.0, 45.5] });
+    let projection = |text: &str| camera(text).projection;
+    let plain = projection("kind = \"fisheye\"");
+    assert_eq!(plain.downcast(), Some(&Fisheye { fov: 180.0, corners: black }));
+    let around = projection("kind = \"fisheye\"\nfov = 3600\ncorners = \"transparent\"");
+    assert_eq!(around.downcast(), Some(&Fisheye { fov: 3600.0, corners: Corners::Transparent }));
+    assert!(around.is_transparent() && !plain.is_transparent());
+    assert_eq!(projection("kind = \"panorama\"").downcast(), Some(&Panorama { fov: [360.0, 180.0] }));
+    let part = projection("kind = \"panorama\"\nfov = [90, 45.5]");
+    assert_eq!(part.downcast(), Some(&Panorama { fov: [90.0, 45.5] }));
     let one = camera("");
     assert_eq!((one.eyes(), one.view_size([9, 5]), one.stereo), (vec![DVec3::Z * 5.0], [9, 5], None));
     let beside = camera("stereo = { separation = 0.5 }");
@@ -150,30 +161,34 @@ fn pixels_have_angles() {
     assert_eq!(angle("kind = \"plane\"\nheight = 2"), None);
 }
 
+fn method_of(name: &str) -> Method {
+    Method { kind: method::METHODS.into_iter().find(|kind| kind.name == name).expect(name), own: 0.0 }
+}
+
 #[test]
 fn laws_and_methods_become_values() {
     let scene = good(KINDS[0]);
-    let Law::Flow { field, order } = scene.law else { panic!() };
-    assert_eq!(field, FlowField::Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0 });
-    assert_eq!(order, FlowOrder::Acceleration);
-    assert_eq!(scene.rays.method, Method::Rk4);
-    let Control::Doubling { rule, tolerance, grow_below, eta } = scene.rays.control else { panic!() };
-    assert_eq!((rule, tolerance, eta), (DoublingRule::Paper, 1e-5, 0.3));
+    let order = FlowOrder::Acceleration;
+    assert_eq!(scene.law.downcast(), Some(&Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0, order }));
+    assert_eq!(scene.rays.method, method_of("rk4"));
+    let Control { kind, setting, grow_below, cap } = scene.rays.control;
+    assert_eq!((kind.name, setting, cap), (doubling::PAPER.name, 1e-5, 0.3));
     assert!((grow_below - 1e-6).abs() < 1e-18);
     assert_eq!(scene.rays.segment, Segment::Chord { steps: 10 });
     assert_eq!(scene.rays.length, Some(7.0));
     let scene = good(KINDS[1]);
-    assert_eq!(scene.rays.control, Control::Fixed { step: 1.0, eta: 0.5 });
+    assert_eq!(scene.rays.control, Control::new(&control::fixed::KIND, 1.0, 0.5));
     assert_eq!(scene.rays.bound.center, DVec3::new(1.0, 2.0, 3.0));
-    let Law::Sources(sources) = good(KINDS[2]).law else { panic!() };
-    assert_eq!(sources[0].falloff, Falloff::Cubic { radius: 2.0 });
-    assert_eq!(sources[1].falloff, Falloff::Yukawa { mu: 3.0 });
-    assert_eq!(sources[2].falloff, Falloff::InverseSquare);
+    let law = good(KINDS[2]).law;
+    let Sources(sources) = law.downcast().expect("sources");
+    assert_eq!(Some(sources[0].falloff), Falloff::named("cubic", 2.0));
+    assert_eq!(Some(sources[1].falloff), Falloff::named("yukawa", 3.0));
+    assert_eq!(sources[2].falloff, Falloff::INVERSE_SQUARE);
     assert_eq!((sources[0].strength, sources[1].capture, sources[2].capture), (-1.0, 1.0, 0.0));
     let scene = good(KINDS[3]);
-    assert_eq!(scene.rays.method, Method::Snell { threshold: 0.001 });
-    assert_eq!(scene.rays.control, Control::Scaled { eta: 0.1 });
-    assert_eq!(good(KINDS[4]).camera.expect("a camera").frame, Frame::Static);
+    assert_eq!(scene.rays.method, Method { own: 0.001, ..method_of("snell") });
+    assert_eq!(scene.rays.control, scaled::with(0.1));
+    assert_eq!(good(KINDS[4]).camera.expect("a camera").frame, CameraFrame::Static);
 }
 
 #[test]
@@ -193,12 +208,12 @@ fn shapes_go_where_their_keys_say() {
     near(map(1, [1.0; 3]), [2.0, 4.0, 6.0]);
     near(map(2, [0.0, 1.0, 0.0]), [0.0, 0.0, 0.0]);
     near(map(3, [1.0, 0.0, -1.0]), [100.0, 0.0, -100.0]);
-    assert!(matches!(scene.objects[2].shape, Shape::Plane));
+    assert!(scene.objects[2].shape.downcast::<Plane>().is_some());
     assert_eq!((scene.objects[0].material(), scene.objects[1].material()), (Some(1), Some(0)));
     assert_eq!(scene.materials[0].color, Pattern::Constant(DVec3::splat(0.8)));
     let colors = [DVec3::ONE, DVec3::ZERO];
     assert_eq!(scene.materials[1].color, Pattern::Checker { colors, repeat: DVec2::splat(8.0) });
-    assert!(matches!(scene.materials[0].kind, MaterialKind::Phong { ambient: 0.1, .. }));
+    assert!(matches!(scene.materials[0].surface.downcast(), Some(Phong { ambient: 0.1, .. })));
     assert_eq!(scene.lights[0], Light::Directional { direction: -DVec3::Y, color: DVec3::ONE });
 }
 

@@ -2,7 +2,8 @@
 
 use super::inside::{cube, object};
 use super::{good, parse};
-use crate::scene::{Scene, Shape, Transform};
+use crate::model::shape::{Cuboid, Plane, Triangles};
+use crate::scene::{Scene, Transform};
 use glam::{DAffine3, DVec3};
 use std::sync::Arc;
 
@@ -76,15 +77,15 @@ fn what_meets_in_points_or_lines_does_not_touch() {
 #[test]
 fn meshes_stand_on_flat_faces() {
     let place = Transform::new(DVec3::splat(0.7), DVec3::new(20.0, 30.0, 40.0), DVec3::new(1.0, 2.0, 3.0));
-    let mesh = object(Shape::Mesh(Arc::new(cube())), place);
+    let mesh = object(Triangles(Arc::new(cube())), place);
     let table = |gap: f64| {
         let under = DAffine3::from_translation(DVec3::new(0.3, -1.0 - gap, 0.2));
-        object(Shape::Plane, Transform(place.0 * under))
+        object(Plane, Transform(place.0 * under))
     };
     assert!(mesh.may_touch(&table(0.0)));
     assert!(!mesh.may_touch(&table(1e-3)) && !mesh.may_touch(&mesh));
     let (lo, hi) = mesh.bounds();
-    let cuboid = object(Shape::Box, place);
+    let cuboid = object(Cuboid, place);
     assert!(lo.abs_diff_eq(cuboid.bounds().0, 1e-6) && hi.abs_diff_eq(cuboid.bounds().1, 1e-6));
 }
 

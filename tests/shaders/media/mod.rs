@@ -7,9 +7,11 @@ mod formulas;
 mod noise;
 mod profile;
 
-use bentray::gpu::Value::{Float, Vec3 as V3};
-use bentray::gpu::{medium_values, profile_values};
-use bentray::scene::Medium;
+use std::sync::Arc;
+
+use bentray::model::Medium;
+use bentray::model::Value::{Float, Vec3 as V3};
+use bentray::model::medium::{Noise, Textured};
 use glam::{DVec3, Vec4};
 
 use super::reals::{REALS, U64, joined, joined3, split};
@@ -44,7 +46,7 @@ struct Case {
 }
 
 impl Case {
-    fn medium(&self) -> Medium {
+    fn medium(&self) -> Arc<dyn Medium> {
         let text = format!(
             "[rays]\nbound = {{ radius = {BOUND} }}\n[[objects]]\nshape = \"box\"\ninterior = {}\n",
             self.index
@@ -55,10 +57,9 @@ impl Case {
     fn probe(&self, real: &'static str) -> Probe {
         let medium = self.medium();
         let parts = [self.parts, &["state/work", "law/bound", "surface/region_none", real]].concat();
-        let profile: Vec<_> = profile_values(&medium).into_iter().map(Vec::from).collect();
         Probe::new(&parts)
-            .list("media", "MEDIA_COUNT", [medium_values(&medium, 0)])
-            .bind("profile", profile)
+            .list("media", "MEDIA_COUNT", [medium.values(0)])
+            .bind("profile", medium.points())
             .bind("bound", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(BOUND))]])
     }
 
@@ -129,7 +130,7 @@ impl Case {
         indices.report();
         pulls.report();
         lengths.report();
-        if !matches!(medium, Medium::Noise(_) | Medium::Textured(_)) {
+        if medium.downcast::<Noise>().is_none() && medium.downcast::<Textured>().is_none() {
             known.report();
         }
     }

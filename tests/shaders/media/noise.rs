@@ -115,8 +115,8 @@ fn textured() {
 #[test]
 fn noise_overshoots_by_no_more_than_is_reckoned_with() {
     let reached = spline([-1.0, 1.0, 1.0, -1.0], 0.5, false);
-    assert_eq!(reached.powi(3), bentray::scene::Noise::reach(1));
-    assert_eq!(bentray::scene::Noise::reach(3), 1.75 * reached.powi(3));
+    assert_eq!(reached.powi(3), bentray::model::medium::Noise::reach(1));
+    assert_eq!(bentray::model::medium::Noise::reach(3), 1.75 * reached.powi(3));
     for k in 0..=1000 {
         let t = f64::from(k) / 1000.0;
         let weights = [0, 1, 2, 3].map(|i| spline(std::array::from_fn(|j| f64::from(u8::from(i == j))), t, false));

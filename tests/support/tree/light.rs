@@ -1,6 +1,7 @@
 //! What surfaces and the sky send out, in 64 bits.
 
-use bentray::scene::{Light, Material, MaterialKind, Pattern, Picture, Scene, Sky};
+use bentray::model::material::Phong;
+use bentray::scene::{Light, Material, Pattern, Picture, Scene, Sky};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
@@ -22,7 +23,8 @@ pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
 
 /// What a point of a surface sends towards the viewer; the unit vectors `normal` and `view` are on the same side.
 pub fn radiance(scene: &Scene, material: &Material, color: DVec3, x: DVec3, normal: DVec3, view: DVec3) -> DVec3 {
-    let MaterialKind::Phong { ambient, specular, shininess, emission } = material.kind else { return color };
+    let Some(phong) = material.surface.downcast::<Phong>() else { return color };
+    let Phong { ambient, specular, shininess, emission } = *phong;
     let lit = scene.lights.iter().map(|light| {
         let (to_light, light) = match light {
             Light::Point { position, color } => ((*position - x).normalize(), *color),

@@ -15,7 +15,11 @@ mod path;
 mod series;
 mod solid;
 
-use bentray::scene::{Branches, CameraKind, Law, MaterialKind, Medium, Scene, Substance};
+use bentray::model::camera::Pinhole;
+use bentray::model::law::Straight;
+use bentray::model::material::Mirror;
+use bentray::model::medium::Constant;
+use bentray::scene::{Branches, Medium, Scene, Substance};
 use glam::DVec3;
 
 pub use interface::Interface;
@@ -70,7 +74,7 @@ pub struct Tracer<'s> {
 impl<'s> Tracer<'s> {
     /// Fails on what the tracer does not do.
     pub fn new(scene: &'s Scene) -> Self {
-        assert_eq!(scene.law, Law::Straight, "the tracer knows no other law");
+        assert!(scene.law.downcast::<Straight>().is_some(), "the tracer knows no other law");
         assert!(scene.rays.length.is_none(), "the tracer's rays do not end");
         Self { scene, bodies: scene.objects.iter().map(Body::new).collect() }
     }
@@ -85,7 +89,7 @@ impl<'s> Tracer<'s> {
     /// What the centre of one pixel sees.
     pub fn pixel(&self, column: u32, row: u32) -> DVec3 {
         let camera = self.scene.camera.as_ref().expect("a camera");
-        let CameraKind::Pinhole { fov } = camera.kind else { panic!("the tracer knows the pinhole camera alone") };
+        let Pinhole { fov } = camera.projection.downcast().expect("the tracer knows the pinhole camera alone");
         let [width, height] = self.scene.image.size.map(f64::from);
         // Upwards and to the right from the middle, in halves of the picture's height.
         let right = (2.0 * f64::from(column) + 1.0 - width) / height;
@@ -120,9 +124,9 @@ impl<'s> Tracer<'s> {
         ray.inside.iter().copied().max_by_key(|k| self.scene.objects[*k].interior().map(|interior| interior.priority))
     }
 
-    fn medium(&self, ray: &Ray) -> &Medium {
+    fn medium(&self, ray: &Ray) -> &dyn Medium {
         let interior = self.current(ray).and_then(|k| self.scene.objects[k].interior());
-        interior.map_or(&Medium::Constant { n: 1.0 }, |interior| &interior.medium)
+        interior.map_or(&Constant { n: 1.0 }, |interior| &*interior.medium)
     }
 
     /// The index where the ray is, 1 outside everything.
@@ -217,7 +221,7 @@ impl<'s> Tracer<'s> {
             let material = &self.scene.materials[material];
             let Meeting { ray: Ray { x, d, .. }, normal, object } = meeting;
             let color = light::color(self.scene, material, self.bodies[object].uv(x));
-            if material.kind == MaterialKind::Mirror {
+            if material.surface.downcast::<Mirror>().is_some() {
                 weight *= color;
                 ray = Ray { d: interface::mirrored(d, normal), ..meeting.ray };
                 continue;

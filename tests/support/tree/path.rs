@@ -3,7 +3,8 @@
 //! *Theory.* x″ = ∇(n²)/2 with |x′| = n is straight, harmonic, or a parabola where n² is a quadratic form; spirals and
 //! circles are given by their geometry; and where there is no closed form, Taylor's series is summed.
 
-use bentray::scene::{Ingoing, Medium};
+use bentray::model::medium::{Constant, Fisheye, Gaussian, Ingoing, InverseR, Linear, Luneburg, Rod};
+use bentray::scene::Medium;
 use glam::DVec3;
 
 use super::series::Series;
@@ -29,54 +30,55 @@ pub enum Path {
 }
 
 /// The index at `x`.
-pub fn index(medium: &Medium, x: DVec3) -> f64 {
-    match medium {
-        Medium::Constant { n } => *n,
-        Medium::Luneburg { center, radius, c } => (c - x.distance_squared(*center) / radius.powi(2)).sqrt(),
-        Medium::Gaussian { center, radius, a, b } => a * (-b * x.distance_squared(*center) / radius.powi(2)).exp(),
-        Medium::InverseR { center, k, .. } => k / x.distance(*center),
-        Medium::Fisheye { center, n0, a } => n0 / (1.0 + x.distance_squared(*center) / a.powi(2)),
-        Medium::Rod { center, axis, n0, g } => {
-            n0 * (1.0 - g.powi(2) * (x - center).reject_from_normalized(*axis).length_squared()).sqrt()
-        }
-        Medium::Linear { origin, n0, gradient } => (n0.powi(2) + gradient.dot(x - origin)).sqrt(),
-        other => panic!("the tracer does not know {other:?}"),
+pub fn index(medium: &dyn Medium, x: DVec3) -> f64 {
+    if let Some(Constant { n }) = medium.downcast() {
+        *n
+    } else if let Some(Luneburg { center, radius, c }) = medium.downcast() {
+        (c - x.distance_squared(*center) / radius.powi(2)).sqrt()
+    } else if let Some(Gaussian { center, radius, a, b }) = medium.downcast() {
+        a * (-b * x.distance_squared(*center) / radius.powi(2)).exp()
+    } else if let Some(InverseR { center, k, .. }) = medium.downcast() {
+        k / x.distance(*center)
+    } else if let Some(Fisheye { center, n0, a }) = medium.downcast() {
+        n0 / (1.0 + x.distance_squared(*center) / a.powi(2))
+    } else if let Some(Rod { center, axis, n0, g }) = medium.downcast() {
+        n0 * (1.0 - g.powi(2) * (x - center).reject_from_normalized(*axis).length_squared()).sqrt()
+    } else if let Some(Linear { origin, n0, gradient }) = medium.downcast() {
+        (n0.powi(2) + gradient.dot(x - origin)).sqrt()
+    } else {
+        panic!("the tracer does not know {medium:?}")
     }
 }
 
 impl Path {
     /// From `x` along the unit vector `d`.
-    pub fn new(medium: &Medium, x: DVec3, d: DVec3) -> Self {
+    pub fn new(medium: &dyn Medium, x: DVec3, d: DVec3) -> Self {
         let v = index(medium, x) * d;
-        match medium {
-            Medium::Luneburg { center, radius, .. } => {
-                let omega = 1.0 / radius;
-                Self::Harmonic { base: *center, drift: DVec3::ZERO, a: x - center, b: v / omega, omega }
-            }
-            Medium::Rod { center, axis, n0, g } => {
-                let [aside, swing] = [x - center, v].map(|vector| vector.reject_from_normalized(*axis));
-                let omega = n0 * g;
-                Self::Harmonic { base: x - aside, drift: v - swing, a: aside, b: swing / omega, omega }
-            }
-            Medium::Linear { gradient, .. } => Self::Parabola { x, v, g: *gradient / 2.0 },
-            Medium::Gaussian { center, radius, b, .. } => {
-                Self::Series(Series::new(*center, x, v, 2.0 * b / radius.powi(2)))
-            }
-            Medium::InverseR { center, ingoing, .. } => {
-                let (start, radial) = ((x - center).length(), (x - center).normalize());
-                let sin = d.dot(radial);
-                let tangent = d - sin * radial;
-                let (cos, across) = (tangent.length(), tangent.normalize_or_zero());
-                let sin = if *ingoing == Ingoing::Continued { sin.abs() } else { sin };
-                Self::Spiral { center: *center, start, radial, across, sin, cos }
-            }
-            Medium::Fisheye { center, a, .. } => {
-                // The curvature is what of ∇ ln n is across the path.
-                let bend = -2.0 * (x - center) / (a.powi(2) + x.distance_squared(*center));
-                let bend = bend.reject_from_normalized(d);
-                Self::Circle { x, d, inward: bend.normalize_or_zero(), curvature: bend.length() }
-            }
-            _ => Self::Line { x, d },
+        if let Some(Luneburg { center, radius, .. }) = medium.downcast() {
+            let omega = 1.0 / radius;
+            Self::Harmonic { base: *center, drift: DVec3::ZERO, a: x - center, b: v / omega, omega }
+        } else if let Some(Rod { center, axis, n0, g }) = medium.downcast() {
+            let [aside, swing] = [x - center, v].map(|vector| vector.reject_from_normalized(*axis));
+            let omega = n0 * g;
+            Self::Harmonic { base: x - aside, drift: v - swing, a: aside, b: swing / omega, omega }
+        } else if let Some(Linear { gradient, .. }) = medium.downcast() {
+            Self::Parabola { x, v, g: *gradient / 2.0 }
+        } else if let Some(Gaussian { center, radius, b, .. }) = medium.downcast() {
+            Self::Series(Series::new(*center, x, v, 2.0 * b / radius.powi(2)))
+        } else if let Some(InverseR { center, ingoing, .. }) = medium.downcast() {
+            let (start, radial) = ((x - center).length(), (x - center).normalize());
+            let sin = d.dot(radial);
+            let tangent = d - sin * radial;
+            let (cos, across) = (tangent.length(), tangent.normalize_or_zero());
+            let sin = if *ingoing == Ingoing::Continued { sin.abs() } else { sin };
+            Self::Spiral { center: *center, start, radial, across, sin, cos }
+        } else if let Some(Fisheye { center, a, .. }) = medium.downcast() {
+            // The curvature is what of ∇ ln n is across the path.
+            let bend = -2.0 * (x - center) / (a.powi(2) + x.distance_squared(*center));
+            let bend = bend.reject_from_normalized(d);
+            Self::Circle { x, d, inward: bend.normalize_or_zero(), curvature: bend.length() }
+        } else {
+            Self::Line { x, d }
         }
     }
 

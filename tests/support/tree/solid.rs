@@ -1,6 +1,7 @@
 //! Shapes in their own spaces, and objects in their places.
 
-use bentray::scene::{Object, Shape};
+use bentray::model::shape::{Cuboid, Cylinder, Disk, Plane, Sphere};
+use bentray::scene::Object;
 use glam::{DAffine3, DVec2, DVec3};
 
 /// The shapes that the tracer knows.
@@ -29,14 +30,15 @@ pub struct Body {
 impl Body {
     /// The object's shape; fails on shapes that the tracer does not know.
     pub fn new(object: &Object) -> Self {
-        let solid = match object.shape {
-            Shape::Sphere => Solid::Ball,
-            Shape::Box => Solid::Cube,
-            Shape::Cylinder => Solid::Rod,
-            Shape::Plane => Solid::Square,
-            Shape::Disk { hole } => Solid::Ring { hole },
-            Shape::Mesh(_) => panic!("the tracer knows no such shape"),
-        };
+        let shape = &object.shape;
+        let known = [
+            shape.downcast().map(|Sphere| Solid::Ball),
+            shape.downcast().map(|Cuboid| Solid::Cube),
+            shape.downcast().map(|Cylinder| Solid::Rod),
+            shape.downcast().map(|Plane| Solid::Square),
+            shape.downcast().map(|Disk { hole }| Solid::Ring { hole: *hole }),
+        ];
+        let solid = known.into_iter().flatten().next().expect("the tracer knows no such shape");
         Self { solid, inward: object.transform.0.inverse() }
     }
 
