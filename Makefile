@@ -34,6 +34,7 @@ test: device
 	cargo test --lib --bins 2>&1 | tee target/test.log
 	cargo test --doc 2>&1 | tee -a target/test.log
 	cargo test --test suite 2>&1 | tee -a target/test.log
+	for example in picture own_law rays_to_numbers; do cargo run -q --example $$example; done
 	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
 
 # A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own.

@@ -1,5 +1,5 @@
-//! Bentray renders scenes in which light does not travel straight: round black holes, in fields of force, through air whose
-//! index varies, along the flow of a chaotic system.
+//! Bentray renders scenes in which light does not travel in straight lines: around black holes, through fields of force, through
+//! lenses and air of varying index, along the flow of a chaotic system, or by a law of the user's own.
 //!
 //! *Theory.* Weiskopf, Schafhitzel and Ertl, *GPU-based nonlinear ray tracing* (2004): rays set up by a camera, integrated
 //! step by step, tested against the scene segment by segment, ended early, shaded once; all on the GPU, the state ping-ponging
@@ -11,13 +11,16 @@
 //!
 //! *Practice.* Modules import one way, each from those before it:
 //!
-//! 1. [`scene`]: TOML files to plain values;
-//! 2. [`program`]: values to WGSL, linked, validated and reflected;
-//! 3. [`gpu`]: a device, and what lies on it;
-//! 4. [`render`]: passes as data, and the loop that runs them;
-//! 5. [`measure`]: how right a render is, and which method makes it so in the least time;
-//! 6. [`output`], [`chart`], [`bench`](mod@bench): files, speed against accuracy, and the sources' own measurements;
-//! 7. [`cli`]: the `bentray` command.
+//! 1. [`document`]: TOML as written, every value with its place;
+//! 2. [`assets`]: meshes, pictures, profiles, grids and formulas;
+//! 3. [`model`]: everything known of each kind of law, medium, material, shape, camera, fall-off, method and control;
+//! 4. [`scene`]: a scene as plain values, from a file or made in code;
+//! 5. [`program`]: values to WGSL, linked, validated and reflected;
+//! 6. [`gpu`]: a device, and what lies on it;
+//! 7. [`render`]: passes as data, and the loop that runs them;
+//! 8. [`measure`]: how right a render is, and which method makes it so in the least time;
+//! 9. [`output`], [`chart`], [`bench`](mod@bench): files, speed against accuracy, and the sources' own measurements;
+//! 10. [`cli`]: the `bentray` command.
 //!
 //! ```no_run
 //! use bentray::{gpu::Gpu, render::{Renderer, RenderSettings}, scene::Scene};

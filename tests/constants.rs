@@ -7,12 +7,16 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` that make up what they ask for, and all that this can be.
-const COMPUTED: [(&str, &[(&str, &str)]); 8] = [
+const COMPUTED: [(&str, &[(&str, &str)]); 9] = [
     ("part, \"ASYMPTOTE_STEPS\"", &[("real/f32", "ASYMPTOTE_STEPS"), ("real/f64", "ASYMPTOTE_STEPS")]),
+    (
+        "part, \"MAX_TRIES\"",
+        &[("method/control/embedded", "MAX_TRIES"), ("method/control/doubling_rejecting", "MAX_TRIES")],
+    ),
     ("part, \"STEPS\"", &[("motion/orbit_open", "STEPS")]),
     ("part, \"CUTS\"", &[("motion/orbit_open", "CUTS")]),
     (
-        "part, name",
+        "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[
             ("surface/material/emissive", "EMISSIVE"),
             ("surface/material/phong", "PHONG"),
@@ -24,7 +28,7 @@ const COMPUTED: [(&str, &[(&str, &str)]); 8] = [
         ],
     ),
     (
-        "&format!(\"shape/{kind}\"), &kind.to_uppercase()",
+        "&format!(\"shape/{solid}\"), &solid.to_uppercase()",
         &[
             ("shape/sphere", "SPHERE"),
             ("shape/ellipsoid", "ELLIPSOID"),
@@ -36,22 +40,22 @@ const COMPUTED: [(&str, &[(&str, &str)]); 8] = [
         ],
     ),
     (
-        "\"ray\", &self.name().to_uppercase()",
+        "\"segment/ray\", &self.name().to_uppercase()",
         &[
-            ("ray", "ALIVE"),
-            ("ray", "HIT"),
-            ("ray", "ESCAPED"),
-            ("ray", "CAPTURED"),
-            ("ray", "ENDED"),
-            ("ray", "EXHAUSTED"),
-            ("ray", "STALLED"),
-            ("ray", "FAILED"),
-            ("ray", "CUT"),
-            ("ray", "OUTSIDE"),
+            ("segment/ray", "ALIVE"),
+            ("segment/ray", "HIT"),
+            ("segment/ray", "ESCAPED"),
+            ("segment/ray", "CAPTURED"),
+            ("segment/ray", "ENDED"),
+            ("segment/ray", "EXHAUSTED"),
+            ("segment/ray", "STALLED"),
+            ("segment/ray", "FAILED"),
+            ("segment/ray", "CUT"),
+            ("segment/ray", "OUTSIDE"),
         ],
     ),
-    ("\"ray\", name", &[("ray", "ALIVE"), ("ray", "UNFINISHED")]),
-    ("\"living/place\", name", &[("state/active", "GROUP"), ("state/active", "GROUP_WIDTH")]),
+    ("\"segment/ray\", name", &[("segment/ray", "ALIVE"), ("segment/ray", "UNFINISHED")]),
+    ("\"state/active\", name", &[("state/active", "GROUP"), ("state/active", "GROUP_WIDTH")]),
 ];
 
 /// What stands in the parentheses of every call of `constant` as a function.

@@ -37,9 +37,13 @@ pub fn unused(linked: &Linked) -> Result<Vec<String>, ProgramError> {
 fn unnamed(module: &naga::Module, source: &str) -> Vec<String> {
     let words: Vec<&str> = source.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
     let names = module.constants.iter().filter_map(|(_, constant)| constant.name.as_deref());
-    let unnamed = names.filter(|name| words.iter().filter(|word| *word == name).count() < 2);
+    let unnamed = names.filter(|name| !ENTERED.contains(name) && words.iter().filter(|word| *word == name).count() < 2);
     unnamed.map(|name| format!("const {name}")).collect()
 }
+
+/// Entering a set of regions names the kind and the medium, whether or not the pass goes on to ask for them; and where all space is
+/// one region, `media[place]` has become a copy of the only medium.
+const ENTERED: [&str; 2] = ["region", "place"];
 
 /// Private variables that nothing reads: copies of uniforms are such variables.
 fn unread(module: &naga::Module) -> Vec<String> {
@@ -62,7 +66,8 @@ fn unread(module: &naga::Module) -> Vec<String> {
         })
     };
     let private = module.global_variables.iter().filter(|(_, variable)| variable.space == naga::AddressSpace::Private);
-    let unread = private.filter(|(global, _)| !is_read(*global));
+    let is_set_alone = |name: Option<&str>| name.is_some_and(|name| ENTERED.contains(&name));
+    let unread = private.filter(|(global, variable)| !is_read(*global) && !is_set_alone(variable.name.as_deref()));
     unread.map(|(_, variable)| format!("unread {}", variable.name.as_deref().unwrap_or("?"))).collect()
 }
 
@@ -161,8 +166,8 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
 fn planted(function: &str) -> Linked {
     let text = format!(
         "override WIDE: u32 = 1u;\nconst LEAPS: bool = false;\nconst ONE: u32 = 1u;\nconst TWO: u32 = 2u;\n\
-         struct Law {{ @size(16) kind: u32, @size(16) a: f32 }}\nstruct Frame {{ first: u32 }}\nstruct Turn {{ first: u32 }}\n\
-         @group(0) @binding(1) var<uniform> frame: Frame;\n@group(0) @binding(2) var<uniform> turn: Turn;\n\
+         struct Law {{ @size(16) kind: u32, @size(16) a: f32 }}\nstruct Frame {{ first: u32 }}\nstruct Dispatch {{ first: u32 }}\n\
+         @group(0) @binding(1) var<uniform> frame: Frame;\n@group(0) @binding(2) var<uniform> dispatch: Dispatch;\n\
          @group(0) @binding(3) var<uniform> law: Law;\n@group(0) @binding(4) var<uniform> one: array<Law, ONE>;\n\
          @group(0) @binding(5) var<uniform> pair: array<Law, TWO>;\n\
          @group(0) @binding(6) var<uniform> list: array<Law, TWO>;\n\
@@ -213,7 +218,7 @@ fn other_branches_are_not() {
     for (form, function) in [
         ("a ray's own", "if x > law.a { return -x; }"),
         ("a tile's", "if frame.first == 1u { return -x; }"),
-        ("a dispatch's", "if turn.first == 1u && frame.first == 0u { return -x; }"),
+        ("a dispatch's", "if dispatch.first == 1u && frame.first == 0u { return -x; }"),
         ("a count", "var sum = x; for (var i = 0u; i < law.kind; i++) { sum += x; } return sum;"),
         ("an answer", "if wanted() { return -x; }"),
         ("a ray's element", "if list[region].kind == 1u { return -x; }"),

@@ -16,6 +16,7 @@ mod meshes;
 mod methods;
 mod oracle;
 mod orders;
+mod own_laws;
 mod pictures;
 mod sampling;
 mod schedules;

@@ -15,7 +15,7 @@ use crate::scene::{Control, Scene};
 
 /// Directions (radians), speeds (relative) and places (in parts of the bound's radius) are right within this.
 const RIGHT: f64 = 1e-3;
-/// RenderSettings agree if they differ by no more than this part of what is right: halving the steps of a method of order 1 shows
+/// Settings agree if they differ by no more than this part of what is right: halving the steps of a method of order 1 shows
 /// half of its error, and the rest is margin.
 const AGREES: f64 = 0.25;
 const TOLERANCE: f64 = 1e-13;

@@ -128,7 +128,7 @@ impl DeviceFlags {
         Choice { masks, ..choice }
     }
 
-    /// RenderSettings for pictures with these layers.
+    /// Settings for pictures with these layers.
     pub(super) fn settings(&self, layers: Vec<Layer>) -> RenderSettings {
         let default = RenderSettings::default();
         RenderSettings {

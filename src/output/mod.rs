@@ -30,8 +30,8 @@ pub use atomic::AtomicFile;
 pub use error::OutputError;
 
 use crate::program::Layer;
-use crate::render::{Band, Window};
-use crate::scene::Tonemap;
+use crate::render::{Band, Rendering, Window};
+use crate::scene::{Scene, Tonemap};
 
 /// How a picture is to be written.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,6 +110,21 @@ pub trait ImageWriter: Send {
 
     /// Completes the file and puts it in place; refused while rows are missing.
     fn finish(self: Box<Self>) -> Result<(), OutputError>;
+}
+
+/// Writes a whole rendering of `scene` to `path`, as a scene file's `render` would, with the layers that it kept.
+pub fn save(path: &Path, scene: &Scene, rendering: &Rendering) -> Result<(), OutputError> {
+    let settings = FileSettings {
+        exposure: scene.output.exposure,
+        tonemap: scene.output.tonemap,
+        bits: scene.output.bits,
+        alpha: scene.is_transparent(),
+        layers: rendering.band.layers.iter().map(|(layer, _)| *layer).collect(),
+        ..FileSettings::new(scene.image.size)
+    };
+    let mut writer = open(path, &settings)?;
+    writer.write_band(&rendering.band)?;
+    writer.finish()
 }
 
 /// Starts a picture at `path`, in the format its extension names: `.png` or `.exr`.

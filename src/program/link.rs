@@ -140,10 +140,10 @@ mod tests {
         let linked = link(&two_regions(), "entry").unwrap();
         validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
         for text in [
-            "fn law_rate_0(",
-            "fn law_rate_1(",
+            "fn law_derivative_0(",
+            "fn law_derivative_1(",
             "switch region",
-            "return law_rate_1(x);",
+            "return law_derivative_1(x);",
             "law_1 = uniforms_entry.law_1;",
             "-law_1.a * x",
         ] {
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn a_users_own_file_is_at_fault() {
-        let built_in = Unit::from(crate::program::part("math").unwrap());
+        let built_in = Unit::from(crate::program::part("real/math").unwrap());
         let name = declarations(&built_in.text).unwrap()[0].name.to_owned();
         let own = Unit::user("my/law.wgsl", format!("// Mine.\nfn {name}() {{}}\n"));
         for shared in [vec![built_in.clone(), own.clone()], vec![own.clone(), built_in.clone()]] {
@@ -246,6 +246,6 @@ mod tests {
         let slip = linked(&plain.replace("y.x", "y.q")).unwrap_err().to_string();
         assert!(slip.starts_with("law/a.wgsl:3:26: "), "{slip}");
         let taken = linked(&plain.replace("(x:", "(law_0:")).unwrap_err().to_string();
-        assert!(taken.starts_with("law/a.wgsl:2:13: `law_0` is a name"), "{taken}");
+        assert!(taken.starts_with("law/a.wgsl:2:19: `law_0` is a name"), "{taken}");
     }
 }

@@ -21,7 +21,9 @@ impl Names {
     }
 
     pub fn all(&mut self, names: &[&str]) {
-        self.names.extend(names.iter().map(|name| (*name).to_owned()));
+        for name in names {
+            self.add(name);
+        }
     }
 
     pub fn each<'a>(&mut self, folder: &str, files: impl IntoIterator<Item = &'a str>) {

@@ -48,24 +48,25 @@ pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), Progra
             }
         }
     }
-    let most = promised.iter().map(|name| iterations(&found, name, 0)).max().unwrap_or(0);
-    if most > MOST {
-        return Err(refuse(0, format!("its loops come to {most} iterations in one call: up to {MOST} are allowed")));
-    }
     Ok((unit, usual))
 }
 
-/// Loop iterations of one call of a user's function among these pieces of WGSL, at most.
-pub(super) fn loops(parts: &[Wgsl]) -> u64 {
-    let own = parts.iter().filter_map(|part| match part {
-        Wgsl::Own(own) => Some(own),
-        Wgsl::Part(_) | Wgsl::Text { .. } => None,
-    });
-    let most = |own: &OwnWgsl| {
+/// Loop iterations of one call of a user's function among these pieces of WGSL, at most. What cannot be read counts as none here:
+/// [`checked`] refuses it.
+pub(super) fn loops(parts: &[Wgsl]) -> Result<u64, ProgramError> {
+    let mut sum = 0;
+    for part in parts {
+        let Wgsl::Own(own) = part else { continue };
         let found = declarations(&own.text).unwrap_or_default();
-        own.promises.iter().map(|promise| iterations(&found, promise.name(), 0)).max().unwrap_or(0)
-    };
-    own.map(most).sum()
+        let most = own.promises.iter().map(|promise| iterations(&found, promise.name(), 0)).max().unwrap_or(0);
+        if most > MOST {
+            let place = Place::of(&Unit::user(own.file.clone(), own.text.to_string()), 0);
+            let message = format!("its loops come to {most} iterations in one call: up to {MOST} are allowed");
+            return Err(ProgramError::invalid(place, message));
+        }
+        sum += most;
+    }
+    Ok(sum)
 }
 
 /// What the parts of `shaders/` name, their own and WGSL's.

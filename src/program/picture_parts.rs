@@ -13,7 +13,6 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
         return;
     }
     names.all(&["camera/ray"]);
-    names.add(if scene.rays.asymptotic { "camera/arrival/along_orbit" } else { "camera/arrival/straight" });
     match scene.image.pattern {
         _ if scene.image.samples == 1 => names.add("camera/sample/center"),
         SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
@@ -22,14 +21,16 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
         }
         SamplePattern::Progressive => names.all(&["camera/sample/sobol", "camera/sample/progressive"]),
     }
-    let Some(camera) = &scene.camera else { return };
-    names.add(camera.projection.part());
-    names.add(match camera.frame {
-        CameraFrame::Static => "camera/frame_static",
-        CameraFrame::Coordinate => "camera/frame_coordinate",
+    names.add(if scene.rays.asymptotic { "camera/arrival/along_orbit" } else { "camera/arrival/straight" });
+    // A scene that is only traced is checked as with any camera.
+    let camera = scene.camera.as_ref();
+    names.add(camera.map_or("camera/pinhole", |camera| camera.projection.part()));
+    names.add(match camera.map(|camera| camera.frame) {
+        Some(CameraFrame::Static) => "camera/frame_static",
+        Some(CameraFrame::Coordinate) | None => "camera/frame_coordinate",
     });
-    match camera.stereo {
-        Some(stereo) => stereo_parts(&*camera.projection, stereo, names),
+    match camera.and_then(|camera| Some((&*camera.projection, camera.stereo?))) {
+        Some((projection, stereo)) => stereo_parts(projection, stereo, names),
         None => names.add("camera/view/one"),
     }
 }

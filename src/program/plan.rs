@@ -6,7 +6,7 @@ use super::region_parts::region_parts;
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Choice, Masks, Pass, ProgramError, Purpose, Work, generated};
+use super::{Analysis, Choice, Masks, ProgramError, Purpose, Work, generated};
 use crate::model::Material;
 use crate::model::source::SOURCES;
 use crate::scene::{Branches, Precision, Scene, Segment};
@@ -35,9 +35,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     names.make(generated::counts(scene, regions));
     phase_parts(scene, &mut names);
     scatter_parts(scene, choice, regions, &mut names);
-    let pass_part =
-        |pass: &Pass| if *pass == Pass::Advance && choice.masks == Masks::Off { "advance_all" } else { pass.entry() };
-    names.each("pass", choice.passes(scene).iter().map(pass_part));
+    names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
     schedule_parts(scene, choice, regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, &mut names)?;

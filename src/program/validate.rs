@@ -27,5 +27,28 @@ pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
         let message = chain.map(ToString::to_string).collect::<Vec<_>>().join(": ");
         at(&mut error.spans().map(|(span, _)| *span), message)
     })?;
-    Ok(module)
+    match huge(&module) {
+        Some((span, bytes)) => {
+            let message = format!("this variable takes {bytes} bytes, and a ray has room for {MOST} in one");
+            Err(at(&mut std::iter::once(span), message))
+        }
+        None => Ok(module),
+    }
+}
+
+/// Bytes of a variable of a ray's own, at most: more makes drivers spill, crash or hang.
+const MOST: u32 = 16_384;
+
+/// A variable that is too large, and its size.
+fn huge(module: &Module) -> Option<(naga::Span, u32)> {
+    let size = |ty| module.types[ty].inner.size(module.to_ctx());
+    let private = module.global_variables.iter().filter(|(_, global)| global.space == naga::AddressSpace::Private);
+    let private = private.map(|(handle, global)| (module.global_variables.get_span(handle), size(global.ty)));
+    let functions = module.functions.iter().map(|(_, function)| function);
+    let functions = functions.chain(module.entry_points.iter().map(|entry| &entry.function));
+    let local = |function: &'_ naga::Function| -> Vec<_> {
+        let all = function.local_variables.iter();
+        all.map(|(handle, own)| (function.local_variables.get_span(handle), size(own.ty))).collect()
+    };
+    private.chain(functions.flat_map(local)).find(|(_, bytes)| *bytes > MOST)
 }

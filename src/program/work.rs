@@ -37,7 +37,7 @@ impl Work {
         // Neighbouring rays may be in regions of all kinds, whose loops then run one after the other.
         let media = scene.media().map(Medium::loops);
         let Loops { derivative, scale } = media.fold(scene.law.loops(), Loops::max);
-        let own = own::loops(&scene.law.parts());
+        let own = own::loops(&scene.law.parts())?;
         let loops = Loops { derivative: derivative + own, scale: scale + own };
         let step = step_loops(scene, loops) + closed_loops(regions) + captures + 1;
         let asymptote = if scene.rays.asymptotic { asymptote_loops(scene.rays.precision) } else { 0 };

@@ -7,6 +7,7 @@
 //! the file), then `check` (documents to the values below, all mistakes found in one run), with `mesh` and
 //! `picture` loading what the file names. Nothing here knows of a GPU.
 
+mod build;
 mod check;
 mod optics;
 mod rays;

@@ -6,7 +6,7 @@
 //! result what all returns do. What changes, such as a loop's counter, is a ray's own.
 //!
 //! What is allowed: to ask a part a question whose answer is a constant, `layers_wanted()` of a part that wants none: parts that
-//! stand for a choice answer so, and compilers leave out such a branch. To branch on `frame` and `turn`, which tiles and
+//! stand for a choice answer so, and compilers leave out such a branch. To branch on `frame` and `dispatch`, which tiles and
 //! dispatches write. To count up to a number that the scene fixes. Buffers and textures are a pass's own: other passes write them.
 
 use std::collections::HashMap;
@@ -93,7 +93,9 @@ impl<'a> Analysis<'a> {
             for (local, variable) in function.local_variables.iter().filter(|(_, variable)| variable.init.is_some()) {
                 analysis.writes.insert(Slot::Local(k, local.index()), usize::from(variable.init.is_some()));
             }
-            for (i, _) in function.arguments.iter().enumerate().filter(|(_, argument)| argument.binding.is_some()) {
+            // What a device hands to an entry point.
+            let handed = if k < module.functions.len() { 0 } else { function.arguments.len() };
+            for i in 0..handed {
                 analysis.origins.insert(Slot::Parameter(k, i), Origin::Varying);
             }
             analysis.count_writes(k, &function.body, true);

@@ -18,11 +18,11 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::{Kind, Law, Order};
+use super::{Kind, Landmark, Law, Order};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, number, positive, word};
+use crate::document::values::{Read, array, number, positive, word};
 use crate::document::{Node, Value as Written, keys};
-use crate::model::{Binding, OwnWgsl, Promise, Row, Value, Wgsl, row};
+use crate::model::{Anchor, Binding, Capture, OwnWgsl, Promise, Row, Value, Wgsl, row};
 
 /// What is known of it.
 pub static KIND: Kind = Kind {
@@ -33,6 +33,7 @@ pub static KIND: Kind = Kind {
             "what its acceleration depends on, and so which functions the file has; flow for the first order, where it gives the velocity";
         scale: "number above 0" = "1",
             "the length over which the law changes, scene units (the time for a flow): steps are a fraction of it, unless the file has law_scale";
+        captures: "[[x, y, z, radius], ...]" = "[]", "spheres that capture rays moving inwards, scene units";
         parameters: "table of numbers, and of arrays of 2 to 4" = "{}", "members of `law` in the file";
     },
     read: |table, files| {
@@ -45,11 +46,28 @@ pub static KIND: Kind = Kind {
         let file = table.required_node("file", "\"law.wgsl\"").and_then(|node| files.text(table.reader, node));
         let depends = table.or("depends", Depends::Place, word(depends));
         let scale = table.or("scale", 1.0, positive);
+        let captures = captures(table);
         let parameters = parameters(table);
         let (file, text) = file?;
-        Some(Arc::new(OwnLaw { file, text, depends, scale, parameters: parameters? }))
+        Some(Arc::new(OwnLaw { file, text, depends, scale, captures: captures?, parameters: parameters? }))
     },
 };
+
+/// All are read before any is missed.
+fn captures(table: &TableReader) -> Option<Vec<Capture>> {
+    let Some(node) = table.node("captures") else { return Some(Vec::new()) };
+    let Written::Array(items) = &node.value else {
+        table.reader.fault(node.expected("spheres, [[x, y, z, radius], ...]"));
+        return None;
+    };
+    let capture = |node: &Node| {
+        let [x, y, z, radius] = array("a sphere, [x, y, z, radius]", number)(node)?;
+        let sphere = Capture { anchor: Anchor::center(DVec3::new(x, y, z)), radius };
+        if radius > 0.0 { Ok(sphere) } else { Err(node.fault("the radius must be above 0", "")) }
+    };
+    let all: Vec<Option<Capture>> = items.iter().map(|node| table.reader.accept(capture(node))).collect();
+    all.into_iter().collect()
+}
 
 /// All are read before any is missed.
 fn parameters(table: &TableReader) -> Option<Vec<(String, Value)>> {
@@ -105,6 +123,8 @@ pub struct OwnLaw {
     pub depends: Depends,
     /// The length over which the law changes, in scene units; for a flow the time.
     pub scale: f64,
+    /// Where rays that move inwards end.
+    pub captures: Vec<Capture>,
     /// The members of `law`.
     pub parameters: Vec<(String, Value)>,
 }
@@ -188,6 +208,16 @@ impl Law for OwnLaw {
 
     fn carries_time(&self) -> bool {
         self.depends == Depends::Time
+    }
+
+    fn captures(&self, _: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        self.captures.clone()
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        let sphere =
+            |capture: &Capture| Landmark { name: "capture", center: capture.anchor.position, radius: capture.radius };
+        self.captures.iter().map(sphere).collect()
     }
 
     fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {

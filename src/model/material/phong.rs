@@ -21,11 +21,12 @@ pub static KIND: Kind = Kind {
     },
     read: |table, files| {
         let fraction = number_where("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));
+        let usual = Phong::default();
         let phong = Phong {
-            ambient: table.or("ambient", 0.1, fraction),
-            specular: table.or("specular", DVec3::ZERO, color),
-            shininess: table.or("shininess", 32.0, positive),
-            emission: table.or("emission", DVec3::ZERO, color),
+            ambient: table.or("ambient", usual.ambient, fraction),
+            specular: table.or("specular", usual.specular, color),
+            shininess: table.or("shininess", usual.shininess, positive),
+            emission: table.or("emission", usual.emission, color),
         };
         let diffuse = pattern::read(table, "diffuse", Some(DVec3::splat(0.8)), files)?;
         Some((diffuse, Arc::new(phong)))
@@ -43,6 +44,12 @@ pub struct Phong {
     pub shininess: f64,
     /// Radiance of its own, added.
     pub emission: DVec3,
+}
+
+impl Default for Phong {
+    fn default() -> Self {
+        Self { ambient: 0.1, specular: DVec3::ZERO, shininess: 32.0, emission: DVec3::ZERO }
+    }
 }
 
 impl Surface for Phong {

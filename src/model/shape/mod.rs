@@ -39,7 +39,7 @@ pub use mesh::Triangles;
 pub use object::{Object, Substance};
 pub use plane::Plane;
 pub(crate) use read::read;
-pub use solid::{Placed, SOLIDS, Solid};
+pub use solid::{Placed, Solid};
 pub use sphere::Sphere;
 
 /// A kind of shape, to be read.
@@ -58,6 +58,10 @@ type Own = (Arc<dyn Shape>, DAffine3);
 
 /// Every shape, in the order of the reference.
 const SHAPES: [&Kind; 6] = [&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &mesh::KIND];
+
+/// Every solid, by name.
+pub const SOLIDS: [&Solid; 7] =
+    [&cuboid::SOLID, &cylinder::SOLID, &disk::SOLID, &sphere::ELLIPSOID, &plane::SOLID, &sphere::SOLID, &mesh::SOLID];
 
 /// A shape in its own space, where its size is about 1.
 pub trait Shape: fmt::Debug + Send + Sync + Any {

@@ -4,17 +4,13 @@ use std::fmt;
 
 use glam::{DVec3, DVec4};
 
-use super::{Shape, cuboid, cylinder, disk, mesh, plane, sphere};
+use super::Shape;
 use crate::assets::Transform;
 use crate::model::{Row, Value, row};
 
-/// Every solid, by name.
-pub const SOLIDS: [&Solid; 7] =
-    [&cuboid::SOLID, &cylinder::SOLID, &disk::SOLID, &sphere::ELLIPSOID, &plane::SOLID, &sphere::SOLID, &mesh::SOLID];
-
 /// What is known of a solid.
 pub struct Solid {
-    /// The name of its WGSL part in `shaders/shape/` and `shaders/shape/`, in those of its functions, and in capitals of its code.
+    /// The name of its WGSL part in `shaders/shape/`, in those of its functions, and in capitals of its code.
     pub name: &'static str,
     /// Its lists in WGSL; none for triangles, which lie in a structure always.
     pub lists: Option<Lists>,

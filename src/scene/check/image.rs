@@ -8,7 +8,7 @@ use crate::scene::{Image, SamplePattern};
 const FIRST_SAMPLES: u32 = 16;
 
 pub fn read(root: &TableReader) -> Image {
-    let mut image = Image { size: [800, 600], samples: 1, pattern: SamplePattern::MultiJittered, adaptive: None };
+    let mut image = Image::default();
     let Some(table) = root.subtable("image", "image") else { return image };
     let size = array("two whole numbers, [width, height]", whole(1..=65_536));
     image.size = table.or("size", image.size, size);

@@ -100,7 +100,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
 }
 
 fn output(root: &TableReader) -> Output {
-    let mut output = Output { exposure: 0.0, tonemap: Tonemap::None, bits: 8 };
+    let mut output = Output::default();
     if let Some(table) = root.subtable("output", "output") {
         let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
         output.exposure = table.or("exposure", 0.0, stops);
