@@ -60,7 +60,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "the distance at which both views show the same, scene units; without it both look the same way";
         }
         "law.sources" {
-            position: "[x, y, z]" = "required", "the centre, scene units";
+            position: "[x, y, z]" = "required", "a point of what it is centred on, scene units";
             strength: "number other than 0" = "required", "above 0 attracts, below 0 repels";
             falloff: r#""inverse-square", { cubic = R }, { yukawa = mu }"# = "inverse-square",
                 "how the force falls with distance";
