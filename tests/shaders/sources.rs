@@ -168,3 +168,21 @@ fn cubic_at_its_centre_and_outside() {
     assert!(out[0][0].w > 0.0, "steps may not shrink to nothing at a cubic centre");
     assert_eq!((wide(out[1][0]), wide(out[2][0])), (DVec3::ZERO, DVec3::ZERO));
 }
+
+/// The way from a line is what is left of d across its direction: u × (d × u).
+#[test]
+fn the_way_from_a_line_is_across_it() {
+    let inputs = phases(22, [0.01, 1e4], [1e-3, 1e3]).into_iter().flat_map(|[place, _]| {
+        super::awkward_directions().into_iter().map(move |u| [place, u.normalize().extend(0.0)])
+    });
+    let inputs: Vec<_> = inputs.collect();
+    let body = "put(0u, vec4f(offset_line(p0.xyz, p1.xyz), 0.0));";
+    let out = Probe::new(&["law/offset/line"]).run::<2, 1>(&gpu(), body, &inputs);
+    let mut errors = Errors::of("way from a line");
+    for (input, output) in inputs.iter().zip(&out) {
+        let (d, u) = (wide(input[0]), wide(input[1]).normalize());
+        // u is a unit vector to 2 U, and the dot product rounds six times before it is taken away twice over.
+        errors.check3(output[0], u.cross(d.cross(u)), 16.0 * U * d.length(), input);
+    }
+    errors.report();
+}

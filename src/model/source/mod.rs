@@ -7,6 +7,7 @@
 //! kind has besides a position.
 
 mod center;
+mod line;
 
 use std::fmt;
 
@@ -18,7 +19,7 @@ use crate::document::reader::TableReader;
 use crate::document::{Key, KeyReference, kind_rows};
 
 /// Every kind of source; the first is that of a source that names none.
-pub const SOURCES: [&Kind; 1] = [&center::KIND];
+pub const SOURCES: [&Kind; 2] = [&center::KIND, &line::KIND];
 
 /// What is known of a kind of source.
 pub struct Kind {

@@ -27,7 +27,7 @@ const KINDS: &[&str] = &[
     "[law]\nkind = \"rossler\"\n[rays]\nmethod = \"euler\"\nstep = 1\nbound = { radius = 1, center = [1, 2, 3] }\n",
     "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = -1\nfalloff = { cubic = 2 }\n\
      [[law.sources]]\nposition = [0, 0, 1]\nstrength = 1\nfalloff = { yukawa = 3 }\ncapture = 1\n[[law.sources]]\n\
-     position = [0, 0, 0]\nstrength = 1\nfalloff = \"inverse-square\"\n[rays]\nbound = { radius = 1 }\n",
+     kind = \"line\"\ndirection = [0, 0, 2]\nposition = [0, 0, 0]\nstrength = 1\nfalloff = \"inverse-square\"\n[rays]\nbound = { radius = 1 }\n",
     "[law]\nkind = \"medium\"\nindex = { kind = \"explosion\", radius = 1, amplitude = 0.2, frequency = 3 }\n[rays]\n\
      method = \"snell\"\nbound = { radius = 1 }\n",
     "[camera]\nposition = [0, 0, 9]\nframe = \"static\"\n[law]\nkind = \"schwarzschild\"\nmass = 2\n\

@@ -1,0 +1,14 @@
+//! A gravity line: every point of a straight line pulls at right angles to it (G95 §2.1).
+
+use super::Kind;
+use crate::document::keys;
+use crate::document::values::direction;
+
+/// What is known of it.
+pub static KIND: Kind = Kind {
+    name: "line",
+    keys: keys! { direction: "[x, y, z]" = "required", "along the line, which goes through position"; },
+    along: |table| table.required("direction", "[0, 0, 1]", direction),
+    offset: |d, along| d.reject_from_normalized(along),
+    is_point: false,
+};
