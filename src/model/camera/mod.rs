@@ -1,6 +1,6 @@
 //! Cameras: how a point of the picture becomes a ray, for one eye or for two.
 //!
-//! *Practice.* [`PROJECTIONS`] names each kind once. The WGSL contract is `camera_ray(point)`. Adding one is a WGSL file, a file here
+//! *Practice.* `PROJECTIONS` names each kind once. The WGSL contract is `camera_ray(point)`. Adding one is a WGSL file, a file here
 //! and a line of that table.
 
 mod fisheye;

@@ -4,7 +4,7 @@
 //! whatever chooses it: far from a hole a controller sees flat space, grows, and would jump over it.
 //!
 //! *Practice.* A kind says which WGSL keeps the contract `control`, what numbers that is fed, what a step costs under it, and
-//! over which settings a chart sweeps it. Adding one is a file here and a line in [`PLANNED`] or in the method that uses it.
+//! over which settings a chart sweeps it. Adding one is a file here and a line in `PLANNED` or in the method that uses it.
 
 pub mod curvature;
 pub mod doubling;

@@ -5,7 +5,7 @@
 //! place alone gives `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] is what the host has to
 //! know besides.
 //!
-//! *Practice.* [`LAWS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* `LAWS` names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod flow;
 mod lorenz;

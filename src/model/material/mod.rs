@@ -3,7 +3,7 @@
 //! *Theory.* A kind whose rays end on the surface gives `radiance_KIND` in WGSL, one from which they continue `scatter_KIND`. All read
 //! the same record, `Material`, each its own members.
 //!
-//! *Practice.* [`MATERIALS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* `MATERIALS` names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod emissive;
 mod mirror;

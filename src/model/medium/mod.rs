@@ -3,7 +3,7 @@
 //! *Theory.* Light in a medium moves by dx = v, dv = ∇(n²/2) with |v| = n. The WGSL contract is `medium_index(x)`,
 //! `medium_pull(x)` = ∇(n²/2) and `medium_length(x)`, the length over which n changes; media whose paths have a closed form name it.
 //!
-//! *Practice.* [`MEDIA`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* `MEDIA` names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod constant;
 mod eaton;

@@ -4,7 +4,7 @@
 //! shape as the shaders test it: `hit_SOLID`, and where rays go on through it `cross_SOLID`; one kind may be several (a sphere that is
 //! stretched is an ellipsoid).
 //!
-//! *Practice.* [`SHAPES`] names each kind once, [`SOLIDS`] each solid. Adding one is a WGSL file, a file here and a line of each.
+//! *Practice.* `SHAPES` names each kind once, [`SOLIDS`] each solid. Adding one is a WGSL file, a file here and a line of each.
 
 mod contact;
 mod cuboid;
