@@ -34,6 +34,8 @@
 //! # }
 //! ```
 
+pub use glam;
+
 pub mod assets;
 pub mod bench;
 pub mod chart;

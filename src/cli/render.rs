@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use clap::Args;
 use clap::builder::TypedValueParser;
@@ -161,7 +161,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     launch.next();
     let settings = arguments.device.settings(arguments.layers(&scene));
     let settings = RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };
-    let Window { size: [width, height], .. } = arguments.crop.unwrap_or(Window::whole(scene.image.size));
+    let [width, height] = arguments.crop.unwrap_or(Window::whole(scene.image.size)).size;
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
     let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Camera(rays))?;
     launch.next();
@@ -179,35 +179,49 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut ready = begun.elapsed();
     let mut unfollowed = 0;
     for (i, &frame) in frames.iter().enumerate() {
-        let first = i == 0;
-        if !first {
+        if i > 0 {
             let begun = Instant::now();
             let next = settled(arguments.load(&film, frame)?, &scene);
             writers = arguments.open(&next, frame, &self::metadata(&next, None))?;
-            match (renderer.set_scene(next), frames[0], frame) {
-                (Err(RenderError::OtherProgram), Some(first), Some(frame)) => {
-                    let keys = scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
-                    return Err(film.other_program(keys, [first, frame]));
-                }
-                (result, ..) => result?,
-            }
+            change(&mut renderer, &film, &scene, next, [frames[0], frame])?;
             ready = begun.elapsed();
         }
         let totals = render(&renderer, &mut writers, &mut launch)?;
         for writer in writers.drain(..) {
             writer.finish()?;
         }
-        if first {
+        if i == 0 {
             eprintln!("{launch}");
         }
-        match frame {
-            Some(frame) => eprintln!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
-            None => eprintln!("{totals}"),
-        }
-        warn(&totals);
+        report(frame, ready, &totals);
         unfollowed += totals.unfollowed();
     }
     Ok(if arguments.strict && unfollowed > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// The next frame's scene, by the first one's programs.
+fn change(
+    renderer: &mut Renderer,
+    film: &Film,
+    first: &Scene,
+    next: Scene,
+    frames: [Option<u32>; 2],
+) -> Result<(), Error> {
+    match (renderer.set_scene(next), frames) {
+        (Err(RenderError::OtherProgram), [Some(a), Some(b)]) => {
+            let keys = first.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
+            Err(film.other_program(keys, [a, b]))
+        }
+        (result, _) => Ok(result?),
+    }
+}
+
+fn report(frame: Option<u32>, ready: Duration, totals: &Totals) {
+    match frame {
+        Some(frame) => eprintln!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
+        None => eprintln!("{totals}"),
+    }
+    warn(totals);
 }
 
 /// Where a scene leaves its method open, the first frame's is every frame's.

@@ -92,6 +92,10 @@ impl<'a> Renderer<'a> {
 
     /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
     /// pass is compiled again.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
         let RenderSettings { window, choice, segments, .. } = &self.settings;
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {

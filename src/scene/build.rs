@@ -16,7 +16,8 @@ use crate::model::{Interior, Law, Material, Medium, Object, Pattern, Shape, Subs
 
 impl Scene {
     /// Nothing but a law, before a black sky, in a bounding sphere of `radius` scene units about the origin: rays that leave it have
-    /// escaped. Rays are followed at a tolerance of 10⁻⁵, by closed forms where there are some. A picture needs a camera too.
+    /// escaped. Rays are followed at a tolerance of 10⁻⁵, by closed forms where there are some. A picture needs a camera too, such as
+    /// [`Camera::looking`](super::Camera::looking) makes: without one rendering is an error.
     #[must_use]
     pub fn new(law: impl Law, radius: f64) -> Self {
         Self {

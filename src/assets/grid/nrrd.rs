@@ -105,17 +105,7 @@ impl Header {
         }
         let size = size(required(&["sizes"], "64 64 64")?)?;
         let stored = stored(required(&["type"], "float")?)?;
-        let zipped = match required(&["encoding"], "raw")? {
-            "raw" => false,
-            "gzip" | "gz" => true,
-            other => {
-                return Err((
-                    other,
-                    format!("the encoding `{other}` is not supported"),
-                    "supported: raw, gzip".to_owned(),
-                ));
-            }
-        };
+        let zipped = is_zipped(required(&["encoding"], "raw")?)?;
         let little = match find(&fields, &["endian"]) {
             Some((_, "little")) => true,
             Some((_, "big")) => false,
@@ -124,6 +114,17 @@ impl Header {
             None => required(&["endian"], "little").map(|_| true)?,
         };
         Ok(Self { bare: Bare { size, stored, little }, place: place(&fields)?, zipped })
+    }
+}
+
+fn is_zipped(encoding: &str) -> Result<bool, Wrong<'_>> {
+    match encoding {
+        "raw" => Ok(false),
+        "gzip" | "gz" => Ok(true),
+        _ => {
+            let problem = format!("the encoding `{encoding}` is not supported");
+            Err((encoding, problem, "supported: raw, gzip".to_owned()))
+        }
     }
 }
 

@@ -47,7 +47,7 @@ pub static SOLID: Solid = Solid {
     lists: Some(Lists { opaque: "box_list", two_sided: "sided_box_list", placed: "boxes", row: Placed::space }),
 };
 
-/// A box.
+/// The box from −1 to 1 along each axis; a [`Transform`]'s scale is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cuboid;
 

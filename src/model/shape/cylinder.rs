@@ -41,7 +41,7 @@ pub static SOLID: Solid = Solid {
     }),
 };
 
-/// A cylinder.
+/// A closed cylinder of radius 1 along y, from y = −1 to 1; a [`Transform`]'s scale is its radius and half its height.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cylinder;
 

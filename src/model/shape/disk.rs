@@ -42,7 +42,7 @@ pub static SOLID: Solid = Solid {
     }),
 };
 
-/// A disk.
+/// The disk of radius 1 about the origin in the plane y = 0; a [`Transform`]'s scale is its radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disk {
     /// The radius of a round hole in it, below 1; zero for none.

@@ -32,7 +32,7 @@ pub static SOLID: Solid = Solid {
     lists: Some(Lists { opaque: "plane_list", two_sided: "sided_plane_list", placed: "planes", row: Placed::space }),
 };
 
-/// A square.
+/// The square from −1 to 1 along x and z, in the plane y = 0; a [`Transform`]'s scale is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plane;
 

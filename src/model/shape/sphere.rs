@@ -38,7 +38,7 @@ pub static ELLIPSOID: Solid = Solid {
     }),
 };
 
-/// The unit sphere.
+/// The sphere of radius 1 about the origin; a [`Transform`]'s scale is its radius, or the half axes of an ellipsoid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sphere;
 
