@@ -49,10 +49,6 @@ fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     return rate[1].xyz;
 }
 
-fn law_projected(p: Phase) -> Phase {
-    return p;
-}
-
 // ṫ changes over r − 2M, so steps shrink towards the horizon, down to where the regular limit takes over.
 fn law_scale(p: Phase) -> Real {
     let r = length(p[0].xyz - law.center);

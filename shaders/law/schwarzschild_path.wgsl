@@ -21,14 +21,6 @@ fn law_acceleration(at: Real3, held: Real) -> Real3 {
     return (-3.0 * law.mass * held / (r2 * r2 * sqrt(r2))) * x;
 }
 
-fn law_start(x: Real3, v: Real3) -> Phase {
-    return Phase(x, v);
-}
-
-fn law_projected(p: Phase) -> Phase {
-    return p;
-}
-
 // The tau over which the law changes: the distance r over the speed.
 fn law_scale(p: Phase) -> Real {
     let x = p[0] - law.center;

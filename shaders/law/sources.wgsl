@@ -4,21 +4,8 @@
 // Further than any scene reaches.
 const FAR_AWAY: Real = 1e30;
 
-// Nothing is held.
-fn law_held(p: Phase) -> Real {
-    return 0.0;
-}
-
 fn law_acceleration(x: Real3, held: Real) -> Real3 {
     return source_acceleration(x);
-}
-
-fn law_start(x: Real3, v: Real3) -> Phase {
-    return Phase(x, v);
-}
-
-fn law_projected(p: Phase) -> Phase {
-    return p;
 }
 
 // The tau to the nearest centre at this speed.

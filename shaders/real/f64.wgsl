@@ -208,8 +208,3 @@ fn arc_tangent(y: Real, x: Real) -> Real {
     let angle = eighths * EIGHTH_TURN + select(rest, -rest, steep != left);
     return select(angle, -angle, y < 0.0);
 }
-
-// x^y for x > 0: the error of y ln x is that of the result, 1e-13 where the result is near overflow.
-fn real_pow(x: Real, y: Real) -> Real {
-    return real_exp(y * real_log(x));
-}

@@ -1,17 +1,5 @@
 // Where rays stop when a segment is a chord over several steps: hits lie on the chord, as in the paper.
 
-fn stops_inside(code: u32) -> bool {
-    return code == ESCAPED || code == CAPTURED;
-}
-
-fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
-    return open_gap(code, x);
-}
-
-fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
-    return open_guess(code, step);
-}
-
 fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {
     let t = select(1.0, hit.t, ray.status == HIT);
     let x = mix(ray.phase[0].xyz, step.end[0].xyz, t);

@@ -141,10 +141,12 @@ fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     let hits = !scene.objects.is_empty();
     match scene.rays.segment {
         Segment::Arc { .. } => {
-            names.all(&["segment/follow_step", if hits { "segment/end_on_arc" } else { "segment/end_open" }]);
+            names.add("segment/follow_step");
+            names.all(if hits { &["segment/end_on_arc"] } else { &["segment/end_open", "segment/stop_open"] });
         }
         Segment::Chord { .. } => {
-            names.all(&["segment/follow_chord", if hits { "segment/end_on_chord" } else { "segment/end_open" }]);
+            names.all(&["segment/follow_chord", "segment/stop_open"]);
+            names.add(if hits { "segment/end_on_chord" } else { "segment/end_open" });
         }
     }
     Ok(())

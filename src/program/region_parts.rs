@@ -4,6 +4,7 @@ use super::names::Names;
 use super::regions::{Motion, RegionKind, Regions};
 use super::unit::Unit;
 use super::{ProgramError, Purpose, formula, generated};
+use crate::model::law::SOLVED_PARTS;
 use crate::model::method::Path;
 use crate::model::{ClosedForm, Start};
 use crate::scene::Scene;
@@ -37,7 +38,8 @@ pub(super) fn region_parts(
         Motion::Law => law_motion(scene, purpose, &mut names)?,
         Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names),
         Motion::Solved => {
-            names.all(&["law/accelerated", "law/medium", "motion/pace_tau", "method/first_derivative"]);
+            names.all(&SOLVED_PARTS);
+            names.all(&["motion/pace_tau", "method/first_derivative"]);
             names.all(scene.rays.method.kind.parts);
             names.all(scene.rays.control.kind.parts);
         }

@@ -19,6 +19,7 @@ fn probe() -> Probe {
         "state/work",
         "law/phase_space",
         "law/medium",
+        "law/start_by_index",
         "medium/explosion",
         "medium/fractal_noise",
     ])

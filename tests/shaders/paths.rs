@@ -125,6 +125,7 @@ fn path_end(step: f64) -> Probe {
         "law/capture_spheres",
         "segment/follow_step",
         "segment/end_open",
+        "segment/stop_open",
         "segment/path_end",
         "motion/pace_tau",
         "law/asymptotic_none",

@@ -64,6 +64,9 @@ impl Probe {
         let common = [
             ("law/", "fn law_derivative(", "law/accelerated"),
             ("method/control/", "fn accepted_step(", "method/control/planned"),
+            ("law/", "fn law_held(", "law/held_nothing"),
+            ("law/", "fn law_projected(", "law/projected_as_is"),
+            ("law/", "fn law_start(", "law/start_as_given"),
             ("motion/", "fn law_start(", "law/start_as_given"),
             ("method/memory_pair", "fn first_derivative(", "method/first_derivative"),
             ("segment/walk_", "fn first_hit(", "segment/hit_direct"),

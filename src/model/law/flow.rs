@@ -1,5 +1,6 @@
 //! What the flows share: a dynamical system's vector field F as a ray's velocity, or as its acceleration.
 
+use super::USUAL_PARTS;
 use crate::document::reader::TableReader;
 use crate::document::values::whole;
 use crate::document::{Key, keys};
@@ -31,7 +32,7 @@ impl FlowOrder {
     pub(super) fn parts(self, field: &'static str) -> Vec<Wgsl> {
         match self {
             Self::Velocity => Wgsl::parts(&[field, "law/flow"]),
-            Self::Acceleration => Wgsl::parts(&["law/accelerated", field, "law/flow_acceleration"]),
+            Self::Acceleration => [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&[field, "law/flow_acceleration"])].concat(),
         }
     }
 

@@ -9,6 +9,10 @@ use crate::document::keys;
 use crate::model::medium::{self, Surroundings};
 use crate::model::{Loops, Medium, Wgsl};
 
+/// The parts of a ray's way through a medium without a closed form.
+pub const SOLVED_PARTS: [&str; 5] =
+    ["law/accelerated", "law/held_nothing", "law/start_by_index", "law/projected_as_is", "law/medium"];
+
 pub static KIND: Kind = Kind {
     name: "medium",
     keys: keys! {
@@ -38,7 +42,7 @@ impl PartialEq for InMedium {
 
 impl Law for InMedium {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["law/accelerated", "law/medium"])
+        Wgsl::parts(&SOLVED_PARTS)
     }
 
     fn order(&self) -> Order {

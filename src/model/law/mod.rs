@@ -32,7 +32,7 @@ use crate::document::{Key, KeyReference, kind_rows};
 
 pub use flow::FlowOrder;
 pub use lorenz::Lorenz;
-pub use medium::InMedium;
+pub use medium::{InMedium, SOLVED_PARTS};
 pub use own::{Depends, OwnLaw};
 pub use rossler::Rossler;
 pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
@@ -52,6 +52,9 @@ pub struct Kind {
 /// Every law, in the order of the reference; the first is that of a scene that names none.
 const LAWS: [&Kind; 7] =
     [&straight::KIND, &schwarzschild::KIND, &sources::KIND, &lorenz::KIND, &rossler::KIND, &medium::KIND, &own::KIND];
+
+/// The parts of a usual law of the second order: it holds nothing, and takes starts and steps as they are.
+const USUAL_PARTS: [&str; 4] = ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
 
 /// How light travels.
 pub trait Law: fmt::Debug + Send + Sync + Same {

@@ -50,8 +50,10 @@ pub enum SchwarzschildForm {
 impl Law for Schwarzschild {
     fn parts(&self) -> Vec<Wgsl> {
         match self.form {
-            SchwarzschildForm::Path => Wgsl::parts(&["law/accelerated", "law/schwarzschild_path"]),
-            SchwarzschildForm::Geodesic => Wgsl::parts(&["law/schwarzschild_geodesic"]),
+            SchwarzschildForm::Path => {
+                Wgsl::parts(&["law/accelerated", "law/start_as_given", "law/projected_as_is", "law/schwarzschild_path"])
+            }
+            SchwarzschildForm::Geodesic => Wgsl::parts(&["law/projected_as_is", "law/schwarzschild_geodesic"]),
         }
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Invariant, Kind, Landmark, Law, Orbit, Order};
+use super::{Invariant, Kind, Landmark, Law, Orbit, Order, USUAL_PARTS};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector};
@@ -87,7 +87,7 @@ impl Sources {
 
 impl Law for Sources {
     fn parts(&self) -> Vec<Wgsl> {
-        let mut parts = Wgsl::parts(&["law/accelerated", "law/sources"]);
+        let mut parts = [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&["law/sources"])].concat();
         parts.extend(self.falloffs().map(|kind| Wgsl::Part(format!("law/falloff/{}", kind.wgsl).into())));
         let text = |file: &'static str, text: String| Wgsl::Text { file: file.into(), text: text.into() };
         parts.push(text("generated/sources.wgsl", self.sums()));

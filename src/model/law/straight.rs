@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Invariant, Kind, Law, Order};
+use super::{Invariant, Kind, Law, Order, USUAL_PARTS};
 use crate::model::Wgsl;
 
 pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
@@ -15,7 +15,7 @@ pub struct Straight;
 
 impl Law for Straight {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["law/accelerated", "law/straight"])
+        [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&["law/straight"])].concat()
     }
 
     fn order(&self) -> Order {
