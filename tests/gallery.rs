@@ -39,7 +39,7 @@ fn rendered(words: &[String], to: &Path) -> image::RgbImage {
     let picture = to.join(&words[at]);
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
     command.current_dir(folder()).env("NODEVICE_SELECT", "1").arg("render").args(&words[..at]).arg(&picture);
-    command.args(&words[at + 1..]).args(["--set", "image.samples=1", "--device", "llvmpipe"]);
+    command.args(&words[at + 1..]).args(["--set", "image.samples=1"]);
     if !words.iter().any(|word| word.starts_with("image.size")) {
         command.args(["--size", "96x96"]);
     }

@@ -47,36 +47,3 @@ pub struct KeyReference {
     /// What it means, with its unit.
     pub meaning: &'static str,
 }
-
-/// The rows of the kinds of a table, each kind with its keys; `chooser` is the key that names the kind. Kinds that mean the same
-/// by a key share its row.
-#[must_use]
-pub fn kind_rows(table: &'static str, chooser: &str, kinds: &[(&str, &[Key])]) -> Vec<KeyReference> {
-    let mut rows: Vec<(Key, Vec<&str>)> = Vec::new();
-    for (kind, keys) in kinds {
-        for key in *keys {
-            match rows.iter_mut().find(|(known, _)| known == key) {
-                Some((_, with)) => with.push(kind),
-                None => rows.push((*key, vec![kind])),
-            }
-        }
-    }
-    let row = |(key, with): (Key, Vec<&str>)| KeyReference {
-        table,
-        key: key.key,
-        when: format!("{chooser} = {}{}", alternatives(&with), key.also),
-        value: key.value.to_owned(),
-        default: key.default,
-        meaning: key.meaning,
-    };
-    rows.into_iter().map(row).collect()
-}
-
-/// `"a"`, `"a" or "b"`, `"a", "b" or "c"`.
-fn alternatives(names: &[&str]) -> String {
-    let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
-    match quoted.as_slice() {
-        [most @ .., last] if !most.is_empty() => format!("{} or {last}", most.join(", ")),
-        all => all.concat(),
-    }
-}

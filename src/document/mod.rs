@@ -9,13 +9,15 @@
 
 mod error;
 mod keys;
+mod kinds;
 mod overrides;
 pub mod reader;
 pub mod values;
 
 pub use error::{Mistake, SceneError};
 pub(crate) use keys::keys;
-pub use keys::{Key, KeyReference, kind_rows};
+pub use keys::{Key, KeyReference};
+pub use kinds::{Kind, Kinds, kind_rows};
 pub use overrides::{Override, names};
 
 use std::borrow::Cow;

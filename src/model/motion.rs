@@ -2,7 +2,7 @@
 //!
 //! *Practice.* Media whose paths have the same form share a motion; what they differ by is the medium's own part.
 
-use std::fmt;
+use super::same::named;
 
 /// A motion in closed form.
 pub struct ClosedForm {
@@ -88,14 +88,4 @@ pub static PARABOLA: ClosedForm = ClosedForm {
     start: Start::ByIndex,
 };
 
-impl PartialEq for ClosedForm {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl fmt::Debug for ClosedForm {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
-    }
-}
+named!(ClosedForm);

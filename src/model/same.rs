@@ -1,4 +1,4 @@
-//! Equality of kinds that are known by their trait alone.
+//! Equality of kinds: of those that are known by their trait alone, and of those that are rows of a table.
 
 use std::any::Any;
 
@@ -40,3 +40,21 @@ macro_rules! same {
     };
 }
 pub(super) use same;
+
+/// Rows of a table are equal, and printed, by their `name`.
+macro_rules! named {
+    ($row:ident) => {
+        impl PartialEq for $row {
+            fn eq(&self, other: &Self) -> bool {
+                self.name == other.name
+            }
+        }
+
+        impl std::fmt::Debug for $row {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(self.name)
+            }
+        }
+    };
+}
+pub(super) use named;

@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn another_scene_runs_the_pipelines_that_there_are() {
-        let gpu = Gpu::open(Some("llvmpipe")).unwrap();
+        let gpu = Gpu::open(None).unwrap();
         let (first, second) = (scene("center = [3, 0, 0]\n"), scene("center = [4, 1, 0]\nradius = 2\n"));
         let fresh = |scene| Renderer::new(&gpu, scene, RenderSettings::default()).unwrap().picture().unwrap().band;
         let expected = [fresh(&first), fresh(&second)];
@@ -267,7 +267,7 @@ mod tests {
 
     #[test]
     fn pictures_stay_on_the_device_as_long_as_they_are_the_same() {
-        let gpu = Gpu::open(Some("llvmpipe")).unwrap();
+        let gpu = Gpu::open(None).unwrap();
         let text = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 0, 9]\n[sky]\nimage = \"data/stars.png\"\n\
                     [rays]\nbound = { radius = 20 }\n";
         let first = Scene::parse(text, std::path::Path::new("scenes/test.toml"), &[]).unwrap();

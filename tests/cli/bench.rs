@@ -66,7 +66,7 @@ fn the_list_is_held_against_masks() {
 #[test]
 fn a_start_is_measured_by_its_parts() {
     let folder = Folder::with(BALL);
-    let ran = folder.run("bench start scene.toml --repeats 1 --json --device llvmpipe").succeeds();
+    let ran = folder.run("bench start scene.toml --repeats 1 --json").succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     let rows = json["measured"]["start"]["tables"]["start"].as_array().unwrap();
     let [cold, warm] = rows.as_slice() else { panic!("{json}") };

@@ -23,7 +23,7 @@ fn a_render_that_is_killed_leaves_the_old_files_whole() {
     folder.run("render scene.toml -o a.png -o a.exr").succeeds();
     let old = [folder.read("a.png"), folder.read("a.exr")];
     // Minutes of work.
-    let long = "--device llvmpipe --size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
+    let long = "--size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
     let mut command = folder.command(&format!("render scene.toml -o a.png -o a.exr {long}"));
     let mut child = Killed(command.stderr(Stdio::piped()).spawn().unwrap());
     let mut lines = BufReader::new(child.0.stderr.take().unwrap());

@@ -2,7 +2,7 @@
 
 use super::{BALL, Folder};
 
-const HOLE: &str = "--device llvmpipe --set law.kind=schwarzschild --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
+const HOLE: &str = "--set law.kind=schwarzschild --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
 
 /// The errors are printed, and stored with the picture as text.
 #[test]
@@ -42,10 +42,7 @@ fn a_calibration_says_what_it_chose() {
 fn a_chart_is_tables_plots_and_a_page() {
     let folder = Folder::with(BALL);
     let ran = folder
-        .run(&format!(
-            "chart scene.toml -o report --rays 1000 --compared 40 --repeats 1 --methods planar,rk4 {}",
-            HOLE.replace("--device llvmpipe", "")
-        ))
+        .run(&format!("chart scene.toml -o report --rays 1000 --compared 40 --repeats 1 --methods planar,rk4 {HOLE}"))
         .succeeds();
     assert!(ran.out.contains("fastest") && ran.out.contains("f32 floor"), "{}", ran.out);
     let csv = folder.text("report/scene.csv");
@@ -81,7 +78,7 @@ fn places_where_methods_fail_are_a_table() {
 fn drift_is_measured_when_asked() {
     let folder = Folder::with(BALL);
     folder.write("rays.csv", "x,y,z,vx,vy,vz\n-5,3,0,1,0,0\n-5,1,4,1,0,0\n");
-    let trace = "trace scene.toml --rays rays.csv -o ends.csv --drift --device llvmpipe";
+    let trace = "trace scene.toml --rays rays.csv -o ends.csv --drift";
     let hole = "--set law.kind=schwarzschild --set law.mass=0.2 --set rays.method=rk4";
     let ran = folder.run(&format!("{trace} {hole}")).succeeds();
     assert!(ran.err.contains("relative drift") && ran.err.contains("angular momentum"), "{}", ran.err);
@@ -99,7 +96,7 @@ fn precision_is_chosen_on_the_command_line() {
     folder.write("rays.csv", "x,y,z,vx,vy,vz\n-5,3,0,1,0,0\n");
     let tau = |more: &str| {
         let hole = "--set law.kind=schwarzschild --set law.mass=0.2 --set rays.method=dormand-prince";
-        folder.run(&format!("trace scene.toml --rays rays.csv -o ends.csv --device llvmpipe {hole} {more}")).succeeds();
+        folder.run(&format!("trace scene.toml --rays rays.csv -o ends.csv {hole} {more}")).succeeds();
         folder.text("ends.csv").lines().nth(1).unwrap().split(',').nth(8).unwrap().to_owned()
     };
     let (single, double) = (tau(""), tau("--precision f64"));

@@ -2,7 +2,7 @@
 
 use super::{BALL, Folder};
 
-const HOLE: &str = "--device llvmpipe --set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 \
+const HOLE: &str = "--set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 \
                     --set objects.0.center=[1.5,0,0] --set camera.stereo={separation=0.1} --size 40x30 --samples 3";
 
 /// Parts of odd sizes that overlap, each under another schedule and in tiles of another size, make the file that one render

@@ -6,7 +6,8 @@ use image::{ColorType, DynamicImage, ImageReader, Rgb32FImage};
 use super::{BALL, Folder};
 
 /// A hole with the ball beside it: rays that hit, escape and are captured.
-const HOLE: &str = "--device llvmpipe --set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
+const HOLE: &str =
+    "--set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
 
 fn decoded(folder: &Folder, name: &str) -> DynamicImage {
     let reader = ImageReader::open(folder.path(name)).unwrap();

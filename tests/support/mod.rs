@@ -10,9 +10,10 @@ use std::path::Path;
 use bentray::gpu::Gpu;
 use bentray::scene::Scene;
 
-/// The software device. Without one the tests fail, and the message says which package to install.
+/// The device that `render` would take. Without one the tests fail, and the message says which package to install; those that
+/// compute in f64 fail on a device that cannot.
 pub fn gpu() -> Gpu {
-    Gpu::open(Some("llvmpipe")).unwrap_or_else(|error| panic!("{error}"))
+    Gpu::open(None).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A scene from its text; files load relative to `scenes/`.

@@ -201,7 +201,8 @@ fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<CrossSection> {
     });
     let landmark = |landmark: Landmark| {
         let outline = sphere_in_plane(landmark.center, landmark.radius, plane)?;
-        Some(CrossSection { kind: SurfaceKind::Landmark(landmark.name), outlines: vec![outline] })
+        let kind = if landmark.captures { SurfaceKind::Capture } else { SurfaceKind::Limit };
+        Some(CrossSection { kind: kind(landmark.name), outlines: vec![outline] })
     };
     let landmarks = scene.law.landmarks().into_iter().filter_map(landmark);
     landmarks.chain(objects).filter(|surface| !surface.outlines.is_empty()).collect()

@@ -1,6 +1,6 @@
 //! Cameras: how a point of the picture becomes a ray, for one eye or for two.
 //!
-//! *Practice.* `PROJECTIONS` names each kind once. The WGSL contract is `camera_ray(point)`. Adding one is a WGSL file, a file here
+//! *Practice.* [`KINDS`] names each kind once. The WGSL contract is `camera_ray(point)`. Adding one is a WGSL file, a file here
 //! and a line of that table.
 
 mod fisheye;
@@ -17,7 +17,7 @@ use glam::DVec3;
 use super::same::same;
 use super::{Binding, Row, Same, row};
 use crate::document::reader::TableReader;
-use crate::document::{Key, KeyReference, kind_rows};
+use crate::document::{self, Kinds};
 
 pub use fisheye::{Corners, Fisheye};
 pub use panorama::Panorama;
@@ -25,18 +25,19 @@ pub use pinhole::Pinhole;
 pub use plane::Plane;
 pub(crate) use read::read;
 
-/// A kind of camera, to be read.
-pub struct Kind {
-    /// As a scene file has it.
-    pub name: &'static str,
-    /// The keys that it reads.
-    pub keys: &'static [Key],
-    /// Reads it; none if it cannot be used.
-    pub(crate) read: fn(&TableReader) -> Option<Arc<dyn Projection>>,
-}
+/// Reads a camera; none if it cannot be used.
+type Read = fn(&TableReader) -> Option<Arc<dyn Projection>>;
+type Kind = document::Kind<Read>;
 
-/// Every camera, in the order of the reference; the first is that of a table that names none.
-const PROJECTIONS: [&Kind; 4] = [&pinhole::KIND, &plane::KIND, &fisheye::KIND, &panorama::KIND];
+/// Every kind of camera. Adding one is a line here.
+pub static KINDS: Kinds<Read> = Kinds {
+    table: "camera",
+    chooser: "kind",
+    meaning: "how a point of the picture becomes a ray: as through a window, parallel, by the angle from the middle, \
+              or by longitude and latitude",
+    example: None,
+    all: &[&pinhole::KIND, &plane::KIND, &fisheye::KIND, &panorama::KIND],
+};
 
 /// How a point of the picture becomes a ray.
 pub trait Projection: fmt::Debug + Send + Sync + Same {
@@ -175,16 +176,4 @@ impl Camera {
         });
         [Binding::one("camera", camera)].into_iter().chain(eyes).collect()
     }
-}
-
-/// The names of all kinds.
-#[must_use]
-pub fn names() -> Vec<&'static str> {
-    PROJECTIONS.map(|kind| kind.name).to_vec()
-}
-
-/// The reference's rows of the keys that cameras read.
-#[must_use]
-pub fn reference() -> Vec<KeyReference> {
-    kind_rows("camera", "kind", &PROJECTIONS.map(|kind| (kind.name, kind.keys)))
 }

@@ -2,16 +2,15 @@
 
 use glam::DVec3;
 
-use super::{Camera, CameraFrame, PROJECTIONS, Stereo, StereoLayout};
+use super::{Camera, CameraFrame, KINDS, Stereo, StereoLayout};
 use crate::document::reader::TableReader;
-use crate::document::values::{choice, direction, positive, vector, word};
+use crate::document::values::{direction, positive, vector, word};
 use crate::model::{Law, Order};
 
 /// None if there is no camera, or one that cannot be used. `size` is the picture's.
 pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) -> Option<Camera> {
     let table = root.subtable("camera", "camera")?;
-    let kind = table.decide("kind", 0, choice(&PROJECTIONS.map(|kind| kind.name)));
-    let projection = kind.and_then(|kind| (PROJECTIONS[kind].read)(&table));
+    let projection = KINDS.chosen(&table).and_then(|read| read(&table));
     let position = table.required("position", "[0, 2, 15]", vector);
     let look_at = table.or("look_at", DVec3::ZERO, vector);
     let up = table.or("up", DVec3::Y, direction);

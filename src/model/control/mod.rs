@@ -16,6 +16,7 @@ pub mod scaled;
 use std::fmt;
 
 use super::Row;
+use super::same::named;
 use crate::document::Key;
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
@@ -114,11 +115,7 @@ impl Control {
     }
 }
 
-impl PartialEq for Kind {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
+named!(Kind);
 
 impl fmt::Debug for Control {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -9,6 +9,7 @@ mod yukawa;
 
 use std::fmt;
 
+use super::same::named;
 use super::{Row, Value};
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
@@ -73,11 +74,7 @@ impl Falloff {
     }
 }
 
-impl PartialEq for Kind {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
+named!(Kind);
 
 impl fmt::Debug for Falloff {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

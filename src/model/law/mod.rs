@@ -5,7 +5,7 @@
 //! place alone gives `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] is what the host has to
 //! know besides.
 //!
-//! *Practice.* `LAWS` names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod flow;
 mod lorenz;
@@ -27,8 +27,7 @@ use super::same::same;
 use super::{Anchor, Binding, Capture, Loops, Medium, Same, Wgsl};
 use crate::assets::Files;
 use crate::document::reader::TableReader;
-use crate::document::values::choice;
-use crate::document::{Key, KeyReference, kind_rows};
+use crate::document::{self, Kinds};
 
 pub use flow::FlowOrder;
 pub use lorenz::Lorenz;
@@ -39,19 +38,26 @@ pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
 pub use sources::Sources;
 pub use straight::Straight;
 
-/// A kind of law, to be read.
-pub struct Kind {
-    /// As a scene file has it.
-    pub name: &'static str,
-    /// The keys that it reads.
-    pub keys: &'static [Key],
-    /// Reads it; none if it cannot be used.
-    pub(crate) read: fn(&TableReader, &mut Files) -> Option<Arc<dyn Law>>,
-}
+/// Reads a law; none if it cannot be used.
+type Read = fn(&TableReader, &mut Files) -> Option<Arc<dyn Law>>;
+type Kind = document::Kind<Read>;
 
-/// Every law, in the order of the reference; the first is that of a scene that names none.
-const LAWS: [&Kind; 7] =
-    [&straight::KIND, &schwarzschild::KIND, &sources::KIND, &lorenz::KIND, &rossler::KIND, &medium::KIND, &own::KIND];
+/// Every kind of law. Adding one is a line here.
+pub static KINDS: Kinds<Read> = Kinds {
+    table: "law",
+    chooser: "kind",
+    meaning: "how light travels: straight, round a black hole, by sources of force, along a flow, or in a medium",
+    example: None,
+    all: &[
+        &straight::KIND,
+        &schwarzschild::KIND,
+        &sources::KIND,
+        &lorenz::KIND,
+        &rossler::KIND,
+        &medium::KIND,
+        &own::KIND,
+    ],
+};
 
 /// The parts of a usual law of the second order: it holds nothing, and takes starts and steps as they are.
 const USUAL_PARTS: [&str; 4] = ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
@@ -185,6 +191,8 @@ pub struct Landmark {
     pub center: DVec3,
     /// Its radius; 0 for none.
     pub radius: f64,
+    /// Do rays end there?
+    pub captures: bool,
 }
 
 /// None if the law cannot be used; straight lines if there is none.
@@ -193,21 +201,7 @@ pub(crate) fn read(root: &TableReader, files: &mut Files) -> Option<Arc<dyn Law>
         return Some(Arc::new(Straight));
     }
     let table = root.subtable("law", "law")?;
-    let names = LAWS.map(|kind| kind.name);
-    let kind = table.decide("kind", 0, choice(&names));
-    let law = kind.and_then(|kind| (LAWS[kind].read)(&table, files));
+    let law = KINDS.chosen(&table).and_then(|read| read(&table, files));
     table.finish();
     law
-}
-
-/// The names of all kinds.
-#[must_use]
-pub fn names() -> Vec<&'static str> {
-    LAWS.map(|kind| kind.name).to_vec()
-}
-
-/// The reference's rows of the keys that laws read.
-#[must_use]
-pub fn reference() -> Vec<KeyReference> {
-    kind_rows("law", "kind", &LAWS.map(|kind| (kind.name, kind.keys)))
 }

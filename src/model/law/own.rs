@@ -215,8 +215,12 @@ impl Law for OwnLaw {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        let sphere =
-            |capture: &Capture| Landmark { name: "capture", center: capture.anchor.position, radius: capture.radius };
+        let sphere = |capture: &Capture| Landmark {
+            name: "capture",
+            center: capture.anchor.position,
+            radius: capture.radius,
+            captures: true,
+        };
         self.captures.iter().map(sphere).collect()
     }
 

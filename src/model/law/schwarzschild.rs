@@ -96,7 +96,7 @@ impl Law for Schwarzschild {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        vec![Landmark { name: "horizon", center: self.center, radius: 2.0 * self.mass }]
+        vec![Landmark { name: "horizon", center: self.center, radius: 2.0 * self.mass, captures: true }]
     }
 
     fn has_static_frame(&self) -> bool {

@@ -151,8 +151,8 @@ impl Law for Sources {
 
     fn landmarks(&self) -> Vec<Landmark> {
         let both = |source: &Source| {
-            let sphere = |name, radius| Landmark { name, center: source.anchor.position, radius };
-            [sphere("capture", source.capture), sphere("reach of a source", source.falloff.reach())]
+            let sphere = |name, radius, captures| Landmark { name, center: source.anchor.position, radius, captures };
+            [sphere("capture", source.capture, true), sphere("reach of a source", source.falloff.reach(), false)]
         };
         self.0.iter().filter(|source| source.anchor.kind.is_point).flat_map(both).collect()
     }

@@ -3,7 +3,7 @@
 //! *Theory.* A kind whose rays end on the surface gives `radiance_KIND` in WGSL, one from which they continue `scatter_KIND`. All read
 //! the same record, `Material`, each its own members.
 //!
-//! *Practice.* `MATERIALS` names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod emissive;
 mod mirror;
@@ -17,29 +17,25 @@ use super::same::same;
 use super::{Row, Same};
 use crate::assets::Files;
 use crate::document::reader::TableReader;
-use crate::document::values::choice;
-use crate::document::{Key, KeyReference, kind_rows};
+use crate::document::{self, Kinds};
 
 pub use emissive::Emissive;
 pub use mirror::Mirror;
 pub use pattern::Pattern;
 pub use phong::Phong;
 
-/// A kind of material, to be read.
-pub struct Kind {
-    /// As a scene file has it.
-    pub name: &'static str,
-    /// The keys that it reads.
-    pub keys: &'static [Key],
-    /// Reads its colour and what else it has; none if it cannot be used.
-    pub(crate) read: fn(&TableReader, &mut Files) -> Option<Answer>,
-}
+/// Reads the colour that a material uses, and what it does with it; none if it cannot be used.
+type Read = fn(&TableReader, &mut Files) -> Option<(Pattern, Arc<dyn Surface>)>;
+type Kind = document::Kind<Read>;
 
-/// The colour that a kind uses, and what it does with it.
-type Answer = (Pattern, Arc<dyn Surface>);
-
-/// Every material, in the order of the reference; the first is that of a table that names none.
-const MATERIALS: [&Kind; 3] = [&phong::KIND, &emissive::KIND, &mirror::KIND];
+/// Every kind of material. Adding one is a line here.
+pub static KINDS: Kinds<Read> = Kinds {
+    table: "materials.NAME",
+    chooser: "kind",
+    meaning: "how it answers light",
+    example: None,
+    all: &[&phong::KIND, &emissive::KIND, &mirror::KIND],
+};
 
 /// `[materials.NAME]`.
 #[derive(Debug, Clone)]
@@ -83,22 +79,9 @@ pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files) -> (Vec<&'
     let names = table.entries().map(|(name, _)| name).collect();
     let materials = table.entries().filter_map(|(name, node)| {
         let table = table.reader.open("materials.NAME", node)?;
-        let kind = table.decide("kind", 0, choice(&MATERIALS.map(|kind| kind.name)));
-        let read = kind.and_then(|kind| (MATERIALS[kind].read)(&table, files));
+        let read = KINDS.chosen(&table).and_then(|read| read(&table, files));
         table.finish();
         read.map(|(color, surface)| Material { name: name.to_owned(), color, surface })
     });
     (names, materials.collect())
-}
-
-/// The names of all kinds.
-#[must_use]
-pub fn names() -> Vec<&'static str> {
-    MATERIALS.map(|kind| kind.name).to_vec()
-}
-
-/// The reference's rows of the keys that materials read.
-#[must_use]
-pub fn reference() -> Vec<KeyReference> {
-    kind_rows("materials.NAME", "kind", &MATERIALS.map(|kind| (kind.name, kind.keys)))
 }

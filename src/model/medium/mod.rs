@@ -3,7 +3,7 @@
 //! *Theory.* Light in a medium moves by dx = v, dv = ∇(n²/2) with |v| = n. The WGSL contract is `medium_index(x)`,
 //! `medium_pull(x)` = ∇(n²/2) and `medium_length(x)`, the length over which n changes; media whose paths have a closed form name it.
 //!
-//! *Practice.* `MEDIA` names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod constant;
 mod eaton;
@@ -31,8 +31,8 @@ use super::same::same;
 use super::{Capture, ClosedForm, Loops, Row, Same, Wgsl};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
-use crate::document::values::{choice, direction, positive, suggest, vector};
-use crate::document::{Key, KeyReference, Node, Value, keys, kind_rows};
+use crate::document::values::{direction, positive, suggest, vector};
+use crate::document::{self, Key, Kinds, Node, Value, keys};
 
 pub use constant::{COMMON, Constant};
 pub use eaton::Eaton;
@@ -51,35 +51,37 @@ pub use rod::Rod;
 pub use sech::Sech;
 pub use textured::Textured;
 
-/// A kind of medium, to be read.
-pub struct Kind {
-    /// As a scene file has it.
-    pub name: &'static str,
-    /// The keys that it reads.
-    pub keys: &'static [Key],
-    /// Reads it; none if it cannot be used.
-    pub(crate) read: fn(&TableReader, Surroundings, &mut Files) -> Option<Arc<dyn Medium>>,
-}
+/// Reads a medium; none if it cannot be used.
+type Read = fn(&TableReader, Surroundings, &mut Files) -> Option<Arc<dyn Medium>>;
+type Kind = document::Kind<Read>;
 
-/// Every medium, in the order of the reference.
-const MEDIA: [&Kind; 16] = [
-    &constant::KIND,
-    &luneburg::KIND,
-    &gaussian::KIND,
-    &inverse_r::KIND,
-    &fisheye::KIND,
-    &eaton::KIND,
-    &rod::KIND,
-    &linear::KIND,
-    &exponential::KIND,
-    &sech::KIND,
-    &profile::KIND,
-    &noise::KIND,
-    &textured::KIND,
-    &explosion::KIND,
-    &expression::KIND,
-    &grid::KIND,
-];
+/// Every kind of medium. Adding one is a line here.
+pub static KINDS: Kinds<Read> = Kinds {
+    table: "medium",
+    chooser: "kind",
+    meaning: "how n varies: a number stands for { kind = \"constant\", n }, and so do the names of common media: \
+              vacuum, air, ice, water, ethyl-alcohol, fused-quartz, acrylic, crown-glass, polyester-resin, \
+              flint-glass and diamond",
+    example: Some("luneburg"),
+    all: &[
+        &constant::KIND,
+        &luneburg::KIND,
+        &gaussian::KIND,
+        &inverse_r::KIND,
+        &fisheye::KIND,
+        &eaton::KIND,
+        &rod::KIND,
+        &linear::KIND,
+        &exponential::KIND,
+        &sech::KIND,
+        &profile::KIND,
+        &noise::KIND,
+        &textured::KIND,
+        &explosion::KIND,
+        &expression::KIND,
+        &grid::KIND,
+    ],
+};
 
 /// What is where nothing else is.
 pub const VACUUM: Constant = Constant { n: 1.0 };
@@ -226,20 +228,7 @@ pub(crate) fn read(
         _ => return reader.accept(positive(node)).map(|n| Arc::new(Constant { n }) as Arc<dyn Medium>),
     }
     let table = reader.open("medium", node)?;
-    let kind = table.decide_required("kind", "\"luneburg\"", choice(&MEDIA.map(|kind| kind.name)));
-    let medium = kind.and_then(|kind| (MEDIA[kind].read)(&table, around, files));
+    let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
     table.finish();
     medium
-}
-
-/// The names of all kinds.
-#[must_use]
-pub fn names() -> Vec<&'static str> {
-    MEDIA.map(|kind| kind.name).to_vec()
-}
-
-/// The reference's rows of the keys that media read.
-#[must_use]
-pub fn reference() -> Vec<KeyReference> {
-    kind_rows("medium", "kind", &MEDIA.map(|kind| (kind.name, kind.keys)))
 }

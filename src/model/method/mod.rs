@@ -17,6 +17,7 @@ mod snell;
 use std::fmt;
 
 use super::control::{self, Control};
+use super::same::named;
 use super::{Binding, Order, Value};
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
@@ -186,17 +187,7 @@ impl Kind {
     }
 }
 
-impl PartialEq for Kind {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl fmt::Debug for Kind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
-    }
-}
+named!(Kind);
 
 impl fmt::Debug for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -251,9 +242,12 @@ pub fn method_words(method: Method, control: Control) -> String {
 /// The reference's rows of the keys that methods read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
+    let meaning = "the integrator; auto measures which is fastest at the accuracy. Left out, it is exact where no light is \
+                   bent, what suits the steps or the tolerance that are given, else auto";
     let all = names();
     let keys: Vec<Vec<Key>> =
         all.iter().map(|(_, named)| named.kind.keys(named.doubled).into_iter().copied().collect()).collect();
-    let kinds: Vec<(&str, &[Key])> = all.iter().zip(&keys).map(|((name, _), keys)| (&**name, &**keys)).collect();
-    kind_rows("rays", "method", &kinds)
+    let kinds = all.iter().zip(&keys).map(|((name, _), keys)| (&**name, &**keys));
+    let kinds: Vec<(&str, &[Key])> = std::iter::once(("auto", [].as_slice())).chain(kinds).collect();
+    kind_rows("rays", ("method", "see there", meaning), &kinds)
 }

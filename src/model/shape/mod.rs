@@ -4,7 +4,7 @@
 //! shape as the shaders test it: `hit_SOLID`, and where rays go on through it `cross_SOLID`; one kind may be several (a sphere that is
 //! stretched is an ellipsoid).
 //!
-//! *Practice.* `SHAPES` names each kind once, [`SOLIDS`] each solid. Adding one is a WGSL file, a file here and a line of each.
+//! *Practice.* [`KINDS`] names each kind once, [`SOLIDS`] each solid. Adding one is a WGSL file, a file here and a line of each.
 
 mod contact;
 mod cuboid;
@@ -28,7 +28,7 @@ use super::cut::{Outline, OwnPlane};
 use super::medium::Surroundings;
 use crate::assets::{Files, Mesh, Transform};
 use crate::document::reader::TableReader;
-use crate::document::{Key, KeyReference, keys, kind_rows};
+use crate::document::{self, Key, Kinds, keys};
 
 pub use contact::Contact;
 pub use cuboid::Cuboid;
@@ -42,22 +42,19 @@ pub(crate) use read::read;
 pub use solid::{Placed, Solid};
 pub use sphere::Sphere;
 
-/// A kind of shape, to be read.
-pub struct Kind {
-    /// As a scene file has it.
-    pub name: &'static str,
-    /// The keys that it reads.
-    pub keys: &'static [Key],
-    /// Reads it, with the map from its own space that its keys make; none if it cannot be used. `across` is twice the radius of the
-    /// bounding sphere.
-    pub(crate) read: fn(&TableReader, across: f64, &mut Files) -> Option<Own>,
-}
+/// Reads a shape, with the map from its own space that its keys make; none if it cannot be used. `across` is twice the radius of
+/// the bounding sphere.
+type Read = fn(&TableReader, across: f64, &mut Files) -> Option<(Arc<dyn Shape>, DAffine3)>;
+type Kind = document::Kind<Read>;
 
-/// A shape, and the map from its own space that its keys make.
-type Own = (Arc<dyn Shape>, DAffine3);
-
-/// Every shape, in the order of the reference.
-const SHAPES: [&Kind; 6] = [&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &mesh::KIND];
+/// Every kind of shape. Adding one is a line here.
+pub static KINDS: Kinds<Read> = Kinds {
+    table: "objects",
+    chooser: "shape",
+    meaning: "what it is",
+    example: Some("sphere"),
+    all: &[&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &mesh::KIND],
+};
 
 /// Every solid, by name.
 pub const SOLIDS: [&Solid; 7] =
@@ -170,15 +167,3 @@ const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "its middle, scen
 const RADIUS: Key = keys! { radius: "number above 0" = "1", "scene units"; }[0];
 /// `normal`.
 const NORMAL: Key = keys! { normal: "[x, y, z]" = "[0, 1, 0]", "where it faces"; }[0];
-
-/// The names of all kinds.
-#[must_use]
-pub fn names() -> Vec<&'static str> {
-    SHAPES.map(|kind| kind.name).to_vec()
-}
-
-/// The reference's rows of the keys that shapes read.
-#[must_use]
-pub fn reference() -> Vec<KeyReference> {
-    kind_rows("objects", "shape", &SHAPES.map(|kind| (kind.name, kind.keys)))
-}

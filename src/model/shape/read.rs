@@ -2,10 +2,10 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 
-use super::{Object, SHAPES, Shape, Substance, round_up};
+use super::{KINDS, Object, Shape, Substance, round_up};
 use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, choice, direction, extents, positive, suggest, text, vector, whole};
+use crate::document::values::{Read, direction, extents, positive, suggest, text, vector, whole};
 use crate::document::{Node, Place, Value};
 use crate::model::medium::{self, Interior, Surroundings};
 
@@ -31,9 +31,8 @@ pub(crate) fn read(
 }
 
 fn object(table: &TableReader, materials: &[&str], bound: Option<Ball>, files: &mut Files) -> Option<Object> {
-    let kind = table.decide_required("shape", "\"sphere\"", choice(&SHAPES.map(|kind| kind.name)));
     let across = 2.0 * bound.map_or(1.0, |(_, radius)| radius);
-    let shape = kind.and_then(|kind| (SHAPES[kind].read)(table, across, files));
+    let shape = KINDS.chosen(table).and_then(|read| read(table, across, files));
     let translate = table.or("translate", DVec3::ZERO, vector);
     let rotate = table.or("rotate", DVec3::ZERO, vector);
     let scale = table.or("scale", DVec3::ONE, |node| match node.value {

@@ -9,12 +9,11 @@
 mod center;
 mod line;
 
-use std::fmt;
-
 use glam::DVec3;
 
 use super::Wgsl;
 use super::falloff::Falloff;
+use super::same::named;
 use crate::document::reader::TableReader;
 use crate::document::{Key, KeyReference, kind_rows};
 
@@ -96,20 +95,11 @@ impl Kind {
     }
 }
 
-impl PartialEq for Kind {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-    }
-}
-
-impl fmt::Debug for Kind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)
-    }
-}
+named!(Kind);
 
 /// The reference's rows of the keys that kinds of source read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
-    kind_rows("law.sources", "kind", &SOURCES.map(|kind| (kind.name, kind.keys)))
+    let chooser = ("kind", SOURCES[0].name, "what the source is centred on");
+    kind_rows("law.sources", chooser, &SOURCES.map(|kind| (kind.name, kind.keys)))
 }

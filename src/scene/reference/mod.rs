@@ -15,7 +15,17 @@ pub const TEMPLATE: &str = include_str!("template.toml");
 
 /// Every key, table by table: a test holds it to what the reading of scenes asks for.
 pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
-    let kinds = [kinds_of_laws(), kinds_of_scenes()].concat();
+    let kinds = [
+        law::KINDS.reference(),
+        source::reference(),
+        falloff::reference(),
+        medium::KINDS.reference(),
+        camera::KINDS.reference(),
+        method::reference(),
+        material::KINDS.reference(),
+        shape::KINDS.reference(),
+    ]
+    .concat();
     let mut all = keys::fixed();
     for table in kinds.chunk_by(|a, b| a.table == b.table) {
         // The kinds of a table stand where the table does, or behind the table before it.
@@ -34,57 +44,6 @@ const AFTER: [(&str, &str); 4] = [
     ("medium", "law.sources.falloff"),
     ("materials.NAME", "output"),
 ];
-
-fn kinds_of_laws() -> Vec<KeyReference> {
-    let law = "how light travels: straight, round a black hole, by sources of force, along a flow, or in a medium";
-    let source = "what the source is centred on";
-    let medium = "how n varies: a number stands for { kind = \"constant\", n }, and so do the names of common media: \
-                  vacuum, air, ice, water, ethyl-alcohol, fused-quartz, acrylic, crown-glass, polyester-resin, \
-                  flint-glass and diamond";
-    let sources: Vec<&str> = source::SOURCES.map(|kind| kind.name).to_vec();
-    [
-        chooser("law", "kind", &law::names(), Some(law::names()[0]), law),
-        law::reference(),
-        chooser("law.sources", "kind", &sources, Some(sources[0]), source),
-        source::reference(),
-        falloff::reference(),
-        chooser("medium", "kind", &medium::names(), None, medium),
-        medium::reference(),
-    ]
-    .concat()
-}
-
-fn kinds_of_scenes() -> Vec<KeyReference> {
-    let camera = "how a point of the picture becomes a ray: as through a window, parallel, by the angle from the middle, \
-                  or by longitude and latitude";
-    let method = "the integrator; auto measures which is fastest at the accuracy. Left out, it is exact where no light is \
-                  bent, what suits the steps or the tolerance that are given, else auto";
-    let methods = method::names();
-    let names: Vec<&str> = std::iter::once("auto").chain(methods.iter().map(|(name, _)| name.as_str())).collect();
-    [
-        chooser("camera", "kind", &camera::names(), Some(camera::names()[0]), camera),
-        camera::reference(),
-        chooser("rays", "method", &names, Some("see there"), method),
-        method::reference(),
-        chooser("materials.NAME", "kind", &material::names(), Some(material::names()[0]), "how it answers light"),
-        material::reference(),
-        chooser("objects", "shape", &shape::names(), None, "what it is"),
-        shape::reference(),
-    ]
-    .concat()
-}
-
-/// The row of the key that chooses a kind.
-fn chooser(
-    table: &'static str,
-    key: &'static str,
-    names: &[&str],
-    default: Option<&'static str>,
-    meaning: &'static str,
-) -> Vec<KeyReference> {
-    let (value, default) = (names.join(" | "), default.unwrap_or("required"));
-    vec![KeyReference { table, key, when: String::new(), value, default, meaning }]
-}
 
 /// The reference as Markdown, a section for each table.
 #[must_use]

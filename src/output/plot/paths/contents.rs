@@ -21,8 +21,10 @@ pub enum SurfaceKind {
     Opaque,
     /// The surface of an object that light goes through.
     Medium,
-    /// A sphere of the law, by its name.
-    Landmark(&'static str),
+    /// A sphere of the law where rays end, by its name.
+    Capture(&'static str),
+    /// Any other sphere of the law, by its name.
+    Limit(&'static str),
 }
 
 /// Where something crosses the plane.
@@ -92,7 +94,7 @@ impl SurfaceKind {
         match self {
             Self::Opaque => "surface",
             Self::Medium => "medium",
-            Self::Landmark(name) => name,
+            Self::Capture(name) | Self::Limit(name) => name,
         }
     }
 }

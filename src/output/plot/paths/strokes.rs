@@ -124,8 +124,8 @@ pub(super) fn look(kind: SurfaceKind) -> Look {
     match kind {
         SurfaceKind::Opaque => Look::solid(),
         SurfaceKind::Medium => Look::glass(),
-        SurfaceKind::Landmark("horizon" | "capture") => Look::hole(),
-        SurfaceKind::Landmark(_) => Look::limit(),
+        SurfaceKind::Capture(_) => Look::hole(),
+        SurfaceKind::Limit(_) => Look::limit(),
     }
 }
 
@@ -133,7 +133,7 @@ pub(super) fn look(kind: SurfaceKind) -> Look {
 fn opacity(kind: SurfaceKind) -> Option<f64> {
     match kind {
         SurfaceKind::Medium => Some(0.2),
-        SurfaceKind::Landmark("horizon" | "capture") => Some(0.6),
-        SurfaceKind::Opaque | SurfaceKind::Landmark(_) => None,
+        SurfaceKind::Capture(_) => Some(0.6),
+        SurfaceKind::Opaque | SurfaceKind::Limit(_) => None,
     }
 }
