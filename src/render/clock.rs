@@ -3,12 +3,14 @@
 //! *Idea.* A pass takes the time from the end of the one before it to its own end; the first of a submission is preceded by an
 //! empty one. Beginnings are written but not read: Mesa's lavapipe takes a timestamp only when something flushes after it, and
 //! nothing need do so between the beginning of a pass and its first dispatch, whose time was then lost. An end is flushed by the
-//! next beginning, or by the end of the submission.
+//! next beginning, or by the end of the submission. Another thread of lavapipe's then takes it, which on a busy core is late by as
+//! much as the next pass takes. A copy of the timestamp waits for it, so a CPU copies each one behind its pass.
 
 use std::time::Duration;
 
 use wgpu::{
-    BufferDescriptor, BufferUsages, CommandEncoder, ComputePassTimestampWrites, QuerySet, QuerySetDescriptor, QueryType,
+    Buffer, BufferDescriptor, BufferUsages, CommandEncoder, ComputePassTimestampWrites, DeviceType, QuerySet,
+    QuerySetDescriptor, QueryType,
 };
 
 use super::readback::read_buffer;
@@ -32,6 +34,8 @@ pub(super) struct Clock {
     sets: Vec<QuerySet>,
     stages: Vec<Stage>,
     enabled: bool,
+    /// What timestamps are copied to so that the device waits for them, if it has to.
+    awaited: Option<Buffer>,
     /// Are intersecting and scattering timed apart from advancing?
     pub(super) apart: bool,
 }
@@ -40,7 +44,12 @@ const QUERIES: u32 = wgpu::QUERY_SET_MAX_QUERIES;
 
 impl Clock {
     pub(super) fn new(gpu: &Gpu, apart: bool) -> Self {
-        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, apart }
+        let waits = gpu.timestamps && gpu.info.device_type == DeviceType::Cpu;
+        let awaited = waits.then(|| {
+            let (label, usage) = (Some("timestamp"), BufferUsages::QUERY_RESOLVE);
+            gpu.device.create_buffer(&BufferDescriptor { label, size: 8, usage, mapped_at_creation: false })
+        });
+        Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, awaited, apart }
     }
 
     /// Where the next pass of this stage writes its times.
@@ -60,6 +69,14 @@ impl Clock {
             beginning_of_pass_write_index: Some(index),
             end_of_pass_write_index: Some(index + 1),
         })
+    }
+
+    /// Waits for the end of the pass that was recorded last, where the device has to.
+    pub(super) fn settle(&self, encoder: &mut CommandEncoder) {
+        if let (Some(set), Some(buffer)) = (self.sets.last(), &self.awaited) {
+            let last = 2 * (self.stages.len() as u32 - 1) % QUERIES + 1;
+            encoder.resolve_query_set(set, last..last + 1, buffer, 0);
+        }
     }
 
     /// Seconds by stage, once all passes are done.

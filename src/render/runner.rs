@@ -118,6 +118,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         if let Some(timestamp_writes) = clock.next(gpu, Stage::Start) {
             let descriptor = ComputePassDescriptor { label: None, timestamp_writes: Some(timestamp_writes) };
             drop(encoder.begin_compute_pass(&descriptor));
+            clock.settle(&mut encoder);
         }
         let lists = self.renderer.plan().batch;
         let batch = |round: u32| u64::from(round) / lists.rounds;
@@ -148,6 +149,8 @@ impl<'r, 'a> Runner<'r, 'a> {
                 pass.set_bind_group(0, group, &self.offsets(step, *round));
                 self.dispatch(&mut pass, step, *round);
             }
+            drop(pass);
+            clock.settle(&mut encoder);
         }
         self.recorded.clear();
         self.under_way.push_back(gpu.queue.submit([encoder.finish()]));
