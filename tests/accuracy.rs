@@ -90,6 +90,8 @@ fn a_calibrated_scene_is_as_accurate_as_was_asked() {
         calibrate(&gpu, &asked, &RenderSettings::default(), None).unwrap().expect("the scene names no method");
     println!("{calibration}");
     assert!(calibration.reached());
+    // Nothing in it is a matter of time.
+    assert_eq!(calibrate(&gpu, &asked, &RenderSettings::default(), None).unwrap(), Some(calibration.clone()));
     let chosen = calibration.applied(&asked);
     let found = verify(&gpu, &chosen, &RenderSettings::default(), 500).unwrap().found;
     let accuracy = asked.accuracy().unwrap();
@@ -121,7 +123,7 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
         assert!(verified.seen.p99 <= accuracy, "{text}: {:e} where {accuracy:e} was asked for", verified.seen.p99);
     }
     let searched = calibrate_for(&gpu, &scene(HOLE), &RenderSettings::default(), 1 << 40).unwrap().unwrap();
-    assert!(searched.compared && searched.tried.len() > 1, "{searched}");
+    assert!(searched.compared && searched.reached(), "{searched}");
 }
 
 /// A chaotic flow has no accuracy to reach, and says so.

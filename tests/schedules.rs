@@ -48,7 +48,7 @@ fn assert_all_the_same(scene: &Path, more: &[&str]) {
 #[test]
 fn shipped_scenes_do_not_depend_on_the_schedule() {
     for scene in shipped_scenes() {
-        // Which method is fastest is a matter of time: each picture is to be of the same one.
+        // A search for the method would take longer than the pictures.
         let straight = scene.to_string_lossy().contains("straight");
         let method: &[&str] = if straight { &[] } else { &["--set", "rays.method=rk4"] };
         assert_all_the_same(&scene, &[&SMALL, method].concat());

@@ -194,11 +194,10 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
 /// The scene by the method that `auto` takes, its words and its error.
 fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings, String, Cell), RenderError> {
     let scene = scene(bench.size, keys, spheres, 30, How::Ours)?;
-    let mut settings = RenderSettings::default();
+    let settings = RenderSettings::default();
     let Some(found) = calibrate(bench.gpu, &scene, &settings, None)? else {
         return Ok((scene, settings, "exact".to_owned(), Cell::None));
     };
-    settings.choice.schedule = found.schedule;
     let chosen = found.chosen;
     Ok((found.applied(&scene), settings, method_words(chosen.method, chosen.control), chosen.error.into()))
 }

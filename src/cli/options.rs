@@ -90,10 +90,9 @@ pub(super) struct DeviceFlags {
     /// The device whose name contains this; without it the first discrete GPU, else integrated, else CPU
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// How the stages of a segment are cut into passes: all give the same picture. Without it fused, unless method = "auto"
-    /// measures otherwise
-    #[arg(long, value_parser = schedules())]
-    schedule: Option<Schedule>,
+    /// How the stages of a segment are cut into passes: all give the same picture
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
+    schedule: Schedule,
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
     no_masks: bool,
@@ -132,7 +131,7 @@ impl DeviceFlags {
     pub(super) fn settings(&self, layers: Vec<Layer>) -> RenderSettings {
         let default = RenderSettings::default();
         RenderSettings {
-            choice: Choice { layers, ..self.masked(choice(self.schedule.unwrap_or(Schedule::Fused))) },
+            choice: Choice { layers, ..self.masked(choice(self.schedule)) },
             segments: self.segments_per_pass.unwrap_or(default.segments),
             ..default
         }
@@ -148,29 +147,22 @@ pub(super) enum Rays<'r> {
     Camera(u64),
 }
 
-impl DeviceFlags {
-    /// The scene with a method, found by calibration where it leaves that open, and the settings with its schedule.
-    pub(super) fn settle(
-        &self,
-        gpu: &Gpu,
-        scene: Scene,
-        mut settings: RenderSettings,
-        rays: Rays,
-    ) -> Result<(Scene, RenderSettings), RenderError> {
-        let calibration = match rays {
-            Rays::Given(rays) => calibrate(gpu, &scene, &settings, Some(rays)),
-            Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
-        }?;
-        let Some(calibration) = calibration else { return Ok((scene, settings)) };
-        eprintln!("{calibration}");
-        if self.schedule.is_none() {
-            settings.choice.schedule = calibration.schedule;
-        }
-        settings.choice.layers.clone_from(&calibration.layers);
-        Ok((calibration.applied(&scene), settings))
-    }
+/// The scene with a method, found by calibration where it leaves that open, and the settings that keep what is compiled already.
+pub(super) fn settle(
+    gpu: &Gpu,
+    scene: Scene,
+    mut settings: RenderSettings,
+    rays: Rays,
+) -> Result<(Scene, RenderSettings), RenderError> {
+    let calibration = match rays {
+        Rays::Given(rays) => calibrate(gpu, &scene, &settings, Some(rays)),
+        Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
+    }?;
+    let Some(calibration) = calibration else { return Ok((scene, settings)) };
+    eprintln!("{calibration}");
+    settings.choice.layers.clone_from(&calibration.layers);
+    Ok((calibration.applied(&scene), settings))
 }
-
 /// A schedule with masks, for pictures without layers.
 pub(super) fn choice(schedule: Schedule) -> Choice {
     Choice { schedule, masks: schedule.masks(), purpose: Purpose::Picture, layers: Vec::new() }

@@ -9,7 +9,7 @@ use clap::builder::TypedValueParser;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::frames::{Film, Frames, path_of};
-use super::options::{DeviceFlags, Rays, SceneOptions, one_of, parse_bytes, parse_window};
+use super::options::{DeviceFlags, Rays, SceneOptions, one_of, parse_bytes, parse_window, settle};
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
 use crate::output::{FileSettings, ImageWriter, open};
@@ -163,7 +163,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let settings = RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };
     let [width, height] = arguments.crop.unwrap_or(Window::whole(scene.image.size)).size;
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
-    let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Camera(rays))?;
+    let (scene, settings) = settle(&gpu, scene, settings, Rays::Camera(rays))?;
     launch.next();
     let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;
     if let Some(verification) = &measured {

@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use self::beams::Beam;
 use self::diagram::{DiagramOptions, Group};
-use super::options::{DeviceFlags, Rays, SceneOptions};
+use super::options::{DeviceFlags, Rays, SceneOptions, settle};
 use super::render::warn;
 use crate::error::Error;
 use crate::measure::drift;
@@ -78,7 +78,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.plot.as_deref().map_or(Ok(()), check_plot)?;
     let gpu = arguments.device.open()?;
     let settings = arguments.device.settings(Vec::new());
-    let (scene, settings) = arguments.device.settle(&gpu, scene, settings, Rays::Given(rays))?;
+    let (scene, settings) = settle(&gpu, scene, settings, Rays::Given(rays))?;
     if !arguments.path && (table.is_some() || arguments.drift) {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
         for (i, ray) in traced.iter().enumerate() {

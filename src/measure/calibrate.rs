@@ -1,37 +1,35 @@
-//! `method = "auto"`: the fastest method that is right, found on a few hundred rays before the picture starts.
+//! `method = "auto"`: the cheapest method that is right, found on a few thousand rays before the picture starts.
+//!
+//! *Theory.* What a method errs by is measured. What it costs is counted, not timed ([`cost`]): the evaluations of the law's
+//! derivative that its steps take, with what a step costs besides. A busy machine comes to the same choice as an idle one.
 //!
 //! *Practice.* A search among methods compiles a program for each, and one in 64 bits for the truth: seconds on a CPU. A picture that
-//! takes less is not worth it: [`calibrate_for`] then stays with the method that is the fastest for most laws, at a setting that is
+//! takes less is not worth it: [`calibrate_for`] then stays with the method that is the cheapest for most laws, at a setting that is
 //! right on the picture's own rays, and says so.
 
 use std::fmt;
-use std::time::{Duration, Instant};
 
 use super::refined::{self, Found};
-use super::{Candidate, Deviations, Truth, fast_methods, groups, method_words, scattered};
+use super::{Candidate, Deviations, Truth, cost, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
-use crate::program::{Choice, Layer, Purpose, Schedule};
-use crate::render::{RenderError, RenderSettings, Renderer, Starts};
+use crate::program::{Choice, Layer, Purpose};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced};
 use crate::scene::{Control, Method, Scene};
 
 /// Rays whose error is measured.
 const RAYS: usize = 4000;
-/// Workgroups whose time is.
-const GROUPS: usize = 128;
-const REPEATS: usize = 5;
-/// What takes so many times the best one's time, in each of two runs, is not run again.
-const HOPELESS: f64 = 1.3;
 const REFINEMENTS: usize = 2;
 /// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
 const MARGIN: f64 = 0.9;
 /// So many times the scene's own segments may a path have, whatever the method.
 const MORE_SEGMENTS: u32 = 4;
-/// Programs that a search compiles besides one for each method: the truth's, and that of the other schedule.
-const OTHER_PROGRAMS: usize = 2;
-/// What takes longer than this has lost.
-const BUDGET: Duration = Duration::from_secs(20);
+/// A picture is worth a search if it costs more than this: half a minute on two CPU cores, where a search takes three seconds.
+const WORTH_A_SEARCH: f64 = 6e10;
+/// What costs so many times the cheapest that is right has lost, as has what costs so much a ray.
+const LOST: f64 = 4.0;
+const TOO_MANY: f64 = 4e5;
 
-/// A method at a setting, with its error and time.
+/// A method at a setting, with its error and cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trial {
     /// The method.
@@ -40,8 +38,8 @@ pub struct Trial {
     pub control: Control,
     /// 99 of 100 rays err by no more, in radians.
     pub error: f64,
-    /// Time of a ray on the device, in seconds.
-    pub time: f64,
+    /// What a ray costs, in evaluations of a simple derivative: see [`cost`].
+    pub cost: f64,
 }
 
 /// What a calibration found.
@@ -49,15 +47,11 @@ pub struct Trial {
 pub struct Calibration {
     /// The error asked for, in radians.
     pub accuracy: f64,
-    /// The fastest that is right; or, if none is, the most accurate.
+    /// The cheapest that is right; or, if none is, the most accurate.
     pub chosen: Trial,
-    /// Its schedule.
-    pub schedule: Schedule,
-    /// The first setting of each method that was right.
-    pub tried: Vec<Trial>,
     /// Rays whose truth no method can know.
     pub unresolved: usize,
-    /// Was it compared with other methods? If not, because the picture takes less time than that.
+    /// Was it compared with other methods? If not, because the picture takes less time than that would.
     pub compared: bool,
     /// What the picture has to keep to run what is compiled already.
     pub layers: Vec<Layer>,
@@ -102,21 +96,11 @@ pub fn calibrate_for(
         let choice = Choice { layers: layers.clone(), ..settings.choice.clone() };
         let keeping = RenderSettings { choice, ..settings.clone() };
         let found = refined::first_right(gpu, scene, &keeping, method, segments(scene), MARGIN * accuracy)?;
-        if let Some(Found { control, error, time, build }) = found {
-            let search = build.as_secs_f64() * (methods.len() + OTHER_PROGRAMS) as f64;
-            if time * rays as f64 <= search {
-                let chosen = Trial { method: method.method, control, error, time };
-                let (schedule, tried) = (settings.choice.schedule, vec![chosen]);
-                return Ok(Some(Calibration {
-                    accuracy,
-                    chosen,
-                    schedule,
-                    tried,
-                    unresolved: 0,
-                    compared: false,
-                    layers,
-                }));
-            }
+        if let Some(Found { control, error, cost }) = found
+            && cost * rays as f64 <= WORTH_A_SEARCH
+        {
+            let chosen = Trial { method: method.method, control, error, cost };
+            return Ok(Some(Calibration { accuracy, chosen, unresolved: 0, compared: false, layers }));
         }
     }
     calibrate(gpu, scene, settings, None)
@@ -131,24 +115,17 @@ pub fn calibrate(
 ) -> Result<Option<Calibration>, RenderError> {
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
     let rays = Trials::new(gpu, scene, settings, given, accuracy)?;
-    let candidates: Vec<_> = fast_methods(scene).into_iter().map(|candidate| rays.prepared(candidate)).collect();
-    let mut trials = Vec::new();
-    for (candidate, scene) in &candidates {
-        trials.push(rays.first_right(candidate, scene)?);
+    let right = |trial: &&Trial| trial.error <= MARGIN * accuracy;
+    let mut trials: Vec<Trial> = Vec::new();
+    for candidate in fast_methods(scene) {
+        let most = trials.iter().filter(right).map(|trial| LOST * trial.cost).fold(TOO_MANY, f64::min);
+        trials.push(rays.first_right(&candidate, most)?);
     }
-    let renderers: Vec<_> = trials.iter().map(|(_, renderer)| renderer).collect();
-    let times = rays.times(&renderers)?;
-    for ((trial, _), time) in trials.iter_mut().zip(times) {
-        trial.time = time;
-    }
-    let right = |trial: &Trial| trial.error <= MARGIN * accuracy;
-    let fastest = trials.iter().filter(|(trial, _)| right(trial)).min_by(|a, b| a.0.time.total_cmp(&b.0.time));
-    let best = || trials.iter().min_by(|a, b| a.0.error.total_cmp(&b.0.error));
-    let Some((chosen, renderer)) = fastest.or_else(best) else { return Ok(None) };
-    let (chosen, schedule) = (*chosen, rays.schedule(chosen, renderer)?);
-    let tried = trials.into_iter().map(|(trial, _)| trial).filter(right).collect();
+    let cheapest = trials.iter().filter(right).min_by(|a, b| a.cost.total_cmp(&b.cost));
+    let best = || trials.iter().min_by(|a, b| a.error.total_cmp(&b.error));
+    let Some(&chosen) = cheapest.or_else(best) else { return Ok(None) };
     let (unresolved, layers) = (rays.truth.unresolved(), settings.choice.layers.clone());
-    Ok(Some(Calibration { accuracy, chosen, schedule, tried, unresolved, compared: true, layers }))
+    Ok(Some(Calibration { accuracy, chosen, unresolved, compared: true, layers }))
 }
 
 /// The rays that methods are tried on.
@@ -158,10 +135,8 @@ struct Trials<'a> {
     settings: RenderSettings,
     given: Option<Vec<[f64; 6]>>,
     pixels: Vec<[u32; 2]>,
-    timed: Vec<[u32; 2]>,
     truth: Truth,
     accuracy: f64,
-    started: Instant,
 }
 
 impl<'a> Trials<'a> {
@@ -176,108 +151,73 @@ impl<'a> Trials<'a> {
         let purpose = if given.is_some() { Purpose::Trace } else { Purpose::Pixels };
         let choice = Choice { purpose, layers: Vec::new(), ..settings.choice.clone() };
         let settings = RenderSettings { choice, ..settings.clone() };
-        let size = scene.image.size;
-        let (pixels, timed) = (scattered(size, RAYS, 1), groups(size, gpu.group, GROUPS));
+        let pixels = scattered(scene.image.size, RAYS, 1);
         let given =
             given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
         let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
         let truth = Truth::new(gpu, scene, tolerance, starts)?;
-        Ok(Self { gpu, scene, settings, given, pixels, timed, truth, accuracy, started: Instant::now() })
+        Ok(Self { gpu, scene, settings, given, pixels, truth, accuracy })
     }
 
     fn starts(&self) -> Starts<'_> {
         self.given.as_deref().map_or(Starts::Pixels(&self.pixels, 1024), Starts::Given)
     }
 
-    /// A candidate with its scene.
-    fn prepared(&self, candidate: Candidate) -> (Candidate, Scene) {
-        let mut scene = candidate.applied(self.scene, candidate.controls[0]);
+    /// The coarsest setting that is right, or the most accurate of those that cost no more than `most` evaluations a ray.
+    fn first_right(&self, candidate: &Candidate, most: f64) -> Result<Trial, RenderError> {
+        let (method, control) = (candidate.method, candidate.controls[0]);
+        let mut scene = candidate.applied(self.scene, control);
         scene.rays.max_segments = segments(self.scene);
-        (candidate, scene)
-    }
-
-    /// The coarsest setting that is right, or the most accurate of all, not timed yet; and what renders it.
-    fn first_right<'s>(&self, candidate: &Candidate, scene: &'s Scene) -> Result<(Trial, Renderer<'s>), RenderError>
-    where
-        'a: 's,
-    {
         // Few rays: what counts is not how many run but how many passes are recorded.
         let settings = RenderSettings { segments: 256, ..self.settings.clone() };
-        let mut renderer = Renderer::new(self.gpu, scene, settings)?;
-        let mut error_at = |control| -> Result<f64, RenderError> {
+        let mut renderer = Renderer::new(self.gpu, &scene, settings)?;
+        let mut tried = |control| -> Result<Trial, RenderError> {
             renderer.retune(control, scene.rays.max_segments)?;
             let (rays, _) = renderer.follow(self.starts())?;
-            Ok(Deviations::new(&rays, &self.truth).seen.sure99)
+            let error = Deviations::new(&rays, &self.truth).seen.sure99;
+            let mean = |count: fn(&Traced) -> u32| {
+                rays.iter().map(|ray| f64::from(count(ray))).sum::<f64>() / rays.len().max(1) as f64
+            };
+            let cost = cost(self.scene, method, control, mean(|ray| ray.steps), mean(|ray| ray.rejected));
+            Ok(Trial { method, control, error, cost })
         };
-        let (method, control) = (candidate.method, candidate.controls[0]);
-        let mut best = Trial { method, control, error: f64::INFINITY, time: f64::INFINITY };
+        let is_right = |trial: &Trial| trial.error <= MARGIN * self.accuracy;
+        let mut best = Trial { method, control, error: f64::INFINITY, cost: f64::INFINITY };
         let mut wrong = None;
         for &control in &candidate.controls {
-            let error = error_at(control)?;
-            if error < best.error {
-                best = Trial { control, error, ..best };
+            let trial = tried(control)?;
+            if trial.error < best.error || best.cost.is_infinite() {
+                best = trial;
             }
-            if error <= MARGIN * self.accuracy || self.started.elapsed() > BUDGET {
+            if is_right(&trial) || trial.cost > most {
                 break;
             }
             wrong = Some(control);
         }
         // Steps as long as they may be lie between the last that was wrong and the first that was right.
         for _ in 0..REFINEMENTS {
-            let (Some(coarse), true) = (wrong, best.error <= MARGIN * self.accuracy) else { break };
-            let control = coarse.between(best.control);
-            let error = error_at(control)?;
-            if error <= MARGIN * self.accuracy {
-                best = Trial { control, error, ..best };
+            let (Some(coarse), true) = (wrong, is_right(&best)) else { break };
+            let trial = tried(coarse.between(best.control))?;
+            if is_right(&trial) {
+                best = trial;
             } else {
-                wrong = Some(control);
+                wrong = Some(trial.control);
             }
         }
-        renderer.retune(best.control, scene.rays.max_segments)?;
-        Ok((best, renderer))
-    }
-
-    /// Seconds of a ray by each, the least of a few runs, which take turns: a slow moment is nobody's own.
-    fn times(&self, renderers: &[&Renderer]) -> Result<Vec<f64>, RenderError> {
-        let starts = if self.given.is_some() { self.starts() } else { Starts::Pixels(&self.timed, self.gpu.group[0]) };
-        let mut times = vec![f64::INFINITY; renderers.len()];
-        for repeat in 0..REPEATS {
-            let best = times.iter().copied().fold(f64::INFINITY, f64::min);
-            let promising = |time: f64| repeat < 2 || time <= HOPELESS * best;
-            for (renderer, least) in renderers.iter().zip(&mut times).filter(|(_, least)| promising(**least)) {
-                let (rays, totals) = renderer.follow(starts)?;
-                let device = totals.device.map_or(totals.wall, |stages| stages.iter().sum::<Duration>());
-                *least = least.min(device.as_secs_f64() / rays.len() as f64);
-            }
-        }
-        Ok(times)
-    }
-
-    /// Fused, unless a segment a pass is faster.
-    fn schedule(&self, chosen: &Trial, fused: &Renderer) -> Result<Schedule, RenderError> {
-        let mut scene = self.scene.clone();
-        scene.rays.auto = None;
-        scene.rays.method = chosen.method;
-        scene.rays.control = chosen.control;
-        scene.rays.max_segments = segments(self.scene);
-        let choice = Choice { schedule: Schedule::Segment, ..self.settings.choice.clone() };
-        let settings = RenderSettings { choice, ..self.settings.clone() };
-        let times = self.times(&[fused, &Renderer::new(self.gpu, &scene, settings)?])?;
-        Ok(if times[1] < times[0] { Schedule::Segment } else { Schedule::Fused })
+        Ok(best)
     }
 }
 
 impl fmt::Display for Trial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = method_words(self.method, self.control);
-        write!(f, "{words}: 99 % within {:.1e} rad, {:.0} ns a ray", self.error, 1e9 * self.time)
+        write!(f, "{words}: 99 % within {:.1e} rad, {:.0} evaluations' cost a ray", self.error, self.cost)
     }
 }
 
 impl fmt::Display for Calibration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let schedule = self.schedule.name();
-        write!(f, "auto: {}, {schedule}", self.chosen)?;
+        write!(f, "auto: {}", self.chosen)?;
         if !self.compared {
             write!(f, "; not compared with other methods, which takes longer than the picture")?;
         }

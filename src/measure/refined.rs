@@ -8,11 +8,10 @@
 //! method has to be measured against 64 bits.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use glam::DVec3;
 
-use super::{Candidate, Quantiles};
+use super::{Candidate, Quantiles, cost};
 use crate::gpu::Gpu;
 use crate::model::control::scaled;
 use crate::program::{Choice, Layer, Purpose};
@@ -38,10 +37,8 @@ pub(super) struct Found {
     pub control: Control,
     /// 99 of 100 rays err by no more, in radians.
     pub error: f64,
-    /// Time of a ray, in seconds.
-    pub time: f64,
-    /// Time from the scene to the end of its first picture.
-    pub build: Duration,
+    /// What a ray costs, in evaluations of a simple derivative.
+    pub cost: f64,
 }
 
 /// Can the method be compared with itself? Its steps must be parts of the law's scale, and no surface may split or bend the rays.
@@ -68,7 +65,6 @@ pub(super) fn first_right(
     if !comparable(scene, &settings.choice, candidate, accuracy) {
         return Ok(None);
     }
-    let begun = Instant::now();
     let controls = &candidate.controls;
     let mut small = candidate.applied(scene, controls[TRUTHS[0]]);
     small.image.size = reduced(scene.image.size);
@@ -81,23 +77,22 @@ pub(super) fn first_right(
     }
     let settings = RenderSettings { window: None, segments: 256, ..settings.clone() };
     let mut renderer = Renderer::new(gpu, &small, settings)?;
-    let mut build = None;
-    let mut run = |k: usize| -> Result<(Vec<End>, Duration), RenderError> {
+    let mut run = |k: usize| -> Result<(Vec<End>, f64), RenderError> {
         renderer.retune(controls[k], small.rays.max_segments)?;
         let render::Rendering { band, totals } = renderer.first_sample()?;
-        build.get_or_insert_with(|| begun.elapsed());
+        let [steps, rejected] = [totals.steps, totals.rejected].map(|count| count as f64 / totals.rays.max(1) as f64);
         let plane = |layer| band.layer(layer);
-        Ok((ends(LAYERS.map(plane)), totals.device.map_or(totals.wall, |stages| stages.iter().sum())))
+        Ok((ends(LAYERS.map(plane)), cost(scene, candidate.method, controls[k], steps, rejected)))
     };
     let Some((truth, finest, slack)) = truth(&mut run, accuracy)? else { return Ok(None) };
     let mut k = FIRST;
     let mut best = None;
     while k < finest {
-        let (rays, time) = run(k)?;
+        let (rays, cost) = run(k)?;
         let error = slack + deviation(&rays, &truth);
         if error <= accuracy {
             let better = best.is_none();
-            best = Some((k, error, time.as_secs_f64() / rays.len() as f64));
+            best = Some(Found { control: controls[k], error, cost });
             // An error of the fourth order says how far one may go.
             let further = ((accuracy / error).ln() / (0.75_f64.powi(-4)).ln()).floor() as usize;
             if !better || further == 0 || k == 0 {
@@ -110,13 +105,12 @@ pub(super) fn first_right(
             k += 1;
         }
     }
-    let build = build.unwrap_or_default();
-    Ok(best.map(|(k, error, time)| Found { control: controls[k], error, time, build }))
+    Ok(best)
 }
 
 /// What stands for the truth, which setting it is of, and what it may be off by.
 fn truth(
-    run: &mut impl FnMut(usize) -> Result<(Vec<End>, Duration), RenderError>,
+    run: &mut impl FnMut(usize) -> Result<(Vec<End>, f64), RenderError>,
     accuracy: f64,
 ) -> Result<Option<(Vec<End>, usize, f64)>, RenderError> {
     for k in TRUTHS {

@@ -34,19 +34,3 @@ pub fn scattered(size: [u32; 2], count: usize, seed: u64) -> Vec<[u32; 2]> {
 pub fn every_pixel([width, height]: [u32; 2]) -> Vec<[u32; 2]> {
     (0..height).flat_map(|y| (0..width).map(move |x| [x, y])).collect()
 }
-
-/// Pixels of `count` workgroups of `across` by `down` at random, in an order that makes workgroups of them again when laid out in
-/// rows of a group's width: neighbours run side by side as in a whole picture.
-#[must_use]
-pub fn groups([width, height]: [u32; 2], [across, down]: [u32; 2], count: usize) -> Vec<[u32; 2]> {
-    let mut random = Random(2);
-    let mut pixels = Vec::with_capacity((across * down) as usize * count);
-    for _ in 0..count {
-        let left = random.below(width.saturating_sub(across) + 1);
-        let top = random.below(height.saturating_sub(down) + 1);
-        for y in 0..down {
-            pixels.extend((0..across).map(|x| [(left + x).min(width - 1), (top + y).min(height - 1)]));
-        }
-    }
-    pixels
-}

@@ -30,7 +30,7 @@ fn a_calibration_says_what_it_chose() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.accuracy=1e-3")).succeeds();
     let line = ran.err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{}", ran.err));
-    assert!(line.contains("99 % within") && line.contains("ns a ray") && line.contains("fused"), "{line}");
+    assert!(line.contains("99 % within") && line.contains("evaluations' cost a ray"), "{line}");
     let ran = folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.method=rk4")).succeeds();
     assert!(!ran.err.contains("auto: "), "{}", ran.err);
     folder

@@ -12,7 +12,7 @@ pub static KIND: Kind = Kind {
     controls: Controls::PlannedOrDoubled,
     refuses: |_| Vec::new(),
     closed_forms: false,
-    fast: false,
+    step_cost: None,
     sweeps: || {
         vec![
             ("euler", scaled::sweep(18)),

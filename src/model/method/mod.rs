@@ -87,8 +87,9 @@ pub struct Kind {
     pub refuses: fn(&Demands) -> Vec<Refusal>,
     /// Do closed forms stand for it where there are some?
     pub closed_forms: bool,
-    /// Has a chart shown it to be the fastest somewhere?
-    pub fast: bool,
+    /// What a step costs besides its evaluations, in evaluations of a simple derivative; none for a method that no chart has shown to
+    /// be the fastest somewhere.
+    pub step_cost: Option<f64>,
     /// What a chart tries: names, as a chart shows them, and settings from coarse to fine.
     pub sweeps: fn() -> Vec<(&'static str, Vec<Control>)>,
     /// A number that only this method has.

@@ -29,7 +29,7 @@ pub static KIND: Kind = Kind {
         refused
     },
     closed_forms: true,
-    fast: true,
+    step_cost: Some(1.5),
     sweeps: || vec![("planar", scaled::sweep(16))],
     own: None,
 };

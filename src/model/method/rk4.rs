@@ -12,7 +12,7 @@ pub static KIND: Kind = Kind {
     controls: Controls::PlannedOrDoubled,
     refuses: |_| Vec::new(),
     closed_forms: false,
-    fast: true,
+    step_cost: Some(5.0),
     sweeps: || {
         vec![
             ("rk4", scaled::sweep(16)),

@@ -16,7 +16,7 @@ pub static KIND: Kind = Kind {
         if scene.has_medium { Vec::new() } else { vec![Refusal::method(problem)] }
     },
     closed_forms: false,
-    fast: false,
+    step_cost: None,
     sweeps: || vec![("snell", scaled::sweep(16))],
     own: Some(&OwnNumber {
         key: keys! { threshold: "number above 0" = "0.001", "the change of index at which the ray is refracted"; }[0],
