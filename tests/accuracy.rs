@@ -138,6 +138,16 @@ fn a_calibration_says_what_cannot_be_had() {
     let calibration = calibrate(&gpu, &flow, &RenderSettings::default(), None).unwrap().unwrap();
     println!("{calibration}");
     assert!(!calibration.reached() && calibration.to_string().contains("no method reaches"));
+    // On orbits that never end nothing can be measured, whatever the methods' errors seem to be.
+    let bound = scene(
+        "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 100 }]\n[rays]\nbound = { radius = 100 }\n\
+         max_segments = 200\n",
+    );
+    let rays = [[0.0, 3.0, 50.0, 0.0, 0.0, -1.0], [2.0, -5.0, 50.0, 0.0, 0.0, -1.0]];
+    let calibration = calibrate(&gpu, &bound, &RenderSettings::default(), Some(&rays)).unwrap().unwrap();
+    println!("{calibration}");
+    assert!(!calibration.reached() && calibration.unresolved == rays.len());
+    assert!(calibration.to_string().contains("no method can be judged"));
 }
 
 /// b < √27 M and moving inwards falls in; everything else escapes: for rays from anywhere, in every direction.

@@ -12,6 +12,8 @@ use std::fmt;
 use super::refined::{self, Found};
 use super::{Candidate, Deviations, Truth, cost, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
+use crate::model::control::embedded;
+use crate::model::method::TOLERANT;
 use crate::program::{Choice, Layer, Purpose};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced};
 use crate::scene::{Control, Method, Scene};
@@ -36,7 +38,7 @@ pub struct Trial {
     pub method: Method,
     /// The setting.
     pub control: Control,
-    /// 99 of 100 rays err by no more, in radians.
+    /// 99 of 100 rays err by no more, in radians; infinite where that is not known.
     pub error: f64,
     /// What a ray costs, in evaluations of a simple derivative: see [`cost`].
     pub cost: f64,
@@ -123,9 +125,15 @@ pub fn calibrate(
     }
     let cheapest = trials.iter().filter(right).min_by(|a, b| a.cost.total_cmp(&b.cost));
     let best = || trials.iter().min_by(|a, b| a.error.total_cmp(&b.error));
-    let Some(&chosen) = cheapest.or_else(best) else { return Ok(None) };
+    let judged = |trial: &&Trial| trial.error.is_finite() && rays.truth.unresolved() < rays.truth.0.len();
+    let chosen = cheapest.or_else(best).filter(judged).copied().unwrap_or_else(unjudged);
     let (unresolved, layers) = (rays.truth.unresolved(), settings.choice.layers.clone());
     Ok(Some(Calibration { accuracy, chosen, unresolved, compared: true, layers }))
+}
+
+/// What is taken where no method can be judged.
+fn unjudged() -> Trial {
+    Trial { method: TOLERANT, control: embedded::with(1e-5, 0.3), error: f64::INFINITY, cost: f64::INFINITY }
 }
 
 /// The rays that methods are tried on.
@@ -211,6 +219,9 @@ impl<'a> Trials<'a> {
 impl fmt::Display for Trial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = method_words(self.method, self.control);
+        if self.error.is_infinite() {
+            return write!(f, "{words}: the rule where no method can be judged");
+        }
         write!(f, "{words}: 99 % within {:.1e} rad, {:.0} evaluations' cost a ray", self.error, self.cost)
     }
 }
@@ -221,7 +232,7 @@ impl fmt::Display for Calibration {
         if !self.compared {
             write!(f, "; not compared with other methods, which takes longer than the picture")?;
         }
-        if !self.reached() {
+        if !self.reached() && self.chosen.error.is_finite() {
             write!(f, "; no method reaches the accuracy asked for, {:.1e} rad: this is the best", self.accuracy)?;
         }
         if self.unresolved > 0 {
