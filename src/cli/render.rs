@@ -238,6 +238,7 @@ fn settled(mut scene: Scene, first: &Scene) -> Scene {
 fn metadata(scene: &Scene, verification: Option<&Verification>) -> Vec<(String, String)> {
     let mut all = vec![("Software".to_owned(), concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned())];
     all.push(("method".to_owned(), method_words(scene.rays.method, scene.rays.control)));
+    all.push(("max_segments".to_owned(), scene.rays.max_segments.to_string()));
     if let Some(verification) = verification {
         all.extend(verification.metadata());
     }

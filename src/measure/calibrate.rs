@@ -51,6 +51,8 @@ pub struct Calibration {
     pub accuracy: f64,
     /// The cheapest that is right; or, if none is, the most accurate.
     pub chosen: Trial,
+    /// Segments that a path may have, more than the scene says: that is meant for any method.
+    pub max_segments: u32,
     /// Rays whose truth no method can know.
     pub unresolved: usize,
     /// Was it compared with other methods? If not, because the picture takes less time than that would.
@@ -73,7 +75,7 @@ impl Calibration {
         scene.rays.auto = None;
         scene.rays.method = self.chosen.method;
         scene.rays.control = self.chosen.control;
-        scene.rays.max_segments = segments(&scene);
+        scene.rays.max_segments = self.max_segments;
         scene
     }
 }
@@ -102,7 +104,14 @@ pub fn calibrate_for(
             && cost * rays as f64 <= WORTH_A_SEARCH
         {
             let chosen = Trial { method: method.method, control, error, cost };
-            return Ok(Some(Calibration { accuracy, chosen, unresolved: 0, compared: false, layers }));
+            return Ok(Some(Calibration {
+                accuracy,
+                chosen,
+                max_segments: segments(scene),
+                unresolved: 0,
+                compared: false,
+                layers,
+            }));
         }
     }
     calibrate(gpu, scene, settings, None)
@@ -128,7 +137,7 @@ pub fn calibrate(
     let judged = |trial: &&Trial| trial.error.is_finite() && rays.truth.unresolved() < rays.truth.0.len();
     let chosen = cheapest.or_else(best).filter(judged).copied().unwrap_or_else(unjudged);
     let (unresolved, layers) = (rays.truth.unresolved(), settings.choice.layers.clone());
-    Ok(Some(Calibration { accuracy, chosen, unresolved, compared: true, layers }))
+    Ok(Some(Calibration { accuracy, chosen, max_segments: segments(scene), unresolved, compared: true, layers }))
 }
 
 /// What is taken where no method can be judged.
@@ -228,7 +237,7 @@ impl fmt::Display for Trial {
 
 impl fmt::Display for Calibration {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "auto: {}", self.chosen)?;
+        write!(f, "auto: {}, max_segments {}", self.chosen, self.max_segments)?;
         if !self.compared {
             write!(f, "; not compared with other methods, which takes longer than the picture")?;
         }

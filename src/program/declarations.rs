@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn local_names_hide_those_outside() {
-        let source = "fn f(steps: u32) -> u32 {\n    let hit = hit(steps);\n    { var law = law.a; law += 1.0; }\n    \
+        let source = "fn f(steps: u32) -> u32 {\n    let hit = hit(steps);\n    { var<function> law = law.a; law += 1.0; }\n    \
             for (var i = 0u; i < N; i++) { sum(i); }\n    i(law);\n    switch hit {\n        case HIT, MISS: {}\n        \
             default: {}\n    }\n    return other;\n}";
         let names = used(source);

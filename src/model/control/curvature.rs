@@ -17,7 +17,7 @@ pub static KIND: Kind = Kind {
     // The derivative once more, for the curvature.
     loops: |step| (step.evaluations + 1) * step.derivative + step.scale,
     evaluations: |step, steps, _| (step + 1.0) * steps,
-    words: |method, control| format!("{method}, curvature_step {:.4}", control.setting.to_degrees()),
+    suffix: "",
     setting: |control| control.setting.to_degrees(),
     from_file: f64::to_radians,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined), 0.2 * 0.5_f64.powi(refined)),

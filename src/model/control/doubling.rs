@@ -34,7 +34,7 @@ pub static REJECTING: Kind = Kind {
     values,
     loops,
     evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
-    words: |method, control| format!("{method}-doubling, tolerance {:.1e}", control.setting),
+    suffix: "-doubling",
     setting: |control| control.setting,
     from_file: |written| written,
     usual,
@@ -48,7 +48,7 @@ pub static REJECTING: Kind = Kind {
 pub static PAPER: Kind = Kind {
     name: "paper",
     parts: &["method/control/doubled", "method/control/doubling_paper"],
-    words: |method, control| format!("{method}-doubling (paper), tolerance {:.1e}", control.setting),
+    suffix: "-doubling (paper)",
     keeps_errors: true,
     keys: KEYS,
     memory: "method/memory_step",

@@ -20,7 +20,7 @@ pub static KIND: Kind = Kind {
         step.derivative + step.scale + step.tries * (1 + (step.evaluations + 1) * step.derivative + step.scale)
     },
     evaluations: |step, steps, rejected| 1.0 + step * (steps + rejected),
-    words: |method, control| format!("{method}, tolerance {:.1e}", control.setting),
+    suffix: "",
     setting: |control| control.setting,
     from_file: |written| written,
     usual: |_, refined| with(1e-5 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined)),

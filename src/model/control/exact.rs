@@ -11,7 +11,7 @@ pub static KIND: Kind = Kind {
     values: |_| Vec::new(),
     loops: |_| 0,
     evaluations: |step, steps, _| step * steps,
-    words: |method, _| method.to_owned(),
+    suffix: "",
     setting: |_| 0.0,
     from_file: |written| written,
     usual: |control, _| *control,

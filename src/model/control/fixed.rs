@@ -16,7 +16,7 @@ pub static KIND: Kind = Kind {
     values: |control| row! { step: Float(control.setting), eta: Float(control.cap) },
     loops: |step| step.evaluations * step.derivative + step.scale,
     evaluations: |step, steps, _| step * steps,
-    words: |method, control| format!("{method}, step {:.3e}", control.setting),
+    suffix: "",
     setting: |control| control.setting,
     from_file: |written| written,
     usual: |control, _| *control,

@@ -40,8 +40,8 @@ pub struct Kind {
     pub loops: fn(&StepLoops) -> u64,
     /// Evaluations of the law's derivative in a path, by those of a step, and by accepted and rejected steps.
     pub evaluations: fn(step: f64, steps: f64, rejected: f64) -> f64,
-    /// The method of this name at a setting, in words of the scene format.
-    pub words: fn(method: &str, &Control) -> String,
+    /// What follows a method's name where it has this control.
+    pub suffix: &'static str,
     /// The setting as the scene file has it.
     pub setting: fn(&Control) -> f64,
     /// The setting by what the scene file has.
@@ -97,9 +97,24 @@ impl Control {
         if !self.kind.divides || self.kind != other.kind {
             return other;
         }
-        let setting = (self.setting * other.setting).sqrt();
+        let setting = four_digits((self.setting * other.setting).sqrt());
         let cap = if self.kind.has_tolerance { self.cap } else { setting };
         Self { setting, cap, ..self }
+    }
+
+    /// The method of this name in words of the scene format, which name all that is needed to have it again.
+    #[must_use]
+    pub fn words(&self, method: &str) -> String {
+        let named = format!("{method}{}", self.kind.suffix);
+        let own = if self.kind.has_tolerance { Some(&doubling::TOLERANCE) } else { self.kind.keys.first() };
+        let Some(Key { key, .. }) = own else { return named };
+        let setting = written((self.kind.setting)(self));
+        let cap = if *key == scaled::SCALED_STEP.key {
+            String::new()
+        } else {
+            format!(", {} {}", scaled::SCALED_STEP.key, written(self.cap))
+        };
+        format!("{named}, {key} {setting}{cap}")
     }
 
     /// The tolerance, if the control has one.
@@ -123,9 +138,19 @@ impl fmt::Debug for Control {
     }
 }
 
-/// From `first` on, each `factor` of the one before.
+/// From `first` on, each about `factor` of the one before, in numbers that are short to write.
 pub(super) fn falling(first: f64, factor: f64, count: i32) -> impl Iterator<Item = f64> {
-    (0..count).map(move |k| first * factor.powi(k))
+    (0..count).map(move |k| four_digits(first * factor.powi(k)))
+}
+
+fn four_digits(x: f64) -> f64 {
+    // Printed and read again: what is written is the number itself.
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
+
+/// A number that reads as itself.
+fn written(x: f64) -> String {
+    if (1e-3..1e4).contains(&x) { x.to_string() } else { format!("{x:e}") }
 }
 
 /// A control whose steps are planned, from the keys of a `[rays]` table.

@@ -21,7 +21,7 @@ pub static KIND: Kind = Kind {
     values: |control| row! { eta: Float(control.setting) },
     loops: |step| step.evaluations * step.derivative + step.scale,
     evaluations: |step, steps, _| step * steps,
-    words: |method, control| format!("{method}, scaled_step {:.4}", control.setting),
+    suffix: "",
     setting: |control| control.setting,
     from_file: |written| written,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined)),

@@ -237,7 +237,7 @@ pub fn names() -> Vec<(String, Named)> {
 /// A method and its setting in words of the scene format.
 #[must_use]
 pub fn method_words(method: Method, control: Control) -> String {
-    (control.kind.words)(method.kind.name, &control)
+    control.words(method.kind.name)
 }
 
 /// The reference's rows of the keys that methods read.
