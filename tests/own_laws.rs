@@ -5,12 +5,16 @@ use std::path::Path;
 use bentray::gpu::Geometry;
 use bentray::program::{Choice, Program, part};
 use bentray::render::{RenderSettings, Renderer, Status, trace};
-use bentray::scene::Scene;
+use bentray::scene::{Scene, SceneError};
 
 use crate::support::{gpu, shipped_scenes};
 
 /// A scene under the law that `wgsl` is, with these lines in its table.
 fn scene_with(folder: &Path, wgsl: &str, law: &str, rays: &str) -> Scene {
+    loaded(folder, wgsl, law, rays).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn loaded(folder: &Path, wgsl: &str, law: &str, rays: &str) -> Result<Scene, SceneError> {
     std::fs::write(folder.join("law.wgsl"), wgsl).unwrap();
     let text = format!(
         "[image]\nsize = [48, 32]\n[camera]\nposition = [0, 1, 12]\nfov = 60\n[law]\nkind = \"wgsl\"\nfile = \"law.wgsl\"\n{law}\n\
@@ -19,7 +23,7 @@ fn scene_with(folder: &Path, wgsl: &str, law: &str, rays: &str) -> Scene {
     );
     let path = folder.join("scene.toml");
     std::fs::write(&path, text).unwrap();
-    Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"))
+    Scene::load(&path, &[])
 }
 
 fn error_of(wgsl: &str, law: &str) -> String {
@@ -133,6 +137,23 @@ fn what_is_wrong_with_a_law_is_said_at_its_place() {
         let error = error_of(&wgsl, "");
         assert!(error.contains(wanted), "{name}: {error}");
     }
+}
+
+#[test]
+fn parameters_have_names_that_the_file_uses() {
+    let folder = tempfile::tempdir().unwrap();
+    let wgsl =
+        "fn law_acceleration(x: Real3, held: Real) -> Real3 {\n    let all = law;\n    return -all.pull * x;\n}\n";
+    for (parameters, wanted) in [
+        ("pull = 1, push = 2", "the law's file does not use `push`"),
+        ("pull = 1, \"2x\" = 2", "`2x` is no name in WGSL"),
+        ("pull = [1, 2, 3, 4, 5]", "expected a number, or an array of 2 to 4"),
+    ] {
+        let error =
+            loaded(folder.path(), wgsl, &format!("parameters = {{ {parameters} }}"), "").unwrap_err().to_string();
+        assert!(error.contains("scene.toml:9:") && error.contains(wanted), "{error}");
+    }
+    scene_with(folder.path(), wgsl, "parameters = { pull = 1 }", "");
 }
 
 /// A derivative that is not finite is no sky: the ray fails.

@@ -47,7 +47,7 @@ pub static KIND: Kind = Kind {
         let depends = table.or("depends", Depends::Place, word(depends));
         let scale = table.or("scale", 1.0, positive);
         let captures = captures(table);
-        let parameters = parameters(table);
+        let parameters = parameters(table, file.as_ref().map(|(_, text)| &**text));
         let (file, text) = file?;
         Some(Arc::new(OwnLaw { file, text, depends, scale, captures: captures?, parameters: parameters? }))
     },
@@ -70,11 +70,12 @@ fn captures(table: &TableReader) -> Option<Vec<Capture>> {
 }
 
 /// All are read before any is missed.
-fn parameters(table: &TableReader) -> Option<Vec<(String, Value)>> {
+fn parameters(table: &TableReader, text: Option<&str>) -> Option<Vec<(String, Value)>> {
     let Some(own) = table.node("parameters") else { return Some(Vec::new()) };
     let own = table.reader.open("law.parameters", own)?;
     let read = |(name, node): (&str, &Node)| {
-        let value = own.reader.accept(is_name(name, node).and_then(|()| parameter(node)))?;
+        let used = || is_used(name, node, text);
+        let value = own.reader.accept(is_name(name, node).and_then(|()| used()).and_then(|()| parameter(node)))?;
         Some((name.to_owned(), value))
     };
     let all: Vec<Option<_>> = own.entries().map(read).collect();
@@ -87,6 +88,16 @@ fn is_name(name: &str, node: &Node) -> Read<()> {
         && !name.contains("__");
     let problem = || format!("`{name}` is no name in WGSL");
     if fits { Ok(()) } else { Err(node.fault(problem(), "use letters, digits and single underscores, a letter first")) }
+}
+
+/// A name that the file never mentions is a slip in one of the two.
+fn is_used(name: &str, node: &Node, text: Option<&str>) -> Read<()> {
+    let mut words = text.into_iter().flat_map(|text| text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
+    if text.is_none() || words.any(|word| word == name) {
+        return Ok(());
+    }
+    Err(node
+        .fault(format!("the law's file does not use `{name}`"), format!("write law.{name} there, or take this out")))
 }
 
 fn parameter(node: &Node) -> Read<Value> {
