@@ -7,6 +7,7 @@
 #![allow(clippy::float_cmp, reason = "what a shader passes on, it passes on bit by bit")]
 #![allow(clippy::many_single_char_names, reason = "the formulas' own letters")]
 
+mod boxes;
 mod cameras;
 mod control;
 mod curves;
@@ -18,6 +19,7 @@ mod grid;
 mod images;
 mod laws;
 mod lights;
+mod lines;
 mod media;
 mod medium;
 mod numbers;

@@ -7,7 +7,8 @@ use std::{
 };
 
 use super::{folder, names};
-use crate::output::{AtomicFile, OutputError};
+use crate::output::{AtomicFile, FileSettings, OutputError, open};
+use crate::program::Layer;
 
 #[test]
 fn appears_when_finished() {
@@ -123,4 +124,29 @@ mod unix {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read(&target).unwrap(), b"new");
     }
+}
+
+#[test]
+fn settings_are_checked_at_the_start() {
+    let folder = folder();
+    let refused = |name: &str, change: &dyn Fn(&mut FileSettings)| {
+        let mut settings = FileSettings::new([4, 4]);
+        change(&mut settings);
+        let path = folder.path().join(name);
+        let error = open(&path, &settings).map(|_| ()).unwrap_err().to_string();
+        assert!(error.starts_with(&path.display().to_string()), "{error}");
+    };
+    refused("a.jpg", &|_| ());
+    refused("a", &|_| ());
+    refused("no/a.png", &|_| ());
+    refused("a.png", &|s| s.size = [0, 4]);
+    refused("a.exr", &|s| s.size = [4, u32::MAX]);
+    refused("a.png", &|s| s.bits = 12);
+    refused("a.png", &|s| s.exposure = f64::NAN);
+    refused("a.png", &|s| s.layers = vec![Layer::Depth]);
+    refused("a.png", &|s| s.metadata = vec![(String::new(), "b".into())]);
+    refused("a.exr", &|s| s.metadata = vec![("a".into(), "b\0".into())]);
+    refused("a.exr", &|s| s.metadata = vec![("a".into(), "b".into()); 2]);
+    refused("a.exr", &|s| s.metadata = vec![("channels".into(), "b".into())]);
+    assert!(names(folder.path()).is_empty());
 }

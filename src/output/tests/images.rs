@@ -287,28 +287,3 @@ fn exr_layers_must_be_there_and_of_their_kind() {
     writer.write_band(&band).unwrap();
     writer.finish().unwrap();
 }
-
-#[test]
-fn settings_are_checked_at_the_start() {
-    let folder = folder();
-    let refused = |name: &str, change: &dyn Fn(&mut FileSettings)| {
-        let mut settings = FileSettings::new([4, 4]);
-        change(&mut settings);
-        let path = folder.path().join(name);
-        let error = open(&path, &settings).map(|_| ()).unwrap_err().to_string();
-        assert!(error.starts_with(&path.display().to_string()), "{error}");
-    };
-    refused("a.jpg", &|_| ());
-    refused("a", &|_| ());
-    refused("no/a.png", &|_| ());
-    refused("a.png", &|s| s.size = [0, 4]);
-    refused("a.exr", &|s| s.size = [4, u32::MAX]);
-    refused("a.png", &|s| s.bits = 12);
-    refused("a.png", &|s| s.exposure = f64::NAN);
-    refused("a.png", &|s| s.layers = vec![Layer::Depth]);
-    refused("a.png", &|s| s.metadata = vec![(String::new(), "b".into())]);
-    refused("a.exr", &|s| s.metadata = vec![("a".into(), "b\0".into())]);
-    refused("a.exr", &|s| s.metadata = vec![("a".into(), "b".into()); 2]);
-    refused("a.exr", &|s| s.metadata = vec![("channels".into(), "b".into())]);
-    assert!(names(folder.path()).is_empty());
-}
