@@ -5,8 +5,8 @@
 //! flows beyond the time that any number of digits follows, rays at the very edge of an object) are *unresolved*, and counted
 //! apart. What differs from the truth in the others is the error.
 //!
-//! *Practice.* [`verify`] measures a scene as it is; [`calibrate`] tries the methods that a law allows on a few hundred rays and
-//! takes the fastest that is right; `chart` sweeps all of them. A program is compiled once per method: what a sweep changes
+//! *Practice.* [`verify`] measures a scene as it is; [`calibrate`] tries the methods that a law allows on a few thousand rays and
+//! takes the cheapest that is right; `chart` sweeps all of them. A program is compiled once per method: what a sweep changes
 //! are numbers.
 
 mod calibrate;

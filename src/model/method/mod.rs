@@ -243,7 +243,7 @@ pub fn method_words(method: Method, control: Control) -> String {
 /// The reference's rows of the keys that methods read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
-    let meaning = "the integrator; auto measures which is fastest at the accuracy. Left out, it is exact where no light is \
+    let meaning = "the integrator; auto finds the cheapest at the accuracy. Left out, it is exact where no light is \
                    bent, what suits the steps or the tolerance that are given, else auto";
     let all = names();
     let keys: Vec<Vec<Key>> =
