@@ -73,8 +73,9 @@ fn outdoes(other: &Kind, kind: &Kind) -> bool {
 const OBJECT_COST: f64 = 4.0;
 const SORTED: usize = 12;
 
-/// What a path of so many accepted and rejected steps costs, in evaluations of a simple derivative (half a nanosecond on two CPU
-/// cores). The numbers come from charts of the shipped scenes, whose times they follow within a fifth.
+/// What a path of so many accepted and rejected steps costs, in evaluations of a simple derivative: from a half to three nanoseconds
+/// on two CPU cores. What is compared is methods on one scene, for which the numbers were found: in charts of the shipped scenes the
+/// cheapest of [`fast_methods`] takes no longer than the others, but for noise. They do not tell how long another scene takes.
 #[must_use]
 pub fn cost(scene: &Scene, method: Method, control: Control, steps: f64, rejected: f64) -> f64 {
     let loops = scene.law.loops().derivative.max(1) as f64;

@@ -79,6 +79,12 @@ impl Truth {
         Ok(Self(fine.into_iter().zip(loose).map(agreed).collect()))
     }
 
+    /// Is it known of any ray?
+    #[must_use]
+    pub fn is_known(&self) -> bool {
+        self.0.iter().any(Option::is_some)
+    }
+
     /// Rays whose truth is not known.
     #[must_use]
     pub fn unresolved(&self) -> usize {
