@@ -164,10 +164,17 @@ fn the_structure_follows_the_scene() {
         let geometry = Geometry::new(&scene);
         let Analysis { structure, .. } = &geometry.analysis;
         assert_eq!((structure.search, structure.solids.len()), (search, kinds), "{accelerate}, {of_each} of each");
-        let parts = program_of(&scene, &geometry).unwrap().passes[1].1.parts().join(" ");
+        let parts = program_of(&scene, &geometry).unwrap().passes[0].1.parts().join(" ");
         let part = if kinds == 0 { "segment/structure/none" } else { &format!("segment/structure/{}", search.name()) };
         assert!(parts.contains(part), "{accelerate}, {of_each} of each: {parts}");
-        assert_eq!(parts.contains("segment/lists_some"), kinds == 0, "{parts}");
+        let lists = match (kinds, structure.near) {
+            (0, true) => "segment/lists_near",
+            (0, false) => "segment/lists_some",
+            _ => "segment/lists_none",
+        };
+        assert!(parts.contains(lists), "{lists}: {parts}");
+        // As many as a mask has bits for, beside the structure's; a search of everything rules nothing out.
+        assert_eq!(structure.near, accelerate != "none" && (of_each != 6 || accelerate != "auto"));
         assert_eq!(structure.written_out, accelerate == "auto");
     }
 }

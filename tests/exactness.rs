@@ -91,7 +91,7 @@ fn nothing_can_be_taken_out_of_any_program() {
     for (path, keys) in shipped.iter().map(|path| (path, Vec::<Override>::new())).chain(changed) {
         let scene = Scene::load(path, &keys).unwrap_or_else(|error| panic!("{error}"));
         let geometry = Geometry::new(&scene);
-        for schedule in [Schedule::Paper, Schedule::Segment, Schedule::Fused] {
+        for schedule in Schedule::ALL {
             for (masks, layers) in [(Masks::List, Vec::new()), (Masks::Off, Layer::ALL.to_vec())] {
                 for purpose in purposes {
                     let choice = Choice { schedule, masks, purpose, layers: layers.clone() };
@@ -142,6 +142,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
         let scene = Scene::load(&path, &[]).unwrap();
         let geometry = Geometry::new(&scene);
         for (schedule, purpose) in [
+            (Schedule::Whole, Purpose::Picture),
             (Schedule::Fused, Purpose::Picture),
             (Schedule::Segment, Purpose::Trace),
             (Schedule::Paper, Purpose::Pixels),

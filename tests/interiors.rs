@@ -54,9 +54,12 @@ fn all_schedules_give_the_same_picture() {
         scene.rays.max_segments = segments;
         let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
         let first = rendered(&scene, choice(Schedule::Fused, Masks::List));
-        for (schedule, masks) in
-            [(Schedule::Fused, Masks::Off), (Schedule::Segment, Masks::List), (Schedule::Paper, Masks::Grid)]
-        {
+        for (schedule, masks) in [
+            (Schedule::Whole, Masks::List),
+            (Schedule::Fused, Masks::Off),
+            (Schedule::Segment, Masks::List),
+            (Schedule::Paper, Masks::Grid),
+        ] {
             let other = rendered(&scene, choice(schedule, masks));
             assert!(first.band == other.band, "{schedule:?}, masks {masks:?}\n{text}");
             assert_eq!(first.totals.by_status, other.totals.by_status);

@@ -29,13 +29,16 @@ fn state_on_the_device_is_small() {
             let program = Program::new(scene, &geometry.analysis, choice, geometry.extent()).unwrap();
             memory(&program, choice.slots(scene)).bytes_per_pixel()
         };
-        let plain = bytes(&scene, &Choice::default());
+        let fused = || Choice { schedule: Schedule::Fused, ..Choice::default() };
+        let plain = bytes(&scene, &fused());
         assert!(plain <= 100, "{}: {plain} bytes a pixel", path.display());
-        let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..Choice::default() });
+        let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..fused() });
         // Depth, object, status and steps at 4 bytes, two vectors at 16; the steps and rejections that are counted for them.
         assert_eq!(layered - plain, 4 * 4 + 2 * 16 + 2 * 4, "{}", path.display());
         scene.rays.max_segments = 100_000;
-        assert_eq!(bytes(&scene, &Choice::default()), plain);
+        assert_eq!(bytes(&scene, &fused()), plain);
+        // A path in one pass leaves nothing but its colour.
+        assert_eq!(bytes(&scene, &Choice::default()), 3 * 4, "{}", path.display());
         let masks = Schedule::Paper.masks();
         let paper = bytes(&scene, &Choice { schedule: Schedule::Paper, masks, ..Choice::default() });
         assert!(paper <= 100, "{}: {paper} bytes a pixel", path.display());

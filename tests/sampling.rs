@@ -96,6 +96,8 @@ fn adaptive_pictures_do_not_depend_on_the_schedule() {
     assert!(samples.contains(&1) && samples.contains(&17) && samples.contains(&33), "{samples:?}");
     assert!(adaptive.mean() > 2.0 && adaptive.mean() < 25.0, "{adaptive}");
     for (schedule, masks, segments) in [
+        (Schedule::Whole, Masks::List, 16),
+        (Schedule::Whole, Masks::Off, 16),
         (Schedule::Fused, Masks::List, 2),
         (Schedule::Fused, Masks::Off, 16),
         (Schedule::Segment, Masks::List, 1),

@@ -5,15 +5,17 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use bentray::program::{Choice, Layer};
+use bentray::program::{Choice, Layer, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
 use bentray::scene::Scene;
 use glam::DVec3;
 
 use crate::support::{gpu, scene, scenes_in, shipped_scenes};
 
-const VARIANTS: [&[&str]; 9] = [
+const VARIANTS: [&[&str]; 11] = [
     &["--schedule", "fused"],
+    &["--schedule", "whole"],
+    &["--schedule", "whole", "--no-masks"],
     &["--schedule", "fused", "--segments-per-pass", "3"],
     &["--schedule", "fused", "--no-masks"],
     &["--schedule", "fused", "--segments-per-pass", "2", "--no-list"],
@@ -170,6 +172,29 @@ fn cameras_do_not_depend_on_the_schedule() {
     }
 }
 
+/// Paths of more steps than a pass has turns of loops: what `whole` cannot follow to its end is followed by `fused`, tile by tile,
+/// and nothing is counted twice.
+#[test]
+fn what_outlives_a_pass_is_followed_on() {
+    let gpu = gpu();
+    let scene = scene(&HOLE.replace("max_segments = 80", "max_segments = 200000\nscaled_step = 1e-4"));
+    let render = |schedule: Schedule| {
+        let choice = Choice { schedule, layers: vec![Layer::Status, Layer::Steps], ..Choice::default() };
+        let settings = RenderSettings { choice, tile_pixels: 300, ..RenderSettings::default() };
+        let renderer = Renderer::new(&gpu, &scene, settings).unwrap();
+        assert_eq!(renderer.program.choice.schedule, schedule);
+        [renderer.picture().unwrap(), renderer.picture().unwrap()]
+    };
+    let [[fused, _], [whole, again]] = [Schedule::Fused, Schedule::Whole].map(render);
+    assert!(fused.totals.steps > 20_000 * fused.totals.rays, "{}", fused.totals);
+    assert_eq!(fused.totals.unfollowed(), 0, "{}", fused.totals);
+    for picture in [whole, again] {
+        assert!(picture.band == fused.band, "the pictures differ");
+        let counts = |r: &Rendering| (r.totals.rays, r.totals.steps, r.totals.segments, r.totals.by_status.clone());
+        assert_eq!(counts(&picture), counts(&fused));
+    }
+}
+
 /// In 16 bits schedules round at different times: `paper` after every step, which for arcs is after every segment.
 #[test]
 fn in_16_bits_paper_and_segment_round_alike() {
@@ -183,8 +208,9 @@ fn in_16_bits_paper_and_segment_round_alike() {
     };
     // What is kept between passes is rounded: the same passes round alike.
     let of = |wanted: &dyn Fn(&&[&str]) -> bool| VARIANTS.into_iter().filter(wanted).collect::<Vec<_>>();
-    same(&of(&|variant| variant.contains(&"fused") && !variant.contains(&"--segments-per-pass")));
-    same(&of(&|variant| !variant.contains(&"fused")));
+    let is_fused = |variant: &&[&str]| variant.contains(&"fused") || variant.contains(&"whole");
+    same(&of(&|variant| is_fused(variant) && !variant.contains(&"--segments-per-pass")));
+    same(&of(&|variant| !is_fused(variant)));
 }
 
 /// How every ray ended in some precision, and where; the picture.

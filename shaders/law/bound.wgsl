@@ -12,6 +12,12 @@ fn left_bound(x: Real3, v: Real3) -> bool {
     return dot(d, d) > bound.radius * bound.radius && dot(d, v) > 0.0;
 }
 
+// Is x outside of the sphere, wherever it moves?
+fn outside_bound(x: Real3) -> bool {
+    let d = x - bound.center;
+    return dot(d, d) > bound.radius * bound.radius;
+}
+
 // How far along v the line through x enters the sphere: 0 from inside, negative if it never does.
 fn bound_entry(x: Real3, v: Real3) -> Real {
     let d = x - bound.center;

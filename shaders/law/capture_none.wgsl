@@ -4,6 +4,10 @@ fn law_captured(x: Real3, v: Real3) -> bool {
     return false;
 }
 
+fn inside_capture(x: Real3) -> bool {
+    return false;
+}
+
 // About the only centre.
 fn captured_within() -> Real {
     return 0.0;

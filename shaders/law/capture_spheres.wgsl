@@ -21,6 +21,17 @@ fn law_captured(x: Real3, v: Real3) -> bool {
     return captured;
 }
 
+// Is x inside of one of the spheres, wherever it moves?
+fn inside_capture(x: Real3) -> bool {
+    var within = false;
+    for (var i = 0u; i < CAPTURE_COUNT; i++) {
+        work += 1u;
+        let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
+        within = within | (dot(d, d) < capture_spheres[i].radius * capture_spheres[i].radius);
+    }
+    return within;
+}
+
 // About the only centre.
 fn captured_within() -> Real {
     return capture_spheres[0].radius;

@@ -12,7 +12,7 @@ struct Memory {
 const FIRST_ERROR: Real = 1e-4;
 
 fn first_memory(p: Phase) -> Memory {
-    return Memory(first_step(p), FIRST_ERROR, first_derivative(p));
+    return Memory(opaque(first_step(p)), FIRST_ERROR, opaque_phase(first_derivative(p)));
 }
 
 fn load_memory(pixel: vec2u, h: Real, p: Phase) -> Memory {

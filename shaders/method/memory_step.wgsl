@@ -5,7 +5,7 @@ struct Memory {
 }
 
 fn first_memory(p: Phase) -> Memory {
-    return Memory(first_step(p));
+    return Memory(opaque(first_step(p)));
 }
 
 fn load_memory(pixel: vec2u, h: Real, p: Phase) -> Memory {

@@ -21,7 +21,7 @@ fn record(own: Invocation) {
     if spot.valid {
         load_region(pixel);
         let ray = load_ended(pixel);
-        let seen = recorded_at(ray, pixel);
+        let seen = recorded_at(ray, load_hit(pixel));
         let depth = Real(ray.index) + seen.end.fraction;
         let i = pixel.y * frame.size.x + pixel.x;
         records[i] = Record(

@@ -1,6 +1,10 @@
 // There is nothing to hit.
 
-fn first_hit(s: Segment, pixel: vec2u) -> Hit {
+fn nearby(s: Segment) -> u32 {
+    return 0u;
+}
+
+fn first_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
     return Hit(0.0, NOTHING);
 }
 
@@ -20,8 +24,8 @@ fn walk_unfinished(pixel: vec2u) -> bool {
     return false;
 }
 
-fn seen_at(ray: Ray, pixel: vec2u) -> Seen {
-    return Seen(path_end(ray, Hit(0.0, NOTHING)), vec3f(0.0), vec3f(0.0), 0u);
+fn seen_at(ray: Ray, hit: Hit) -> Seen {
+    return Seen(path_end(ray, hit), vec3f(0.0), vec3f(0.0), 0u);
 }
 
 fn clear_hit(pixel: vec2u) {
@@ -34,6 +38,6 @@ fn load_hit(pixel: vec2u) -> Hit {
     return Hit(0.0, NOTHING);
 }
 
-fn recorded_at(ray: Ray, pixel: vec2u) -> Recorded {
-    return Recorded(path_end(ray, Hit(0.0, NOTHING)), 0u);
+fn recorded_at(ray: Ray, hit: Hit) -> Recorded {
+    return Recorded(path_end(ray, hit), 0u);
 }

@@ -1,6 +1,10 @@
 // A segment as straight pieces, which share their ends exactly, so that no ray tunnels between two; and the items that a structure
 // holds, in the order that it keeps them in, against them.
 
+// Of the bits that say what a segment is near: the structure's, and those of shapes in lists.
+const NEAR_STRUCTURE: u32 = 0x80000000u;
+const NEAR_LISTED: u32 = 0x7fffffffu;
+
 const BELOW_ONE: Real = 0.99999994;
 
 fn piece_start(s: Segment, k: u32, pieces: u32) -> Real3 {

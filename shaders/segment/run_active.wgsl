@@ -1,14 +1,37 @@
 // Segments of rays under way: each until it ends, or the pass has had its number of them.
+//
+// Those that nothing is near and that end no path are followed in a loop of their own, in which nothing else is done.
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
-    while *segments < schedule.segments && (*ray).status == ALIVE {
+    while (*ray).status == ALIVE {
         work += 1u;
-        if work + schedule.segment_work > WORK_LIMIT {
+        var next = *ray;
+        var quick: Quick;
+        var near = 0u;
+        var full = false;
+        loop {
+            work += 1u;
+            full = *segments >= schedule.segments || work + schedule.segment_work > WORK_LIMIT;
+            if full {
+                break;
+            }
+            next = *ray;
+            quick = follow_quickly(&next);
+            near = nearby(quick.segment);
+            if !quick.sure || near != 0u || open_status(quick.segment, next.tau, (*ray).index) != ALIVE {
+                break;
+            }
+            clear_last_hit();
+            *segments += 1u;
+            next.index += 1u;
+            *ray = next;
+        }
+        if full {
             break;
         }
-        var next = *ray;
-        let segment = follow_segment(&next);
-        let hit = first_hit(segment, spot.pixel);
+        var segment = quick.segment;
+        near = follow_surely(*ray, &next, quick, &segment, near);
+        let hit = first_hit(segment, near, spot.pixel);
         if walk_suspended() {
             break;
         }

@@ -11,7 +11,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         }
         var next = path;
         let segment = follow_segment(&next);
-        let hit = first_hit(segment, spot.pixel);
+        let hit = first_hit(segment, nearby(segment), spot.pixel);
         if walk_suspended() {
             break;
         }

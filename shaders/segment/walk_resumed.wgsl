@@ -21,15 +21,15 @@ fn walk_stop(place: u32, done: bool) {
     walk_place = select(place + 1u, 0u, done);
 }
 
-fn walked_hit(s: Segment, pixel: vec2u) -> Hit {
+fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
     let pieces = segment_pieces(s);
     let kept = textureLoad(walk, pixel).x;
     var hit = Hit(Real(textureLoad(hit_t, pixel).x), textureLoad(hit_primitive, pixel).x);
     if kept == 0u {
-        hit = listed_hit(s, pieces);
+        hit = listed_hit(s, pieces, near);
     }
     walk_place = kept;
-    hit = structure_hit(s, pieces, hit);
+    hit = structure_hit(s, select(0u, pieces, (near & NEAR_STRUCTURE) != 0u), hit);
     if walk_place != kept {
         textureStore(walk, pixel, vec4u(walk_place));
     }

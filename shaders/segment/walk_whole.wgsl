@@ -1,8 +1,8 @@
 // A segment's walk over the scene is short enough to be done in one go.
 
-fn walked_hit(s: Segment, pixel: vec2u) -> Hit {
+fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
     let pieces = segment_pieces(s);
-    let hit = structure_hit(s, pieces, listed_hit(s, pieces));
+    let hit = structure_hit(s, select(0u, pieces, (near & NEAR_STRUCTURE) != 0u), listed_hit(s, pieces, near));
     return Hit(select(hit.t, 0.0, hit.primitive == NOTHING), hit.primitive);
 }
 

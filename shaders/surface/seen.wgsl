@@ -1,7 +1,6 @@
 // The surface that a ray hit, and the light it sends back. Normals face the viewer.
 
-fn seen_at(ray: Ray, pixel: vec2u) -> Seen {
-    let hit = load_hit(pixel);
+fn seen_at(ray: Ray, hit: Hit) -> Seen {
     let end = path_end(ray, hit);
     if ray.status != HIT {
         return Seen(end, vec3f(0.0), vec3f(0.0), 0u);
@@ -18,8 +17,7 @@ fn seen_at(ray: Ray, pixel: vec2u) -> Seen {
 }
 
 // Where the ray ended, and which object it hit.
-fn recorded_at(ray: Ray, pixel: vec2u) -> Recorded {
-    let hit = load_hit(pixel);
+fn recorded_at(ray: Ray, hit: Hit) -> Recorded {
     let end = path_end(ray, hit);
     if ray.status != HIT {
         return Recorded(end, 0u);

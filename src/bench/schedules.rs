@@ -13,7 +13,7 @@ const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
 /// The 2004 paper's case by every schedule and K, without masks and with them: those of 2004 under `paper`, else the list of active rays.
 pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
     let scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
-    let others = [Schedule::Paper, Schedule::Segment].map(|schedule| (schedule, 1));
+    let others = [Schedule::Paper, Schedule::Segment, Schedule::Whole].map(|schedule| (schedule, 1));
     let fused = SEGMENTS.map(|segments| (Schedule::Fused, segments));
     let header = ["schedule", "K", "no masks (s)", "masks (s)", "spread (no masks)", "spread (masks)", "gain"];
     let mut table = Table::new("schedules", "300 Euler steps in 30 segments over 10 spheres, Schwarzschild", &header);

@@ -46,7 +46,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
     /// The schedule that is timed. In all but fused, scattering at surfaces has a pass of its own and is left out
-    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
     schedule: Schedule,
     /// A method's curve ends at the setting that takes so many times the fastest method's time
     #[arg(long, value_name = "FACTOR", default_value_t = 300.0)]

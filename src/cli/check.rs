@@ -24,7 +24,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     changes: SceneOptions,
     /// The schedule to count passes and memory for
-    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
     schedule: Schedule,
 }
 

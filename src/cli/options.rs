@@ -91,7 +91,7 @@ pub(super) struct DeviceFlags {
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
     /// How the stages of a segment are cut into passes: all give the same picture
-    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
     schedule: Schedule,
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]

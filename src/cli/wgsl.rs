@@ -22,7 +22,7 @@ pub(super) struct Arguments {
     #[command(flatten)]
     changes: SceneOptions,
     /// The schedule to link for
-    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
     schedule: Schedule,
 }
 

@@ -13,6 +13,10 @@ use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, Purpose, constant};
 use crate::scene::Light;
 
+/// By how much the balls about what segments may be near are larger than these are, against rounding, as a part of their
+/// coordinates: the segment's own part is the shaders'.
+const NEAR_SLACK: f64 = 4e-6;
+
 impl Source<'_> {
     /// What the scene's kinds feed their own parts.
     pub(super) fn of_kinds(&self) -> Vec<Binding> {
@@ -65,6 +69,7 @@ impl Source<'_> {
     pub(super) fn list(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let g = self.geometry;
         match name {
+            "surroundings" => pack(name, layout, self.surroundings()).map(Some),
             "obstacles" => pack(name, layout, g.analysis.regions.obstacles.iter().map(obstacle)).map(Some),
             "touching" => pack(name, layout, self.touching()).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
@@ -149,6 +154,32 @@ impl Source<'_> {
             _ => return Ok(None),
         };
         bytes.map(Some)
+    }
+
+    /// What segments may be near: of each list the shapes on which rays end, then those that they cross, then the
+    /// parts of the structure.
+    fn surroundings(&self) -> Vec<Row> {
+        let g = self.geometry;
+        let structure = &g.analysis.structure;
+        let listed = |sided: bool| {
+            let lists =
+                g.placed.iter().filter(move |(name, _)| sided || !structure.solids.iter().any(|s| s.name == **name));
+            lists.flat_map(move |(name, shapes)| {
+                let flat = SOLIDS.into_iter().find(|solid| solid.name == *name).and_then(|solid| solid.lists.as_ref());
+                let flat = flat.is_some_and(|lists| lists.flat);
+                shapes.iter().filter(move |shape| shape.bit.is_some() == sided).map(move |shape| (shape, flat))
+            })
+        };
+        let row = |(center, radius, across): (DVec3, f64, DVec3)| {
+            row! { center: Vec3(center), radius: Float(radius * (1.0 + NEAR_SLACK) + NEAR_SLACK * center.length()), across: Vec3(across) }
+        };
+        let shape = |(shape, flat): (&PlacedShape, bool)| {
+            let (center, radius) = self.scene.objects[shape.object as usize].ball();
+            let across = shape.placed.rows[1].truncate().normalize_or_zero();
+            row((center, radius, if flat { across } else { DVec3::ZERO }))
+        };
+        let parts = g.structure.parts().map(|[lo, hi]| row((0.5 * (lo + hi), 0.5 * lo.distance(hi), DVec3::ZERO)));
+        listed(false).chain(listed(true)).map(shape).chain(parts).collect()
     }
 
     /// The objects that touch others, the opaque ones first.

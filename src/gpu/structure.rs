@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use glam::{DVec3, Vec3};
 
 use super::hierarchy::{Item, LEAF, Node, hierarchy};
-use crate::program::{Extent, Search, constant};
+use crate::program::{Extent, PARTS, Search, constant};
 
 /// The cells of a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +38,8 @@ pub struct Built {
     pub order: Vec<u32>,
     /// What it was built over.
     over: Vec<Item>,
+    /// The nodes that hold it all, of a hierarchy opened as far as `PARTS`.
+    top: Vec<Node>,
 }
 
 impl Built {
@@ -53,6 +55,7 @@ impl Built {
             return same;
         }
         let (nodes, order) = hierarchy(&over);
+        let top = opened(&nodes, PARTS);
         let mut ordered: Vec<Item> = order.iter().map(|&i| over[i as usize]).collect();
         let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
         let mut next = BTreeMap::<u32, u32>::new();
@@ -67,7 +70,7 @@ impl Built {
             Search::Hierarchy => Self { items: primitives(&ordered), nodes, ..Self::default() },
             Search::List => Self { items: primitives(&ordered), ..Self::default() },
         };
-        Self { order, over, ..built }
+        Self { order, over, top, ..built }
     }
 
     /// How it is searched.
@@ -78,6 +81,15 @@ impl Built {
             None if self.nodes.is_empty() => Search::List,
             None => Search::Hierarchy,
         }
+    }
+
+    /// Boxes that together hold all that is in it, `PARTS` of them: some twice where it has no more.
+    pub fn parts(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.top
+            .iter()
+            .cycle()
+            .take(if self.top.is_empty() { 0 } else { PARTS })
+            .map(|n| [n.lo.as_dvec3(), n.hi.as_dvec3()])
     }
 
     /// The boxes of its nodes, grown by what rounding may hide of them.
@@ -112,6 +124,20 @@ impl Built {
         };
         Extent { places, items, at_once }
     }
+}
+
+/// The nodes of a hierarchy from the top, the largest opened first, until there are so many.
+fn opened(nodes: &[Node], count: usize) -> Vec<Node> {
+    let mut open: Vec<usize> = (!nodes.is_empty()).then_some(0).into_iter().collect();
+    let size = |i: usize| nodes[i].lo.distance(nodes[i].hi);
+    while open.len() < count {
+        let inner = (0..open.len()).filter(|&at| nodes[open[at]].leaf == 0);
+        let Some(largest) = inner.max_by(|&a, &b| size(open[a]).total_cmp(&size(open[b]))) else { break };
+        let first = open[largest] + 1;
+        open[largest] = first;
+        open.push(nodes[first].skip as usize);
+    }
+    open.into_iter().map(|i| nodes[i]).collect()
 }
 
 fn primitives(items: &[Item]) -> Vec<u32> {

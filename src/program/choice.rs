@@ -1,6 +1,6 @@
 //! What a program is for: its schedule, and what it is asked to put out.
 
-use crate::scene::{Branches, Scene, Segment};
+use crate::scene::{Branches, Precision, Scene, Segment};
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -11,11 +11,13 @@ pub enum Schedule {
     Segment,
     /// K segments with all their stages in one pass.
     Fused,
+    /// A path in one pass, from the camera to its colour; as `Fused` where it does not fit into one.
+    Whole,
 }
 
 impl Schedule {
     /// All, from the most passes to the fewest.
-    pub const ALL: [Self; 3] = [Self::Paper, Self::Segment, Self::Fused];
+    pub const ALL: [Self; 4] = [Self::Paper, Self::Segment, Self::Fused, Self::Whole];
 
     /// How it skips ended rays unless told otherwise: `paper` as in 2004.
     #[must_use]
@@ -30,6 +32,7 @@ impl Schedule {
             Self::Paper => "paper",
             Self::Segment => "segment",
             Self::Fused => "fused",
+            Self::Whole => "whole",
         }
     }
 
@@ -40,6 +43,9 @@ impl Schedule {
             Self::Paper => "One pass for every integration step, as in 2004",
             Self::Segment => "One pass a stage a segment",
             Self::Fused => "K segments with all their stages in one pass",
+            Self::Whole => {
+                "A path in one pass, from the camera to its colour; as `fused` where it does not fit into one"
+            }
         }
     }
 }
@@ -72,6 +78,8 @@ pub enum Pass {
     Terminate,
     /// Rays that go on from surfaces.
     Scatter,
+    /// All of a path.
+    Whole,
     /// Local illumination.
     Shade,
     /// Rays as numbers.
@@ -94,6 +102,7 @@ impl Pass {
             Self::Intersect => "intersect",
             Self::Terminate => "terminate",
             Self::Scatter => "scatter",
+            Self::Whole => "whole",
             Self::Shade => "shade",
             Self::Record => "record",
             Self::Refine => "refine",
@@ -193,7 +202,7 @@ pub struct Choice {
 
 impl Default for Choice {
     fn default() -> Self {
-        Self { schedule: Schedule::Fused, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() }
+        Self { schedule: Schedule::Whole, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() }
     }
 }
 
@@ -201,33 +210,37 @@ impl Choice {
     /// The passes that the schedule has for this scene, in the order in which they first run.
     #[must_use]
     pub fn passes(&self, scene: &Scene) -> Vec<Pass> {
-        let mut passes = vec![Pass::Setup];
-        if self.purpose == Purpose::Bare {
-            passes.push(Pass::Bare);
-            return passes;
-        }
-        match self.schedule {
-            Schedule::Fused => passes.push(Pass::Advance),
-            Schedule::Segment => passes.push(Pass::Integrate),
-            Schedule::Paper => passes.push(Pass::SingleStep),
-        }
-        if self.schedule != Schedule::Fused {
-            if !scene.objects.is_empty() {
-                passes.push(Pass::Intersect);
-            }
+        let mut passes = match (self.purpose, self.schedule) {
+            (Purpose::Bare, _) => return vec![Pass::Setup, Pass::Bare],
+            (_, Schedule::Whole) => vec![Pass::Whole],
+            (_, Schedule::Fused) => vec![Pass::Setup, Pass::Advance],
+            (_, Schedule::Segment) => vec![Pass::Setup, Pass::Integrate],
+            (_, Schedule::Paper) => vec![Pass::Setup, Pass::SingleStep],
+        };
+        if matches!(self.schedule, Schedule::Segment | Schedule::Paper) {
+            passes.extend((!scene.objects.is_empty()).then_some(Pass::Intersect));
             passes.push(Pass::Terminate);
+            passes.extend(scene.scatters().then_some(Pass::Scatter));
         }
-        if self.schedule != Schedule::Fused && scene.scatters() {
-            passes.push(Pass::Scatter);
-        }
-        passes.push(match self.purpose {
-            Purpose::Picture => Pass::Shade,
-            Purpose::Trace | Purpose::Pixels | Purpose::Bare => Pass::Record,
+        passes.extend(match self.purpose {
+            _ if self.schedule == Schedule::Whole => None,
+            Purpose::Picture => Some(Pass::Shade),
+            Purpose::Trace | Purpose::Pixels | Purpose::Bare => Some(Pass::Record),
         });
         if self.adapts(scene) {
             passes.push(Pass::Refine);
         }
         passes
+    }
+
+    /// With the schedule that the scene can have: a path is a pass of its own in pictures that follow one path a sample, and whose
+    /// state is not to be rounded between segments.
+    #[must_use]
+    pub fn settled(&self, scene: &Scene) -> Self {
+        let pictured = self.purpose == Purpose::Picture && self.rounds(scene) == 1;
+        let whole = pictured && scene.rays.precision != Precision::Half;
+        let schedule = if self.schedule == Schedule::Whole && !whole { Schedule::Fused } else { self.schedule };
+        Self { schedule, ..self.clone() }
     }
 
     /// Rounds of a sample, at most, in each of which every pixel follows one more path of its tree: the leaves of a full one.

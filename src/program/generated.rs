@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::Analysis;
 use super::regions::Regions;
 use super::unit::Unit;
+use super::{Analysis, PARTS};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::source;
 use crate::scene::{Object, Scene};
@@ -32,12 +32,27 @@ pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]
     text
 }
 
-/// The first hit of a straight piece among the shapes in lists, those that end rays and those that rays cross; where a piece meets an
-/// item of the structure; and the surface of a primitive.
-pub(super) fn shapes(
+/// Where a piece meets an item of the structure, and the surface of a primitive.
+pub(super) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid]) -> Unit {
+    let case = |solid: &&Solid, call: String| (solid.name.to_uppercase(), call);
+    let surface = |solid: &&Solid| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
+    let fraction = |solid: &&Solid| format!("{}_fraction(item & PRIMITIVE_INDEX, a, d)", solid.name);
+    let surfaces: Vec<_> = all.iter().map(|solid| case(solid, surface(solid))).collect();
+    let fractions: Vec<_> = structure.solids.iter().map(|solid| case(solid, fraction(solid))).collect();
+    let mut text = String::new();
+    if let Some((first, _)) = fractions.first() {
+        let signature = "fn item_fraction(item: u32, a: Real3, d: Real3) -> Real";
+        text += &switch(signature, "item & ~PRIMITIVE_INDEX", &fractions);
+        let _ = writeln!(text, "\nconst ITEM_KIND: u32 = {first};\n");
+    }
+    text += &switch("fn hit_surface(primitive: u32, x: Real3) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
+    unit("generated/shapes.wgsl", text)
+}
+
+/// The first hit of a straight piece among the shapes in lists, those that end rays and those that rays cross.
+pub(super) fn lists(
     scene: &Scene,
     Analysis { regions, structure }: &Analysis,
-    all: &[&Solid],
     listed: &[&Solid],
     sided: &[&Solid],
 ) -> Unit {
@@ -48,19 +63,56 @@ pub(super) fn shapes(
         let count = structure.written_out.then(|| count_of(scene, regions, solid, sided));
         text += &list_hit(solid.name, sided, count);
     }
-    text += "    return hit;\n}\n\n";
-    let case = |solid: &&Solid, call: String| (solid.name.to_uppercase(), call);
-    let surface = |solid: &&Solid| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
-    let fraction = |solid: &&Solid| format!("{}_fraction(item & PRIMITIVE_INDEX, a, d)", solid.name);
-    let surfaces: Vec<_> = all.iter().map(|solid| case(solid, surface(solid))).collect();
-    let fractions: Vec<_> = structure.solids.iter().map(|solid| case(solid, fraction(solid))).collect();
-    if let Some((first, _)) = fractions.first() {
-        let signature = "fn item_fraction(item: u32, a: Real3, d: Real3) -> Real";
-        text += &switch(signature, "item & ~PRIMITIVE_INDEX", &fractions);
-        let _ = writeln!(text, "\nconst ITEM_KIND: u32 = {first};\n");
+    text += "    return hit;\n}\n";
+    unit("generated/lists.wgsl", text)
+}
+
+/// What a segment is near, and one of the shapes in lists against a piece, by its place among what may be near: those that end rays,
+/// those that rays cross, and the structure in parts, whose bit is the highest.
+pub(super) fn near(
+    scene: &Scene,
+    Analysis { regions, structure }: &Analysis,
+    listed: &[&Solid],
+    sided: &[&Solid],
+) -> Unit {
+    let (mut bits, mut fractions, mut primitives) = (String::new(), String::new(), String::new());
+    let mut first = 0;
+    let lists = listed.iter().map(|solid| (solid, false)).chain(sided.iter().map(|solid| (solid, true)));
+    for (solid, sided) in lists {
+        let (name, code, count) = (solid.name, solid.name.to_uppercase(), count_of(scene, regions, solid, sided));
+        let test = if solid.lists.as_ref().is_some_and(|lists| lists.flat) { "near_flat" } else { "near_ball" };
+        for i in 0..count {
+            let place = first + i;
+            // Who is on the wrong side of a surface meets it wherever it is.
+            let known = if sided { format!(" || is_inside(sided_{name}_list[{i}u].bit)") } else { String::new() };
+            let _ =
+                writeln!(bits, "    near |= select(0u, {}u, {test}(surroundings[{place}u], c){known});", 1u32 << place);
+        }
+        let item = format!("item - {first}u");
+        let (call, primitive) = if sided {
+            let call = format!("cross_{name}(sided_{name}_list[min({item}, {}u)], a, d)", count - 1);
+            (call, format!("{code} | ({code}_COUNT + {item})"))
+        } else {
+            let primitive = format!("{code} | ({item})");
+            (format!("hit_{name}({name}_list[min({item}, {}u)], {primitive}, a, d)", count - 1), primitive)
+        };
+        let range = format!("item >= {first}u && item < {}u", first + count);
+        let _ = writeln!(fractions, "    t = select(t, {call}, {range});");
+        let _ = writeln!(primitives, "    primitive = select(primitive, {primitive}, {range});");
+        first += count;
     }
-    text += &switch("fn hit_surface(primitive: u32, x: Real3) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
-    unit("generated/shapes.wgsl", text)
+    let parts = if structure.solids.is_empty() { 0 } else { PARTS };
+    for place in first..first + parts {
+        let _ = writeln!(bits, "    near |= select(0u, NEAR_STRUCTURE, near_ball(surroundings[{place}u], c));");
+    }
+    let count = first + parts;
+    let text = format!(
+        "const NEAR_COUNT: u32 = {count}u;\n\n\
+         fn items_near(s: Segment) -> u32 {{\n    let c = chordal(s);\n    var near = 0u;\n{bits}    return near;\n}}\n\n\
+         fn listed_fraction(item: u32, a: Real3, d: Real3) -> Real {{\n    var t: Real = 2.0;\n{fractions}    return t;\n}}\n\n\
+         fn listed_primitive(item: u32) -> u32 {{\n    var primitive = NOTHING;\n{primitives}    return primitive;\n}}\n"
+    );
+    unit("generated/near.wgsl", text)
 }
 
 /// A piece against the list of a solid: item by item, or in a loop where it is not said how many there are.
@@ -192,6 +244,19 @@ pub(super) fn obstacles(count: usize, leaps: bool) -> Unit {
 /// How many media a kind of region has.
 pub(super) fn media(count: usize) -> Unit {
     unit("generated/media.wgsl", format!("const MEDIA_COUNT: u32 = {count}u;\n"))
+}
+
+/// The steps of a chord, one after the other.
+pub(super) fn chord(steps: u32) -> Unit {
+    let mut text =
+        String::from("fn chord_steps(start: Ray) -> ChordSteps {\n    var ray = start;\n    var over = false;\n");
+    let _ = writeln!(text, "    work += {steps}u;");
+    for step in 0..steps {
+        let test = if step > 0 { "    over = over | may_be_over(ray);\n" } else { "" };
+        let _ = writeln!(text, "{test}    ray = accepted_step(ray);");
+    }
+    text += "    return ChordSteps(ray, over);\n}\n";
+    unit("generated/chord.wgsl", text)
 }
 
 /// How long the lists are that every step or segment walks: known to the compiler, which may unroll them.

@@ -16,12 +16,14 @@ use super::declarations::{Declaration, declarations};
 use super::linked::{Copy, Edit, Linked};
 use super::lower::Lowering;
 use super::unit::{Author, Parts, Unit};
+use super::unroll::unrolled;
 
 /// A declaration, and the number of the copy that it is in.
 type Found<'a> = (usize, Declaration<'a>);
 
 /// The program of the pass whose entry point is `entry`.
 pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
+    let parts = &unrolled(parts);
     let mut copies = with_region_copies(parts, entry)?;
     let mut all = Vec::new();
     for (k, copy) in copies.iter().enumerate() {

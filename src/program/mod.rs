@@ -31,6 +31,7 @@ mod structure;
 mod tokens;
 mod touching;
 mod unit;
+mod unroll;
 mod validate;
 mod work;
 
@@ -45,7 +46,7 @@ pub use parts::{Part, all_parts, constant, part};
 pub use plan::plan;
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect};
 pub use regions::{Motion, Obstacle, Region, RegionKind, Regions};
-pub use structure::{Extent, Search, Structure};
+pub use structure::{Extent, PARTS, Search, Structure};
 pub use touching::Touching;
 pub use unit::{Author, Parts, Unit};
 pub use validate::validated;
@@ -61,7 +62,7 @@ pub struct Program {
     pub passes: Vec<(Pass, Linked, Reflection)>,
     /// How much work its segments may be.
     pub work: Work,
-    /// What it was made for.
+    /// What it was made for, with the schedule that the scene can have.
     pub choice: Choice,
 }
 
@@ -69,7 +70,8 @@ impl Program {
     /// The program of `scene` under a schedule, whose structure was built to this extent.
     pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
         let work = Work::of(scene, analysis, extent)?;
-        let parts = plan(scene, analysis, choice, &work)?;
+        let choice = choice.settled(scene);
+        let parts = plan(scene, analysis, &choice, &work)?;
         let passes = choice
             .passes(scene)
             .into_iter()
@@ -79,7 +81,7 @@ impl Program {
                 Ok((pass, linked, reflection))
             })
             .collect::<Result<_, ProgramError>>()?;
-        Ok(Self { passes, work, choice: choice.clone() })
+        Ok(Self { passes, work, choice })
     }
 
     /// What its passes bind; what several bind comes several times.

@@ -6,10 +6,14 @@ use super::region_parts::region_parts;
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Choice, Masks, ProgramError, Purpose, Work, generated};
+use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, generated};
 use crate::model::Material;
+use crate::model::method::Path;
 use crate::model::source::SOURCES;
 use crate::scene::{Branches, Precision, Scene, Segment};
+
+/// Steps of a chord up to which they are written out.
+const WRITTEN_OUT: u32 = 16;
 
 /// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
 pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
@@ -22,8 +26,11 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         "real/math",
         "state/tally",
         "segment/termination",
+        "segment/path_start",
         "segment/path_end",
+        "segment/follow_path",
         "picture/colors",
+        "picture/shade_ray",
     ]);
     names.all(&["state/ray", "state/active", "state/finish"]);
     names.all(match scene.rays.precision {
@@ -39,7 +46,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     schedule_parts(scene, choice, regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, &mut names)?;
-    surface_parts(scene, work, analysis, &mut names);
+    surface_parts(scene, choice, work, analysis, &mut names);
     if choice.purpose == Purpose::Picture {
         picture_parts(scene, choice, &mut names);
     }
@@ -141,10 +148,17 @@ fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     let hits = !scene.objects.is_empty();
     match scene.rays.segment {
         Segment::Arc { .. } => {
-            names.add("segment/follow_step");
+            names.all(&["segment/follow_step", "segment/quick_same"]);
             names.all(if hits { &["segment/end_on_arc"] } else { &["segment/end_open", "segment/stop_open"] });
         }
-        Segment::Chord { .. } => {
+        Segment::Chord { steps } => {
+            let planned = scene.rays.control.kind.tries.is_none() && scene.rays.method.kind.path == Path::Steps;
+            if planned && steps <= WRITTEN_OUT {
+                names.add("segment/quick_chord");
+                names.make(generated::chord(steps));
+            } else {
+                names.add("segment/quick_same");
+            }
             names.all(&["segment/follow_chord", "segment/stop_open"]);
             names.add(if hits { "segment/end_on_chord" } else { "segment/end_open" });
         }
@@ -152,7 +166,7 @@ fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     Ok(())
 }
 
-fn surface_parts(scene: &Scene, work: &Work, analysis: &Analysis, names: &mut Names) {
+fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysis, names: &mut Names) {
     let all = solids(scene.objects.iter());
     if all.is_empty() {
         names.all(&["segment/no_surfaces"]);
@@ -160,7 +174,11 @@ fn surface_parts(scene: &Scene, work: &Work, analysis: &Analysis, names: &mut Na
     }
     let Analysis { regions, structure } = analysis;
     names.all(&["segment/pieces", "segment/hits", "shape/placed"]);
-    names.add(if work.resumed { "segment/walk_resumed" } else { "segment/walk_whole" });
+    names.add(match (work.resumed, choice.schedule) {
+        (false, _) => "segment/walk_whole",
+        (true, Schedule::Whole) => "segment/walk_once",
+        (true, _) => "segment/walk_resumed",
+    });
     let leaps = regions.kinds.iter().any(|kind| kind.leaps);
     names.add(if leaps { "segment/hit_leaping" } else { "segment/hit_direct" });
     names.each("shape", all.iter().map(|solid| solid.name));
@@ -172,7 +190,12 @@ fn surface_parts(scene: &Scene, work: &Work, analysis: &Analysis, names: &mut Na
     // One search meets all triangles, whatever their objects are made of.
     sided.retain(|solid| solid.lists.is_some());
     listed.retain(|solid| !structure.holds(solid));
-    names.add(if listed.is_empty() && sided.is_empty() { "segment/lists_none" } else { "segment/lists_some" });
+    names.add(if structure.near { "segment/near_balls" } else { "segment/near_all" });
+    names.add(match (listed.is_empty() && sided.is_empty(), structure.near) {
+        (true, _) => "segment/lists_none",
+        (false, true) => "segment/lists_near",
+        (false, false) => "segment/lists_some",
+    });
     if structure.solids.is_empty() {
         names.add("segment/structure/none");
     } else {
@@ -180,6 +203,11 @@ fn surface_parts(scene: &Scene, work: &Work, analysis: &Analysis, names: &mut Na
         names.add(if structure.in_order() { "segment/order_same" } else { "segment/order_listed" });
         names.each("segment/structure", [structure.search.name()]);
     }
-    names.make(generated::shapes(scene, analysis, &all, &listed, &sided));
+    names.make(generated::shapes(analysis, &all));
+    names.make(if structure.near {
+        generated::near(scene, analysis, &listed, &sided)
+    } else {
+        generated::lists(scene, analysis, &listed, &sided)
+    });
     names.add("surface/seen");
 }

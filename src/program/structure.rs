@@ -41,6 +41,12 @@ const MANY: usize = 6;
 /// More than this are no list of a uniform any more.
 const LONG: usize = 512;
 
+/// Shapes in lists that a mask has bits for, beside the structure's.
+const BITS: usize = 31;
+
+/// Parts of a structure with a ball about each, for what a segment is near.
+pub const PARTS: usize = 8;
+
 /// A scene's structure.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Structure {
@@ -50,6 +56,8 @@ pub struct Structure {
     pub solids: Vec<&'static Solid>,
     /// Are lists written out item by item, rather than walked in a loop?
     pub written_out: bool,
+    /// Is what a segment is near found first, for all lists and the structure at once?
+    pub near: bool,
 }
 
 impl Structure {
@@ -70,10 +78,14 @@ impl Structure {
             Accelerate::None => (Search::List, LONG + 1),
         };
         let solids = solids(listed().chain(meshes));
+        let is_held = |solid: &&Solid| solid.lists.is_none() || count(solid) >= least;
+        let solids: Vec<_> = solids.into_iter().filter(is_held).collect();
+        let in_lists = listed().filter(|object| !solids.contains(&object.solid())).count() + regions.regions.len();
         Self {
             search,
-            solids: solids.into_iter().filter(|solid| solid.lists.is_none() || count(solid) >= least).collect(),
+            solids,
             written_out: scene.rays.accelerate == Accelerate::Auto,
+            near: scene.rays.accelerate != Accelerate::None && in_lists <= BITS,
         }
     }
 

@@ -14,6 +14,7 @@ mod clock;
 mod error;
 mod picture;
 mod plan;
+mod planning;
 mod readback;
 mod renderer;
 mod runner;
@@ -26,6 +27,7 @@ mod step;
 mod tiles;
 mod totals;
 mod trace;
+mod whole;
 mod window;
 
 pub use error::RenderError;

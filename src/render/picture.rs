@@ -56,42 +56,65 @@ impl Renderer<'_> {
         progress: &dyn Fn(f64),
     ) -> Result<Totals, RenderError> {
         let started = Instant::now();
-        let Window { origin, size: [width, height] } = self.window();
-        let [tile_width, tile_height] = self.tile_size()?;
         let mut clock = Clock::new(self.gpu, self.settings.apart);
         let mut totals = Totals { adaptive: self.adaptive(), ..Totals::default() };
+        let height = self.window().size[1];
+        let next = self.current().render_rows(0, rows, &mut clock, progress, &mut totals)?;
+        if next < height {
+            self.go_over()?.render_rows(next, rows, &mut clock, progress, &mut totals)?;
+        }
+        self.finish_totals(&mut totals, &clock, started)?;
+        Ok(totals)
+    }
+
+    /// Renders from a row on. Returns the row that comes next: none of the picture, unless a path there outlived the pass that was to
+    /// follow all of it.
+    fn render_rows(
+        &self,
+        first: u32,
+        rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
+        clock: &mut Clock,
+        progress: &dyn Fn(f64),
+        totals: &mut Totals,
+    ) -> Result<u32, RenderError> {
+        let Window { origin, size: [width, height] } = self.window();
+        let [tile_width, tile_height] = self.tile_size()?;
         let margin = self.settings.choice.margin(&self.scene);
         let mut tile: Option<Tile> = None;
         let all = f64::from(width) * f64::from(height);
-        let mut pixels_done = 0.0;
-        for first_row in (0..height).step_by(tile_height as usize) {
+        let mut pixels_done = f64::from(width) * f64::from(first);
+        for first_row in (first..height).step_by(tile_height as usize) {
             let tile_rows = tile_height.min(height - first_row);
             let mut band = self.band(first_row, tile_rows);
+            let before_band = totals.clone();
             for left in (0..width).step_by(tile_width as usize) {
                 let size = [tile_width.min(width - left), tile_rows];
                 let mut made = match &tile {
                     Some(made) if made.size == size.map(|side| side + margin) => made,
                     _ => tile.insert(self.tile(size.map(|side| side + margin))?),
                 };
-                let part = f64::from(size[0]) * f64::from(size[1]) / all;
+                let pixels = f64::from(size[0]) * f64::from(size[1]);
                 let corner = [origin[0] + left, origin[1] + first_row];
-                let progress = |done| progress(pixels_done + done * part);
+                let progress = |done| progress((pixels_done + done * pixels) / all);
                 let before = totals.clone();
-                self.render_tile(made, corner, &mut clock, &progress, &mut totals)?;
-                if self.read_tally(made, &mut totals)? == Walks::Unfinished {
-                    totals = before;
+                self.render_tile(made, corner, clock, &progress, totals)?;
+                if self.read_tally(made, totals)? == Walks::Unfinished {
+                    if self.is_whole() {
+                        *totals = before_band;
+                        return Ok(first_row);
+                    }
+                    *totals = before;
                     let again = tile.insert(self.tile(size.map(|side| side + margin))?);
-                    self.render_tile(again, corner, &mut clock, &progress, &mut totals)?;
-                    self.read_tally(again, &mut totals)?;
+                    self.render_tile(again, corner, clock, &progress, totals)?;
+                    self.read_tally(again, totals)?;
                     made = again;
                 }
-                pixels_done += part;
+                pixels_done += pixels;
                 self.read_tile(made, left, &mut band)?;
             }
             rows(band)?;
         }
-        self.finish_totals(&mut totals, &clock, started)?;
-        Ok(totals)
+        Ok(height)
     }
 
     /// The whole picture at once.
@@ -126,7 +149,7 @@ impl Renderer<'_> {
         let started = Instant::now();
         self.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
         if self.read_tally(&tile, &mut totals)? == Walks::Unfinished {
-            return self.first_sample();
+            return if self.is_whole() { self.go_over()?.first_sample() } else { self.first_sample() };
         }
         self.read_tile(&tile, 0, &mut band)?;
         self.finish_totals(&mut totals, &clock, started)?;

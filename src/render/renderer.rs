@@ -10,13 +10,12 @@ use super::clock::Clock;
 use super::plan::Plan;
 use super::readback::read_buffer;
 use super::sample::Sample;
-use super::schedule::steps;
 use super::{RenderError, RenderSettings, Totals};
 use crate::gpu::{
     Built, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
 use crate::model::{Control, Value};
-use crate::program::{BindingKind, Layout, Program, Purpose, Regions, Role, Work};
+use crate::program::{BindingKind, Layout, Program, Purpose, Regions, Role};
 use crate::scene::Scene;
 
 /// In so many rounds of a sample and more most pixels rest, so that a pass costs more than the ended rays that it drops: passes
@@ -39,38 +38,44 @@ pub struct Renderer<'a> {
     structure: Built,
     pub(super) max_segments: u32,
     /// For walks that no pass suspends, or few: enough for all but meshes in heaps.
-    short: Plan,
+    pub(super) short: Plan,
     /// For the longest walks that there could be, made where one did not end.
-    long: OnceCell<Plan>,
-    is_long: Cell<bool>,
+    pub(super) long: OnceCell<Plan>,
+    pub(super) is_long: Cell<bool>,
+    /// The same by the schedule `fused`, made where a path outlived the pass that was to follow all of it.
+    pub(super) fused: OnceCell<Box<Self>>,
 }
 
-/// What became of a tile's walks over the scene's structure.
+/// What became of a tile's rays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Walks {
     Ended,
-    /// More passes are needed than were recorded.
+    /// More passes are needed than were recorded, for walks over the scene's structure or for whole paths.
     Unfinished,
 }
 
 impl<'a> Renderer<'a> {
     /// Links, compiles and uploads.
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, mut settings: RenderSettings) -> Result<Self, RenderError> {
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings) -> Result<Self, RenderError> {
+        Self::of(gpu, Cow::Borrowed(scene), settings)
+    }
+
+    pub(super) fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings) -> Result<Self, RenderError> {
         if settings.choice.purpose != Purpose::Trace && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
         }
         if let Some(window) = settings.window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
-        let geometry = Geometry::new(scene);
-        let program = Program::new(scene, &geometry.analysis, &settings.choice, geometry.extent())?;
+        let geometry = Geometry::new(&scene);
+        let program = Program::new(&scene, &geometry.analysis, &settings.choice, geometry.extent())?;
+        settings.choice = program.choice.clone();
         let pipelines = Pipelines::new(gpu, &program)?;
-        let longer = settings.segments.saturating_mul(settings.choice.rounds(scene) / MANY_ROUNDS);
+        let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
-        let buffers = SceneBuffers::new(gpu, scene, &geometry, &program, settings.segments, None)?;
+        let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, settings.segments_a_pass(), None)?;
         let max_segments = scene.rays.max_segments;
-        let (short, long, is_long) = (Plan::default(), OnceCell::new(), Cell::new(false));
-        let scene = Cow::Borrowed(scene);
+        let (short, long, is_long, fused) = (Plan::default(), OnceCell::new(), Cell::new(false), OnceCell::new());
         let (structure, regions) = (geometry.structure, geometry.analysis.regions);
         let mut made = Self {
             gpu,
@@ -85,6 +90,7 @@ impl<'a> Renderer<'a> {
             short,
             long,
             is_long,
+            fused,
         };
         made.plan_steps();
         Ok(made)
@@ -97,7 +103,10 @@ impl<'a> Renderer<'a> {
     ///
     /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        let RenderSettings { window, choice, segments, .. } = &self.settings;
+        if let Some(fused) = self.fused.get_mut() {
+            fused.set_scene(scene.clone())?;
+        }
+        let RenderSettings { window, choice, .. } = &self.settings;
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
@@ -106,7 +115,8 @@ impl<'a> Renderer<'a> {
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
-        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, *segments, Some(&self.buffers))?;
+        let segments = self.settings.segments_a_pass();
+        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, segments, Some(&self.buffers))?;
         self.structure = geometry.structure;
         self.regions = geometry.analysis.regions;
         self.program = program;
@@ -119,6 +129,9 @@ impl<'a> Renderer<'a> {
     /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
     /// is compiled again.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
+        if let Some(fused) = self.fused.get_mut() {
+            fused.retune(control, max_segments)?;
+        }
         self.rewrite("control", &control.values())?;
         self.set_segments(max_segments, self.settings.segments)
     }
@@ -127,7 +140,7 @@ impl<'a> Renderer<'a> {
     pub(super) fn set_segments(&mut self, max_segments: u32, segments: u32) -> Result<(), GpuError> {
         self.max_segments = max_segments;
         self.settings.segments = segments;
-        self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments, &self.program.work))?;
+        self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments_a_pass(), &self.program.work))?;
         self.plan_steps();
         Ok(())
     }
@@ -143,28 +156,6 @@ impl<'a> Renderer<'a> {
             }
         }
         Ok(())
-    }
-
-    fn plan_steps(&mut self) {
-        self.short = self.planned(&Work { passes_per_segment: 1, ..self.program.work });
-        self.long = OnceCell::new();
-    }
-
-    fn planned(&self, work: &Work) -> Plan {
-        let choice = &self.settings.choice;
-        let steps = steps(&self.scene, choice, work, self.max_segments, self.settings.segments);
-        Plan::new(steps, choice.rounds(&self.scene))
-    }
-
-    /// With passes for the longest walks that there could be, from now on.
-    pub(super) fn longest_plan(&self) -> &Plan {
-        self.is_long.set(true);
-        self.plan()
-    }
-
-    /// What runs.
-    pub(super) fn plan(&self) -> &Plan {
-        if self.is_long.get() { self.long.get_or_init(|| self.planned(&self.program.work)) } else { &self.short }
     }
 
     /// What each pixel costs on the device.
@@ -213,7 +204,8 @@ impl<'a> Renderer<'a> {
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-        if self.program.work.resumed && !self.is_long.get() && Totals::unfinished(&words) > 0 {
+        let may_go_on = self.is_whole() || (self.program.work.resumed && !self.is_long.get());
+        if may_go_on && Totals::unfinished(&words) > 0 {
             self.is_long.set(true);
             return Ok(Walks::Unfinished);
         }

@@ -10,17 +10,22 @@ use crate::scene::{Scene, Segment};
 pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, segments: u32) -> Vec<Step> {
     let open = choice.lists_open(scene);
     let mut recorded = Recorder { choice, max_segments, open, steps: Vec::new() };
-    recorded.push(Pass::Setup, Slots::only(0), 0, 1);
     let n = match scene.rays.segment {
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
     };
+    if choice.schedule == Schedule::Whole && choice.purpose != Purpose::Bare {
+        let whole = recorded.push(Pass::Whole, Slots::only(0), 0, n * u64::from(segments));
+        (whole.read, whole.written) = (PixelList::Open(0), PixelList::Open(1));
+        return recorded.steps;
+    }
+    recorded.push(Pass::Setup, Slots::only(0), 0, 1);
     if choice.purpose == Purpose::Bare {
         recorded.push(Pass::Bare, Slots::segment(0, 1), 0, 1);
         return recorded.steps;
     }
     match choice.schedule {
-        Schedule::Fused => recorded.fused(work, segments, n),
+        Schedule::Fused | Schedule::Whole => recorded.fused(work, segments, n),
         Schedule::Segment => recorded.by_segment(scene, work, n),
         Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
     }
@@ -41,7 +46,7 @@ struct Recorder<'a> {
 impl Recorder<'_> {
     /// Adds a step of an iteration of the loop over segments, which reads the iteration's list of active rays and writes the next.
     fn push(&mut self, pass: Pass, slots: Slots, iteration: u64, weight: u64) -> &mut Step {
-        let once = matches!(pass, Pass::Setup | Pass::Shade | Pass::Record | Pass::Bare);
+        let once = matches!(pass, Pass::Setup | Pass::Whole | Pass::Shade | Pass::Record | Pass::Bare);
         // What the first segments' termination lists is the first list there is.
         let first = !once && iteration == 0 && pass != Pass::Scatter;
         let dispatch = match once || first {

@@ -1,7 +1,7 @@
 //! How a picture is rendered, whatever it shows.
 
 use super::Window;
-use crate::program::Choice;
+use crate::program::{Choice, Schedule};
 
 /// How to render.
 #[derive(Debug, Clone)]
@@ -19,6 +19,13 @@ pub struct RenderSettings {
     /// Are intersecting and scattering timed apart from advancing, where they have passes? That takes a pass of the encoder for each
     /// of them, which costs more than the round without active rays.
     pub apart: bool,
+}
+
+impl RenderSettings {
+    /// Segments of one pass, at most.
+    pub(super) fn segments_a_pass(&self) -> u32 {
+        if self.choice.schedule == Schedule::Whole { u32::MAX } else { self.segments }
+    }
 }
 
 impl Default for RenderSettings {

@@ -9,11 +9,11 @@ const SMALL: &str = "--size 16x16 --repeats 1";
 fn a_report_is_printed_and_written() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("bench schedules {SMALL} -o report")).succeeds();
-    for word in ["paper", "segment", "fused", "masks (s)", "16×16"] {
+    for word in ["paper", "segment", "fused", "whole", "masks (s)", "16×16"] {
         assert!(ran.out.contains(word), "{word}: {}", ran.out);
     }
     let csv = folder.text("report/schedules_schedules.csv");
-    assert_eq!(csv.lines().count(), 8, "{csv}");
+    assert_eq!(csv.lines().count(), 9, "{csv}");
     let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
     assert!(csv.lines().all(|line| line.split(',').count() == header.len()), "{csv}");
     assert!(folder.text("report/index.html").contains("schedules_fused.svg"));

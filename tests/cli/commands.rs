@@ -38,7 +38,7 @@ fn check_goes_through_all_scenes_before_it_fails() {
     let ran = folder.run("check typo.toml scene.toml nope.toml zero.toml");
     assert_eq!(ran.code, Some(1));
     assert!(ran.out.starts_with("scene.toml: 16×12, "), "{}", ran.out);
-    assert!(ran.out.contains("\n  pass advance "), "{}", ran.out);
+    assert!(ran.out.contains("\n  pass whole "), "{}", ran.out);
     let ran = ran.says(&["typo.toml:8:2: unknown key `skye`", "cannot read `nope.toml`", "zero.toml:3:9: "]);
     assert_eq!(ran.err.matches("error: ").count(), 3);
 
@@ -82,7 +82,7 @@ fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
         let source = pass.split_once('\n').unwrap().1;
         naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));
     }
-    let one = folder.run("wgsl scene.toml --pass shade").succeeds();
+    let one = folder.run("wgsl scene.toml --schedule fused --pass shade").succeeds();
     assert_eq!(one.out.matches("// ==== pass ").count(), 1);
     assert!(one.out.starts_with("// ==== pass shade\n"));
 }

@@ -206,7 +206,7 @@ fn first_hit_of_arcs_in_several_pieces() {
         .bind("arc", [arc(DVec3::splat(-4.0), DVec3::splat(4.0))])
         .list("sphere_list", "SPHERE_COUNT", records);
     let body = format!(
-        "{SEGMENT}let hit = first_hit(s, vec2u(0u));
+        "{SEGMENT}let hit = first_hit(s, NEAR_STRUCTURE | NEAR_LISTED, vec2u(0u));
         let missed = hit.primitive == NOTHING;
         put(0u, vec4f(select(hit.t, 2.0, missed), select(f32(hit.primitive & PRIMITIVE_INDEX), -1.0, missed), f32(segment_pieces(s)), 0.0));"
     );

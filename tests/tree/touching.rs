@@ -117,9 +117,12 @@ fn touching_objects_do_not_depend_on_the_schedule() {
                 .replace("[rays]", &format!("[rays]\nmax_segments = {segments}"));
             let choice = |schedule, masks| Choice { schedule, masks, layers: Layer::ALL.to_vec(), ..Choice::default() };
             let first = rendered(&text, choice(Schedule::Fused, Masks::List));
-            for (schedule, masks) in
-                [(Schedule::Fused, Masks::Off), (Schedule::Segment, Masks::List), (Schedule::Paper, Masks::Grid)]
-            {
+            for (schedule, masks) in [
+                (Schedule::Whole, Masks::List),
+                (Schedule::Fused, Masks::Off),
+                (Schedule::Segment, Masks::List),
+                (Schedule::Paper, Masks::Grid),
+            ] {
                 let other = rendered(&text, choice(schedule, masks));
                 assert!(first.band == other.band, "{name}: {schedule:?}, masks {masks:?}, {segments} segments");
                 assert_eq!(first.totals.by_status, other.totals.by_status, "{name}");

@@ -44,7 +44,13 @@ fn place(table: &TableReader) -> Option<DAffine3> {
 
 pub static SOLID: Solid = Solid {
     name: "box",
-    lists: Some(Lists { opaque: "box_list", two_sided: "sided_box_list", placed: "boxes", row: Placed::space }),
+    lists: Some(Lists {
+        opaque: "box_list",
+        two_sided: "sided_box_list",
+        placed: "boxes",
+        row: Placed::space,
+        flat: false,
+    }),
 };
 
 /// The box from −1 to 1 along each axis; a [`Transform`]'s scale is half its edges.

@@ -38,6 +38,7 @@ pub static SOLID: Solid = Solid {
         two_sided: "sided_cylinder_list",
         placed: "cylinders",
         row: Placed::space,
+        flat: false,
     }),
 };
 

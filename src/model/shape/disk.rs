@@ -39,6 +39,7 @@ pub static SOLID: Solid = Solid {
         two_sided: "sided_disk_list",
         placed: "disks",
         row: |placed| placed.space_and("hole"),
+        flat: true,
     }),
 };
 

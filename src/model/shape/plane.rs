@@ -29,7 +29,13 @@ pub static KIND: Kind = Kind {
 
 pub static SOLID: Solid = Solid {
     name: "plane",
-    lists: Some(Lists { opaque: "plane_list", two_sided: "sided_plane_list", placed: "planes", row: Placed::space }),
+    lists: Some(Lists {
+        opaque: "plane_list",
+        two_sided: "sided_plane_list",
+        placed: "planes",
+        row: Placed::space,
+        flat: true,
+    }),
 };
 
 /// The square from −1 to 1 along x and z, in the plane y = 0; a [`Transform`]'s scale is half its edges.

@@ -26,6 +26,8 @@ pub struct Lists {
     pub placed: &'static str,
     /// What a test needs.
     pub row: fn(&Placed) -> Row,
+    /// Does it lie in y = 0 of its own space?
+    pub flat: bool,
 }
 
 /// A shape in its place.

@@ -25,7 +25,13 @@ pub static KIND: Kind = Kind {
 
 pub static SOLID: Solid = Solid {
     name: "sphere",
-    lists: Some(Lists { opaque: "sphere_list", two_sided: "sided_sphere_list", placed: "spheres", row: Placed::ball }),
+    lists: Some(Lists {
+        opaque: "sphere_list",
+        two_sided: "sided_sphere_list",
+        placed: "spheres",
+        row: Placed::ball,
+        flat: false,
+    }),
 };
 
 pub static ELLIPSOID: Solid = Solid {
@@ -35,6 +41,7 @@ pub static ELLIPSOID: Solid = Solid {
         two_sided: "sided_ellipsoid_list",
         placed: "ellipsoids",
         row: Placed::space,
+        flat: false,
     }),
 };
 

@@ -1,0 +1,17 @@
+// What a ray saw goes into the picture. What could not be followed stays black, and is counted and shown in the status output, never
+// painted as sky.
+
+// ray: at the start of its last segment, which ended on `end`.
+fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
+    let seen = seen_at(ray, end);
+    let code = ray.status;
+    var color = seen.color;
+    if code == ESCAPED || code == MISSED {
+        color = sky_radiance(vec3f(normalize(seen.end.v)));
+    }
+    add_color(pixel, color * end_weight(seen.end.x));
+    add_coverage(pixel, code);
+    keep_layers(pixel, ray, seen);
+    keep_corner(pixel, ray, seen);
+    tally_status(code);
+}

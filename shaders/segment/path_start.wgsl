@@ -1,0 +1,20 @@
+// Where a path starts: the camera's ray (W04 §3.1), or the one that was given, in the law's phase space.
+
+// Sets the region and the weight that the ray starts with too. A pixel that takes no ray in this round rests.
+fn path_start(pixel: vec2u) -> Ray {
+    let start = arrived(picture_ray(sampled_pixel(pixel)));
+    start_region(start.x, start.d, pixel);
+    let phase = opaque_phase(law_start(start.x, start.d));
+    start_weight(phase[0].xyz);
+    var ray = Ray(phase, 0.0, first_memory(phase), 0.0, 0u, 0u, 0u, start.status);
+    if ray.status == ALIVE && law_captured(phase[0].xyz, phase[1].xyz) {
+        ray.status = CAPTURED;
+    }
+    if ray.status != OUTSIDE && (!finite(phase[0].xyz) || !finite(phase[1].xyz)) {
+        ray.status = FAILED;
+    }
+    if !(sample_wanted(pixel) && begin_branches(pixel)) {
+        ray.status = RESTING;
+    }
+    return ray;
+}
