@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use bentray::render::{RenderSettings, Traced, trace};
+use bentray::render::{RenderSettings, Status, Traced, trace, trace_paths};
 use glam::DVec3;
 
 use crate::support::lens::{Fate, Lens, lens_scene, lenses};
@@ -134,4 +134,35 @@ fn a_luneburg_lens_has_one_focus() {
         let off = (focus - DVec3::from(end.x)).reject_from_normalized(direction).length() / radius;
         assert!(off <= 1e-5, "ray {i} passes the focus at {off:e} of the radius");
     }
+}
+
+/// A path that is drawn is cut into arcs where the ray leaps: it ends in the ray's own direction all the same, after up to fifteen turns.
+#[test]
+fn a_drawn_spiral_ends_where_its_leap_does() {
+    let gpu = gpu();
+    let scene = scene(
+        "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nradius = 2\n\
+         interior = { kind = \"inverse-r\", k = 2 }\n",
+    );
+    let ray = |i: u32| {
+        let (sine, cosine) = f64::from(i).sin_cos();
+        let climb = 0.05 * f64::from(1 + i % 4);
+        let (outward, onward) = (DVec3::new(cosine, sine, 0.0), DVec3::new(-sine, cosine, 0.0));
+        let x = (0.02 + 0.004 * f64::from(i)) * outward;
+        let v = climb * outward + (1.0 - climb * climb).sqrt() * onward;
+        [x.x, x.y, x.z, v.x, v.y, v.z]
+    };
+    let rays: Vec<[f64; 6]> = (0..60).map(ray).collect();
+    let settings = RenderSettings::default();
+    let (ends, _) = trace(&gpu, &scene, &settings, &rays).unwrap();
+    let paths = trace_paths(&gpu, &scene, &settings, &rays).unwrap();
+    let mut worst: f64 = 0.0;
+    for (end, (status, path)) in ends.iter().zip(&paths) {
+        assert_eq!((end.status, *status), (Status::Escaped, Status::Escaped));
+        let drawn = path.last().unwrap().v;
+        worst = worst.max(DVec3::from(end.v).angle_between(DVec3::from(drawn)));
+    }
+    println!("off by {worst:e} rad at most");
+    // The leap's own roundings: a ray turns by ln(R/r)/climb, of which that of climb, of 6e-8, is a part of up to 1e-6.
+    assert!(worst < 3e-4, "{worst:e}");
 }

@@ -19,7 +19,7 @@ const HOLE: &str = "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 15]\n[
     [[objects]]\nshape = \"sphere\"\ncenter = [5, 0, -3]\nradius = 2\nmaterial = \"m\"\n\
     [[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n";
 
-/// At most 100 bytes a pixel, whatever the number of segments; layers and other schedules cost what `memory` says.
+/// At most 108 bytes a pixel, whatever the number of segments; layers and other schedules cost what `memory` says.
 #[test]
 fn state_on_the_device_is_small() {
     for path in shipped_scenes() {
@@ -31,7 +31,9 @@ fn state_on_the_device_is_small() {
         };
         let fused = || Choice { schedule: Schedule::Fused, ..Choice::default() };
         let plain = bytes(&scene, &fused());
-        assert!(plain <= 100, "{}: {plain} bytes a pixel", path.display());
+        // What a sum of τ does not hold, where a path ends by it, in two slots.
+        let most = if scene.rays.length.is_some() { 100 + 2 * 4 } else { 100 };
+        assert!(plain <= most, "{}: {plain} bytes a pixel", path.display());
         let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..fused() });
         // Depth, object, status and steps at 4 bytes, two vectors at 16; the steps and rejections that are counted for them.
         assert_eq!(layered - plain, 4 * 4 + 2 * 16 + 2 * 4, "{}", path.display());
@@ -41,7 +43,7 @@ fn state_on_the_device_is_small() {
         assert_eq!(bytes(&scene, &Choice::default()), 3 * 4, "{}", path.display());
         let masks = Schedule::Paper.masks();
         let paper = bytes(&scene, &Choice { schedule: Schedule::Paper, masks, ..Choice::default() });
-        assert!(paper <= 100, "{}: {paper} bytes a pixel", path.display());
+        assert!(paper <= most, "{}: {paper} bytes a pixel", path.display());
     }
 }
 

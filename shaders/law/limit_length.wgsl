@@ -6,8 +6,8 @@ struct Limit {
 
 @group(0) @binding(66) var<uniform> limit: Limit;
 
-fn limited_step(h: Real, tau: Real) -> Real {
-    return min(h, limit.length - tau);
+fn limited_step(h: Real, ray: Ray) -> Real {
+    return min(h, (limit.length - ray.tau) - ray.rest);
 }
 
 // A last step of a rounding error's size would move nothing.

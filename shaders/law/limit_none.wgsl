@@ -1,6 +1,6 @@
 // Paths have no length of their own.
 
-fn limited_step(h: Real, tau: Real) -> Real {
+fn limited_step(h: Real, ray: Ray) -> Real {
     return h;
 }
 

@@ -14,6 +14,6 @@ fn stride(p: Phase) -> Real {
 }
 
 fn accepted_step(ray: Ray) -> Ray {
-    let h = limited_step(stride(ray.phase), ray.tau);
+    let h = limited_step(stride(ray.phase), ray);
     return after_step(ray, retaken_step(ray.phase, h), h);
 }

@@ -12,6 +12,6 @@ fn accepted_step(ray: Ray) -> Ray {
     let miss = d - b * v;
     let inside = max(bound.radius * bound.radius - dot(miss, miss), 0.0);
     let exit = -b + sqrt(inside / vv) + 1e-3 * bound.radius * inverseSqrt(vv);
-    let h = limited_step(exit, ray.tau);
+    let h = limited_step(exit, ray);
     return after_step(ray, retaken_step(ray.phase, h), h);
 }

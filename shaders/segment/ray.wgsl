@@ -3,8 +3,9 @@
 // A ray under way. `phase` is the point in ray phase space (W04 §3.1), in the scene's coordinates.
 struct Ray {
     phase: Phase,
-    // The path's parameter so far.
+    // The path's parameter so far, and what its last digit does not hold of it.
     tau: Real,
+    rest: Real,
     // What the control remembers from step to step.
     memory: Memory,
     // The size of the step taken last.
@@ -91,9 +92,8 @@ fn finite_phase(p: Phase) -> bool {
 
 // The ray after a step to `end`, over so much tau.
 fn after_step(ray: Ray, end: Phase, passed: Real) -> Ray {
-    var next = ray;
+    var next = later(ray, passed);
     next.phase = opaque_phase(end);
-    next.tau += passed;
     next.taken = opaque(passed);
     next.steps += 1u;
     return next;

@@ -20,7 +20,7 @@ fn store_status(pixel: vec2u, word: u32) {
 fn load_ray(pixel: vec2u, word: u32) -> Ray {
     let state = load_state(pixel);
     let phase = unpack_phase(state, pixel);
-    return unpacked(state, phase, load_memory(pixel, state[1].w, phase), word, pixel);
+    return unpacked(state, load_rest(pixel), phase, load_memory(pixel, state[1].w, phase), word, pixel);
 }
 
 // The state of a ray at the start of its last segment, from the slot that its status names.
@@ -29,16 +29,17 @@ fn load_ended(pixel: vec2u) -> Ray {
     let slot = status_slot(word);
     let state = slot_state(slot, pixel);
     let phase = unpack_slot(state, slot, pixel);
-    return unpacked(state, phase, slot_memory(slot, pixel, state[1].w, phase), word, pixel);
+    return unpacked(state, ended_rest(slot, pixel), phase, slot_memory(slot, pixel, state[1].w, phase), word, pixel);
 }
 
-fn unpacked(state: State, phase: Phase, memory: Memory, word: u32, pixel: vec2u) -> Ray {
+fn unpacked(state: State, rest: Real, phase: Phase, memory: Memory, word: u32, pixel: vec2u) -> Ray {
     let counts = load_counts(pixel);
-    return Ray(phase, state[0].w, memory, 0.0, status_index(word), counts.x, counts.y, status_code(word));
+    return Ray(phase, state[0].w, rest, memory, 0.0, status_index(word), counts.x, counts.y, status_code(word));
 }
 
 fn store_ray(pixel: vec2u, ray: Ray) {
     put_state(pixel, State(Real4(ray.phase[0].xyz, ray.tau), Real4(ray.phase[1].xyz, ray.memory.h)));
+    store_rest(pixel, ray);
     store_clock(pixel, ray.phase);
     store_memory(pixel, ray.memory);
 }

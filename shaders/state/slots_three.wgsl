@@ -15,3 +15,8 @@ fn slot_error(slot: u32, pixel: vec2u) -> Real {
     let first = select(error_at_0(pixel), error_at_1(pixel), slot == 1u);
     return select(first, error_at_2(pixel), slot == 2u);
 }
+
+fn slot_rest(slot: u32, pixel: vec2u) -> Real {
+    let first = select(rest_at_0(pixel), rest_at_1(pixel), slot == 1u);
+    return select(first, rest_at_2(pixel), slot == 2u);
+}

@@ -11,3 +11,7 @@ fn slot_clock(slot: u32, pixel: vec2u) -> Real {
 fn slot_error(slot: u32, pixel: vec2u) -> Real {
     return select(error_at_0(pixel), error_at_1(pixel), slot == 1u);
 }
+
+fn slot_rest(slot: u32, pixel: vec2u) -> Real {
+    return select(rest_at_0(pixel), rest_at_1(pixel), slot == 1u);
+}

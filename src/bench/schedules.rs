@@ -5,14 +5,16 @@ use super::{Bench, Cell, Report, Table, Times};
 use crate::output::plot::{Chart, Series};
 use crate::program::{Choice, Masks, Purpose, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
-use crate::scene::Scene;
+use crate::scene::{Accelerate, Scene};
 
 /// K of the fused schedule; the last is all of a path's segments.
 const SEGMENTS: [u32; 5] = [1, 4, 16, 64, 1024];
 
 /// The 2004 paper's case by every schedule and K, without masks and with them: those of 2004 under `paper`, else the list of active rays.
 pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
-    let scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
+    let mut scene = scene(bench.size, GEODESIC, 10, 30, How::Plain)?;
+    // Lists, of which segments meet what they are near.
+    scene.rays.accelerate = Accelerate::Auto;
     let others = [Schedule::Paper, Schedule::Segment, Schedule::Whole].map(|schedule| (schedule, 1));
     let fused = SEGMENTS.map(|segments| (Schedule::Fused, segments));
     let header = ["schedule", "K", "no masks (s)", "masks (s)", "spread (no masks)", "spread (masks)", "gain"];

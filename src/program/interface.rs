@@ -77,6 +77,8 @@ pub enum StatePart {
     Clock,
     /// The last accepted step's error.
     Error,
+    /// What the path's parameter is more than its sum says.
+    Rest,
 }
 
 /// The slot of the state that a binding is.
@@ -161,8 +163,13 @@ const KEPT: [&str; 14] = [
 ];
 
 /// Bindings of the state are named by a part and a slot, such as `x_in`.
-const STATE: [(&str, StatePart); 4] =
-    [("x", StatePart::X), ("v", StatePart::V), ("clock", StatePart::Clock), ("error", StatePart::Error)];
+const STATE: [(&str, StatePart); 5] = [
+    ("x", StatePart::X),
+    ("v", StatePart::V),
+    ("clock", StatePart::Clock),
+    ("error", StatePart::Error),
+    ("rest", StatePart::Rest),
+];
 const SLOTS: [(&str, Slot); 7] = [
     ("in", Slot::Input),
     ("out", Slot::Output),

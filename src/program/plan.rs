@@ -144,6 +144,8 @@ fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
         names.make(generated::anchors(&kinds));
     }
     names.add(if scene.rays.length.is_some() { "law/limit_length" } else { "law/limit_none" });
+    let summed = scene.rays.length.is_some() && scene.rays.precision != Precision::Double;
+    names.add(if summed { "state/tau_compensated" } else { "state/tau_plain" });
     names.add(if scene.rays.asymptotic { "law/asymptotic_orbit" } else { "law/asymptotic_none" });
     let hits = !scene.objects.is_empty();
     match scene.rays.segment {

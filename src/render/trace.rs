@@ -11,7 +11,7 @@ use crate::gpu::{Gpu, Tile, pack};
 use crate::model::Object;
 use crate::model::Value::Vec3;
 use crate::program::{Analysis, Choice, Field, Layout, Masks, Pass, Purpose, Regions, Role, Schedule};
-use crate::scene::Scene;
+use crate::scene::{Precision, Scene};
 
 /// Where a ray ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,7 +142,8 @@ fn count_by_status(traced: &[Traced]) -> Vec<(Status, u64)> {
 }
 
 /// Follows `rays` and keeps the end of every segment. Leaps, which pass any number of windings in one segment, are taken as the
-/// arcs they stand for: up to 65,536 of them.
+/// arcs they stand for: up to 65,536 of them, in 64 bits where the device has them, because each begins where rounding put the one
+/// before, which a leap does not.
 pub fn trace_paths(
     gpu: &Gpu,
     scene: &Scene,
@@ -155,6 +156,9 @@ pub fn trace_paths(
     let mut scene = scene.clone();
     if std::mem::take(&mut scene.rays.leaps) && leaping {
         scene.rays.max_segments = scene.rays.max_segments.max(ARCS);
+        if gpu.f64 && scene.rays.precision == Precision::Single {
+            scene.rays.precision = Precision::Double;
+        }
     }
     let renderer = Renderer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() })?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);

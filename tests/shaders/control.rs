@@ -11,7 +11,7 @@ use crate::support::{
 };
 
 /// A ray with tau, h, and counts 3, 10, 20; what the control makes of it, and the same step retaken.
-pub const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, Memory(p1.w), 9.0, 3u, 10u, 20u, ALIVE);
+pub const CONTROL: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), p0.w, 0.0, Memory(p1.w), 9.0, 3u, 10u, 20u, ALIVE);
     let next = accepted_step(ray);
     let again = retaken_step(ray.phase, next.taken);
     put(0u, vec4f(next.phase[0], next.tau));

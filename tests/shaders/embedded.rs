@@ -19,7 +19,7 @@ const CONTROL: &str = "let phase = Phase(Real3(p0.xyz), Real3(p1.xyz));
     if p2.z != 0.0 {
         rate = Phase(Real3(Real(p2.y)), Real3(Real(p2.y)));
     }
-    let ray = Ray(phase, Real(p0.w), Memory(Real(p1.w), Real(p2.x), rate), 9.0, 3u, 10u, 20u, ALIVE);
+    let ray = Ray(phase, Real(p0.w), 0.0, Memory(Real(p1.w), Real(p2.x), rate), 9.0, 3u, 10u, 20u, ALIVE);
     let next = accepted_step(ray);
     let again = retaken_step(ray.phase, next.taken);
     let fresh = law_derivative(next.phase);

@@ -27,7 +27,7 @@ fn straight_motion_leaves_the_bound_in_one_step() {
             [row(x.as_vec3(), 0.0), row(random.vector(0.01, 100.0), 0.0)]
         })
         .collect();
-    let body = "let ray = Ray(Phase(p0.xyz, p1.xyz), 0.5, Memory(0.0), 0.0, 3u, 10u, 20u, ALIVE);
+    let body = "let ray = Ray(Phase(p0.xyz, p1.xyz), 0.5, 0.0, Memory(0.0), 0.0, 3u, 10u, 20u, ALIVE);
         let next = accepted_step(ray);
         put(0u, vec4f(next.phase[0], next.taken));
         put(1u, vec4f(next.phase[1], f32(left_bound(next.phase[0], next.phase[1]))));
@@ -79,7 +79,7 @@ fn fates_in_their_order() {
         .bind("limit", [vec![("length", Float(100.0))]])
         .bind("schedule", [vec![("max_segments", Uint(10)), ("segments", Uint(1)), ("segment_work", Uint(1))]]);
     let body = "let s = Segment(p0.xyz, vec3f(1.0), p1.xyz, p2.xyz, 1.0);
-        let ray = Ray(Phase(p1.xyz, p2.xyz), p0.w, Memory(0.0), 0.0, 0u, 0u, 0u, ALIVE);
+        let ray = Ray(Phase(p1.xyz, p2.xyz), p0.w, 0.0, Memory(0.0), 0.0, 0u, 0u, 0u, ALIVE);
         put(0u, vec4f(f32(open_status(s, p0.w, u32(p1.w))), f32(path_over(ray)), 0.0, 0.0));";
     let at = |x: f32, y: f32, z: f32| Vec4::new(x, y, z, 0.0);
     let (start, v) = (at(10.0, 0.0, 0.0), at(1.0, 0.0, 0.0));
@@ -140,7 +140,7 @@ fn path_end(step: f64) -> Probe {
         )
 }
 
-const PATH_END: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), 0.5, Memory(0.0), 0.0, 0u, 0u, 0u, u32(p0.w));
+const PATH_END: &str = "let ray = Ray(Phase(p0.xyz, p1.xyz), 0.5, 0.0, Memory(0.0), 0.0, 0u, 0u, 0u, u32(p0.w));
     let end = path_end(ray, Hit(0.0, NOTHING));
     put(0u, vec4f(end.x, end.tau));
     put(1u, vec4f(end.v, end.fraction));";

@@ -20,7 +20,7 @@ struct DoubledStep {
 }
 
 fn capped_step(ray: Ray) -> Real {
-    return limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray.tau);
+    return limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray);
 }
 
 // The loops keep a single copy of the step in the program: drivers inline every call.

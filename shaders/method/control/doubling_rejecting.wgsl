@@ -28,7 +28,7 @@ fn accepted_step(ray: Ray) -> Ray {
         let step = doubled_step(ray.phase, h);
         if step.error <= control.tolerance {
             next.phase = opaque_phase(law_projected(step.end));
-            next.tau += h;
+            next = later(next, h);
             next.taken = opaque(h);
             next.memory.h = h * step_factor(step.error);
             next.steps += 1u;

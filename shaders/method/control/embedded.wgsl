@@ -52,7 +52,7 @@ fn scaled_error(p: Phase, difference: Phase) -> f32 {
 
 fn accepted_step(ray: Ray) -> Ray {
     var next = ray;
-    var h = limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray.tau);
+    var h = limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray);
     var longest = FAC2;
     var lost = false;
     next.taken = 0.0;
@@ -63,7 +63,7 @@ fn accepted_step(ray: Ray) -> Ray {
         let factor = error_factor(error);
         if error <= 1.0 {
             next.phase = opaque_phase(law_projected(step.end));
-            next.tau += h;
+            next = later(next, h);
             next.taken = opaque(h);
             next.steps += 1u;
             let pi = factor / pow(f32(ray.memory.error), BETA) / SAFETY;

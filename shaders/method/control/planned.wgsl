@@ -9,6 +9,6 @@ fn retaken_step(p: Phase, h: Real) -> Phase {
 }
 
 fn accepted_step(ray: Ray) -> Ray {
-    let h = limited_step(planned_step(ray.phase), ray.tau);
+    let h = limited_step(planned_step(ray.phase), ray);
     return after_step(ray, retaken_step(ray.phase, h), h);
 }

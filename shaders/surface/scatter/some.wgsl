@@ -52,6 +52,7 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     }
     next.phase = opaque_phase(law_start(end.x, scattered.v));
     next.tau = opaque(end.tau);
+    next.rest = 0.0;
     next.memory = first_memory(next.phase);
     next.index += 1u;
     next.status = ALIVE;
