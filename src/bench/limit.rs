@@ -4,7 +4,7 @@ use super::ceiling::ceilings;
 use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::{calibrate, evaluations, every_pixel, method_words};
 use crate::model::method::CLOSED_FORMS;
-use crate::program::{Choice, Purpose};
+use crate::program::{Choice, Purpose, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts};
 use crate::scene::Scene;
 
@@ -22,12 +22,13 @@ pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Render
         "evaluations a ray",
         "bare (ns a step)",
         "fused (ns a step)",
-        "fused over bare",
+        "whole (ns a step)",
+        "faster over bare",
         "spread (bare)",
         "spread (fused)",
+        "spread (whole)",
     ];
-    let caption =
-        "Steps in a bare loop of registers, as many for every ray as its path takes, and the fused schedule's";
+    let caption = "Steps in a bare loop of registers, as many for every ray as its path takes, and two schedules";
     let mut table = Table::new("scenes", caption, &header);
     for (name, scene) in scenes {
         table.rows.push(row(bench, name, scene)?);
@@ -37,7 +38,8 @@ pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Render
         title: "The device's limit".to_owned(),
         intro: vec![
             "The bare loop moves the same rays by as many of the same method's steps and does nothing else: no segments, no \
-             tests for their end, no objects. Rays in straight space or in media with closed forms take no such steps."
+             tests for their end, no objects. `fused` is its passes that advance; `whole` is everything from the camera to the \
+             colour. Rays in straight space or in media with closed forms take no such steps."
                 .to_owned(),
         ],
         tables: vec![ceilings(bench)?, table],
@@ -55,16 +57,20 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
     }
     let words = method_words(scene.rays.method, scene.rays.control);
     let Some(steps) = steps(bench, &scene)? else {
-        return Ok([name.into(), words.into()].into_iter().chain(vec![Cell::None; 9]).collect());
+        return Ok([name.into(), words.into()].into_iter().chain(vec![Cell::None; 11]).collect());
     };
-    let settings =
-        |purpose| RenderSettings { choice: Choice { purpose, ..Choice::default() }, ..RenderSettings::default() };
-    let bare = Renderer::new(bench.gpu, &scene, settings(Purpose::Bare))?;
-    let mut fused = Renderer::new(bench.gpu, &scene, settings(Purpose::Picture))?;
+    let renderer = |purpose, schedule| {
+        let choice = Choice { schedule, purpose, ..Choice::default() };
+        Renderer::new(bench.gpu, &scene, RenderSettings { choice, ..RenderSettings::default() })
+    };
+    let bare = renderer(Purpose::Bare, Schedule::Fused)?;
+    let mut fused = renderer(Purpose::Picture, Schedule::Fused)?;
+    let whole = renderer(Purpose::Picture, Schedule::Whole)?;
     let segments = fused.choose_segments()?;
     let mut run_bare = || bare.bare(&steps);
     let mut run_fused = || Ok(fused.picture()?.totals.advance());
-    let [a, b] = Times::by_turns(bench.repeats, [&mut run_bare, &mut run_fused])?;
+    let mut run_whole = || Ok(whole.picture()?.totals.advance());
+    let [a, b, c] = Times::by_turns(bench.repeats, [&mut run_bare, &mut run_fused, &mut run_whole])?;
     let all: f64 = steps.iter().map(|n| f64::from(*n)).sum();
     let mean = all / steps.len() as f64;
     Ok(vec![
@@ -76,9 +82,11 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
         evaluations(scene.rays.method, scene.rays.control, mean, 0.0).into(),
         (1e9 * a.median / all).into(),
         (1e9 * b.median / all).into(),
-        (b.median / a.median).into(),
+        (1e9 * c.median / all).into(),
+        (b.median.min(c.median) / a.median).into(),
         a.spread.into(),
         b.spread.into(),
+        c.spread.into(),
     ])
 }
 

@@ -90,16 +90,17 @@ pub(super) struct DeviceFlags {
     /// The device whose name contains this; without it the first discrete GPU, else integrated, else CPU
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// How the stages of a segment are cut into passes: all give the same picture
-    #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
-    schedule: Schedule,
+    /// How the stages of a segment are cut into passes: all give the same picture. Without it `whole`, or `fused` where a flag below
+    /// is for that
+    #[arg(long, value_parser = schedules())]
+    schedule: Option<Schedule>,
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
     no_masks: bool,
-    /// Skip ended rays where they lie, not by a list of the active ones
+    /// Skip ended rays where they lie, not by a list of the active ones: for schedules of several passes
     #[arg(long, conflicts_with = "no_masks")]
     no_list: bool,
-    /// K: segments of one fused pass. Without it, large pictures choose it by rendering themselves small
+    /// K: segments of one pass of `fused`. Without it, large pictures choose it by rendering themselves small
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
     segments_per_pass: Option<u32>,
 }
@@ -117,6 +118,12 @@ impl DeviceFlags {
         self.segments_per_pass.is_none()
     }
 
+    /// The schedule that is asked for, if only by what is for it alone.
+    fn schedule(&self) -> Schedule {
+        let is_for_fused = self.no_list || self.segments_per_pass.is_some();
+        self.schedule.unwrap_or(if is_for_fused { Schedule::Fused } else { Schedule::Whole })
+    }
+
     /// The choice with the masks that are asked for.
     fn masked(&self, choice: Choice) -> Choice {
         let masks = match (self.no_masks, self.no_list) {
@@ -131,7 +138,7 @@ impl DeviceFlags {
     pub(super) fn settings(&self, layers: Vec<Layer>) -> RenderSettings {
         let default = RenderSettings::default();
         RenderSettings {
-            choice: Choice { layers, ..self.masked(choice(self.schedule)) },
+            choice: Choice { layers, ..self.masked(choice(self.schedule())) },
             segments: self.segments_per_pass.unwrap_or(default.segments),
             ..default
         }

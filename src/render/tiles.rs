@@ -9,6 +9,8 @@ use crate::gpu::GpuError;
 
 /// The widest texel of which a whole tile is read back at once: a vector layer's.
 const READBACK: u64 = 16;
+/// Pixels of a tile whose paths are followed in one dispatch: no more than drivers bear where paths are long.
+const WHOLE: u64 = 1 << 20;
 /// A tile of fewer pixels is not worth a dispatch.
 const LEAST: u64 = 64;
 
@@ -36,7 +38,9 @@ impl Renderer<'_> {
         let side = self.gpu.limits.max_texture_dimension_2d.min(1 << 16);
         // In 64 bits the state lies in buffers, whose size the device bounds.
         let buffer = self.gpu.limits.max_storage_buffer_binding_size.min(self.gpu.limits.max_buffer_size);
-        let pixels = bought.min(self.settings.tile_pixels).min(buffer / self.memory().largest_item()).max(LEAST);
+        let most = if self.is_whole() { WHOLE } else { u64::MAX };
+        let pixels =
+            bought.min(most).min(self.settings.tile_pixels).min(buffer / self.memory().largest_item()).max(LEAST);
         // Of a tile's corners a column and a row are beyond it.
         let margin = self.settings.choice.margin(&self.scene);
         let columns = u32::try_from(pixels / u64::from(1 + margin)).unwrap_or(u32::MAX);

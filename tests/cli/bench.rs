@@ -33,9 +33,9 @@ fn json_is_for_scripts() {
     let tables = &json["measured"]["limit"]["tables"];
     assert_eq!(tables["ceilings"].as_array().unwrap().len(), 3);
     let [hole, ball] = tables["scenes"].as_array().unwrap().as_slice() else { panic!("{tables}") };
-    assert!(hole["fused over bare"].as_f64().unwrap() > 0.0 && hole["steps a ray"].as_f64().unwrap() > 10.0);
+    assert!(hole["faster over bare"].as_f64().unwrap() > 0.0 && hole["steps a ray"].as_f64().unwrap() > 10.0);
     // In straight space there are no steps.
-    assert!(ball["fused over bare"].is_null() && ball["method"] == "exact");
+    assert!(ball["faster over bare"].is_null() && ball["method"] == "exact");
     assert_eq!(json["about"]["repeats"], 1);
 }
 
