@@ -5,9 +5,10 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use bentray::model::control::scaled;
 use bentray::program::{Choice, Layer, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
-use bentray::scene::Scene;
+use bentray::scene::{Rays, Scene};
 use glam::DVec3;
 
 use crate::support::{gpu, scene, scenes_in, shipped_scenes};
@@ -180,17 +181,24 @@ fn cameras_do_not_depend_on_the_schedule() {
 fn what_outlives_a_pass_is_followed_on() {
     let gpu = gpu();
     let scene = scene(&HOLE.replace("max_segments = 80", "max_segments = 200000\nscaled_step = 1e-4"));
-    let render = |schedule: Schedule| {
+    let tiled = |schedule: Schedule| {
         let choice = Choice { schedule, layers: vec![Layer::Status, Layer::Steps], ..Choice::default() };
-        let settings = RenderSettings { choice, tile_pixels: 300, ..RenderSettings::default() };
-        let renderer = Renderer::new(&gpu, &scene, settings).unwrap();
+        RenderSettings { choice, tile_pixels: 300, ..RenderSettings::default() }
+    };
+    let render = |schedule: Schedule| {
+        let renderer = Renderer::new(&gpu, &scene, tiled(schedule)).unwrap();
         assert_eq!(renderer.program.choice.schedule, schedule);
         [renderer.picture().unwrap(), renderer.picture().unwrap()]
     };
     let [[fused, _], [whole, again]] = [Schedule::Fused, Schedule::Whole].map(render);
     assert!(fused.totals.steps > 20_000 * fused.totals.rays, "{}", fused.totals);
     assert_eq!(fused.totals.unfollowed(), 0, "{}", fused.totals);
-    for picture in [whole, again] {
+    // Numbers that were changed go over too.
+    let coarse = Scene { rays: Rays { control: scaled::with(0.1), ..scene.rays.clone() }, ..scene.clone() };
+    let mut renderer = Renderer::new(&gpu, &coarse, tiled(Schedule::Whole)).unwrap();
+    renderer.retune(scene.rays.control, scene.rays.max_segments).unwrap();
+    let retuned = renderer.picture().unwrap();
+    for picture in [whole, again, retuned] {
         assert!(picture.band == fused.band, "the pictures differ");
         let counts = |r: &Rendering| (r.totals.rays, r.totals.steps, r.totals.segments, r.totals.by_status.clone());
         assert_eq!(counts(&picture), counts(&fused));

@@ -132,6 +132,9 @@ impl<'a> Renderer<'a> {
         if let Some(fused) = self.fused.get_mut() {
             fused.retune(control, max_segments)?;
         }
+        // What is made of the scene later is made with these.
+        let rays = &mut self.scene.to_mut().rays;
+        (rays.control, rays.max_segments) = (control, max_segments);
         self.rewrite("control", &control.values())?;
         self.set_segments(max_segments, self.settings.segments)
     }
