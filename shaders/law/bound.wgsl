@@ -8,8 +8,7 @@ struct Bound {
 @group(0) @binding(60) var<uniform> bound: Bound;
 
 fn left_bound(x: Real3, v: Real3) -> bool {
-    let d = x - bound.center;
-    return dot(d, d) > bound.radius * bound.radius && dot(d, v) > 0.0;
+    return outside_bound(x) && dot(x - bound.center, v) > 0.0;
 }
 
 // Is x outside of the sphere, wherever it moves?

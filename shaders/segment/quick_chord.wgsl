@@ -1,12 +1,6 @@
 // The N steps of a chord, written out (W04 §7): none asks whether the path is over, and none is left out. Whether it may have been is
 // seen from the places in between; then the same steps are taken again, each with its test.
 
-struct Quick {
-    segment: Segment,
-    // False where the path may have been over before the segment's end.
-    sure: bool,
-}
-
 // A ray after all steps of a chord, and whether its path may have been over before.
 struct ChordSteps {
     ray: Ray,
@@ -28,20 +22,9 @@ fn follow_quickly(ray: ptr<function, Ray>) -> Quick {
     return Quick(Segment(start[0].xyz, start[1].xyz, end[0].xyz, end[1].xyz, 0.0), sure);
 }
 
-// The same segment, with a test before each step where it is not sure. Returns what it is near.
-fn follow_surely(start: Ray, next: ptr<function, Ray>, quick: Quick, segment: ptr<function, Segment>, near: u32) -> u32 {
-    if quick.sure {
-        return near;
-    }
-    var ray = start;
-    for (var i = select(0u, chord.steps, quick.sure); i < chord.steps; i++) {
-        work += 1u;
-        if path_over(ray) {
-            break;
-        }
-        ray = accepted_step(ray);
-    }
-    *next = ray;
-    *segment = Segment(start.phase[0].xyz, start.phase[1].xyz, ray.phase[0].xyz, ray.phase[1].xyz, 0.0);
+// The same segment with a test before each step. Returns what it is near.
+fn follow_surely(start: Ray, next: ptr<function, Ray>, segment: ptr<function, Segment>, near: u32) -> u32 {
+    *next = start;
+    *segment = follow_segment(next);
     return nearby(*segment);
 }

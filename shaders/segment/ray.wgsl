@@ -26,6 +26,13 @@ struct Segment {
     h: Real,
 }
 
+// A segment that was followed without asking whether the path is over.
+struct Quick {
+    segment: Segment,
+    // False where the path may have been over before the segment's end.
+    sure: bool,
+}
+
 // The first thing met along a segment: a fraction t in [0, 1) of it, and a primitive or NOTHING.
 struct Hit {
     t: Real,

@@ -30,7 +30,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             break;
         }
         var segment = quick.segment;
-        near = follow_surely(*ray, &next, quick, &segment, near);
+        near = follow_surely(*ray, &next, &segment, near);
         let hit = first_hit(segment, near, spot.pixel);
         if walk_suspended() {
             break;

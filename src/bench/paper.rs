@@ -114,7 +114,8 @@ fn table(bench: &Bench) -> Result<Table, RenderError> {
         let [plain, accelerated] = scenes;
         let (plain, accelerated) = (plain?, accelerated?);
         let (ours, settings, words, error) = own(bench, own_keys, 10)?;
-        let (mut a, mut b) = (run(bench, &plain, unmasked())?, run(bench, &accelerated, RenderSettings::default())?);
+        let (mut a, mut b) =
+            (run(bench, &plain, by_fused(Masks::Off))?, run(bench, &accelerated, by_fused(Masks::List))?);
         let mut c = run(bench, &ours, settings)?;
         let [a, b, c] = Times::by_turns(bench.repeats, [&mut a, &mut b, &mut c])?;
         table.rows.push(vec![
@@ -143,8 +144,8 @@ fn figure(bench: &Bench) -> Result<Table, RenderError> {
     let mut table = Table::new("figure5", "Figure 5: 500 steps in 50 segments, Schwarzschild", &header);
     let mut scenes = Vec::new();
     for spheres in SPHERES {
-        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Plain)?, unmasked()));
-        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Published)?, RenderSettings::default()));
+        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Plain)?, by_fused(Masks::Off)));
+        scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Published)?, by_fused(Masks::List)));
         let (ours, settings, ..) = own(bench, SCHWARZSCHILD, spheres)?;
         scenes.push((ours, settings));
     }
@@ -194,7 +195,7 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
 /// The scene by the method that `auto` takes, its words and its error.
 fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings, String, Cell), RenderError> {
     let scene = scene(bench.size, keys, spheres, 30, How::Ours)?;
-    let settings = RenderSettings::default();
+    let settings = by_fused(Masks::List);
     let Some(found) = calibrate(bench.gpu, &scene, &settings, None)? else {
         return Ok((scene, settings, "exact".to_owned(), Cell::None));
     };
@@ -202,9 +203,9 @@ fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings
     Ok((found.applied(&scene), settings, method_words(chosen.method, chosen.control), chosen.error.into()))
 }
 
-/// Every pixel in every pass.
-pub(super) fn unmasked() -> RenderSettings {
-    let choice = Choice { schedule: Schedule::Fused, masks: Masks::Off, purpose: Purpose::Picture, layers: Vec::new() };
+/// Passes that advance apart from those before and after: with ended rays skipped, or every pixel in every pass.
+pub(super) fn by_fused(masks: Masks) -> RenderSettings {
+    let choice = Choice { schedule: Schedule::Fused, masks, purpose: Purpose::Picture, layers: Vec::new() };
     RenderSettings { choice, ..RenderSettings::default() }
 }
 

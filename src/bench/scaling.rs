@@ -3,13 +3,14 @@
 //! *Practice.* One of them is doubled at a time, all else as in the benchmark's own scene; the slope of the straight line through
 //! the logarithms is the exponent: 1 where time is proportional.
 
-use super::paper::{How, SCHWARZSCHILD, scene};
+use super::paper::{How, SCHWARZSCHILD, by_fused, scene};
 use super::times::slope;
 use super::{Bench, Report, Table, Times};
 use crate::model::control::scaled;
 use crate::model::method;
 use crate::output::plot::{Chart, Series};
-use crate::render::{RenderError, RenderSettings, Renderer};
+use crate::program::Masks;
+use crate::render::{RenderError, Renderer};
 use crate::scene::Scene;
 
 const DOUBLINGS: u32 = 5;
@@ -34,7 +35,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
         for doubling in 0..DOUBLINGS {
             let factor = 1 << doubling;
             let scene = grow(bench, factor)?;
-            let renderer = Renderer::new(bench.gpu, &scene, RenderSettings::default())?;
+            let renderer = Renderer::new(bench.gpu, &scene, by_fused(Masks::List))?;
             let mut all = 0.0;
             let advance = Times::of(bench.repeats, || {
                 let totals = renderer.picture()?.totals;

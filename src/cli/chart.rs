@@ -45,8 +45,9 @@ pub(super) struct Arguments {
     /// Each time is the median of so many
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
-    /// The schedule that is timed. In all but fused, scattering at surfaces has a pass of its own and is left out
-    #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
+    /// The schedule that is timed. In paper and segment, scattering at surfaces has a pass of its own and is left out; whole is timed
+    /// from the camera to the colour
+    #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
     schedule: Schedule,
     /// A method's curve ends at the setting that takes so many times the fastest method's time
     #[arg(long, value_name = "FACTOR", default_value_t = 300.0)]

@@ -13,10 +13,6 @@ use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, Purpose, constant};
 use crate::scene::Light;
 
-/// By how much the balls about what segments may be near are larger than these are, against rounding, as a part of their
-/// coordinates: the segment's own part is the shaders'.
-const NEAR_SLACK: f64 = 4e-6;
-
 impl Source<'_> {
     /// What the scene's kinds feed their own parts.
     pub(super) fn of_kinds(&self) -> Vec<Binding> {
@@ -160,26 +156,24 @@ impl Source<'_> {
     /// parts of the structure.
     fn surroundings(&self) -> Vec<Row> {
         let g = self.geometry;
-        let structure = &g.analysis.structure;
-        let listed = |sided: bool| {
-            let lists =
-                g.placed.iter().filter(move |(name, _)| sided || !structure.solids.iter().any(|s| s.name == **name));
-            lists.flat_map(move |(name, shapes)| {
-                let flat = SOLIDS.into_iter().find(|solid| solid.name == *name).and_then(|solid| solid.lists.as_ref());
-                let flat = flat.is_some_and(|lists| lists.flat);
-                shapes.iter().filter(move |shape| shape.bit.is_some() == sided).map(move |shape| (shape, flat))
-            })
+        // Larger than these are by what rounding may hide of them; what it hides of a segment is the shaders'.
+        let slack = constant("segment/near_balls", "NEAR_SLACK");
+        let row = |(center, radius): (DVec3, f64), across: DVec3| {
+            let radius = radius + slack * (radius + center.length());
+            row! { center: Vec3(center), radius: Float(radius), across: Vec3(across) }
         };
-        let row = |(center, radius, across): (DVec3, f64, DVec3)| {
-            row! { center: Vec3(center), radius: Float(radius * (1.0 + NEAR_SLACK) + NEAR_SLACK * center.length()), across: Vec3(across) }
-        };
-        let shape = |(shape, flat): (&PlacedShape, bool)| {
-            let (center, radius) = self.scene.objects[shape.object as usize].ball();
+        let shape = |shape: &PlacedShape| {
+            let object = &self.scene.objects[shape.object as usize];
+            let flat = object.solid().lists.as_ref().is_some_and(|lists| lists.flat);
             let across = shape.placed.rows[1].truncate().normalize_or_zero();
-            row((center, radius, if flat { across } else { DVec3::ZERO }))
+            row(object.ball(), if flat { across } else { DVec3::ZERO })
         };
-        let parts = g.structure.parts().map(|[lo, hi]| row((0.5 * (lo + hi), 0.5 * lo.distance(hi), DVec3::ZERO)));
-        listed(false).chain(listed(true)).map(shape).chain(parts).collect()
+        let held = |name: &str| g.analysis.structure.solids.iter().any(|solid| solid.name == name);
+        let opaque = g.placed.iter().filter(|(name, _)| !held(name)).flat_map(|(_, shapes)| shapes);
+        let sided = g.placed.values().flatten().filter(|shape| shape.bit.is_some());
+        let listed = opaque.filter(|shape| shape.bit.is_none()).chain(sided).map(shape);
+        let part = |[lo, hi]: [DVec3; 2]| row((0.5 * (lo + hi), 0.5 * lo.distance(hi)), DVec3::ZERO);
+        listed.chain(g.structure.parts().map(part)).collect()
     }
 
     /// The objects that touch others, the opaque ones first.

@@ -176,10 +176,10 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysi
     }
     let Analysis { regions, structure } = analysis;
     names.all(&["segment/pieces", "segment/hits", "shape/placed"]);
-    names.add(match (work.resumed, choice.schedule) {
-        (false, _) => "segment/walk_whole",
-        (true, Schedule::Whole) => "segment/walk_once",
-        (true, _) => "segment/walk_resumed",
+    names.all(match (work.resumed, choice.schedule) {
+        (false, _) => &["segment/walk_in_one", "segment/walk_whole"],
+        (true, Schedule::Whole) => &["segment/walk_in_one", "segment/walk_once"],
+        (true, _) => &["segment/walk_resumed"],
     });
     let leaps = regions.kinds.iter().any(|kind| kind.leaps);
     names.add(if leaps { "segment/hit_leaping" } else { "segment/hit_direct" });

@@ -103,18 +103,17 @@ impl<'a> Counted<'a> {
 
     /// The body for each number: for the first with its lines, for the others in one.
     fn written(&self, tokens: &Tokens) -> String {
-        let first = tokens.range(self.body.start - 1).end;
-        let last = tokens.range(self.body.end).start;
+        let opened = tokens.range(self.body.start - 1).end;
+        let body = self.uncounted(tokens);
         let mut text = String::new();
         for turn in self.turns.clone() {
             text += "{ ";
-            let mut done = first;
-            for i in self.body.clone() {
+            let mut done = tokens.range(body.start - 1).end;
+            if turn == self.turns.start && body != self.body {
+                text += &tokens.text[opened..tokens.range(self.body.start).start];
+            }
+            for i in body.clone() {
                 let range = tokens.range(i);
-                // The turns of loops are counted, and this is none.
-                let counts = ["work", "+", "=", "1u", ";"];
-                let is_count =
-                    (0..5).any(|k| i >= self.body.start + k && (0..5).all(|n| tokens.word(i - k + n) == counts[n]));
                 let between = &tokens.text[done..range.start];
                 if turn == self.turns.start {
                     text += between;
@@ -123,18 +122,24 @@ impl<'a> Counted<'a> {
                 }
                 // Writing to a String cannot fail.
                 let _ = match tokens.word(i) {
-                    _ if is_count => Ok(()),
                     word if word == self.name && tokens.before(i) != "." => write!(text, "{turn}{}", self.suffix),
                     word => write!(text, "{word}"),
                 };
                 done = range.end;
             }
             if turn == self.turns.start {
-                text += &tokens.text[done..last];
+                text += &tokens.text[done..tokens.range(self.body.end).start];
             }
             text += "} ";
         }
         text
+    }
+
+    /// The body behind the line that counts its turns: written out it has none.
+    fn uncounted(&self, tokens: &Tokens) -> Range<usize> {
+        const COUNT: [&str; 5] = ["work", "+", "=", "1u", ";"];
+        let counts = (0..COUNT.len()).all(|k| tokens.word(self.body.start + k) == COUNT[k]);
+        self.body.start + if counts { COUNT.len() } else { 0 }..self.body.end
     }
 }
 

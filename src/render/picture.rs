@@ -143,6 +143,9 @@ impl Renderer<'_> {
 
     /// The layers of the picture's first sample, on one tile: for pictures that are no larger.
     pub fn first_sample(&self) -> Result<Rendering, RenderError> {
+        if let Some(fused) = self.fused.get() {
+            return fused.first_sample();
+        }
         let size = self.scene.image.size;
         let (tile, mut band) = (self.tile(size)?, self.band(0, size[1]));
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));

@@ -14,7 +14,7 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
     };
-    if choice.schedule == Schedule::Whole && choice.purpose != Purpose::Bare {
+    if choice.schedule == Schedule::Whole {
         let whole = recorded.push(Pass::Whole, Slots::only(0), 0, n * u64::from(segments));
         (whole.read, whole.written) = (PixelList::Open(0), PixelList::Open(1));
         return recorded.steps;

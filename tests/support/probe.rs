@@ -70,6 +70,7 @@ impl Probe {
             ("motion/", "fn law_start(", "law/start_as_given"),
             ("method/memory_pair", "fn first_derivative(", "method/first_derivative"),
             ("segment/walk_", "fn first_hit(", "segment/hit_direct"),
+            ("segment/walk_whole", "fn walked_hit(", "segment/walk_in_one"),
             ("segment/ray", "fn later(", "state/tau_plain"),
         ];
         for (folder, function, common) in common {
