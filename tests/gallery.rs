@@ -38,7 +38,13 @@ fn rendered(words: &[String], to: &Path) -> image::RgbImage {
     let at = words.iter().position(|word| word == "-o").expect("an output") + 1;
     let picture = to.join(&words[at]);
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
-    command.current_dir(folder()).env("NODEVICE_SELECT", "1").arg("render").args(&words[..at]).arg(&picture);
+    command
+        .current_dir(folder())
+        .env("NODEVICE_SELECT", "1")
+        .env("BENTRAY_CACHE", "")
+        .arg("render")
+        .args(&words[..at])
+        .arg(&picture);
     command.args(&words[at + 1..]).args(["--set", "image.samples=1"]);
     if !words.iter().any(|word| word.starts_with("image.size")) {
         command.args(["--size", "96x96"]);

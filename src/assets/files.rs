@@ -33,6 +33,15 @@ impl Files {
         self.text_of.retain(|_, loaded| loaded.is_some());
     }
 
+    /// Every file that was loaded, sorted.
+    #[must_use]
+    pub fn paths(&self) -> Vec<PathBuf> {
+        let pictures = self.picture_of.keys().chain(self.mesh_of.keys()).chain(self.profile_of.keys());
+        let mut all: Vec<PathBuf> = pictures.chain(self.text_of.keys()).chain(self.grid_of.keys()).cloned().collect();
+        all.sort();
+        all
+    }
+
     /// All pictures of the scene, in the order that indices count.
     #[must_use]
     pub fn pictures(&self) -> Vec<Picture> {

@@ -1,5 +1,7 @@
 //! How far from the device's limit a render is: its steps by themselves, and the device's own ceilings.
 
+use std::time::Duration;
+
 use super::ceiling::ceilings;
 use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::{calibrate, evaluations, every_pixel, method_words};
@@ -30,8 +32,13 @@ pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Render
     ];
     let caption = "Steps in a bare loop of registers, as many for every ray as its path takes, and two schedules";
     let mut table = Table::new("scenes", caption, &header);
+    let header = ["scene", "whole (ns a ray)", "fused (ns a ray)", "setup", "bare steps", "segments", "shading"];
+    let caption = "Where the time of a ray goes by the schedule of several passes, in parts of one";
+    let mut shares = Table::new("shares", caption, &header);
     for (name, scene) in scenes {
-        table.rows.push(row(bench, name, scene)?);
+        let [limit, parts] = rows(bench, name, scene)?;
+        table.rows.push(limit);
+        shares.rows.push(parts);
     }
     Ok(Report {
         name: "limit",
@@ -41,13 +48,18 @@ pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Render
              tests for their end, no objects. `fused` is its passes that advance; `whole` is everything from the camera to the \
              colour. Rays in straight space or in media with closed forms take no such steps."
                 .to_owned(),
+            "The shares are of passes: `setup` is the camera's rays and their storing, `segments` what the passes that advance take \
+             besides bare steps (ends, objects, the state's loading and storing, counting, the list), `shading` the surface, the \
+             light, the sky and the picture."
+                .to_owned(),
         ],
-        tables: vec![ceilings(bench)?, table],
+        tables: vec![ceilings(bench)?, table, shares],
         plots: Vec::new(),
     })
 }
 
-fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderError> {
+/// The scene's rows of both tables.
+fn rows(bench: &Bench, name: &str, scene: &Scene) -> Result<[Vec<Cell>; 2], RenderError> {
     let mut scene = scene.clone();
     scene.image.size = bench.size;
     scene.image.samples = 1;
@@ -56,28 +68,37 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
         scene = found.applied(&scene);
     }
     let words = method_words(scene.rays.method, scene.rays.control);
-    let Some(steps) = steps(bench, &scene)? else {
-        return Ok([name.into(), words.into()].into_iter().chain(vec![Cell::None; 11]).collect());
-    };
+    let steps = steps(bench, &scene)?;
     let renderer = |purpose, schedule| {
         let choice = Choice { schedule, purpose, ..Choice::default() };
         Renderer::new(bench.gpu, &scene, RenderSettings { choice, ..RenderSettings::default() })
     };
-    let bare = renderer(Purpose::Bare, Schedule::Fused)?;
     let mut fused = renderer(Purpose::Picture, Schedule::Fused)?;
     let whole = renderer(Purpose::Picture, Schedule::Whole)?;
     let segments = fused.choose_segments()?;
-    let mut run_bare = || bare.bare(&steps);
-    let mut run_fused = || Ok(fused.picture()?.totals.advance());
+    let rays = f64::from(bench.size[0]) * f64::from(bench.size[1]);
+    let mut stages: Vec<[Duration; 5]> = Vec::new();
+    let mut run_fused = || {
+        let totals = fused.picture()?.totals;
+        stages.extend(totals.device);
+        Ok(totals.advance())
+    };
     let mut run_whole = || Ok(whole.picture()?.totals.advance());
+    let Some(steps) = steps else {
+        let [_, c] = Times::by_turns(bench.repeats, [&mut run_fused, &mut run_whole])?;
+        let limit = [name.into(), words.into()].into_iter().chain(vec![Cell::None; 11]).collect();
+        return Ok([limit, shares(name, &stages, 0.0, c.median, rays)]);
+    };
+    let bare = renderer(Purpose::Bare, Schedule::Fused)?;
+    let mut run_bare = || bare.bare(&steps);
     let [a, b, c] = Times::by_turns(bench.repeats, [&mut run_bare, &mut run_fused, &mut run_whole])?;
     let all: f64 = steps.iter().map(|n| f64::from(*n)).sum();
-    let mean = all / steps.len() as f64;
-    Ok(vec![
+    let mean = all / rays;
+    let limit = vec![
         name.into(),
         words.into(),
         segments.into(),
-        (steps.len() as f64).into(),
+        rays.into(),
         mean.into(),
         evaluations(scene.rays.method, scene.rays.control, mean, 0.0).into(),
         (1e9 * a.median / all).into(),
@@ -87,7 +108,19 @@ fn row(bench: &Bench, name: &str, scene: &Scene) -> Result<Vec<Cell>, RenderErro
         a.spread.into(),
         b.spread.into(),
         c.spread.into(),
-    ])
+    ];
+    Ok([limit, shares(name, &stages, a.median, c.median, rays)])
+}
+
+/// What parts of a ray's time the stages take, by the medians of each; empty without timestamps.
+fn shares(name: &str, stages: &[[Duration; 5]], bare: f64, whole: f64, rays: f64) -> Vec<Cell> {
+    let stage =
+        |k: usize| Times::from(stages.iter().skip(1).map(|stages| stages[k].as_secs_f64()).collect::<Vec<_>>()).median;
+    let [setup, advance, shade] = [stage(0), stage(1) + stage(2) + stage(3), stage(4)];
+    let all = setup + advance + shade;
+    let parts = [setup, bare, advance - bare, shade].map(|part| Cell::from(part / all));
+    let times = [whole, all].map(|time| Cell::from(1e9 * time / rays));
+    [name.into()].into_iter().chain(times).chain(parts).collect()
 }
 
 /// How many steps the ray of each pixel takes, if it takes any and no surface bends it.

@@ -15,9 +15,15 @@ use crate::scene::{Override, Scene};
 
 /// Width and height of the picture that is started.
 const SIZE: u32 = 64;
-/// Folders for what drivers compile: those of Mesa, NVIDIA and AMD, and of all that follow the desktop's rules.
-const CACHES: [&str; 4] =
-    ["MESA_SHADER_CACHE_DIR", "__GL_SHADER_DISK_CACHE_PATH", "AMD_SHADER_DISK_CACHE_PATH", "XDG_CACHE_HOME"];
+/// Folders for what drivers compile, those of Mesa, NVIDIA and AMD, and of all that follow the desktop's rules; and for what `auto`
+/// decided.
+const CACHES: [&str; 5] = [
+    "MESA_SHADER_CACHE_DIR",
+    "__GL_SHADER_DISK_CACHE_PATH",
+    "AMD_SHADER_DISK_CACHE_PATH",
+    "XDG_CACHE_HOME",
+    "BENTRAY_CACHE",
+];
 
 /// Starts of `program`, which is this one, for each of the scenes.
 pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report, RenderError> {
@@ -44,8 +50,8 @@ pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report
         }
     }
     let intro = format!(
-        "{SIZE}×{SIZE} pixels by the fused schedule, each start in a process of its own, with the driver's cache empty and then \
-         filled. The second picture is rendered again by what the first has compiled."
+        "{SIZE}×{SIZE} pixels, each start in a process of its own, with the caches of the driver and of \
+         `auto` empty and then filled. The second picture is rendered again by what the first has compiled."
     );
     Ok(Report {
         name: "start",
@@ -63,7 +69,7 @@ fn failed(cause: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> RenderE
 /// One start with the driver's cache in `folder`.
 fn started(bench: &Bench, program: &Path, scene: &Path, folder: &Path) -> Result<Vec<f64>, RenderError> {
     let mut command = Command::new(program);
-    command.arg("render").arg(scene).args(["--size", &format!("{SIZE}x{SIZE}"), "--schedule", "fused"]);
+    command.arg("render").arg(scene).args(["--size", &format!("{SIZE}x{SIZE}")]);
     command.args(["--device", &bench.gpu.info.name, "-o"]).arg(folder.join("first.png"));
     command.env_remove("MESA_SHADER_CACHE_DISABLE");
     for cache in CACHES {

@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         return stability(arguments, &paths);
     }
     // All scenes are read before the first is measured.
-    let load = |path: &PathBuf| Ok((name(path), Scene::load(path, &arguments.changes.overrides())?));
+    let load = |path: &PathBuf| Ok((name(path), Scene::load(path, &arguments.changes.overrides()?)?));
     let scenes = paths.iter().map(load).collect::<Result<Vec<_>, Error>>()?;
     std::fs::create_dir_all(&arguments.output).map_err(unwritable)?;
     let (gpu, device) = open(arguments)?;
@@ -103,7 +103,7 @@ fn open(arguments: &Arguments) -> Result<(Gpu, String), Error> {
 /// The table of what became of all rays; a silent row fails the command.
 fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error> {
     let load = |path: &PathBuf| {
-        let scene = Scene::load(path, &arguments.changes.overrides())?;
+        let scene = Scene::load(path, &arguments.changes.overrides()?)?;
         Ok((name(path), scene, read_rays(&path.with_extension("csv"))?))
     };
     let places = paths.iter().map(load).collect::<Result<Vec<_>, Error>>()?;

@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
-    let scene = Scene::load(path, &arguments.changes.overrides())?;
+    let scene = Scene::load(path, &arguments.changes.overrides()?)?;
     let geometry = Geometry::new(&scene);
     let choice = choice(arguments.schedule);
     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
@@ -97,7 +97,7 @@ fn structure_words(geometry: &Geometry) -> Option<String> {
 /// All frames are right, and run the first one's program.
 fn check_frames(path: &Path, arguments: &Arguments, choice: &Choice, scene: &Scene) -> Result<(), Error> {
     let Some(animation) = &scene.animation else { return Ok(()) };
-    let film = Film::new(path, arguments.changes.overrides());
+    let film = Film::new(path, arguments.changes.overrides()?);
     let first = film.program(choice, &|_| 0)?;
     for frame in 1..animation.frames {
         if !film.program(choice, &|_| frame)?.runs_as(&first) {

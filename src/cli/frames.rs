@@ -1,6 +1,7 @@
 //! Frames of an animation: which are rendered, into what files, and whether one program runs them all.
 
 use std::cell::RefCell;
+use std::hash::{Hash, Hasher};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -8,7 +9,7 @@ use std::str::FromStr;
 use crate::error::Error;
 use crate::gpu::Geometry;
 use crate::program::{Choice, Program};
-use crate::scene::{Files, Override, Scene, SceneError};
+use crate::scene::{Files, Override, Scene, SceneError, follow_as};
 
 /// `--frames`.
 #[derive(Debug, Clone, Copy)]
@@ -73,6 +74,28 @@ impl<'a> Film<'a> {
     /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.
     pub(super) fn load(&self, frame_of: Option<&dyn Fn(&str) -> u32>) -> Result<Scene, SceneError> {
         Scene::load_with(&mut self.files.borrow_mut(), self.path, &self.overrides, frame_of)
+    }
+
+    /// As [`load`](Self::load), with rays followed as a text of [`Rays::followed`](crate::scene::Rays::followed) says.
+    pub(super) fn load_as(&self, frame: Option<u32>, followed: &str) -> Result<Scene, SceneError> {
+        let overrides: Vec<Override> = self.overrides.iter().cloned().chain(follow_as(followed)?).collect();
+        let frame_of = frame.map(|frame| move |_: &str| frame);
+        let frame_of = frame_of.as_ref().map(|frame_of| frame_of as &dyn Fn(&str) -> u32);
+        Scene::load_with(&mut self.files.borrow_mut(), self.path, &overrides, frame_of)
+    }
+
+    /// Hashes what the scene is made of: its file, the changes to it, and the files that were loaded for it. None where one of them is
+    /// not there any more.
+    pub(super) fn hash(&self, hasher: &mut impl Hasher) -> Option<()> {
+        std::fs::read(self.path).ok()?.hash(hasher);
+        for over in &self.overrides {
+            over.text().hash(hasher);
+        }
+        for path in self.files.borrow().paths() {
+            path.hash(hasher);
+            std::fs::read(&path).ok()?.hash(hasher);
+        }
+        Some(())
     }
 
     /// The program of a frame.

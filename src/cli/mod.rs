@@ -14,12 +14,14 @@ mod assemble;
 mod bench;
 mod chart;
 mod check;
+mod decisions;
 mod devices;
 mod formula;
 mod frames;
 mod new;
 mod options;
 mod render;
+mod settle;
 mod trace;
 mod wgsl;
 

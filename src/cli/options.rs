@@ -1,13 +1,16 @@
 //! Options that several commands share.
 
+use std::path::PathBuf;
+
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
+use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
-use crate::measure::{calibrate, calibrate_for};
+use crate::output::said;
 use crate::program::{Choice, Layer, Masks, Purpose, Schedule};
-use crate::render::{RenderError, RenderSettings, Window};
-use crate::scene::{Override, Precision, Scene};
+use crate::render::{RenderSettings, Window};
+use crate::scene::{Override, Precision, follow_as};
 
 /// Changes to the scene's values.
 #[derive(Debug, Args)]
@@ -22,8 +25,32 @@ pub(super) struct SceneOptions {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: Option<u32>,
     /// Bits of the numbers that paths are followed in, instead of the scene's
-    #[arg(long, value_parser = one_of(Precision::ALL, Precision::name, Precision::meaning))]
-    precision: Option<Precision>,
+    #[arg(long, value_parser = one_of(Bits::all(), Bits::name, Bits::meaning))]
+    precision: Option<Bits>,
+    /// Follow rays as for this picture of bentray's, an EXR or a PNG: by its method with all settings, instead of the scene's
+    #[arg(long, value_name = "PICTURE")]
+    method_of: Option<PathBuf>,
+}
+
+/// Under what pictures say how their rays were followed.
+pub(super) const FOLLOWED: &str = "rays";
+
+/// A precision, or none where that is left to the search for a method.
+#[derive(Debug, Clone, Copy)]
+struct Bits(Option<Precision>);
+
+impl Bits {
+    fn all() -> impl Iterator<Item = Self> {
+        Precision::ALL.map(Some).into_iter().chain([None]).map(Self)
+    }
+
+    fn name(self) -> &'static str {
+        self.0.map_or("auto", Precision::name)
+    }
+
+    fn meaning(self) -> &'static str {
+        self.0.map_or("With the method: 64 bits where 32 do not reach the accuracy", Precision::meaning)
+    }
 }
 
 /// Reads one of these by its name, and says in the help what each of them means.
@@ -75,12 +102,17 @@ pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
 
 impl SceneOptions {
     /// All changes, as the scene reader takes them.
-    pub(super) fn overrides(&self) -> Vec<Override> {
+    pub(super) fn overrides(&self) -> Result<Vec<Override>, Error> {
+        let method = self.method_of.as_ref().map(|picture| {
+            follow_as(&said(picture, FOLLOWED)?)
+                .map_err(|error| Error::Usage(format!("{}: {error}", picture.display())))
+        });
+        let method: Vec<Override> = method.transpose()?.unwrap_or_default();
         let size = self.size.map(|[w, h]| format!("image.size=[{w}, {h}]"));
         let samples = self.samples.map(|n| format!("image.samples={n}"));
         let precision = self.precision.map(|precision| format!("rays.precision=\"{}\"", precision.name()));
         let own = size.into_iter().chain(samples).chain(precision).filter_map(|text| text.parse().ok());
-        self.set.iter().cloned().chain(own).collect()
+        Ok(method.into_iter().chain(self.set.iter().cloned()).chain(own).collect())
     }
 }
 
@@ -106,6 +138,17 @@ pub(super) struct DeviceFlags {
 }
 
 impl DeviceFlags {
+    /// Refuses what would be of no effect.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        match self.schedule.filter(|schedule| self.segments_per_pass.is_some() && !schedule.fuses()) {
+            Some(schedule) => Err(Error::Usage(format!(
+                "--segments-per-pass is for --schedule fused: in `{}` a pass is never of several segments",
+                schedule.name()
+            ))),
+            None => Ok(()),
+        }
+    }
+
     /// Opens the device, and says which.
     pub(super) fn open(&self) -> Result<Gpu, GpuError> {
         let gpu = Gpu::open(self.device.as_deref())?;
@@ -120,7 +163,7 @@ impl DeviceFlags {
 
     /// The schedule that is asked for, if only by what is for it alone.
     fn schedule(&self) -> Schedule {
-        let is_for_fused = self.no_list || self.segments_per_pass.is_some();
+        let is_for_fused = self.no_masks || self.no_list || self.segments_per_pass.is_some();
         self.schedule.unwrap_or(if is_for_fused { Schedule::Fused } else { Schedule::Whole })
     }
 
@@ -145,31 +188,6 @@ impl DeviceFlags {
     }
 }
 
-/// The rays that a method is wanted for.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Rays<'r> {
-    /// These.
-    Given(&'r [[f64; 6]]),
-    /// The camera's, so many.
-    Camera(u64),
-}
-
-/// The scene with a method, found by calibration where it leaves that open, and the settings that keep what is compiled already.
-pub(super) fn settle(
-    gpu: &Gpu,
-    scene: Scene,
-    mut settings: RenderSettings,
-    rays: Rays,
-) -> Result<(Scene, RenderSettings), RenderError> {
-    let calibration = match rays {
-        Rays::Given(rays) => calibrate(gpu, &scene, &settings, Some(rays)),
-        Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
-    }?;
-    let Some(calibration) = calibration else { return Ok((scene, settings)) };
-    eprintln!("{calibration}");
-    settings.choice.layers.clone_from(&calibration.layers);
-    Ok((calibration.applied(&scene), settings))
-}
 /// A schedule with masks, for pictures without layers.
 pub(super) fn choice(schedule: Schedule) -> Choice {
     Choice { schedule, masks: schedule.masks(), purpose: Purpose::Picture, layers: Vec::new() }

@@ -8,8 +8,10 @@ use clap::Args;
 use clap::builder::TypedValueParser;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::decisions::Rays;
 use super::frames::{Film, Frames, path_of};
-use super::options::{DeviceFlags, Rays, SceneOptions, one_of, parse_bytes, parse_window, settle};
+use super::options::{DeviceFlags, FOLLOWED, SceneOptions, one_of, parse_bytes, parse_window};
+use super::settle::settle;
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
 use crate::output::{FileSettings, ImageWriter, open};
@@ -67,6 +69,7 @@ fn is_exr(path: &Path) -> bool {
 
 impl Arguments {
     fn check(&self) -> Result<(), Error> {
+        self.device.check()?;
         if self.layers.is_some() && !self.output.iter().any(|path| is_exr(path)) {
             return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
         }
@@ -141,7 +144,7 @@ impl Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut launch = StartUp::default();
     arguments.check()?;
-    let film = Film::new(&arguments.scene, arguments.changes.overrides());
+    let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
     let still = arguments.load(&film, None)?;
     let frames: Vec<Option<u32>> = match arguments.frames {
         Some(frames) => frames.of(&still)?.map(Some).collect(),
@@ -163,7 +166,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let settings = RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };
     let [width, height] = arguments.crop.unwrap_or(Window::whole(scene.image.size)).size;
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
-    let (scene, settings) = settle(&gpu, scene, settings, Rays::Camera(rays))?;
+    let (scene, settings) = settle(&gpu, (&film, frames[0]), scene, settings, Rays::Camera(rays))?;
     launch.next();
     let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;
     if let Some(verification) = &measured {
@@ -230,6 +233,7 @@ fn settled(mut scene: Scene, first: &Scene) -> Scene {
         scene.rays.method = first.rays.method;
         scene.rays.control = first.rays.control;
         scene.rays.max_segments = first.rays.max_segments;
+        scene.rays.precision = first.rays.precision;
     }
     scene
 }
@@ -239,6 +243,7 @@ fn metadata(scene: &Scene, verification: Option<&Verification>) -> Vec<(String, 
     let mut all = vec![("Software".to_owned(), concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned())];
     all.push(("method".to_owned(), method_words(scene.rays.method, scene.rays.control)));
     all.push(("max_segments".to_owned(), scene.rays.max_segments.to_string()));
+    all.push((FOLLOWED.to_owned(), scene.rays.followed()));
     if let Some(verification) = verification {
         all.extend(verification.metadata());
     }

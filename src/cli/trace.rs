@@ -12,8 +12,11 @@ use glam::DVec3;
 
 use self::beams::Beam;
 use self::diagram::{DiagramOptions, Group};
-use super::options::{DeviceFlags, Rays, SceneOptions, settle};
+use super::decisions::Rays;
+use super::frames::Film;
+use super::options::{DeviceFlags, SceneOptions};
 use super::render::warn;
+use super::settle::settle;
 use crate::error::Error;
 use crate::measure::drift;
 use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
@@ -59,10 +62,12 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    arguments.device.check()?;
     if arguments.plot.is_some() && arguments.plot == arguments.output {
         return Err(Error::Usage("--plot and -o name the same file".to_owned()));
     }
-    let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
+    let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
+    let scene = film.load(None)?;
     if arguments.drift && scene.rays.asymptotic {
         return Err(Error::Usage(
             "--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity".into(),
@@ -78,7 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.plot.as_deref().map_or(Ok(()), check_plot)?;
     let gpu = arguments.device.open()?;
     let settings = arguments.device.settings(Vec::new());
-    let (scene, settings) = settle(&gpu, scene, settings, Rays::Given(rays))?;
+    let (scene, settings) = settle(&gpu, (&film, None), scene, settings, Rays::Given(rays))?;
     if !arguments.path && (table.is_some() || arguments.drift) {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
         for (i, ray) in traced.iter().enumerate() {

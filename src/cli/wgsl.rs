@@ -27,7 +27,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
-    let scene = Scene::load(&arguments.scene, &arguments.changes.overrides())?;
+    let scene = Scene::load(&arguments.scene, &arguments.changes.overrides()?)?;
     let geometry = Geometry::new(&scene);
     let program = Program::new(&scene, &geometry.analysis, &choice(arguments.schedule), geometry.extent())?;
     let names: Vec<_> = program.passes.iter().map(|(pass, _, _)| pass.entry()).collect();

@@ -12,8 +12,8 @@ pub struct Override {
     text: String,
     /// The names that lead to the key; a number counts the tables of an array, from 0.
     path: Vec<String>,
-    /// The value.
-    value: Node,
+    /// The value; without it whatever the scene says of the key is left out.
+    value: Option<Node>,
 }
 
 impl FromStr for Override {
@@ -36,7 +36,7 @@ impl FromStr for Override {
             }
             Err(_) => Node { place: base.place(0..trimmed.len()), value: Value::Text(trimmed.to_owned()) },
         };
-        Ok(Self { text: text.to_owned(), path, value })
+        Ok(Self { text: text.to_owned(), path, value: Some(value) })
     }
 }
 
@@ -58,6 +58,12 @@ pub fn names(key: &str) -> Option<Vec<String>> {
 }
 
 impl Override {
+    /// That a key of a table is left out.
+    #[must_use]
+    pub fn without(table: &str, key: &str) -> Self {
+        Self { text: format!("{table}.{key}"), path: vec![table.to_owned(), key.to_owned()], value: None }
+    }
+
     /// `KEY=VALUE` as it was given.
     #[must_use]
     pub fn text(&self) -> &str {
@@ -67,7 +73,10 @@ impl Override {
     /// Sets the value in a tree whose source number `source` is this override's text. Missing tables are made.
     pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), Fault> {
         let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
-        let mut value = self.value.clone();
+        let Some(mut value) = self.value.clone() else {
+            leave_out(root, &self.path);
+            return Ok(());
+        };
         relocate(&mut value, source);
         *reach(root, &self.path, key)? = value;
         Ok(())
@@ -94,6 +103,20 @@ pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Res
         };
     }
     Ok(at)
+}
+
+/// Takes the last of the names out of the table that the others lead to, if it is there.
+fn leave_out(table: &mut Table, path: &[String]) {
+    match path {
+        [name] => table.retain(|(n, ..)| n != name),
+        [first, rest @ ..] => {
+            let inner = table.iter_mut().find(|(n, ..)| n == first);
+            if let Some((_, _, Node { value: Value::Table(inner), .. })) = inner {
+                leave_out(inner, rest);
+            }
+        }
+        [] => {}
+    }
 }
 
 /// The value of `name`: at first an empty table if it was not there.

@@ -31,6 +31,12 @@ const FIRST: usize = 2;
 /// What a picture keeps so that its rays' ends can be compared.
 pub(super) const LAYERS: [Layer; 4] = [Layer::Position, Layer::Object, Layer::Status, Layer::Way];
 
+/// These layers, and after them those that are compared besides.
+#[must_use]
+pub fn compared_layers(layers: &[Layer]) -> Vec<Layer> {
+    layers.iter().copied().chain(LAYERS.into_iter().filter(|layer| !layers.contains(layer))).collect()
+}
+
 /// A method at the coarsest of its settings that is right.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Found {

@@ -20,6 +20,7 @@ mod part;
 pub mod plot;
 pub mod png;
 pub mod report;
+mod said;
 #[cfg(test)]
 mod tests;
 
@@ -28,6 +29,7 @@ use std::path::Path;
 pub use assemble::assemble;
 pub use atomic::AtomicFile;
 pub use error::OutputError;
+pub use said::said;
 
 use crate::program::Layer;
 use crate::render::{Band, Rendering, Window};

@@ -103,6 +103,15 @@ impl Part {
     }
 }
 
+/// What the EXR at `path` says of itself under `key`.
+pub fn said_by_exr(path: &Path, key: &str) -> Result<Option<String>, OutputError> {
+    let reader = reader(path)?;
+    Ok(reader.headers().iter().find_map(|header| match header.own_attributes.other.get(key.as_bytes()) {
+        Some(AttributeValue::Text(text)) => utf8(text.as_slice()),
+        _ => None,
+    }))
+}
+
 fn reader(path: &Path) -> Result<block::reader::Reader<BufReader<File>>, OutputError> {
     let file = File::open(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
     block::read(BufReader::new(file), false).map_err(|error| failed(path, error))

@@ -25,6 +25,12 @@ impl Schedule {
         if self == Self::Paper { Masks::Grid } else { Masks::List }
     }
 
+    /// May a pass be of several segments?
+    #[must_use]
+    pub fn fuses(self) -> bool {
+        matches!(self, Self::Fused | Self::Whole)
+    }
+
     /// As users write it.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -9,6 +9,7 @@
 
 mod build;
 mod check;
+mod followed;
 mod optics;
 mod rays;
 mod reference;
@@ -26,7 +27,8 @@ pub use crate::model::{
     Camera, CameraFrame, Control, Interior, Law, Material, Medium, Method, Object, Pattern, Shape, Stereo,
     StereoLayout, Substance, Surface,
 };
-pub use rays::{Accelerate, Accuracy, Bound, Branches, Precision, Rays, Segment};
+pub use followed::follow_as;
+pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Precision, Rays, Segment};
 pub use reference::{REFERENCE, TEMPLATE, reference_markdown};
 
 use std::sync::Arc;
@@ -100,7 +102,7 @@ impl Scene {
     /// there, and without a camera, a pixel is a thousandth of a radian.
     #[must_use]
     pub fn accuracy(&self) -> Option<f64> {
-        Some(match self.rays.auto? {
+        Some(match self.rays.auto?.accuracy {
             Accuracy::Radians(angle) => angle,
             Accuracy::Pixels(part) => part * self.pixel_angle().unwrap_or(1e-3),
         })
@@ -142,6 +144,13 @@ impl Scene {
     #[must_use]
     pub fn splits(&self) -> bool {
         self.objects.iter().any(|object| object.interior().is_some())
+    }
+
+    /// Is there a medium whose paths have a closed form, or may be integrated as well?
+    #[must_use]
+    pub fn has_closed_forms(&self) -> bool {
+        let ends = self.rays.length.is_some();
+        self.media().any(|medium| medium.bends() && medium.closed_form(ends).is_some())
     }
 
     /// What it demands of the method that follows its rays.

@@ -11,9 +11,8 @@ pub struct Rays {
     pub method: Method,
     /// How long its steps are.
     pub control: Control,
-    /// How accurate rays shall be, where the scene leaves method and control to a calibration; until that has run they are
-    /// RK4's.
-    pub auto: Option<Accuracy>,
+    /// What a calibration shall find, where the scene leaves method and control to one; until that has run they are RK4's.
+    pub auto: Option<Auto>,
     /// What is tested against the scene.
     pub segment: Segment,
     /// A ray that has this many segments and is still under way is exhausted.
@@ -56,6 +55,15 @@ pub enum Branches {
     Enumerated(u32),
     /// One of them at random, a sample.
     Random,
+}
+
+/// What is left to a calibration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Auto {
+    /// How accurate rays shall be.
+    pub accuracy: Accuracy,
+    /// Are the bits of the numbers left to it too? 64 where 32 do not reach the accuracy.
+    pub precision: bool,
 }
 
 /// The error in a ray's direction that 99 of 100 rays shall stay under.

@@ -32,6 +32,18 @@ fn usage_errors_exit_with_2() {
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
+/// A flag that would be of no effect is refused.
+#[test]
+fn segments_a_pass_are_for_passes_of_several() {
+    let folder = Folder::with(BALL);
+    for schedule in ["paper", "segment"] {
+        let flags = format!("--schedule {schedule} --segments-per-pass 3");
+        let texts = ["--segments-per-pass is for --schedule fused", schedule];
+        folder.run(&format!("render scene.toml -o a.png {flags}")).fails(1, &texts);
+    }
+    folder.run("render scene.toml -o a.png --schedule fused --segments-per-pass 3").succeeds();
+}
+
 #[test]
 fn changes_that_are_no_key_and_value_exit_with_2() {
     let folder = Folder::with(BALL);

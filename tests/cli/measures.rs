@@ -45,6 +45,100 @@ fn a_calibration_says_what_it_chose() {
         .fails(1, &["expected an angle in radians, or in pixels such as \"0.1px\""]);
 }
 
+/// A picture says how its rays were followed, all of it: another render does the same, whatever its scene says.
+#[test]
+fn the_method_of_a_picture_is_repeated() {
+    let folder = Folder::with(BALL);
+    for (method, sought) in [
+        (String::new(), true),
+        ("--set rays.method=rk4 --set rays.curvature_step=2".to_owned(), false),
+        ("--set rays.method=euler-doubling --set rays.doubling=paper --set rays.grow_below=1e-4 --set rays.tolerance=1e-3"
+            .to_owned(), false),
+    ] {
+        let ran = folder.run(&format!("render scene.toml -o a.png -o a.exr {HOLE} {method}")).succeeds();
+        assert_eq!(ran.err.contains("auto: "), sought, "{}", ran.err);
+        for of in ["a.png", "a.exr"] {
+            let other = "--set rays.method=leapfrog --set rays.step=0.5 --set rays.max_segments=7";
+            folder.write("other.toml", BALL.replace("[rays]", "[rays]\nmethod = \"leapfrog\"\nstep = 0.5\nmax_segments = 7"));
+            let wrong = folder.run(&format!("render scene.toml -o b.exr {HOLE} {other}")).succeeds();
+            assert!(folder.read("a.exr") != folder.read("b.exr"), "{}", wrong.err);
+            let ran = folder.run(&format!("render other.toml -o b.exr {HOLE} --method-of {of}")).succeeds();
+            assert!(!ran.err.contains("auto: "), "{}", ran.err);
+            assert!(folder.read("a.exr") == folder.read("b.exr"), "{method} of {of}");
+        }
+    }
+    folder.write("no.png", "no picture");
+    folder.run("render scene.toml -o b.exr --method-of no.png").fails(1, &["no.png: this is not a whole PNG"]);
+    folder.run("render scene.toml -o b.exr --method-of none.exr").fails(1, &["none.exr: cannot read the file"]);
+    folder.run("render scene.toml -o b.exr --method-of scene.toml").fails(1, &["scene.toml: the name must end in"]);
+}
+
+/// What a search came to is kept for the next render, and never changes it: not where it is missing, broken, or of another scene.
+#[test]
+fn a_decision_is_kept_and_changes_nothing() {
+    let folder = Folder::with(BALL);
+    let run = |arguments: &str, cache: &str| {
+        let output = folder.command(arguments).env("BENTRAY_CACHE", cache).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let err = String::from_utf8(output.stderr).unwrap();
+        err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{err}")).to_owned()
+    };
+    let kept = || {
+        let names = folder.names();
+        names.iter().filter(|name| *name == "kept").count()
+            * std::fs::read_dir(folder.path("kept")).map_or(0, Iterator::count)
+    };
+    let render = |to: &str| format!("render scene.toml -o {to} {HOLE} --set rays.accuracy=1e-3");
+    let without = run(&render("a.exr"), "");
+    assert_eq!(kept(), 0);
+    let first = run(&render("b.exr"), "kept");
+    assert_eq!(kept(), 1);
+    let again = run(&render("c.exr"), "kept");
+    assert_eq!(([&first, &again], kept()), ([&without; 2], 1));
+    for name in ["b.exr", "c.exr"] {
+        assert!(folder.read(name) == folder.read("a.exr"), "{name}");
+    }
+    // Another accuracy, and other contents of the same file, are other decisions.
+    run(&format!("{} --set rays.accuracy=1e-4", render("d.exr")), "kept");
+    folder.write("scene.toml", format!("{BALL}\n[output]\nexposure = 1\n"));
+    run(&render("d.exr"), "kept");
+    assert_eq!(kept(), 3);
+    // What is broken is found anew.
+    for entry in std::fs::read_dir(folder.path("kept")).unwrap() {
+        std::fs::write(entry.unwrap().path(), "said = 3").unwrap();
+    }
+    folder.write("scene.toml", BALL);
+    assert_eq!(run(&render("e.exr"), "kept"), without);
+    assert!(folder.read("e.exr") == folder.read("a.exr"));
+}
+
+/// Deep at the ring of light 32 bits do not reach a hundredth of a pixel: that is said, with what 64 bits would, and taken if it is
+/// left open.
+#[test]
+fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
+    let folder = Folder::with(
+        "[image]\nsize = [48, 27]\n[camera]\nposition = [0, 0, 100]\nlook_at = [0.0525, 0, 99]\nfov = 0.02\n\
+         [law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 200 }\n",
+    );
+    let line = |arguments: &str| {
+        let ran = folder.run(arguments).succeeds();
+        ran.err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{}", ran.err)).to_owned()
+    };
+    let single = line("render scene.toml -o a.exr");
+    assert!(
+        single.contains("no method reaches") && single.contains("in 64 bits, by --precision auto, planar"),
+        "{single}"
+    );
+    let double = line("render scene.toml -o b.exr --precision auto");
+    assert!(double.contains(", precision f64") && !double.contains("no method reaches"), "{double}");
+    assert!(folder.read("a.exr") != folder.read("b.exr"));
+    folder.run("render scene.toml -o c.exr --method-of b.exr").succeeds();
+    assert!(folder.read("b.exr") == folder.read("c.exr"));
+    folder
+        .run("check scene.toml --precision auto --set rays.method=rk4")
+        .fails(1, &["`auto` finds the bits together with the method", "write f32 or f64"]);
+}
+
 #[test]
 fn a_chart_is_tables_plots_and_a_page() {
     let folder = Folder::with(BALL);

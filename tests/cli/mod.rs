@@ -122,6 +122,7 @@ impl Folder {
             .current_dir(self.0.path())
             // Some Mesa builds have a layer that chooses devices, and talks about it.
             .env("NODEVICE_SELECT", "1")
+            .env("BENTRAY_CACHE", "")
             .stdin(Stdio::null());
         command
     }

@@ -102,19 +102,38 @@ impl Control {
         Self { setting, cap, ..self }
     }
 
-    /// The method of this name in words of the scene format, which name all that is needed to have it again.
+    /// The method of this name in words, with what decides its steps.
     #[must_use]
     pub fn words(&self, method: &str) -> String {
         let named = format!("{method}{}", self.kind.suffix);
-        let own = if self.kind.has_tolerance { Some(&doubling::TOLERANCE) } else { self.kind.keys.first() };
-        let Some(Key { key, .. }) = own else { return named };
+        let Some(key) = self.own_key() else { return named };
         let setting = written((self.kind.setting)(self));
-        let cap = if *key == scaled::SCALED_STEP.key {
+        let cap = if key == scaled::SCALED_STEP.key {
             String::new()
         } else {
             format!(", {} {}", scaled::SCALED_STEP.key, written(self.cap))
         };
         format!("{named}, {key} {setting}{cap}")
+    }
+
+    /// All that it is, as keys and values of the scene format.
+    #[must_use]
+    pub fn settings(&self) -> Vec<(&'static str, String)> {
+        let Some(own) = self.own_key() else { return Vec::new() };
+        let mut all = vec![(own, written((self.kind.setting)(self)))];
+        if own != scaled::SCALED_STEP.key {
+            all.push((scaled::SCALED_STEP.key, written(self.cap)));
+        }
+        if self.kind.keys == doubling::REJECTING.keys {
+            all.extend([("doubling", quoted(self.kind.name)), ("grow_below", written(self.grow_below))]);
+        }
+        all
+    }
+
+    /// The key of its setting.
+    fn own_key(&self) -> Option<&'static str> {
+        let own = if self.kind.has_tolerance { Some(&doubling::TOLERANCE) } else { self.kind.keys.first() };
+        own.map(|own| own.key)
     }
 
     /// The tolerance, if the control has one.
@@ -149,8 +168,13 @@ fn four_digits(x: f64) -> f64 {
 }
 
 /// A number that reads as itself.
-fn written(x: f64) -> String {
+pub(super) fn written(x: f64) -> String {
     if (1e-3..1e4).contains(&x) { x.to_string() } else { format!("{x:e}") }
+}
+
+/// A word as TOML has it.
+pub(super) fn quoted(word: &str) -> String {
+    format!("\"{word}\"")
 }
 
 /// A control whose steps are planned, from the keys of a `[rays]` table.

@@ -234,6 +234,26 @@ pub fn names() -> Vec<(String, Named)> {
     METHODS.into_iter().flat_map(named).collect()
 }
 
+/// A method with its control, as keys and values of the scene format.
+#[must_use]
+pub fn settings(method: Method, control: Control) -> Vec<(&'static str, String)> {
+    let suffix = if control.kind.keys == control::doubling::REJECTING.keys { "-doubling" } else { "" };
+    let mut all = vec![("method", control::quoted(&format!("{}{suffix}", method.kind.name)))];
+    all.extend(control.settings());
+    all.extend(method.kind.own.map(|own| (own.key.key, control::written(method.own))));
+    all
+}
+
+/// The keys of everything that any method or control reads, and of the method itself.
+#[must_use]
+pub fn setting_keys() -> Vec<&'static str> {
+    let read = names().into_iter().flat_map(|(_, named)| named.kind.keys(named.doubled));
+    let mut all: Vec<&str> = read.map(|key| key.key).chain(["method"]).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
 /// A method and its setting in words of the scene format.
 #[must_use]
 pub fn method_words(method: Method, control: Control) -> String {

@@ -8,7 +8,7 @@ use crate::document::{Node, Value};
 use crate::model::method::{self, Demands, Named};
 use crate::model::{Law, control};
 use crate::scene::optics::Optics;
-use crate::scene::{Accelerate, Accuracy, Bound, Branches, Precision, Rays, Segment};
+use crate::scene::{Accelerate, Accuracy, Auto, Bound, Branches, Precision, Rays, Segment};
 
 const ACCELERATE: &[(&str, Accelerate)] = &[
     ("auto", Accelerate::Auto),
@@ -17,10 +17,12 @@ const ACCELERATE: &[(&str, Accelerate)] = &[
     ("none", Accelerate::None),
 ];
 
-const PRECISIONS: &[(&str, Precision)] = &[
-    (Precision::Half.name(), Precision::Half),
-    (Precision::Single.name(), Precision::Single),
-    (Precision::Double.name(), Precision::Double),
+/// None for what a calibration finds.
+const PRECISIONS: &[(&str, Option<Precision>)] = &[
+    (Precision::Half.name(), Some(Precision::Half)),
+    (Precision::Single.name(), Some(Precision::Single)),
+    (Precision::Double.name(), Some(Precision::Double)),
+    ("auto", None),
 ];
 
 /// The table itself, which every scene has.
@@ -45,9 +47,16 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         // Until a calibration has run.
         None => (method::PLANNED, control::scaled::with(0.1)),
     };
-    let auto = auto.then(|| table.or("accuracy", Accuracy::Pixels(0.1), accuracy)).filter(|_| named.is_none());
+    let precision = table.or("precision", Some(Precision::Single), word(PRECISIONS));
+    if precision.is_none() && !auto {
+        let problem = "`auto` finds the bits together with the method, and this scene has one";
+        table.fault(&["precision"], problem, "leave `method` and its settings out, or write f32 or f64");
+    }
+    let accuracy = auto.then(|| table.or("accuracy", Accuracy::Pixels(0.1), accuracy)).filter(|_| named.is_none());
+    let auto = accuracy.map(|accuracy| Auto { accuracy, precision: precision.is_none() });
+    let precision = precision.unwrap_or(Precision::Single);
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
-    let precision = table.or("precision", Precision::Single, word(PRECISIONS));
+    let closed_forms = table.or("closed_forms", named.is_none_or(|named| named.kind.closed_forms), boolean);
     let asymptotic = table.or("asymptotic", false, boolean);
     if let (true, Some(law), Some(bound)) = (asymptotic, optics.law, bound) {
         check_asymptotic(&table, law, bound);
@@ -66,7 +75,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         length,
         asymptotic,
         precision,
-        closed_forms: named.is_none_or(|named| named.kind.closed_forms),
+        closed_forms,
         leaps: true,
         branches,
         accelerate,

@@ -80,8 +80,10 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             length: "number above 0" = "none", "rays end at this τ";
             asymptotic if "schwarzschild, or one inverse-square source": "true | false" = "false",
                 "rays that leave the bound are followed to infinity in closed form, and those given from outside come from there";
-            precision: "f16 | f32 | f64" = "f32",
-                "bits of the numbers: f64 where the device has it, f16 keeps 16 bits between passes as in 2004";
+            precision: "f16 | f32 | f64 | auto" = "f32",
+                "bits of the numbers: f64 where the device has it, f16 keeps 16 bits between passes as in 2004; beside method = \"auto\", auto takes f64 where f32 does not reach the accuracy";
+            closed_forms: "true | false" = "true with auto, exact and planar, else false",
+                "media whose paths have a closed form are followed by it, whatever the method";
             branches: "whole number, 0 to 20, or random" = "4",
                 "where a surface splits light both rays are followed, so many times along a path; or one at random, a sample";
             accelerate: "auto | bvh | grid | none" = "auto",

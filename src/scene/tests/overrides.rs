@@ -77,3 +77,34 @@ fn what_is_no_override_is_refused_at_once() {
         assert!(error.contains(problem), "{error}");
     }
 }
+
+/// Whatever a scene says of how its rays are followed, its text has another scene follow them alike.
+#[test]
+fn how_rays_are_followed_goes_over_to_another_scene() {
+    let ways: [&[&str]; 9] = [
+        &[],
+        &["rays.method=planar", "rays.scaled_step=0.1234567890123"],
+        &["rays.method=rk4", "rays.step=1e-5", "rays.scaled_step=3", "rays.precision=f64"],
+        &["rays.method=euler", "rays.curvature_step=0.3"],
+        &["rays.method=dormand-prince", "rays.tolerance=1.5e-11", "rays.max_segments=123456"],
+        &["rays.method=bogacki-shampine", "rays.tolerance=1e-3", "rays.scaled_step=12345.678"],
+        &["rays.method=rk4-doubling", "rays.tolerance=1e-4", "rays.grow_below=3e-6", "rays.closed_forms=true"],
+        &["rays.method=euler-doubling", "rays.doubling=paper", "rays.tolerance=1e-2"],
+        &["rays.method=planar", "rays.closed_forms=false", "rays.precision=f16"],
+    ];
+    let scenes: Vec<Scene> = ways.iter().map(|way| with(way).expect("a way to follow rays")).collect();
+    for (of, from) in scenes.iter().zip(&ways) {
+        let followed: Vec<Override> = crate::scene::follow_as(&of.rays.followed()).expect("a text of its own");
+        for way in ways {
+            let own = way.iter().map(|o| o.parse().expect(o));
+            let overrides: Vec<Override> = own.chain(followed.iter().cloned()).collect();
+            let scene = Scene::parse(&format!("{RAYS}{SCENE}"), Path::new("scene.toml"), &overrides).expect("both");
+            let mut expected = of.rays.clone();
+            expected.auto = None;
+            assert_eq!(scene.rays, expected, "{from:?} over {way:?}");
+        }
+    }
+    for text in ["", "3", "{ }", "{ method = \"rk4\", step }", "{ method = \"rk4\", bound = 3 }"] {
+        assert!(crate::scene::follow_as(text).is_err(), "{text}");
+    }
+}

@@ -1,0 +1,148 @@
+//! Methods tried on a few thousand rays whose ends are known.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use super::{Candidate, Deviations, Truth, cost, fast_methods, method_words, scattered};
+use crate::gpu::Gpu;
+use crate::model::method::TOLERANT;
+use crate::program::{Choice, Purpose};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced};
+use crate::scene::{Control, Method, Precision, Scene};
+
+/// Rays whose error is measured.
+const RAYS: usize = 4000;
+const REFINEMENTS: usize = 2;
+/// What is asked for is met with so much to spare, because the picture has other rays than those that were tried.
+pub(super) const MARGIN: f64 = 0.9;
+/// So many times the scene's own segments may a path have, whatever the method.
+const MORE_SEGMENTS: u32 = 4;
+/// What costs so many times the cheapest that is right has lost, as has what costs so much a ray.
+pub(super) const LOST: f64 = 4.0;
+pub(super) const TOO_MANY: f64 = 4e5;
+
+/// A method at a setting, with its error and cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trial {
+    /// The method.
+    pub method: Method,
+    /// The setting.
+    pub control: Control,
+    /// 99 of 100 rays err by no more, in radians; infinite where that is not known.
+    pub error: f64,
+    /// What a ray costs, in evaluations of a simple derivative: see [`cost`].
+    pub cost: f64,
+}
+
+/// An auto scene's budget of segments is meant for any method.
+pub(super) fn segments(scene: &Scene) -> u32 {
+    scene.rays.max_segments.saturating_mul(MORE_SEGMENTS)
+}
+
+/// The rays that methods are tried on.
+pub(super) struct Trials<'a> {
+    gpu: &'a Gpu,
+    scene: &'a Scene,
+    settings: RenderSettings,
+    given: Option<Vec<[f64; 6]>>,
+    pixels: Vec<[u32; 2]>,
+    pub truth: Truth,
+    accuracy: f64,
+}
+
+impl<'a> Trials<'a> {
+    pub fn new(
+        gpu: &'a Gpu,
+        scene: &'a Scene,
+        settings: &RenderSettings,
+        given: Option<&[[f64; 6]]>,
+        accuracy: f64,
+    ) -> Result<Self, RenderError> {
+        let tolerance = (1e-3 * accuracy).min(1e-10);
+        let purpose = if given.is_some() { Purpose::Trace } else { Purpose::Pixels };
+        let choice = Choice { purpose, layers: Vec::new(), ..settings.choice.clone() };
+        let settings = RenderSettings { choice, ..settings.clone() };
+        let pixels = scattered(scene.image.size, RAYS, 1);
+        let given =
+            given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
+        let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
+        let truth = Truth::new(gpu, scene, tolerance, starts)?;
+        Ok(Self { gpu, scene, settings, given, pixels, truth, accuracy })
+    }
+
+    fn starts(&self) -> Starts<'_> {
+        self.given.as_deref().map_or(Starts::Pixels(&self.pixels, 1024), Starts::Given)
+    }
+
+    /// May 64 bits reach what 32 do not? Not where the ends of more rays are unknown than may be wrong.
+    pub fn more_bits_help(&self) -> bool {
+        let known = self.truth.0.len() - self.truth.unresolved();
+        self.gpu.f64 && self.scene.rays.precision == Precision::Single && 100 * known >= 99 * self.truth.0.len()
+    }
+
+    /// The cheaper of the method that was best and the usual one, in 64 bits; none where neither is better than `best`.
+    pub fn in_double(&self, best: &Trial) -> Result<Option<Trial>, RenderError> {
+        let mut all = fast_methods(self.scene);
+        all.retain(|candidate| [best.method, TOLERANT].contains(&candidate.method));
+        let tried = all.iter().map(|candidate| self.first_right(candidate, Precision::Double, TOO_MANY));
+        let mut better = tried.collect::<Result<Vec<_>, _>>()?;
+        better.retain(|trial| trial.error < best.error);
+        let rank = |trial: &Trial| (trial.error > self.accuracy, trial.cost);
+        Ok(better.into_iter().min_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(Ordering::Equal)))
+    }
+
+    /// The coarsest setting that is right, or the most accurate of those that cost no more than `most` evaluations a ray.
+    pub fn first_right(&self, candidate: &Candidate, precision: Precision, most: f64) -> Result<Trial, RenderError> {
+        let (method, control) = (candidate.method, candidate.controls[0]);
+        let mut scene = candidate.applied(self.scene, control);
+        scene.rays.precision = precision;
+        scene.rays.max_segments = segments(self.scene);
+        // Few rays: what counts is not how many run but how many passes are recorded.
+        let settings = RenderSettings { segments: 256, ..self.settings.clone() };
+        let mut renderer = Renderer::new(self.gpu, &scene, settings)?;
+        let mut tried = |control| -> Result<Trial, RenderError> {
+            renderer.retune(control, scene.rays.max_segments)?;
+            let (rays, _) = renderer.follow(self.starts())?;
+            let error = Deviations::new(&rays, &self.truth).seen.sure99;
+            let mean = |count: fn(&Traced) -> u32| {
+                rays.iter().map(|ray| f64::from(count(ray))).sum::<f64>() / rays.len().max(1) as f64
+            };
+            let cost = cost(self.scene, method, control, mean(|ray| ray.steps), mean(|ray| ray.rejected));
+            Ok(Trial { method, control, error, cost })
+        };
+        let is_right = |trial: &Trial| trial.error <= MARGIN * self.accuracy;
+        let mut best = Trial { method, control, error: f64::INFINITY, cost: f64::INFINITY };
+        let mut wrong = None;
+        for &control in &candidate.controls {
+            let trial = tried(control)?;
+            if trial.error < best.error || best.cost.is_infinite() {
+                best = trial;
+            }
+            if is_right(&trial) || trial.cost > most {
+                break;
+            }
+            wrong = Some(control);
+        }
+        // Steps as long as they may be lie between the last that was wrong and the first that was right.
+        for _ in 0..REFINEMENTS {
+            let (Some(coarse), true) = (wrong, is_right(&best)) else { break };
+            let trial = tried(coarse.between(best.control))?;
+            if is_right(&trial) {
+                best = trial;
+            } else {
+                wrong = Some(trial.control);
+            }
+        }
+        Ok(best)
+    }
+}
+
+impl fmt::Display for Trial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = method_words(self.method, self.control);
+        if self.error.is_infinite() {
+            return write!(f, "{words}: the rule where no method can be judged");
+        }
+        write!(f, "{words}: 99 % within {:.1e} rad, {:.0} evaluations' cost a ray", self.error, self.cost)
+    }
+}
