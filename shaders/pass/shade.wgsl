@@ -8,7 +8,9 @@ fn shade(own: Invocation) {
     if followed {
         load_region(pixel);
         load_weight(pixel);
-        shade_ray(pixel, load_ended(pixel), load_hit(pixel));
+        let ray = load_ended(pixel);
+        shade_ray(pixel, ray, load_hit(pixel));
+        tally_status(ray.status);
     }
     end_round(followed, pixel, own.lane);
     total_statuses(own.lane);

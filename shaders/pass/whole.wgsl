@@ -1,25 +1,39 @@
-// A path in registers (`whole`): from the camera to its colour in one pass, which touches no texture of the state. A ray that outlives
-// the pass, before the device's limit of loop iterations, is counted as alive; the host then goes over to `fused`.
+// Paths in registers (`whole`): from the camera to the colour in one pass, which touches no texture of the state. An invocation follows
+// the paths of several pixels, one after the other, so that what it does once for all of them costs each of them less. A ray that
+// outlives the pass, before the device's limit of loop iterations, is counted as alive; the host then goes over to `fused`.
 
 @compute @workgroup_size(GROUP)
 fn whole(own: Invocation) {
-    let place = round_pixel(own);
-    let pixel = place.pixel;
-    var ray = path_start(pixel);
-    clear_last_hit();
-    let followed = place.valid && ray.status != RESTING;
-    let spot = ActiveRay(pixel, place.valid, followed && ray.status == ALIVE, 0u, ray.status, 0u);
-    if !followed {
-        ray.status = RESTING;
+    var steps = 0u;
+    var segments = 0u;
+    var rejected = 0u;
+    var ends = no_ends();
+    let pixels = lane_pixels();
+    for (var k = 0u; k < pixels; k++) {
+        work += 1u;
+        let place = round_pixel(lane_invocation(own, pixels, k));
+        let pixel = place.pixel;
+        var ray = path_start(pixel);
+        clear_last_hit();
+        let followed = place.valid && ray.status != RESTING;
+        let spot = ActiveRay(pixel, place.valid, followed && ray.status == ALIVE, 0u, ray.status, 0u);
+        if !followed {
+            ray.status = RESTING;
+        }
+        let end = follow_path(spot, &ray);
+        if followed {
+            shade_ray(pixel, ray, end);
+            steps += ray.steps;
+            segments += ray.index + u32(spot.alive);
+            rejected += ray.rejected;
+            ends = with_end(ends, ray.status);
+        }
     }
-    let end = follow_path(spot, &ray);
-    if followed {
-        shade_ray(pixel, ray, end);
-        tally_steps(ray.steps);
-        tally_segments(ray.index + u32(spot.alive));
-        tally_rejections(ray.rejected);
-    }
-    end_round(followed, pixel, own.lane);
+    tally_steps(steps);
+    tally_segments(segments);
+    tally_rejections(rejected);
+    tally_ends(ends);
+    workgroupBarrier();
     total_statuses(own.lane);
     total_steps(own.lane);
     total_segments(own.lane);

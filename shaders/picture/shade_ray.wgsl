@@ -13,5 +13,4 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     add_coverage(pixel, code);
     keep_layers(pixel, ray, seen);
     keep_corner(pixel, ray, seen);
-    tally_status(code);
 }

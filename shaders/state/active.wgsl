@@ -6,6 +6,10 @@ const GROUP: u32 = 64u;
 // device, so that the host may set another number.
 override GROUP_WIDTH: u32 = 8u;
 
+// Pixels that one invocation of the pass `whole` follows, one below the other: the more there are, the less what a group does once
+// costs each of them, and the fewer groups there are. The host sets another number for processors.
+override LANE_PIXELS: u32 = 1u;
+
 // Where an invocation stands in its dispatch.
 struct Invocation {
     @builtin(workgroup_id) group: vec3u,
@@ -48,6 +52,13 @@ fn active_ray(own: Invocation) -> ActiveRay {
 // Width and height of a workgroup.
 fn group_extent() -> vec2u {
     return vec2u(GROUP_WIDTH, GROUP / GROUP_WIDTH);
+}
+
+// Where an invocation would stand, if each had one pixel, for the k-th of several.
+fn lane_invocation(own: Invocation, pixels: u32, k: u32) -> Invocation {
+    var at = own;
+    at.group.y = own.group.y * pixels + k;
+    return at;
 }
 
 // Which rays go on is told by keep_active(alive, pixel, lane) of this folder's other files. Every lane calls it, and it is a barrier

@@ -51,7 +51,41 @@ fn total_segments(lane: u32) {
 var<workgroup> group_statuses: array<atomic<u32>, STATUSES>;
 
 fn tally_status(code: u32) {
-    atomicAdd(&group_statuses[min(code, STATUSES - 1u)], 1u);
+    tally_statuses(code, 1u);
+}
+
+fn tally_statuses(code: u32, n: u32) {
+    atomicAdd(&group_statuses[min(code, STATUSES - 1u)], n);
+}
+
+// How the rays of one lane ended: eight bits for each status code, of up to 255 rays.
+struct Ends {
+    counts: vec4u,
+}
+
+fn no_ends() -> Ends {
+    return Ends(vec4u(0u));
+}
+
+fn with_end(ends: Ends, code: u32) -> Ends {
+    let one = vec4u(1u << (8u * (code & 3u)));
+    return Ends(ends.counts + select(vec4u(0u), one, vec4u(code >> 2u) == vec4u(0u, 1u, 2u, 3u)));
+}
+
+// One turn for each code that a lane has: one or two, mostly.
+fn tally_ends(ends: Ends) {
+    var rest = ends.counts;
+    while any(rest != vec4u(0u)) {
+        work += 1u;
+        var word = 3u;
+        word = select(word, 2u, rest.z != 0u);
+        word = select(word, 1u, rest.y != 0u);
+        word = select(word, 0u, rest.x != 0u);
+        let shift = firstTrailingBit(rest[word]) & 24u;
+        let n = (rest[word] >> shift) & 0xffu;
+        tally_statuses(4u * word + shift / 8u, n);
+        rest -= select(vec4u(0u), vec4u(n << shift), vec4u(word) == vec4u(0u, 1u, 2u, 3u));
+    }
 }
 
 fn total_statuses(lane: u32) {

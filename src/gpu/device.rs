@@ -11,6 +11,7 @@ use crate::program::constant;
 
 /// The number of `shaders/state/active.wgsl` that a device has its own of.
 pub(super) const GROUP_WIDTH: &str = "GROUP_WIDTH";
+pub(super) const LANE_PIXELS: &str = "LANE_PIXELS";
 
 /// An open device.
 #[derive(Debug)]
@@ -29,6 +30,8 @@ pub struct Gpu {
     pub f64: bool,
     /// Width and height of the block of pixels that one workgroup takes.
     pub group: [u32; 2],
+    /// Pixels that one invocation of a pass over whole paths follows, one below the other.
+    pub lane_pixels: u32,
     pub(super) compiled: Compiled,
 }
 
@@ -79,6 +82,11 @@ fn group_extent(device: DeviceType) -> [u32; 2] {
     [across, pixels / across]
 }
 
+/// A GPU needs every invocation that it can get; a processor has few, and does what a group does once for each eight lanes of it.
+fn lane_pixels(device: DeviceType) -> u32 {
+    if device == DeviceType::Cpu { 8 } else { 1 }
+}
+
 /// Every adapter and what it can do, in the order in which they would be chosen.
 #[must_use]
 pub fn adapters() -> Vec<AdapterReport> {
@@ -124,8 +132,8 @@ impl Gpu {
             .map_err(|error| GpuError::Refused { device: info.name.clone(), reason: error.to_string() })?;
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
         let f64 = features.contains(Features::SHADER_F64);
-        let group = group_extent(info.device_type);
-        Ok(Self { device, queue, info, limits, timestamps, f64, group, compiled: Compiled::default() })
+        let (group, lane_pixels) = (group_extent(info.device_type), lane_pixels(info.device_type));
+        Ok(Self { device, queue, info, limits, timestamps, f64, group, lane_pixels, compiled: Compiled::default() })
     }
 
     /// An error if `needed` is more than the device allows.

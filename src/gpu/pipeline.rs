@@ -8,7 +8,7 @@ use wgpu::{
     ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
 };
 
-use super::device::GROUP_WIDTH;
+use super::device::{GROUP_WIDTH, LANE_PIXELS};
 use super::{Gpu, GpuError, Pipeline, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
@@ -66,10 +66,10 @@ impl Pipeline {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let width = (GROUP_WIDTH, f64::from(gpu.group[0]));
-        let known: &[_] = if reflection.overrides.iter().any(|name| name == GROUP_WIDTH) { &[width] } else { &[] };
+        let mut known = vec![(GROUP_WIDTH, f64::from(gpu.group[0])), (LANE_PIXELS, f64::from(gpu.lane_pixels))];
+        known.retain(|(known, _)| reflection.overrides.iter().any(|name| name == known));
         let compilation_options =
-            PipelineCompilationOptions { constants: known, ..PipelineCompilationOptions::default() };
+            PipelineCompilationOptions { constants: &known, ..PipelineCompilationOptions::default() };
         let pipeline = gpu.device.create_compute_pipeline(&ComputePipelineDescriptor {
             label,
             layout: Some(&pipeline_layout),

@@ -22,14 +22,72 @@ const FAULT: [f64; 3] = [1.0, 0.0, 1.0];
 /// The sRGB encoding (IEC 61966-2-1) of a linear value from 0 to 1.
 #[must_use]
 pub fn srgb_from_linear(x: f64) -> f64 {
-    if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 }
+    match x {
+        // Which rounding would miss.
+        1.0 => 1.0,
+        _ if x <= 0.003_130_8 => 12.92 * x,
+        _ => 1.055 * x.powf(1.0 / 2.4) - 0.055,
+    }
 }
 
-/// The sRGB values, from 0 to 1, of a linear colour multiplied by `gain`.
+/// The linear values, from 0 to 1, that are shown of a linear colour multiplied by `gain`.
 #[must_use]
-pub fn display(color: [f32; 3], gain: f64, tonemap: Tonemap) -> [f64; 3] {
+pub fn shown(color: [f32; 3], gain: f64, tonemap: Tonemap) -> [f64; 3] {
     if color.iter().any(|c| !c.is_finite() || *c < 0.0) {
         return FAULT;
     }
-    color.map(|c| srgb_from_linear(tonemapped(tonemap, f64::from(c) * gain)))
+    color.map(|c| tonemapped(tonemap, f64::from(c) * gain))
+}
+
+/// Their sRGB values, from 0 to 1.
+#[must_use]
+pub fn display(color: [f32; 3], gain: f64, tonemap: Tonemap) -> [f64; 3] {
+    shown(color, gain, tonemap).map(srgb_from_linear)
+}
+
+/// The sRGB encoding in whole numbers of 8 bits, rounded: to the bit what [`srgb_from_linear`] has, by a table in place of its power.
+///
+/// The curve is steepest at 0, where it rises by 12.92 · 255 < [`Self::CELLS`]: no cell of the table has more than one of the places
+/// where the rounded value changes.
+pub struct SrgbBytes {
+    /// The byte of each cell's lower end.
+    byte: Vec<u8>,
+    /// The least value of each byte.
+    from: [f64; 257],
+}
+
+impl SrgbBytes {
+    const CELLS: usize = 4096;
+
+    /// Makes the table.
+    #[must_use]
+    pub fn new() -> Self {
+        let byte = |x: f64| (srgb_from_linear(x) * 255.0).round();
+        let mut from = [f64::INFINITY; 257];
+        from[0] = 0.0;
+        for k in 1..=255_u8 {
+            // Between two numbers side by side the bits of non-negative floats are in order.
+            let (mut below, mut above) = (0_u64, 1.0_f64.to_bits());
+            while above - below > 1 {
+                let middle = below.midpoint(above);
+                *(if byte(f64::from_bits(middle)) < f64::from(k) { &mut below } else { &mut above }) = middle;
+            }
+            from[usize::from(k)] = f64::from_bits(above);
+        }
+        let cells = (0..=Self::CELLS).map(|cell| byte(cell as f64 / Self::CELLS as f64) as u8).collect();
+        Self { byte: cells, from }
+    }
+
+    /// The byte of a linear value from 0 to 1.
+    #[must_use]
+    pub fn of(&self, x: f64) -> u8 {
+        let lower = self.byte[(x * Self::CELLS as f64) as usize];
+        lower + u8::from(x >= self.from[usize::from(lower) + 1])
+    }
+}
+
+impl Default for SrgbBytes {
+    fn default() -> Self {
+        Self::new()
+    }
 }

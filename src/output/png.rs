@@ -8,11 +8,13 @@ use std::{
     io::{self, Write},
     path::Path,
     sync::mpsc::{Receiver, Sender, channel},
+    thread,
 };
 
 use ::png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, StreamWriter};
 
-use super::{AtomicFile, FileSettings, ImageWriter, OutputError, band::Rows, color::display};
+use super::color::{SrgbBytes, shown, srgb_from_linear};
+use super::{AtomicFile, FileSettings, ImageWriter, OutputError, band::Rows};
 use crate::render::Band;
 use crate::scene::Tonemap;
 
@@ -22,12 +24,19 @@ const MAX_STOPS: f64 = 300.0;
 /// A PNG being written.
 pub struct PngWriter {
     rows: Rows,
-    gain: f64,
-    tonemap: Tonemap,
-    wide: bool,
+    shown: Shown,
     encoder: StreamWriter<'static, Outbox>,
     encoded: Receiver<Vec<u8>>,
     file: AtomicFile,
+}
+
+/// How colours become bytes.
+struct Shown {
+    gain: f64,
+    tonemap: Tonemap,
+    alpha: bool,
+    /// For one byte a value; none for two.
+    bytes: Option<SrgbBytes>,
 }
 
 /// The encoder's end of the channel.
@@ -55,40 +64,61 @@ impl PngWriter {
         let encoder = encoder(Outbox(sender), settings).map_err(|e| encode_error(path, &e))?;
         Ok(Self {
             rows: Rows::new(path.to_owned(), settings.window.size, settings.alpha, Vec::new()),
-            gain: settings.exposure.exp2(),
-            tonemap: settings.tonemap,
-            wide: settings.bits == 16,
+            shown: Shown {
+                gain: settings.exposure.exp2(),
+                tonemap: settings.tonemap,
+                alpha: settings.alpha,
+                bytes: (settings.bits == 8).then(SrgbBytes::new),
+            },
             encoder,
             encoded,
             file,
         })
     }
+}
 
+impl Shown {
     /// The bytes of one row of a band, from pixel `start` of its planes.
-    fn row_bytes(&self, band: &Band, start: usize, out: &mut Vec<u8>) {
-        out.clear();
+    fn row_bytes(&self, band: &Band, start: usize) -> Vec<u8> {
+        let mut out = Vec::new();
         for i in start..start + band.width as usize {
             let color = [band.color[0][i], band.color[1][i], band.color[2][i]];
             // A PNG's colour is that of the part that shows something.
-            let alpha = band.alpha.as_ref().filter(|_| self.rows.alpha).map(|alpha| alpha[i]);
-            let shown = alpha.map_or(color, |alpha| color.map(|c| if alpha > 0.0 { c / alpha } else { c }));
-            for value in display(shown, self.gain, self.tonemap).into_iter().chain(alpha.map(f64::from)) {
-                if self.wide {
+            let alpha = band.alpha.as_ref().filter(|_| self.alpha).map(|alpha| alpha[i]);
+            let color = alpha.map_or(color, |alpha| color.map(|c| if alpha > 0.0 { c / alpha } else { c }));
+            let color = shown(color, self.gain, self.tonemap);
+            if let Some(bytes) = &self.bytes {
+                out.extend(color.map(|value| bytes.of(value)));
+                out.extend(alpha.map(|alpha| (f64::from(alpha) * 255.0).round() as u8));
+            } else {
+                for value in color.map(srgb_from_linear).into_iter().chain(alpha.map(f64::from)) {
                     out.extend(((value * 65535.0).round() as u16).to_be_bytes());
-                } else {
-                    out.push((value * 255.0).round() as u8);
                 }
             }
         }
+        out
+    }
+
+    /// The bytes of a band's rows, made on all cores.
+    fn band_bytes(&self, band: &Band) -> Vec<Vec<u8>> {
+        let width = band.width as usize;
+        let starts: Vec<usize> = (0..band.rows as usize).map(|y| y * width).collect();
+        let workers = thread::available_parallelism().map_or(1, usize::from);
+        thread::scope(|scope| {
+            let parts = starts.chunks(starts.len().div_ceil(workers).max(1)).map(|part| {
+                scope.spawn(move || part.iter().map(|start| self.row_bytes(band, *start)).collect::<Vec<_>>())
+            });
+            let parts: Vec<_> = parts.collect();
+            // A worker that panicked has met a fault of this code: it goes on here.
+            parts.into_iter().flat_map(|part| part.join().unwrap_or_else(|e| std::panic::resume_unwind(e))).collect()
+        })
     }
 }
 
 impl ImageWriter for PngWriter {
     fn write_band(&mut self, band: &Band) -> Result<(), OutputError> {
         self.rows.accept(band)?;
-        let mut row = Vec::new();
-        for y in 0..band.rows as usize {
-            self.row_bytes(band, y * band.width as usize, &mut row);
+        for row in self.shown.band_bytes(band) {
             self.encoder.write_all(&row).map_err(|e| encode_error(&self.rows.path, &e.into()))?;
         }
         drain(&self.encoded, &mut self.file)

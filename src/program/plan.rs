@@ -6,7 +6,7 @@ use super::region_parts::region_parts;
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, generated};
+use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, generated, short_lists};
 use crate::model::Material;
 use crate::model::method::Path;
 use crate::model::source::SOURCES;
@@ -58,7 +58,9 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         material_parts(scene, &mut names);
     }
     let of_kind = |kind: &RegionKind| region_parts(scene, choice.purpose, regions, kind);
-    Ok(Parts { shared: names.units()?, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? })
+    let lengths = short_lists::lengths(scene, regions);
+    let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
+    Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? })
 }
 
 fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {

@@ -8,6 +8,10 @@ fn round_pixel(own: Invocation) -> Place {
     return active_pixel(own);
 }
 
+fn lane_pixels() -> u32 {
+    return 1u;
+}
+
 // Called by every lane of the group.
 fn end_round(followed: bool, pixel: vec2u, lane: u32) {
     keep_active(followed && branches_left(pixel), pixel, lane);

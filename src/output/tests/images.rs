@@ -10,7 +10,7 @@ use super::{folder, names};
 use crate::output::band::{channels, components};
 use crate::output::{
     FileSettings, OutputError,
-    color::{display, srgb_from_linear, tonemapped},
+    color::{SrgbBytes, display, srgb_from_linear, tonemapped},
     open,
 };
 use crate::program::Layer;
@@ -286,4 +286,25 @@ fn exr_layers_must_be_there_and_of_their_kind() {
     band.layers = vec![(Layer::Depth, Plane::Scalar(vec![0.0; 16]))];
     writer.write_band(&band).unwrap();
     writer.finish().unwrap();
+}
+
+/// The table has what the power has, also on both sides of every place where the byte changes.
+#[test]
+fn bytes_are_those_of_the_curve() {
+    let table = SrgbBytes::new();
+    let byte = |x: f64| (srgb_from_linear(x) * 255.0).round() as u8;
+    let mut before = 0;
+    for k in 0..=200_000 {
+        let x = f64::from(k) / 200_000.0;
+        assert_eq!(table.of(x), byte(x), "{x}");
+        if byte(x) > before {
+            let (mut below, mut above) = ((f64::from(k) - 1.0) / 200_000.0, x);
+            while below.next_up() < above {
+                let middle = 0.5 * (below + above);
+                *(if byte(middle) == before { &mut below } else { &mut above }) = middle;
+            }
+            assert_eq!([table.of(below), table.of(above)], [before, before + 1], "{above}");
+            before = byte(x);
+        }
+    }
 }

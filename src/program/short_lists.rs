@@ -1,0 +1,77 @@
+//! Short lists in uniforms.
+//!
+//! *Theory.* Lists of the scene lie in storage, which has room for any number. A device that runs lanes side by side reads a storage
+//! buffer for each lane by itself; a uniform it reads for all of them at once where they ask for the same, and on lavapipe at half the
+//! cost where they do not. And a list whose length the linker knows may be walked without a loop.
+//!
+//! *Practice.* `var<storage, read> lights: array<Light>` becomes `var<uniform> lights: array<Light, 3>`, and `arrayLength(&lights)`
+//! that number. Only lists of up to [`SHORT`] entries: what a pass reads of uniforms has to fit into a device's limit.
+
+use std::borrow::Cow;
+
+use super::regions::Regions;
+use super::unit::{Author, Unit};
+use crate::model::shape::SOLIDS;
+use crate::scene::{Light, Object, Scene};
+
+/// Entries that a list in a uniform may have.
+const SHORT: usize = 32;
+
+/// The lists that may be short, with their lengths in this scene.
+pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, usize)> {
+    let placed = SOLIDS.into_iter().filter_map(|solid| {
+        let is = |object: &&Object| object.solid() == solid;
+        Some((solid.lists.as_ref()?.placed, scene.objects.iter().filter(is).count()))
+    });
+    let is_point = |light: &&Light| matches!(light, Light::Point { .. });
+    let points = scene.lights.iter().filter(is_point).count();
+    let others = [
+        ("materials", scene.materials.len() + regions.regions.len()),
+        ("point_lights", points),
+        ("directional_lights", scene.lights.len() - points),
+    ];
+    others.into_iter().chain(placed).collect()
+}
+
+/// The unit with those of its lists that are short in uniforms.
+pub(super) fn in_uniforms(unit: Unit, lengths: &[(&str, usize)]) -> Unit {
+    if unit.author == Author::User {
+        return unit;
+    }
+    let mut text = unit.text.clone();
+    for (name, length) in lengths.iter().filter(|(_, length)| (1..=SHORT).contains(length)) {
+        let asked = format!("arrayLength(&{name})");
+        let storage = format!("var<storage, read> {name}: array<");
+        let declared = text.find(&storage).and_then(|at| {
+            let of = at + storage.len();
+            Some((at, of, of + text[of..].find(">;")?))
+        });
+        if let Some((at, of, end)) = declared {
+            let uniform = format!("var<uniform> {name}: array<{}, {length}>", &text[of..end]);
+            text = Cow::Owned([&text[..at], &uniform, &text[end + 1..]].concat());
+        }
+        if text.contains(&asked) {
+            text = Cow::Owned(text.replace(&asked, &format!("{length}u")));
+        }
+    }
+    Unit { text, ..unit }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_lists_move_and_long_ones_stay() {
+        let text = "struct A { b: vec4f }\n@group(0) @binding(7) var<storage, read> list: array<A>;\n\
+                    fn sum() -> f32 {\n    var sum = 0.0;\n    for (var i = 0u; i < arrayLength(&list); i++) {\n        \
+                    sum += list[i].b.x;\n    }\n    return sum;\n}\n";
+        let unit = Unit::generated("list.wgsl", text.to_owned());
+        let moved = in_uniforms(unit.clone(), &[("other", 1), ("list", 3)]).text;
+        assert!(moved.contains("@binding(7) var<uniform> list: array<A, 3>;"), "{moved}");
+        assert!(moved.contains("i < 3u;") && !moved.contains("arrayLength"), "{moved}");
+        for length in [0, SHORT + 1] {
+            assert_eq!(in_uniforms(unit.clone(), &[("list", length)]).text, text);
+        }
+    }
+}
