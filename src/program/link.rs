@@ -15,6 +15,7 @@ use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
 use super::linked::{Copy, Edit, Linked};
 use super::lower::Lowering;
+use super::selections::selected;
 use super::unit::{Author, Parts, Unit};
 use super::unroll::unrolled;
 
@@ -23,7 +24,7 @@ type Found<'a> = (usize, Declaration<'a>);
 
 /// The program of the pass whose entry point is `entry`.
 pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
-    let parts = &unrolled(parts);
+    let parts = &selected(unrolled(parts));
     let mut copies = with_region_copies(parts, entry)?;
     let mut all = Vec::new();
     for (k, copy) in copies.iter().enumerate() {

@@ -26,6 +26,7 @@ mod reflect;
 mod region_parts;
 mod regions;
 mod scopes;
+mod selections;
 mod short_lists;
 mod signature;
 mod structure;

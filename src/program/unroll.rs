@@ -34,7 +34,7 @@ pub(super) fn unrolled(parts: &Parts) -> Parts {
 }
 
 /// Whole numbers that units give a name.
-fn constants(units: &[Unit]) -> HashMap<String, u32> {
+pub(super) fn constants(units: &[Unit]) -> HashMap<String, u32> {
     let mut named = HashMap::new();
     for unit in units.iter().filter(|unit| unit.text.contains("const")) {
         let tokens = Tokens::of(&unit.text);
