@@ -1,6 +1,8 @@
 //! Options that several commands share.
 
+use std::panic;
 use std::path::PathBuf;
+use std::thread::{self, JoinHandle};
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -149,11 +151,10 @@ impl DeviceFlags {
         }
     }
 
-    /// Opens the device, and says which.
-    pub(super) fn open(&self) -> Result<Gpu, GpuError> {
-        let gpu = Gpu::open(self.device.as_deref())?;
-        eprintln!("device: {} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.backend);
-        Ok(gpu)
+    /// Begins to open the device, while the scene is read.
+    pub(super) fn open(&self) -> Opening {
+        let name = self.device.clone();
+        Opening(Some(thread::spawn(move || Gpu::open(name.as_deref()))))
     }
 
     /// Is K left open?
@@ -185,6 +186,27 @@ impl DeviceFlags {
             segments: self.segments_per_pass.unwrap_or(default.segments),
             ..default
         }
+    }
+}
+
+/// A device that is being opened. It is waited for in any case: a driver must not be left in the middle of its start.
+pub(super) struct Opening(Option<JoinHandle<Result<Gpu, GpuError>>>);
+
+impl Opening {
+    /// Waits for the device, and says which it is.
+    pub(super) fn finish(mut self) -> Result<Gpu, GpuError> {
+        let opened = self.0.take().map(JoinHandle::join);
+        let lost = || Err(GpuError::Lost("it could not be opened".to_owned()));
+        // A thread that panicked has met a fault of this code: it goes on here.
+        let gpu = opened.map_or_else(lost, |opened| opened.unwrap_or_else(|e| panic::resume_unwind(e)))?;
+        eprintln!("device: {} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.backend);
+        Ok(gpu)
+    }
+}
+
+impl Drop for Opening {
+    fn drop(&mut self) {
+        drop(self.0.take().map(JoinHandle::join));
     }
 }
 

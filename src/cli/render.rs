@@ -144,6 +144,7 @@ impl Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut launch = StartUp::default();
     arguments.check()?;
+    let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
     let still = arguments.load(&film, None)?;
     let frames: Vec<Option<u32>> = match arguments.frames {
@@ -160,7 +161,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let begun = Instant::now();
     let scene = if frames[0].is_some() { arguments.load(&film, frames[0])? } else { still };
     launch.next();
-    let gpu = arguments.device.open()?;
+    let gpu = opening.finish()?;
     launch.next();
     let settings = arguments.device.settings(arguments.layers(&scene));
     let settings = RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };

@@ -66,6 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if arguments.plot.is_some() && arguments.plot == arguments.output {
         return Err(Error::Usage("--plot and -o name the same file".to_owned()));
     }
+    let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
     let scene = film.load(None)?;
     if arguments.drift && scene.rays.asymptotic {
@@ -81,7 +82,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         None => None,
     };
     arguments.plot.as_deref().map_or(Ok(()), check_plot)?;
-    let gpu = arguments.device.open()?;
+    let gpu = opening.finish()?;
     let settings = arguments.device.settings(Vec::new());
     let (scene, settings) = settle(&gpu, (&film, None), scene, settings, Rays::Given(rays))?;
     if !arguments.path && (table.is_some() || arguments.drift) {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::thread;
 
 use half::f16;
 use half::slice::HalfFloatSliceExt;
@@ -135,14 +136,7 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
     });
     let rows = (BAND / width).max(1);
     for (k, pixels) in picture.pixels.chunks((rows * width) as usize).enumerate() {
-        let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
-        let mut halved = vec![f16::ZERO; if halves { 4 * texels.len() } else { 0 }];
-        let bytes: &[u8] = if halves {
-            halved.convert_from_f32_slice(texels.as_flattened());
-            bytemuck::cast_slice(&halved)
-        } else {
-            bytemuck::cast_slice(&texels)
-        };
+        let bytes = texels(pixels, halves);
         let size = Extent3d { width, height: pixels.len() as u32 / width, depth_or_array_layers: 1 };
         let origin = Origin3d { y: k as u32 * rows, ..Origin3d::ZERO };
         let row = TexelCopyBufferLayout {
@@ -150,11 +144,33 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
             bytes_per_row: Some(bytes.len() as u32 / size.height),
             rows_per_image: None,
         };
-        gpu.queue.write_texture(TexelCopyTextureInfo { origin, ..texture.as_image_copy() }, bytes, row, size);
+        gpu.queue.write_texture(TexelCopyTextureInfo { origin, ..texture.as_image_copy() }, &bytes, row, size);
         // What is written is held in memory until then.
         gpu.queue.submit([]);
     }
     Ok(texture)
+}
+
+/// The bytes of opaque texels, made on all cores.
+fn texels(pixels: &[[f32; 3]], halves: bool) -> Vec<u8> {
+    let bytes = 4 * if halves { size_of::<f16>() } else { size_of::<f32>() };
+    let mut all = vec![0; pixels.len() * bytes];
+    let share = pixels.len().div_ceil(thread::available_parallelism().map_or(1, usize::from)).max(1);
+    thread::scope(|scope| {
+        for (pixels, out) in pixels.chunks(share).zip(all.chunks_mut(share * bytes)) {
+            scope.spawn(move || {
+                let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
+                if halves {
+                    let mut halved = vec![f16::ZERO; 4 * texels.len()];
+                    halved.convert_from_f32_slice(texels.as_flattened());
+                    out.copy_from_slice(bytemuck::cast_slice(&halved));
+                } else {
+                    out.copy_from_slice(bytemuck::cast_slice(&texels));
+                }
+            });
+        }
+    });
+    all
 }
 
 impl Source<'_> {
