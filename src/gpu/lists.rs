@@ -7,7 +7,7 @@ use super::geometry::PlacedShape;
 use super::hierarchy::Node;
 use super::records::{pack, pack_shared};
 use super::source::Source;
-use crate::model::Value::{self, Float, Uint, Vec3};
+use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, Purpose, constant};
@@ -71,7 +71,11 @@ impl Source<'_> {
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
             "nodes" => {
                 let row = |(node, [lo, hi]): (&Node, [DVec3; 2])| {
-                    [("lo", Vec3(lo)), ("hi", Vec3(hi)), ("skip", Uint(node.skip)), ("leaf", Uint(node.leaf))]
+                    let bits = |corner: DVec3, last| {
+                        let [x, y, z] = corner.as_vec3().to_array().map(f32::to_bits);
+                        Uint4([x, y, z, last])
+                    };
+                    [("lo_skip", bits(lo, node.skip)), ("hi_leaf", bits(hi, node.leaf))]
                 };
                 pack(name, layout, g.structure.nodes.iter().zip(g.structure.boxes()).map(row)).map(Some)
             }

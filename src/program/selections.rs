@@ -49,18 +49,16 @@ pub(super) fn selected(mut parts: Parts) -> Parts {
 
 /// The short lists that a text declares: `var<uniform> list: array<Entry, 3>;`
 fn lists(text: &str, length: &impl Fn(&str) -> Option<u32>) -> Vec<List> {
-    let declared = text.split("var<uniform> ").skip(1).filter_map(|declaration| {
-        let (name, rest) = declaration.split_once(": array<")?;
-        let (of, rest) = rest.split_once(", ")?;
-        let length = length(rest.split_once(">;")?.0)?;
-        let is_name = name.chars().chain(of.chars()).all(|c| c.is_alphanumeric() || c == '_');
-        (is_name && is_met(name) && (1..=FEW).contains(&length)).then(|| List {
-            name: name.to_owned(),
-            of: of.to_owned(),
-            length,
-        })
+    let tokens = Tokens::of(text);
+    let all = (0..tokens.len()).filter_map(|i| {
+        let signs = [(0, "<"), (1, "uniform"), (2, ">"), (4, ":"), (5, "array"), (6, "<"), (8, ",")];
+        let is_list = tokens.before(i) == "var" && signs.into_iter().all(|(k, sign)| tokens.word(i + k) == sign);
+        let (name, of) = (tokens.word(i + 3), tokens.word(i + 7));
+        let length =
+            length(tokens.word(i + 9)).filter(|length| is_list && is_met(name) && (1..=FEW).contains(length))?;
+        Some(List { name: name.to_owned(), of: of.to_owned(), length })
     });
-    declared.collect()
+    all.collect()
 }
 
 /// Is it a list of shapes, as segments meet them?

@@ -7,9 +7,10 @@
 //! *Practice.* `var<storage, read> lights: array<Light>` becomes `var<uniform> lights: array<Light, 3>`, and `arrayLength(&lights)`
 //! that number. Only lists of up to [`SHORT`] entries: what a pass reads of uniforms has to fit into a device's limit.
 
-use std::borrow::Cow;
+use std::ops::Range;
 
 use super::regions::Regions;
+use super::tokens::Tokens;
 use super::unit::{Author, Unit};
 use crate::model::shape::SOLIDS;
 use crate::scene::{Light, Object, Scene};
@@ -38,23 +39,33 @@ pub(super) fn in_uniforms(unit: Unit, lengths: &[(&str, usize)]) -> Unit {
     if unit.author == Author::User {
         return unit;
     }
-    let mut text = unit.text.clone();
-    for (name, length) in lengths.iter().filter(|(_, length)| (1..=SHORT).contains(length)) {
-        let asked = format!("arrayLength(&{name})");
-        let storage = format!("var<storage, read> {name}: array<");
-        let declared = text.find(&storage).and_then(|at| {
-            let of = at + storage.len();
-            Some((at, of, of + text[of..].find(">;")?))
-        });
-        if let Some((at, of, end)) = declared {
-            let uniform = format!("var<uniform> {name}: array<{}, {length}>", &text[of..end]);
-            text = Cow::Owned([&text[..at], &uniform, &text[end + 1..]].concat());
-        }
-        if text.contains(&asked) {
-            text = Cow::Owned(text.replace(&asked, &format!("{length}u")));
+    let tokens = Tokens::of(&unit.text);
+    let short = |word: &str| {
+        let found = lengths.iter().find(|(name, length)| *name == word && (1..=SHORT).contains(length));
+        found.map(|(_, length)| *length)
+    };
+    let mut text = String::new();
+    let mut done = 0;
+    let mut replace = |range: Range<usize>, new: &str| {
+        text += &unit.text[done..range.start];
+        text += new;
+        done = range.end;
+    };
+    for i in 0..tokens.len() {
+        let word = |k: usize| tokens.word(i + k);
+        let is = |signs: &[(usize, &str)]| signs.iter().all(|(k, sign)| word(*k) == *sign);
+        if is(&[(0, "<"), (1, "storage"), (2, ","), (3, "read"), (4, ">"), (6, ":"), (7, "array"), (8, "<"), (10, ">")])
+        {
+            let Some(length) = short(word(5)) else { continue };
+            replace(tokens.range(i).start..tokens.range(i + 4).end, "<uniform>");
+            replace(tokens.range(i + 10), &format!(", {length}>"));
+        } else if is(&[(0, "arrayLength"), (1, "("), (2, "&"), (4, ")")]) {
+            let Some(length) = short(word(3)) else { continue };
+            replace(tokens.range(i).start..tokens.range(i + 4).end, &format!("{length}u"));
         }
     }
-    Unit { text, ..unit }
+    text += &unit.text[done..];
+    Unit { text: text.into(), ..unit }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Triangles: no gaps between neighbours, and hits.
 
-use bentray::model::Value::{Float, Uint, Vec3 as V3};
+use bentray::model::Value::{Float, Uint, Uint4, Vec3 as V3};
 use bentray::program::constant;
 use glam::{DVec3, Vec3, Vec4};
 
@@ -137,8 +137,12 @@ impl Mesh {
         let node = |of: &[[Vec3; 3]], skip: u32, leaf: u32| -> Record {
             let all = all(of);
             let lo = all.iter().copied().reduce(Vec3::min).expect("corners");
-            let [lo, hi] = grown(lo, all.iter().copied().reduce(Vec3::max).expect("corners")).map(Vec3::as_dvec3);
-            vec![("lo", V3(lo)), ("hi", V3(hi)), ("skip", Uint(skip)), ("leaf", Uint(leaf))]
+            let [lo, hi] = grown(lo, all.iter().copied().reduce(Vec3::max).expect("corners"));
+            let bits = |corner: Vec3, last| {
+                let [x, y, z] = corner.to_array().map(f32::to_bits);
+                Uint4([x, y, z, last])
+            };
+            vec![("lo_skip", bits(lo, skip)), ("hi_leaf", bits(hi, leaf))]
         };
         let leaves = self.0.chunks(4).enumerate();
         let mut nodes = vec![node(&self.0, 1 + self.0.len() as u32 / 4, 0)];
