@@ -47,7 +47,7 @@ pub fn display(color: [f32; 3], gain: f64, tonemap: Tonemap) -> [f64; 3] {
 
 /// The sRGB encoding in whole numbers of 8 bits, rounded: to the bit what [`srgb_from_linear`] has, by a table in place of its power.
 ///
-/// The curve is steepest at 0, where it rises by 12.92 · 255 < [`Self::CELLS`]: no cell of the table has more than one of the places
+/// The curve is steepest at 0, where it rises by 12.92 · 255, less than the table has cells: no cell has more than one of the places
 /// where the rounded value changes.
 pub struct SrgbBytes {
     /// The byte of each cell's lower end.
