@@ -235,6 +235,7 @@ fn settled(mut scene: Scene, first: &Scene) -> Scene {
         scene.rays.control = first.rays.control;
         scene.rays.max_segments = first.rays.max_segments;
         scene.rays.precision = first.rays.precision;
+        scene.rays.closed_forms = first.rays.closed_forms;
     }
     scene
 }

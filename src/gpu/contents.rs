@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::thread;
 
 use half::f16;
 use half::slice::HalfFloatSliceExt;
+use rayon::prelude::*;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
     Buffer, BufferUsages, Extent3d, Origin3d, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureDescriptor,
@@ -112,6 +112,8 @@ fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError
 
 /// Pixels that are converted and written at once.
 const BAND: u32 = 1 << 20;
+/// Those of one task of a core.
+const SHARE: usize = 1 << 14;
 
 /// In 16 bits where its values fit.
 fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
@@ -155,19 +157,14 @@ fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
 fn texels(pixels: &[[f32; 3]], halves: bool) -> Vec<u8> {
     let bytes = 4 * if halves { size_of::<f16>() } else { size_of::<f32>() };
     let mut all = vec![0; pixels.len() * bytes];
-    let share = pixels.len().div_ceil(thread::available_parallelism().map_or(1, usize::from)).max(1);
-    thread::scope(|scope| {
-        for (pixels, out) in pixels.chunks(share).zip(all.chunks_mut(share * bytes)) {
-            scope.spawn(move || {
-                let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
-                if halves {
-                    let mut halved = vec![f16::ZERO; 4 * texels.len()];
-                    halved.convert_from_f32_slice(texels.as_flattened());
-                    out.copy_from_slice(bytemuck::cast_slice(&halved));
-                } else {
-                    out.copy_from_slice(bytemuck::cast_slice(&texels));
-                }
-            });
+    all.par_chunks_mut(SHARE * bytes).zip(pixels.par_chunks(SHARE)).for_each(|(out, pixels)| {
+        let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
+        if halves {
+            let mut halved = vec![f16::ZERO; 4 * texels.len()];
+            halved.convert_from_f32_slice(texels.as_flattened());
+            out.copy_from_slice(bytemuck::cast_slice(&halved));
+        } else {
+            out.copy_from_slice(bytemuck::cast_slice(&texels));
         }
     });
     all

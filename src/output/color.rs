@@ -3,6 +3,8 @@
 //! A pixel with a component that is negative, infinite or not a number is the mark of a fault somewhere; it is shown
 //! in magenta rather than clamped to look like the others. The arithmetic is in `f64`, where no `f32` overflows.
 
+use std::sync::LazyLock;
+
 use crate::scene::Tonemap;
 
 /// The mapped value of a linear one, from 0 to 1: cut off at 1, or bent by Narkowicz's fit of the ACES film curve (2015),
@@ -59,9 +61,14 @@ pub struct SrgbBytes {
 impl SrgbBytes {
     const CELLS: usize = 4096;
 
-    /// Makes the table.
+    /// The table, which is made when it is first asked for.
     #[must_use]
-    pub fn new() -> Self {
+    pub fn table() -> &'static Self {
+        static TABLE: LazyLock<SrgbBytes> = LazyLock::new(SrgbBytes::new);
+        &TABLE
+    }
+
+    fn new() -> Self {
         let byte = |x: f64| (srgb_from_linear(x) * 255.0).round();
         let mut from = [f64::INFINITY; 257];
         from[0] = 0.0;
@@ -83,11 +90,5 @@ impl SrgbBytes {
     pub fn of(&self, x: f64) -> u8 {
         let lower = self.byte[(x * Self::CELLS as f64) as usize];
         lower + u8::from(x >= self.from[usize::from(lower) + 1])
-    }
-}
-
-impl Default for SrgbBytes {
-    fn default() -> Self {
-        Self::new()
     }
 }

@@ -11,7 +11,6 @@
 use std::{
     io::{Seek, SeekFrom, Write},
     path::Path,
-    thread,
 };
 
 use ::exr::{
@@ -26,6 +25,7 @@ use ::exr::{
     },
     prelude::{Compression, SmallVec},
 };
+use rayon::prelude::*;
 
 use super::band::{Rows, channels as channels_of, components, is_id};
 use super::{AtomicFile, FileSettings, ImageWriter, OutputError};
@@ -132,27 +132,8 @@ pub(super) fn row_bytes(header: &Header) -> usize {
 fn compress_all(header: &Header, first: usize, bytes: &[u8]) -> Result<Vec<Chunk>, ExrError> {
     let row_bytes = row_bytes(header);
     let blocks: Vec<(usize, &[u8])> = (first..).zip(bytes.chunks(BLOCK_ROWS * row_bytes)).collect();
-    let workers = thread::available_parallelism().map_or(1, usize::from);
-    let share = blocks.len().div_ceil(workers).max(1);
-    thread::scope(|scope| {
-        let tasks: Vec<_> = blocks
-            .chunks(share)
-            .map(|part| {
-                scope.spawn(move || {
-                    part.iter()
-                        .map(|(index, data)| compress(header, *index, data.len() / row_bytes, data))
-                        .collect::<Result<Vec<_>, _>>()
-                })
-            })
-            .collect();
-        let mut chunks = Vec::with_capacity(blocks.len());
-        for task in tasks {
-            // A worker that panicked has met a fault of the encoder: it goes on here.
-            let part = task.join().unwrap_or_else(|e| std::panic::resume_unwind(e));
-            chunks.extend(part?);
-        }
-        Ok(chunks)
-    })
+    let compressed = blocks.par_iter().map(|(index, data)| compress(header, *index, data.len() / row_bytes, data));
+    compressed.collect()
 }
 
 fn compress(header: &Header, index: usize, rows: usize, data: &[u8]) -> Result<Chunk, ExrError> {

@@ -8,10 +8,10 @@ use std::{
     io::{self, Write},
     path::Path,
     sync::mpsc::{Receiver, Sender, channel},
-    thread,
 };
 
 use ::png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, StreamWriter};
+use rayon::prelude::*;
 
 use super::color::{SrgbBytes, shown, srgb_from_linear};
 use super::{AtomicFile, FileSettings, ImageWriter, OutputError, band::Rows};
@@ -36,7 +36,7 @@ struct Shown {
     tonemap: Tonemap,
     alpha: bool,
     /// For one byte a value; none for two.
-    bytes: Option<SrgbBytes>,
+    bytes: Option<&'static SrgbBytes>,
 }
 
 /// The encoder's end of the channel.
@@ -68,7 +68,7 @@ impl PngWriter {
                 gain: settings.exposure.exp2(),
                 tonemap: settings.tonemap,
                 alpha: settings.alpha,
-                bytes: (settings.bits == 8).then(SrgbBytes::new),
+                bytes: (settings.bits == 8).then(SrgbBytes::table),
             },
             encoder,
             encoded,
@@ -102,16 +102,7 @@ impl Shown {
     /// The bytes of a band's rows, made on all cores.
     fn band_bytes(&self, band: &Band) -> Vec<Vec<u8>> {
         let width = band.width as usize;
-        let starts: Vec<usize> = (0..band.rows as usize).map(|y| y * width).collect();
-        let workers = thread::available_parallelism().map_or(1, usize::from);
-        thread::scope(|scope| {
-            let parts = starts.chunks(starts.len().div_ceil(workers).max(1)).map(|part| {
-                scope.spawn(move || part.iter().map(|start| self.row_bytes(band, *start)).collect::<Vec<_>>())
-            });
-            let parts: Vec<_> = parts.collect();
-            // A worker that panicked has met a fault of this code: it goes on here.
-            parts.into_iter().flat_map(|part| part.join().unwrap_or_else(|e| std::panic::resume_unwind(e))).collect()
-        })
+        (0..band.rows as usize).into_par_iter().map(|y| self.row_bytes(band, y * width)).collect()
     }
 }
 
