@@ -17,6 +17,7 @@ mod methods;
 mod oracle;
 mod orders;
 mod own_laws;
+mod parametric;
 mod pictures;
 mod sampling;
 mod schedules;

@@ -7,7 +7,3 @@ fn law_derivative(p: Phase) -> Phase {
 fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     return rate[1].xyz;
 }
-
-fn law_start(x: Real3, v: Real3) -> Phase {
-    return Phase(Real4(x, 0.0), Real4(v, 0.0));
-}

@@ -35,10 +35,10 @@ pub struct Node {
 /// Items in one leaf, at most.
 pub(super) const LEAF: u32 = 4;
 
-/// The nodes, and the items in the order of the leaves.
-pub(super) fn hierarchy(items: &[Item]) -> (Vec<Node>, Vec<u32>) {
+/// The nodes, and the items in the order of the leaves, of which none has more than `leaf`.
+pub(super) fn hierarchy(items: &[Item], leaf: u32) -> (Vec<Node>, Vec<u32>) {
     let boxes: Vec<Aabb> = items.iter().enumerate().map(|(i, item)| apart(i, item)).collect();
-    let params = BvhBuildParams { max_prims_per_leaf: LEAF, pre_split: false, ..BvhBuildParams::medium_build() };
+    let params = BvhBuildParams { max_prims_per_leaf: leaf, pre_split: false, ..BvhBuildParams::medium_build() };
     let bvh = build_bvh2(&boxes, params, &mut std::time::Duration::default());
     let (mut nodes, mut order) = (Vec::new(), Vec::with_capacity(items.len()));
     flatten(&bvh, items, &mut nodes, &mut order);
@@ -135,7 +135,7 @@ mod tests {
         let side = |i: u32| Vec3::new((i % 50) as f32, (i / 50) as f32, 0.0);
         let floor = items((0..3000).map(|i| (side(i), side(i) + Vec3::new(1.0, 1.0, 0.0))));
         for (name, items) in [("walls", walls), ("same", same), ("floor", floor)] {
-            let (nodes, order) = hierarchy(&items);
+            let (nodes, order) = hierarchy(&items, LEAF);
             let mut each = order.clone();
             each.sort_unstable();
             assert!(each.into_iter().eq(0..3000), "{name}");

@@ -5,13 +5,14 @@ use glam::DVec3;
 use super::GpuError;
 use super::geometry::PlacedShape;
 use super::hierarchy::Node;
+use super::ray_tree::{RayNode, object_tree, ray_tree};
 use super::records::{pack, pack_shared};
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, Purpose, constant};
-use crate::scene::Light;
+use crate::scene::{Light, Segment};
 
 impl Source<'_> {
     /// What the scene's kinds feed their own parts.
@@ -79,6 +80,8 @@ impl Source<'_> {
                 };
                 pack(name, layout, g.structure.nodes.iter().zip(g.structure.boxes()).map(row)).map(Some)
             }
+            "ray_nodes" => pack(name, layout, self.ray_nodes()).map(Some),
+            "object_nodes" => pack(name, layout, self.object_nodes()).map(Some),
             "triangles" => pack(
                 name,
                 layout,
@@ -178,6 +181,54 @@ impl Source<'_> {
         let listed = opaque.filter(|shape| shape.bit.is_none()).chain(sided).map(shape);
         let part = |[lo, hi]: [DVec3; 2]| row((0.5 * (lo + hi), 0.5 * lo.distance(hi)), DVec3::ZERO);
         listed.chain(g.structure.parts().map(part)).collect()
+    }
+
+    /// The tree over the curve that all rays follow.
+    fn ray_nodes(&self) -> Vec<Row> {
+        let rays = &self.scene.rays;
+        let tolerance = match rays.segment {
+            Segment::Arc { tolerance } => tolerance,
+            Segment::Chord { .. } => f64::INFINITY,
+        };
+        let length = rays.length.unwrap_or(f64::MAX);
+        let nodes = self.scene.law.curve().map(|curve| ray_tree(curve, length, tolerance)).unwrap_or_default();
+        let row = |node: &RayNode| {
+            // Larger than these are by what 32 bits hide of them.
+            let corner = |at: DVec3, sign: f64| at + sign * 1e-6 * at.abs();
+            let [lo, hi] = node.corners;
+            row! {
+                lo: Vec3(corner(lo, -1.0)),
+                begin: Float(node.tau[0]),
+                hi: Vec3(corner(hi, 1.0)),
+                end: Float(node.tau[1]),
+                skip: Uint(node.skip),
+                leaf: Uint(u32::from(node.leaf)),
+            }
+        };
+        nodes.iter().map(row).collect()
+    }
+
+    /// The hierarchy of objects that it is walked against.
+    fn object_nodes(&self) -> Vec<Row> {
+        let g = self.geometry;
+        let held = |name: &str| g.analysis.structure.solids.iter().any(|solid| solid.name == name);
+        let listed = g.placed.iter().filter(|(name, _)| !held(name)).flat_map(|(_, shapes)| shapes);
+        let own = |shape: &PlacedShape| {
+            let (lo, hi) = g.boxes[shape.object as usize];
+            (lo.as_vec3(), hi.as_vec3())
+        };
+        let nodes = object_tree(listed.map(own).chain(g.structure.coarse()));
+        let row = |node: &Node| {
+            let (lo, hi) = (node.lo.as_dvec3(), node.hi.as_dvec3());
+            let slack = 2e-6 * lo.abs().max(hi.abs());
+            row! {
+                lo: Vec3(lo - slack),
+                skip: Uint(node.skip),
+                hi: Vec3(hi + slack),
+                leaf: Uint(u32::from(node.leaf != 0)),
+            }
+        };
+        nodes.iter().map(row).collect()
     }
 
     /// The objects that touch others, the opaque ones first.

@@ -13,6 +13,7 @@ mod hierarchy;
 mod lists;
 mod media;
 mod pipeline;
+mod ray_tree;
 mod records;
 mod slots;
 mod source;

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use glam::{DVec3, Vec3};
 
 use super::hierarchy::{Item, LEAF, Node, hierarchy};
+use super::ray_tree;
 use crate::program::{Extent, PARTS, Search, constant};
 
 /// The cells of a grid.
@@ -54,7 +55,7 @@ impl Built {
         if let Some(same) = before.filter(|before| before.search() == search && before.over == over) {
             return same;
         }
-        let (nodes, order) = hierarchy(&over);
+        let (nodes, order) = hierarchy(&over, LEAF);
         let top = opened(&nodes, PARTS);
         let mut ordered: Vec<Item> = order.iter().map(|&i| over[i as usize]).collect();
         let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
@@ -81,6 +82,12 @@ impl Built {
             None if self.nodes.is_empty() => Search::List,
             None => Search::Hierarchy,
         }
+    }
+
+    /// Boxes that together hold all that is in it, close about it.
+    #[must_use]
+    pub fn coarse(&self) -> Vec<(Vec3, Vec3)> {
+        ray_tree::coarse(&self.over, &self.nodes)
     }
 
     /// Boxes that together hold all that is in it, `PARTS` of them: some twice where it has no more.

@@ -1,4 +1,4 @@
-//! WGSL for formulas: each with its gradient, what they have in common bound once.
+//! WGSL for formulas: each with its gradient, what they have in common bound once; and for curves.
 //!
 //! *Practice.* Nodes of the formula's graph that are used more than once become a `let`, all others stand where they are used.
 //! Powers are multiplied out by repeated squaring. Numbers are written so that they are a `Real` in either precision: WGSL takes a
@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use super::generated::{switch, unit};
 use super::unit::Unit;
-use crate::scene::{Axis, Formula, Function, Graph, Id, Node};
+use crate::scene::{Curve, Formula, Function, Graph, Id, Node, Variable};
 
 /// `formula(q)`: gradient and value at q, of the formula that `place` counts.
 pub(super) fn formulas(formulas: &[Formula]) -> Unit {
@@ -23,18 +23,42 @@ pub(super) fn formulas(formulas: &[Formula]) -> Unit {
     unit("generated/formula.wgsl", text)
 }
 
+/// `curve_point(t)`, place and velocity, and `curve_pull(t)`, the acceleration.
+pub(super) fn curve(curve: &Curve) -> Unit {
+    let written = |orders: &[usize]| {
+        let graph = curve.graph(0).0;
+        let roots: Vec<Id> = orders.iter().flat_map(|order| curve.graph(*order).1).collect();
+        let (lines, values) = body(graph, &roots, &["t"]);
+        (lines, values.chunks(3).map(|place| format!("Real3({})", place.join(", "))).collect::<Vec<_>>())
+    };
+    let ((lines, point), (more, pull)) = (written(&[0, 1]), written(&[2]));
+    let text = format!(
+        "// ({})\nfn curve_point(t: Real) -> mat2x3<Real> {{\n{lines}    return mat2x3<Real>({});\n}}\n\n\
+         fn curve_pull(t: Real) -> Real3 {{\n{more}    return {};\n}}\n",
+        curve.texts().join(", "),
+        point.join(", "),
+        pull.join(""),
+    );
+    unit("generated/curve.wgsl", text)
+}
+
 fn function(name: &str, formula: &Formula) -> String {
     let (graph, roots) = formula.graph();
-    let reached = graph.reached(&roots);
-    let mut writer =
-        Writer { graph, uses: uses(graph, &reached, &roots), names: BTreeMap::new(), lines: String::new() };
+    let (lines, values) = body(graph, &roots, &["q.x", "q.y", "q.z"]);
+    format!("fn {name}(q: Real3) -> Real4 {{\n{lines}    return Real4({});\n}}\n", values.join(", "))
+}
+
+/// The lines that come first, and what the nodes `roots` then are; `variables` is what WGSL calls them.
+fn body(graph: &Graph, roots: &[Id], variables: &'static [&'static str]) -> (String, Vec<String>) {
+    let reached = graph.reached(roots);
+    let uses = uses(graph, &reached, roots);
+    let mut writer = Writer { graph, variables, uses, names: BTreeMap::new(), lines: String::new() };
     writer.common_places(&reached);
     for id in reached {
         writer.bind(id);
     }
-    let [x, y, z, n] = roots.map(|id| writer.argument(id));
-    let lines = writer.lines;
-    format!("fn {name}(q: Real3) -> Real4 {{\n{lines}    return Real4({x}, {y}, {z}, {n});\n}}\n")
+    let values = roots.iter().map(|id| writer.argument(*id)).collect();
+    (writer.lines, values)
 }
 
 /// How often each node is written where it stands.
@@ -61,6 +85,7 @@ const WHOLE: u8 = 4;
 
 struct Writer<'a> {
     graph: &'a Graph,
+    variables: &'static [&'static str],
     uses: BTreeMap<Id, usize>,
     /// Of what is bound.
     names: BTreeMap<Key, String>,
@@ -132,16 +157,16 @@ impl Writer<'_> {
     }
 
     fn piece(&mut self, id: Id) -> (String, u8) {
-        let axis = |axis: Axis| ["x", "y", "z"][axis as usize];
+        let own = |variable: Variable| self.variables.get(usize::from(variable.0)).copied().unwrap_or("");
         match self.graph.node(id) {
             Node::Number(bits) => {
                 let value = f64::from_bits(bits);
                 (format!("{value:?}"), if value < 0.0 { MINUS } else { WHOLE })
             }
-            Node::Place(a) => (format!("q.{}", axis(a)), WHOLE),
+            Node::Variable(a) => (own(a).to_owned(), WHOLE),
             Node::Square => ("square".to_owned(), WHOLE),
             Node::Distance => ("r".to_owned(), WHOLE),
-            Node::Direction(a) => (format!("outward.{}", axis(a)), WHOLE),
+            Node::Direction(a) => (format!("outward.{}", ["x", "y", "z"][usize::from(a.0)]), WHOLE),
             Node::Sum(a, b) => (format!("{} + {}", self.operand(a, SUM), self.operand(b, PRODUCT)), SUM),
             Node::Difference(a, b) => (format!("{} - {}", self.operand(a, SUM), self.operand(b, PRODUCT)), SUM),
             Node::Product(a, b) => (format!("{} * {}", self.operand(a, PRODUCT), self.operand(b, WHOLE)), PRODUCT),

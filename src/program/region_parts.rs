@@ -36,7 +36,7 @@ pub(super) fn region_parts(
     names.add(if orbit { "motion/orbit" } else { "motion/bare_steps" });
     match kind.motion {
         Motion::Law => law_motion(scene, purpose, &mut names)?,
-        Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names),
+        Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names)?,
         Motion::Solved => {
             names.all(&SOLVED_PARTS);
             names.all(&["motion/pace_tau", "method/first_derivative"]);
@@ -48,8 +48,18 @@ pub(super) fn region_parts(
 }
 
 /// A motion in closed form.
-fn closed_motion(form: &ClosedForm, scene: &Scene, regions: &Regions, kind: &RegionKind, names: &mut Names) {
+fn closed_motion(
+    form: &ClosedForm,
+    scene: &Scene,
+    regions: &Regions,
+    kind: &RegionKind,
+    names: &mut Names,
+) -> Result<(), ProgramError> {
     names.all(form.parts);
+    if let Some(curve) = scene.law.curve() {
+        names.wgsl(scene.law.parts())?;
+        names.make(formula::curve(&curve.curve));
+    }
     if let Some([arc, leap]) = form.strides {
         names.add(if kind.leaps { leap } else { arc });
     }
@@ -61,6 +71,7 @@ fn closed_motion(form: &ClosedForm, scene: &Scene, regions: &Regions, kind: &Reg
         Start::ByIndexIfAny if kind.index.is_none() => names.add("law/start_as_given"),
         Start::ByIndex | Start::ByIndexIfAny => names.add("law/start_by_index"),
     }
+    Ok(())
 }
 
 /// The scene's own law, by the scene's own method.
@@ -71,6 +82,9 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
         names.all(&["law/orbit", orbit.part]);
     }
     names.wgsl(scene.law.parts())?;
+    if let Some(curve) = scene.law.curve() {
+        names.make(formula::curve(&curve.curve));
+    }
     if in_plane {
         names.add("motion/closed");
         planar_parts(scene, purpose, names);

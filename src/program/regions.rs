@@ -166,8 +166,8 @@ fn outside(scene: &Scene) -> RegionKind {
         let vacuum: Arc<dyn Medium> = Arc::new(medium::VACUUM);
         return RegionKind { motion: straight, leaps: false, index: Some(vacuum.parts()), media: vec![vacuum] };
     }
-    if scene.law.is_straight() && scene.rays.method.kind.path == Path::Closed {
-        return RegionKind { motion: straight, leaps: false, index: None, media: Vec::new() };
+    if let Some(form) = scene.law.closed_form().filter(|_| scene.rays.method.kind.path == Path::Closed) {
+        return RegionKind { motion: Motion::Closed(form), leaps: false, index: None, media: Vec::new() };
     }
     let Some(medium) = scene.law.medium() else {
         return RegionKind { motion: Motion::Law, leaps: false, index: None, media: Vec::new() };

@@ -18,8 +18,8 @@ mod reference;
 mod tests;
 
 pub use crate::assets::{
-    Axis, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Mesh, Node, Picture, Profile, ProfilePoint,
-    Transform, Vertex,
+    Curve, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Interval, Mesh, Node, Picture, Profile,
+    ProfilePoint, Transform, Variable, Vertex,
 };
 pub use crate::document::{KeyReference, Mistake, Override, SceneError};
 pub use crate::model::cut::{CORNERS, CutPlane, Outline};
@@ -150,7 +150,8 @@ impl Scene {
     #[must_use]
     pub fn has_closed_forms(&self) -> bool {
         let ends = self.rays.length.is_some();
-        self.media().any(|medium| medium.bends() && medium.closed_form(ends).is_some())
+        let of_law = !self.law.is_straight() && self.law.closed_form().is_some();
+        of_law || self.media().any(|medium| medium.bends() && medium.closed_form(ends).is_some())
     }
 
     /// What it demands of the method that follows its rays.

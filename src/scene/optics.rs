@@ -33,13 +33,19 @@ impl Optics<'_> {
         self.law.is_none_or(|law| !law.is_straight()) || self.interiors().any(Medium::bends)
     }
 
+    /// How far an arc's chords are from it, in parts of the bounding sphere's radius, where the scene does not say. A curve in closed
+    /// form is cut where something is near, and nowhere else: there little is saved by a coarser one.
+    pub fn arc_tolerance(&self) -> f64 {
+        if self.law.is_some_and(|law| law.curve().is_some()) { 1e-7 } else { 1e-4 }
+    }
+
     /// What it demands of a method; `ends` where paths end at a given τ.
     pub fn demands(&self, ends: bool, has_chords: bool) -> Demands {
         let is_solved = |medium: &dyn Medium| medium.closed_form(ends).is_none();
         let has_solved_interior = self.interiors().any(is_solved);
         let solved_law = |law: &dyn Law| match law.medium() {
             Some(medium) => is_solved(&**medium),
-            None => !law.is_straight(),
+            None => law.closed_form().is_none(),
         };
         let fills_space = self.law.is_some_and(|law| law.medium().is_some());
         Demands {

@@ -1,11 +1,12 @@
 //! Derivatives of a graph's nodes, as nodes of the same graph.
 
 use super::Function;
-use super::graph::{Axis, Graph, Id, Node};
+use super::graph::{Graph, Id, Node};
+use super::variable::Variable;
 
 impl Graph {
     /// ∂a/∂axis. Where a has a kink, such as |x| at 0, it is that of one side or between the two.
-    pub(super) fn derivative(&mut self, a: Id, axis: Axis) -> Id {
+    pub(super) fn derivative(&mut self, a: Id, axis: Variable) -> Id {
         // Parts come before what they are part of, so that a single pass upwards has all that it needs.
         let mut known: Vec<Option<Id>> = vec![None; a.index() + 1];
         for id in self.reached(&[a]) {
@@ -16,12 +17,14 @@ impl Graph {
     }
 
     /// With the derivatives of the parts given by `of`.
-    fn derivative_of(&mut self, id: Id, axis: Axis, of: &dyn Fn(Id) -> Id) -> Id {
+    fn derivative_of(&mut self, id: Id, axis: Variable, of: &dyn Fn(Id) -> Id) -> Id {
         match self.node(id) {
-            Node::Number(_) | Node::Direction(_) | Node::Choice(_) => self.constant(0.0),
-            Node::Place(own) => self.constant(f64::from(u8::from(own == axis))),
+            // Of functions of place only first derivatives are asked for, which have r's direction and are derived no further.
+            Node::Number(_) | Node::Direction(_) => self.constant(0.0),
+            Node::Choice([a, b, c, d]) => self.choice(a, b, of(c), of(d)),
+            Node::Variable(own) => self.constant(f64::from(u8::from(own == axis))),
             Node::Square => {
-                let (two, place) = (self.constant(2.0), self.make(Node::Place(axis)));
+                let (two, place) = (self.constant(2.0), self.make(Node::Variable(axis)));
                 self.product(two, place)
             }
             Node::Distance => self.make(Node::Direction(axis)),
@@ -54,10 +57,10 @@ impl Graph {
     }
 
     /// k aᵏ⁻¹ a′; of rᵏ it is k rᵏ⁻² x, without a division by r for k ≥ 2.
-    fn derivative_of_power(&mut self, a: Id, k: i32, axis: Axis, of: &dyn Fn(Id) -> Id) -> Id {
+    fn derivative_of_power(&mut self, a: Id, k: i32, axis: Variable, of: &dyn Fn(Id) -> Id) -> Id {
         let factor = self.constant(f64::from(k));
         let (less, inner) = match self.node(a) {
-            Node::Distance => (self.power(a, k - 2), self.make(Node::Place(axis))),
+            Node::Distance => (self.power(a, k - 2), self.make(Node::Variable(axis))),
             _ => (self.power(a, k - 1), of(a)),
         };
         let product = self.product(less, inner);

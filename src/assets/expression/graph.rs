@@ -4,6 +4,7 @@
 
 use super::Function;
 use super::tree::{Extreme, Name, Operator, Tree};
+use super::variable::Variable;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -19,35 +20,19 @@ impl Id {
     }
 }
 
-/// x, y or z.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Axis {
-    /// x.
-    X,
-    /// y.
-    Y,
-    /// z.
-    Z,
-}
-
-impl Axis {
-    /// All three.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
-}
-
 /// A part of a formula or of its gradient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Node {
     /// An f64, by its bits.
     Number(u64),
-    /// x, y or z.
-    Place(Axis),
+    /// A variable.
+    Variable(Variable),
     /// r².
     Square,
     /// r.
     Distance,
     /// x/r, y/r or z/r: the derivative of r, 0 at r = 0.
-    Direction(Axis),
+    Direction(Variable),
     /// a + b.
     Sum(Id, Id),
     /// a − b.
@@ -93,11 +78,16 @@ impl Graph {
         }
     }
 
+    /// The nodes, each behind its parts.
+    pub(super) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
     /// The nodes that a node is made of.
     #[must_use]
     pub fn parts(&self, id: Id) -> Vec<Id> {
         match self.node(id) {
-            Node::Number(_) | Node::Place(_) | Node::Square | Node::Distance | Node::Direction(_) => Vec::new(),
+            Node::Number(_) | Node::Variable(_) | Node::Square | Node::Distance | Node::Direction(_) => Vec::new(),
             Node::Negative(a) | Node::Power(a, _) | Node::Call(_, a) => vec![a],
             Node::Sum(a, b)
             | Node::Difference(a, b)
@@ -125,19 +115,20 @@ impl Graph {
         all().filter(|id| wanted[id.index()]).collect()
     }
 
-    /// The values of all nodes at a place.
+    /// The values of all nodes for these values of the variables; of those that depend on none that is given they are no numbers.
     #[must_use]
-    pub fn evaluate(&self, place: DVec3) -> Vec<f64> {
+    pub fn evaluate(&self, variables: &[f64]) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
-        let axis = |axis: Axis| place[axis as usize];
+        let own = |variable: Variable| variables.get(usize::from(variable.0)).copied().unwrap_or(f64::NAN);
+        let place = DVec3::from_array(Variable::PLACE.map(own));
         for node in &self.nodes {
             let of = |id: Id| values[id.index()];
             values.push(match *node {
                 Node::Number(bits) => f64::from_bits(bits),
-                Node::Place(a) => axis(a),
+                Node::Variable(a) => own(a),
                 Node::Square => place.length_squared(),
                 Node::Distance => place.length(),
-                Node::Direction(a) => axis(a) / place.length().max(f64::MIN_POSITIVE),
+                Node::Direction(a) => own(a) / place.length().max(f64::MIN_POSITIVE),
                 Node::Sum(a, b) => of(a) + of(b),
                 Node::Difference(a, b) => of(a) - of(b),
                 Node::Product(a, b) => of(a) * of(b),
@@ -164,9 +155,7 @@ impl Graph {
     pub(super) fn of_tree(&mut self, tree: &Tree) -> Id {
         match tree {
             Tree::Number(value) => self.constant(*value),
-            Tree::Name(Name::X) => self.make(Node::Place(Axis::X)),
-            Tree::Name(Name::Y) => self.make(Node::Place(Axis::Y)),
-            Tree::Name(Name::Z) => self.make(Node::Place(Axis::Z)),
+            Tree::Name(Name::Variable(_, variable)) => self.make(Node::Variable(*variable)),
             Tree::Name(Name::R) => self.make(Node::Distance),
             Tree::Name(Name::Pi) => self.constant(std::f64::consts::PI),
             Tree::Negative(a) => {

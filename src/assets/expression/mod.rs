@@ -1,29 +1,60 @@
-//! Formulas: a function of place as the user writes it, `1 + 0.1 * exp(-r^2)`, with its exact gradient.
+//! Formulas: a function of place as the user writes it, `1 + 0.1 * exp(-r^2)`, with its exact gradient; and curves, whose coordinates
+//! are functions of t.
 //!
-//! *Theory.* A formula has x, y, z, r = √(x² + y² + z²), numbers, pi, + − * / ^, parentheses and a few functions. Its text becomes
+//! *Theory.* A formula has variables, numbers, pi, + − * / ^, parentheses and a few functions. Its text becomes
 //! a tree (`tokens`, `parse`, `tree`), and the tree a graph in which equal parts are one node (`graph`): there derivatives,
 //! which repeat the function's own parts over and over, stay about as small as the formula (`derive`, `rules`).
 //!
 //! *Practice.* A formula is valid once it is made: every number in it is one of 32-bit floats, no part of it is a constant without
 //! a value. It may still have no value at some places, such as log(x) at x = 0: that is for who evaluates it.
 
+mod curve;
 mod derive;
 mod functions;
 mod graph;
+mod interval;
 mod parse;
 mod rules;
 #[cfg(test)]
 mod tests;
 mod tokens;
 mod tree;
+mod variable;
 
+pub use curve::Curve;
 pub use functions::Function;
-pub use graph::{Axis, Graph, Id, Node};
+pub use graph::{Graph, Id, Node};
+pub use interval::{Enclosure, Interval};
+pub use variable::Variable;
 
 use glam::DVec3;
 use std::fmt;
 use std::ops::Range;
-use tree::Tree;
+use tree::{Name, Tree};
+
+/// The names that formulas of one sort have, besides functions.
+#[derive(Debug)]
+struct Language {
+    names: &'static [Name],
+    /// A formula in them.
+    example: &'static str,
+}
+
+/// Functions of place.
+static PLACE: Language = Language {
+    names: &[
+        Name::Variable("x", Variable::PLACE[0]),
+        Name::Variable("y", Variable::PLACE[1]),
+        Name::Variable("z", Variable::PLACE[2]),
+        Name::R,
+        Name::Pi,
+    ],
+    example: "1 + 0.1 * exp(-r^2)",
+};
+
+/// Functions of a curve's parameter.
+static PARAMETER: Language =
+    Language { names: &[Name::Variable("t", Variable::PARAMETER), Name::Pi], example: "cos(2 * t)" };
 
 /// A function of place and its gradient.
 #[derive(Debug, Clone)]
@@ -48,30 +79,25 @@ pub struct FormulaError {
 impl Formula {
     /// Reads a formula and derives its gradient.
     pub fn parse(text: &str) -> Result<Self, FormulaError> {
-        let tree = parse::parse(text)?;
+        let tree = parse::parse(text, &PLACE)?;
         let mut graph = Graph::default();
         let value = graph.of_tree(&tree);
-        let gradient = Axis::ALL.map(|axis| graph.derivative(value, axis));
-        let formula = Self { tree, graph, value, gradient };
-        formula.check().map_err(|problem| FormulaError {
-            place: 0..text.len(),
-            problem,
-            help: "all numbers, also those that follow from others, are 0 or from 1e-37 to 1e38 in magnitude"
-                .to_owned(),
-        })?;
-        Ok(formula)
+        let gradient = Variable::PLACE.map(|axis| graph.derivative(value, axis));
+        let [x, y, z] = gradient;
+        check(text, &graph, &[x, y, z, value])?;
+        Ok(Self { tree, graph, value, gradient })
     }
 
     /// Its value at a place; not finite where it has none.
     #[must_use]
     pub fn value(&self, place: DVec3) -> f64 {
-        self.graph.evaluate(place)[self.value.index()]
+        self.graph.evaluate(&place.to_array())[self.value.index()]
     }
 
     /// Its gradient at a place.
     #[must_use]
     pub fn gradient(&self, place: DVec3) -> DVec3 {
-        let values = self.graph.evaluate(place);
+        let values = self.graph.evaluate(&place.to_array());
         DVec3::from_array(self.gradient.map(|id| values[id.index()]))
     }
 
@@ -87,26 +113,30 @@ impl Formula {
         let [x, y, z] = self.gradient;
         (&self.graph, [x, y, z, self.value])
     }
+}
 
-    /// Numbers that 32 bits hold, and no constant that could not be worked out.
-    fn check(&self) -> Result<(), String> {
-        let (graph, roots) = self.graph();
-        for id in graph.reached(&roots) {
-            if let Some(number) = graph.number(id) {
-                if number != 0.0 && !(1e-37..=1e38).contains(&number.abs()) {
-                    return Err(format!(
-                        "the number {number:e}, which follows from it, is beyond the range of 32-bit floats"
-                    ));
-                }
-            } else {
-                let parts = graph.parts(id);
-                if !parts.is_empty() && parts.iter().all(|part| graph.number(*part).is_some()) {
-                    return Err("a constant part of it has no finite value".to_owned());
-                }
+/// Numbers that 32 bits hold, and no constant that could not be worked out.
+fn check(text: &str, graph: &Graph, roots: &[Id]) -> Result<(), FormulaError> {
+    let wrong = |problem: String| FormulaError {
+        place: 0..text.len(),
+        problem,
+        help: "all numbers, also those that follow from others, are 0 or from 1e-37 to 1e38 in magnitude".to_owned(),
+    };
+    for id in graph.reached(roots) {
+        if let Some(number) = graph.number(id) {
+            if number != 0.0 && !(1e-37..=1e38).contains(&number.abs()) {
+                let problem =
+                    format!("the number {number:e}, which follows from it, is beyond the range of 32-bit floats");
+                return Err(wrong(problem));
+            }
+        } else {
+            let parts = graph.parts(id);
+            if !parts.is_empty() && parts.iter().all(|part| graph.number(*part).is_some()) {
+                return Err(wrong("a constant part of it has no finite value".to_owned()));
             }
         }
-        Ok(())
     }
+    Ok(())
 }
 
 /// As it would be written, without needless parentheses.

@@ -9,8 +9,8 @@
 //! ```
 
 use super::tokens::{Token, tokens, wrong};
-use super::tree::{Extreme, Name, Operator, Tree};
-use super::{FormulaError, Function};
+use super::tree::{Extreme, Operator, Tree};
+use super::{FormulaError, Function, Language};
 use crate::document::values::suggest;
 use std::ops::Range;
 
@@ -19,12 +19,12 @@ const LONGEST: usize = 1000;
 /// Parts in parts.
 const DEEPEST: usize = 100;
 
-/// The tree of a formula.
-pub fn parse(text: &str) -> Result<Tree, FormulaError> {
+/// The tree of a formula in these names.
+pub fn parse(text: &str, language: &'static Language) -> Result<Tree, FormulaError> {
     if text.len() > LONGEST {
         return Err(wrong(0..text.len(), format!("the formula is longer than {LONGEST} characters"), ""));
     }
-    let mut parser = Parser { tokens: tokens(text)?, at: 0, end: text.len(), depth: 0 };
+    let mut parser = Parser { tokens: tokens(text, language)?, at: 0, end: text.len(), depth: 0, language };
     let tree = parser.sum()?;
     match parser.tokens.get(parser.at) {
         None => Ok(tree),
@@ -38,6 +38,7 @@ struct Parser<'a> {
     /// Of the text.
     end: usize,
     depth: usize,
+    language: &'static Language,
 }
 
 type Parsed = Result<Tree, FormulaError>;
@@ -125,10 +126,10 @@ impl<'a> Parser<'a> {
             Some(Token::Sign(sign)) => Err(wrong(
                 place,
                 format!("expected a number, a name or (, found `{sign}`"),
-                "as in 1 + 0.1 * exp(-r^2)",
+                format!("as in {}", self.language.example),
             )),
             None if self.end == 0 || self.tokens.is_empty() => {
-                Err(wrong(0..self.end, "the formula is empty", "for example 1 + 0.1 * exp(-r^2)"))
+                Err(wrong(0..self.end, "the formula is empty", format!("for example {}", self.language.example)))
             }
             None => Err(wrong(place, "the formula ends too soon", "expected a number, a name or (")),
         }
@@ -146,7 +147,7 @@ impl<'a> Parser<'a> {
     }
 
     fn named(&mut self, name: &str, place: Range<usize>) -> Parsed {
-        if let Some((_, known)) = Name::ALL.iter().find(|(text, _)| *text == name) {
+        if let Some(known) = self.language.names.iter().find(|known| known.text() == name) {
             if self.peek() == Some(Token::Sign('(')) {
                 let help = format!("a product is written {name} * (..)");
                 return Err(wrong(place, format!("`{name}` is not a function"), help));
@@ -156,7 +157,7 @@ impl<'a> Parser<'a> {
         let function = Function::WRITTEN.iter().find(|(text, _)| *text == name).map(|(_, function)| *function);
         let extreme = [Extreme::Min, Extreme::Max].into_iter().find(|extreme| extreme.name() == name);
         if function.is_none() && extreme.is_none() {
-            return Err(unknown(name, place));
+            return Err(unknown(name, place, self.language));
         }
         let open = self.place();
         if !self.take('(') {
@@ -177,9 +178,10 @@ impl<'a> Parser<'a> {
     }
 }
 
-fn unknown(name: &str, place: Range<usize>) -> FormulaError {
+fn unknown(name: &str, place: Range<usize>, language: &Language) -> FormulaError {
     let functions = Function::WRITTEN.iter().map(|(text, _)| *text);
-    let names: Vec<&str> = Name::ALL.iter().map(|(text, _)| *text).chain(functions).chain(["min", "max"]).collect();
+    let names: Vec<&str> =
+        language.names.iter().map(|known| known.text()).chain(functions).chain(["min", "max"]).collect();
     let help = if name == "ln" { "the natural logarithm is log".to_owned() } else { suggest(name, &names, "names") };
     wrong(place, format!("unknown name `{name}`"), help)
 }

@@ -89,7 +89,7 @@ impl Graph {
                 }
                 Node::Distance => {
                     if let Node::Direction(axis) = self.node(other) {
-                        return self.make(Node::Place(axis));
+                        return self.make(Node::Variable(axis));
                     }
                 }
                 Node::Power(base, k) if base == other && k > 0 => return self.power(base, k + 1),

@@ -2,11 +2,19 @@
 
 #![allow(clippy::float_cmp, reason = "constants are folded exactly")]
 
-use super::parse::parse;
+use super::parse;
 use super::tree::{Extreme, Name, Operator, Tree};
-use super::{Formula, FormulaError, Function, Node};
+use super::{Formula, FormulaError, Function, Node, PLACE, Variable};
 use glam::DVec3;
 use proptest::prelude::*;
+
+const X: Name = Name::Variable("x", Variable::PLACE[0]);
+const Y: Name = Name::Variable("y", Variable::PLACE[1]);
+const Z: Name = Name::Variable("z", Variable::PLACE[2]);
+
+fn parse(text: &str) -> Result<Tree, FormulaError> {
+    parse::parse(text, &PLACE)
+}
 
 fn formula(text: &str) -> Formula {
     Formula::parse(text).unwrap_or_else(|error| panic!("{text}: {error:?}"))
@@ -17,11 +25,12 @@ fn value(tree: &Tree, q: DVec3) -> f64 {
     let of = |tree: &Tree| value(tree, q);
     match tree {
         Tree::Number(value) => *value,
-        Tree::Name(Name::X) => q.x,
-        Tree::Name(Name::Y) => q.y,
-        Tree::Name(Name::Z) => q.z,
+        Tree::Name(X) => q.x,
+        Tree::Name(Y) => q.y,
+        Tree::Name(Z) => q.z,
         Tree::Name(Name::R) => (q.x * q.x + q.y * q.y + q.z * q.z).sqrt(),
         Tree::Name(Name::Pi) => std::f64::consts::PI,
+        Tree::Name(Name::Variable(name, _)) => unreachable!("{name}"),
         Tree::Negative(a) => -of(a),
         Tree::Binary(Operator::Plus, a, b) => of(a) + of(b),
         Tree::Binary(Operator::Minus, a, b) => of(a) - of(b),
@@ -184,7 +193,7 @@ fn assert_gradient(f: &Formula, q: DVec3, tolerance: f64) {
 fn trees() -> impl Strategy<Value = Tree> {
     let leaf = prop_oneof![
         (0..40_u8).prop_map(|n| Tree::Number(f64::from(n) / 8.0)),
-        prop::sample::select(Name::ALL.map(|(_, name)| name).to_vec()).prop_map(Tree::Name),
+        prop::sample::select(PLACE.names.to_vec()).prop_map(Tree::Name),
     ];
     leaf.prop_recursive(5, 24, 2, |inner| {
         let operators = vec![Operator::Plus, Operator::Minus, Operator::Times, Operator::Over];
@@ -262,4 +271,70 @@ fn has_kink_near(f: &Formula, q: DVec3) -> bool {
         let off = there.distance(here);
         off.is_nan() || off > 1e-3 * (1.0 + here.length())
     })
+}
+
+/// Every function, and every way to put parts together, of t.
+fn of_t(text: &str) -> super::Curve {
+    super::Curve::parse([text, "t", "0"]).unwrap_or_else(|error| panic!("{text}: {error:?}"))
+}
+
+const OF_T: [&str; 14] = [
+    "t^3 - 2*t^2 + 1",
+    "sin(3*t)*cos(t)",
+    "exp(-t^2)/(1 + t^2)",
+    "sqrt(t^2 + 1) - abs(t - 1)",
+    "min(t, 2 - t)*max(t, sin(t))",
+    "tan(0.4*t)",
+    "log(2 + cos(t))",
+    "sinh(t) - cosh(2*t) + tanh(t/3)",
+    "atan(5*t)/t",
+    "t^-2",
+    "2^t",
+    "-(t - 0.5)^4",
+    "abs(abs(t) - 1)^3",
+    "(t^2 + t)*(t^2 + t)",
+];
+
+proptest! {
+    /// What a formula and its derivatives are at any t of an interval is in their intervals there.
+    #[test]
+    fn intervals_hold_all_values(which in 0..OF_T.len(), a in -3.0_f64..3.0, size in 0.0_f64..2.0, part in 0.0_f64..1.0) {
+        let curve = of_t(OF_T[which]);
+        let (all, _) = curve.over(super::Interval::between(a, a + size));
+        let at = curve.at(a + part * size);
+        for order in 0..at.len() {
+            let (own, value) = (all[order][0], at[order].x);
+            let rounding = 1e-12 * (1.0 + own.lo.abs().min(own.hi.abs()));
+            let holds = own.lo - rounding <= value && value <= own.hi + rounding;
+            prop_assert!(holds || !value.is_finite(), "{} at {order}: {value} and {own:?}", OF_T[which]);
+        }
+    }
+
+    /// Intervals close in on the value.
+    #[test]
+    fn small_intervals_are_close(which in 0..OF_T.len(), a in 0.3_f64..0.9) {
+        let curve = of_t(OF_T[which]);
+        let (all, _) = curve.over(super::Interval::between(a, a + 1e-6));
+        prop_assert!(all[0][0].hi - all[0][0].lo < 2e-4, "{}: {:?}", OF_T[which], all[0][0]);
+    }
+}
+
+/// Derivatives by t against differences.
+#[test]
+fn curves_have_their_derivatives() {
+    for text in OF_T {
+        let curve = of_t(text);
+        for t in [0.37, 0.81, 1.43] {
+            let h = 1e-5;
+            let (before, here, after) = (curve.at(t - h), curve.at(t), curve.at(t + h));
+            for order in 0..4 {
+                let slope = (after[order].x - before[order].x) / (2.0 * h);
+                let wanted = here[order + 1].x;
+                assert!(
+                    (slope - wanted).abs() < 1e-6 * (1.0 + wanted.abs() + here[order].x.abs() / h * 1e-4),
+                    "{text}, {order}: {slope} {wanted}"
+                );
+            }
+        }
+    }
 }

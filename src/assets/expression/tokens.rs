@@ -1,6 +1,6 @@
 //! The words and signs of a formula.
 
-use super::FormulaError;
+use super::{FormulaError, Language};
 use crate::document::values::{LARGEST, SMALLEST};
 use std::ops::Range;
 
@@ -16,7 +16,7 @@ pub enum Token<'a> {
 }
 
 /// The tokens, each with its bytes of the text.
-pub fn tokens(text: &str) -> Result<Vec<(Token<'_>, Range<usize>)>, FormulaError> {
+pub fn tokens<'a>(text: &'a str, language: &Language) -> Result<Vec<(Token<'a>, Range<usize>)>, FormulaError> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(first) = text[at..].chars().next() {
@@ -39,11 +39,14 @@ pub fn tokens(text: &str) -> Result<Vec<(Token<'_>, Range<usize>)>, FormulaError
             (Token::Sign(first), 1)
         } else {
             let help = match first {
-                '²' | '³' => "a power is written ^, as in r^2",
-                '−' | '–' => "minus is written -",
-                '·' | '×' => "times is written *",
-                '[' | '{' => "only ( and ) are parentheses",
-                _ => "a formula has numbers, x, y, z, r, pi, functions, + - * / ^ ( ) and ,",
+                '²' | '³' => "a power is written ^, as in r^2".to_owned(),
+                '−' | '–' => "minus is written -".to_owned(),
+                '·' | '×' => "times is written *".to_owned(),
+                '[' | '{' => "only ( and ) are parentheses".to_owned(),
+                _ => {
+                    let names: Vec<&str> = language.names.iter().map(|name| name.text()).collect();
+                    format!("a formula has numbers, {}, functions, + - * / ^ ( ) and ,", names.join(", "))
+                }
             };
             return Err(wrong(at..at + first.len_utf8(), format!("unexpected character `{first}`"), help));
         };

@@ -1,6 +1,7 @@
 //! A formula as it is written.
 
 use super::Function;
+use super::variable::Variable;
 use std::fmt::{self, Display as _};
 
 /// A formula or a part of one.
@@ -8,7 +9,7 @@ use std::fmt::{self, Display as _};
 pub enum Tree {
     /// Not negative: a minus is a part of its own.
     Number(f64),
-    /// x, y, z, r or pi.
+    /// A variable, r or pi.
     Name(Name),
     /// −a.
     Negative(Box<Tree>),
@@ -23,18 +24,22 @@ pub enum Tree {
 /// What is not a function but has a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Name {
-    X,
-    Y,
-    Z,
+    /// A variable, as it is written.
+    Variable(&'static str, Variable),
     /// √(x² + y² + z²).
     R,
     Pi,
 }
 
 impl Name {
-    /// All of them, as they are written.
-    pub const ALL: [(&str, Self); 5] =
-        [("x", Self::X), ("y", Self::Y), ("z", Self::Z), ("r", Self::R), ("pi", Self::Pi)];
+    /// As it is written.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Variable(text, _) => text,
+            Self::R => "r",
+            Self::Pi => "pi",
+        }
+    }
 }
 
 /// Of two numbers.
@@ -94,10 +99,7 @@ impl fmt::Display for Tree {
             // Without an exponent where it is short.
             Self::Number(value) if (1e-4..1e6).contains(value) => write!(f, "{value}"),
             Self::Number(value) => write!(f, "{value:?}"),
-            Self::Name(name) => {
-                let text = Name::ALL.iter().find(|(_, known)| known == name).map_or("", |(text, _)| text);
-                f.write_str(text)
-            }
+            Self::Name(name) => f.write_str(name.text()),
             Self::Negative(a) => {
                 f.write_str("-")?;
                 a.part(MINUS, f)

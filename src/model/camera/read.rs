@@ -78,11 +78,11 @@ fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
     if let Some([problem, help]) = camera.eyes().into_iter().find_map(|eye| law.refuses_eye(eye)) {
         table.fault(&["position"], format!("{who} {problem}"), help);
     }
-    if law.order() == Order::Flow && camera.projection.is_from_a_point() {
-        table.fault(
-            &["kind"],
-            "a camera at one point sees nothing in a flow of order 1: all rays from there follow the same orbit",
-            "use kind = \"plane\" here, or order = 2 in [law]",
-        );
+    if let Some(why) = law.ignores_direction().filter(|_| camera.projection.is_from_a_point()) {
+        let help = match law.order() {
+            Order::Flow => "use kind = \"plane\" here, or order = 2 in [law]",
+            Order::Place | Order::General => "use kind = \"plane\" here",
+        };
+        table.fault(&["kind"], format!("a camera at one point sees nothing under this law: {why}"), help);
     }
 }

@@ -11,6 +11,7 @@ mod flow;
 mod lorenz;
 mod medium;
 pub mod own;
+mod parametric;
 mod rossler;
 mod schwarzschild;
 mod sources;
@@ -21,10 +22,10 @@ mod tests;
 use std::fmt;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::same::same;
-use super::{Anchor, Binding, Capture, Loops, Medium, Same, Wgsl};
+use super::{Anchor, Binding, Capture, ClosedForm, Loops, Medium, Same, Wgsl};
 use crate::assets::Files;
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
@@ -33,6 +34,7 @@ pub use flow::FlowOrder;
 pub use lorenz::Lorenz;
 pub use medium::{InMedium, SOLVED_PARTS};
 pub use own::{Depends, OwnLaw};
+pub use parametric::Parametric;
 pub use rossler::Rossler;
 pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
 pub use sources::Sources;
@@ -46,7 +48,7 @@ type Kind = document::Kind<Read>;
 pub static KINDS: Kinds<Read> = Kinds {
     table: "law",
     chooser: "kind",
-    meaning: "how light travels: straight, round a black hole, by sources of force, along a flow, or in a medium",
+    meaning: "how light travels: straight, round a black hole, by sources of force, along a flow or a curve, or in a medium",
     example: None,
     all: &[
         &straight::KIND,
@@ -54,6 +56,7 @@ pub static KINDS: Kinds<Read> = Kinds {
         &sources::KIND,
         &lorenz::KIND,
         &rossler::KIND,
+        &parametric::KIND,
         &medium::KIND,
         &own::KIND,
     ],
@@ -121,6 +124,37 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
 
     /// The medium that fills all space, if that is what the law is.
     fn medium(&self) -> Option<&Arc<dyn Medium>> {
+        None
+    }
+
+    /// The closed form of all its paths, if they have one, and if that is not a medium's.
+    fn closed_form(&self) -> Option<&'static ClosedForm> {
+        None
+    }
+
+    /// The curve that all rays follow, if they do.
+    fn curve(&self) -> Option<&Parametric> {
+        None
+    }
+
+    /// The τ at which its rays end of themselves.
+    fn length(&self) -> Option<f64> {
+        None
+    }
+
+    /// Why it does not matter where a ray points, if that is so.
+    fn ignores_direction(&self) -> Option<&'static str> {
+        (self.order() == Order::Flow).then_some("all rays from there follow the same orbit")
+    }
+
+    /// Has it the camera's axes?
+    fn is_of_camera(&self) -> bool {
+        false
+    }
+
+    /// The law of a camera with these axes in columns, to the right, up and backwards; none if it is the same for all.
+    fn turned(&self, axes: DMat3) -> Option<Arc<dyn Law>> {
+        let _ = axes;
         None
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Invariant, Kind, Law, Order, USUAL_PARTS};
-use crate::model::Wgsl;
+use crate::model::{ClosedForm, STRAIGHT, Wgsl};
 
 pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
 
@@ -20,6 +20,10 @@ impl Law for Straight {
 
     fn order(&self) -> Order {
         Order::Place
+    }
+
+    fn closed_form(&self) -> Option<&'static ClosedForm> {
+        Some(&STRAIGHT)
     }
 
     fn is_straight(&self) -> bool {

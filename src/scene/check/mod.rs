@@ -16,9 +16,10 @@ use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{color, direction, number_where, vector, whole, word};
 use crate::document::{Document, Override};
-use crate::model::{camera, law, material, shape};
-use glam::DVec3;
+use crate::model::{Camera, Law, camera, law, material, shape};
+use glam::{DMat3, DVec3};
 use std::path::Path;
+use std::sync::Arc;
 
 impl Scene {
     /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file.
@@ -73,6 +74,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
     let camera = camera::read(&root, law.as_deref(), image.size);
+    let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
     let sky = sky::read(&root, files);
     let output = output(&root);
     let (names, materials) = material::read(&root, files);
@@ -97,6 +99,22 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         animation,
         pictures: files.pictures(),
     })
+}
+
+/// The law with the camera's axes, where it has those.
+fn turned(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Option<Arc<dyn Law>> {
+    if !law.is_of_camera() {
+        return Some(law);
+    }
+    let Some(camera) = camera else {
+        // A camera that cannot be used is reported as such.
+        if root.node("camera").is_none() {
+            let problem = "the law has the camera's axes, and the scene has no camera";
+            root.fault(&["law"], problem, "write axes = \"scene\", or add [camera]");
+        }
+        return None;
+    };
+    law.turned(DMat3::from_cols(camera.right, camera.up, -camera.forward))
 }
 
 fn output(root: &TableReader) -> Output {

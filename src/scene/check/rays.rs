@@ -39,7 +39,9 @@ pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> 
 /// All but the bound, which was read before. None without it.
 pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option<Rays> {
     let length = table.optional("length", positive);
-    let segment = segment(&table, bound.map_or(1.0, |bound| bound.radius));
+    let own = optics.law.and_then(Law::length);
+    let length = length.into_iter().chain(own).reduce(f64::min);
+    let segment = segment(&table, optics.arc_tolerance() * bound.map_or(1.0, |bound| bound.radius));
     let demands = optics.demands(length.is_some(), segment.has_chords());
     let (named, auto) = method(&table, optics, demands);
     let (method, control) = match named {
@@ -170,10 +172,10 @@ pub fn bound(table: &TableReader) -> Option<Bound> {
     Some(Bound { center, radius: radius? })
 }
 
-fn segment(table: &TableReader, radius: f64) -> Segment {
-    let arc = Segment::Arc { tolerance: 1e-4 * radius };
+fn segment(table: &TableReader, tolerance: f64) -> Segment {
+    let arc = Segment::Arc { tolerance };
     match table.decide("segment", true, word(&[("arc", true), ("chord", false)])) {
-        Some(true) => Segment::Arc { tolerance: table.or("arc_tolerance", 1e-4 * radius, positive) },
+        Some(true) => Segment::Arc { tolerance: table.or("arc_tolerance", tolerance, positive) },
         Some(false) => Segment::Chord { steps: table.or("steps_per_segment", 10, whole(1..=1000)) },
         None => arc,
     }

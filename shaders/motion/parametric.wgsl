@@ -1,0 +1,112 @@
+// Curves in closed form, as a tree of boxes (G95 §3.2, after Ballard's strip trees): a ray passes in one step over all of its curve that
+// is near nothing, and only what is near something becomes an arc that is tested.
+//
+// Where a ray starts only moves its curve, so that one tree serves all rays of a picture (G95: "ray coherence"). The host builds it, and
+// its boxes hold the whole of their pieces, by interval arithmetic. It is walked together with the hierarchy of the scene's objects:
+// both trees from the root down, the ray's from its beginning on ("bvh/hier", G95 §4.3).
+
+struct RayNode {
+    lo: vec3f,
+    // tau at the piece's beginning and end.
+    begin: f32,
+    hi: vec3f,
+    end: f32,
+    // The node after this one's subtree.
+    @align(16) skip: u32,
+    // 1 for a piece that is not cut any more.
+    leaf: u32,
+}
+
+@group(0) @binding(78) var<storage, read> ray_nodes: array<RayNode>;
+
+struct ObjectNode {
+    lo: vec3f,
+    // The node after this one's subtree.
+    skip: u32,
+    hi: vec3f,
+    leaf: u32,
+}
+
+@group(0) @binding(79) var<storage, read> object_nodes: array<ObjectNode>;
+
+// Nodes of objects that a box is held against: one that has not been cleared by then counts as near.
+const VISITS: u32 = 48u;
+// Nodes of the ray in one step. A tree is at most `DEPTH` deep, and on the way down no level has more than two of them.
+const NODES: u32 = 64u;
+const DEPTH: u32 = 20u;
+
+// Is the box about anything, or not all in the bounding sphere, where paths end?
+fn box_near(lo: vec3f, hi: vec3f) -> bool {
+    let far = max(abs(lo - vec3f(bound.center)), abs(hi - vec3f(bound.center)));
+    var near = dot(far, far) > f32(bound.radius) * f32(bound.radius);
+    let count = arrayLength(&object_nodes);
+    var node = 0u;
+    for (var k = 0u; k < VISITS && node < count && !near; k++) {
+        work += 1u;
+        let own = object_nodes[node];
+        let overlaps = all(lo <= own.hi) && all(hi >= own.lo);
+        near = overlaps && own.leaf == 1u;
+        node = select(own.skip, node + 1u, overlaps);
+    }
+    return near || node < count;
+}
+
+struct Piece {
+    // In tau.
+    size: Real,
+    // Is nothing near it?
+    free: bool,
+}
+
+// The next piece of the curve: all up to the first leaf that is near something, or that leaf.
+fn next_piece(p: Phase) -> Piece {
+    let tau = f32(p[1].w);
+    let anchor = vec3f(p[0].xyz - ray_curve(p[1].w)[0]);
+    let slack = 2e-6 * abs(anchor);
+    // Ends that rounding moves.
+    let unit = 1e-6 * f32(limit.length);
+    let count = arrayLength(&ray_nodes);
+    var reached = tau;
+    var end = f32(limit.length);
+    var node = 0u;
+    for (var k = 0u; k < NODES && node < count; k++) {
+        work += 1u;
+        let own = ray_nodes[node];
+        let begins = own.begin >= reached - unit;
+        let passed = own.end <= reached + unit;
+        if !passed && begins && !box_near(own.lo + anchor - slack, own.hi + anchor + slack) {
+            reached = own.end;
+            node = own.skip;
+        } else if passed {
+            node = own.skip;
+        } else if own.leaf == 1u {
+            end = own.end;
+            break;
+        } else {
+            node += 1u;
+        }
+    }
+    let free = reached > tau + unit;
+    return Piece(Real(select(end, reached, free)) - p[1].w, free);
+}
+
+fn retaken_step(p: Phase, h: Real) -> Phase {
+    let here = ray_curve(p[1].w);
+    let there = ray_curve(p[1].w + h);
+    return Phase(Real4(p[0].xyz + (there[0] - here[0]), 0.0), Real4(there[1], p[1].w + h));
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    let piece = next_piece(ray.phase);
+    var h = limited_step(piece.size, ray);
+    var end = retaken_step(ray.phase, h);
+    // A closed curve may lead back to where it began: the ray stands still only if it does so everywhere.
+    if all(end[0].xyz == ray.phase[0].xyz) {
+        h *= 0.618;
+        end = retaken_step(ray.phase, h);
+    }
+    var next = after_step(ray, end, h);
+    // What is free of all objects is no arc to be tested.
+    next.taken = select(next.taken, 0.0, piece.free);
+    return next;
+}

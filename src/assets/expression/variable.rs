@@ -1,0 +1,13 @@
+//! What formulas are functions of.
+
+/// What a formula is a function of, by its place among the values that it is evaluated for. In a function of place the first three are
+/// x, y and z, and r and its direction are theirs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Variable(pub u8);
+
+impl Variable {
+    /// x, y and z.
+    pub const PLACE: [Self; 3] = [Self(0), Self(1), Self(2)];
+    /// The parameter of a curve.
+    pub const PARAMETER: Self = Self(0);
+}

@@ -1,0 +1,209 @@
+//! Rays along a curve that the scene writes: x(t), y(t), z(t), the same from every place (G95 §2.3).
+//!
+//! *Theory.* The curve is moved so that it leads through the place on the image plane at t = 0 (Table 3's "translated"), or where the
+//! range of t has no 0, at its beginning. Nothing decides where a ray goes but where it starts.
+//!
+//! *Practice.* Paths are the curve itself, with no solver; a solver may be named to be compared with it, and then follows the second
+//! derivative (G95's Table 1 has such a row). Derivatives are made from the formulas.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DVec3};
+
+use super::{Kind, Law, Order};
+use crate::assets::{Curve, Interval};
+use crate::document::reader::TableReader;
+use crate::document::values::{Read, array, number, text, word};
+use crate::document::{Node, keys};
+use crate::model::{Binding, ClosedForm, Start, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "parametric",
+    keys: keys! {
+        x: "formula" = "required", "the ray's path as a function of t, with numbers, pi, and the operators and functions of `medium.n`";
+        y: "formula" = "required", "the same along y";
+        z: "formula" = "required", "the same along z";
+        t: "[first, last]" = "required",
+            "the range of t; at 0, or at the first if the range has no 0, the ray goes through its pixel's point of the image plane";
+        axes: "scene | camera" = "scene",
+            "whose axes the formulas have: the scene's, or the camera's, x to the right, y up and z towards the viewer";
+    },
+    read: |table, _| {
+        let curve = curve(table);
+        let range = table.required("t", "[0, 12]", range);
+        let axes = table.or("axes", false, word(&[("scene", false), ("camera", true)]));
+        let [first, last] = range?;
+        let law = Parametric { curve: curve?, first, last, turned: axes.then_some(DMat3::IDENTITY) };
+        law.is_sound(table).then(|| Arc::new(law) as Arc<dyn Law>)
+    },
+};
+
+/// The curve itself, for rays that need no solver.
+static FORM: ClosedForm = ClosedForm {
+    name: "parametric",
+    parts: &["motion/parametric", "motion/pace_tau", "motion/closed"],
+    strides: None,
+    is_line: false,
+    meets_obstacles: false,
+    loops: 64 * 49,
+    start: Start::Own,
+};
+
+fn curve(table: &TableReader) -> Option<Curve> {
+    let nodes = ["x", "y", "z"].map(|key| table.required_node(key, "\"t^2\""));
+    let [x, y, z] = nodes.map(|node| written(table, node));
+    let curve = Curve::parse([x?, y?, z?]).map_err(|wrong| {
+        for (k, error) in wrong {
+            if let Some(node) = nodes[k] {
+                table.reader.fault_inside(node, error.place, error.problem, error.help);
+            }
+        }
+    });
+    curve.ok()
+}
+
+fn written<'a>(table: &TableReader, node: Option<&'a Node>) -> Option<&'a str> {
+    let node = node?;
+    let help = "for example \"cos(2 * t)\", or \"2\"";
+    text(node).map_err(|_| table.reader.fault(node.fault("expected a formula, in quotes", help))).ok()
+}
+
+fn range(node: &Node) -> Read<[f64; 2]> {
+    let [first, last] = array("a range of t, [first, last]", number)(node)?;
+    if first < last {
+        Ok([first, last])
+    } else {
+        Err(node.fault("the range of t is empty", "the first t is less than the last"))
+    }
+}
+
+/// A curve and the range of its parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parametric {
+    /// x(t), y(t) and z(t).
+    pub curve: Curve,
+    /// t at the ray's beginning.
+    pub first: f64,
+    /// t at its end.
+    pub last: f64,
+    /// The axes of its formulas, in columns, if they are a camera's.
+    pub turned: Option<DMat3>,
+}
+
+/// Places in which a curve's range is looked through for some that have no value.
+const LOOKS: u32 = 4096;
+
+impl Parametric {
+    /// The t at which it leads through the place that it is given.
+    #[must_use]
+    pub fn anchor(&self) -> f64 {
+        if self.first <= 0.0 && self.last >= 0.0 { 0.0 } else { self.first }
+    }
+
+    fn axes(&self) -> DMat3 {
+        self.turned.unwrap_or(DMat3::IDENTITY)
+    }
+
+    /// Place, velocity and three more derivatives after so much of t, in the scene's axes.
+    #[must_use]
+    pub fn at(&self, tau: f64) -> [DVec3; 5] {
+        self.curve.at(self.first + tau).map(|c| self.axes() * c)
+    }
+
+    /// The same over an interval, and whether the curve has no kink there.
+    #[must_use]
+    pub fn over(&self, tau: Interval) -> ([[Interval; 3]; 5], bool) {
+        let (all, smooth) = self.curve.over(tau.plus(Interval::at(self.first)));
+        let Some(axes) = self.turned else { return (all, smooth) };
+        let turned = all.map(|c| {
+            let row = |k: usize| {
+                let part = |j: usize| Interval::at(axes.col(j)[k]).times(c[j]);
+                part(0).plus(part(1)).plus(part(2))
+            };
+            [row(0), row(1), row(2)]
+        });
+        (turned, smooth)
+    }
+
+    /// Has it a value all along, and does it lead anywhere? What is wrong is reported, at the formula that it is wrong with.
+    fn is_sound(&self, table: &TableReader) -> bool {
+        let place = |k: u32| self.first + (self.last - self.first) * f64::from(k) / f64::from(LOOKS);
+        let all: Vec<_> = std::iter::once(self.anchor()).chain((0..=LOOKS).map(place)).collect();
+        let mut sound = true;
+        for (k, key) in ["x", "y", "z"].into_iter().enumerate() {
+            let known = |t: f64| self.curve.at(t)[..2].iter().all(|c| (c[k] as f32).is_finite());
+            if let Some(t) = all.iter().find(|t| !known(**t)) {
+                let what =
+                    if self.curve.at(*t)[0][k].is_finite() { "the derivative of the formula" } else { "the formula" };
+                let problem = format!("{what} has no finite value at t = {t}, which is in the range of t");
+                let help =
+                    format!("change it, or take a range without that in `t`, which is [{}, {}]", self.first, self.last);
+                table.fault(&[key], problem, help);
+                sound = false;
+            }
+        }
+        if sound && all.iter().all(|t| self.curve.at(*t)[1] == DVec3::ZERO) {
+            table.fault(&["x"], "the curve stands still: none of its formulas changes with t", "for example y = \"t\"");
+            sound = false;
+        }
+        sound
+    }
+}
+
+impl Law for Parametric {
+    fn parts(&self) -> Vec<Wgsl> {
+        let axes = if self.turned.is_some() { "law/axes_turned" } else { "law/axes_as_given" };
+        Wgsl::parts(&["law/parametric", "law/by_time", "law/projected_as_is", axes, "medium/formula"])
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        let offset = self.axes() * (self.curve.at(self.first)[0] - self.curve.at(self.anchor())[0]);
+        let law = Binding::one("law", row! { offset: Vec3(offset), first: Float(self.first) });
+        let axes = self.turned.map(|axes| {
+            let [x, y, z] = [axes.x_axis, axes.y_axis, axes.z_axis];
+            Binding::one("axes", row! { x: Vec3(x), y: Vec3(y), z: Vec3(z) })
+        });
+        [law].into_iter().chain(axes).collect()
+    }
+
+    fn order(&self) -> Order {
+        Order::General
+    }
+
+    fn carries_time(&self) -> bool {
+        true
+    }
+
+    fn closed_form(&self) -> Option<&'static ClosedForm> {
+        Some(&FORM)
+    }
+
+    fn curve(&self) -> Option<&Parametric> {
+        Some(self)
+    }
+
+    fn length(&self) -> Option<f64> {
+        Some(self.last - self.first)
+    }
+
+    fn ignores_direction(&self) -> Option<&'static str> {
+        Some("all rays from there follow the same curve")
+    }
+
+    fn is_of_camera(&self) -> bool {
+        self.turned.is_some()
+    }
+
+    fn turned(&self, axes: DMat3) -> Option<Arc<dyn Law>> {
+        let turned = Self { turned: Some(axes), ..self.clone() };
+        self.turned.map(|_| Arc::new(turned) as Arc<dyn Law>)
+    }
+
+    fn starting_velocity(&self, _: DVec3, _: DVec3) -> DVec3 {
+        self.at(0.0)[1]
+    }
+
+    fn refuses_surfaces(&self, _: bool) -> Option<&'static str> {
+        Some("a parametric ray has no direction of its own to go on in")
+    }
+}
