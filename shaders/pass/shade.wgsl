@@ -10,7 +10,7 @@ fn shade(own: Invocation) {
         load_weight(pixel);
         let ray = load_ended(pixel);
         shade_ray(pixel, ray, load_hit(pixel));
-        tally_status(ray.status);
+        tally_status(lit_status(ray.status, EXHAUSTED));
     }
     end_round(followed, pixel, own.lane);
     total_statuses(own.lane);

@@ -26,7 +26,7 @@ fn whole(own: Invocation) {
             steps += ray.steps;
             segments += ray.index + u32(spot.alive);
             rejected += ray.rejected;
-            ends = with_end(ends, ray.status);
+            ends = with_end(ends, lit_status(ray.status, ALIVE));
         }
     }
     tally_steps(steps);

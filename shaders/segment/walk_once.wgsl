@@ -8,6 +8,11 @@ fn walk_has_room() -> bool {
     return work + schedule.segment_work < WORK_LIMIT;
 }
 
+// From the beginning, as for another segment.
+fn walk_anew() {
+    walk_stopped = false;
+}
+
 fn walk_stop(place: u32, done: bool) {
     walk_stopped = !done;
 }

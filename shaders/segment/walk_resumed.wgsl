@@ -17,6 +17,11 @@ fn walk_has_room() -> bool {
     return work + schedule.segment_work < WORK_LIMIT;
 }
 
+// From the beginning, as for another segment.
+fn walk_anew() {
+    walk_place = 0u;
+}
+
 fn walk_stop(place: u32, done: bool) {
     walk_place = select(place + 1u, 0u, done);
 }

@@ -4,6 +4,10 @@ fn walk_has_room() -> bool {
     return true;
 }
 
+// From the beginning, as for another segment.
+fn walk_anew() {
+}
+
 fn walk_stop(place: u32, done: bool) {
 }
 

@@ -17,4 +17,14 @@ struct Material {
     bit: u32,
 }
 
+// A place on a surface as light finds it.
+struct Lit {
+    x: vec3f,
+    // Where what reaches it comes from: off the surface, on the viewer's side.
+    start: Real3,
+    // Both unit vectors, the view's towards the viewer.
+    normal: vec3f,
+    view: vec3f,
+}
+
 @group(0) @binding(134) var<storage, read> materials: array<Material>;

@@ -12,7 +12,7 @@ use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, Purpose, constant};
-use crate::scene::{Light, Segment};
+use crate::scene::{Light, LightSource, Segment, Shadows};
 
 impl Source<'_> {
     /// What the scene's kinds feed their own parts.
@@ -134,29 +134,19 @@ impl Source<'_> {
     }
 
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
-        let lights = self.scene.lights.iter();
-        let bytes = match name {
-            "point_lights" => pack(
-                name,
-                layout,
-                lights.filter_map(|light| match *light {
-                    Light::Point { position, color } => Some([("position", Vec3(position)), ("color", Vec3(color))]),
-                    Light::Directional { .. } => None,
-                }),
-            ),
-            "directional_lights" => pack(
-                name,
-                layout,
-                lights.filter_map(|light| match *light {
-                    Light::Directional { direction, color } => {
-                        Some([("direction", Vec3(direction)), ("color", Vec3(color))])
-                    }
-                    Light::Point { .. } => None,
-                }),
-            ),
-            _ => return Ok(None),
+        let row = |light: &Light| -> (&str, Row) {
+            let shadows = Uint(u32::from(light.shadows != Shadows::None));
+            let common = vec![("color".into(), Vec3(light.color)), ("shadows".into(), shadows)];
+            let (list, own) = match light.source {
+                LightSource::Point(position) => {
+                    ("point_lights", row! { position: Vec3(position), falls: Uint(u32::from(light.falls)) })
+                }
+                LightSource::Directional(direction) => ("directional_lights", row! { direction: Vec3(direction) }),
+            };
+            (list, [common, own].concat())
         };
-        bytes.map(Some)
+        let all: Vec<_> = self.scene.lights.iter().map(row).filter(|(list, _)| *list == name).collect();
+        if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }
     }
 
     /// What segments may be near: of each list the shapes on which rays end, then those that they cross, then the

@@ -160,21 +160,18 @@ pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str]) -> U
     let radiance: Vec<_> = kinds
         .iter()
         .map(|part| own_name(part))
-        .map(|kind| (kind.to_uppercase(), format!("radiance_{kind}(material, color, x, normal, view)")))
+        .map(|kind| (kind.to_uppercase(), format!("radiance_{kind}(material, color, lit)")))
         .collect();
     let colors: Vec<_> = patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
-    let mut text = switch(
-        "fn surface_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f",
-        "material.kind",
-        &radiance,
-    );
+    let mut text =
+        switch("fn surface_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f", "material.kind", &radiance);
     text += "\n";
     text += &switch("fn pattern_color(material: Material, uv: vec2f) -> vec3f", "material.pattern", &colors);
     if !lights.is_empty() {
-        let sum: Vec<_> = lights.iter().map(|l| format!("lit_by_{l}(material, color, x, normal, view)")).collect();
+        let sum: Vec<_> = lights.iter().map(|l| format!("lit_by_{l}(material, color, lit)")).collect();
         let _ = write!(
             text,
-            "\nfn lit_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {{\n    \
+            "\nfn lit_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f {{\n    \
              return {};\n}}\n",
             sum.join("\n        + ")
         );

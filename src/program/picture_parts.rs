@@ -76,18 +76,20 @@ pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
     let mut kinds: Vec<&str> = ends().map(|material| material.surface.part()).collect();
     kinds.sort_unstable();
     kinds.dedup();
-    let is_lit = ends().any(|material| material.surface.is_lit());
     let patterns: Vec<&str> =
         Pattern::PARTS.into_iter().filter(|part| used().any(|material| material.color.part() == *part)).collect();
     let lights = [
-        ("point", scene.lights.iter().any(|light| matches!(light, Light::Point { .. }))),
-        ("directional", scene.lights.iter().any(|light| matches!(light, Light::Directional { .. }))),
+        ("point", scene.lights.iter().any(Light::is_point)),
+        ("directional", !scene.lights.iter().all(Light::is_point)),
     ];
-    let lights: Vec<&str> = lights.into_iter().filter(|(_, there)| *there && is_lit).map(|(name, _)| name).collect();
+    let lights: Vec<&str> =
+        lights.into_iter().filter(|(_, there)| *there && scene.is_lit()).map(|(name, _)| name).collect();
     names.add("surface/material");
     names.all(&kinds);
     names.each("surface/pattern", patterns.iter().copied());
     names.each("surface/light", lights.iter().copied());
     names.add(if lights.is_empty() { "surface/light/none" } else { "surface/light/blinn_phong" });
+    let falls = scene.lights.iter().any(|light| light.falls);
+    names.add(if falls { "surface/light/falls_some" } else { "surface/light/falls_none" });
     names.make(generated::materials(&kinds, &patterns, &lights));
 }

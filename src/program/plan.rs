@@ -2,7 +2,7 @@
 
 use super::names::Names;
 use super::picture_parts::{camera_parts, material_parts, picture_parts};
-use super::region_parts::region_parts;
+use super::region_parts::{joins_whole, region_parts};
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
@@ -10,7 +10,7 @@ use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, gene
 use crate::model::Material;
 use crate::model::method::Path;
 use crate::model::source::SOURCES;
-use crate::scene::{Branches, Precision, Scene, Segment};
+use crate::scene::{Branches, Precision, Scene, Segment, Shadows};
 
 /// Steps of a chord up to which they are written out.
 const WRITTEN_OUT: u32 = 16;
@@ -57,10 +57,25 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     if !scene.objects.is_empty() {
         material_parts(scene, &mut names);
     }
+    shadow_parts(scene, regions, &mut names);
     let of_kind = |kind: &RegionKind| region_parts(scene, choice.purpose, regions, kind);
     let lengths = short_lists::lengths(scene, regions);
     let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
     Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? })
+}
+
+/// Whether what is seen lies in a light's shadow.
+fn shadow_parts(scene: &Scene, regions: &Regions, names: &mut Names) {
+    if !scene.has_shadows() {
+        names.add("surface/shadow/none");
+        return;
+    }
+    names.add("surface/shadow/straight");
+    let all = scene.lights.iter().all(|light| light.shadows != Shadows::None);
+    names.add(if all { "surface/shadow/of_all" } else { "surface/shadow/of_some" });
+    names.add(if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" });
+    let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
+    names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
 }
 
 fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {

@@ -30,8 +30,11 @@ pub(super) fn region_parts(
     }
     let chords = scene.rays.segment.has_chords();
     names.add(if chords || kind.is_line() { "segment/curve_line" } else { "segment/curve_arc" });
-    let whole = kind.motion.closed_form().is_some_and(|form| form.is_line) && !chords;
-    names.add(if whole { "segment/join_whole" } else { "segment/join_pieces" });
+    names.add(match (joins_whole(scene, kind), scene.has_shadows()) {
+        (true, _) => "segment/join_whole",
+        (false, false) => "segment/join_pieces",
+        (false, true) => "segment/join_lit",
+    });
     let orbit = kind.motion == Motion::Law && scene.rays.method.kind.path == Path::Orbit;
     names.add(if orbit { "motion/orbit" } else { "motion/bare_steps" });
     match kind.motion {
@@ -45,6 +48,11 @@ pub(super) fn region_parts(
         }
     }
     names.units()
+}
+
+/// Are its paths whole lines, which begin where a ray does?
+pub(super) fn joins_whole(scene: &Scene, kind: &RegionKind) -> bool {
+    kind.motion.closed_form().is_some_and(|form| form.is_line) && !scene.rays.segment.has_chords()
 }
 
 /// A motion in closed form.

@@ -13,7 +13,7 @@ use super::regions::Regions;
 use super::tokens::Tokens;
 use super::unit::{Author, Unit};
 use crate::model::shape::SOLIDS;
-use crate::scene::{Light, Object, Scene};
+use crate::scene::{Object, Scene};
 
 /// Entries that a list in a uniform may have.
 const SHORT: usize = 32;
@@ -24,8 +24,7 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         let is = |object: &&Object| object.solid() == solid;
         Some((solid.lists.as_ref()?.placed, scene.objects.iter().filter(is).count()))
     });
-    let is_point = |light: &&Light| matches!(light, Light::Point { .. });
-    let points = scene.lights.iter().filter(is_point).count();
+    let points = scene.lights.iter().filter(|light| light.is_point()).count();
     let others = [
         ("materials", scene.materials.len() + regions.regions.len()),
         ("point_lights", points),

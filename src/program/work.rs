@@ -7,7 +7,7 @@ use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constan
 use crate::model::control::StepLoops;
 use crate::model::method::Path;
 use crate::model::{Loops, Medium};
-use crate::scene::{Object, Precision, Scene, Segment};
+use crate::scene::{Object, Precision, Scene, Segment, Shadows};
 
 fn work_limit() -> u64 {
     constant("state/work", "WORK_LIMIT") as u64
@@ -69,9 +69,12 @@ impl Work {
         }
         // A node once, or a cell for each piece; items for each piece.
         let walk = (pieces + 1) * (extent.places + extent.items);
-        let resumed = segment + walk > WHOLE;
+        // Whatever a path ends on, its shadows are looked for in the same pass.
+        let shadows = shadows(scene) * (listed + 2 + extent.at_once + 2 * (extent.places + extent.items));
+        let whole = segment + walk + shadows;
+        let resumed = whole > WHOLE;
         Ok(Self {
-            segment: if resumed { segment } else { segment + walk },
+            segment: if resumed { segment } else { whole },
             resumed,
             // Before a walk may be a segment's work, and room for as much is left behind it.
             passes_per_segment: if resumed { 1 + walk / (work_limit() - 2 * segment) } else { 1 },
@@ -84,6 +87,13 @@ impl Work {
         let sure = (work_limit() / (self.segment + 1)).max(1);
         wanted.min(u32::try_from(sure).unwrap_or(u32::MAX)).max(1)
     }
+}
+
+/// Lines to lights from a surface, with those on behind what lets light through.
+fn shadows(scene: &Scene) -> u64 {
+    let cast = scene.lights.iter().filter(|light| light.shadows != Shadows::None).count() as u64;
+    let part = if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" };
+    if scene.is_lit() { cast * constant(part, "CROSSINGS") as u64 } else { 0 }
 }
 
 /// Iterations of the steps of closed forms.

@@ -162,6 +162,19 @@ impl Scene {
             .demands(ends, self.rays.segment.has_chords())
     }
 
+    /// Does a surface lie in the shadow of another?
+    #[must_use]
+    pub fn has_shadows(&self) -> bool {
+        self.is_lit() && self.lights.iter().any(|light| light.shadows != Shadows::None)
+    }
+
+    /// Is there a surface that shows a light?
+    #[must_use]
+    pub fn is_lit(&self) -> bool {
+        let lit = |object: &Object| self.material_of(object).is_some_and(|material| material.surface.is_lit());
+        !self.lights.is_empty() && self.objects.iter().any(lit)
+    }
+
     /// The angle of a pixel at the picture's centre, in radians.
     #[must_use]
     pub fn pixel_angle(&self) -> Option<f64> {
@@ -206,21 +219,41 @@ pub enum Tonemap {
     Filmic,
 }
 
-/// `[[lights]]`, shining in straight lines without fall-off (W04 §3.4: "fake" illumination, for testing).
+/// `[[lights]]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Light {
-    /// At a place.
-    Point {
-        /// Where.
-        position: DVec3,
-        /// Radiance.
-        color: DVec3,
-    },
-    /// From far away.
-    Directional {
-        /// Unit vector the light travels along.
-        direction: DVec3,
-        /// Radiance.
-        color: DVec3,
-    },
+pub struct Light {
+    /// Where it is.
+    pub source: LightSource,
+    /// The radiance of a white surface that faces it; at distance 1, if it falls off.
+    pub color: DVec3,
+    /// How it is found out whether it reaches a surface.
+    pub shadows: Shadows,
+    /// Does it fall off with the square of the distance?
+    pub falls: bool,
+}
+
+/// Where light comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LightSource {
+    /// A place.
+    Point(DVec3),
+    /// Far away: the unit vector that the light travels along.
+    Directional(DVec3),
+}
+
+/// How it is found out whether a light reaches a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shadows {
+    /// It reaches all that faces it (W04 §3.4: "fake" illumination, for testing).
+    None,
+    /// By straight lines, whatever the law (G95 §6).
+    Straight,
+}
+
+impl Light {
+    /// Is it at a place?
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        matches!(self.source, LightSource::Point(_))
+    }
 }

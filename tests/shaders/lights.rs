@@ -111,21 +111,33 @@ fn lights_add_up() {
         "surface/light/blinn_phong",
         "surface/light/point",
         "surface/light/directional",
+        "surface/light/falls_some",
+        "surface/shadow/none",
+        "law/bound",
+        "real/f32",
     ];
     let probe = materials(Probe::new(&parts))
         .stub(
-            "fn lit_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
-                return lit_by_point(material, color, x, normal, view) + lit_by_directional(material, color, x, normal, view);
+            "fn lit_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f {
+                return lit_by_point(material, color, lit) + lit_by_directional(material, color, lit);
             }",
         )
-        .bind("point_lights", POINTS.map(|(p, c)| vec![("position", V3(p)), ("color", V3(c))]))
-        .bind("directional_lights", suns().map(|(d, c)| vec![("direction", V3(d)), ("color", V3(c))]));
+        .bind("bound", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(50.0))]])
+        .bind(
+            "point_lights",
+            POINTS.map(|(p, c)| vec![("position", V3(p)), ("color", V3(c)), ("shadows", Uint(0)), ("falls", Uint(0))]),
+        )
+        .bind(
+            "directional_lights",
+            suns().map(|(d, c)| vec![("direction", V3(d)), ("color", V3(c)), ("shadows", Uint(0))]),
+        );
     let body = "let material = materials[u32(p0.w)];
         let own = vec3f(0.5, 1.0, 0.25);
-        put(0u, vec4f(lit_by_point(material, own, p0.xyz, p1.xyz, p2.xyz), 0.0));
-        put(1u, vec4f(lit_by_directional(material, own, p0.xyz, p1.xyz, p2.xyz), 0.0));
-        put(2u, vec4f(radiance_phong(material, own, p0.xyz, p1.xyz, p2.xyz), 0.0));
-        put(3u, vec4f(radiance_emissive(material, own, p0.xyz, p1.xyz, p2.xyz), 0.0));";
+        let lit = Lit(p0.xyz, p0.xyz, p1.xyz, p2.xyz);
+        put(0u, vec4f(lit_by_point(material, own, lit), 0.0));
+        put(1u, vec4f(lit_by_directional(material, own, lit), 0.0));
+        put(2u, vec4f(radiance_phong(material, own, lit), 0.0));
+        put(3u, vec4f(radiance_emissive(material, own, lit), 0.0));";
     let own = DVec3::new(0.5, 1.0, 0.25);
     let [mut points, mut directional, mut phong] =
         ["point lights", "directional lights", "radiance_phong"].map(Errors::of);

@@ -82,3 +82,46 @@ fn branches_are_rendered_as_they_are_traced() {
     let parts: Vec<_> = scenes.iter().map(|(name, text)| (name, agreement(text, 1e-5))).collect();
     assert!(parts.iter().all(|(_, part)| *part >= 0.999), "parts of the pixels that agree: {parts:#?}");
 }
+
+/// Straight shadows are where the tracer has them, but at their edges: of several lights, behind clear things and opaque ones, of what
+/// is in lists, in a hierarchy or a grid, with paths that are lines and that are not, in all schedules.
+#[test]
+fn shadows_are_rendered_as_they_are_traced() {
+    let glass = "shape = \"sphere\"\ncenter = [0.2, -0.3, 0.5]\nradius = 1.1\ninterior = 1.5";
+    let mirror = "shape = \"plane\"\ncenter = [-3.5, 0, 0]\nnormal = [1, 0, 0.3]\nsize = [4, 4]\nmaterial = \"mirror\"";
+    let ball = "shape = \"sphere\"\ncenter = [2.5, 1, 1]\nradius = 0.5\nmaterial = \"shiny\"";
+    let many: Vec<String> = (0..40)
+        .map(|i| {
+            let angle = 0.7 * f64::from(i);
+            let (x, y, z) = (3.0 * angle.cos(), -1.2 + 0.08 * f64::from(i), 3.0 * angle.sin());
+            format!("shape = \"sphere\"\ncenter = [{x}, {y}, {z}]\nradius = 0.2\nmaterial = \"shiny\"")
+        })
+        .collect();
+    let many: Vec<&str> = many.iter().map(String::as_str).collect();
+    let shadowed = |text: String| {
+        text.replace(
+            "kind = \"point\"",
+            "kind = \"point\"\nshadows = \"straight\"\nfalloff = \"inverse-square\"\ncolor = [250, 220, 200]",
+        )
+        .replace("kind = \"directional\"", "kind = \"directional\"\nshadows = \"straight\"")
+    };
+    let keys = |text: String, keys: &str| text.replace("[rays]\n", &format!("[rays]\n{keys}\n"));
+    let scenes = [
+        ("opaque", shadowed(room(0, &[ball]))),
+        ("without a structure", keys(shadowed(room(0, &[ball])), "accelerate = \"none\"")),
+        ("glass and mirror", shadowed(room(3, &[mirror, glass, ball]))),
+        ("hierarchy", shadowed(room(0, &many))),
+        ("grid", keys(shadowed(room(0, &many)), "accelerate = \"grid\"")),
+        ("solver", keys(shadowed(room(0, &many)), "method = \"rk4\"\nscaled_step = 0.05")),
+    ];
+    for (name, text) in &scenes {
+        let part = agreement(text, 2e-5);
+        assert!(part >= 0.998, "{name}: {part}");
+        let dark = agreement(&text.replace("shadows = \"straight\"", ""), 2e-5);
+        assert!(dark >= 0.998, "{name} without shadows: {dark}");
+    }
+    let [lit, plain] = [scenes[0].1.clone(), scenes[0].1.replace("shadows = \"straight\"", "")]
+        .map(|text| Tracer::new(&scene(&text)).picture());
+    let shaded = lit.iter().zip(&plain).filter(|(a, b)| **a != **b).count();
+    assert!(shaded * 40 > lit.len(), "{shaded} pixels in shadow");
+}

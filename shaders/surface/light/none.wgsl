@@ -1,5 +1,5 @@
 // No lights.
 
-fn lit_radiance(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
+fn lit_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f {
     return vec3f(0.0);
 }

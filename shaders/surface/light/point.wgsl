@@ -1,18 +1,26 @@
-// Lights at a place, without fall-off.
+// Lights at a place.
 
 struct PointLight {
     position: vec3f,
+    // 1 where it casts shadows.
+    shadows: u32,
     color: vec3f,
+    // 1 where it falls off with the square of the distance.
+    falls: u32,
 }
 
 @group(0) @binding(133) var<storage, read> point_lights: array<PointLight>;
 
-fn lit_by_point(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
+fn lit_by_point(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < arrayLength(&point_lights); i++) {
         work += 1u;
-        let to_light = normalize(point_lights[i].position - x);
-        sum += point_lights[i].color * blinn_phong(material, color, to_light, normal, view);
+        let way = point_lights[i].position - lit.x;
+        let to_light = normalize(way);
+        let faces = dot(lit.normal, to_light) > 0.0;
+        let end = Real3(point_lights[i].position) - lit.start;
+        let strength = light_share(point_lights[i].shadows, faces, lit.start, end) * fallen(point_lights[i].falls, way);
+        sum += strength * point_lights[i].color * blinn_phong(material, color, to_light, lit.normal, lit.view);
     }
     return sum;
 }

@@ -2,6 +2,6 @@
 
 const PHONG: u32 = 1u;
 
-fn radiance_phong(material: Material, color: vec3f, x: vec3f, normal: vec3f, view: vec3f) -> vec3f {
-    return material.emission + material.ambient * color + lit_radiance(material, color, x, normal, view);
+fn radiance_phong(material: Material, color: vec3f, lit: Lit) -> vec3f {
+    return material.emission + material.ambient * color + lit_radiance(material, color, lit);
 }

@@ -11,7 +11,7 @@ mod regions;
 mod sky;
 
 use super::optics::Optics;
-use super::{Animation, Light, Output, REFERENCE, Scene, SceneError, Tonemap};
+use super::{Animation, Light, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{color, direction, number_where, vector, whole, word};
@@ -143,15 +143,17 @@ fn light(table: TableReader) -> Option<Light> {
     let kinds = word(&[("point", true), ("directional", false)]);
     let point = table.decide_required("kind", "\"point\"", kinds);
     let color = table.or("color", DVec3::ONE, color);
-    let light = point.and_then(|point| {
-        Some(if point {
-            let position = table.required("position", "[10, 10, 10]", vector)?;
-            Light::Point { position, color }
+    let shadows = table.or("shadows", Shadows::None, word(&[("none", Shadows::None), ("straight", Shadows::Straight)]));
+    let source = point.and_then(|point| {
+        if point {
+            table.required("position", "[10, 10, 10]", vector).map(LightSource::Point)
         } else {
-            let direction = table.required("direction", "[0, -1, 0]", direction)?;
-            Light::Directional { direction, color }
-        })
+            table.required("direction", "[0, -1, 0]", direction).map(LightSource::Directional)
+        }
     });
+    // Light from far away is as bright everywhere.
+    let falls = point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
+    let light = source.map(|source| Light { source, color, shadows, falls });
     table.finish();
     light
 }

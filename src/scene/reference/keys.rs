@@ -127,7 +127,11 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         }
         "lights" {
             kind: "point | directional" = "required", "from a place, or from far away";
-            color: "[red, green, blue]" = "[1, 1, 1]", "radiance, linear";
+            color: "[red, green, blue]" = "[1, 1, 1]", "radiance of a white surface that faces it, linear";
+            shadows: "none | straight" = "none",
+                "what it does not reach: nothing that faces it, or what is behind something opaque on a straight line, whatever the law";
+            falloff if r#"kind = "point""#: "none | inverse-square" = "none",
+                "as bright everywhere, or by the square of the distance: `color` is at distance 1";
             position if r#"kind = "point""#: "[x, y, z]" = "required", "scene units";
             direction if r#"kind = "directional""#: "[x, y, z]" = "required", "where the light travels to";
         }

@@ -13,8 +13,8 @@ use crate::model::method::{self, Method};
 use crate::model::shape::Plane;
 use crate::scene::check::scene;
 use crate::scene::{
-    CameraFrame, Control, Light, Pattern, REFERENCE, Scene, SceneError, Segment, Sky, Stereo, StereoLayout, TEMPLATE,
-    reference_markdown,
+    CameraFrame, Control, Light, LightSource, Pattern, REFERENCE, Scene, SceneError, Segment, Shadows, Sky, Stereo,
+    StereoLayout, TEMPLATE, reference_markdown,
 };
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -216,7 +216,8 @@ fn shapes_go_where_their_keys_say() {
     let colors = [DVec3::ONE, DVec3::ZERO];
     assert_eq!(scene.materials[1].color, Pattern::Checker { colors, repeat: DVec2::splat(8.0) });
     assert!(matches!(scene.materials[0].surface.downcast(), Some(Phong { ambient: 0.1, .. })));
-    assert_eq!(scene.lights[0], Light::Directional { direction: -DVec3::Y, color: DVec3::ONE });
+    let sun = LightSource::Directional(-DVec3::Y);
+    assert_eq!(scene.lights[0], Light { source: sun, color: DVec3::ONE, shadows: Shadows::None, falls: false });
 }
 
 #[test]

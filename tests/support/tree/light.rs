@@ -1,7 +1,7 @@
 //! What surfaces and the sky send out, in 64 bits.
 
 use bentray::model::material::Phong;
-use bentray::scene::{Light, Material, Pattern, Picture, Scene, Sky};
+use bentray::scene::{LightSource, Material, Pattern, Picture, Scene, Shadows, Sky};
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
@@ -21,21 +21,40 @@ pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
     }
 }
 
-/// What a point of a surface sends towards the viewer; the unit vectors `normal` and `view` are on the same side.
-pub fn radiance(scene: &Scene, material: &Material, color: DVec3, x: DVec3, normal: DVec3, view: DVec3) -> DVec3 {
+/// A point of a surface, seen from a side.
+#[derive(Debug, Clone, Copy)]
+pub struct Lit {
+    /// The point.
+    pub x: DVec3,
+    /// The unit normal, on the viewer's side.
+    pub normal: DVec3,
+    /// To the viewer.
+    pub view: DVec3,
+}
+
+/// What it sends towards the viewer; `reaches` is told how far and whither a light is that casts shadows.
+pub fn radiance(
+    scene: &Scene,
+    material: &Material,
+    color: DVec3,
+    at: Lit,
+    reaches: impl Fn(f64, DVec3) -> bool,
+) -> DVec3 {
     let Some(phong) = material.surface.downcast::<Phong>() else { return color };
     let Phong { ambient, specular, shininess, emission } = *phong;
+    let Lit { x, normal, view } = at;
     let lit = scene.lights.iter().map(|light| {
-        let (to_light, light) = match light {
-            Light::Point { position, color } => ((*position - x).normalize(), *color),
-            Light::Directional { direction, color } => (-*direction, *color),
+        let (distance, to_light) = match light.source {
+            LightSource::Point(position) => (position.distance(x), (position - x).normalize()),
+            LightSource::Directional(direction) => (f64::INFINITY, -direction),
         };
         let facing = normal.dot(to_light);
-        if facing <= 0.0 {
+        if facing <= 0.0 || (light.shadows == Shadows::Straight && !reaches(distance, to_light)) {
             return DVec3::ZERO;
         }
         let halfway = (to_light + view).normalize();
-        light * (facing * color + normal.dot(halfway).max(1e-6).powf(shininess) * specular)
+        let strength = if light.falls { distance.powi(-2) } else { 1.0 };
+        strength * light.color * (facing * color + normal.dot(halfway).max(1e-6).powf(shininess) * specular)
     });
     emission + ambient * color + lit.sum::<DVec3>()
 }

@@ -196,6 +196,14 @@ impl<'s> Tracer<'s> {
         (interface, back, across)
     }
 
+    /// Is nothing opaque on a line so long from a place on the surface of `own`, on its side? All bodies are convex.
+    fn is_clear(&self, own: usize, x: DVec3, d: DVec3, distance: f64) -> bool {
+        let within = |t: f64| t > 0.0 && t < distance;
+        let blocks = |k: usize| self.bodies[k].span(x, d).is_some_and(|ends| ends.into_iter().any(within));
+        let opaque = |k: usize| k != own && self.scene.objects[k].material().is_some();
+        !(0..self.bodies.len()).any(|k| opaque(k) && blocks(k))
+    }
+
     /// L/n² against the ray; a path that would branch more often than `branchings` times is cut.
     fn radiance(&self, mut ray: Ray, branchings: u32) -> DVec3 {
         let mut weight = DVec3::ONE;
@@ -227,7 +235,9 @@ impl<'s> Tracer<'s> {
                 continue;
             }
             let facing = if d.dot(normal) > 0.0 { -normal } else { normal };
-            let seen = light::radiance(self.scene, material, color, x, facing, -d);
+            let lit = light::Lit { x, normal: facing, view: -d };
+            let reaches = |distance: f64, to_light: DVec3| self.is_clear(object, x, to_light, distance);
+            let seen = light::radiance(self.scene, material, color, lit, reaches);
             return weight * seen / self.medium_index(&meeting.ray).powi(2);
         }
         DVec3::ZERO

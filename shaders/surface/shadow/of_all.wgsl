@@ -1,0 +1,5 @@
+// Every light casts shadows.
+
+fn casts(shadows: u32) -> bool {
+    return true;
+}
