@@ -1,4 +1,4 @@
-# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis. `make test`: every check.
+# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis and scenes/groller. `make test`: every check.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -14,16 +14,18 @@ render: device
 	target/release/bentray render scenes/black_hole.toml -o out/black_hole.png
 	@echo "open out/black_hole.png"
 
-# Every command of the figures' own page, in its folder; `GALLERY` adds to each, such as `make gallery GALLERY="--size 100x100"`.
+# Every command of the figures' own pages, in their folders; `GALLERY` adds to each, such as `make gallery GALLERY="--size 100x100"`.
 gallery: device
 	cargo build --release
-	mkdir -p out/thesis
-	cd scenes/thesis; bin="$$PWD/../../target/release/bentray"; out="$$PWD/../../out/thesis"; \
-	sed -n 's/^    bentray //p' README.md | while IFS= read -r line; do \
-	    echo "bentray $$line"; \
-	    line=$${line/-o /-o $$out/}; line=$${line/--plot /--plot $$out/}; \
-	    if [[ $$line == render* ]]; then line="$$line $(GALLERY)"; fi; \
-	    eval "'$$bin' $$line" </dev/null 2>$$out/log || { cat $$out/log; exit 1; }; \
+	bin="$$PWD/target/release/bentray"; root="$$PWD"; \
+	for pages in thesis groller; do \
+	    out="$$root/out/$$pages"; mkdir -p "$$out"; cd "$$root/scenes/$$pages"; \
+	    sed -n 's/^    bentray //p' README.md | while IFS= read -r line; do \
+	        echo "bentray $$line"; \
+	        line=$${line/-o /-o $$out/}; line=$${line/--plot /--plot $$out/}; \
+	        if [[ $$line == render* ]]; then line="$$line $(GALLERY)"; fi; \
+	        eval "'$$bin' $$line" </dev/null 2>$$out/log || { cat $$out/log; exit 1; }; \
+	    done; \
 	done
 
 test: device

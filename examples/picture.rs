@@ -11,7 +11,7 @@ use bentray::model::material::Phong;
 use bentray::model::shape::{Plane, Sphere};
 use bentray::output::save;
 use bentray::render::{RenderSettings, Renderer};
-use bentray::scene::{Camera, Light, Pattern, Scene, Transform};
+use bentray::scene::{Camera, Light, LightSource, Pattern, Scene, Shadows, Transform};
 use glam::{DVec2, DVec3};
 
 fn scene() -> Scene {
@@ -25,7 +25,8 @@ fn scene() -> Scene {
     let facing_us = DVec3::new(90.0, 0.0, 0.0);
     scene.add(Plane, Transform::new(DVec3::splat(20.0), facing_us, DVec3::new(0.0, 0.0, -15.0)), wall);
     scene.add(Sphere, Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::new(5.0, 0.0, 0.0)), red);
-    scene.lights.push(Light::Point { position: DVec3::new(10.0, 10.0, 20.0), color: DVec3::ONE });
+    let source = LightSource::Point(DVec3::new(10.0, 10.0, 20.0));
+    scene.lights.push(Light { source, color: DVec3::ONE, shadows: Shadows::Straight, falls: false });
     scene
 }
 

@@ -7,7 +7,7 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` that make up what they ask for, and all that this can be.
-const COMPUTED: [(&str, &[(&str, &str)]); 9] = [
+const COMPUTED: [(&str, &[(&str, &str)]); 10] = [
     ("part, \"ASYMPTOTE_STEPS\"", &[("real/f32", "ASYMPTOTE_STEPS"), ("real/f64", "ASYMPTOTE_STEPS")]),
     (
         "part, \"MAX_TRIES\"",
@@ -54,6 +54,7 @@ const COMPUTED: [(&str, &[(&str, &str)]); 9] = [
             ("segment/ray", "OUTSIDE"),
         ],
     ),
+    ("part, \"CROSSINGS\"", &[("surface/shadow/opaque", "CROSSINGS"), ("surface/shadow/clear", "CROSSINGS")]),
     ("\"segment/ray\", name", &[("segment/ray", "ALIVE"), ("segment/ray", "UNFINISHED")]),
     ("\"state/active\", name", &[("state/active", "GROUP"), ("state/active", "GROUP_WIDTH")]),
 ];

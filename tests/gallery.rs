@@ -1,15 +1,15 @@
-//! The figures of scenes/thesis: every command of their page, rendered small and compared with a picture that was looked at.
+//! The figures of scenes/thesis and scenes/groller: every command of their pages, rendered small and compared with a picture that was looked at.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/thesis")
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name)
 }
 
 /// The words of the page's render commands, as a shell splits them.
-fn commands() -> Vec<Vec<String>> {
-    let page = std::fs::read_to_string(folder().join("README.md")).unwrap();
+fn commands(folder: &Path) -> Vec<Vec<String>> {
+    let page = std::fs::read_to_string(folder.join("README.md")).unwrap();
     let lines = page.lines().filter_map(|line| line.strip_prefix("    bentray render "));
     // What is quoted is every other part.
     let words = |line: &str| -> Vec<String> {
@@ -34,12 +34,12 @@ fn difference(a: &image::RgbImage, b: &image::RgbImage) -> f64 {
 }
 
 /// A picture as the page's command makes it, but small.
-fn rendered(words: &[String], to: &Path) -> image::RgbImage {
+fn rendered(folder: &Path, words: &[String], to: &Path) -> image::RgbImage {
     let at = words.iter().position(|word| word == "-o").expect("an output") + 1;
     let picture = to.join(&words[at]);
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
     command
-        .current_dir(folder())
+        .current_dir(folder)
         .env("NODEVICE_SELECT", "1")
         .env("BENTRAY_CACHE", "")
         .arg("render")
@@ -54,18 +54,28 @@ fn rendered(words: &[String], to: &Path) -> image::RgbImage {
     image::open(picture).unwrap().to_rgb8()
 }
 
-#[test]
-fn figures_are_as_they_were_looked_at() {
+fn figures_are_as_they_were_looked_at(name: &str, least: usize) {
+    let folder = folder(name);
     let to = tempfile::tempdir().unwrap();
-    let all = commands();
-    assert!(all.len() >= 40, "{}", all.len());
+    let all = commands(&folder);
+    assert!(all.len() >= least, "{}", all.len());
     let mut off = Vec::new();
     for words in &all {
         let name = &words[words.iter().position(|word| word == "-o").expect("an output") + 1];
-        let reference = image::open(folder().join("pictures").join(name));
+        let reference = image::open(folder.join("pictures").join(name));
         let reference = reference.unwrap_or_else(|error| panic!("no reference for {name}: {error}")).to_rgb8();
-        off.push((difference(&reference, &rendered(words, to.path())), name.clone()));
+        off.push((difference(&reference, &rendered(&folder, words, to.path())), name.clone()));
     }
     let far: Vec<_> = off.iter().filter(|(off, _)| *off > 4.0).collect();
     assert!(far.is_empty(), "off by so many of 255: {far:?}");
+}
+
+#[test]
+fn figures_of_the_thesis() {
+    figures_are_as_they_were_looked_at("thesis", 40);
+}
+
+#[test]
+fn images_of_1995() {
+    figures_are_as_they_were_looked_at("groller", 14);
 }

@@ -9,6 +9,7 @@ mod cli;
 mod constants;
 mod exactness;
 mod gallery;
+mod groeller;
 mod imports;
 mod interiors;
 mod lenses;

@@ -7,8 +7,3 @@ const FAR_AWAY: Real = 1e30;
 fn law_acceleration(x: Real3, held: Real) -> Real3 {
     return source_acceleration(x);
 }
-
-// The tau to the nearest centre at this speed.
-fn law_scale(p: Phase) -> Real {
-    return source_distance(p[0]) / length(p[1]);
-}

@@ -42,7 +42,7 @@ pub(super) fn region_parts(
         Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names)?,
         Motion::Solved => {
             names.all(&SOLVED_PARTS);
-            names.all(&["motion/pace_tau", "method/first_derivative"]);
+            names.all(&["law/path_as_velocity", "motion/pace_tau", "method/first_derivative"]);
             names.all(scene.rays.method.kind.parts);
             names.all(scene.rays.control.kind.parts);
         }
@@ -64,6 +64,7 @@ fn closed_motion(
     names: &mut Names,
 ) -> Result<(), ProgramError> {
     names.all(form.parts);
+    names.add("law/path_as_velocity");
     if let Some(curve) = scene.law.curve() {
         names.wgsl(scene.law.parts())?;
         names.make(formula::curve(&curve.curve));
@@ -85,7 +86,8 @@ fn closed_motion(
 /// The scene's own law, by the scene's own method.
 fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), ProgramError> {
     let in_plane = scene.rays.method.kind.path == Path::Orbit;
-    names.add(if in_plane { "motion/orbit" } else { "motion/pace_tau" });
+    let [path, pace] = scene.law.pace();
+    names.all(&[path, if in_plane { "motion/orbit" } else { pace }]);
     if let Some(orbit) = scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic) {
         names.all(&["law/orbit", orbit.part]);
     }

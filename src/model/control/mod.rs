@@ -11,6 +11,7 @@ pub mod doubling;
 pub mod embedded;
 pub mod exact;
 pub mod fixed;
+pub mod iterated;
 pub mod scaled;
 
 use std::fmt;
@@ -78,7 +79,7 @@ pub struct Control {
     pub kind: &'static Kind,
     /// The number that a chart sweeps: a step in τ, an angle in radians, η, or a tolerance.
     pub setting: f64,
-    /// η: no step is longer than this times the law's scale.
+    /// η: no step is longer than this times the law's scale; infinite for steps that are none of the law's business.
     pub cap: f64,
     /// Doubling alone: h grows below this relative difference.
     pub grow_below: f64,
@@ -108,7 +109,7 @@ impl Control {
         let named = format!("{method}{}", self.kind.suffix);
         let Some(key) = self.own_key() else { return named };
         let setting = written((self.kind.setting)(self));
-        let cap = if key == scaled::SCALED_STEP.key {
+        let cap = if key == scaled::SCALED_STEP.key || self.cap.is_infinite() {
             String::new()
         } else {
             format!(", {} {}", scaled::SCALED_STEP.key, written(self.cap))
@@ -121,7 +122,7 @@ impl Control {
     pub fn settings(&self) -> Vec<(&'static str, String)> {
         let Some(own) = self.own_key() else { return Vec::new() };
         let mut all = vec![(own, written((self.kind.setting)(self)))];
-        if own != scaled::SCALED_STEP.key {
+        if own != scaled::SCALED_STEP.key && self.cap.is_finite() {
             all.push((scaled::SCALED_STEP.key, written(self.cap)));
         }
         if self.kind.keys == doubling::REJECTING.keys {

@@ -37,7 +37,7 @@ pub use own::{Depends, OwnLaw};
 pub use parametric::Parametric;
 pub use rossler::Rossler;
 pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
-pub use sources::Sources;
+pub use sources::{ByLength, Sources};
 pub use straight::Straight;
 
 /// Reads a law; none if it cannot be used.
@@ -63,7 +63,8 @@ pub static KINDS: Kinds<Read> = Kinds {
 };
 
 /// The parts of a usual law of the second order: it holds nothing, and takes starts and steps as they are.
-const USUAL_PARTS: [&str; 4] = ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
+const USUAL_PARTS: [&str; 5] =
+    ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is", "law/next_by_force"];
 
 /// How light travels.
 pub trait Law: fmt::Debug + Send + Sync + Same {
@@ -125,6 +126,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
     /// The medium that fills all space, if that is what the law is.
     fn medium(&self) -> Option<&Arc<dyn Medium>> {
         None
+    }
+
+    /// What its τ is to the path: the parts that know how fast a place moves, and what a step is measured in.
+    fn pace(&self) -> [&'static str; 2] {
+        ["law/path_as_velocity", "motion/pace_tau"]
     }
 
     /// The closed form of all its paths, if they have one, and if that is not a medium's.

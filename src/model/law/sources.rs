@@ -8,14 +8,18 @@ use glam::DVec3;
 use super::{Invariant, Kind, Landmark, Law, Orbit, Order, USUAL_PARTS};
 use crate::document::keys;
 use crate::document::reader::TableReader;
-use crate::document::values::{choice, not_negative, not_zero, vector};
+use crate::document::values::{choice, not_negative, not_zero, vector, word};
 use crate::model::falloff::{self, FALLOFFS, Falloff};
 use crate::model::source::SOURCES;
 use crate::model::{Anchor, Binding, Capture, Loops, Row, Source, Wgsl, row};
 
 pub static KIND: Kind = Kind {
     name: "sources",
-    keys: keys! { sources: "array of tables" = "required", "the sources of force, at least one"; },
+    keys: keys! {
+        sources: "array of tables" = "required", "the sources of force, at least one";
+        parameter: "time | length" = "time",
+            "what the forces act over: time, as Newton has it, or the path's length, which is what Gröller's iteration comes to";
+    },
     read: |table, _| {
         let tables = table.subtables("sources", "law.sources");
         if tables.is_empty() {
@@ -25,7 +29,9 @@ pub static KIND: Kind = Kind {
         }
         // All are read before any is missed.
         let sources: Vec<Option<Source>> = tables.into_iter().map(source).collect();
-        Some(Arc::new(Sources(sources.into_iter().collect::<Option<_>>()?)))
+        let by_length = table.or("parameter", false, word(&[("time", false), ("length", true)]));
+        let sources = Sources(sources.into_iter().collect::<Option<_>>()?);
+        Some(if by_length { Arc::new(ByLength(sources)) } else { Arc::new(sources) })
     },
 };
 
@@ -74,6 +80,23 @@ impl Sources {
         )
     }
 
+    /// The acceleration that all of them add, and the distance of the nearest.
+    fn forces(&self) -> Vec<Wgsl> {
+        let mut parts = Wgsl::parts(&["law/sources"]);
+        parts.extend(self.falloffs().map(|kind| Wgsl::Part(format!("law/falloff/{}", kind.wgsl).into())));
+        let text = |file: &'static str, text: String| Wgsl::Text { file: file.into(), text: text.into() };
+        parts.push(text("generated/sources.wgsl", self.sums()));
+        parts.push(text("generated/source_counts.wgsl", self.counts()));
+        parts
+    }
+
+    /// V, and the sum of its parts' sizes.
+    fn potential(&self, x: DVec3) -> [f64; 2] {
+        let parts =
+            self.0.iter().map(|source| source.strength * source.falloff.potential(source.anchor.offset(x).length()));
+        [parts.clone().sum(), parts.map(f64::abs).sum()]
+    }
+
     /// How long the lists are: known to the compiler, which may unroll them.
     fn counts(&self) -> String {
         let mut text = String::new();
@@ -87,12 +110,7 @@ impl Sources {
 
 impl Law for Sources {
     fn parts(&self) -> Vec<Wgsl> {
-        let mut parts = [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&["law/sources"])].concat();
-        parts.extend(self.falloffs().map(|kind| Wgsl::Part(format!("law/falloff/{}", kind.wgsl).into())));
-        let text = |file: &'static str, text: String| Wgsl::Text { file: file.into(), text: text.into() };
-        parts.push(text("generated/sources.wgsl", self.sums()));
-        parts.push(text("generated/source_counts.wgsl", self.counts()));
-        parts
+        [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&["law/scale_to_source"]), self.forces()].concat()
     }
 
     fn values(&self) -> Vec<Binding> {
@@ -137,10 +155,8 @@ impl Law for Sources {
     /// The energy ½|v|² + V, and about a single centre x × v.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let kinetic = 0.5 * v.length_squared();
-        let potential =
-            self.0.iter().map(|source| source.strength * source.falloff.potential(source.anchor.offset(x).length()));
-        let size = kinetic + potential.clone().map(f64::abs).sum::<f64>();
-        let mut all = vec![Invariant { name: "energy", value: kinetic + potential.sum::<f64>(), size }];
+        let [potential, size] = self.potential(x);
+        let mut all = vec![Invariant { name: "energy", value: kinetic + potential, size: kinetic + size }];
         if let Some(orbit) = self.orbit() {
             let d = x - orbit.center;
             let (value, size) = (d.cross(v).length(), d.length() * v.length());
@@ -167,5 +183,59 @@ impl Law for Sources {
 
     fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
         interiors.then_some(OWN_SPEED)
+    }
+}
+
+/// Sources whose force acts over the path's length, whatever the speed: dx = v/|v|, dv = −Σ strength · d(r) n̂. What G95's iteration
+/// comes to as its step, and with it M, goes to 0: another path than Newton's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ByLength(pub Sources);
+
+impl Law for ByLength {
+    fn parts(&self) -> Vec<Wgsl> {
+        let own = ["law/by_length", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
+        [Wgsl::parts(&own), self.0.forces()].concat()
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        self.0.values()
+    }
+
+    fn order(&self) -> Order {
+        Order::General
+    }
+
+    fn pace(&self) -> [&'static str; 2] {
+        ["law/by_length", "motion/pace_length"]
+    }
+
+    fn loops(&self) -> Loops {
+        self.0.loops()
+    }
+
+    fn anchors(&self) -> Vec<Anchor> {
+        self.0.anchors()
+    }
+
+    fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        self.0.captures(clearance)
+    }
+
+    /// |v| + V.
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let [potential, size] = self.0.potential(x);
+        vec![Invariant { name: "|v| + V", value: v.length() + potential, size: v.length() + size }]
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        self.0.landmarks()
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        self.0.refuses_eye(at)
+    }
+
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        self.0.refuses_surfaces(interiors)
     }
 }

@@ -12,6 +12,7 @@ pub static KIND: Kind = Kind {
     controls: Controls::Embedded,
     refuses: |_| Vec::new(),
     closed_forms: false,
+    polygon: false,
     step_cost: Some(15.0),
     sweeps: || vec![("dormand-prince", embedded::sweep(14))],
     own: None,

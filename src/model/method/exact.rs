@@ -23,6 +23,7 @@ pub static KIND: Kind = Kind {
         refused
     },
     closed_forms: true,
+    polygon: false,
     step_cost: Some(0.0),
     sweeps: || vec![("exact", vec![control::exact::CONTROL])],
     own: None,

@@ -13,6 +13,7 @@ pub static KIND: Kind = Kind {
     controls: Controls::Planned,
     refuses: |scene| needs_place_alone(scene.order),
     closed_forms: false,
+    polygon: false,
     step_cost: None,
     sweeps: || vec![("leapfrog", scaled::sweep(18))],
     own: None,

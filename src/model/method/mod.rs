@@ -8,6 +8,7 @@ mod bogacki_shampine;
 mod dormand_prince;
 mod euler;
 mod exact;
+mod groeller;
 mod leapfrog;
 mod planar;
 mod rk4;
@@ -24,7 +25,7 @@ use crate::document::values::positive;
 use crate::document::{Key, KeyReference, kind_rows};
 
 /// Every method, in the order of the reference and of charts.
-pub const METHODS: [&Kind; 9] = [
+pub const METHODS: [&Kind; 10] = [
     &exact::KIND,
     &planar::KIND,
     &euler::KIND,
@@ -34,6 +35,7 @@ pub const METHODS: [&Kind; 9] = [
     &bogacki_shampine::KIND,
     &dormand_prince::KIND,
     &snell::KIND,
+    &groeller::KIND,
 ];
 
 /// What follows rays without a solver, where all paths have closed forms.
@@ -65,6 +67,8 @@ pub enum Controls {
     Planned,
     /// Those, and under a name of its own step doubling.
     PlannedOrDoubled,
+    /// Steps of an iteration, of the size that the scene gives.
+    Iterated,
     /// The error of an embedded pair.
     Embedded,
 }
@@ -87,6 +91,8 @@ pub struct Kind {
     pub refuses: fn(&Demands) -> Vec<Refusal>,
     /// Do closed forms stand for it where there are some?
     pub closed_forms: bool,
+    /// Is its path made of straight steps? Segments are then chords over one step, unless the scene says otherwise.
+    pub polygon: bool,
     /// What a step costs besides its evaluations, in evaluations of a simple derivative; none for a method that no chart has shown to
     /// be the fastest somewhere.
     pub step_cost: Option<f64>,
@@ -180,6 +186,7 @@ impl Kind {
         let control: Vec<&Key> = match self.controls {
             _ if doubled => control::doubling::REJECTING.keys.iter().collect(),
             Controls::Exact => Vec::new(),
+            Controls::Iterated => control::iterated::KIND.keys.iter().collect(),
             Controls::Scaled => control::scaled::KIND.keys.iter().collect(),
             Controls::Planned | Controls::PlannedOrDoubled => control::planned_keys(),
             Controls::Embedded => control::embedded::KIND.keys.iter().collect(),
@@ -218,6 +225,7 @@ impl Named {
         let control = match self.kind.controls {
             _ if self.doubled => control::doubling::read(table),
             Controls::Exact => control::exact::CONTROL,
+            Controls::Iterated => control::iterated::read(table),
             Controls::Scaled => control::scaled::read(table),
             Controls::Planned | Controls::PlannedOrDoubled => control::planned(table),
             Controls::Embedded => control::embedded::read(table),

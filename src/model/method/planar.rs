@@ -29,6 +29,7 @@ pub static KIND: Kind = Kind {
         refused
     },
     closed_forms: true,
+    polygon: false,
     step_cost: Some(1.5),
     sweeps: || vec![("planar", scaled::sweep(16))],
     own: None,

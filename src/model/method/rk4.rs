@@ -12,6 +12,7 @@ pub static KIND: Kind = Kind {
     controls: Controls::PlannedOrDoubled,
     refuses: |_| Vec::new(),
     closed_forms: false,
+    polygon: false,
     step_cost: Some(5.0),
     sweeps: || {
         vec![

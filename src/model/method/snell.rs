@@ -16,6 +16,7 @@ pub static KIND: Kind = Kind {
         if scene.has_medium { Vec::new() } else { vec![Refusal::method(problem)] }
     },
     closed_forms: false,
+    polygon: false,
     step_cost: None,
     sweeps: || vec![("snell", scaled::sweep(16))],
     own: Some(&OwnNumber {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, boolean, choice, positive, vector, whole, word};
+use crate::document::values::{Read, boolean, choice, positive, text, vector, whole, word};
 use crate::document::{Node, Value};
 use crate::model::method::{self, Demands, Named};
 use crate::model::{Law, control};
@@ -41,7 +41,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let length = table.optional("length", positive);
     let own = optics.law.and_then(Law::length);
     let length = length.into_iter().chain(own).reduce(f64::min);
-    let segment = segment(&table, optics.arc_tolerance() * bound.map_or(1.0, |bound| bound.radius));
+    let segment = segment(&table, optics.arc_tolerance() * bound.map_or(1.0, |bound| bound.radius), is_polygon(&table));
     let demands = optics.demands(length.is_some(), segment.has_chords());
     let (named, auto) = method(&table, optics, demands);
     let (method, control) = match named {
@@ -172,11 +172,19 @@ pub fn bound(table: &TableReader) -> Option<Bound> {
     Some(Bound { center, radius: radius? })
 }
 
-fn segment(table: &TableReader, tolerance: f64) -> Segment {
+/// Does the method that is named, if one is, go in straight steps?
+fn is_polygon(table: &TableReader) -> bool {
+    let written = table.node("method").and_then(|node| text(node).ok());
+    method::names().iter().any(|(name, named)| Some(&**name) == written && named.kind.polygon)
+}
+
+fn segment(table: &TableReader, tolerance: f64, polygon: bool) -> Segment {
     let arc = Segment::Arc { tolerance };
-    match table.decide("segment", true, word(&[("arc", true), ("chord", false)])) {
+    match table.decide("segment", !polygon, word(&[("arc", true), ("chord", false)])) {
         Some(true) => Segment::Arc { tolerance: table.or("arc_tolerance", tolerance, positive) },
-        Some(false) => Segment::Chord { steps: table.or("steps_per_segment", 10, whole(1..=1000)) },
+        Some(false) => {
+            Segment::Chord { steps: table.or("steps_per_segment", if polygon { 1 } else { 10 }, whole(1..=1000)) }
+        }
         None => arc,
     }
 }

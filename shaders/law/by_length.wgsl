@@ -1,0 +1,20 @@
+// Forces by arc length (what G95's iteration suggests): dx = v/|v|, dv = a(x). Another path than Newton's: |v| + V is kept, not ½|v|² + V.
+
+fn law_derivative(p: Phase) -> Phase {
+    return Phase(normalize(p[1]), law_acceleration(p[0], law_held(p)));
+}
+
+// x″, for the control by curvature.
+fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
+    let along = dot(rate[1], rate[0]) * rate[0];
+    return (rate[1] - along) / length(p[1]);
+}
+
+fn path_velocity(v: Real3) -> Real3 {
+    return normalize(v);
+}
+
+// The length to the nearest source.
+fn law_scale(p: Phase) -> Real {
+    return source_distance(p[0]);
+}

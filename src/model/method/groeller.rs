@@ -1,0 +1,33 @@
+//! Gröller's iteration as it is printed: x ← x + h v/|v|, v ← f(x, v) (G95 §3.1, Table 1).
+//!
+//! *Theory.* Under sources of force f(x, v) = v − Σ M d(r) n̂, without h: what is integrated is the law by arc length, dx = v/|v|,
+//! dv = a(x), with M/h in place of M, so that a picture depends on h. Under a flow f is the field.
+
+use super::{Controls, Kind, Path, Refusal};
+use crate::model::Order;
+
+pub static KIND: Kind = Kind {
+    name: "groeller",
+    path: Path::Steps,
+    parts: &["method/step/groeller"],
+    evaluations: 1,
+    order: 1,
+    controls: Controls::Iterated,
+    refuses: |scene| {
+        let mut refused = Vec::new();
+        if scene.order == Order::General || scene.has_medium {
+            refused.push(Refusal::method("Gröller's iteration is for sources of force and for flows"));
+        }
+        if !scene.has_chords {
+            let help = "use segment = \"chord\", or leave it out";
+            refused.push(Refusal { key: "segment", problem: "Gröller's iteration is made of straight steps", help });
+        }
+        refused
+    },
+    closed_forms: false,
+    polygon: true,
+    step_cost: None,
+    // Its picture depends on h, so that there is no accuracy to chart.
+    sweeps: Vec::new,
+    own: None,
+};
