@@ -71,6 +71,9 @@ const RESTING: u32 = 11u;
 // A walk was longer than the passes that were recorded for it: the tile is rendered again, with all that it may need.
 const UNFINISHED: u32 = 12u;
 
+// Not a ray's end, but counted beside them: a place on a surface that no path from a light leads to.
+const UNLIT: u32 = 13u;
+
 // Did the path end on a surface?
 fn ends_on_surface(code: u32) -> bool {
     return code == HIT || code == CUT;

@@ -67,6 +67,12 @@ impl Source<'_> {
         let g = self.geometry;
         match name {
             "surroundings" => pack(name, layout, self.surroundings()).map(Some),
+            "aims" => {
+                let anchors = self.scene.law.anchors();
+                let positions = anchors.iter().map(|anchor| anchor.position).chain([DVec3::ZERO]);
+                let rows = positions.take(anchors.len().max(1)).map(|position| [("position", Vec3(position))]);
+                pack(name, layout, rows).map(Some)
+            }
             "obstacles" => pack(name, layout, g.analysis.regions.obstacles.iter().map(obstacle)).map(Some),
             "touching" => pack(name, layout, self.touching()).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
@@ -135,15 +141,22 @@ impl Source<'_> {
 
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let row = |light: &Light| -> (&str, Row) {
-            let shadows = Uint(u32::from(light.shadows != Shadows::None));
-            let common = vec![("color".into(), Vec3(light.color)), ("shadows".into(), shadows)];
-            let (list, own) = match light.source {
+            let shadows = u32::from(light.shadows == Shadows::Straight);
+            let falls = u32::from(light.falls);
+            match light.source {
+                LightSource::Point(position) if light.shadows == Shadows::Shooting => (
+                    "shot_lights",
+                    row! { position: Vec3(position), color: Vec3(light.color), falls: Uint(falls), size: Float(light.size) },
+                ),
                 LightSource::Point(position) => {
-                    ("point_lights", row! { position: Vec3(position), falls: Uint(u32::from(light.falls)) })
+                    let row = row! { position: Vec3(position), color: Vec3(light.color), shadows: Uint(shadows), falls: Uint(falls) };
+                    ("point_lights", row)
                 }
-                LightSource::Directional(direction) => ("directional_lights", row! { direction: Vec3(direction) }),
-            };
-            (list, [common, own].concat())
+                LightSource::Directional(direction) => (
+                    "directional_lights",
+                    row! { direction: Vec3(direction), color: Vec3(light.color), shadows: Uint(shadows) },
+                ),
+            }
         };
         let all: Vec<_> = self.scene.lights.iter().map(row).filter(|(list, _)| *list == name).collect();
         if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }

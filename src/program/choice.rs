@@ -1,6 +1,6 @@
 //! What a program is for: its schedule, and what it is asked to put out.
 
-use crate::scene::{Branches, Precision, Scene, Segment};
+use crate::scene::{Branches, Precision, Scene, Segment, Shadows};
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -244,7 +244,9 @@ impl Choice {
     #[must_use]
     pub fn settled(&self, scene: &Scene) -> Self {
         let pictured = self.purpose == Purpose::Picture && self.rounds(scene) == 1;
-        let whole = pictured && scene.rays.precision != Precision::Half;
+        // Shooting has a pass to itself.
+        let shot = scene.has_shadows(Shadows::Shooting);
+        let whole = pictured && scene.rays.precision != Precision::Half && !shot;
         let schedule = if self.schedule == Schedule::Whole && !whole { Schedule::Fused } else { self.schedule };
         Self { schedule, ..self.clone() }
     }

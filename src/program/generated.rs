@@ -268,5 +268,8 @@ pub(super) fn counts(scene: &Scene, regions: &Regions) -> Unit {
         count(&format!("SIDED_{code}"), count_of(scene, regions, solid, true));
     }
     count("CAPTURE", scene.captures(None).len());
+    let aims = scene.law.anchors().len();
+    count("AIM", aims.max(1));
+    let _ = writeln!(text, "const HAS_AIMS: bool = {};", aims > 0);
     unit("generated/counts.wgsl", text)
 }

@@ -3,7 +3,7 @@
 use super::names::Names;
 use super::{Choice, Purpose, generated};
 use crate::model::{CameraFrame, Pattern, Projection, Stereo, StereoLayout};
-use crate::scene::{Light, SamplePattern, Scene, Sky, Tonemap};
+use crate::scene::{Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
@@ -79,8 +79,9 @@ pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
     let patterns: Vec<&str> =
         Pattern::PARTS.into_iter().filter(|part| used().any(|material| material.color.part() == *part)).collect();
     let lights = [
-        ("point", scene.lights.iter().any(Light::is_point)),
+        ("point", scene.lights.iter().any(|light| light.is_point() && light.shadows != Shadows::Shooting)),
         ("directional", !scene.lights.iter().all(Light::is_point)),
+        ("shot", scene.lights.iter().any(|light| light.shadows == Shadows::Shooting)),
     ];
     let lights: Vec<&str> =
         lights.into_iter().filter(|(_, there)| *there && scene.is_lit()).map(|(name, _)| name).collect();

@@ -66,12 +66,20 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
 
 /// Whether what is seen lies in a light's shadow.
 fn shadow_parts(scene: &Scene, regions: &Regions, names: &mut Names) {
-    if !scene.has_shadows() {
+    let [straight, shot] = [Shadows::Straight, Shadows::Shooting].map(|kind| scene.has_shadows(kind));
+    let starts = if straight || shot { "surface/shadow/start_off" } else { "surface/shadow/start_on" };
+    let status = if straight || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
+    names.all(&[starts, status]);
+    if shot {
+        let planar = scene.law.orbit().is_some();
+        names.all(&["surface/shot/clear", if planar { "surface/shot/planar" } else { "surface/shot/newton" }]);
+    }
+    if !straight {
         names.add("surface/shadow/none");
         return;
     }
     names.add("surface/shadow/straight");
-    let all = scene.lights.iter().all(|light| light.shadows != Shadows::None);
+    let all = scene.lights.iter().all(|light| light.shadows == Shadows::Straight);
     names.add(if all { "surface/shadow/of_all" } else { "surface/shadow/of_some" });
     names.add(if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" });
     let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));

@@ -7,7 +7,7 @@ use super::{ProgramError, Purpose, formula, generated};
 use crate::model::law::SOLVED_PARTS;
 use crate::model::method::Path;
 use crate::model::{ClosedForm, Start};
-use crate::scene::Scene;
+use crate::scene::{Scene, Shadows};
 
 /// The parts of one kind of region.
 pub(super) fn region_parts(
@@ -30,7 +30,7 @@ pub(super) fn region_parts(
     }
     let chords = scene.rays.segment.has_chords();
     names.add(if chords || kind.is_line() { "segment/curve_line" } else { "segment/curve_arc" });
-    names.add(match (joins_whole(scene, kind), scene.has_shadows()) {
+    names.add(match (joins_whole(scene, kind), scene.has_shadows(Shadows::Straight)) {
         (true, _) => "segment/join_whole",
         (false, false) => "segment/join_pieces",
         (false, true) => "segment/join_lit",
@@ -88,7 +88,9 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
     let in_plane = scene.rays.method.kind.path == Path::Orbit;
     let [path, pace] = scene.law.pace();
     names.all(&[path, if in_plane { "motion/orbit" } else { pace }]);
-    if let Some(orbit) = scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic) {
+    if let Some(orbit) =
+        scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic || scene.has_shadows(Shadows::Shooting))
+    {
         names.all(&["law/orbit", orbit.part]);
     }
     names.wgsl(scene.law.parts())?;

@@ -13,7 +13,7 @@ use super::regions::Regions;
 use super::tokens::Tokens;
 use super::unit::{Author, Unit};
 use crate::model::shape::SOLIDS;
-use crate::scene::{Object, Scene};
+use crate::scene::{Object, Scene, Shadows};
 
 /// Entries that a list in a uniform may have.
 const SHORT: usize = 32;
@@ -24,11 +24,13 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         let is = |object: &&Object| object.solid() == solid;
         Some((solid.lists.as_ref()?.placed, scene.objects.iter().filter(is).count()))
     });
-    let points = scene.lights.iter().filter(|light| light.is_point()).count();
+    let shot = scene.lights.iter().filter(|light| light.shadows == Shadows::Shooting).count();
+    let points = scene.lights.iter().filter(|light| light.is_point()).count() - shot;
     let others = [
         ("materials", scene.materials.len() + regions.regions.len()),
         ("point_lights", points),
-        ("directional_lights", scene.lights.len() - points),
+        ("directional_lights", scene.lights.len() - points - shot),
+        ("shot_lights", shot),
     ];
     others.into_iter().chain(placed).collect()
 }

@@ -91,7 +91,7 @@ impl Work {
 
 /// Lines to lights from a surface, with those on behind what lets light through.
 fn shadows(scene: &Scene) -> u64 {
-    let cast = scene.lights.iter().filter(|light| light.shadows != Shadows::None).count() as u64;
+    let cast = scene.lights.iter().filter(|light| light.shadows == Shadows::Straight).count() as u64;
     let part = if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" };
     if scene.is_lit() { cast * constant(part, "CROSSINGS") as u64 } else { 0 }
 }

@@ -128,6 +128,8 @@ pub struct Totals {
     pub segments: u64,
     /// Rays by how they ended.
     pub by_status: Vec<(Status, u64)>,
+    /// Places on surfaces that no path from a light leads to, light by light, where that is looked for.
+    pub unlit: u64,
     /// Time on the device by stage (setup, advance, intersect, scatter, shade; advancing includes the two after it unless they are
     /// timed apart, and all rounds of a sample after its first); none without timestamp queries.
     pub device: Option<[Duration; 5]>,
@@ -174,7 +176,9 @@ impl Totals {
         self.steps += wide(0);
         self.segments += wide(2);
         self.rejected += wide(4);
-        for (code, &n) in words[6..].iter().take(16).enumerate() {
+        let unlit = constant("segment/ray", "UNLIT") as usize;
+        self.unlit += u64::from(words[6 + unlit]);
+        for (code, &n) in words[6..].iter().take(16).enumerate().filter(|(code, _)| *code != unlit) {
             self.rays += u64::from(n);
             let status = Status::from_code(code as u32);
             match self.by_status.iter_mut().find(|(s, _)| *s == status) {
@@ -198,6 +202,9 @@ impl fmt::Display for Totals {
         write!(f, ", {:.3} s in all;", self.wall.as_secs_f64())?;
         for (status, count) in self.by_status.iter().filter(|(_, count)| *count > 0) {
             write!(f, " {} {count}", status.name())?;
+        }
+        if self.unlit > 0 {
+            write!(f, "; no path from a light for {} places", self.unlit)?;
         }
         if let Some(adaptive) = &self.adaptive {
             write!(f, "; {adaptive}")?;

@@ -162,10 +162,10 @@ impl Scene {
             .demands(ends, self.rays.segment.has_chords())
     }
 
-    /// Does a surface lie in the shadow of another?
+    /// Does a surface that shows lights show one with these shadows?
     #[must_use]
-    pub fn has_shadows(&self) -> bool {
-        self.is_lit() && self.lights.iter().any(|light| light.shadows != Shadows::None)
+    pub fn has_shadows(&self, kind: Shadows) -> bool {
+        self.is_lit() && self.lights.iter().any(|light| light.shadows == kind)
     }
 
     /// Is there a surface that shows a light?
@@ -228,8 +228,10 @@ pub struct Light {
     pub color: DVec3,
     /// How it is found out whether it reaches a surface.
     pub shadows: Shadows,
-    /// Does it fall off with the square of the distance?
+    /// Does it fall off with the square of the distance; found by shooting, with the spread of its bundle?
     pub falls: bool,
+    /// The radius of the ball that it is: as bright as that at a caustic.
+    pub size: f64,
 }
 
 /// Where light comes from.
@@ -248,6 +250,8 @@ pub enum Shadows {
     None,
     /// By straight lines, whatever the law (G95 §6).
     Straight,
+    /// By the paths of the scene's own law that lead from the light to the surface.
+    Shooting,
 }
 
 impl Light {

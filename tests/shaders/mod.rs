@@ -30,6 +30,7 @@ mod rounding;
 mod sampling;
 pub(crate) mod schemes;
 mod shapes;
+mod shots;
 mod sources;
 mod steps;
 mod surfaces;

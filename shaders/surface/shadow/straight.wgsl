@@ -1,18 +1,6 @@
 // Shadows by straight lines (G95 §6: light is without mass until it strikes something), for lights that ask for them. What light goes
 // through casts none.
 
-// How far off its surface a light ray starts, in parts of the numbers that its place was computed from: further than rounding moves it.
-const OFF: Real = 8e-6;
-
-// A walk needed more work than a pass has: true from then on, for all that the lane still follows.
-var<private> unfinished: bool;
-
-// Where light that the surface sends to the viewer has come from: the viewer's side of it.
-fn lit_from(x: Real3, surface: Surface, view: vec3f) -> Real3 {
-    let off = OFF * (length(x) + surface.depth);
-    return x + select(-off, off, dot(vec3f(surface.across), view) >= 0.0) * surface.across;
-}
-
 // 1, or 0 where something opaque lies between `start` and the light, which is at the end of `way`.
 fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
     if !casts(shadows) || !faces {
@@ -46,9 +34,4 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
     mark_line(false);
     enter_set(before);
     return share;
-}
-
-// The path's status, or another where one of its shadows needed more work than the pass has.
-fn lit_status(code: u32, otherwise: u32) -> u32 {
-    return select(code, otherwise, unfinished);
 }

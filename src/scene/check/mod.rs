@@ -14,7 +14,7 @@ use super::optics::Optics;
 use super::{Animation, Light, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
-use crate::document::values::{color, direction, number_where, vector, whole, word};
+use crate::document::values::{color, direction, number_where, positive, vector, whole, word};
 use crate::document::{Document, Override};
 use crate::model::{Camera, Law, camera, law, material, shape};
 use glam::{DMat3, DVec3};
@@ -83,7 +83,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
     let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
-    let lights = lights(&root);
+    let lights = lights(&root, bound.map_or(1.0, |bound| bound.radius), &optics);
     let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
     root.finish();
     Some(Scene {
@@ -134,16 +134,36 @@ fn output(root: &TableReader) -> Output {
     output
 }
 
-fn lights(root: &TableReader) -> Vec<Light> {
+fn lights(root: &TableReader, reach: f64, optics: &Optics) -> Vec<Light> {
     let tables = root.subtables("lights", "lights");
-    tables.into_iter().filter_map(light).collect()
+    tables.into_iter().filter_map(|table| light(table, reach, optics)).collect()
 }
 
-fn light(table: TableReader) -> Option<Light> {
+const SHADOWS: &[(&str, Shadows)] =
+    &[("none", Shadows::None), ("straight", Shadows::Straight), ("shooting", Shadows::Shooting)];
+
+/// What light cannot be shot through, or at.
+fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
+    if !is_point {
+        let help = "use shadows = \"straight\", or a point light far away";
+        table.fault(&["shadows"], "shooting needs a light at a place", help);
+    }
+    if optics.objects.iter().any(|object| object.interior().is_some()) {
+        let help = "use shadows = \"straight\", or take the interiors out of the scene";
+        table.fault(&["shadows"], "light is not shot through interiors", help);
+    }
+    if let Some(why) = optics.law.and_then(Law::ignores_direction) {
+        let help = "use shadows = \"straight\"";
+        table.fault(&["shadows"], format!("light cannot be aimed under this law: {why}"), help);
+    }
+}
+
+/// `reach` is the bounding sphere's radius.
+fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
     let kinds = word(&[("point", true), ("directional", false)]);
     let point = table.decide_required("kind", "\"point\"", kinds);
     let color = table.or("color", DVec3::ONE, color);
-    let shadows = table.or("shadows", Shadows::None, word(&[("none", Shadows::None), ("straight", Shadows::Straight)]));
+    let shadows = table.or("shadows", Shadows::None, word(SHADOWS));
     let source = point.and_then(|point| {
         if point {
             table.required("position", "[10, 10, 10]", vector).map(LightSource::Point)
@@ -153,7 +173,12 @@ fn light(table: TableReader) -> Option<Light> {
     });
     // Light from far away is as bright everywhere.
     let falls = point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
-    let light = source.map(|source| Light { source, color, shadows, falls });
+    let shot = shadows == Shadows::Shooting;
+    let size = if shot { table.or("size", 1e-3 * reach, positive) } else { 0.0 };
+    if shot {
+        check_shooting(&table, point == Some(true), optics);
+    }
+    let light = source.map(|source| Light { source, color, shadows, falls, size });
     table.finish();
     light
 }

@@ -128,10 +128,12 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         "lights" {
             kind: "point | directional" = "required", "from a place, or from far away";
             color: "[red, green, blue]" = "[1, 1, 1]", "radiance of a white surface that faces it, linear";
-            shadows: "none | straight" = "none",
-                "what it does not reach: nothing that faces it, or what is behind something opaque on a straight line, whatever the law";
+            shadows: "none | straight | shooting" = "none",
+                "what it does not reach: nothing that faces it; what is behind something opaque on a straight line, whatever the law; or what no path under the law leads to from it";
             falloff if r#"kind = "point""#: "none | inverse-square" = "none",
-                "as bright everywhere, or by the square of the distance: `color` is at distance 1";
+                "as bright everywhere, or by the square of the distance, `color` at distance 1; with shooting, by the spread of its bundle of paths";
+            size if r#"shadows = "shooting""#: "number above 0" = "0.001 times the bound's radius",
+                "no place is brighter than one so near to it, scene units: at a caustic";
             position if r#"kind = "point""#: "[x, y, z]" = "required", "scene units";
             direction if r#"kind = "directional""#: "[x, y, z]" = "required", "where the light travels to";
         }

@@ -217,7 +217,10 @@ fn shapes_go_where_their_keys_say() {
     assert_eq!(scene.materials[1].color, Pattern::Checker { colors, repeat: DVec2::splat(8.0) });
     assert!(matches!(scene.materials[0].surface.downcast(), Some(Phong { ambient: 0.1, .. })));
     let sun = LightSource::Directional(-DVec3::Y);
-    assert_eq!(scene.lights[0], Light { source: sun, color: DVec3::ONE, shadows: Shadows::None, falls: false });
+    assert_eq!(
+        scene.lights[0],
+        Light { source: sun, color: DVec3::ONE, shadows: Shadows::None, falls: false, size: 0.0 }
+    );
 }
 
 #[test]

@@ -1,0 +1,55 @@
+// Lights whose paths are found by shooting (G95 §6, his open problem): each path that leads from the light to a place under the scene's own
+// law is an image of the light there, with a direction and a brightness of its own, and a shadow where something opaque lies on it.
+
+struct ShotLight {
+    position: vec3f,
+    // 1 where it is as bright as the bundle of its paths is narrow.
+    falls: u32,
+    color: vec3f,
+    // A bundle is no narrower than this ball: at a caustic it would be.
+    size: f32,
+}
+
+@group(0) @binding(143) var<storage, read> shot_lights: array<ShotLight>;
+
+// A path from a light to a place.
+struct Shot {
+    found: bool,
+    // Its unit direction at the light, and at the place.
+    leaves: Real3,
+    arrives: Real3,
+    // The area that the bundle about it has at the place, square to it, for each solid angle at the light.
+    spread: Real,
+}
+
+const NO_SHOT: Shot = Shot(false, Real3(0.0), Real3(0.0), 0.0);
+
+// There is room for the next path, and for a step of it.
+fn shot_has_room() -> bool {
+    return work + 2u * schedule.segment_work + 512u < WORK_LIMIT;
+}
+
+fn lit_by_shot(material: Material, color: vec3f, lit: Lit) -> vec3f {
+    var sum = vec3f(0.0);
+    for (var i = 0u; i < arrayLength(&shot_lights); i++) {
+        work += 1u;
+        let light = shot_lights[i];
+        let source = Real3(light.position);
+        var reached = false;
+        for (var k = 0u; k < SHOTS; k++) {
+            work += 1u;
+            let shot = shot_at(source, lit.start, k);
+            reached = reached || shot.found;
+            let to_light = -vec3f(shot.arrives);
+            if shot.found && dot(lit.normal, to_light) > 0.0 && shot_clear(source, shot.leaves, lit.start) {
+                let narrowest = PI * light.size * light.size;
+                let strength = select(1.0, 1.0 / max(f32(shot.spread), narrowest), light.falls == 1u);
+                sum += strength * light.color * blinn_phong(material, color, to_light, lit.normal, lit.view);
+            }
+        }
+        if !reached {
+            tally_status(UNLIT);
+        }
+    }
+    return sum;
+}

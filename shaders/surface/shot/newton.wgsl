@@ -1,0 +1,156 @@
+// Paths under any law, by Newton's method: two angles about a first direction are unknown, and the offset of the path from the place, square
+// to the path where it is nearest, shall vanish. Two neighbours travel along for the derivative. Each of several first directions may lead to
+// a path of its own: straight, past each of the law's sources on its other side, or, where it has none, to the left, right, above and below.
+
+struct Aim {
+    position: Real3,
+}
+
+// The sources of the law, or none at all, and then one that nobody looks at.
+@group(0) @binding(144) var<uniform> aims: array<Aim, AIM_COUNT>;
+
+const SHOTS: u32 = select(5u, 1u + AIM_COUNT, HAS_AIMS);
+const NEWTON_STEPS: u32 = 12u;
+const SHORTENINGS: u32 = 4u;
+// Radians: the most in one step, between neighbours, between those that the spread is taken from, and between paths that are one.
+const LONGEST: Real = 0.3;
+const NEIGHBOUR: Real = 2e-3;
+const BUNDLE: Real = 4e-3;
+const SAME: Real = 2e-3;
+const TILT: Real = 0.7;
+// Of the distance between light and place: a path this near is there.
+const THERE: Real = 2e-6;
+const NEAR_ENOUGH: Real = 1e-4;
+
+// The directions found for a light so far.
+var<private> found_directions: array<vec3f, SHOTS>;
+var<private> found_count: u32;
+
+// A path where it is nearest to the place.
+struct Nearest {
+    offset: Real3,
+    v: Real3,
+    gap: Real,
+}
+
+// Two unit vectors square to d and to each other.
+fn square_to(d: Real3) -> mat2x3<Real> {
+    let other = select(Real3(1.0, 0.0, 0.0), Real3(0.0, 1.0, 0.0), abs(d.x) > 0.7);
+    let a = normalize(cross(d, other));
+    return mat2x3<Real>(a, cross(d, a));
+}
+
+fn nearest_to(source: Real3, d: Real3, place: Real3) -> Nearest {
+    var ray = shot_start(source, d);
+    var best = Nearest(source - place, d, distance(source, place));
+    for (var k = 0u; k < schedule.max_segments && shot_has_room(); k++) {
+        work += 1u;
+        var next = ray;
+        let s = follow_segment(&next);
+        let t = nearest_fraction(s, place);
+        let offset = segment_point(s, t) - place;
+        let gap = length(offset);
+        if gap < best.gap {
+            best = Nearest(offset, normalize(mix(s.v0, s.v1, t)), gap);
+        }
+        if open_status(s, next.tau, 0u) != ALIVE {
+            break;
+        }
+        ray = next;
+    }
+    return best;
+}
+
+fn tilted(d: Real3, base: mat2x3<Real>, by: Real2) -> Real3 {
+    return normalize(d + by.x * base[0] + by.y * base[1]);
+}
+
+fn first_direction(source: Real3, place: Real3, k: u32) -> Real3 {
+    let straight = normalize(place - source);
+    if k == 0u {
+        return straight;
+    }
+    if HAS_AIMS {
+        let center = aims[k - 1u].position;
+        let abeam = source + dot(center - source, straight) * straight;
+        return normalize(2.0 * center - abeam - source);
+    }
+    let base = square_to(straight);
+    let angle = select(-TILT, TILT, (k & 1u) == 1u);
+    return tilted(straight, base, select(Real2(angle, 0.0), Real2(0.0, angle), k > 2u));
+}
+
+fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
+    if k == 0u {
+        found_count = 0u;
+    }
+    let far = distance(source, place);
+    var d = first_direction(source, place, k);
+    var best = nearest_to(source, d, place);
+    for (var i = 0u; i < NEWTON_STEPS && best.gap > THERE * far; i++) {
+        work += 1u;
+        let base = square_to(d);
+        let across = square_to(best.v);
+        let a = nearest_to(source, tilted(d, base, Real2(NEIGHBOUR, 0.0)), place).offset - best.offset;
+        let b = nearest_to(source, tilted(d, base, Real2(0.0, NEIGHBOUR)), place).offset - best.offset;
+        let column_a = Real2(dot(a, across[0]), dot(a, across[1]));
+        let column_b = Real2(dot(b, across[0]), dot(b, across[1]));
+        let off = Real2(dot(best.offset, across[0]), dot(best.offset, across[1]));
+        let det = column_a.x * column_b.y - column_a.y * column_b.x;
+        if det == 0.0 {
+            break;
+        }
+        var step = (-NEIGHBOUR / det) * Real2(off.x * column_b.y - off.y * column_b.x, off.y * column_a.x - off.x * column_a.y);
+        step *= min(1.0, LONGEST / max(length(step), 1e-30));
+        var nearer = false;
+        for (var j = 0u; j < SHORTENINGS && !nearer; j++) {
+            work += 1u;
+            let trial = tilted(d, base, step);
+            let there = nearest_to(source, trial, place);
+            nearer = there.gap < best.gap;
+            if nearer {
+                best = there;
+                d = trial;
+            }
+            step *= 0.5;
+        }
+        if !nearer {
+            break;
+        }
+    }
+    unfinished = unfinished || !shot_has_room();
+    if best.gap > NEAR_ENOUGH * far || !is_new(vec3f(d)) {
+        return NO_SHOT;
+    }
+    return Shot(true, d, best.v, bundle_spread(source, d, place, best.v));
+}
+
+fn is_new(d: vec3f) -> bool {
+    for (var i = 0u; i < found_count; i++) {
+        work += 1u;
+        if distance(found_directions[i], d) < f32(SAME) {
+            return false;
+        }
+    }
+    found_directions[found_count] = d;
+    found_count += 1u;
+    return true;
+}
+
+// By a neighbour on each of four sides.
+fn bundle_spread(source: Real3, d: Real3, place: Real3, v: Real3) -> Real {
+    let base = square_to(d);
+    let across = square_to(v);
+    var columns = mat2x3<Real>(Real3(0.0), Real3(0.0));
+    for (var i = 0u; i < 4u; i++) {
+        work += 1u;
+        let side = select(BUNDLE, -BUNDLE, (i & 1u) == 1u);
+        let to_side = select(Real2(side, 0.0), Real2(0.0, side), i > 1u);
+        let offset = nearest_to(source, tilted(d, base, to_side), place).offset / (2.0 * side);
+        columns[0] += select(Real3(0.0), offset, i < 2u);
+        columns[1] += select(Real3(0.0), offset, i > 1u);
+    }
+    let a = Real2(dot(columns[0], across[0]), dot(columns[0], across[1]));
+    let b = Real2(dot(columns[1], across[0]), dot(columns[1], across[1]));
+    return abs(a.x * b.y - a.y * b.x);
+}

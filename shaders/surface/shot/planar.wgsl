@@ -1,0 +1,157 @@
+// Paths about a law's only centre stay in the plane of the light, the place and the centre, so that one angle is unknown: how far the path
+// leaves the light off the line to the centre. The orbit is followed to the place's own angle, by either side; its distance from the centre
+// there, against the place's, changes its sign at a path. All are found that go less than once round.
+
+// Angles looked through, closer to each other near the centre, where images of distant things lie, and halvings between two, of orbits in
+// few steps; and of orbits in many, the secant's steps after that.
+const LOOKS: u32 = 40u;
+const HALVINGS: u32 = 12u;
+const FEW_STEPS: u32 = 48u;
+const SECANTS: u32 = 6u;
+const MANY_STEPS: u32 = 128u;
+// Two by either side.
+const SHOTS: u32 = 4u;
+// For derivatives: first in parts of the angle, then so far apart that 1/r changes by this part.
+const APART: Real = 2e-3;
+const CHANGE: Real = 0.08;
+const NEVER_THERE: Real = -1.0;
+const SWALLOWED: Real = 1e30;
+
+struct ShotPlane {
+    // Distances of the light and the place from the centre.
+    from_center: Real,
+    to_center: Real,
+    // From the centre to the light, and at right angles to it, onward to the place by this side; the angle between both by this side.
+    n: Real3,
+    t: Real3,
+    sweep: Real,
+}
+
+fn shot_plane(source: Real3, place: Real3, far_side: bool) -> ShotPlane {
+    let a = source - orbit_center();
+    let b = place - orbit_center();
+    let n = normalize(a);
+    let along = dot(b, n);
+    var across = b - along * n;
+    // In one line with the centre all planes are alike.
+    let any_plane = cross(n, select(Real3(1.0, 0.0, 0.0), Real3(0.0, 1.0, 0.0), abs(n.x) > 0.8));
+    across = select(across, 1e-6 * length(b) * normalize(any_plane), length(across) < 1e-6 * length(b));
+    let angle = arc_tangent(length(across), along);
+    let t = normalize(across);
+    return ShotPlane(length(a), length(b), n, select(t, -t, far_side), select(angle, 2.0 * PI - angle, far_side));
+}
+
+// What a step of Nyström's method adds to u and w.
+fn shot_change(o: Orbit, s: Real) -> Real2 {
+    let hh = o.h * o.h;
+    let a1 = orbit_rate(o.u, hh);
+    let a2 = orbit_rate(o.u + (0.5 * s) * (o.w + (0.25 * s) * a1), hh);
+    let a3 = orbit_rate(o.u + s * (o.w + (0.5 * s) * a2), hh);
+    let sixth = s * (1.0 / 6.0);
+    return Real2(s * (o.w + sixth * (a1 + 2.0 * a2)), sixth * (a1 + 4.0 * a2 + a3));
+}
+
+// The orbit at the place's angle, of the path that leaves the light at `off` from the line to the centre.
+fn shot_orbit(plane: ShotPlane, off: Real, steps: u32) -> Orbit {
+    let turn = real_sin_cos(off);
+    var o = Orbit(1.0 / plane.from_center, turn.y, 0.0, plane.from_center * turn.x, plane.n, plane.t);
+    let s = plane.sweep / (Real(steps) * o.h);
+    // What each sum rounds away is added to the next: where two paths are nearly one, their angle hangs on the last digits.
+    var rest = Real2(0.0);
+    for (var i = 0u; i < steps; i++) {
+        work += 1u;
+        let more = shot_change(o, s) + rest;
+        let sum = Real2(opaque(o.u + more.x), opaque(o.w + more.y));
+        rest = more - Real2(opaque(sum.x - o.u), opaque(sum.y - o.w));
+        o.u = sum.x;
+        o.w = sum.y;
+        if !(o.u > 0.0) {
+            o.u = NEVER_THERE;
+            break;
+        }
+        if orbit_captured(o) {
+            o.u = SWALLOWED;
+            break;
+        }
+    }
+    o.angle = plane.sweep;
+    return o;
+}
+
+fn look_angle(k: u32) -> Real {
+    let part = (Real(k) + 0.5) / Real(LOOKS);
+    return PI * part * part * part;
+}
+
+// The which-th path by one side.
+fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
+    let plane = shot_plane(source, place, (k & 1u) == 1u);
+    let wanted = 1.0 / plane.to_center;
+    var low: Real = 0.0;
+    var high: Real = 0.0;
+    var rises = false;
+    var before = false;
+    var seen = 0u;
+    for (var i = 0u; i <= LOOKS && shot_has_room(); i++) {
+        work += 1u;
+        let off = select(look_angle(i), PI, i == LOOKS);
+        // Straight away from the centre it never comes round.
+        let inside = i < LOOKS && shot_orbit(plane, off, FEW_STEPS).u > wanted;
+        if i > 0u && inside != before {
+            if seen == (k >> 1u) {
+                high = off;
+                rises = inside;
+                seen += 1u;
+                break;
+            }
+            seen += 1u;
+        }
+        before = inside;
+        low = off;
+    }
+    if high == 0.0 {
+        return NO_SHOT;
+    }
+    for (var i = 0u; i < HALVINGS; i++) {
+        work += 1u;
+        let middle = 0.5 * (low + high);
+        let inside = shot_orbit(plane, middle, FEW_STEPS).u > wanted;
+        low = select(middle, low, inside == rises);
+        high = select(high, middle, inside == rises);
+    }
+    // What many steps find is not quite between the two.
+    var gap = shot_orbit(plane, low, MANY_STEPS).u - wanted;
+    var off = high;
+    for (var i = 0u; i < SECANTS; i++) {
+        work += 1u;
+        let there = shot_orbit(plane, off, MANY_STEPS).u - wanted;
+        let next = off - there * (off - low) / select(there - gap, 1.0, there == gap);
+        low = off;
+        gap = there;
+        off = clamp(next, 0.5 * off, min(2.0 * off, PI));
+    }
+    return shot_along(plane, off, wanted);
+}
+
+// The path that leaves at this angle, if it is one: between what is swallowed and what escapes there is none.
+fn shot_along(plane: ShotPlane, off: Real, wanted: Real) -> Shot {
+    let o = shot_orbit(plane, off, MANY_STEPS);
+    if abs(o.u - wanted) > 2e-3 * wanted {
+        return NO_SHOT;
+    }
+    let turn = real_sin_cos(off);
+    let v = orbit_point(o)[1];
+    // A difference of the fourth order: wide enough for the last digits not to matter.
+    let close = APART * turn.x;
+    let roughly = shot_orbit(plane, off + close, MANY_STEPS).u - shot_orbit(plane, off - close, MANY_STEPS).u;
+    let apart = clamp(CHANGE * wanted * 2.0 * close / max(abs(roughly), 1e-30), 1e-4 * turn.x, 4e-2 * turn.x);
+    let inner = shot_orbit(plane, off + apart, MANY_STEPS).u - shot_orbit(plane, off - apart, MANY_STEPS).u;
+    let outer = shot_orbit(plane, off + 2.0 * apart, MANY_STEPS).u - shot_orbit(plane, off - 2.0 * apart, MANY_STEPS).u;
+    let slope = (8.0 * inner - outer) / (12.0 * apart);
+    // At one angle the distance changes by slope/u², of which the part square to the path counts; and the bundle is as wide across the
+    // plane as the place is off the line from the centre to the light.
+    let square = o.h * o.u / length(v);
+    let wide = abs(real_sin_cos(plane.sweep).x) / (wanted * turn.x);
+    let spread = abs(slope) / (wanted * wanted) * square * wide;
+    return Shot(true, turn.x * plane.t - turn.y * plane.n, normalize(v), spread);
+}
