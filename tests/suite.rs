@@ -13,6 +13,7 @@ mod groeller;
 mod imports;
 mod interiors;
 mod lenses;
+mod light_paths;
 mod meshes;
 mod methods;
 mod oracle;

@@ -18,6 +18,7 @@ mod decisions;
 mod devices;
 mod formula;
 mod frames;
+mod light;
 mod new;
 mod options;
 mod render;
@@ -47,6 +48,7 @@ enum Command {
     Assemble(assemble::Arguments),
     Check(check::Arguments),
     Trace(trace::Arguments),
+    Light(light::Arguments),
     Devices(devices::Arguments),
     Wgsl(wgsl::Arguments),
     Chart(chart::Arguments),
@@ -62,6 +64,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Assemble(arguments) => assemble::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
+        Command::Light(arguments) => light::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),
         Command::Wgsl(arguments) => wgsl::run(&arguments),
         Command::Chart(arguments) => chart::run(&arguments),

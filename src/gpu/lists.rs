@@ -49,7 +49,7 @@ impl Source<'_> {
     /// Traced rays are followed as far as they go; a picture's end as far out as nothing of the scene lies further in.
     fn captures(&self) -> Vec<Row> {
         let clearance = |x: DVec3| self.geometry.clearance(x);
-        let picture = self.program.choice.purpose != Purpose::Trace;
+        let picture = !matches!(self.program.choice.purpose, Purpose::Trace | Purpose::Lit);
         let row = |capture: Capture| {
             let anchor = capture.anchor;
             row! {

@@ -15,44 +15,58 @@ use super::{AtomicFile, OutputError};
 /// The columns of a file of rays: a place and a velocity.
 pub const RAY_COLUMNS: [&str; 6] = ["x", "y", "z", "vx", "vy", "vz"];
 
+/// The columns of a file of places.
+pub const PLACE_COLUMNS: [&str; 3] = ["x", "y", "z"];
+
 /// Reads a file of rays, each as `[x, y, z, vx, vy, vz]` whatever the order of the columns.
 ///
 /// The first line names the columns, which must be exactly those of [`RAY_COLUMNS`]; spaces around fields and empty
 /// lines are passed over. Every number must be finite, and there must be at least one ray.
 pub fn read_rays(path: &Path) -> Result<Vec<[f64; 6]>, OutputError> {
+    read_numbers(path, "rays", &RAY_COLUMNS)
+}
+
+/// Reads a file of places, as [`read_rays`] reads rays.
+pub fn read_places(path: &Path) -> Result<Vec<[f64; 3]>, OutputError> {
+    read_numbers(path, "places", &PLACE_COLUMNS)
+}
+
+/// `what` is what the rows are, in messages.
+fn read_numbers<const N: usize>(path: &Path, what: &str, columns: &[&str; N]) -> Result<Vec<[f64; N]>, OutputError> {
     let text = fs::read_to_string(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
-    parse_rays(&text).map_err(|(line, problem)| OutputError::Table { path: path.to_owned(), line, problem })
+    let parsed = parse_numbers(&text, what, columns);
+    parsed.map_err(|(line, problem)| OutputError::Table { path: path.to_owned(), line, problem })
 }
 
 /// A line, from 1, and what is wrong with it.
 type Fault = (usize, String);
 
-fn parse_rays(text: &str) -> Result<Vec<[f64; 6]>, Fault> {
+fn parse_numbers<const N: usize>(text: &str, what: &str, columns: &[&str; N]) -> Result<Vec<[f64; N]>, Fault> {
     let mut lines = text
         .trim_start_matches('\u{feff}')
         .lines()
         .enumerate()
         .map(|(i, line)| (i + 1, line))
         .filter(|(_, line)| !line.trim().is_empty());
-    let expected = RAY_COLUMNS.join(",");
+    let expected = columns.join(",");
     let (line, header) = lines.next().ok_or_else(|| (1, format!("the file is empty; begin it with {expected}")))?;
-    let order = column_order(header).map_err(|problem| (line, problem))?;
-    let rays: Vec<_> =
-        lines.map(|(line, row)| parse_ray(row, &order).map_err(|problem| (line, problem))).collect::<Result<_, _>>()?;
-    if rays.is_empty() {
-        return Err((line, "no rays follow the header; give one per line".into()));
+    let order = column_order(header, what, columns).map_err(|problem| (line, problem))?;
+    let row = |(line, row)| parse_row(row, &order, columns).map_err(|problem| (line, problem));
+    let rows: Vec<_> = lines.map(row).collect::<Result<_, _>>()?;
+    if rows.is_empty() {
+        return Err((line, format!("no {what} follow the header; give one per line")));
     }
-    Ok(rays)
+    Ok(rows)
 }
 
-/// For each column of the file, which of [`RAY_COLUMNS`] it is.
-fn column_order(header: &str) -> Result<Vec<usize>, String> {
-    let expected = RAY_COLUMNS.join(",");
+/// For each column of the file, which of the wanted ones it is.
+fn column_order(header: &str, what: &str, columns: &[&str]) -> Result<Vec<usize>, String> {
+    let expected = columns.join(",");
     let mut order = Vec::new();
     for (i, name) in header.split(',').map(str::trim).enumerate() {
-        let Some(column) = RAY_COLUMNS.iter().position(|c| *c == name) else {
+        let Some(column) = columns.iter().position(|c| *c == name) else {
             return Err(format!(
-                "column {}: `{name}` is not a column of a rays file; the first line must name {expected}",
+                "column {}: `{name}` is not a column of a {what} file; the first line must name {expected}",
                 i + 1
             ));
         };
@@ -61,17 +75,17 @@ fn column_order(header: &str) -> Result<Vec<usize>, String> {
         }
         order.push(column);
     }
-    match (0..RAY_COLUMNS.len()).find(|column| !order.contains(column)) {
+    match (0..columns.len()).find(|column| !order.contains(column)) {
         Some(missing) => Err(format!(
             "the column `{}` is missing from `{}`; the first line must name {expected}",
-            RAY_COLUMNS[missing],
+            columns[missing],
             header.trim()
         )),
         None => Ok(order),
     }
 }
 
-fn parse_ray(row: &str, order: &[usize]) -> Result<[f64; 6], String> {
+fn parse_row<const N: usize>(row: &str, order: &[usize], columns: &[&str; N]) -> Result<[f64; N], String> {
     let fields: Vec<_> = row.split(',').map(str::trim).collect();
     if fields.len() != order.len() {
         return Err(format!(
@@ -81,20 +95,20 @@ fn parse_ray(row: &str, order: &[usize]) -> Result<[f64; 6], String> {
             order.len()
         ));
     }
-    let mut ray = [0.0; 6];
+    let mut numbers = [0.0; N];
     for (i, (field, &column)) in fields.iter().zip(order).enumerate() {
-        ray[column] = match field.parse::<f64>() {
+        numbers[column] = match field.parse::<f64>() {
             Ok(value) if value.abs() <= 1e30 => value,
             _ => {
                 return Err(format!(
                     "column {} ({}): `{field}` is not a finite number; write one such as 1.5 or -2e-3",
                     i + 1,
-                    RAY_COLUMNS[column]
+                    columns[column]
                 ));
             }
         };
     }
-    Ok(ray)
+    Ok(numbers)
 }
 
 /// How one ray ended.
@@ -133,6 +147,23 @@ pub struct PathRow {
     pub velocity: [f64; 3],
     /// The parameter along the ray.
     pub tau: f64,
+}
+
+/// A path from a light to a place, or that there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LightRow {
+    /// Which place, in the order of the input.
+    pub place: usize,
+    /// Which light, in the order of the scene file.
+    pub light: usize,
+    /// Lit by it, in the shadow of something on it, or no path at all.
+    pub status: &'static str,
+    /// Its unit direction at the light.
+    pub leaves: Option<[f64; 3]>,
+    /// Its unit direction at the place.
+    pub arrives: Option<[f64; 3]>,
+    /// The bundle's area at the place, square to it, for each solid angle at the light.
+    pub spread: Option<f64>,
 }
 
 /// A table that can be written: its header, and a line for each row.
@@ -175,6 +206,17 @@ impl Row for PathRow {
             numbers(self.velocity),
             number(self.tau)
         )
+    }
+}
+
+impl Row for LightRow {
+    const HEADER: &'static str = "place,light,status,leaves_x,leaves_y,leaves_z,arrives_x,arrives_y,arrives_z,spread";
+
+    fn line(&self) -> String {
+        let vector = |v: Option<[f64; 3]>| v.map_or_else(|| ",,".to_owned(), numbers);
+        let spread = self.spread.map(number).unwrap_or_default();
+        let (leaves, arrives) = (vector(self.leaves), vector(self.arrives));
+        format!("{},{},{},{leaves},{arrives},{spread}", self.place, self.light, self.status)
     }
 }
 

@@ -94,6 +94,8 @@ pub enum Pass {
     Refine,
     /// Steps and nothing else.
     Bare,
+    /// Paths from lights to places.
+    Shots,
 }
 
 impl Pass {
@@ -113,6 +115,7 @@ impl Pass {
             Self::Record => "record",
             Self::Refine => "refine",
             Self::Bare => "bare",
+            Self::Shots => "shots",
         }
     }
 }
@@ -126,6 +129,8 @@ pub enum Purpose {
     Trace,
     /// The camera's rays of chosen pixels, to be recorded.
     Pixels,
+    /// Places and lights, each pair to be joined by the paths between them.
+    Lit,
     /// The camera's rays, each to be moved by as many steps as it is told, to measure what they cost by themselves.
     Bare,
 }
@@ -218,6 +223,7 @@ impl Choice {
     pub fn passes(&self, scene: &Scene) -> Vec<Pass> {
         let mut passes = match (self.purpose, self.schedule) {
             (Purpose::Bare, _) => return vec![Pass::Setup, Pass::Bare],
+            (Purpose::Lit, _) => return vec![Pass::Setup, Pass::Shots],
             (_, Schedule::Whole) => vec![Pass::Whole],
             (_, Schedule::Fused) => vec![Pass::Setup, Pass::Advance],
             (_, Schedule::Segment) => vec![Pass::Setup, Pass::Integrate],
@@ -231,7 +237,7 @@ impl Choice {
         passes.extend(match self.purpose {
             _ if self.schedule == Schedule::Whole => None,
             Purpose::Picture => Some(Pass::Shade),
-            Purpose::Trace | Purpose::Pixels | Purpose::Bare => Some(Pass::Record),
+            Purpose::Trace | Purpose::Pixels | Purpose::Lit | Purpose::Bare => Some(Pass::Record),
         });
         if self.adapts(scene) {
             passes.push(Pass::Refine);

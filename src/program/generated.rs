@@ -135,6 +135,17 @@ fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
     (0..count).map(|i| item(&format!("{i}u"))).collect()
 }
 
+/// Paths that are looked for from a light to a place, at most: about one centre two by either side; else one from each first direction,
+/// straight and past each of the law's sources, or to four sides twice, and back.
+#[must_use]
+pub fn shots(scene: &Scene) -> usize {
+    match scene.law.anchors().len() {
+        _ if scene.law.orbit().is_some() => 4,
+        0 => 10,
+        aims => 1 + aims,
+    }
+}
+
 /// How many shapes of a solid rays go on from, or end on.
 fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usize {
     let is = |(i, object): &(usize, &Object)| object.solid() == solid && regions.bit(*i).is_some() == sided;
@@ -270,6 +281,6 @@ pub(super) fn counts(scene: &Scene, regions: &Regions) -> Unit {
     count("CAPTURE", scene.captures(None).len());
     let aims = scene.law.anchors().len();
     count("AIM", aims.max(1));
-    let _ = writeln!(text, "const HAS_AIMS: bool = {};", aims > 0);
+    let _ = writeln!(text, "const HAS_AIMS: bool = {};\nconst SHOTS: u32 = {}u;", aims > 0, shots(scene));
     unit("generated/counts.wgsl", text)
 }

@@ -41,6 +41,7 @@ pub use analysis::Analysis;
 pub use choice::{Choice, Layer, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
 
+pub use generated::shots;
 pub use interface::{Access, Channel, Role, SceneValue, Slot, StatePart};
 pub use link::link;
 pub use linked::{Linked, Place};

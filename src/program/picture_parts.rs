@@ -7,7 +7,7 @@ use crate::scene::{Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
-    if choice.purpose == Purpose::Trace {
+    if matches!(choice.purpose, Purpose::Trace | Purpose::Lit) {
         names.all(&["camera/ray", "camera/given"]);
         names.add(if scene.rays.asymptotic { "camera/arrival/from_infinity" } else { "camera/arrival/as_given" });
         return;

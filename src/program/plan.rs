@@ -57,7 +57,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     if !scene.objects.is_empty() {
         material_parts(scene, &mut names);
     }
-    shadow_parts(scene, regions, &mut names);
+    shadow_parts(scene, choice, regions, &mut names);
     let of_kind = |kind: &RegionKind| region_parts(scene, choice.purpose, regions, kind);
     let lengths = short_lists::lengths(scene, regions);
     let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
@@ -65,14 +65,17 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
 }
 
 /// Whether what is seen lies in a light's shadow.
-fn shadow_parts(scene: &Scene, regions: &Regions, names: &mut Names) {
-    let [straight, shot] = [Shadows::Straight, Shadows::Shooting].map(|kind| scene.has_shadows(kind));
+fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
+    let straight = scene.has_shadows(Shadows::Straight);
+    let shot = scene.has_shadows(Shadows::Shooting) || choice.purpose == Purpose::Lit;
     let starts = if straight || shot { "surface/shadow/start_off" } else { "surface/shadow/start_on" };
     let status = if straight || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
     names.all(&[starts, status]);
     if shot {
         let planar = scene.law.orbit().is_some();
-        names.all(&["surface/shot/clear", if planar { "surface/shot/planar" } else { "surface/shot/newton" }]);
+        names.all(&["surface/shot/shot", "surface/shot/path"]);
+        names.add(if planar { "surface/shot/planar" } else { "surface/shot/newton" });
+        names.add(if scene.objects.is_empty() { "surface/shot/clear_space" } else { "surface/shot/clear" });
     }
     if !straight {
         names.add("surface/shadow/none");
@@ -135,7 +138,11 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     let sided_mesh = regions.regions.iter().any(|region| scene.objects[region.object].shape.mesh().is_some());
     names.all(&["surface/scatter/some"]);
     names.add(if regions.regions.is_empty() { "surface/region_none" } else { "surface/region_set" });
-    names.add(if choice.purpose == Purpose::Trace { "surface/origin_given" } else { "surface/origin_camera" });
+    names.add(if matches!(choice.purpose, Purpose::Trace | Purpose::Lit) {
+        "surface/origin_given"
+    } else {
+        "surface/origin_camera"
+    });
     names.add(if flat { "segment/last_hit_kept" } else { "segment/last_hit_none" });
     names.add(if sided_mesh { "shape/facing_sided" } else { "shape/facing_any" });
     names.add(if regions.touching.count() > 0 { "surface/touching_some" } else { "surface/touching_none" });

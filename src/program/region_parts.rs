@@ -88,9 +88,8 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
     let in_plane = scene.rays.method.kind.path == Path::Orbit;
     let [path, pace] = scene.law.pace();
     names.all(&[path, if in_plane { "motion/orbit" } else { pace }]);
-    if let Some(orbit) =
-        scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic || scene.has_shadows(Shadows::Shooting))
-    {
+    let shoots = purpose == Purpose::Lit || scene.has_shadows(Shadows::Shooting);
+    if let Some(orbit) = scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic || shoots) {
         names.all(&["law/orbit", orbit.part]);
     }
     names.wgsl(scene.law.parts())?;

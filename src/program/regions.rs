@@ -173,6 +173,7 @@ fn outside(scene: &Scene) -> RegionKind {
         return RegionKind { motion: Motion::Law, leaps: false, index: None, media: Vec::new() };
     };
     let motion = match motion(scene, &**medium) {
+        Motion::Closed(form) if form.meets_obstacles => Motion::Law,
         Motion::Solved => Motion::Law,
         closed => closed,
     };

@@ -61,7 +61,8 @@ impl<'a> Renderer<'a> {
     }
 
     pub(super) fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings) -> Result<Self, RenderError> {
-        if settings.choice.purpose != Purpose::Trace && scene.camera.is_none() {
+        let given = matches!(settings.choice.purpose, Purpose::Trace | Purpose::Lit);
+        if !given && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
         }
         if let Some(window) = settings.window.filter(|window| !window.fits(scene.image.size)) {

@@ -20,9 +20,16 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
         return recorded.steps;
     }
     recorded.push(Pass::Setup, Slots::only(0), 0, 1);
-    if choice.purpose == Purpose::Bare {
-        recorded.push(Pass::Bare, Slots::segment(0, 1), 0, 1);
-        return recorded.steps;
+    match choice.purpose {
+        Purpose::Bare => {
+            recorded.push(Pass::Bare, Slots::segment(0, 1), 0, 1);
+            return recorded.steps;
+        }
+        Purpose::Lit => {
+            recorded.push(Pass::Shots, Slots::only(0), 0, 1);
+            return recorded.steps;
+        }
+        Purpose::Picture | Purpose::Trace | Purpose::Pixels => {}
     }
     match choice.schedule {
         Schedule::Fused | Schedule::Whole => recorded.fused(work, segments, n),
@@ -46,7 +53,7 @@ struct Recorder<'a> {
 impl Recorder<'_> {
     /// Adds a step of an iteration of the loop over segments, which reads the iteration's list of active rays and writes the next.
     fn push(&mut self, pass: Pass, slots: Slots, iteration: u64, weight: u64) -> &mut Step {
-        let once = matches!(pass, Pass::Setup | Pass::Whole | Pass::Shade | Pass::Record | Pass::Bare);
+        let once = matches!(pass, Pass::Setup | Pass::Whole | Pass::Shade | Pass::Record | Pass::Bare | Pass::Shots);
         // What the first segments' termination lists is the first list there is.
         let first = !once && iteration == 0 && pass != Pass::Scatter;
         let dispatch = match once || first {

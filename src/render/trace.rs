@@ -67,7 +67,7 @@ pub struct PathPoint {
 }
 
 /// Rays of one batch.
-const BATCH: usize = 1 << 18;
+pub(super) const BATCH: usize = 1 << 18;
 /// Records of one batch of paths, over all segments.
 const PATH_RECORDS: usize = 1 << 22;
 /// Arcs of one path, at most, where the picture's own path takes leaps: 2600 windings of a spiral.
@@ -196,7 +196,7 @@ fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Sta
 }
 
 /// A tile with one pixel a ray.
-fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Sample), RenderError> {
+pub(super) fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile, Sample), RenderError> {
     let row = |ray: &[f64; 6]| {
         [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
     };
@@ -235,26 +235,33 @@ fn list_tile(renderer: &Renderer, count: usize, row: u32, role: &Role, list: &[u
 }
 
 fn read_records(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<Traced>, RenderError> {
+    read_rows(renderer, tile, count, |row| Traced {
+        status: Status::from_code(row.uint("status")),
+        x: row.vector("x"),
+        v: row.vector("v"),
+        tau: row.float("tau", 0),
+        depth: row.float("depth", 0),
+        steps: row.uint("steps"),
+        rejected: row.uint("rejected"),
+        object: row.uint("object").checked_sub(1),
+    })
+}
+
+pub(super) fn read_rows<T>(
+    renderer: &Renderer,
+    tile: &Tile,
+    count: usize,
+    read: impl Fn(Row) -> T,
+) -> Result<Vec<T>, RenderError> {
     let layout = renderer.layout(&Role::Records)?;
     let Some(buffer) = tile.buffer(&Role::Records) else { return Ok(Vec::new()) };
     let bytes = read_buffer(renderer.gpu, buffer, |_| {})?;
     let rows = bytes.chunks_exact(layout.span as usize).take(count).map(|row| Row { layout, bytes: row });
-    Ok(rows
-        .map(|row| Traced {
-            status: Status::from_code(row.uint("status")),
-            x: row.vector("x"),
-            v: row.vector("v"),
-            tau: row.float("tau", 0),
-            depth: row.float("depth", 0),
-            steps: row.uint("steps"),
-            rejected: row.uint("rejected"),
-            object: row.uint("object").checked_sub(1),
-        })
-        .collect())
+    Ok(rows.map(read).collect())
 }
 
 /// A record as bytes, read by its reflected layout.
-struct Row<'a> {
+pub(super) struct Row<'a> {
     layout: &'a Layout,
     bytes: &'a [u8],
 }
@@ -269,17 +276,17 @@ impl Row<'_> {
         })
     }
 
-    fn uint(&self, name: &str) -> u32 {
+    pub(super) fn uint(&self, name: &str) -> u32 {
         self.scalar(name, 0).try_into().map_or(0, u32::from_ne_bytes)
     }
 
-    fn float(&self, name: &str, k: usize) -> f64 {
+    pub(super) fn float(&self, name: &str, k: usize) -> f64 {
         let bytes = self.scalar(name, k);
         let single = || bytes.try_into().map_or(f64::NAN, |b| f32::from_ne_bytes(b).into());
         bytes.try_into().map_or_else(|_| single(), f64::from_ne_bytes)
     }
 
-    fn vector(&self, name: &str) -> [f64; 3] {
+    pub(super) fn vector(&self, name: &str) -> [f64; 3] {
         [0, 1, 2].map(|k| self.float(name, k))
     }
 }

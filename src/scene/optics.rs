@@ -44,7 +44,8 @@ impl Optics<'_> {
         let is_solved = |medium: &dyn Medium| medium.closed_form(ends).is_none();
         let has_solved_interior = self.interiors().any(is_solved);
         let solved_law = |law: &dyn Law| match law.medium() {
-            Some(medium) => is_solved(&**medium),
+            // A spiral's closed form is for the inside of objects.
+            Some(medium) => medium.closed_form(ends).is_none_or(|form| form.meets_obstacles),
             None => law.closed_form().is_none(),
         };
         let fills_space = self.law.is_some_and(|law| law.medium().is_some());

@@ -82,7 +82,7 @@ fn shots_about_a_centre_are_conics() {
             "law/orbit/inverse_square",
             "law/falloff/inverse_square",
             "law/capture_none",
-            "surface/light/shot",
+            "surface/shot/shot",
             "surface/shot/planar",
         ])
         .frame()

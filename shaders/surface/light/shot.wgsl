@@ -12,23 +12,6 @@ struct ShotLight {
 
 @group(0) @binding(143) var<storage, read> shot_lights: array<ShotLight>;
 
-// A path from a light to a place.
-struct Shot {
-    found: bool,
-    // Its unit direction at the light, and at the place.
-    leaves: Real3,
-    arrives: Real3,
-    // The area that the bundle about it has at the place, square to it, for each solid angle at the light.
-    spread: Real,
-}
-
-const NO_SHOT: Shot = Shot(false, Real3(0.0), Real3(0.0), 0.0);
-
-// There is room for the next path, and for a step of it.
-fn shot_has_room() -> bool {
-    return work + 2u * schedule.segment_work + 512u < WORK_LIMIT;
-}
-
 fn lit_by_shot(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < arrayLength(&shot_lights); i++) {
@@ -36,6 +19,7 @@ fn lit_by_shot(material: Material, color: vec3f, lit: Lit) -> vec3f {
         let light = shot_lights[i];
         let source = Real3(light.position);
         var reached = false;
+        forget_shots();
         for (var k = 0u; k < SHOTS; k++) {
             work += 1u;
             let shot = shot_at(source, lit.start, k);

@@ -9,15 +9,21 @@ struct Aim {
 // The sources of the law, or none at all, and then one that nobody looks at.
 @group(0) @binding(144) var<uniform> aims: array<Aim, AIM_COUNT>;
 
-const SHOTS: u32 = select(5u, 1u + AIM_COUNT, HAS_AIMS);
 const NEWTON_STEPS: u32 = 12u;
 const SHORTENINGS: u32 = 4u;
+// After so many steps a path that is still this far off, of the distance between light and place, is given up.
+const HOPELESS_AT: u32 = 5u;
+const HOPELESS: Real = 0.2;
 // Radians: the most in one step, between neighbours, between those that the spread is taken from, and between paths that are one.
 const LONGEST: Real = 0.3;
 const NEIGHBOUR: Real = 2e-3;
 const BUNDLE: Real = 4e-3;
 const SAME: Real = 2e-3;
-const TILT: Real = 0.7;
+// A path this much longer than the distances of both ends from each other and from the bounding sphere's middle is followed no further.
+const LONGEST_PATH: Real = 5.0;
+// Tangents of the angles of first directions to the sides.
+const TILT: Real = 1.0;
+const STEEP: Real = 6.0;
 // Of the distance between light and place: a path this near is there.
 const THERE: Real = 2e-6;
 const NEAR_ENOUGH: Real = 1e-4;
@@ -42,23 +48,48 @@ fn square_to(d: Real3) -> mat2x3<Real> {
 
 fn nearest_to(source: Real3, d: Real3, place: Real3) -> Nearest {
     var ray = shot_start(source, d);
-    var best = Nearest(source - place, d, distance(source, place));
-    for (var k = 0u; k < schedule.max_segments && shot_has_room(); k++) {
+    let far = distance(source, place);
+    var best = far;
+    var from_ray = ray;
+    var to_ray = ray;
+    var at: Real = 0.0;
+    // A path may go round for ever.
+    let longest = LONGEST_PATH * (far + distance(source, bound.center) + distance(place, bound.center));
+    var passed: Real = 0.0;
+    for (var k = 0u; k < schedule.max_segments && passed < longest && shot_has_room(); k++) {
         work += 1u;
         var next = ray;
         let s = follow_segment(&next);
+        passed += distance(s.x0, s.x1);
         let t = nearest_fraction(s, place);
-        let offset = segment_point(s, t) - place;
-        let gap = length(offset);
-        if gap < best.gap {
-            best = Nearest(offset, normalize(mix(s.v0, s.v1, t)), gap);
+        let gap = distance(segment_point(s, t), place);
+        if gap < best {
+            best = gap;
+            from_ray = ray;
+            to_ray = next;
+            at = t;
         }
         if open_status(s, next.tau, 0u) != ALIVE {
             break;
         }
         ray = next;
     }
-    return best;
+    return nearest_on(from_ray, to_ray, at, place);
+}
+
+// The step retaken to where it is nearest: the arc's own place and direction would be off by up to 3e-4.
+fn nearest_on(start: Ray, end: Ray, t: Real, place: Real3) -> Nearest {
+    let size = own_size(start, end);
+    var h = own_fraction(start.phase, end.phase, t) * size;
+    var p = retaken_step(start.phase, h);
+    for (var i = 0u; i < 3u; i++) {
+        work += 1u;
+        let v = p[1].xyz;
+        h = clamp(h - dot(p[0].xyz - place, v) / (dot(v, v) * own_pace(p)), 0.0, size);
+        p = retaken_step(start.phase, h);
+    }
+    let offset = p[0].xyz - place;
+    return Nearest(offset, normalize(p[1].xyz), length(offset));
 }
 
 fn tilted(d: Real3, base: mat2x3<Real>, by: Real2) -> Real3 {
@@ -70,25 +101,33 @@ fn first_direction(source: Real3, place: Real3, k: u32) -> Real3 {
     if k == 0u {
         return straight;
     }
+    if k + 1u == SHOTS && !HAS_AIMS {
+        return -straight;
+    }
     if HAS_AIMS {
         let center = aims[k - 1u].position;
         let abeam = source + dot(center - source, straight) * straight;
         return normalize(2.0 * center - abeam - source);
     }
     let base = square_to(straight);
-    let angle = select(-TILT, TILT, (k & 1u) == 1u);
-    return tilted(straight, base, select(Real2(angle, 0.0), Real2(0.0, angle), k > 2u));
+    let tilt = select(TILT, STEEP, k > 4u);
+    let angle = select(-tilt, tilt, (k & 1u) == 1u);
+    return tilted(straight, base, select(Real2(angle, 0.0), Real2(0.0, angle), ((k - 1u) & 2u) != 0u));
+}
+
+fn forget_shots() {
+    found_count = 0u;
 }
 
 fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
-    if k == 0u {
-        found_count = 0u;
-    }
     let far = distance(source, place);
     var d = first_direction(source, place, k);
     var best = nearest_to(source, d, place);
     for (var i = 0u; i < NEWTON_STEPS && best.gap > THERE * far; i++) {
         work += 1u;
+        if i == HOPELESS_AT && best.gap > HOPELESS * far {
+            break;
+        }
         let base = square_to(d);
         let across = square_to(best.v);
         let a = nearest_to(source, tilted(d, base, Real2(NEIGHBOUR, 0.0)), place).offset - best.offset;

@@ -9,8 +9,6 @@ const HALVINGS: u32 = 12u;
 const FEW_STEPS: u32 = 48u;
 const SECANTS: u32 = 6u;
 const MANY_STEPS: u32 = 128u;
-// Two by either side.
-const SHOTS: u32 = 4u;
 // For derivatives: first in parts of the angle, then so far apart that 1/r changes by this part.
 const APART: Real = 2e-3;
 const CHANGE: Real = 0.08;
@@ -81,6 +79,10 @@ fn shot_orbit(plane: ShotPlane, off: Real, steps: u32) -> Orbit {
 fn look_angle(k: u32) -> Real {
     let part = (Real(k) + 0.5) / Real(LOOKS);
     return PI * part * part * part;
+}
+
+// No path is found twice.
+fn forget_shots() {
 }
 
 // The which-th path by one side.

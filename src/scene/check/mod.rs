@@ -83,7 +83,12 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
     let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
+    let chords = rays.as_ref().is_some_and(|rays| rays.segment.has_chords());
     let lights = lights(&root, bound.map_or(1.0, |bound| bound.radius), &optics);
+    if chords && lights.iter().any(|light| light.shadows == Shadows::Shooting) {
+        let help = "use segment = \"arc\", or shadows = \"straight\"";
+        root.fault(&["lights"], "shooting follows arcs, and these rays are chords", help);
+    }
     let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
     root.finish();
     Some(Scene {

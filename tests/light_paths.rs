@@ -1,0 +1,98 @@
+//! Shooting against closed forms, against straight shadows, and one way of it against the other.
+
+use std::fmt::Write as _;
+
+use bentray::render::{LightPath, RenderSettings, Renderer, light_paths};
+use glam::DVec3;
+
+use crate::support::{gpu, scene};
+
+fn numbers(text: &str) -> Vec<f64> {
+    text.split_whitespace().map(|word| word.parse().unwrap()).collect()
+}
+
+fn apart(path: &LightPath, leaves: DVec3) -> f64 {
+    DVec3::from(path.leaves).distance(leaves)
+}
+
+/// All images of a light, in 32 bits: directions to 1e-5, and the spread of the bundle to 1e-3.
+#[test]
+fn paths_are_where_closed_forms_say() {
+    let gpu = gpu();
+    for row in include_str!("tables/light_paths.tsv").lines().filter(|line| !line.starts_with('#')) {
+        let fields: Vec<&str> = row.split('\t').collect();
+        let law = fields[1].replace(';', "\n");
+        let text = format!("[law]\n{law}\n[rays]\nbound = {{ radius = {} }}\nmax_segments = 3000\n", fields[2]);
+        let [light, place] = [3, 4].map(|k: usize| DVec3::from_slice(&numbers(fields[k])));
+        let scene = scene(&text);
+        let (found, totals) = light_paths(&gpu, &scene, &RenderSettings::default(), &[[place, light]]).unwrap();
+        assert_eq!(totals.unfollowed(), 0, "{}", fields[0]);
+        let images: Vec<_> = fields[5].split(';').map(numbers).filter(|image| !image.is_empty()).collect();
+        assert!(found[0].len() >= images.len(), "{}: {:?}", fields[0], found[0]);
+        for image in images {
+            let (leaves, back) = (DVec3::from_slice(&image[..3]), DVec3::from_slice(&image[3..6]));
+            let near = found[0].iter().min_by(|a, b| apart(a, leaves).total_cmp(&apart(b, leaves))).unwrap();
+            let off = apart(near, leaves).max(DVec3::from(near.arrives).distance(-back));
+            assert!(off < 1e-5, "{}: {off:e}", fields[0]);
+            assert!((near.spread / image[6] - 1.0).abs() < 1e-3, "{}: {} for {}", fields[0], near.spread, image[6]);
+            assert!(near.clear);
+        }
+    }
+}
+
+const CENTRE: &str = "[[law.sources]]\nposition = [0, 2, 0]\nstrength = 0.6\ncapture = 0.1\n";
+const HARDLY: &str = "[[law.sources]]\nposition = [0, -30, 0]\nstrength = 1e-9\n";
+
+/// A wall behind a centre, a ball before it.
+fn lit(law: &str, shadows: &str, falloff: &str) -> String {
+    format!(
+        "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 8, 20]\nlook_at = [0, 0, 0]\nfov = 50\n[law]\n{law}\n\
+         [rays]\nbound = {{ radius = 60 }}\n{}\n[materials.wall]\ndiffuse = [1, 1, 1]\nspecular = [0, 0, 0]\nambient = 0\n\
+         [[objects]]\nshape = \"plane\"\ncenter = [0, -3, 0]\nsize = [40, 40]\nmaterial = \"wall\"\n\
+         [[objects]]\nshape = \"sphere\"\ncenter = [3, 0, 3]\nradius = 1.2\nmaterial = \"wall\"\n\
+         [[lights]]\nkind = \"point\"\nposition = [4, 12, 5]\nshadows = \"{shadows}\"\nfalloff = \"{falloff}\"\ncolor = [150, 150, 150]\n",
+        if law.contains("straight") { "" } else { "tolerance = 1e-6" },
+    )
+}
+
+fn picture(text: &str) -> Vec<f64> {
+    let scene = scene(text);
+    let rendered = Renderer::new(&gpu(), &scene, RenderSettings::default()).unwrap().picture().unwrap();
+    assert_eq!(rendered.totals.unfollowed(), 0, "{}", rendered.totals);
+    rendered.band.color[0].iter().map(|value| f64::from(*value)).collect()
+}
+
+/// The part of the pixels in which two pictures are the same to so much of their brightness.
+fn alike(a: &[f64], b: &[f64], part: f64) -> f64 {
+    let same = a.iter().zip(b).filter(|(a, b)| (**a - **b).abs() <= part * (a.abs() + b.abs()) + 1e-5).count();
+    same as f64 / a.len() as f64
+}
+
+/// Where light goes straight shooting finds straight shadows, and the inverse square.
+#[test]
+fn straight_light_is_shot_straight() {
+    for falloff in ["none", "inverse-square"] {
+        let [straight, shot] =
+            ["straight", "shooting"].map(|shadows| picture(&lit("kind = \"straight\"", shadows, falloff)));
+        let part = alike(&straight, &shot, 2e-3);
+        assert!(part > 0.99, "{falloff}: {part}");
+    }
+}
+
+/// About one centre the plane's own search and Newton's method, which a second centre of no strength asks for, agree.
+#[test]
+fn both_ways_to_shoot_agree() {
+    let law = |sources: &[&str]| {
+        let mut law = String::from("kind = \"sources\"\n");
+        for source in sources {
+            write!(law, "{source}").unwrap();
+        }
+        law
+    };
+    let one = picture(&lit(&law(&[CENTRE]), "shooting", "inverse-square"));
+    let two = picture(&lit(&law(&[CENTRE, HARDLY]), "shooting", "inverse-square"));
+    let part = alike(&one, &two, 2e-2);
+    assert!(part > 0.95, "{part}");
+    let straight = picture(&lit(&law(&[CENTRE]), "straight", "inverse-square"));
+    assert!(alike(&one, &straight, 2e-2) < 0.7);
+}
