@@ -92,6 +92,11 @@ fn what_is_wrong_with_a_law_is_said_at_its_place() {
             "law.wgsl:2:5: `loop` may never end",
         ),
         (
+            "a sine of WGSL's own",
+            with("-x").replace("return", "let s = x * Real3(f32(sin(f32(x.x))));\n    return"),
+            "law.wgsl:2:27: WGSL's own `sin` is weak in 32 bits and wrong in 64: use `real_sin_cos(a)`",
+        ),
+        (
             "a while loop",
             with("-x").replace("return", "while x.x > 0.0 { }\n    return"),
             "law.wgsl:2:5: `while` may never end",

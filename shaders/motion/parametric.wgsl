@@ -5,16 +5,15 @@
 // its boxes hold the whole of their pieces, by interval arithmetic. It is walked together with the hierarchy of the scene's objects:
 // both trees from the root down, the ray's from its beginning on ("bvh/hier", G95 §4.3).
 
+// Pieces lie one behind the other, so that where a node begins is known from the one before; and one whose next is the next in the list
+// is a leaf.
 struct RayNode {
     lo: vec3f,
-    // tau at the piece's beginning and end.
-    begin: f32,
-    hi: vec3f,
-    end: f32,
     // The node after this one's subtree.
-    @align(16) skip: u32,
-    // 1 for a piece that is not cut any more.
-    leaf: u32,
+    skip: u32,
+    hi: vec3f,
+    // tau at the piece's end.
+    end: f32,
 }
 
 @group(0) @binding(78) var<storage, read> ray_nodes: array<RayNode>;
@@ -33,22 +32,24 @@ struct ObjectNode {
 const VISITS: u32 = 48u;
 // Nodes of the ray in one step. A tree is at most `DEPTH` deep, and on the way down no level has more than two of them.
 const NODES: u32 = 64u;
-const DEPTH: u32 = 20u;
+const DEPTH: u32 = 14u;
+const CLEAR: u32 = 0xffffffffu;
 
-// Is the box about anything, or not all in the bounding sphere, where paths end?
-fn box_near(lo: vec3f, hi: vec3f) -> bool {
+// The first node of objects from `first` on that a box is about, or where the walk stopped; `first` if the box is not all in the bounding
+// sphere, where paths end; CLEAR if there is none.
+fn box_near(lo: vec3f, hi: vec3f, first: u32) -> u32 {
     let far = max(abs(lo - vec3f(bound.center)), abs(hi - vec3f(bound.center)));
-    var near = dot(far, far) > f32(bound.radius) * f32(bound.radius);
     let count = arrayLength(&object_nodes);
-    var node = 0u;
+    var node = first;
+    var near = dot(far, far) > f32(bound.radius) * f32(bound.radius);
     for (var k = 0u; k < VISITS && node < count && !near; k++) {
         work += 1u;
         let own = object_nodes[node];
         let overlaps = all(lo <= own.hi) && all(hi >= own.lo);
         near = overlaps && own.leaf == 1u;
-        node = select(own.skip, node + 1u, overlaps);
+        node = select(select(own.skip, node + 1u, overlaps), node, near);
     }
-    return near || node < count;
+    return select(CLEAR, node, near || node < count);
 }
 
 struct Piece {
@@ -69,17 +70,26 @@ fn next_piece(p: Phase) -> Piece {
     var reached = tau;
     var end = f32(limit.length);
     var node = 0u;
+    var begin = 0.0;
+    // What a piece is near, its parts are not near anything before; up to this node they are its parts.
+    var first = 0u;
+    var parts_end = 0u;
     for (var k = 0u; k < NODES && node < count; k++) {
         work += 1u;
         let own = ray_nodes[node];
-        let begins = own.begin >= reached - unit;
+        first = select(0u, first, node < parts_end);
         let passed = own.end <= reached + unit;
-        if !passed && begins && !box_near(own.lo + anchor - slack, own.hi + anchor + slack) {
-            reached = own.end;
+        var near = 0u;
+        if !passed && begin >= reached - unit {
+            near = box_near(own.lo + anchor - slack, own.hi + anchor + slack, first);
+            first = select(near, first, near == CLEAR);
+            parts_end = select(own.skip, parts_end, near == CLEAR);
+        }
+        if passed || near == CLEAR {
+            reached = select(reached, own.end, near == CLEAR);
+            begin = own.end;
             node = own.skip;
-        } else if passed {
-            node = own.skip;
-        } else if own.leaf == 1u {
+        } else if own.skip == node + 1u {
             end = own.end;
             break;
         } else {

@@ -69,13 +69,15 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
         let series = series.into_iter().map(|(name, points)| Series { name: name.to_owned(), points }).collect();
         plots.push((plot, chart(law, series)));
     }
+    let (curves, curves_chart) = super::curves::curves(bench)?;
+    plots.push(("curves", curves_chart));
     let intro = "One mesh, coarsened and cut up. The segment schedule; a quarter of the viewport's width and height under \
-                 Schwarzschild, a 32nd without a structure.";
+                 Schwarzschild, a 32nd without a structure. Rays along helices are pictures of a quarter, too.";
     Ok(Report {
         name: "groller",
         title: "Structures".to_owned(),
         intro: vec![intro.to_owned()],
-        tables: vec![growth, times],
+        tables: vec![growth, times, curves],
         plots,
     })
 }

@@ -6,6 +6,7 @@
 
 mod ceiling;
 mod compaction;
+mod curves;
 mod groller;
 mod limit;
 mod paper;

@@ -73,6 +73,9 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
             linked.parts().join(" ")
         );
     }
+    for light in scene.swallowed_lights() {
+        say!("  light {light} (from 0) is inside of what captures rays, and lights nothing");
+    }
     if scene.rays.auto.is_some() {
         say!("  method auto: measured when the scene is rendered; counted here for rk4");
     }

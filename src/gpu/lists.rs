@@ -201,11 +201,9 @@ impl Source<'_> {
             let [lo, hi] = node.corners;
             row! {
                 lo: Vec3(corner(lo, -1.0)),
-                begin: Float(node.tau[0]),
                 hi: Vec3(corner(hi, 1.0)),
                 end: Float(node.tau[1]),
                 skip: Uint(node.skip),
-                leaf: Uint(u32::from(node.leaf)),
             }
         };
         nodes.iter().map(row).collect()

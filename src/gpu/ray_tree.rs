@@ -28,13 +28,12 @@ pub struct RayNode {
     pub leaf: bool,
 }
 
-/// Halvings, at most; curves with a kink or a pole in their derivatives are cut so far there, and no further.
-const DEEPEST: u32 = 14;
-
 /// The tree, in depth-first order. `tolerance` is the arc's.
 #[must_use]
 pub fn ray_tree(curve: &Parametric, length: f64, tolerance: f64) -> Vec<RayNode> {
     let pieces = constant("segment/curve_arc", "MAX_PIECES");
+    // Curves with a kink or a pole in their derivatives are cut so far there, and no further.
+    let deepest = constant("motion/parametric", "DEPTH") as u32;
     let mut nodes = Vec::new();
     // `Err` closes the node whose subtree ended.
     let mut open = vec![Ok(([0.0, length], 0))];
@@ -49,7 +48,7 @@ pub fn ray_tree(curve: &Parametric, length: f64, tolerance: f64) -> Vec<RayNode>
             }
         };
         let piece = Piece::new(curve, a, b);
-        let leaf = depth >= DEEPEST || piece.is_cubic(tolerance, pieces);
+        let leaf = depth >= deepest || piece.is_cubic(tolerance, pieces);
         open.push(Err(nodes.len()));
         let middle = 0.5 * (a + b);
         if !leaf {

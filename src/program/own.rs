@@ -15,6 +15,14 @@ use super::unit::Unit;
 use super::{ProgramError, all_parts};
 use crate::model::{OwnWgsl, Promise, Wgsl};
 
+/// Functions of WGSL that devices compute badly, or in 64 bits with 32, and what the program has in their place.
+const INEXACT: [(&[&str], &str); 4] = [
+    (&["sin", "cos", "tan"], "`real_sin_cos(a)`, whose x is the sine and y the cosine"),
+    (&["exp", "exp2", "sinh", "cosh", "tanh"], "`real_exp`"),
+    (&["log", "log2", "pow"], "`real_log` and `real_exp`"),
+    (&["atan", "atan2", "asin", "acos"], "`arc_tangent(y, x)`"),
+];
+
 /// Iterations that the loops of one call may come to.
 const MOST: u64 = 4096;
 
@@ -103,6 +111,10 @@ fn unfit(declaration: &Declaration) -> Option<(usize, String)> {
         "for" if length(tokens, i).is_none() => {
             let message = "the length of a loop has to be written: `for (var i = 0u; i < 8u; i++)`, with i left alone";
             Some((at(i), message.to_owned()))
+        }
+        word if tokens.word(i + 1) == "(" && tokens.before(i) != "fn" => {
+            let (_, instead) = INEXACT.iter().find(|(names, _)| names.contains(&word))?;
+            Some((at(i), format!("WGSL's own `{word}` is weak in 32 bits and wrong in 64: use {instead}")))
         }
         _ => None,
     })

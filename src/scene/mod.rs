@@ -162,6 +162,19 @@ impl Scene {
             .demands(ends, self.rays.segment.has_chords())
     }
 
+    /// Lights inside of what captures rays, such as a horizon: none of their light comes out where shadows are cast, and their colour is
+    /// black. By their places in the file.
+    #[must_use]
+    pub fn swallowed_lights(&self) -> Vec<usize> {
+        let captures = self.law.captures(None);
+        let inside = |position: DVec3| captures.iter().any(|c| c.anchor.offset(position).length() <= c.radius);
+        let swallowed = |light: &Light| match light.source {
+            LightSource::Point(position) => light.shadows != Shadows::None && inside(position),
+            LightSource::Directional(_) => false,
+        };
+        self.lights.iter().enumerate().filter(|(_, light)| swallowed(light)).map(|(i, _)| i).collect()
+    }
+
     /// Does a surface that shows lights show one with these shadows?
     #[must_use]
     pub fn has_shadows(&self, kind: Shadows) -> bool {

@@ -10,6 +10,7 @@ mod commands;
 mod diagrams;
 mod frames;
 mod interrupted;
+mod light;
 mod measures;
 mod parts;
 mod pictures;

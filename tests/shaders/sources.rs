@@ -80,6 +80,7 @@ fn probe() -> Probe {
         "state/work",
         "law/phase_space",
         "law/sources",
+        "law/scale_to_source",
         "law/falloff/inverse_square",
         "law/falloff/cubic",
         "law/falloff/yukawa",

@@ -75,7 +75,9 @@ fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Opti
 
 fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
     let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
-    if let Some([problem, help]) = camera.eyes().into_iter().find_map(|eye| law.refuses_eye(eye)) {
+    // A plane's rays start all over it: those at such a place are captured, and the others are not.
+    let eyes = if camera.projection.is_from_a_point() { camera.eyes() } else { Vec::new() };
+    if let Some([problem, help]) = eyes.into_iter().find_map(|eye| law.refuses_eye(eye)) {
         table.fault(&["position"], format!("{who} {problem}"), help);
     }
     if let Some(why) = law.ignores_direction().filter(|_| camera.projection.is_from_a_point()) {

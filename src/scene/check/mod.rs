@@ -91,7 +91,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     }
     let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
     root.finish();
-    Some(Scene {
+    let mut scene = Scene {
         image,
         camera,
         law: law?,
@@ -103,7 +103,11 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         lights,
         animation,
         pictures: files.pictures(),
-    })
+    };
+    for light in scene.swallowed_lights() {
+        scene.lights[light].color = DVec3::ZERO;
+    }
+    Some(scene)
 }
 
 /// The law with the camera's axes, where it has those.

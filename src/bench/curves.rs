@@ -1,0 +1,113 @@
+//! G95's Table 2 for one scene: rays along a curve, as a tree of boxes or step by step, against a hierarchy of objects, a grid or nothing.
+//!
+//! *Practice.* Helices through boxes in a cube: the more there are, the smaller, so that they fill as much of it. Steps are chords, as his
+//! are, as long as keeps them as near to the curve as the tree's pieces stay. The whole picture is timed.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use super::{Bench, Table, Times};
+use crate::output::plot::{Chart, Series};
+use crate::render::{RenderError, RenderSettings, Renderer};
+use crate::scene::Scene;
+
+const COUNTS: [u32; 5] = [10, 100, 1_000, 10_000, 100_000];
+/// Without a structure up to here.
+const MOST_UNSTRUCTURED: u32 = 1_000;
+/// How far chords are from the curve, at most, in scene units.
+const OFF: f64 = 1e-4;
+
+/// A way to intersect: his name for it, or what he left out; its keys; and has it a structure?
+struct Way {
+    name: &'static str,
+    keys: String,
+    structured: bool,
+}
+
+fn ways() -> [Way; 6] {
+    // The helix's second derivative is 4: a chord over h is h²/2 off it.
+    let step = (2.0 * OFF).sqrt();
+    let steps =
+        format!("method = \"rk4\"\nstep = {step}\nsegment = \"chord\"\nsteps_per_segment = 1\nscaled_step = 1e3\n");
+    let tree = format!("arc_tolerance = {OFF}\n");
+    let way = |name, structure: &str, keys: &str| Way {
+        name,
+        keys: format!("accelerate = \"{structure}\"\n{keys}"),
+        structured: structure != "none",
+    };
+    [
+        way("bvh/hier", "bvh", &tree),
+        way("sub/hier", "grid", &tree),
+        way("none/hier", "none", &tree),
+        way("bvh/iter", "bvh", &steps),
+        way("sub/iter", "grid", &steps),
+        way("none/iter", "none", &steps),
+    ]
+}
+
+/// Times by number of boxes and way, and over that of bvh/hier; and a chart of them.
+pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
+    let header = ["boxes", "rays / objects", "device (s)", "spread", "microseconds a ray", "over bvh/hier"];
+    let mut table = Table::new("curves", "Rays along helices", &header);
+    let mut series: Vec<Series> = Vec::new();
+    let size = bench.size.map(|side| (side / 4).max(8));
+    let rays = f64::from(size[0]) * f64::from(size[1]);
+    for count in COUNTS {
+        let used: Vec<Way> = ways().into_iter().filter(|way| way.structured || count <= MOST_UNSTRUCTURED).collect();
+        let scenes = used.iter().map(|way| scene(size, count, &way.keys)).collect::<Result<Vec<_>, _>>()?;
+        let renderers = scenes
+            .iter()
+            .map(|scene| Renderer::new(bench.gpu, scene, RenderSettings::default()))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut runs: Vec<_> = renderers
+            .iter()
+            .map(|renderer| {
+                || {
+                    let totals = renderer.picture()?.totals;
+                    Ok(totals.device.map_or(totals.wall, |device| device.iter().sum()))
+                }
+            })
+            .collect();
+        let times = Times::all_by_turns(bench.repeats, &mut runs)?;
+        let first = times[0].median;
+        for (way, times) in used.iter().zip(&times) {
+            let each = 1e6 * times.median / rays;
+            let numbers = [times.median, times.spread, each, times.median / first].map(Into::into);
+            table.rows.push([count.into(), way.name.into()].into_iter().chain(numbers).collect());
+            match series.iter_mut().find(|series| series.name == way.name) {
+                Some(series) => series.points.push([f64::from(count), each]),
+                None => series.push(Series { name: way.name.to_owned(), points: vec![[f64::from(count), each]] }),
+            }
+        }
+    }
+    let chart = Chart {
+        title: "Rays along helices".to_owned(),
+        x_label: "boxes".to_owned(),
+        y_label: "microseconds a ray".to_owned(),
+        log_x: true,
+        log_y: true,
+        series,
+    };
+    Ok((table, chart))
+}
+
+fn scene([width, height]: [u32; 2], count: u32, keys: &str) -> Result<Scene, RenderError> {
+    let mut text = format!(
+        "[image]\nsize = [{width}, {height}]\n[camera]\nkind = \"plane\"\nposition = [0, -6, 0]\nup = [0, 0, 1]\nheight = 8\n\
+         [law]\nkind = \"parametric\"\nx = \"cos(2*t)\"\ny = \"t\"\nz = \"sin(2*t)\"\nt = [0, 12]\n\
+         [rays]\nbound = {{ radius = 15 }}\nmax_segments = 2000\n{keys}\
+         [materials.m]\ndiffuse = [0.8, 0.6, 0.4]\n[[lights]]\nkind = \"point\"\nposition = [10, -20, 20]\n"
+    );
+    // Boxes fill a thirtieth of a cube of side 10. Roberts's R3 sequence.
+    let side = 10.0 * (1.0 / (30.0 * f64::from(count))).cbrt();
+    for i in 0..count {
+        let at =
+            [0.819_172_513_396, 0.671_043_606_703, 0.549_700_477_901].map(|r| (f64::from(i) * r).fract() * 10.0 - 5.0);
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "[[objects]]\nshape = \"box\"\ncenter = {at:?}\nsize = [{side}, {side}, {side}]\nmaterial = \"m\""
+        );
+    }
+    Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)
+}

@@ -1,0 +1,49 @@
+//! `bentray light`, and what is said of lights that light nothing.
+
+use super::Folder;
+
+const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 60 }\ntolerance = 1e-6\n\
+    [materials.m]\ndiffuse = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\ncenter = [-3, 3.5, 1]\nradius = 0.2\nmaterial = \"m\"\n\
+    [[lights]]\nkind = \"point\"\nposition = [12, 0, 0]\nshadows = \"shooting\"\n";
+
+/// Round a hole a light has an image on either side; an inverse-square centre that repels leaves a place without any.
+#[test]
+fn paths_from_lights_are_listed() {
+    let folder = Folder::with(HOLE);
+    folder.write("places.csv", "x,y,z\n-6,7,2\n-6,-7,2\n");
+    let ran =
+        folder.run("light scene.toml --at places.csv -o -").succeeds().says(&["4 paths from 1 lights to 2 places"]);
+    let lines: Vec<&str> = ran.out.lines().collect();
+    assert_eq!(lines[0], "place,light,status,leaves_x,leaves_y,leaves_z,arrives_x,arrives_y,arrives_z,spread");
+    assert_eq!(lines.len(), 5, "{}", ran.out);
+    assert!(lines[1].starts_with("0,0,") && lines[3].starts_with("1,0,"), "{}", ran.out);
+    let numbers = |line: &str| line.split(',').skip(3).map(|word| word.parse::<f64>().unwrap()).collect::<Vec<_>>();
+    for line in &lines[1..] {
+        let numbers = numbers(line);
+        let length = |at: usize| numbers[at..at + 3].iter().map(|x| x * x).sum::<f64>().sqrt();
+        assert!((length(0) - 1.0).abs() < 1e-5 && (length(3) - 1.0).abs() < 1e-5 && numbers[6] > 0.0, "{line}");
+    }
+    let repelling = "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = -3 }]\n";
+    folder.write("scene.toml", HOLE.replace("[law]\nkind = \"schwarzschild\"\n", repelling));
+    folder.write("places.csv", "x,y,z\n-6,0.1,0\n");
+    let ran = folder.run("light scene.toml --at places.csv -o -").succeeds();
+    assert_eq!(ran.out.lines().nth(1), Some("0,0,none,,,,,,,"));
+}
+
+#[test]
+fn what_cannot_be_lit_is_said() {
+    let folder = Folder::with(&HOLE.replace("[12, 0, 0]", "[0, 1, 0]"));
+    let checked = folder.run("check scene.toml").succeeds();
+    assert!(
+        checked.out.contains("light 0 (from 0) is inside of what captures rays, and lights nothing"),
+        "{}",
+        checked.out
+    );
+    folder.write("places.csv", "x,y,z\n1,2,3\n");
+    folder.write("rays.csv", "x,y,z,vx\n1,2,3,4\n");
+    folder
+        .run("light scene.toml --at rays.csv -o -")
+        .fails(1, &["rays.csv: line 1", "`vx` is not a column of a places file"]);
+    folder.write("scene.toml", HOLE.replace("\"shooting\"", "\"straight\""));
+    folder.run("light scene.toml --at places.csv -o -").fails(1, &["no light with shadows = \"shooting\""]);
+}
