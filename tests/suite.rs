@@ -8,6 +8,7 @@ mod cameras;
 mod cli;
 mod constants;
 mod exactness;
+mod fans;
 mod gallery;
 mod groeller;
 mod imports;

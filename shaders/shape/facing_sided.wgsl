@@ -1,10 +1,5 @@
 // Triangles of objects that rays go on from are met from the side that a ray is known to be on.
 
-// For each object its bit in the set of regions, or NO_BIT.
-@group(0) @binding(111) var<storage, read> object_bits: array<u32>;
-
-const NO_BIT: u32 = 32u;
-
 // through: above 0 where a ray leaves through the triangle.
 fn may_cross(object: u32, through: Real) -> bool {
     let bit = object_bits[object];

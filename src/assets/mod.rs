@@ -11,7 +11,7 @@ mod profile;
 mod transform;
 mod winding;
 
-pub use expression::{Curve, Formula, FormulaError, Function, Graph, Id, Interval, Node, Variable};
+pub use expression::{Curve, FanRay, Formula, FormulaError, Function, Graph, Id, Interval, Node, Variable};
 pub use files::Files;
 pub use grid::{Bare, IndexGrid, Stored, Use};
 pub use mesh::{Mesh, Vertex};

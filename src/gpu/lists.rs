@@ -133,10 +133,15 @@ impl Source<'_> {
             let kinds = vec![("kind".into(), code(material.surface.part())), ("pattern".into(), code(&pattern))];
             [kinds, material.color.values(), material.surface.values()].concat()
         };
+        // A fan is told by its place among them.
+        let fans = self.scene.fans();
+        let place = |i: usize| fans.iter().position(|(material, _)| *material == i);
+        let fan = |i: usize| place(i).map(|which| ("bit".into(), Uint(which as u32)));
         let side =
             |bit: usize| vec![("kind".into(), code("surface/scatter/transmissive")), ("bit".into(), Uint(bit as u32))];
+        let own = self.scene.materials.iter().enumerate().map(|(i, m)| row(m).into_iter().chain(fan(i)).collect());
         let sides = (0..self.geometry.analysis.regions.regions.len()).map(side);
-        pack_shared("materials", layout, self.scene.materials.iter().map(row).chain(sides))
+        pack_shared("materials", layout, own.chain(sides))
     }
 
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
@@ -243,7 +248,7 @@ impl Source<'_> {
 
     /// For each object its bit in the set of regions.
     fn object_bits(&self) -> Vec<u32> {
-        let none = constant("shape/facing_sided", "NO_BIT") as u32;
+        let none = constant("shape/object_bits", "NO_BIT") as u32;
         let bit = |object| self.geometry.analysis.regions.bit(object).map_or(none, |bit| bit as u32);
         (0..self.scene.objects.len()).map(bit).collect()
     }

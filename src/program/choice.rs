@@ -261,7 +261,7 @@ impl Choice {
     #[must_use]
     pub fn rounds(&self, scene: &Scene) -> u32 {
         match scene.rays.branches {
-            Branches::Enumerated(depth) if self.purpose == Purpose::Picture && scene.splits() => 1 << depth,
+            Branches::Enumerated(depth) if self.purpose == Purpose::Picture && scene.branches() => 1 << depth,
             _ => 1,
         }
     }

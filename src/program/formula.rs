@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use super::generated::{switch, unit};
 use super::unit::Unit;
-use crate::scene::{Curve, Formula, Function, Graph, Id, Node, Variable};
+use crate::scene::{Curve, FanRay, Formula, Function, Graph, Id, Node, Variable};
 
 /// `formula(q)`: gradient and value at q, of the formula that `place` counts.
 pub(super) fn formulas(formulas: &[Formula]) -> Unit {
@@ -40,6 +40,30 @@ pub(super) fn curve(curve: &Curve) -> Unit {
         pull.join(""),
     );
     unit("generated/curve.wgsl", text)
+}
+
+/// `fan_count(which)`, and `fan_ray(which, i, d, n)`: direction and weight.
+pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
+    let (mut text, mut rays, mut counts) = (String::new(), Vec::new(), Vec::new());
+    for (which, own) in fans.iter().enumerate() {
+        let mut calls = Vec::new();
+        for (i, ray) in own.iter().enumerate() {
+            let (graph, roots) = ray.graph();
+            let (lines, values) = body(graph, &roots, &["d.x", "d.y", "d.z", "n.x", "n.y", "n.z", "c"]);
+            let _ = writeln!(
+                text,
+                "fn fan_{which}_{i}(d: Real3, n: Real3) -> Real4 {{\n    let c = -dot(d, n);\n{lines}    return Real4({});\n}}\n",
+                values.join(", ")
+            );
+            calls.push((format!("{i}u"), format!("fan_{which}_{i}(d, n)")));
+        }
+        text += &switch(&format!("fn fan_{which}(i: u32, d: Real3, n: Real3) -> Real4"), "i", &calls);
+        rays.push((format!("{which}u"), format!("fan_{which}(i, d, n)")));
+        counts.push((format!("{which}u"), format!("{}u", own.len())));
+    }
+    text += &switch("fn fan_ray(which: u32, i: u32, d: Real3, n: Real3) -> Real4", "which", &rays);
+    text += &switch("fn fan_count(which: u32) -> u32", "which", &counts);
+    unit("generated/fans.wgsl", text)
 }
 
 fn function(name: &str, formula: &Formula) -> String {

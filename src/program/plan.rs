@@ -6,7 +6,7 @@ use super::region_parts::{joins_whole, region_parts};
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, generated, short_lists};
+use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, formula, generated, short_lists};
 use crate::model::Material;
 use crate::model::method::Path;
 use crate::model::source::SOURCES;
@@ -145,6 +145,19 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     });
     names.add(if flat { "segment/last_hit_kept" } else { "segment/last_hit_none" });
     names.add(if sided_mesh { "shape/facing_sided" } else { "shape/facing_any" });
+    let fans: Vec<_> = scene.fans().into_iter().map(|(_, rays)| rays).collect();
+    let closed_fan = !fans.is_empty() && !regions.regions.is_empty();
+    if sided_mesh || closed_fan {
+        names.add("shape/object_bits");
+    }
+    if !fans.is_empty() {
+        names.add(if closed_fan { "surface/through/closed" } else { "surface/through/open" });
+        names.make(formula::fans(&fans));
+        // Media that are formulas have a copy of their own, which is called then.
+        if scene.media().all(|medium| medium.formula().is_none()) {
+            names.add("medium/formula");
+        }
+    }
     names.add(if regions.touching.count() > 0 { "surface/touching_some" } else { "surface/touching_none" });
     let is_gray = |material: &Material| !material.surface.continues() || material.color.is_gray();
     let kept = if scene.materials.iter().all(is_gray) { "surface/weight/gray" } else { "surface/weight/colored" };

@@ -18,8 +18,8 @@ mod reference;
 mod tests;
 
 pub use crate::assets::{
-    Curve, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Interval, Mesh, Node, Picture, Profile,
-    ProfilePoint, Transform, Variable, Vertex,
+    Curve, FanRay, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Interval, Mesh, Node, Picture,
+    Profile, ProfilePoint, Transform, Variable, Vertex,
 };
 pub use crate::document::{KeyReference, Mistake, Override, SceneError};
 pub use crate::model::cut::{CORNERS, CutPlane, Outline};
@@ -138,6 +138,20 @@ impl Scene {
     #[must_use]
     pub fn scatters(&self) -> bool {
         self.splits() || self.objects.iter().any(|object| self.continues_from(object))
+    }
+
+    /// What surfaces send rays on in several directions by a law of the user's own, by their materials' places.
+    #[must_use]
+    pub fn fans(&self) -> Vec<(usize, &[FanRay])> {
+        let used = |i: usize| self.objects.iter().any(|object| object.material() == Some(i));
+        let all = self.materials.iter().enumerate().filter(|(i, _)| used(*i));
+        all.filter_map(|(i, material)| Some((i, material.surface.fan()?))).collect()
+    }
+
+    /// Is there a surface from which a ray goes on in more than one way?
+    #[must_use]
+    pub fn branches(&self) -> bool {
+        self.splits() || self.fans().iter().any(|(_, rays)| rays.len() > 1)
     }
 
     /// Is there a surface that both reflects and transmits?

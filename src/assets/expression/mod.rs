@@ -10,6 +10,7 @@
 
 mod curve;
 mod derive;
+mod fan;
 mod functions;
 mod graph;
 mod interval;
@@ -22,6 +23,7 @@ mod tree;
 mod variable;
 
 pub use curve::Curve;
+pub use fan::FanRay;
 pub use functions::Function;
 pub use graph::{Graph, Id, Node};
 pub use interval::{Enclosure, Interval};
@@ -55,6 +57,21 @@ static PLACE: Language = Language {
 /// Functions of a curve's parameter.
 static PARAMETER: Language =
     Language { names: &[Name::Variable("t", Variable::PARAMETER), Name::Pi], example: "cos(2 * t)" };
+
+/// Functions of a ray that comes to a surface, and of the normal on its side; c is the cosine between both.
+static FAN: Language = Language {
+    names: &[
+        Name::Variable("dx", Variable(0)),
+        Name::Variable("dy", Variable(1)),
+        Name::Variable("dz", Variable(2)),
+        Name::Variable("nx", Variable(3)),
+        Name::Variable("ny", Variable(4)),
+        Name::Variable("nz", Variable(5)),
+        Name::Variable("c", Variable(6)),
+        Name::Pi,
+    ],
+    example: "dx + 2*c*nx",
+};
 
 /// A function of place and its gradient.
 #[derive(Debug, Clone)]

@@ -6,6 +6,7 @@
 //! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod emissive;
+mod fan;
 mod mirror;
 mod pattern;
 mod phong;
@@ -15,11 +16,12 @@ use std::sync::Arc;
 
 use super::same::same;
 use super::{Row, Same};
-use crate::assets::Files;
+use crate::assets::{FanRay, Files};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
 pub use emissive::Emissive;
+pub use fan::Fan;
 pub use mirror::Mirror;
 pub use pattern::Pattern;
 pub use phong::Phong;
@@ -34,7 +36,7 @@ pub static KINDS: Kinds<Read> = Kinds {
     chooser: "kind",
     meaning: "how it answers light",
     example: None,
-    all: &[&phong::KIND, &emissive::KIND, &mirror::KIND],
+    all: &[&phong::KIND, &emissive::KIND, &mirror::KIND, &fan::KIND],
 };
 
 /// `[materials.NAME]`.
@@ -61,6 +63,11 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
     /// Do rays continue from it?
     fn continues(&self) -> bool {
         false
+    }
+
+    /// Where rays go on from it, if the user says so.
+    fn fan(&self) -> Option<&[FanRay]> {
+        None
     }
 
     /// Is it lit by the scene's lights?

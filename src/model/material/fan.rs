@@ -1,0 +1,81 @@
+//! A law of the user's own for what a surface sends on: several directions at once, each with a weight (G95 §6).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Surface, pattern};
+use crate::assets::FanRay;
+use crate::document::keys;
+use crate::document::reader::TableReader;
+use crate::document::values::{Read, text};
+use crate::document::{Node, Value};
+
+pub static KIND: Kind = Kind {
+    name: "fan",
+    keys: keys! {
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]",
+            "the part of the light that it gives back";
+        rays: "[[x, y, z, weight], ...], formulas" = "required",
+            "where rays go on, 1 to 8 of them, and what each weighs: functions of dx, dy, dz, the unit direction that comes in, nx, ny, nz, the unit normal on that side, and c, the cosine between; a direction to the other side goes through the surface";
+    },
+    read: |table, files| {
+        let color = pattern::read(table, "color", Some(DVec3::ONE), files);
+        let rays = rays(table);
+        Some((color?, Arc::new(Fan(rays?))))
+    },
+};
+
+/// Rays of one surface, at most.
+const MOST: usize = 8;
+const EXAMPLE: &str = "[[\"dx + 2*c*nx\", \"dy + 2*c*ny\", \"dz + 2*c*nz\", \"1\"]]";
+
+fn rays(table: &TableReader) -> Option<Vec<FanRay>> {
+    let node = table.required_node("rays", EXAMPLE)?;
+    let items = match &node.value {
+        Value::Array(items) if (1..=MOST).contains(&items.len()) => items,
+        _ => {
+            table.reader.fault(node.expected(&format!("1 to {MOST} rays, for example {EXAMPLE}")));
+            return None;
+        }
+    };
+    // All are read before any is missed.
+    let all: Vec<Option<FanRay>> = items.iter().map(|item| ray(table, item)).collect();
+    all.into_iter().collect()
+}
+
+fn ray(table: &TableReader, item: &Node) -> Option<FanRay> {
+    let nodes = match &item.value {
+        Value::Array(nodes) if nodes.len() == 4 => nodes,
+        _ => {
+            table.reader.fault(item.expected("four formulas: the direction's x, y and z, and the weight"));
+            return None;
+        }
+    };
+    let texts = nodes.iter().map(text).collect::<Read<Vec<&str>>>();
+    let texts: [&str; 4] = table.reader.accept(texts)?.try_into().ok()?;
+    let read = FanRay::parse(texts).map_err(|wrong| {
+        for (k, error) in wrong {
+            table.reader.fault_inside(&nodes[k], error.place, error.problem, error.help);
+        }
+    });
+    read.ok()
+}
+
+/// Sends rays on in several directions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fan(pub Vec<FanRay>);
+
+impl Surface for Fan {
+    fn part(&self) -> &'static str {
+        "surface/scatter/fan"
+    }
+
+    fn continues(&self) -> bool {
+        true
+    }
+
+    fn fan(&self) -> Option<&[FanRay]> {
+        Some(&self.0)
+    }
+}
