@@ -45,6 +45,7 @@ static FORM: ClosedForm = ClosedForm {
     strides: None,
     is_line: false,
     meets_obstacles: false,
+    // `NODES` of the ray in one step, each held against `VISITS` of the objects.
     loops: 64 * 49,
     start: Start::Own,
 };
