@@ -97,6 +97,37 @@ fn methods_do_not_depend_on_the_schedule() {
     }
 }
 
+/// Curves in closed form, forces by arc length, Gröller's iteration, fans, and shadows of both kinds.
+#[test]
+fn what_is_grollers_does_not_depend_on_the_schedule() {
+    let scenes = scenes_in("scenes/groller");
+    let of = |name: &str| scenes.iter().find(|path| path.ends_with(name)).unwrap();
+    let helix = "law={ kind = \"parametric\", x = \"cos(2*t)\", y = \"t\", z = \"sin(2*t)\", t = [0, 28] }";
+    let centre = "law={ kind = \"sources\", sources = [{ position = [0, 7, 2], strength = -0.8 }] }";
+    let by_length = centre.replace("sources = [", "parameter = \"length\", sources = [");
+    let fan = "materials.water={ kind = \"fan\", rays = [[\"dx\", \"-dy\", \"dz\", \"0.6\"], [\"dx\", \"dy\", \"dz\", \"0.4\"]] }";
+    let steps = "rays.scaled_step=0.1";
+    let all: [(&str, &[&str]); 6] = [
+        ("towers.toml", &[centre, steps, "lights.0.shadows=shooting"]),
+        ("towers.toml", &[centre, steps, fan]),
+        ("towers.toml", &[&by_length, steps]),
+        ("towers.toml", &[centre, "rays.method=groeller", "rays.step=0.5", "rays.max_segments=200"]),
+        ("towers.toml", &[fan, "rays.branches=2"]),
+        ("twelve.toml", &[helix]),
+    ];
+    for (name, keys) in all {
+        let size = ["--size", "40x30", "--set", "rays.max_segments=150"];
+        let sets: Vec<&str> = keys.iter().flat_map(|key| ["--set", key]).chain(size).collect();
+        assert_all_the_same(of(name), &sets);
+    }
+    // Where ended rays run along for thousands of segments a device may stop a lane before all of its pixels were followed.
+    let long = ["--size", "40x30", "--set", centre, "--set", steps];
+    let folder = tempfile::tempdir().unwrap();
+    let [first, other] =
+        [VARIANTS[0], VARIANTS[2]].map(|variant| rendered(of("towers.toml"), variant, &long, folder.path()));
+    assert!(first == other);
+}
+
 /// A hole before a checkered wall, with a ball beside it: some rays fall in, some meet one or the other, some escape.
 const HOLE: &str = r#"
 [image]

@@ -57,7 +57,7 @@ pub fn light_paths(
         let rays: Vec<[f64; 6]> = batch.iter().flat_map(|[x, s]| vec![[x.x, x.y, x.z, s.x, s.y, s.z]; each]).collect();
         let (tile, sample) = ray_tile(&renderer, &rays)?;
         renderer.run_sample(&tile, sample, &mut clock, &|_| {})?;
-        renderer.read_tally(&tile, &mut totals)?;
+        renderer.read_tally(&tile, &mut totals, None)?;
         let rows = read_rows(&renderer, &tile, rays.len(), |row| {
             let path = LightPath {
                 leaves: row.vector("leaves"),

@@ -98,7 +98,11 @@ impl Renderer<'_> {
                 let progress = |done| progress((pixels_done + done * pixels) / all);
                 let before = totals.clone();
                 self.render_tile(made, corner, clock, &progress, totals)?;
-                if self.read_tally(made, totals)? == Walks::Unfinished {
+                // Adaptive sampling takes as many as it needs.
+                let samples = u64::from(self.scene.image.samples);
+                let rays =
+                    self.scene.image.adaptive.is_none().then(|| samples * size.map(u64::from).iter().product::<u64>());
+                if self.read_tally(made, totals, rays)? == Walks::Unfinished {
                     if self.is_whole() {
                         *totals = before_band;
                         return Ok(first_row);
@@ -106,7 +110,7 @@ impl Renderer<'_> {
                     *totals = before;
                     let again = tile.insert(self.tile(size.map(|side| side + margin))?);
                     self.render_tile(again, corner, clock, &progress, totals)?;
-                    self.read_tally(again, totals)?;
+                    self.read_tally(again, totals, None)?;
                     made = again;
                 }
                 pixels_done += pixels;
@@ -151,7 +155,7 @@ impl Renderer<'_> {
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
         let started = Instant::now();
         self.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
-        if self.read_tally(&tile, &mut totals)? == Walks::Unfinished {
+        if self.read_tally(&tile, &mut totals, None)? == Walks::Unfinished {
             return if self.is_whole() { self.go_over()?.first_sample() } else { self.first_sample() };
         }
         self.read_tile(&tile, 0, &mut band)?;

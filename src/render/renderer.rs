@@ -203,13 +203,17 @@ impl<'a> Renderer<'a> {
     /// Adds the tile's tally to `totals`, and clears it. Where a walk did not end nothing is added, and there is more time for the
     /// next tile: this one is to be made anew.
     #[must_use = "a tile may have to be rendered again"]
-    pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals) -> Result<Walks, GpuError> {
+    ///
+    /// `rays` is how many there are, where that is known beforehand: a software device that stops an invocation for its loops says nothing,
+    /// and what a pass of whole paths then left out is only missing from the count.
+    pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals, rays: Option<u64>) -> Result<Walks, GpuError> {
         let Some(buffer) = tile.buffer(&Role::Tally) else { return Ok(Walks::Ended) };
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
         let may_go_on = self.is_whole() || (self.program.work.resumed && !self.is_long.get());
-        if may_go_on && Totals::unfinished(&words) > 0 {
+        let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&words) < rays);
+        if missing || (may_go_on && Totals::unfinished(&words) > 0) {
             self.is_long.set(true);
             return Ok(Walks::Unfinished);
         }

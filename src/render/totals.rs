@@ -170,6 +170,13 @@ impl Totals {
         count("ALIVE") + count("UNFINISHED")
     }
 
+    /// Rays in a tally, however they ended.
+    pub(super) fn counted(words: &[u32]) -> u64 {
+        let unlit = constant("segment/ray", "UNLIT") as usize;
+        let codes = words[6..].iter().take(16).enumerate();
+        codes.filter(|(code, _)| *code != unlit).map(|(_, n)| u64::from(*n)).sum()
+    }
+
     /// Adds a tile's tally, the words of `Tally` in `shaders/state/tally.wgsl`.
     pub(super) fn add_tally(&mut self, words: &[u32]) {
         let wide = |i: usize| u64::from(words[i]) + (u64::from(words[i + 1]) << 32);

@@ -124,7 +124,7 @@ impl Renderer<'_> {
                 Starts::Pixels(pixels, row) => pixel_tile(self, &pixels[part.clone()], row)?,
             };
             self.run_sample(&tile, sample, &mut clock, &|_| {})?;
-            if self.read_tally(&tile, &mut totals)? == Walks::Ended {
+            if self.read_tally(&tile, &mut totals, None)? == Walks::Ended {
                 traced.extend(read_records(self, &tile, part.len())?);
             }
         }
