@@ -45,16 +45,21 @@ fn orbit_captured(o: Orbit) -> bool {
     return (o.w > 0.0) & (o.u * captured_within() > 1.0);
 }
 
-// Nyström's method of order 4.
-fn orbit_step(o: Orbit, s: Real) -> Orbit {
+// What a step of Nyström's method, of order 4, adds to u and w.
+fn orbit_change(o: Orbit, s: Real) -> Real2 {
     let hh = o.h * o.h;
     let a1 = orbit_rate(o.u, hh);
     let a2 = orbit_rate(o.u + (0.5 * s) * (o.w + (0.25 * s) * a1), hh);
     let a3 = orbit_rate(o.u + s * (o.w + (0.5 * s) * a2), hh);
-    var next = o;
     let sixth = s * (1.0 / 6.0);
-    next.u += s * (o.w + sixth * (a1 + 2.0 * a2));
-    next.w += sixth * (a1 + 4.0 * a2 + a3);
+    return Real2(s * (o.w + sixth * (a1 + 2.0 * a2)), sixth * (a1 + 4.0 * a2 + a3));
+}
+
+fn orbit_step(o: Orbit, s: Real) -> Orbit {
+    let change = orbit_change(o, s);
+    var next = o;
+    next.u += change.x;
+    next.w += change.y;
     next.angle += o.h * s;
     return next;
 }

@@ -1,5 +1,5 @@
-// The paths from lights to places, as numbers, for `trace --lit`: each ray that is given is a place, and in place of a velocity its light; and SHOTS in
-// a row are one pair, of which each looks for one path.
+// The paths from lights to places, as numbers, for `bentray light`: each ray that is given is a place, and in place of a velocity its
+// light; and SHOTS in a row are one pair, of which each looks for one path.
 
 struct ShotRecord {
     // Unit directions, at the light and at the place.

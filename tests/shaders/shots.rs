@@ -83,6 +83,7 @@ fn shots_about_a_centre_are_conics() {
             "law/falloff/inverse_square",
             "law/capture_none",
             "surface/shot/shot",
+            "surface/shadow/status_counted",
             "surface/shot/planar",
         ])
         .frame()

@@ -39,13 +39,6 @@ struct Nearest {
     gap: Real,
 }
 
-// Two unit vectors square to d and to each other.
-fn square_to(d: Real3) -> mat2x3<Real> {
-    let other = select(Real3(1.0, 0.0, 0.0), Real3(0.0, 1.0, 0.0), abs(d.x) > 0.7);
-    let a = normalize(cross(d, other));
-    return mat2x3<Real>(a, cross(d, a));
-}
-
 fn nearest_to(source: Real3, d: Real3, place: Real3) -> Nearest {
     var ray = shot_start(source, d);
     let far = distance(source, place);
@@ -157,11 +150,13 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
             break;
         }
     }
-    unfinished = unfinished || !shot_has_room();
-    if best.gap > NEAR_ENOUGH * far || !is_new(vec3f(d)) {
-        return NO_SHOT;
+    var shot = NO_SHOT;
+    if best.gap <= NEAR_ENOUGH * far && is_new(vec3f(d)) {
+        shot = Shot(true, d, best.v, bundle_spread(source, d, place, best.v));
     }
-    return Shot(true, d, best.v, bundle_spread(source, d, place, best.v));
+    // A path or its bundle may have ended for want of room.
+    unfinished = unfinished || !shot_has_room();
+    return shot;
 }
 
 fn is_new(d: vec3f) -> bool {

@@ -12,6 +12,8 @@ const MANY_STEPS: u32 = 128u;
 // For derivatives: first in parts of the angle, then so far apart that 1/r changes by this part.
 const APART: Real = 2e-3;
 const CHANGE: Real = 0.08;
+// Iterations of one path's search, at most, with those of its derivative.
+const SHOT_WORK: u32 = (LOOKS + HALVINGS) * (FEW_STEPS + 2u) + (SECANTS + 8u) * (MANY_STEPS + 1u);
 const NEVER_THERE: Real = -1.0;
 const SWALLOWED: Real = 1e30;
 
@@ -32,21 +34,11 @@ fn shot_plane(source: Real3, place: Real3, far_side: bool) -> ShotPlane {
     let along = dot(b, n);
     var across = b - along * n;
     // In one line with the centre all planes are alike.
-    let any_plane = cross(n, select(Real3(1.0, 0.0, 0.0), Real3(0.0, 1.0, 0.0), abs(n.x) > 0.8));
-    across = select(across, 1e-6 * length(b) * normalize(any_plane), length(across) < 1e-6 * length(b));
+    let any_plane = square_to(n)[0];
+    across = select(across, 1e-6 * length(b) * any_plane, length(across) < 1e-6 * length(b));
     let angle = arc_tangent(length(across), along);
     let t = normalize(across);
     return ShotPlane(length(a), length(b), n, select(t, -t, far_side), select(angle, 2.0 * PI - angle, far_side));
-}
-
-// What a step of Nyström's method adds to u and w.
-fn shot_change(o: Orbit, s: Real) -> Real2 {
-    let hh = o.h * o.h;
-    let a1 = orbit_rate(o.u, hh);
-    let a2 = orbit_rate(o.u + (0.5 * s) * (o.w + (0.25 * s) * a1), hh);
-    let a3 = orbit_rate(o.u + s * (o.w + (0.5 * s) * a2), hh);
-    let sixth = s * (1.0 / 6.0);
-    return Real2(s * (o.w + sixth * (a1 + 2.0 * a2)), sixth * (a1 + 4.0 * a2 + a3));
 }
 
 // The orbit at the place's angle, of the path that leaves the light at `off` from the line to the centre.
@@ -58,7 +50,7 @@ fn shot_orbit(plane: ShotPlane, off: Real, steps: u32) -> Orbit {
     var rest = Real2(0.0);
     for (var i = 0u; i < steps; i++) {
         work += 1u;
-        let more = shot_change(o, s) + rest;
+        let more = orbit_change(o, s) + rest;
         let sum = Real2(opaque(o.u + more.x), opaque(o.w + more.y));
         rest = more - Real2(opaque(sum.x - o.u), opaque(sum.y - o.w));
         o.u = sum.x;
@@ -87,6 +79,10 @@ fn forget_shots() {
 
 // The which-th path by one side.
 fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
+    if work + SHOT_WORK + schedule.segment_work > WORK_LIMIT {
+        unfinished = true;
+        return NO_SHOT;
+    }
     let plane = shot_plane(source, place, (k & 1u) == 1u);
     let wanted = 1.0 / plane.to_center;
     var low: Real = 0.0;
@@ -94,7 +90,7 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     var rises = false;
     var before = false;
     var seen = 0u;
-    for (var i = 0u; i <= LOOKS && shot_has_room(); i++) {
+    for (var i = 0u; i <= LOOKS; i++) {
         work += 1u;
         let off = select(look_angle(i), PI, i == LOOKS);
         // Straight away from the centre it never comes round.

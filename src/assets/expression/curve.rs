@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::tree::Tree;
-use super::{Enclosure, FormulaError, Graph, Id, Interval, PARAMETER, Variable, check, parse};
+use super::{Enclosure, FormulaError, Graph, Id, Interval, PARAMETER, Variable, check, parse_all};
 
 /// Derivatives that a curve knows: the fourth bounds how far it is from a cubic.
 const ORDERS: usize = 5;
@@ -24,12 +24,7 @@ impl Curve {
     ///
     /// What is wrong with which coordinates.
     pub fn parse(texts: [&str; 3]) -> Result<Self, Vec<(usize, FormulaError)>> {
-        let parsed = texts.map(|text| parse::parse(text, &PARAMETER));
-        let [Ok(x), Ok(y), Ok(z)] = &parsed else {
-            let wrong = parsed.into_iter().enumerate();
-            return Err(wrong.filter_map(|(k, parsed)| Some((k, parsed.err()?))).collect());
-        };
-        let trees = [x.clone(), y.clone(), z.clone()];
+        let trees = parse_all(texts, &PARAMETER)?;
         let mut graph = Graph::default();
         let mut derivatives = [[0, 1, 2].map(|k: usize| graph.of_tree(&trees[k])); ORDERS];
         for order in 1..ORDERS {

@@ -132,6 +132,17 @@ impl Formula {
     }
 }
 
+/// Several formulas of one thing: their trees, or what is wrong with which of them.
+fn parse_all<const N: usize>(
+    texts: [&str; N],
+    language: &'static Language,
+) -> Result<[Tree; N], Vec<(usize, FormulaError)>> {
+    let mut wrong = Vec::new();
+    let trees = texts.map(|text| parse::parse(text, language)).into_iter().enumerate();
+    let trees: Vec<Tree> = trees.filter_map(|(k, tree)| tree.map_err(|error| wrong.push((k, error))).ok()).collect();
+    trees.try_into().map_err(|_| wrong)
+}
+
 /// Numbers that 32 bits hold, and no constant that could not be worked out.
 fn check(text: &str, graph: &Graph, roots: &[Id]) -> Result<(), FormulaError> {
     let wrong = |problem: String| FormulaError {

@@ -8,20 +8,10 @@ use crate::model::row;
 /// What is known of it.
 pub static KIND: Kind = Kind {
     name: "iterated",
-    keys: fixed::KIND.keys,
     parts: &["method/control/iterated"],
-    memory: "method/memory_step",
     values: |control| row! { step: Float(control.setting) },
     loops: |step| step.evaluations * step.derivative,
-    evaluations: |step, steps, _| step * steps,
-    suffix: "",
-    setting: |control| control.setting,
-    from_file: |written| written,
-    usual: |control, _| *control,
-    divides: false,
-    tries: None,
-    keeps_errors: false,
-    has_tolerance: false,
+    ..fixed::KIND
 };
 
 /// By the keys of a `[rays]` table, of which its step is required.
