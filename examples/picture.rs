@@ -26,7 +26,7 @@ fn scene() -> Scene {
     scene.add(Plane, Transform::new(DVec3::splat(20.0), facing_us, DVec3::new(0.0, 0.0, -15.0)), wall);
     scene.add(Sphere, Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::new(5.0, 0.0, 0.0)), red);
     let source = LightSource::Point(DVec3::new(10.0, 10.0, 20.0));
-    scene.lights.push(Light { source, color: DVec3::ONE, shadows: Shadows::Straight, falls: false, size: 0.0 });
+    scene.lights.push(Light { shadows: Shadows::Straight, ..Light::new(source) });
     scene
 }
 

@@ -14,6 +14,7 @@ mod groeller;
 mod imports;
 mod interiors;
 mod lenses;
+mod light_grids;
 mod light_paths;
 mod meshes;
 mod methods;

@@ -73,6 +73,8 @@ const UNFINISHED: u32 = 12u;
 
 // Not a ray's end, but counted beside them: a place on a surface that no path from a light leads to.
 const UNLIT: u32 = 13u;
+// Nor this: light that a voxel had no room for.
+const LOST: u32 = 14u;
 
 // Did the path end on a surface?
 fn ends_on_surface(code: u32) -> bool {

@@ -8,9 +8,9 @@ use clap::Args;
 use super::frames::Film;
 use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
-use crate::gpu::{Built, Geometry, Grid, memory};
+use crate::gpu::{Built, Geometry, Grid, LightVolume, light_bytes, memory};
 use crate::program::{Choice, Program, Schedule};
-use crate::scene::{Scene, reference_markdown};
+use crate::scene::{Scene, Shadows, reference_markdown};
 
 /// Validate scenes, and say what will be modelled: parts, passes, bytes per pixel
 #[derive(Debug, Args)]
@@ -75,6 +75,12 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     }
     for light in scene.swallowed_lights() {
         say!("  light {light} (from 0) is inside of what captures rays, and lights nothing");
+    }
+    for (i, light) in scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid) {
+        let volume = LightVolume::new(&scene, &geometry, light.grid.voxels);
+        let [x, y, z] = volume.count;
+        let bytes = light_bytes(volume.voxels() as u64);
+        say!("  light {i} (from 0): a grid of {x}×{y}×{z} voxels, {} paths, at least {bytes} bytes", light.grid.paths);
     }
     if scene.rays.auto.is_some() {
         say!("  method auto: measured when the scene is rendered; counted here for rk4");

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use glam::DVec3;
+use glam::{DVec3, Vec4};
 
 use super::decisions::Rays;
 use super::frames::Film;
@@ -12,18 +12,18 @@ use super::render::warn;
 use super::settle::settle;
 use crate::error::Error;
 use crate::output::csv::{LightRow, Table, read_places};
-use crate::render::{LightPath, light_paths};
+use crate::render::{LightPath, light_grids, light_paths};
 use crate::scene::{LightSource, Scene, Shadows};
 
 /// Find the paths that lead from a scene's lights to given places, and write their directions and the spread of their bundles
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The scene file; of its lights those with shadows = "shooting" are used
+    /// The scene file; of its lights those with shadows = "shooting" or "grid" are used
     scene: PathBuf,
     /// A CSV file with the header x,y,z: the places
     #[arg(long, value_name = "FILE")]
     at: PathBuf,
-    /// Where to write the paths as CSV, a line for each, and one where there is none; `-` is standard output
+    /// Where to write the paths as CSV, a line for each, and one where there is none or for all of a grid's; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -37,32 +37,42 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
     let scene = film.load(None)?;
-    let lights = shot_lights(&scene);
-    if lights.is_empty() {
-        let problem = "the scene has no light with shadows = \"shooting\", and paths are found from such lights";
+    let lights: Vec<_> = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows.follows_the_law()).collect();
+    let shot = shot_lights(&scene);
+    let Some((_, first)) = lights.first() else {
+        let problem =
+            "the scene has no light with shadows = \"shooting\" or \"grid\", and paths are found from such lights";
         return Err(Error::Usage(problem.to_owned()));
-    }
+    };
     let places: Vec<DVec3> = read_places(&arguments.at)?.into_iter().map(DVec3::from).collect();
     let mut table = Table::create::<LightRow>(&arguments.output)?;
     let gpu = opening.finish()?;
-    let aimed: Vec<[f64; 6]> = places.iter().map(|x| aimed(lights[0].1, *x)).collect();
+    let aimed: Vec<[f64; 6]> = places.iter().map(|x| aimed(first.source, *x)).collect();
     let settings = arguments.device.settings(Vec::new());
-    let (scene, settings) = settle(&gpu, (&film, None), scene, settings, Rays::Given(&aimed))?;
+    let (scene, settings) = settle(&gpu, (&film, None), scene.clone(), settings, Rays::Given(&aimed))?;
     let pairs: Vec<[DVec3; 2]> =
-        places.iter().flat_map(|place| lights.iter().map(|(_, source)| [*place, *source])).collect();
-    let (found, totals) = light_paths(&gpu, &scene, &settings, &pairs)?;
-    for (i, paths) in found.iter().enumerate() {
-        let (place, light) = (i / lights.len(), lights[i % lights.len()].0);
-        for row in rows(place, light, paths) {
-            table.write(&row)?;
+        places.iter().flat_map(|place| shot.iter().map(|(_, source)| [*place, *source])).collect();
+    let (found, totals) =
+        if shot.is_empty() { Default::default() } else { light_paths(&gpu, &scene, &settings, &pairs)? };
+    let grids = light_grids(&gpu, &scene, &settings)?;
+    for (i, place) in places.iter().enumerate() {
+        let (mut paths, mut fields) = (found.iter().skip(i * shot.len()), grids.iter());
+        for (light, own) in &lights {
+            let rows = if own.shadows == Shadows::Grid {
+                fields.next().map(|(field, _)| vec![grid_row(i, *light, field.at(*place))])
+            } else {
+                paths.next().map(|paths| rows(i, *light, paths))
+            };
+            for row in rows.into_iter().flatten() {
+                table.write(&row)?;
+            }
         }
     }
-    eprintln!(
-        "{} paths from {} lights to {} places",
-        found.iter().map(Vec::len).sum::<usize>(),
-        lights.len(),
-        places.len()
-    );
+    for (_, report) in &grids {
+        eprintln!("{report}");
+    }
+    let found = found.iter().map(Vec::len).sum::<usize>();
+    eprintln!("{found} paths from {} lights to {} places", shot.len(), places.len());
     warn(&totals);
     table.finish()?;
     Ok(ExitCode::SUCCESS)
@@ -80,9 +90,26 @@ fn shot_lights(scene: &Scene) -> Vec<(usize, DVec3)> {
 }
 
 /// A ray from a light straight to a place, for a calibration to try.
-fn aimed(source: DVec3, place: DVec3) -> [f64; 6] {
-    let d = (place - source).normalize_or(DVec3::X);
-    [source.x, source.y, source.z, d.x, d.y, d.z]
+fn aimed(source: LightSource, place: DVec3) -> [f64; 6] {
+    let (x, d) = match source {
+        LightSource::Point(position) => (position, (place - position).normalize_or(DVec3::X)),
+        LightSource::Directional(direction) => (place, direction),
+    };
+    [x.x, x.y, x.z, d.x, d.y, d.z]
+}
+
+/// What a grid knows of all paths to a place together: their mean direction by flux, and the area that would be as bright.
+fn grid_row(place: usize, light: usize, f: Vec4) -> LightRow {
+    let f = f.truncate().as_dvec3();
+    let lit = f.length() > 0.0;
+    LightRow {
+        place,
+        light,
+        status: if lit { "lit" } else { "none" },
+        leaves: None,
+        arrives: lit.then(|| f.normalize().to_array()),
+        spread: lit.then(|| 1.0 / f.length()),
+    }
 }
 
 fn rows(place: usize, light: usize, paths: &[LightPath]) -> Vec<LightRow> {

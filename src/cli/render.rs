@@ -197,6 +197,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         if i == 0 {
             eprintln!("{launch}");
         }
+        for light in renderer.light_reports() {
+            eprintln!("{light}");
+            unfollowed += light.totals.unfollowed();
+        }
         report(frame, ready, &totals);
         unfollowed += totals.unfollowed();
     }

@@ -15,7 +15,7 @@ use wgpu::{
 use super::records::pack;
 use super::source::Source;
 use super::uniforms::schedule_values;
-use super::{Geometry, Gpu, GpuError};
+use super::{Geometry, Gpu, GpuError, LightField};
 use crate::model::Value::{self, Float, Uint, Uint2, Uint3, Vec3};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program, Role, SceneValue};
 use crate::scene::{Branches, Picture, Scene, Segment};
@@ -30,17 +30,18 @@ pub struct SceneBuffers {
 }
 
 impl SceneBuffers {
-    /// Uploads what `program` binds of `scene`. `segments` is K, the segments of one fused pass. Pictures that lie on the device
+    /// Uploads what `program` binds of `scene`, with the `fields` of its lights' grids. `segments` is K, the segments of one fused pass. Pictures that lie on the device
     /// `before` are taken from there.
     pub fn new(
         gpu: &Gpu,
         scene: &Scene,
         geometry: &Geometry,
         program: &Program,
+        fields: &[LightField],
         segments: u32,
         before: Option<&Self>,
     ) -> Result<Self, GpuError> {
-        let mut source = Source { scene, geometry, program, segments, kinds: Vec::new() };
+        let mut source = Source { scene, geometry, program, fields, segments, kinds: Vec::new() };
         source.kinds = source.of_kinds();
         let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
         for binding in program.bindings() {

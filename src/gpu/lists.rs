@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::GpuError;
+use super::LightField;
 use super::geometry::PlacedShape;
 use super::hierarchy::Node;
 use super::ray_tree::{RayNode, object_tree, ray_tree};
@@ -11,7 +12,7 @@ use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
-use crate::program::{Layout, Obstacle, Purpose, constant};
+use crate::program::{Layout, Obstacle, constant};
 use crate::scene::{Light, LightSource, Segment, Shadows};
 
 impl Source<'_> {
@@ -49,7 +50,7 @@ impl Source<'_> {
     /// Traced rays are followed as far as they go; a picture's end as far out as nothing of the scene lies further in.
     fn captures(&self) -> Vec<Row> {
         let clearance = |x: DVec3| self.geometry.clearance(x);
-        let picture = !matches!(self.program.choice.purpose, Purpose::Trace | Purpose::Lit);
+        let picture = !self.program.choice.purpose.is_given();
         let row = |capture: Capture| {
             let anchor = capture.anchor;
             row! {
@@ -120,6 +121,14 @@ impl Source<'_> {
             "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
             "object_materials" => Ok(Some(bytemuck::cast_slice(&g.materials).to_vec())),
             "materials" => self.materials(layout).map(Some),
+            "light_bricks" => {
+                let bricks = self.fields.iter().flat_map(|field| &field.bricks);
+                Ok(Some(bricks.flat_map(|brick| brick.to_ne_bytes()).collect()))
+            }
+            "light_field" => {
+                let values = self.fields.iter().flat_map(|field| &field.field);
+                Ok(Some(values.flat_map(|value| bytemuck::cast::<_, [u8; 16]>(value.to_array())).collect()))
+            }
             _ => self.lights(name, layout),
         }
     }
@@ -145,10 +154,13 @@ impl Source<'_> {
     }
 
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
+        let grids = self.grid_lights();
+        let mut grids = grids.iter();
         let row = |light: &Light| -> (&str, Row) {
             let shadows = u32::from(light.shadows == Shadows::Straight);
             let falls = u32::from(light.falls);
             match light.source {
+                _ if light.shadows == Shadows::Grid => ("grid_lights", grids.next().cloned().unwrap_or_default()),
                 LightSource::Point(position) if light.shadows == Shadows::Shooting => (
                     "shot_lights",
                     row! { position: Vec3(position), color: Vec3(light.color), falls: Uint(falls), size: Float(light.size) },
@@ -165,6 +177,19 @@ impl Source<'_> {
         };
         let all: Vec<_> = self.scene.lights.iter().map(row).filter(|(list, _)| *list == name).collect();
         if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }
+    }
+
+    /// The lights that have a grid, each with where its voxels begin.
+    fn grid_lights(&self) -> Vec<Row> {
+        let lights = self.scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
+        let (mut bricks, mut values) = (0, 0);
+        let row = |(light, field): (&Light, &LightField)| {
+            let row = field.row(light, bricks, values);
+            bricks += field.bricks.len();
+            values += field.field.len();
+            row
+        };
+        lights.zip(self.fields).map(row).collect()
     }
 
     /// What segments may be near: of each list the shapes on which rays end, then those that they cross, then the

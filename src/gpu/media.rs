@@ -3,7 +3,7 @@
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint};
 use crate::model::{Medium, Row};
-use crate::program::{Purpose, Region};
+use crate::program::Region;
 
 impl Source<'_> {
     /// The rows of `regions`.
@@ -24,11 +24,7 @@ impl Source<'_> {
     /// Do the camera's rays start inside of this mesh? Where an analytic shape is concerned every ray finds out for itself.
     fn starts_in(&self, object: usize) -> bool {
         let object = &self.scene.objects[object];
-        let camera = self
-            .scene
-            .camera
-            .as_ref()
-            .filter(|_| !matches!(self.program.choice.purpose, Purpose::Trace | Purpose::Lit));
+        let camera = self.scene.camera.as_ref().filter(|_| !self.program.choice.purpose.is_given());
         object.shape.mesh().is_some() && camera.is_some_and(|camera| object.contains(camera.position))
     }
 

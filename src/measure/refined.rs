@@ -16,7 +16,7 @@ use crate::gpu::Gpu;
 use crate::model::control::scaled;
 use crate::program::{Choice, Layer, Purpose};
 use crate::render::{self, Plane, RenderError, RenderSettings, Renderer, Status};
-use crate::scene::{Control, Picture, Scene};
+use crate::scene::{Control, LightGrid, Picture, Scene};
 
 /// Rays that are compared, about.
 const RAYS: f64 = 4096.0;
@@ -80,6 +80,9 @@ pub(super) fn first_right(
     // What is seen there does not matter, only where.
     for picture in &mut small.pictures {
         *picture = Picture { size: [1, 1], pixels: Arc::new(vec![[0.0; 3]]), name: picture.name.clone() };
+    }
+    for light in &mut small.lights {
+        light.grid = LightGrid::COARSEST;
     }
     let settings = RenderSettings { window: None, segments: 256, ..settings.clone() };
     let mut renderer = Renderer::new(gpu, &small, settings)?;

@@ -131,8 +131,18 @@ pub enum Purpose {
     Pixels,
     /// Places and lights, each pair to be joined by the paths between them.
     Lit,
+    /// Rays from a light, which leave their light in the voxels on their way.
+    Light,
     /// The camera's rays, each to be moved by as many steps as it is told, to measure what they cost by themselves.
     Bare,
+}
+
+impl Purpose {
+    /// Are its rays given one by one, whatever the camera?
+    #[must_use]
+    pub fn is_given(self) -> bool {
+        matches!(self, Self::Trace | Self::Lit | Self::Light)
+    }
 }
 
 /// What a picture carries besides colour.
@@ -237,7 +247,7 @@ impl Choice {
         passes.extend(match self.purpose {
             _ if self.schedule == Schedule::Whole => None,
             Purpose::Picture => Some(Pass::Shade),
-            Purpose::Trace | Purpose::Pixels | Purpose::Lit | Purpose::Bare => Some(Pass::Record),
+            Purpose::Trace | Purpose::Pixels | Purpose::Lit | Purpose::Light | Purpose::Bare => Some(Pass::Record),
         });
         if self.adapts(scene) {
             passes.push(Pass::Refine);

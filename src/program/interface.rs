@@ -50,6 +50,14 @@ pub enum Role {
     Chosen,
     /// The steps that each pixel's ray is to take, for measurements.
     WantedSteps,
+    /// The voxels that a light's paths leave their light in.
+    LightVolume,
+    /// Those that are cut into bricks.
+    VolumeBricks,
+    /// What is left there.
+    LightSums,
+    /// Whether a path left anything.
+    LightReaches,
     /// None of these, and of no pass: a kernel of its own binds it by its number.
     Other {
         /// Where the linked program declares it, in bytes.
@@ -116,7 +124,7 @@ pub enum Access {
 }
 
 /// The renderer's bindings.
-const ROLES: [(&str, Role); 25] = [
+const ROLES: [(&str, Role); 29] = [
     ("red", Role::Color(Channel::Red)),
     ("green", Role::Color(Channel::Green)),
     ("blue", Role::Color(Channel::Blue)),
@@ -142,6 +150,10 @@ const ROLES: [(&str, Role); 25] = [
     ("given_sets", Role::GivenSets),
     ("chosen", Role::Chosen),
     ("wanted_steps", Role::WantedSteps),
+    ("light_volume", Role::LightVolume),
+    ("volume_bricks", Role::VolumeBricks),
+    ("light_sums", Role::LightSums),
+    ("light_reaches", Role::LightReaches),
 ];
 
 /// What passes keep for each pixel.

@@ -72,8 +72,9 @@ pub struct Program {
 impl Program {
     /// The program of `scene` under a schedule, whose structure was built to this extent.
     pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
-        let work = Work::of(scene, analysis, extent)?;
         let choice = choice.settled(scene);
+        let work = Work::of(scene, analysis, extent)?;
+        let work = if choice.purpose == Purpose::Light { work.leaving_light(scene) } else { work };
         let parts = plan(scene, analysis, &choice, &work)?;
         let passes = choice
             .passes(scene)

@@ -3,11 +3,11 @@
 use super::names::Names;
 use super::{Choice, Purpose, generated};
 use crate::model::{CameraFrame, Pattern, Projection, Stereo, StereoLayout};
-use crate::scene::{Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
+use crate::scene::{SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
-    if matches!(choice.purpose, Purpose::Trace | Purpose::Lit) {
+    if choice.purpose.is_given() {
         names.all(&["camera/ray", "camera/given"]);
         names.add(if scene.rays.asymptotic { "camera/arrival/from_infinity" } else { "camera/arrival/as_given" });
         return;
@@ -79,9 +79,10 @@ pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
     let patterns: Vec<&str> =
         Pattern::PARTS.into_iter().filter(|part| used().any(|material| material.color.part() == *part)).collect();
     let lights = [
-        ("point", scene.lights.iter().any(|light| light.is_point() && light.shadows != Shadows::Shooting)),
-        ("directional", !scene.lights.iter().all(Light::is_point)),
+        ("point", scene.lights.iter().any(|light| light.is_point() && !light.shadows.follows_the_law())),
+        ("directional", scene.lights.iter().any(|light| !light.is_point() && !light.shadows.follows_the_law())),
         ("shot", scene.lights.iter().any(|light| light.shadows == Shadows::Shooting)),
+        ("grid", scene.lights.iter().any(|light| light.shadows == Shadows::Grid)),
     ];
     let lights: Vec<&str> =
         lights.into_iter().filter(|(_, there)| *there && scene.is_lit()).map(|(name, _)| name).collect();

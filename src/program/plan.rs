@@ -95,7 +95,11 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
         Masks::Grid => "state/active/grid",
         Masks::List => "state/active/list",
     });
-    names.add(if choice.masks == Masks::Off { "segment/run_all" } else { "segment/run_active" });
+    if choice.purpose == Purpose::Light {
+        names.all(&["segment/run_light", "segment/leave_light"]);
+    } else {
+        names.add(if choice.masks == Masks::Off { "segment/run_all" } else { "segment/run_active" });
+    }
     names.add(match (choice.lists_open(scene), choice.rounds(scene) > 1) {
         (false, _) => "state/round/once",
         (true, false) => "state/round/chosen",
@@ -126,7 +130,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
         names.all(&[
             "surface/region_none",
             "surface/scatter/none",
-            "surface/weight/none",
+            if choice.purpose == Purpose::Light { "surface/weight/light" } else { "surface/weight/none" },
             "surface/branch/transmitted",
             "segment/last_hit_none",
             "shape/facing_any",
@@ -138,11 +142,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     let sided_mesh = regions.regions.iter().any(|region| scene.objects[region.object].shape.mesh().is_some());
     names.all(&["surface/scatter/some"]);
     names.add(if regions.regions.is_empty() { "surface/region_none" } else { "surface/region_set" });
-    names.add(if matches!(choice.purpose, Purpose::Trace | Purpose::Lit) {
-        "surface/origin_given"
-    } else {
-        "surface/origin_camera"
-    });
+    names.add(if choice.purpose.is_given() { "surface/origin_given" } else { "surface/origin_camera" });
     names.add(if flat { "segment/last_hit_kept" } else { "segment/last_hit_none" });
     names.add(if sided_mesh { "shape/facing_sided" } else { "shape/facing_any" });
     let fans: Vec<_> = scene.fans().into_iter().map(|(_, rays)| rays).collect();
@@ -164,6 +164,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
         (Purpose::Picture, Branches::Enumerated(_)) => (kept, "surface/branch/enumerated"),
         (Purpose::Picture, Branches::Random) => (kept, "surface/branch/random"),
+        (Purpose::Light, _) => ("surface/weight/light", "surface/branch/random"),
         _ => ("surface/weight/none", "surface/branch/transmitted"),
     };
     names.all(&[weight, branch]);

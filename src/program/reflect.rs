@@ -198,7 +198,9 @@ fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
             let fields = members.iter().filter_map(|member| field(module, member)).collect();
             Some(Layout { fields, span: *span, count: Some(1) })
         }
-        TypeInner::Scalar(scalar) => Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), count: Some(1) }),
+        TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => {
+            Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), count: Some(1) })
+        }
         TypeInner::Vector { size, scalar } => Some(Layout {
             fields: Vec::new(),
             span: u32::from(u8::from(*size)) * u32::from(scalar.width),

@@ -24,13 +24,16 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         let is = |object: &&Object| object.solid() == solid;
         Some((solid.lists.as_ref()?.placed, scene.objects.iter().filter(is).count()))
     });
-    let shot = scene.lights.iter().filter(|light| light.shadows == Shadows::Shooting).count();
-    let points = scene.lights.iter().filter(|light| light.is_point()).count() - shot;
+    let with = |shadows| scene.lights.iter().filter(|light| light.shadows == shadows).count();
+    let [shot, grids] = [Shadows::Shooting, Shadows::Grid].map(with);
+    let plain = || scene.lights.iter().filter(|light| !light.shadows.follows_the_law());
+    let points = plain().filter(|light| light.is_point()).count();
     let others = [
         ("materials", scene.materials.len() + regions.regions.len()),
         ("point_lights", points),
-        ("directional_lights", scene.lights.len() - points - shot),
+        ("directional_lights", plain().count() - points),
         ("shot_lights", shot),
+        ("grid_lights", grids),
     ];
     others.into_iter().chain(placed).collect()
 }

@@ -7,12 +7,16 @@ use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constan
 use crate::model::control::StepLoops;
 use crate::model::method::Path;
 use crate::model::{Loops, Medium};
-use crate::scene::{Object, Precision, Scene, Segment, Shadows};
+use crate::scene::{Light, Object, Precision, Scene, Segment, Shadows};
 
 fn work_limit() -> u64 {
     constant("state/work", "WORK_LIMIT") as u64
 }
 
+/// Straight ways through all of a light's grid that one segment may be as long as.
+const LINES: u64 = 2;
+/// Voxels that are asked for the light at a place.
+const GRID: u64 = 8 + 27 + 1;
 /// A segment up to this size is walked whole: so many fit into a pass that no batch of segments is cut short.
 const WHOLE: u64 = 4_000;
 /// What integration and the analytic shapes may take of one invocation: the end of a path is found by following its last
@@ -71,7 +75,8 @@ impl Work {
         let walk = (pieces + 1) * (extent.places + extent.items);
         // Whatever a path ends on, its shadows are looked for in the same pass.
         let shadows = shadows(scene) * (listed + 2 + extent.at_once + 2 * (extent.places + extent.items));
-        let whole = segment + walk + shadows;
+        let grids = scene.lights.iter().filter(|light| light.shadows == Shadows::Grid).count() as u64;
+        let whole = segment + walk + shadows + grids * GRID;
         let resumed = whole > WHOLE;
         Ok(Self {
             segment: if resumed { segment } else { whole },
@@ -79,6 +84,14 @@ impl Work {
             // Before a walk may be a segment's work, and room for as much is left behind it.
             passes_per_segment: if resumed { 1 + walk / (work_limit() - 2 * segment) } else { 1 },
         })
+    }
+
+    /// With what a segment takes that leaves its light in the voxels on its way, of as many as there are along one line.
+    pub(super) fn leaving_light(self, scene: &Scene) -> Self {
+        let chords = constant("segment/leave_light", "MOST_CHORDS") as u64;
+        let parts = |light: &Light| 3 * u64::from(light.grid.voxels) * u64::from(light.grid.refine);
+        let most = scene.lights.iter().map(parts).max().unwrap_or(0);
+        Self { segment: self.segment + (2 * chords + LINES * most).min(LARGEST), ..self }
     }
 
     /// Segments that one pass is sure to complete, of `wanted`.

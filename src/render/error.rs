@@ -31,6 +31,27 @@ pub enum RenderError {
         /// The picture's size.
         picture: [u32; 2],
     },
+    /// The lights' grids alone are more than the budget.
+    #[error(
+        "the lights' grids have {voxels} voxels together and need {needed} bytes of device memory, and {allowed} are allowed: give them \
+         more, or the lights fewer `voxels`"
+    )]
+    LightGrid {
+        /// Of all lights.
+        voxels: usize,
+        /// What would be enough.
+        needed: u64,
+        /// The budget.
+        allowed: u64,
+    },
+    /// More light came through a voxel than its sums can hold.
+    #[error(
+        "light {light} (from 0): its paths wind more often through one voxel of its grid than that can count; give it more `voxels`"
+    )]
+    LightLost {
+        /// The light's place in the scene file.
+        light: usize,
+    },
     /// A scene that needs passes of its own.
     #[error("this scene needs another program than the one that was compiled")]
     OtherProgram,

@@ -7,15 +7,16 @@ use std::time::Instant;
 use wgpu::ErrorFilter;
 
 use super::clock::Clock;
+use super::light_grid::LightGrids;
 use super::plan::Plan;
 use super::readback::read_buffer;
 use super::sample::Sample;
-use super::{RenderError, RenderSettings, Totals};
+use super::{LightReport, RenderError, RenderSettings, Totals};
 use crate::gpu::{
     Built, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
 use crate::model::{Control, Value};
-use crate::program::{BindingKind, Layout, Program, Purpose, Regions, Role};
+use crate::program::{BindingKind, Layout, Program, Regions, Role};
 use crate::scene::Scene;
 
 /// In so many rounds of a sample and more most pixels rest, so that a pass costs more than the ended rays that it drops: passes
@@ -34,6 +35,8 @@ pub struct Renderer<'a> {
     pub(super) buffers: SceneBuffers,
     /// Which objects have an inside.
     pub(super) regions: Regions,
+    /// Of the scene's lights.
+    pub(super) grids: LightGrids,
     /// Kept for the next frame.
     structure: Built,
     pub(super) max_segments: u32,
@@ -57,11 +60,17 @@ pub(super) enum Walks {
 impl<'a> Renderer<'a> {
     /// Links, compiles and uploads.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings) -> Result<Self, RenderError> {
-        Self::of(gpu, Cow::Borrowed(scene), settings)
+        Self::of(gpu, Cow::Borrowed(scene), settings, None)
     }
 
-    pub(super) fn of(gpu: &'a Gpu, scene: Cow<'a, Scene>, mut settings: RenderSettings) -> Result<Self, RenderError> {
-        let given = matches!(settings.choice.purpose, Purpose::Trace | Purpose::Lit);
+    /// `grids` are those of the scene's lights, if they are made already.
+    pub(super) fn of(
+        gpu: &'a Gpu,
+        scene: Cow<'a, Scene>,
+        mut settings: RenderSettings,
+        grids: Option<LightGrids>,
+    ) -> Result<Self, RenderError> {
+        let given = settings.choice.purpose.is_given();
         if !given && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
         }
@@ -74,7 +83,10 @@ impl<'a> Renderer<'a> {
         let pipelines = Pipelines::new(gpu, &program)?;
         let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
-        let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, settings.segments_a_pass(), None)?;
+        let made = || LightGrids::new(gpu, &scene, &geometry, &program, &settings);
+        let grids = grids.map_or_else(made, Ok)?;
+        let segments = settings.segments_a_pass();
+        let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, None)?;
         let max_segments = scene.rays.max_segments;
         let (short, long, is_long, fused) = (Plan::default(), OnceCell::new(), Cell::new(false), OnceCell::new());
         let (structure, regions) = (geometry.structure, geometry.analysis.regions);
@@ -86,6 +98,7 @@ impl<'a> Renderer<'a> {
             pipelines,
             buffers,
             regions,
+            grids,
             structure,
             max_segments,
             short,
@@ -104,9 +117,10 @@ impl<'a> Renderer<'a> {
     ///
     /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        if let Some(fused) = self.fused.get_mut() {
-            fused.set_scene(scene.clone())?;
-        }
+        self.change_scene(scene, None)
+    }
+
+    fn change_scene(&mut self, scene: Scene, grids: Option<LightGrids>) -> Result<(), RenderError> {
         let RenderSettings { window, choice, .. } = &self.settings;
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
@@ -116,8 +130,13 @@ impl<'a> Renderer<'a> {
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
-        let segments = self.settings.segments_a_pass();
-        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, segments, Some(&self.buffers))?;
+        let made = || LightGrids::new(self.gpu, &scene, &geometry, &program, &self.settings);
+        self.grids = grids.map_or_else(made, Ok)?;
+        if let Some(fused) = self.fused.get_mut() {
+            fused.change_scene(scene.clone(), Some(self.grids.clone()))?;
+        }
+        let (segments, fields, before) = (self.settings.segments_a_pass(), &self.grids.fields, Some(&self.buffers));
+        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, fields, segments, before)?;
         self.structure = geometry.structure;
         self.regions = geometry.analysis.regions;
         self.program = program;
@@ -160,6 +179,12 @@ impl<'a> Renderer<'a> {
             }
         }
         Ok(())
+    }
+
+    /// What making the grids of the scene's lights came to.
+    #[must_use]
+    pub fn light_reports(&self) -> &[LightReport] {
+        &self.grids.reports
     }
 
     /// What each pixel costs on the device.

@@ -130,6 +130,8 @@ pub struct Totals {
     pub by_status: Vec<(Status, u64)>,
     /// Places on surfaces that no path from a light leads to, light by light, where that is looked for.
     pub unlit: u64,
+    /// Pieces of light's ways that a grid had no room for.
+    pub lost: u64,
     /// Time on the device by stage (setup, advance, intersect, scatter, shade; advancing includes the two after it unless they are
     /// timed apart, and all rounds of a sample after its first); none without timestamp queries.
     pub device: Option<[Duration; 5]>,
@@ -170,11 +172,16 @@ impl Totals {
         count("ALIVE") + count("UNFINISHED")
     }
 
+    /// Rays in a tally, by the code of how they ended.
+    fn ends(words: &[u32]) -> impl Iterator<Item = (u32, u64)> {
+        let others = ["UNLIT", "LOST"].map(|name| constant("segment/ray", name) as u32);
+        let codes = words[6..].iter().take(16).zip(0..).map(|(n, code)| (code, u64::from(*n)));
+        codes.filter(move |(code, _)| !others.contains(code))
+    }
+
     /// Rays in a tally, however they ended.
     pub(super) fn counted(words: &[u32]) -> u64 {
-        let unlit = constant("segment/ray", "UNLIT") as usize;
-        let codes = words[6..].iter().take(16).enumerate();
-        codes.filter(|(code, _)| *code != unlit).map(|(_, n)| u64::from(*n)).sum()
+        Self::ends(words).map(|(_, n)| n).sum()
     }
 
     /// Adds a tile's tally, the words of `Tally` in `shaders/state/tally.wgsl`.
@@ -183,14 +190,15 @@ impl Totals {
         self.steps += wide(0);
         self.segments += wide(2);
         self.rejected += wide(4);
-        let unlit = constant("segment/ray", "UNLIT") as usize;
-        self.unlit += u64::from(words[6 + unlit]);
-        for (code, &n) in words[6..].iter().take(16).enumerate().filter(|(code, _)| *code != unlit) {
-            self.rays += u64::from(n);
-            let status = Status::from_code(code as u32);
+        let besides = |name: &str| u64::from(words[6 + constant("segment/ray", name) as usize]);
+        self.unlit += besides("UNLIT");
+        self.lost += besides("LOST");
+        for (code, n) in Self::ends(words) {
+            self.rays += n;
+            let status = Status::from_code(code);
             match self.by_status.iter_mut().find(|(s, _)| *s == status) {
-                Some((_, count)) => *count += u64::from(n),
-                None => self.by_status.push((status, u64::from(n))),
+                Some((_, count)) => *count += n,
+                None => self.by_status.push((status, n)),
             }
         }
     }

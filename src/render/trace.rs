@@ -203,7 +203,12 @@ pub(super) fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile,
     let bytes = pack("given", renderer.layout(&Role::Given)?, batch.iter().map(row))?;
     let mut tile = list_tile(renderer, batch.len(), ROW, &Role::Given, &bytes)?;
     if renderer.program.layout(&Role::GivenSets).is_some() {
-        let sets: Vec<u32> = batch.iter().map(|ray| starting_set(&renderer.scene, &renderer.regions, ray)).collect();
+        let mut sets: Vec<u32> = Vec::with_capacity(batch.len());
+        for (i, ray) in batch.iter().enumerate() {
+            // Many may start at one place.
+            let known = i.checked_sub(1).filter(|before| batch[*before][..3] == ray[..3]).map(|before| sets[before]);
+            sets.push(known.unwrap_or_else(|| starting_set(&renderer.scene, &renderer.regions, ray)));
+        }
         tile.add_input(renderer.gpu, &Role::GivenSets, bytemuck::cast_slice(&sets))?;
     }
     let image = tile.size;

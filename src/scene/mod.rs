@@ -10,6 +10,7 @@
 mod build;
 mod check;
 mod followed;
+mod lights;
 mod optics;
 mod rays;
 mod reference;
@@ -28,6 +29,7 @@ pub use crate::model::{
     StereoLayout, Substance, Surface,
 };
 pub use followed::follow_as;
+pub use lights::{Light, LightGrid, LightSource, Shadows};
 pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Precision, Rays, Segment};
 pub use reference::{REFERENCE, TEMPLATE, reference_markdown};
 
@@ -244,47 +246,4 @@ pub enum Tonemap {
     None,
     /// A filmic shoulder.
     Filmic,
-}
-
-/// `[[lights]]`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Light {
-    /// Where it is.
-    pub source: LightSource,
-    /// The radiance of a white surface that faces it; at distance 1, if it falls off.
-    pub color: DVec3,
-    /// How it is found out whether it reaches a surface.
-    pub shadows: Shadows,
-    /// Does it fall off with the square of the distance; found by shooting, with the spread of its bundle?
-    pub falls: bool,
-    /// The radius of the ball that it is: as bright as that at a caustic.
-    pub size: f64,
-}
-
-/// Where light comes from.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum LightSource {
-    /// A place.
-    Point(DVec3),
-    /// Far away: the unit vector that the light travels along.
-    Directional(DVec3),
-}
-
-/// How it is found out whether a light reaches a surface.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shadows {
-    /// It reaches all that faces it (W04 §3.4: "fake" illumination, for testing).
-    None,
-    /// By straight lines, whatever the law (G95 §6).
-    Straight,
-    /// By the paths of the scene's own law that lead from the light to the surface.
-    Shooting,
-}
-
-impl Light {
-    /// Is it at a place?
-    #[must_use]
-    pub fn is_point(&self) -> bool {
-        matches!(self.source, LightSource::Point(_))
-    }
 }

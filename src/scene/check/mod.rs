@@ -11,7 +11,7 @@ mod regions;
 mod sky;
 
 use super::optics::Optics;
-use super::{Animation, Light, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
+use super::{Animation, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{color, direction, number_where, positive, vector, whole, word};
@@ -148,22 +148,39 @@ fn lights(root: &TableReader, reach: f64, optics: &Optics) -> Vec<Light> {
     tables.into_iter().filter_map(|table| light(table, reach, optics)).collect()
 }
 
-const SHADOWS: &[(&str, Shadows)] =
-    &[("none", Shadows::None), ("straight", Shadows::Straight), ("shooting", Shadows::Shooting)];
+const SHADOWS: &[(&str, Shadows)] = &[
+    ("none", Shadows::None),
+    ("straight", Shadows::Straight),
+    ("grid", Shadows::Grid),
+    ("shooting", Shadows::Shooting),
+];
 
 /// What light cannot be shot through, or at.
 fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
     if !is_point {
-        let help = "use shadows = \"straight\", or a point light far away";
+        let help = "use shadows = \"grid\" or \"straight\", or a point light far away";
         table.fault(&["shadows"], "shooting needs a light at a place", help);
     }
     if optics.objects.iter().any(|object| object.interior().is_some()) {
-        let help = "use shadows = \"straight\", or take the interiors out of the scene";
+        let help = "use shadows = \"grid\" or \"straight\", or take the interiors out of the scene";
         table.fault(&["shadows"], "light is not shot through interiors", help);
     }
+}
+
+/// Under some laws no light can be sent anywhere.
+fn check_aimed(table: &TableReader, optics: &Optics) {
     if let Some(why) = optics.law.and_then(Law::ignores_direction) {
         let help = "use shadows = \"straight\"";
         table.fault(&["shadows"], format!("light cannot be aimed under this law: {why}"), help);
+    }
+}
+
+fn light_grid(table: &TableReader) -> LightGrid {
+    let usual = LightGrid::default();
+    LightGrid {
+        voxels: table.or("voxels", usual.voxels, whole(8..=512)),
+        refine: table.or("refine", usual.refine, whole(1..=8)),
+        paths: table.or("paths", usual.paths, whole(1024..=1 << 28)),
     }
 }
 
@@ -187,7 +204,11 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
     if shot {
         check_shooting(&table, point == Some(true), optics);
     }
-    let light = source.map(|source| Light { source, color, shadows, falls, size });
+    if shadows.follows_the_law() {
+        check_aimed(&table, optics);
+    }
+    let grid = if shadows == Shadows::Grid { light_grid(&table) } else { LightGrid::default() };
+    let light = source.map(|source| Light { source, color, shadows, falls, size, grid });
     table.finish();
     light
 }

@@ -128,10 +128,15 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         "lights" {
             kind: "point | directional" = "required", "from a place, or from far away";
             color: "[red, green, blue]" = "[1, 1, 1]", "radiance of a white surface that faces it, linear";
-            shadows: "none | straight | shooting" = "none",
-                "what it does not reach: nothing that faces it; what is behind something opaque on a straight line, whatever the law; or what no path under the law leads to from it";
+            shadows: "none | straight | grid | shooting" = "none",
+                "what it does not reach: nothing that faces it; what is behind something opaque on a straight line, whatever the law; or what no path under the law leads to from it, by paths from the light that are kept in voxels, or by the search for one from each place";
             falloff if r#"kind = "point""#: "none | inverse-square" = "none",
-                "as bright everywhere, or by the square of the distance, `color` at distance 1; with shooting, by the spread of its bundle of paths";
+                "as bright everywhere, or by the square of the distance, `color` at distance 1; with grid and shooting, by the spread of its bundle of paths";
+            voxels if r#"shadows = "grid""#: "whole number, 8 to 512" = "64", "along the longest side of what is lit";
+            refine if r#"shadows = "grid""#: "whole number, 1 to 8" = "4",
+                "parts along each axis of voxels in which light changes much: at caustics, at shadows' edges and at surfaces; 1 for none";
+            paths if r#"shadows = "grid""#: "whole number, 1024 to 268435456" = "524288",
+                "rays from the light, and four times as many for the parts; more leave less noise";
             size if r#"shadows = "shooting""#: "number above 0" = "0.001 times the bound's radius",
                 "no place is brighter than one so near to it, scene units: at a caustic";
             position if r#"kind = "point""#: "[x, y, z]" = "required", "scene units";

@@ -13,7 +13,7 @@ use crate::model::method::{self, Method};
 use crate::model::shape::Plane;
 use crate::scene::check::scene;
 use crate::scene::{
-    CameraFrame, Control, Light, LightSource, Pattern, REFERENCE, Scene, SceneError, Segment, Shadows, Sky, Stereo,
+    CameraFrame, Control, Light, LightSource, Pattern, REFERENCE, Scene, SceneError, Segment, Sky, Stereo,
     StereoLayout, TEMPLATE, reference_markdown,
 };
 use glam::{DVec2, DVec3};
@@ -53,7 +53,8 @@ const KINDS: &[&str] = &[
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"constant\", n = 1.5 }\npriority = 1\n",
     "[camera]\nkind = \"fisheye\"\nposition = [1, 2, 3]\ncorners = \"transparent\"\n\
      stereo = { separation = 0.5, layout = \"top-bottom\", convergence = 3 }\n[rays]\nbound = { radius = 1 }\n",
-    "[rays]\nbound = { radius = 9 }\n[[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"shooting\"\n",
+    "[rays]\nbound = { radius = 9 }\n[[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"shooting\"\n\
+     [[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"grid\"\n",
     "[rays]\nbound = { radius = 9 }\n[materials.m]\nkind = \"fan\"\nrays = [[\"dx\", \"dy\", \"dz\", \"1\"]]\n",
     "[law]\nkind = \"parametric\"\nx = \"t\"\ny = \"t\"\nz = \"t\"\nt = [0, 1]\n[rays]\nbound = { radius = 1 }\n",
     "[law]\nkind = \"wgsl\"\nfile = \"law.wgsl\"\n[rays]\nbound = { radius = 1 }\n",
@@ -219,10 +220,7 @@ fn shapes_go_where_their_keys_say() {
     assert_eq!(scene.materials[1].color, Pattern::Checker { colors, repeat: DVec2::splat(8.0) });
     assert!(matches!(scene.materials[0].surface.downcast(), Some(Phong { ambient: 0.1, .. })));
     let sun = LightSource::Directional(-DVec3::Y);
-    assert_eq!(
-        scene.lights[0],
-        Light { source: sun, color: DVec3::ONE, shadows: Shadows::None, falls: false, size: 0.0 }
-    );
+    assert_eq!(scene.lights[0], Light::new(sun));
 }
 
 #[test]

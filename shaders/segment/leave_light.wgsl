@@ -1,0 +1,120 @@
+// What a ray from a light leaves in the voxels that it passes (G95 §6, his grid of light directions): in each the length of its way there,
+// along each axis and by itself. Whole numbers, whose sums are the same in whatever order rays come.
+
+struct LightVolume {
+    lo: vec3f,
+    // A voxel's side.
+    h: f32,
+    count: vec3u,
+    // A brick is a voxel cut into so many along each axis; 1 while there are none.
+    refine: u32,
+}
+
+@group(0) @binding(95) var<storage, read> light_volume: LightVolume;
+
+// For each voxel the number of its brick, from 1, or 0.
+@group(0) @binding(96) var<storage, read> volume_bricks: array<u32>;
+
+// Four words a voxel: x, y and z as signed numbers, and the length. Those of the voxels themselves, or of the bricks.
+@group(0) @binding(97) var<storage, read_write> light_sums: array<atomic<u32>>;
+
+// For each path 1 if it left light anywhere.
+@group(0) @binding(98) var<storage, read_write> light_reaches: array<u32>;
+
+var<private> reaches: bool;
+
+// A voxel's side in these numbers.
+const LIGHT_UNIT: f32 = 1024.0;
+// How far chords are from an arc, in voxels, and how many of them there are at most.
+const CHORD_OFF: Real = 0.02;
+const MOST_CHORDS: f32 = 64.0;
+// In voxels: which one a place between two lies in is asked so far further on.
+const NUDGE: f32 = 1e-3;
+
+fn light_size() -> f32 {
+    return light_volume.h / f32(light_volume.refine);
+}
+
+fn keep_reach(pixel: vec2u) {
+    if reaches {
+        light_reaches[pixel.y * frame.size.x + pixel.x] = 1u;
+    }
+}
+
+// s: a segment whose part up to the fraction `until` is passed by so much of a ray.
+fn leave_light(s: Segment, until: Real, share: f32) {
+    if !finite(s.x0) || !finite(s.x1) {
+        return;
+    }
+    let lo = Real3(light_volume.lo);
+    let off = length(segment_bulge(s)) / (CHORD_OFF * Real(light_size()));
+    let chords = u32(clamp(ceil(sqrt(f32(min(off, 1e8)))), 1.0, MOST_CHORDS));
+    var a = vec3f((s.x0 - lo) / Real(light_volume.h));
+    for (var k = 1u; k <= chords; k++) {
+        work += 1u;
+        let b = vec3f((segment_point(s, until * Real(k) / Real(chords)) - lo) / Real(light_volume.h));
+        leave_chord(a, b, share);
+        a = b;
+    }
+}
+
+// From a to b, in voxels.
+fn leave_chord(a: vec3f, b: vec3f, share: f32) {
+    let d = b - a;
+    let size = length(d);
+    let still = abs(d) < vec3f(1e-12);
+    let inverse = 1.0 / select(d, vec3f(1e-12), still);
+    let to_lo = -a * inverse;
+    let to_hi = (vec3f(light_volume.count) - a) * inverse;
+    let enters = min(to_lo, to_hi);
+    let leaves = max(to_lo, to_hi);
+    var t = max(0.0, max(enters.x, max(enters.y, enters.z)));
+    let last = min(1.0, min(leaves.x, min(leaves.y, leaves.z)));
+    let nudge = NUDGE / max(size, NUDGE);
+    while t < last {
+        work += 1u;
+        if work > WORK_LIMIT {
+            tally_status(LOST);
+            break;
+        }
+        let place = a + (t + nudge) * d;
+        let voxel = min(vec3u(max(place, vec3f(0.0))), light_volume.count - 1u);
+        let brick = light_brick(voxel);
+        let cut = select(1.0, f32(light_volume.refine), brick != 0u);
+        let corner = vec3f(floor(place * cut));
+        let out = select((select(corner, corner + 1.0, d > vec3f(0.0)) / cut - a) * inverse, vec3f(1e30), still);
+        let next = min(last, max(min(out.x, min(out.y, out.z)), t + nudge));
+        let passed = LIGHT_UNIT * cut * share * (next - t);
+        if light_volume.refine == 1u {
+            leave_at(light_index(voxel, light_volume.count), passed * d, passed * size);
+        } else if brick != 0u {
+            let fine = min(vec3u(max(corner - cut * vec3f(voxel), vec3f(0.0))), vec3u(light_volume.refine - 1u));
+            let refine = light_volume.refine;
+            let own = light_index(fine, vec3u(refine));
+            leave_at((brick - 1u) * refine * refine * refine + own, passed * d, passed * size);
+        }
+        t = next;
+    }
+}
+
+fn light_brick(voxel: vec3u) -> u32 {
+    let last = arrayLength(&volume_bricks) - 1u;
+    return volume_bricks[min(light_index(voxel, light_volume.count), last)];
+}
+
+fn light_index(voxel: vec3u, count: vec3u) -> u32 {
+    return (voxel.z * count.y + voxel.y) * count.x + voxel.x;
+}
+
+fn leave_at(index: u32, along: vec3f, size: f32) {
+    reaches = true;
+    let whole = vec3i(round(along));
+    let n = u32(round(size));
+    atomicAdd(&light_sums[4u * index], bitcast<u32>(whole.x));
+    atomicAdd(&light_sums[4u * index + 1u], bitcast<u32>(whole.y));
+    atomicAdd(&light_sums[4u * index + 2u], bitcast<u32>(whole.z));
+    // Half of the numbers there are: as many as the signed ones hold.
+    if atomicAdd(&light_sums[4u * index + 3u], n) + n > 0x7fffffffu {
+        tally_status(LOST);
+    }
+}

@@ -1,0 +1,175 @@
+//! The paths that leave a light.
+
+use glam::DVec3;
+
+use crate::scene::{Light, LightSource, Scene};
+
+/// Where a light's paths start and where they go, and the flux of each: evenly over all directions that lead into the bounding sphere from
+/// a light of intensity 1, evenly over the sphere's disk from one far away of irradiance 1.
+///
+#[derive(Debug, Clone, Copy)]
+pub struct Emission {
+    source: LightSource,
+    center: DVec3,
+    radius: f64,
+}
+
+impl Emission {
+    /// Of a light in a scene.
+    #[must_use]
+    pub fn new(scene: &Scene, light: &Light) -> Self {
+        let bound = &scene.rays.bound;
+        Self { source: light.source, center: bound.center, radius: bound.radius }
+    }
+
+    /// Of all paths together.
+    #[must_use]
+    pub fn flux(&self) -> f64 {
+        use std::f64::consts::PI;
+        match self.source {
+            LightSource::Point(position) => 2.0 * PI * (1.0 - self.widest(position)),
+            LightSource::Directional(_) => PI * self.radius * self.radius,
+        }
+    }
+
+    /// The cosine of the widest angle to the sphere's middle at which light goes out.
+    fn widest(&self, position: DVec3) -> f64 {
+        let part = self.radius / position.distance(self.center);
+        if part < 1.0 { (1.0 - part * part).sqrt() } else { -1.0 }
+    }
+
+    /// The start and the direction of the path for a point of the unit square.
+    #[must_use]
+    pub fn path(&self, [even, turn]: [f64; 2]) -> [f64; 6] {
+        let turn = std::f64::consts::TAU * turn;
+        let (x, d) = match self.source {
+            LightSource::Point(position) => {
+                let axis = (self.center - position).normalize_or(DVec3::Z);
+                let (a, b) = axis.any_orthonormal_pair();
+                let z = 1.0 - even * (1.0 - self.widest(position));
+                let across = (1.0 - z * z).max(0.0).sqrt();
+                let d = z * axis + across * (turn.cos() * a + turn.sin() * b);
+                (position + self.way_in(position, d) * d, d)
+            }
+            LightSource::Directional(d) => {
+                let (a, b) = d.any_orthonormal_pair();
+                let off = self.radius * even.sqrt() * (turn.cos() * a + turn.sin() * b);
+                let back = (self.radius * self.radius - off.length_squared()).max(0.0).sqrt();
+                (self.center + off - (1.0 - INSIDE) * back * d, d)
+            }
+        };
+        [x.x, x.y, x.z, d.x, d.y, d.z]
+    }
+
+    /// To the bounding sphere from outside; nothing acts on light before that.
+    fn way_in(&self, x: DVec3, d: DVec3) -> f64 {
+        let off = x - self.center;
+        let b = off.dot(d);
+        let c = off.length_squared() - self.radius * self.radius;
+        if c > 0.0 { -b - (1.0 - INSIDE) * (b * b - c).max(0.0).sqrt() } else { 0.0 }
+    }
+}
+
+/// Of the way through the bounding sphere: starts lie inside it.
+const INSIDE: f64 = 1e-6;
+/// Strata along each side of the unit square.
+const SIDE: u32 = 64;
+
+/// The strata of the unit square that paths are sent through, and how many through each.
+///
+/// *Theory.* Most ways from a light do not lead to where its light is looked for. A few paths tell which strata do; with those around
+/// them they take all the paths, as many each.
+///
+/// *Practice.* In a stratum paths are spread by Sobol's first two dimensions with Owen's scrambling: more evenly than at random, and
+/// unlike a lattice's without any pattern that voxels would show. Paths of a stratum come one after the other, and run side by side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Aim {
+    strata: Vec<u32>,
+    each: u32,
+}
+
+impl Aim {
+    /// Everywhere, with at least so many paths.
+    #[must_use]
+    pub fn everywhere(paths: u32) -> Self {
+        Self::through((0..SIDE * SIDE).collect(), paths)
+    }
+
+    fn through(strata: Vec<u32>, paths: u32) -> Self {
+        let each = paths.div_ceil(strata.len() as u32);
+        Self { strata, each }
+    }
+
+    /// So many paths through the strata of those of its own that `reach`, and all around them; through its own if none does.
+    #[must_use]
+    pub fn narrowed(&self, reach: impl Iterator<Item = bool>, paths: u32) -> Self {
+        let mut wanted = vec![false; (SIDE * SIDE) as usize];
+        for (k, _) in (0..).zip(reach).filter(|(_, reaches)| *reaches) {
+            let (row, column) = self.stratum(k);
+            for row in row.saturating_sub(1)..(row + 2).min(SIDE) {
+                // All turns meet at the ends of the axis.
+                let columns = if row == 0 || row + 1 == SIDE { 0..SIDE } else { column + SIDE - 1..column + SIDE + 2 };
+                columns.for_each(|column| wanted[(row * SIDE + column % SIDE) as usize] = true);
+            }
+        }
+        let strata: Vec<u32> = self.strata.iter().copied().filter(|stratum| wanted[*stratum as usize]).collect();
+        Self::through(if strata.is_empty() { self.strata.clone() } else { strata }, paths)
+    }
+
+    /// How many paths there are.
+    #[must_use]
+    pub fn paths(&self) -> u32 {
+        self.strata.len() as u32 * self.each
+    }
+
+    /// The part of a light's flux that each carries.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        1.0 / (f64::from(SIDE * SIDE) * f64::from(self.each))
+    }
+
+    /// Row and column of a path's stratum.
+    fn stratum(&self, k: u32) -> (u32, u32) {
+        let stratum = self.strata[(k / self.each) as usize];
+        (stratum / SIDE, stratum % SIDE)
+    }
+
+    /// A path's point in the unit square.
+    #[must_use]
+    pub fn point(&self, k: u32) -> [f64; 2] {
+        let (row, column) = self.stratum(k);
+        let [x, y] = even_point(k % self.each, row * SIDE + column);
+        [(f64::from(row) + x) / f64::from(SIDE), (f64::from(column) + y) / f64::from(SIDE)]
+    }
+}
+
+/// The k-th point of a (0,2)-sequence in the unit square, one for each seed.
+fn even_point(k: u32, seed: u32) -> [f64; 2] {
+    let mut second = 0;
+    let mut direction = 1_u32 << 31;
+    for bit in 0..32 - k.leading_zeros() {
+        second ^= if k >> bit & 1 == 1 { direction } else { 0 };
+        direction ^= direction >> 1;
+    }
+    let seeds = [hashed(2 * seed), hashed(2 * seed + 1)];
+    let dimensions = [k.reverse_bits(), second];
+    [0, 1].map(|i| (f64::from(scrambled(dimensions[i], seeds[i])) + 0.5) / 2.0_f64.powi(32))
+}
+
+/// PCG's output function.
+fn hashed(seed: u32) -> u32 {
+    let state = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    word >> 22 ^ word
+}
+
+/// Flips each bit as the bits above it and the seed say: Laine and Karras's hash, with the constants of Vegdahl.
+fn scrambled(x: u32, seed: u32) -> u32 {
+    let mut v = x.reverse_bits();
+    v ^= v.wrapping_mul(0x3d20_adea);
+    v = v.wrapping_add(seed);
+    v = v.wrapping_mul(seed >> 16 | 1);
+    v ^= v.wrapping_mul(0x0552_6c56);
+    v ^= v.wrapping_mul(0x53a2_2864);
+    v.reverse_bits()
+}

@@ -1,0 +1,243 @@
+//! Grids of light directions (G95 §6), made before a picture whose lights ask for them.
+//!
+//! *Theory.* Paths leave a light evenly in all directions, follow the scene's law through what is clear until they end, and leave their
+//! light in the voxels on their way. The same paths again do so in the parts of those voxels that disagreed with their neighbours.
+//!
+//! *Practice.* The paths are rays like any others, of a program whose purpose is that; only what they leave is read back, batch by batch.
+//! Sums are of whole numbers, so that a grid is the same bit for bit however its paths are batched.
+
+use std::fmt;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use glam::Vec4;
+use rayon::prelude::*;
+
+use super::clock::Clock;
+use super::readback::read_buffer;
+use super::renderer::Walks;
+use super::trace::{BATCH, ray_tile};
+use super::{RenderError, RenderSettings, Renderer, Totals};
+use crate::gpu::{Aim, Emission, Geometry, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
+use crate::program::{Choice, Masks, Program, Purpose, Role, Schedule, constant};
+use crate::scene::{Light, LightGrid, Scene, Shadows};
+
+/// Paths that tell where others are to go.
+const PILOT: u32 = 1 << 18;
+/// Times as many paths for the parts of voxels.
+const FOR_PARTS: u32 = 4;
+/// Of the device's memory that is left, the part that bricks may take.
+const FOR_BRICKS: u64 = 2;
+
+/// What making a light's grid came to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LightReport {
+    /// The light's place in the scene file.
+    pub light: usize,
+    /// Voxels along each axis.
+    pub count: [u32; 3],
+    /// Voxels that were cut into parts, and those that were to be.
+    pub refined: [usize; 2],
+    /// Bytes on the device while a picture is made.
+    pub bytes: u64,
+    /// What became of the paths.
+    pub totals: Totals,
+    /// The time that it took, without the compilation of its passes.
+    pub wall: Duration,
+}
+
+impl fmt::Display for LightReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ([x, y, z], [refined, wanted]) = (self.count, self.refined);
+        let mebibytes = self.bytes as f64 / f64::from(1 << 20);
+        write!(f, "light {}: {x}×{y}×{z} voxels, {refined} in parts", self.light)?;
+        if refined < wanted {
+            write!(f, " of {wanted} for want of memory")?;
+        }
+        write!(f, ", {} paths, {mebibytes:.1} MiB, {:.3} s", self.totals.rays, self.wall.as_secs_f64())
+    }
+}
+
+/// The grids of a scene's lights, in their order.
+#[derive(Debug, Clone, Default)]
+pub(super) struct LightGrids {
+    pub fields: Arc<[LightField]>,
+    pub reports: Vec<LightReport>,
+}
+
+impl LightGrids {
+    /// Makes them, where a program looks light up in them.
+    pub fn new(
+        gpu: &Gpu,
+        scene: &Scene,
+        geometry: &Geometry,
+        program: &Program,
+        settings: &RenderSettings,
+    ) -> Result<Self, RenderError> {
+        if !program.bindings().any(|binding| binding.name == "light_field") {
+            return Ok(Self::default());
+        }
+        let (fields, reports): (Vec<_>, _) = make(gpu, scene, geometry, settings)?.into_iter().unzip();
+        Ok(Self { fields: fields.into(), reports })
+    }
+}
+
+/// The grids of a scene's lights that have one, in the order of the file.
+pub fn light_grids(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &RenderSettings,
+) -> Result<Vec<(LightField, LightReport)>, RenderError> {
+    make(gpu, scene, &Geometry::new(scene), settings)
+}
+
+fn make(
+    gpu: &Gpu,
+    scene: &Scene,
+    geometry: &Geometry,
+    settings: &RenderSettings,
+) -> Result<Vec<(LightField, LightReport)>, RenderError> {
+    let lights: Vec<_> = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid).collect();
+    if lights.is_empty() {
+        return Ok(Vec::new());
+    }
+    let volumes: Vec<_> =
+        lights.iter().map(|(_, light)| LightVolume::new(scene, geometry, light.grid.voxels)).collect();
+    let all: u64 = volumes.iter().map(|volume| light_bytes(volume.voxels() as u64)).sum();
+    if all > settings.memory {
+        let voxels = volumes.iter().map(LightVolume::voxels).sum();
+        return Err(RenderError::LightGrid { voxels, needed: all, allowed: settings.memory });
+    }
+    let choice = Choice { purpose: Purpose::Light, schedule: Schedule::Fused, masks: Masks::List, layers: Vec::new() };
+    let mut followed = scene.clone();
+    if std::mem::take(&mut followed.rays.leaps) {
+        // A leap does not tell where it went.
+        followed.rays.max_segments = followed.rays.max_segments.max(ARCS);
+    }
+    let settings = RenderSettings { choice, window: None, ..settings.clone() };
+    let maker = Maker { renderer: Renderer::new(gpu, &followed, settings)? };
+    // Each light's share of what bricks may take: of the memory, and of a buffer.
+    let limit = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
+    let coarse: u64 = volumes.iter().map(|volume| volume.voxels() as u64).sum();
+    let part = size_of::<Vec4>() as u64;
+    let room = (maker.renderer.settings.memory - all) / FOR_BRICKS / light_bytes(1);
+    let room = room.min((limit / part).saturating_sub(coarse)) / lights.len() as u64;
+    lights.iter().zip(volumes).map(|((i, light), volume)| maker.make(*i, light, volume, room)).collect()
+}
+
+/// Arcs of one path, at most, where the camera's paths take leaps.
+const ARCS: u32 = 1 << 12;
+
+struct Maker<'a> {
+    renderer: Renderer<'a>,
+}
+
+impl Maker<'_> {
+    /// A light's grid, with at most `room` parts in bricks.
+    fn make(
+        &self,
+        index: usize,
+        light: &Light,
+        volume: LightVolume,
+        room: u64,
+    ) -> Result<(LightField, LightReport), RenderError> {
+        let (started, mut totals, mut clock) =
+            (Instant::now(), Totals::default(), Clock::new(self.renderer.gpu, false));
+        let LightGrid { refine, paths, .. } = light.grid;
+        let emission = Emission::new(&self.renderer.scene, light);
+        let unit = constant("segment/leave_light", "LIGHT_UNIT");
+        let mut shine = |aim: &Aim, refine: u32, bricks: &[u32], count: usize| {
+            self.shine(&emission, aim, (&volume, refine, bricks), count, (&mut totals, &mut clock))
+        };
+        let mut bricks = vec![0; volume.voxels()];
+        let pilot = Aim::everywhere(PILOT);
+        let aim = pilot.narrowed(shine(&pilot, 1, &bricks, volume.voxels())?.reaches.into_iter(), paths);
+        let flux = emission.flux() * aim.share();
+        let sums = shine(&aim, 1, &bricks, volume.voxels())?.sums;
+        let field = LightField::values(&sums, flux, volume.h, unit).collect();
+        let mut made = LightField { volume, refine, bricks: Vec::new(), field };
+        let parts = refine.pow(3) as usize;
+        let mut cut = if refine > 1 { made.worth_cutting(flux / f64::from(FOR_PARTS)) } else { Vec::new() };
+        let wanted = cut.len();
+        cut.truncate((room / parts as u64) as usize);
+        if !cut.is_empty() {
+            for (number, voxel) in (1..).zip(&cut) {
+                bricks[*voxel as usize] = number;
+            }
+            let count = cut.len() * parts;
+            let pilot = aim.narrowed(std::iter::empty(), PILOT);
+            let reaches = shine(&pilot, refine, &bricks, count)?.reaches.into_iter();
+            let aim = pilot.narrowed(reaches, paths.saturating_mul(FOR_PARTS));
+            let sums = shine(&aim, refine, &bricks, count)?.sums;
+            let flux = emission.flux() * aim.share();
+            made.field.extend(LightField::values(&sums, flux, volume.h / f64::from(refine), unit));
+        }
+        made.bricks = bricks;
+        self.renderer.finish_totals(&mut totals, &clock, started)?;
+        if totals.lost > 0 {
+            return Err(RenderError::LightLost { light: index });
+        }
+        let (count, bytes, wall) = (volume.count, made.bytes(), started.elapsed());
+        let refined = [cut.len(), wanted];
+        Ok((made, LightReport { light: index, count, refined, bytes, totals, wall }))
+    }
+
+    /// What all paths together leave in `count` voxels, or parts of them.
+    fn shine(
+        &self,
+        emission: &Emission,
+        aim: &Aim,
+        (volume, refine, bricks): (&LightVolume, u32, &[u32]),
+        count: usize,
+        (totals, clock): (&mut Totals, &mut Clock),
+    ) -> Result<Shone, RenderError> {
+        let gpu = self.renderer.gpu;
+        let mut shone = Shone { sums: vec![[0.0; 4]; count], reaches: Vec::with_capacity(aim.paths() as usize) };
+        let layout = self.renderer.layout(&Role::LightVolume)?;
+        let row = pack("light_volume", layout, [volume.row(refine)])?;
+        let mut first = 0;
+        while first < aim.paths() {
+            let batch = first..aim.paths().min(first + BATCH as u32);
+            let rays: Vec<[f64; 6]> = batch.clone().into_par_iter().map(|k| emission.path(aim.point(k))).collect();
+            let (mut tile, mut sample) = ray_tile(&self.renderer, &rays)?;
+            // What is drawn at random for a path depends on its place in its batch, and on that.
+            sample.number = first / BATCH as u32;
+            tile.add_input(gpu, &Role::LightVolume, &row)?;
+            tile.add_input(gpu, &Role::VolumeBricks, bytemuck::cast_slice(bricks))?;
+            tile.add_storage(gpu, &Role::LightSums, (count * 4 * size_of::<u32>()) as u64)?;
+            tile.add_storage(gpu, &Role::LightReaches, tile.size.map(u64::from).iter().product::<u64>() * 4)?;
+            self.renderer.run_sample(&tile, sample, clock, &|_| {})?;
+            if self.renderer.read_tally(&tile, totals, None)? == Walks::Unfinished {
+                continue;
+            }
+            shone.add(read_words(gpu, &tile, &Role::LightSums)?);
+            let reaches: Vec<u32> = read_words(gpu, &tile, &Role::LightReaches)?;
+            shone.reaches.extend(reaches[..rays.len()].iter().map(|reaches| *reaches == 1));
+            first = batch.end;
+        }
+        Ok(shone)
+    }
+}
+
+/// What paths left behind.
+struct Shone {
+    /// Of each voxel or part.
+    sums: Vec<[f64; 4]>,
+    /// Of each path: did it leave anything?
+    reaches: Vec<bool>,
+}
+
+impl Shone {
+    fn add(&mut self, words: Vec<[u32; 4]>) {
+        self.sums.par_iter_mut().zip(words).for_each(|(sum, [x, y, z, all])| {
+            let signed = |word: u32| f64::from(word.cast_signed());
+            let new = [signed(x), signed(y), signed(z), f64::from(all)];
+            sum.iter_mut().zip(new).for_each(|(sum, new)| *sum += new);
+        });
+    }
+}
+
+fn read_words<T: bytemuck::Pod>(gpu: &Gpu, tile: &Tile, role: &Role) -> Result<Vec<T>, RenderError> {
+    let Some(buffer) = tile.buffer(role) else { return Ok(Vec::new()) };
+    Ok(bytemuck::pod_collect_to_vec(&read_buffer(gpu, buffer, |_| {})?))
+}

@@ -1,0 +1,87 @@
+//! Lights, and how it is found out what they reach.
+
+use glam::DVec3;
+
+/// `[[lights]]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Light {
+    /// Where it is.
+    pub source: LightSource,
+    /// The radiance of a white surface that faces it; at distance 1, if it falls off.
+    pub color: DVec3,
+    /// How it is found out whether it reaches a surface.
+    pub shadows: Shadows,
+    /// Does it fall off with the square of the distance; found by shooting, with the spread of its bundle?
+    pub falls: bool,
+    /// The radius of the ball that it is: as bright as that at a caustic.
+    pub size: f64,
+    /// How finely its light is kept, where that is in a grid.
+    pub grid: LightGrid,
+}
+
+/// How finely a light's light is kept in voxels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LightGrid {
+    /// Voxels along the longest side of what is lit.
+    pub voxels: u32,
+    /// Parts along each axis of voxels that disagree with their neighbours; 1 for none.
+    pub refine: u32,
+    /// Paths to what is lit; to the parts there are four times as many.
+    pub paths: u32,
+}
+
+impl LightGrid {
+    /// The cheapest there is.
+    pub const COARSEST: Self = Self { voxels: 8, refine: 1, paths: 1024 };
+}
+
+impl Default for LightGrid {
+    fn default() -> Self {
+        Self { voxels: 64, refine: 4, paths: 1 << 19 }
+    }
+}
+
+/// Where light comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LightSource {
+    /// A place.
+    Point(DVec3),
+    /// Far away: the unit vector that the light travels along.
+    Directional(DVec3),
+}
+
+/// How it is found out whether a light reaches a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shadows {
+    /// It reaches all that faces it (W04 §3.4: "fake" illumination, for testing).
+    None,
+    /// By straight lines, whatever the law (G95 §6).
+    Straight,
+    /// By the paths of the scene's own law that lead from the light to the surface.
+    Shooting,
+    /// By what paths of the scene's own law from the light have left in the voxels of a grid (G95 §6).
+    Grid,
+}
+
+impl Shadows {
+    /// Is its light bent as the camera's rays are?
+    #[must_use]
+    pub fn follows_the_law(self) -> bool {
+        matches!(self, Self::Shooting | Self::Grid)
+    }
+}
+
+impl Light {
+    /// White, without shadows or fall-off.
+    #[must_use]
+    pub fn new(source: LightSource) -> Self {
+        let (shadows, grid) = (Shadows::None, LightGrid::default());
+        Self { source, color: DVec3::ONE, shadows, falls: false, size: 0.0, grid }
+    }
+
+    /// Is it at a place?
+    #[must_use]
+    pub fn is_point(&self) -> bool {
+        matches!(self.source, LightSource::Point(_))
+    }
+}
