@@ -8,6 +8,7 @@ mod ceiling;
 mod compaction;
 mod curves;
 mod groller;
+mod lights;
 mod limit;
 mod paper;
 mod report;
@@ -22,6 +23,7 @@ use crate::gpu::Gpu;
 
 pub use compaction::compaction;
 pub use groller::groller;
+pub use lights::lights;
 pub use limit::limit;
 pub use paper::paper;
 pub use report::{Cell, Report, Table};

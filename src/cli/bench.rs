@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, compaction, groller, limit, paper, sampling, scaling, schedules, start};
+use crate::bench::{Bench, Report, compaction, groller, lights, limit, paper, sampling, scaling, schedules, start};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
@@ -59,6 +59,8 @@ enum Name {
     Paper,
     /// Objects found by a hierarchy, a grid, and one after the other, from 10 to 1,000,000 triangles
     Groller,
+    /// Light along bent paths: straight shadows, grids and shooting, their time against their error
+    Lights,
     /// The same work cut into passes in different ways
     Schedules,
     /// How time grows with pixels, steps, spheres, lights and samples
@@ -114,9 +116,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn wanted(name: Name) -> Vec<Name> {
-    use Name::{All, Compaction, Groller, Limit, Paper, Sampling, Scaling, Schedules, Start};
+    use Name::{All, Compaction, Groller, Lights, Limit, Paper, Sampling, Scaling, Schedules, Start};
     match name {
-        All => vec![Paper, Groller, Schedules, Scaling, Sampling, Limit, Compaction, Start],
+        All => vec![Paper, Groller, Lights, Schedules, Scaling, Sampling, Limit, Compaction, Start],
         one => vec![one],
     }
 }
@@ -126,6 +128,7 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
     Ok(match name {
         Name::Paper => paper(bench)?,
         Name::Groller => groller(bench, &given.mesh)?,
+        Name::Lights => lights(bench)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
         Name::Sampling => sampling(bench, scenes)?,

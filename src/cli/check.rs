@@ -77,7 +77,7 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
         say!("  light {light} (from 0) is inside of what captures rays, and lights nothing");
     }
     for (i, light) in scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid) {
-        let volume = LightVolume::new(&scene, &geometry, light.grid.voxels);
+        let volume = LightVolume::new(&scene, light.grid.voxels);
         let [x, y, z] = volume.count;
         let bytes = light_bytes(volume.voxels() as u64);
         say!("  light {i} (from 0): a grid of {x}×{y}×{z} voxels, {} paths, at least {bytes} bytes", light.grid.paths);

@@ -9,9 +9,8 @@
 
 use glam::{DVec3, IVec3, Vec4};
 
-use super::Geometry;
 use crate::model::{Row, row};
-use crate::scene::{Light, LightSource, Scene};
+use crate::scene::{Light, LightSource, Object, Scene};
 
 /// Voxels on each side of what is lit, so that there are some about every place where light is looked for.
 const MARGIN: u32 = 2;
@@ -34,9 +33,9 @@ pub struct LightVolume {
 impl LightVolume {
     /// About all that shows lights and lies in the bounding sphere, with so many voxels along the longest side.
     #[must_use]
-    pub fn new(scene: &Scene, geometry: &Geometry, voxels: u32) -> Self {
-        let lit = |i: usize| scene.material_of(&scene.objects[i]).is_some_and(|material| material.surface.is_lit());
-        let boxes = geometry.boxes.iter().enumerate().filter(|(i, _)| lit(*i)).map(|(_, own)| *own);
+    pub fn new(scene: &Scene, voxels: u32) -> Self {
+        let lit = |object: &&Object| scene.material_of(object).is_some_and(|material| material.surface.is_lit());
+        let boxes = scene.objects.iter().filter(lit).map(Object::bounds);
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (lo, hi) = boxes.fold(nothing, |all, own| (all.0.min(own.0), all.1.max(own.1)));
         let bound = &scene.rays.bound;

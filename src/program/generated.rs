@@ -136,13 +136,13 @@ fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
 }
 
 /// Paths that are looked for from a light to a place, at most: about one centre two by either side; else one from each first direction,
-/// straight and past each of the law's sources, or to four sides twice, and back.
+/// straight and past each of the law's sources at three distances, or to four sides twice, and back.
 #[must_use]
 pub fn shots(scene: &Scene) -> usize {
     match scene.law.anchors().len() {
         _ if scene.law.orbit().is_some() => 4,
         0 => 10,
-        aims => 1 + aims,
+        aims => 1 + 3 * aims,
     }
 }
 

@@ -6,78 +6,54 @@
 //! *Practice.* The paths are rays like any others, of a program whose purpose is that; only what they leave is read back, batch by batch.
 //! Sums are of whole numbers, so that a grid is the same bit for bit however its paths are batched.
 
-use std::fmt;
-use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::borrow::Cow;
+use std::time::Instant;
 
 use glam::Vec4;
 use rayon::prelude::*;
 
 use super::clock::Clock;
+use super::grids::{LightGrids, LightReport};
 use super::readback::read_buffer;
 use super::renderer::Walks;
 use super::trace::{BATCH, ray_tile};
 use super::{RenderError, RenderSettings, Renderer, Totals};
-use crate::gpu::{Aim, Emission, Geometry, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
-use crate::program::{Choice, Masks, Program, Purpose, Role, Schedule, constant};
+use crate::gpu::{Aim, Emission, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
+use crate::program::{Choice, Masks, Purpose, Role, Schedule, constant};
 use crate::scene::{Light, LightGrid, Scene, Shadows};
 
-/// Paths that tell where others are to go.
-const PILOT: u32 = 1 << 18;
+/// Paths that tell where others are to go: half as many, and so many at least and at most.
+const PILOTS: [u32; 2] = [1 << 16, 1 << 18];
 /// Times as many paths for the parts of voxels.
 const FOR_PARTS: u32 = 4;
 /// Of the device's memory that is left, the part that bricks may take.
 const FOR_BRICKS: u64 = 2;
 
-/// What making a light's grid came to.
-#[derive(Debug, Clone, PartialEq)]
-pub struct LightReport {
-    /// The light's place in the scene file.
-    pub light: usize,
-    /// Voxels along each axis.
-    pub count: [u32; 3],
-    /// Voxels that were cut into parts, and those that were to be.
-    pub refined: [usize; 2],
-    /// Bytes on the device while a picture is made.
-    pub bytes: u64,
-    /// What became of the paths.
-    pub totals: Totals,
-    /// The time that it took, without the compilation of its passes.
-    pub wall: Duration,
-}
+impl<'a> Renderer<'a> {
+    /// Makes the grids of its lights, where the scene has such, and links, compiles and uploads.
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings) -> Result<Self, RenderError> {
+        let grids = LightGrids::new(gpu, scene, &settings)?;
+        Self::of(gpu, Cow::Borrowed(scene), settings, grids)
+    }
 
-impl fmt::Display for LightReport {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([x, y, z], [refined, wanted]) = (self.count, self.refined);
-        let mebibytes = self.bytes as f64 / f64::from(1 << 20);
-        write!(f, "light {}: {x}×{y}×{z} voxels, {refined} in parts", self.light)?;
-        if refined < wanted {
-            write!(f, " of {wanted} for want of memory")?;
-        }
-        write!(f, ", {} paths, {mebibytes:.1} MiB, {:.3} s", self.totals.rays, self.wall.as_secs_f64())
+    /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
+    /// pass is compiled again.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
+    pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
+        let grids = LightGrids::new(self.gpu, &scene, &self.settings)?;
+        self.change_scene(scene, grids)
     }
 }
 
-/// The grids of a scene's lights, in their order.
-#[derive(Debug, Clone, Default)]
-pub(super) struct LightGrids {
-    pub fields: Arc<[LightField]>,
-    pub reports: Vec<LightReport>,
-}
-
 impl LightGrids {
-    /// Makes them, where a program looks light up in them.
-    pub fn new(
-        gpu: &Gpu,
-        scene: &Scene,
-        geometry: &Geometry,
-        program: &Program,
-        settings: &RenderSettings,
-    ) -> Result<Self, RenderError> {
-        if !program.bindings().any(|binding| binding.name == "light_field") {
+    fn new(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
+        if settings.choice.purpose != Purpose::Picture || !scene.has_shadows(Shadows::Grid) {
             return Ok(Self::default());
         }
-        let (fields, reports): (Vec<_>, _) = make(gpu, scene, geometry, settings)?.into_iter().unzip();
+        let (fields, reports): (Vec<_>, _) = light_grids(gpu, scene, settings)?.into_iter().unzip();
         Ok(Self { fields: fields.into(), reports })
     }
 }
@@ -88,21 +64,11 @@ pub fn light_grids(
     scene: &Scene,
     settings: &RenderSettings,
 ) -> Result<Vec<(LightField, LightReport)>, RenderError> {
-    make(gpu, scene, &Geometry::new(scene), settings)
-}
-
-fn make(
-    gpu: &Gpu,
-    scene: &Scene,
-    geometry: &Geometry,
-    settings: &RenderSettings,
-) -> Result<Vec<(LightField, LightReport)>, RenderError> {
     let lights: Vec<_> = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid).collect();
     if lights.is_empty() {
         return Ok(Vec::new());
     }
-    let volumes: Vec<_> =
-        lights.iter().map(|(_, light)| LightVolume::new(scene, geometry, light.grid.voxels)).collect();
+    let volumes: Vec<_> = lights.iter().map(|(_, light)| LightVolume::new(scene, light.grid.voxels)).collect();
     let all: u64 = volumes.iter().map(|volume| light_bytes(volume.voxels() as u64)).sum();
     if all > settings.memory {
         let voxels = volumes.iter().map(LightVolume::voxels).sum();
@@ -150,7 +116,8 @@ impl Maker<'_> {
             self.shine(&emission, aim, (&volume, refine, bricks), count, (&mut totals, &mut clock))
         };
         let mut bricks = vec![0; volume.voxels()];
-        let pilot = Aim::everywhere(PILOT);
+        let pilots = (paths / 2).clamp(PILOTS[0], PILOTS[1]);
+        let pilot = Aim::everywhere(pilots);
         let aim = pilot.narrowed(shine(&pilot, 1, &bricks, volume.voxels())?.reaches.into_iter(), paths);
         let flux = emission.flux() * aim.share();
         let sums = shine(&aim, 1, &bricks, volume.voxels())?.sums;
@@ -165,7 +132,7 @@ impl Maker<'_> {
                 bricks[*voxel as usize] = number;
             }
             let count = cut.len() * parts;
-            let pilot = aim.narrowed(std::iter::empty(), PILOT);
+            let pilot = aim.narrowed(std::iter::empty(), pilots);
             let reaches = shine(&pilot, refine, &bricks, count)?.reaches.into_iter();
             let aim = pilot.narrowed(reaches, paths.saturating_mul(FOR_PARTS));
             let sums = shine(&aim, refine, &bricks, count)?.sums;

@@ -12,6 +12,7 @@ mod bare;
 mod batch;
 mod clock;
 mod error;
+mod grids;
 mod light_grid;
 mod light_paths;
 mod picture;
@@ -33,7 +34,8 @@ mod whole;
 mod window;
 
 pub use error::RenderError;
-pub use light_grid::{LightReport, light_grids};
+pub use grids::LightReport;
+pub use light_grid::light_grids;
 pub use light_paths::{LightPath, light_paths};
 pub use picture::{Band, Plane, Rendering};
 pub use renderer::Renderer;

@@ -7,7 +7,7 @@ use std::time::Instant;
 use wgpu::ErrorFilter;
 
 use super::clock::Clock;
-use super::light_grid::LightGrids;
+use super::grids::LightGrids;
 use super::plan::Plan;
 use super::readback::read_buffer;
 use super::sample::Sample;
@@ -59,16 +59,11 @@ pub(super) enum Walks {
 
 impl<'a> Renderer<'a> {
     /// Links, compiles and uploads.
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings) -> Result<Self, RenderError> {
-        Self::of(gpu, Cow::Borrowed(scene), settings, None)
-    }
-
-    /// `grids` are those of the scene's lights, if they are made already.
     pub(super) fn of(
         gpu: &'a Gpu,
         scene: Cow<'a, Scene>,
         mut settings: RenderSettings,
-        grids: Option<LightGrids>,
+        grids: LightGrids,
     ) -> Result<Self, RenderError> {
         let given = settings.choice.purpose.is_given();
         if !given && scene.camera.is_none() {
@@ -83,8 +78,6 @@ impl<'a> Renderer<'a> {
         let pipelines = Pipelines::new(gpu, &program)?;
         let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
-        let made = || LightGrids::new(gpu, &scene, &geometry, &program, &settings);
-        let grids = grids.map_or_else(made, Ok)?;
         let segments = settings.segments_a_pass();
         let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, None)?;
         let max_segments = scene.rays.max_segments;
@@ -110,17 +103,8 @@ impl<'a> Renderer<'a> {
         Ok(made)
     }
 
-    /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
-    /// pass is compiled again.
-    ///
-    /// # Errors
-    ///
-    /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
-    pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        self.change_scene(scene, None)
-    }
-
-    fn change_scene(&mut self, scene: Scene, grids: Option<LightGrids>) -> Result<(), RenderError> {
+    /// Goes on with another scene of the same program.
+    pub(super) fn change_scene(&mut self, scene: Scene, grids: LightGrids) -> Result<(), RenderError> {
         let RenderSettings { window, choice, .. } = &self.settings;
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
@@ -130,11 +114,10 @@ impl<'a> Renderer<'a> {
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
-        let made = || LightGrids::new(self.gpu, &scene, &geometry, &program, &self.settings);
-        self.grids = grids.map_or_else(made, Ok)?;
         if let Some(fused) = self.fused.get_mut() {
-            fused.change_scene(scene.clone(), Some(self.grids.clone()))?;
+            fused.change_scene(scene.clone(), grids.clone())?;
         }
+        self.grids = grids;
         let (segments, fields, before) = (self.settings.segments_a_pass(), &self.grids.fields, Some(&self.buffers));
         self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, fields, segments, before)?;
         self.structure = geometry.structure;

@@ -19,8 +19,7 @@ impl Renderer<'_> {
             let choice = Choice { schedule: Schedule::Fused, ..self.settings.choice.clone() };
             let settings = RenderSettings { choice, ..self.settings.clone() };
             // Nothing else fills it: a renderer is not shared by threads.
-            let _ =
-                self.fused.set(Box::new(Self::of(self.gpu, self.scene.clone(), settings, Some(self.grids.clone()))?));
+            let _ = self.fused.set(Box::new(Self::of(self.gpu, self.scene.clone(), settings, self.grids.clone())?));
         }
         Ok(self.current())
     }

@@ -1,6 +1,6 @@
 // Paths under any law, by Newton's method: two angles about a first direction are unknown, and the offset of the path from the place, square
 // to the path where it is nearest, shall vanish. Two neighbours travel along for the derivative. Each of several first directions may lead to
-// a path of its own: straight, past each of the law's sources on its other side, or, where it has none, to the left, right, above and below.
+// a path of its own: straight, past each of the law's sources on its other side, at three distances from it, or, where it has none, to the left, right, above and below.
 
 struct Aim {
     position: Real3,
@@ -18,12 +18,14 @@ const HOPELESS: Real = 0.2;
 const LONGEST: Real = 0.3;
 const NEIGHBOUR: Real = 2e-3;
 const BUNDLE: Real = 4e-3;
-const SAME: Real = 2e-3;
+const SAME: f32 = 2e-3;
 // A path this much longer than the distances of both ends from each other and from the bounding sphere's middle is followed no further.
 const LONGEST_PATH: Real = 5.0;
 // Tangents of the angles of first directions to the sides.
 const TILT: Real = 1.0;
 const STEEP: Real = 6.0;
+// How far past a source, in parts of its distance from the straight line.
+const BEYOND: array<Real, 3> = array<Real, 3>(1.0, 0.35, 0.1);
 // Of the distance between light and place: a path this near is there.
 const THERE: Real = 2e-6;
 const NEAR_ENOUGH: Real = 1e-4;
@@ -98,9 +100,10 @@ fn first_direction(source: Real3, place: Real3, k: u32) -> Real3 {
         return -straight;
     }
     if HAS_AIMS {
-        let center = aims[k - 1u].position;
-        let abeam = source + dot(center - source, straight) * straight;
-        return normalize(2.0 * center - abeam - source);
+        let center = aims[(k - 1u) / 3u].position;
+        let off = center - source - dot(center - source, straight) * straight;
+        // The stronger it bends, the further out; the less, the nearer to it.
+        return normalize(center + BEYOND[(k - 1u) % 3u] * off - source);
     }
     let base = square_to(straight);
     let tilt = select(TILT, STEEP, k > 4u);
@@ -162,7 +165,7 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
 fn is_new(d: vec3f) -> bool {
     for (var i = 0u; i < found_count; i++) {
         work += 1u;
-        if distance(found_directions[i], d) < f32(SAME) {
+        if distance(found_directions[i], d) < SAME {
             return false;
         }
     }

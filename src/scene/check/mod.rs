@@ -10,6 +10,7 @@ mod rays;
 mod regions;
 mod sky;
 
+use super::lights::PATHS;
 use super::optics::Optics;
 use super::{Animation, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
 use crate::assets::Files;
@@ -177,10 +178,11 @@ fn check_aimed(table: &TableReader, optics: &Optics) {
 
 fn light_grid(table: &TableReader) -> LightGrid {
     let usual = LightGrid::default();
+    let voxels = table.or("voxels", usual.voxels, whole(8..=512));
     LightGrid {
-        voxels: table.or("voxels", usual.voxels, whole(8..=512)),
+        voxels,
         refine: table.or("refine", usual.refine, whole(1..=8)),
-        paths: table.or("paths", usual.paths, whole(1024..=1 << 28)),
+        paths: table.or("paths", LightGrid::usual_paths(voxels), whole(PATHS)),
     }
 }
 

@@ -135,7 +135,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             voxels if r#"shadows = "grid""#: "whole number, 8 to 512" = "64", "along the longest side of what is lit";
             refine if r#"shadows = "grid""#: "whole number, 1 to 8" = "4",
                 "parts along each axis of voxels in which light changes much: at caustics, at shadows' edges and at surfaces; 1 for none";
-            paths if r#"shadows = "grid""#: "whole number, 1024 to 268435456" = "524288",
+            paths if r#"shadows = "grid""#: "whole number, 1024 to 67108864" = "2 voxels³, at least 65536",
                 "rays from the light, and four times as many for the parts; more leave less noise";
             size if r#"shadows = "shooting""#: "number above 0" = "0.001 times the bound's radius",
                 "no place is brighter than one so near to it, scene units: at a caustic";

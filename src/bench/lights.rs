@@ -1,0 +1,253 @@
+//! Light along bent paths, in three ways: straight shadows whatever the law, a grid of light directions, and shooting (G95 §6).
+//!
+//! *Practice.* A room with a ball and two pillars, and a lamp, under three laws. At scattered places the grid's direction is held against the
+//! sum of all paths that shooting finds, voxel by voxel size. Pictures are held against shooting in 64 bits where the device has them, and
+//! timed as a whole: the grid made, the passes run, the picture read.
+
+use std::cell::{self, RefCell};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use glam::DVec3;
+
+use super::{Bench, Cell, Report, Table, Times};
+use crate::output::plot::{Chart, Series};
+use crate::render::{RenderError, RenderSettings, Renderer, light_grids, light_paths};
+use crate::scene::{Light, LightGrid, Precision, Scene, Shadows};
+
+const LAWS: [(&str, &str); 3] = [
+    ("a centre", "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.3, capture = 1e-3 }]"),
+    (
+        "two centres",
+        "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.15, capture = 1e-3 }, \
+         { position = [-1, 1.2, -1], strength = 0.1, capture = 1e-3 }]",
+    ),
+    (
+        "a lens",
+        "kind = \"medium\"\nindex = { kind = \"expression\", n = \"1 + 0.3*exp(-2*((x+1)^2 + (y-1.8)^2 + (z-0.6)^2))\" }",
+    ),
+];
+const LAMP: DVec3 = DVec3::new(-3.0, 3.6, 2.0);
+/// Voxels along the room's longest side.
+const VOXELS: [u32; 4] = [16, 32, 64, 128];
+/// Those of grids with parts.
+const REFINED: [u32; 3] = [16, 32, 64];
+/// Places at which directions are compared.
+const PLACES: u32 = 4000;
+/// Places that get less than this part of what the lamp would give them on a straight line are not compared: they lie in shadow.
+const FAINT: f64 = 0.01;
+/// What has less than this part of the light that it should have is not lit.
+const DARK: f32 = 0.5;
+
+/// Directions by voxel size, and time against error.
+pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
+    let header = [
+        "law",
+        "voxels",
+        "mean angle (rad)",
+        "over the last",
+        "by light (rad)",
+        "places",
+        "made in (s)",
+        "MiB",
+        "paths",
+    ];
+    let mut angles = Table::new("directions", "The grid's directions against shooting", &header);
+    let header =
+        ["law", "light", "time (s)", "spread", "mean error", "lit or not as it should be (%)", "of it the grid (s)"];
+    let mut pictures = Table::new("pictures", "Pictures against shooting", &header);
+    let mut by_size = Vec::new();
+    let mut plots = Vec::new();
+    for ((name, law), plot) in LAWS.into_iter().zip(["centre", "centres", "lens"]) {
+        let scene = room(bench.size, law)?;
+        by_size.push(Series { name: name.to_owned(), points: directions(bench, name, &scene, &mut angles)? });
+        plots.push((plot, errors(bench, name, &scene, &mut pictures)?));
+    }
+    let chart = Chart {
+        title: "Directions in a grid".to_owned(),
+        x_label: "voxels along the longest side".to_owned(),
+        y_label: "mean angle to shooting's (rad)".to_owned(),
+        log_x: true,
+        log_y: true,
+        series: by_size,
+    };
+    plots.insert(0, ("directions", chart));
+    let intro = vec![
+        "The room is 6 wide. What shooting finds is the truth: in 32 bits for directions, in 64 for pictures where the device has them."
+            .to_owned(),
+        "A picture's error is the mean of its differences from the truth, over the truth's mean; a pixel is lit where it has more than half \
+         of what the truth has, or of what the lamp would give without shadows."
+            .to_owned(),
+    ];
+    let title = "Light along bent paths".to_owned();
+    Ok(Report { name: "lights", title, intro, tables: vec![angles, pictures], plots })
+}
+
+fn room([width, height]: [u32; 2], law: &str) -> Result<Scene, RenderError> {
+    let [x, y, z] = LAMP.to_array();
+    let text = format!(
+        "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0.5, 3.2, 6]\nlook_at = [0, 0.8, 0]\nfov = 55\n[law]\n{law}\n\
+         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-5\nbound = {{ radius = 12 }}\n\
+         [materials.wall]\ndiffuse = [1, 1, 1]\nambient = 0\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, -0.1, 0]\nsize = [6, 0.2, 6]\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, 1.4, -2.9]\nsize = [6, 2.8, 0.2]\n\
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"wall\"\ncenter = [-0.6, 0.5, 0.2]\nradius = 0.5\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [1.6, 0.6, -1.2]\nsize = [0.5, 1.2, 0.5]\n\
+         [[objects]]\nshape = \"cylinder\"\nmaterial = \"wall\"\ncenter = [-1.9, 0.8, -1.2]\naxis = [0, 1, 0]\nheight = 1.6\nradius = 0.25\n\
+         [[lights]]\nkind = \"point\"\nposition = [{x}, {y}, {z}]\ncolor = [9, 9, 9]\nfalloff = \"inverse-square\"\nshadows = \"grid\"\n"
+    );
+    Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)
+}
+
+/// The scene with its light in another way.
+fn with_light(scene: &Scene, change: impl FnMut(&mut Light)) -> Scene {
+    let mut scene = scene.clone();
+    scene.lights.iter_mut().take(1).for_each(change);
+    scene
+}
+
+fn gridded(scene: &Scene, voxels: u32, refine: u32) -> Scene {
+    with_light(scene, |light| light.grid = LightGrid { voxels, refine, paths: LightGrid::usual_paths(voxels) })
+}
+
+/// Scattered in the room: Roberts's R3 sequence.
+fn places() -> Vec<DVec3> {
+    let at = |i: u32, r: f64| (f64::from(i) * r).fract();
+    let place = |i| DVec3::new(at(i, 0.819_172_513_396), at(i, 0.671_043_606_703), at(i, 0.549_700_477_901));
+    (0..PLACES).map(|i| place(i) * DVec3::new(5.6, 2.4, 5.2) + DVec3::new(-2.8, 0.15, -2.6)).collect()
+}
+
+/// Mean angles by voxels along the longest side.
+fn directions(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result<Vec<[f64; 2]>, RenderError> {
+    let settings = RenderSettings::default();
+    let places = places();
+    let pairs: Vec<[DVec3; 2]> = places.iter().map(|x| [*x, LAMP]).collect();
+    let (paths, _) = light_paths(bench.gpu, scene, &settings, &pairs)?;
+    let truth: Vec<DVec3> = paths
+        .iter()
+        .map(|paths| {
+            let clear = paths.iter().filter(|path| path.clear && path.spread > 0.0);
+            clear.map(|path| DVec3::from(path.arrives) / path.spread).sum()
+        })
+        .collect();
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for voxels in VOXELS {
+        let (field, report) = light_grids(bench.gpu, &gridded(scene, voxels, 1), &settings)?.remove(0);
+        let lit = places.iter().zip(&truth).filter_map(|(x, truth)| {
+            let found = field.at(*x).truncate().as_dvec3();
+            let lit = truth.length() > FAINT / x.distance_squared(LAMP);
+            (lit && found.length() > 0.0).then(|| (found.angle_between(*truth), truth.length()))
+        });
+        let angles: Vec<(f64, f64)> = lit.collect();
+        let mean = angles.iter().map(|(angle, _)| angle).sum::<f64>() / angles.len().max(1) as f64;
+        let light: f64 = angles.iter().map(|(_, light)| light).sum();
+        let by_light = angles.iter().map(|(angle, light)| angle * light).sum::<f64>() / light;
+        let over = points.last().map_or(Cell::None, |[_, last]| (mean / last).into());
+        let numbers =
+            [angles.len() as f64, report.wall.as_secs_f64(), mebibytes(report.bytes), report.totals.rays as f64];
+        let row = [name.into(), voxels.into(), mean.into(), over, by_light.into()];
+        table.rows.push(row.into_iter().chain(numbers.map(Cell::from)).collect());
+        points.push([f64::from(voxels), mean]);
+    }
+    Ok(points)
+}
+
+fn mebibytes(bytes: u64) -> f64 {
+    bytes as f64 / f64::from(1 << 20)
+}
+
+/// One colour of a picture, the whole time that it took, and that of the grid.
+fn picture(bench: &Bench, scene: &Scene) -> Result<(Vec<f32>, f64), RenderError> {
+    let renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
+    let grid = renderer.light_reports().iter().map(|report| report.wall.as_secs_f64()).sum();
+    let [red, ..] = renderer.picture()?.band.color;
+    Ok((red, grid))
+}
+
+/// A way to light a picture, and what came of it last.
+struct Way {
+    name: String,
+    scene: Scene,
+    picture: RefCell<Vec<f32>>,
+    /// Seconds that its grid took.
+    grid: cell::Cell<f64>,
+}
+
+impl Way {
+    fn new(name: String, scene: Scene) -> Self {
+        Self { name, scene, picture: RefCell::default(), grid: cell::Cell::default() }
+    }
+}
+
+/// Time and error of each way; a chart of them.
+fn errors(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result<Chart, RenderError> {
+    let shadows = |shadows| with_light(scene, |light| light.shadows = shadows);
+    let mut exact = shadows(Shadows::Shooting);
+    if bench.gpu.f64 {
+        exact.rays.precision = Precision::Double;
+    }
+    let truth = picture(bench, &exact)?.0;
+    let open = picture(bench, &shadows(Shadows::None))?.0;
+    let mut ways = vec![
+        Way::new("straight".to_owned(), shadows(Shadows::Straight)),
+        Way::new("shooting".to_owned(), shadows(Shadows::Shooting)),
+    ];
+    ways.extend(VOXELS.map(|voxels| Way::new(format!("grid {voxels}"), gridded(scene, voxels, 1))));
+    let refine = LightGrid::default().refine;
+    ways.extend(REFINED.map(|voxels| Way::new(format!("grid {voxels}, in parts"), gridded(scene, voxels, refine))));
+    let run = |way: &Way| -> Result<Duration, RenderError> {
+        let started = Instant::now();
+        let (picture, grid) = picture(bench, &way.scene)?;
+        way.picture.replace(picture);
+        way.grid.set(grid);
+        Ok(started.elapsed())
+    };
+    let mut runs: Vec<_> = ways.iter().map(|way| move || run(way)).collect();
+    let times = Times::all_by_turns(bench.repeats, &mut runs)?;
+    let mut series: Vec<Series> = Vec::new();
+    for (way, times) in ways.iter().zip(times) {
+        let compared = Compared::new(&way.picture.borrow(), &truth, &open);
+        let grid = if way.grid.get() > 0.0 { way.grid.get().into() } else { Cell::None };
+        let numbers = [times.median, times.spread, compared.error, 100.0 * compared.agree].map(Cell::from);
+        table.rows.push([name.into(), way.name.as_str().into()].into_iter().chain(numbers).chain([grid]).collect());
+        // All sizes of a grid are one line.
+        let kind = way.name.replace(|c: char| c.is_ascii_digit(), "").replace(" ,", ",").trim_end().to_owned();
+        let point = [times.median, compared.error];
+        match series.iter_mut().find(|series| series.name == kind) {
+            Some(series) => series.points.push(point),
+            None => series.push(Series { name: kind, points: vec![point] }),
+        }
+    }
+    Ok(Chart {
+        title: format!("Light about {name}"),
+        x_label: "time (s)".to_owned(),
+        y_label: "mean error".to_owned(),
+        log_x: true,
+        log_y: true,
+        series,
+    })
+}
+
+/// How far a picture is from the truth.
+struct Compared {
+    error: f64,
+    /// Of the pixels that face the lamp on some path, the part that is lit or not as the truth is.
+    agree: f64,
+}
+
+impl Compared {
+    /// `open` is the picture without shadows.
+    fn new(found: &[f32], truth: &[f32], open: &[f32]) -> Self {
+        let (mut off, mut all, mut agree, mut faces) = (0.0, 0.0, 0_u32, 0_u32);
+        for ((found, truth), open) in found.iter().zip(truth).zip(open) {
+            off += f64::from((found - truth).abs());
+            all += f64::from(*truth);
+            if *truth > 0.0 || *open > 0.0 {
+                let level = DARK * if *truth > 0.0 { *truth } else { *open };
+                faces += 1;
+                agree += u32::from((*found > level) == (*truth > 0.0));
+            }
+        }
+        Self { error: off / all, agree: f64::from(agree) / f64::from(faces.max(1)) }
+    }
+}
