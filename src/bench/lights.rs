@@ -36,8 +36,8 @@ const REFINED: [u32; 3] = [16, 32, 64];
 const PLACES: u32 = 4000;
 /// Places that get less than this part of what the lamp would give them on a straight line are not compared: they lie in shadow.
 const FAINT: f64 = 0.01;
-/// What has less than this part of the light that it should have is not lit.
-const DARK: f32 = 0.5;
+/// A pixel with less than this part of what it has without shadows, or of the mean, is in shadow: what winds about a centre is fainter.
+const LIT: f32 = 0.05;
 
 /// Directions by voxel size, and time against error.
 pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
@@ -75,8 +75,9 @@ pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
     let intro = vec![
         "The room is 6 wide. What shooting finds is the truth: in 32 bits for directions, in 64 for pictures where the device has them."
             .to_owned(),
-        "A picture's error is the mean of its differences from the truth, over the truth's mean; a pixel is lit where it has more than half \
-         of what the truth has, or of what the lamp would give without shadows."
+        "A picture's error is the mean of its differences from the truth, over the truth's mean. A pixel is lit in truth where it has more \
+         than a twentieth of what it has without shadows, or of the mean; a picture agrees where it has more than half of that, or less than \
+         half of what there would be without shadows."
             .to_owned(),
     ];
     let title = "Light along bent paths".to_owned();
@@ -238,14 +239,18 @@ struct Compared {
 impl Compared {
     /// `open` is the picture without shadows.
     fn new(found: &[f32], truth: &[f32], open: &[f32]) -> Self {
-        let (mut off, mut all, mut agree, mut faces) = (0.0, 0.0, 0_u32, 0_u32);
+        let sum = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>();
+        let off = sum(&mut found.iter().zip(truth).map(|(a, b)| f64::from((a - b).abs())));
+        let all = sum(&mut truth.iter().map(|b| f64::from(*b)));
+        let shown = truth.iter().zip(open).filter(|(truth, open)| **truth > 0.0 || **open > 0.0).count().max(1);
+        let mean = (all / shown as f64) as f32;
+        let (mut agree, mut faces) = (0_u32, 0_u32);
         for ((found, truth), open) in found.iter().zip(truth).zip(open) {
-            off += f64::from((found - truth).abs());
-            all += f64::from(*truth);
             if *truth > 0.0 || *open > 0.0 {
-                let level = DARK * if *truth > 0.0 { *truth } else { *open };
+                let bright = open.max(mean);
+                let is_lit = *truth > LIT * bright;
                 faces += 1;
-                agree += u32::from((*found > level) == (*truth > 0.0));
+                agree += u32::from((*found > 0.5 * if is_lit { *truth } else { bright }) == is_lit);
             }
         }
         Self { error: off / all, agree: f64::from(agree) / f64::from(faces.max(1)) }

@@ -18,18 +18,19 @@ use super::options::{DeviceFlags, SceneOptions};
 use super::render::warn;
 use super::settle::settle;
 use crate::error::Error;
-use crate::measure::drift;
+use crate::gpu::Gpu;
+use crate::measure::{Curve, drift};
 use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
 use crate::output::plot::check_plot;
-use crate::render::{PathPoint, Traced, trace, trace_paths};
+use crate::render::{PathPoint, RenderSettings, Traced, pixel_starts, trace, trace_paths};
 use crate::scene::{CutPlane, Scene};
 
 /// Follow given rays through the same passes as a picture's, and write where they end or draw their paths
 #[derive(Debug, Args)]
-#[command(group(clap::ArgGroup::new("starts").args(["rays", "fan", "bundle"]).required(true).multiple(true)))]
+#[command(group(clap::ArgGroup::new("starts").args(["rays", "fan", "bundle", "pixel"]).required(true).multiple(true)))]
 #[command(group(clap::ArgGroup::new("results").args(["output", "plot", "focus", "windings"]).required(true).multiple(true)))]
 pub(super) struct Arguments {
-    /// The scene file; its camera is not used
+    /// The scene file; of its camera only --pixel knows
     scene: PathBuf,
     /// A CSV file with the header x,y,z,vx,vy,vz: each ray's start, its velocity taken as it is
     #[arg(long, value_name = "FILE")]
@@ -41,6 +42,9 @@ pub(super) struct Arguments {
     /// Parallel rays, such as "from=[-5,0,0] toward=[0,0,0] width=2 count=9": WIDTH between the outermost (repeatable)
     #[arg(long, value_name = "BUNDLE", value_parser = Beam::bundle)]
     bundle: Vec<Beam>,
+    /// The camera's ray through the middle of the picture's pixel X,Y, counted from its top left (repeatable)
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
+    pixel: Vec<[u32; 2]>,
     /// Where to write the results as CSV; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -61,6 +65,14 @@ pub(super) struct Arguments {
     device: DeviceFlags,
 }
 
+fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
+    let parsed = || {
+        let (x, y) = text.split_once(',')?;
+        Some([x.trim().parse().ok()?, y.trim().parse().ok()?])
+    };
+    parsed().ok_or_else(|| format!("`{text}` is not a pixel such as 320,240: its column and its row"))
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.device.check()?;
     if arguments.plot.is_some() && arguments.plot == arguments.output {
@@ -74,8 +86,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             "--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity".into(),
         ));
     }
-    let starts = Starts::of(arguments)?;
-    let rays = &starts.rays;
+    if arguments.diagram.attractor.is_some() && scene.law.ignores_direction().is_none() {
+        return Err(Error::Usage("--attractor is of flows, such as lorenz, and this scene's law is none".into()));
+    }
+    if let Some([x, y]) = arguments.pixel.iter().find(|[x, y]| *x >= scene.image.size[0] || *y >= scene.image.size[1]) {
+        let [width, height] = scene.image.size;
+        return Err(Error::Usage(format!("pixel {x},{y} is not in the picture of {width} by {height} pixels")));
+    }
+    let mut starts = Starts::of(arguments)?;
     let mut table = match &arguments.output {
         Some(output) if arguments.path => Some(Table::create::<PathRow>(output)?),
         Some(output) => Some(Table::create::<ResultRow>(output)?),
@@ -84,6 +102,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.plot.as_deref().map_or(Ok(()), check_plot)?;
     let gpu = opening.finish()?;
     let settings = arguments.device.settings(Vec::new());
+    starts.add_pixels(&gpu, &scene, &settings, &arguments.pixel)?;
+    let rays = &starts.rays;
     let (scene, settings) = settle(&gpu, (&film, None), scene, settings, Rays::Given(rays))?;
     if !arguments.path && (table.is_some() || arguments.drift) {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
@@ -108,14 +128,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         }
         if drawn {
             let diagram = arguments.diagram.of(starts.plane, &starts.groups, &paths);
-            diagram.finish(&scene, arguments.plot.as_deref())?;
+            let time = arguments.diagram.attractor.zip(rays.first());
+            let attractor = time.map(|(time, start)| attractor(&gpu, &scene, &settings, start, time)).transpose()?;
+            diagram.finish(&scene, arguments.plot.as_deref(), attractor)?;
         }
     }
     table.map_or(Ok(()), Table::finish)?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// All rays in the order of the results: the file's, then the fans', then the bundles'.
+/// All rays in the order of the results: the file's, then the fans', the bundles', the camera's.
 struct Starts {
     rays: Vec<[f64; 6]>,
     groups: Vec<Group>,
@@ -136,6 +158,37 @@ impl Starts {
         }
         Ok(Self { rays, groups, plane })
     }
+
+    /// With those of the camera behind them.
+    fn add_pixels(
+        &mut self,
+        gpu: &Gpu,
+        scene: &Scene,
+        settings: &RenderSettings,
+        pixels: &[[u32; 2]],
+    ) -> Result<(), Error> {
+        if !pixels.is_empty() {
+            self.groups.push(Group { name: "the camera's rays".to_owned(), count: pixels.len() });
+            self.rays.extend(pixel_starts(gpu, scene, settings, pixels)?);
+        }
+        Ok(())
+    }
+}
+
+/// Of an attractor's orbit, the part before it has come near.
+const ARRIVING: f64 = 0.1;
+/// Segments of that orbit, at most.
+const ORBIT: u32 = 1 << 16;
+
+/// Where the orbit of a flow goes in the long run, whatever stands in its way.
+fn attractor(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, start: &[f64; 6], time: f64) -> Result<Curve, Error> {
+    let mut scene = scene.clone();
+    scene.objects.clear();
+    scene.rays.length = Some(time);
+    scene.rays.max_segments = ORBIT;
+    let (_, points) = trace_paths(gpu, &scene, settings, &[*start])?.remove(0);
+    let near: Vec<PathPoint> = points.into_iter().filter(|point| point.tau > ARRIVING * time).collect();
+    Ok(Curve::of(&near))
 }
 
 fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) {

@@ -8,6 +8,7 @@
 //! caustics, shadows' edges and surfaces. What is smooth stays coarse.
 
 use glam::{DVec3, IVec3, Vec4};
+use rayon::prelude::*;
 
 use crate::model::{Row, row};
 use crate::scene::{Light, LightSource, Object, Scene};
@@ -16,6 +17,8 @@ use crate::scene::{Light, LightSource, Object, Scene};
 const MARGIN: u32 = 2;
 /// Of the brightest around: neighbours whose light differs by more are unlike.
 const UNLIKE: f32 = 0.4;
+/// Of a voxel's own light: neighbours that differ by less are alike.
+const ALIKE: f32 = 0.2;
 /// Paths through a part of a voxel, at least: of fewer it would show no more than their noise.
 const PATHS: f64 = 12.0;
 
@@ -61,14 +64,6 @@ impl LightVolume {
         self.count.iter().map(|n| *n as usize).product()
     }
 
-    /// Those that differ by at most one along each axis from one, with itself.
-    fn around(&self, voxel: usize) -> impl Iterator<Item = usize> + use<> {
-        let [nx, ny, nz] = self.count.map(|n| n as usize);
-        let (x, y, z) = (voxel % nx, voxel / nx % ny, voxel / nx / ny);
-        let range = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
-        range(z, nz).flat_map(move |z| range(y, ny).flat_map(move |y| range(x, nx).map(move |x| (z * ny + y) * nx + x)))
-    }
-
     /// The members of `LightVolume` in `shaders/segment/leave_light.wgsl`.
     #[must_use]
     pub fn row(&self, refine: u32) -> Row {
@@ -90,10 +85,18 @@ pub struct LightField {
 }
 
 impl LightField {
+    /// Without bricks, of these values for each voxel.
+    #[must_use]
+    pub fn new(volume: LightVolume, refine: u32, voxels: &[Vec4]) -> Self {
+        let bricks = vec![0; volume.voxels()];
+        Self { volume, refine, bricks, field: smooth(voxels, volume.count) }
+    }
+
     /// The numbers of `LightSums` as light: `sums` are those of `flux`, in voxels of side h.
-    pub fn values(sums: &[[f64; 4]], flux: f64, h: f64, unit: f64) -> impl Iterator<Item = Vec4> {
+    #[must_use]
+    pub fn values(sums: &[[f64; 4]], flux: f64, h: f64, unit: f64) -> Vec<Vec4> {
         let scale = flux / (unit * h * h);
-        sums.iter().map(move |sum| Vec4::from_array(sum.map(|n| (n * scale) as f32)))
+        sums.iter().map(|sum| Vec4::from_array(sum.map(|n| (n * scale) as f32))).collect()
     }
 
     /// F and φ at a place that no surface is near: between the middles of voxels, or of parts where its own is in parts.
@@ -130,6 +133,13 @@ impl LightField {
         (size_of_val(&self.bricks[..]) + size_of_val(&self.field[..])) as u64
     }
 
+    /// Adds bricks for some voxels, of these values for each part.
+    pub fn cut(&mut self, bricks: Vec<u32>, parts: &[Vec4]) {
+        let count = [self.refine; 3];
+        self.field.extend(parts.chunks(self.refine.pow(3) as usize).flat_map(|brick| smooth(brick, count)));
+        self.bricks = bricks;
+    }
+
     /// Voxels in which light is so unlike that of a neighbour that they are worth cutting, where so many paths as carry `flux` each come
     /// through a part: the most unlike first, and of two alike the first one.
     #[must_use]
@@ -138,7 +148,7 @@ impl LightField {
         let enough = (PATHS * flux / (part * part)) as f32;
         let unlike = |voxel: usize| {
             let (mut most, mut apart) = (0.0_f32, 0.0_f32);
-            for i in self.volume.around(voxel) {
+            for i in around(self.volume.count, voxel) {
                 most = most.max(self.field[i].w);
                 apart = apart.max(self.field[i].distance(self.field[voxel]));
             }
@@ -174,4 +184,23 @@ impl LightField {
 #[must_use]
 pub fn light_bytes(voxels: u64) -> u64 {
     voxels * (4 * size_of::<u32>() + size_of::<Vec4>() + size_of::<u32>()) as u64
+}
+
+/// Those that differ by at most one along each axis from one of so many voxels, with itself.
+fn around(count: [u32; 3], voxel: usize) -> impl Iterator<Item = usize> {
+    let [nx, ny, nz] = count.map(|n| n as usize);
+    let (x, y, z) = (voxel % nx, voxel / nx % ny, voxel / nx / ny);
+    let range = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
+    range(z, nz).flat_map(move |z| range(y, ny).flat_map(move |y| range(x, nx).map(move |x| (z * ny + y) * nx + x)))
+}
+
+/// Each voxel with those next to it that are alike: of what paths happened to come through it less noise is left, and edges stay.
+fn smooth(field: &[Vec4], count: [u32; 3]) -> Vec<Vec4> {
+    let mean = |voxel: usize| {
+        let own = field[voxel];
+        let alike = around(count, voxel).map(|i| field[i]).filter(|f| f.distance(own) <= ALIKE * own.w);
+        let (sum, count) = alike.fold((Vec4::ZERO, 0.0), |(sum, count), f| (sum + f, count + 1.0));
+        sum / count
+    };
+    (0..field.len()).into_par_iter().map(mean).collect()
 }

@@ -121,8 +121,7 @@ impl Maker<'_> {
         let aim = pilot.narrowed(shine(&pilot, 1, &bricks, volume.voxels())?.reaches.into_iter(), paths);
         let flux = emission.flux() * aim.share();
         let sums = shine(&aim, 1, &bricks, volume.voxels())?.sums;
-        let field = LightField::values(&sums, flux, volume.h, unit).collect();
-        let mut made = LightField { volume, refine, bricks: Vec::new(), field };
+        let mut made = LightField::new(volume, refine, &LightField::values(&sums, flux, volume.h, unit));
         let parts = refine.pow(3) as usize;
         let mut cut = if refine > 1 { made.worth_cutting(flux / f64::from(FOR_PARTS)) } else { Vec::new() };
         let wanted = cut.len();
@@ -137,9 +136,8 @@ impl Maker<'_> {
             let aim = pilot.narrowed(reaches, paths.saturating_mul(FOR_PARTS));
             let sums = shine(&aim, refine, &bricks, count)?.sums;
             let flux = emission.flux() * aim.share();
-            made.field.extend(LightField::values(&sums, flux, volume.h / f64::from(refine), unit));
+            made.cut(bricks, &LightField::values(&sums, flux, volume.h / f64::from(refine), unit));
         }
-        made.bricks = bricks;
         self.renderer.finish_totals(&mut totals, &clock, started)?;
         if totals.lost > 0 {
             return Err(RenderError::LightLost { light: index });

@@ -44,5 +44,5 @@ pub use settings::RenderSettings;
 pub use start::StartUp;
 pub use step::{Dispatch, PixelList, Step};
 pub use totals::{Adaptive, Status, Totals};
-pub use trace::{PathPoint, Starts, Traced, trace, trace_paths, trace_pixels};
+pub use trace::{PathPoint, Starts, Traced, pixel_starts, trace, trace_paths, trace_pixels};
 pub use window::Window;

@@ -169,6 +169,26 @@ pub fn trace_paths(
     Ok(paths)
 }
 
+/// The camera's rays through the middles of some pixels, where they start to be followed: places and velocities.
+pub fn pixel_starts(
+    gpu: &Gpu,
+    scene: &Scene,
+    settings: &RenderSettings,
+    pixels: &[[u32; 2]],
+) -> Result<Vec<[f64; 6]>, RenderError> {
+    let choice =
+        Choice { purpose: Purpose::Pixels, schedule: Schedule::Segment, layers: Vec::new(), masks: Masks::Off };
+    let mut scene = scene.clone();
+    scene.image.samples = 1;
+    let renderer = Renderer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() })?;
+    let (tile, sample) = pixel_tile(&renderer, pixels, ROW)?;
+    let steps = &renderer.plan().steps;
+    let started = steps.iter().filter(|step| matches!(step.pass, Pass::Setup | Pass::Record)).copied();
+    renderer.run_steps(&tile, sample, &started.collect::<Vec<_>>())?;
+    let records = read_records(&renderer, &tile, pixels.len())?;
+    Ok(records.into_iter().map(|Traced { x: [x, y, z], v: [a, b, c], .. }| [x, y, z, a, b, c]).collect())
+}
+
 fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
     let plan = renderer.longest_plan();
     let (tile, sample) = ray_tile(renderer, batch)?;

@@ -47,3 +47,25 @@ fn what_cannot_be_lit_is_said() {
     folder.write("scene.toml", HOLE.replace("\"shooting\"", "\"straight\""));
     folder.run("light scene.toml --at places.csv -o -").fails(1, &["no light with shadows = \"shooting\""]);
 }
+
+/// Light in a grid: what it takes is said, and what does not fit is refused with both numbers.
+#[test]
+fn grids_say_what_they_take() {
+    let scene = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 1, 6]\n[rays]\nbound = { radius = 9 }\n\
+        [materials.m]\ndiffuse = [1, 1, 1]\n[[objects]]\nshape = \"box\"\nmaterial = \"m\"\nsize = [4, 0.2, 4]\n\
+        [[lights]]\nkind = \"point\"\nposition = [0, 2, 0]\nfalloff = \"inverse-square\"\nshadows = \"grid\"\nvoxels = 24\n";
+    let folder = Folder::with(scene);
+    let checked = folder.run("check scene.toml").succeeds();
+    assert!(checked.out.contains("a grid of 24×5×24 voxels, 65536 paths"), "{}", checked.out);
+    folder.run("render scene.toml -o out.png").succeeds().says(&["light 0: 24×5×24 voxels", "MiB"]);
+    let ran = folder.run("render scene.toml -o no.png --memory 64KiB");
+    assert_eq!(ran.code, Some(1), "{}", ran.err);
+    ran.says(&["error: the lights' grids have 2880 voxels together and need", "and 65536 are allowed"]);
+    assert!(!folder.names().contains(&"no.png".to_owned()));
+    folder.write("places.csv", "x,y,z\n0.3,1,0.2\n");
+    let ran = folder.run("light scene.toml --at places.csv -o -").succeeds();
+    let line = ran.out.lines().nth(1).unwrap();
+    let spread: f64 = line.rsplit(',').next().unwrap().parse().unwrap();
+    // The square of the distance.
+    assert!(line.starts_with("0,0,lit,,,,") && (spread / 1.13 - 1.0).abs() < 0.1, "{line}");
+}

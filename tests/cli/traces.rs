@@ -194,3 +194,42 @@ fn paths_run_from_the_start_to_the_result() {
         assert!(svg.contains(word), "{word}");
     }
 }
+
+/// The camera's own rays: those of a straight pinhole camera go through their pixels' middles.
+#[test]
+fn pixels_start_where_the_camera_looks() {
+    let folder = Folder::with(
+        "[image]\nsize = [40, 20]\nsamples = 9\n[camera]\nposition = [0, 0, 5]\nfov = 90\n[rays]\nbound = { radius = 8 }\n",
+    );
+    folder.run("trace scene.toml --pixel 0,0 --pixel 29,4 -o out.csv --path").succeeds();
+    let rows = Rows::of(&folder.text("out.csv"), PATH_HEADER);
+    for (ray, [x, y]) in [("0", [0.0, 0.0]), ("1", [29.0, 4.0])] {
+        let ray = rows.0.iter().find(|row| row[0] == ray).unwrap();
+        let number = |k: usize| ray[k].parse::<f64>().unwrap();
+        assert_eq!([2, 3, 4].map(number), [0.0, 0.0, 5.0]);
+        // The longer or the higher side spans 90 degrees.
+        let slope = [number(5) / -number(7), number(6) / -number(7)];
+        let wanted = [(x + 0.5 - 20.0) / 10.0, (10.0 - y - 0.5) / 10.0];
+        let scale = slope[0] / wanted[0];
+        assert!((scale - 1.0).abs() < 1e-6 || (scale - 0.5).abs() < 1e-6, "{slope:?} and {wanted:?}");
+        assert!((slope[1] / wanted[1] - scale).abs() < 1e-6, "{slope:?} and {wanted:?}");
+    }
+    folder.run("trace scene.toml --pixel 40,3 -o -").fails(1, &["pixel 40,3 is not in the picture of 40 by 20 pixels"]);
+    folder.run("trace scene.toml --pixel 4 -o -").fails(2, &["`4` is not a pixel such as 320,240"]);
+}
+
+/// Behind the orbit through a pixel lies the attractor that it comes to.
+#[test]
+fn an_attractor_is_drawn_behind_the_orbits() {
+    let folder = Folder::with(
+        "[image]\nsize = [40, 30]\n[camera]\nkind = \"plane\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\nup = [0, 0, 1]\nheight = 45\n\
+         [law]\nkind = \"lorenz\"\n[rays]\nmethod = \"rk4\"\nbound = { center = [0, 0, 25], radius = 110 }\nlength = 1.5\n",
+    );
+    folder.run("trace scene.toml --pixel 10,10 --plot with.svg --attractor 20 --cut y").succeeds();
+    folder.run("trace scene.toml --pixel 10,10 --plot without.svg --cut y").succeeds();
+    let [with, without] = ["with.svg", "without.svg"].map(|name| folder.text(name));
+    assert!(with.len() > 2 * without.len(), "{} and {}", with.len(), without.len());
+    folder.run("trace scene.toml --pixel 10,10 --attractor -o -").fails(2, &["--plot"]);
+    let straight = "trace scene.toml --pixel 10,10 --plot no.svg --attractor --set law.kind=straight";
+    folder.run(straight).fails(1, &["--attractor is of flows"]);
+}

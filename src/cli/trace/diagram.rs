@@ -32,6 +32,14 @@ pub(super) struct DiagramOptions {
     /// Measure and write how many turns each path makes about "[x, y, z]", counter-clockwise as shown
     #[arg(long, value_name = "POINT", value_parser = vector)]
     pub windings: Option<DVec3>,
+    /// Draw behind the paths of a flow where its orbits go in the long run: the first ray's, over TIME
+    #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "100", value_parser = parse_time, requires = "plot")]
+    pub attractor: Option<f64>,
+}
+
+fn parse_time(text: &str) -> Result<f64, String> {
+    let time = text.parse().ok().filter(|time: &f64| (0.0..=1e6).contains(time) && *time > 0.0);
+    time.ok_or_else(|| format!("`{text}`: expected a number above 0, at most 1000000"))
 }
 
 /// `--cut`.
@@ -127,14 +135,22 @@ impl DiagramOptions {
 
 impl Diagram<'_> {
     /// Measures, prints and draws what is asked for.
-    pub fn finish(self, scene: &Scene, plot: Option<&Path>) -> Result<(), Error> {
+    pub fn finish(self, scene: &Scene, plot: Option<&Path>, attractor: Option<Curve>) -> Result<(), Error> {
         let foci = if self.options.focus { self.foci() } else { Vec::new() };
         let turns = self.options.windings.map(|about| (about, self.turns(about)));
         let Some(path) = plot else { return Ok(()) };
         let surfaces = surfaces(scene, &self.plane);
         let range = self.options.frame.unwrap_or(PlotRange::Objects);
         let bound = Some((scene.rays.bound.center, scene.rays.bound.radius));
-        let plot = PathPlot { range, surfaces, bound, foci, windings: turns, ..PathPlot::new(self.plane, self.lines) };
+        let plot = PathPlot {
+            range,
+            surfaces,
+            bound,
+            foci,
+            windings: turns,
+            attractor,
+            ..PathPlot::new(self.plane, self.lines)
+        };
         Ok(plot_paths(path, &plot)?)
     }
 

@@ -6,6 +6,7 @@ use super::canvas::{Canvas, Fill, Pen};
 
 const STROKE_WIDTH: f64 = 3.0;
 const THIN: f64 = 2.0;
+const FINE: f64 = 1.0;
 /// About half the size of a marker in pixels.
 const RADIUS: f64 = 8.0;
 const HALO_RADIUS: f64 = 16.0;
@@ -14,6 +15,8 @@ const HALO_RADIUS: f64 = 16.0;
 const COLORS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9"];
 /// Of what is not data.
 const GREY: &str = "#808080";
+/// Of what is behind it.
+const LIGHT: &str = "#c8c8c8";
 /// Of surfaces.
 const DARK: &str = "#404040";
 /// Of media.
@@ -86,6 +89,11 @@ impl Look {
     /// A grey line, for what is not data.
     pub fn aside() -> Self {
         Self::line(GREY, STROKE_WIDTH)
+    }
+
+    /// A fine light line, for what lies behind the data.
+    pub fn behind() -> Self {
+        Self::line(LIGHT, FINE)
     }
 
     /// A thin dashed grey line, for a limit.

@@ -64,6 +64,8 @@ pub struct PathPlot<'a> {
     pub foci: Vec<Focus>,
     /// A point to mark, and how often each path goes round it, in turns.
     pub windings: Option<(DVec3, Vec<f64>)>,
+    /// Where the orbits of a flow go in the long run, behind all else.
+    pub attractor: Option<Curve>,
 }
 
 impl<'a> PathPlot<'a> {
@@ -71,7 +73,8 @@ impl<'a> PathPlot<'a> {
     #[must_use]
     pub fn new(plane: CutPlane, lines: Vec<PathLine<'a>>) -> Self {
         let surfaces = Vec::new();
-        Self { plane, range: PlotRange::All, lines, surfaces, bound: None, foci: Vec::new(), windings: None }
+        let (bound, foci, windings, attractor) = (None, Vec::new(), None, None);
+        Self { plane, range: PlotRange::All, lines, surfaces, bound, foci, windings, attractor }
     }
 
     /// The ways in which rays ended, each once, that of most rays first: its line is solid.

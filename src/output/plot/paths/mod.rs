@@ -50,6 +50,7 @@ fn legend(plot: &PathPlot, bound: bool) -> Legend {
             entries.push((surface.kind.name().to_owned(), strokes::look(surface.kind)));
         }
     }
+    entries.extend(plot.attractor.is_some().then(|| ("attractor".to_owned(), Look::behind())));
     entries.extend(bound.then(|| ("bound".to_owned(), Look::aside())));
     let points = || plot.lines.iter().flat_map(|line| &line.curve.0).map(|arc| arc[3]);
     let extent = points().map(|p| p.distance(plot.plane.point)).fold(0.0, f64::max);
@@ -63,6 +64,9 @@ fn draw(canvas: &mut Canvas, view: &View, plot: &PathPlot) {
     let look = |line: &PathLine| Look::of(statuses.iter().position(|s| *s == line.status).unwrap_or(0));
     let mut ends = Vec::new();
     canvas.clipped(view.window, |canvas| {
+        if let Some(attractor) = &plot.attractor {
+            strokes::line(canvas, view, attractor, Look::behind());
+        }
         for surface in &plot.surfaces {
             strokes::fill(canvas, view, surface);
         }

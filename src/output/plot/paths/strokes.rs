@@ -58,10 +58,16 @@ fn polygon(view: &View, corners: &[DVec3]) -> BezPath {
     ring(corners.iter().map(|p| view.at(*p)))
 }
 
-/// Strokes a ray's path with an arrow on it, and says where it is last seen and in which direction it goes there.
-pub(super) fn path(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Option<[Point; 2]> {
+/// A curve as far as it is in view: its arcs there.
+pub(super) fn line(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Vec<PathSeg> {
     let seen: Vec<PathSeg> = curve.0.iter().flat_map(|arc| view.visible(segment(arc.map(|p| view.at(p))))).collect();
     look.stroke(canvas, &thinned(&seen));
+    seen
+}
+
+/// Strokes a ray's path with an arrow on it, and says where it is last seen and in which direction it goes there.
+pub(super) fn path(canvas: &mut Canvas, view: &View, curve: &Curve, look: Look) -> Option<[Point; 2]> {
+    let seen = line(canvas, view, curve, look);
     if let Some(head) = arrow(&seen) {
         canvas.draw(&head, Some(look.fill(1.0)), None);
     }
