@@ -39,10 +39,10 @@ fn straight_light_falls_off_with_the_square_of_the_distance() {
     let (mut off, mut turned, mut count) = (0.0_f64, 0.0_f64, 0.0);
     for x in places() {
         let way = x - DVec3::new(0.3, 0.2, -0.4);
-        let f = found[0].0.at(x).truncate().as_dvec3();
+        let f = found[0].0.at(x).unwrap().truncate().as_dvec3();
         off += (f.length() * way.length_squared() - 1.0).powi(2);
         turned = turned.max(f.angle_between(way));
-        let sun = found[1].0.at(x);
+        let sun = found[1].0.at(x).unwrap();
         assert!((f64::from(sun.w) - 1.0).abs() < 0.15, "{x}: {sun}");
         assert!(sun.truncate().as_dvec3().angle_between(DVec3::new(1.0, 0.0, 0.5)) < 1e-3, "{x}: {sun}");
         count += 1.0;
@@ -60,7 +60,7 @@ fn glass_about_a_lamp_keeps_its_light() {
     let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0.3, 0.2, -0.4]\nradius = 0.5\ninterior = 1.5\n";
     let found = grids(&format!("[rays]\nbound = {{ radius = 9 }}\n{WALLS}{ball}{}", lamp("voxels = 32\nrefine = 1")));
     let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
-    let bright = |x: DVec3| f64::from(found[0].0.at(x).w) * x.distance_squared(DVec3::new(0.3, 0.2, -0.4));
+    let bright = |x: DVec3| f64::from(found[0].0.at(x).unwrap().w) * x.distance_squared(DVec3::new(0.3, 0.2, -0.4));
     let all = mean(places().map(bright).collect());
     assert!((all - 1.0).abs() < 0.02, "{all}");
 }
@@ -86,7 +86,7 @@ fn grids_approach_what_shooting_finds() {
             .filter_map(|([x, _], paths)| {
                 let clear = paths.iter().filter(|path| path.clear && path.spread > 0.0);
                 let f: DVec3 = clear.map(|path| DVec3::from(path.arrives) / path.spread).sum();
-                (f.length() > 0.0).then(|| field.at(*x).truncate().as_dvec3().angle_between(f))
+                (f.length() > 0.0).then(|| field.at(*x).unwrap().truncate().as_dvec3().angle_between(f))
             })
             .collect();
         angles.iter().sum::<f64>() / angles.len() as f64

@@ -135,7 +135,7 @@ fn directions(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Re
     for voxels in VOXELS {
         let (field, report) = light_grids(bench.gpu, &gridded(scene, voxels, 1), &settings)?.remove(0);
         let lit = places.iter().zip(&truth).filter_map(|(x, truth)| {
-            let found = field.at(*x).truncate().as_dvec3();
+            let found = field.at(*x).unwrap_or_default().truncate().as_dvec3();
             let lit = truth.length() > FAINT / x.distance_squared(LAMP);
             (lit && found.length() > 0.0).then(|| (found.angle_between(*truth), truth.length()))
         });

@@ -99,13 +99,17 @@ fn aimed(source: LightSource, place: DVec3) -> [f64; 6] {
 }
 
 /// What a grid knows of all paths to a place together: their mean direction by flux, and the area that would be as bright.
-fn grid_row(place: usize, light: usize, f: Vec4) -> LightRow {
-    let f = f.truncate().as_dvec3();
+fn grid_row(place: usize, light: usize, field: Option<Vec4>) -> LightRow {
+    let f = field.unwrap_or_default().truncate().as_dvec3();
     let lit = f.length() > 0.0;
     LightRow {
         place,
         light,
-        status: if lit { "lit" } else { "none" },
+        status: match field {
+            None => "outside",
+            Some(_) if lit => "lit",
+            Some(_) => "none",
+        },
         leaves: None,
         arrives: lit.then(|| f.normalize().to_array()),
         spread: lit.then(|| 1.0 / f.length()),

@@ -7,7 +7,7 @@
 //! *Practice.* A voxel that disagrees with its neighbours, in direction or in brightness, is cut into a brick of smaller ones: there are
 //! caustics, shadows' edges and surfaces. What is smooth stays coarse.
 
-use glam::{DVec3, IVec3, Vec4};
+use glam::{DVec3, IVec3, UVec3, Vec4};
 use rayon::prelude::*;
 
 use crate::model::{Row, row};
@@ -99,19 +99,24 @@ impl LightField {
         sums.iter().map(|sum| Vec4::from_array(sum.map(|n| (n * scale) as f32))).collect()
     }
 
-    /// F and φ at a place that no surface is near: between the middles of voxels, or of parts where its own is in parts.
+    /// F and φ at a place that no surface is near: between the middles of voxels, or of parts where its own is in parts. None outside
+    /// of the voxels.
     #[must_use]
-    pub fn at(&self, x: DVec3) -> Vec4 {
+    pub fn at(&self, x: DVec3) -> Option<Vec4> {
         let place = (x - self.volume.lo) / self.volume.h;
+        let count = UVec3::from_array(self.volume.count).as_dvec3();
+        if !(place.cmpge(DVec3::ZERO).all() && place.cmple(count).all()) {
+            return None;
+        }
         let own = self.volume.voxel(place.floor().as_ivec3());
         let cut = if self.bricks[own] == 0 { 1 } else { self.refine };
         let at = place * f64::from(cut) - 0.5;
         let (corner, part) = (at.floor().as_ivec3(), (at - at.floor()).as_vec3());
         let corners = (0..8).map(|k| IVec3::new(k & 1, k >> 1 & 1, k >> 2));
-        corners.fold(Vec4::ZERO, |sum, by| {
+        Some(corners.fold(Vec4::ZERO, |sum, by| {
             let shares = (1.0 - part) + by.as_vec3() * (2.0 * part - 1.0);
             sum + shares.element_product() * self.value(corner + by, cut)
-        })
+        }))
     }
 
     /// Of a part, each voxel cut into `cut` along each axis, or of all of a voxel that is not in parts.

@@ -156,7 +156,7 @@ pub struct LightRow {
     pub place: usize,
     /// Which light, in the order of the scene file.
     pub light: usize,
-    /// Lit by it, in the shadow of something on it, or no path at all.
+    /// Lit by it, in the shadow of something on it, no path at all, or outside of the grid that would know.
     pub status: &'static str,
     /// Its unit direction at the light.
     pub leaves: Option<[f64; 3]>,

@@ -62,10 +62,11 @@ fn grids_say_what_they_take() {
     assert_eq!(ran.code, Some(1), "{}", ran.err);
     ran.says(&["error: the lights' grids have 2880 voxels together and need", "and 65536 are allowed"]);
     assert!(!folder.names().contains(&"no.png".to_owned()));
-    folder.write("places.csv", "x,y,z\n0.3,1,0.2\n");
+    folder.write("places.csv", "x,y,z\n0.3,0.3,0.2\n0,8,0\n");
     let ran = folder.run("light scene.toml --at places.csv -o -").succeeds();
     let line = ran.out.lines().nth(1).unwrap();
     let spread: f64 = line.rsplit(',').next().unwrap().parse().unwrap();
-    // The square of the distance.
-    assert!(line.starts_with("0,0,lit,,,,") && (spread / 1.13 - 1.0).abs() < 0.1, "{line}");
+    // The square of the distance; and a place far from all that is lit.
+    assert!(line.starts_with("0,0,lit,,,,") && (spread / 3.02 - 1.0).abs() < 0.1, "{line}");
+    assert_eq!(ran.out.lines().nth(2), Some("1,0,outside,,,,,,,"));
 }
