@@ -151,3 +151,21 @@ fn memory_is_kept_to() {
     assert!(report.refined[0] > 0 && report.refined[0] < report.refined[1], "{report}");
     assert!(report.to_string().contains("for want of memory"), "{report}");
 }
+
+/// A frame in which nothing moves that light meets takes the grid of the one before.
+#[test]
+fn grids_are_kept_while_the_light_stays() {
+    let text = format!("{ROOM}[rays]\nbound = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 16"));
+    let first = scene(&text);
+    let gpu = gpu();
+    let mut renderer = Renderer::new(&gpu, &first, RenderSettings::default()).unwrap();
+    let before = renderer.light_reports().to_vec();
+    for (change, keeps) in [(("[0, 0.3, 6]", "[1, 0.3, 6]"), true), (("[0.3, 0.2, -0.4]", "[0.5, 0.2, -0.4]"), false)] {
+        let next = scene(&text.replace(change.0, change.1));
+        renderer.set_scene(next.clone()).unwrap();
+        let fresh = Renderer::new(&gpu, &next, RenderSettings::default()).unwrap();
+        assert!(renderer.picture().unwrap().band == fresh.picture().unwrap().band);
+        // The times that they took are never the same.
+        assert_eq!(renderer.light_reports() == before, keeps, "{change:?}");
+    }
+}

@@ -43,7 +43,8 @@ impl<'a> Renderer<'a> {
     ///
     /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        let grids = LightGrids::new(self.gpu, &scene, &self.settings)?;
+        let kept = scene.is_lit_as(&self.scene).then(|| self.grids.clone());
+        let grids = kept.map_or_else(|| LightGrids::new(self.gpu, &scene, &self.settings), Ok)?;
         self.change_scene(scene, grids)
     }
 }

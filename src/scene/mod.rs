@@ -197,6 +197,16 @@ impl Scene {
         self.is_lit() && self.lights.iter().any(|light| light.shadows == kind)
     }
 
+    /// Does light from the lights go where it goes in another scene? The camera, the sky and colours that show only there do not matter.
+    #[must_use]
+    pub fn is_lit_as(&self, other: &Self) -> bool {
+        *self.law == *other.law
+            && self.rays == other.rays
+            && self.materials == other.materials
+            && self.objects == other.objects
+            && self.lights == other.lights
+    }
+
     /// Is there a surface that shows a light?
     #[must_use]
     pub fn is_lit(&self) -> bool {

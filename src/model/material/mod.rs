@@ -50,6 +50,12 @@ pub struct Material {
     pub surface: Arc<dyn Surface>,
 }
 
+impl PartialEq for Material {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name && self.color == other.color && *self.surface == *other.surface
+    }
+}
+
 /// How a surface answers light.
 pub trait Surface: fmt::Debug + Send + Sync + Same {
     /// Its WGSL part: a path whose last name is in those of its functions, and in capitals its code.

@@ -160,6 +160,12 @@ pub struct Interior {
     pub priority: u32,
 }
 
+impl PartialEq for Interior {
+    fn eq(&self, other: &Self) -> bool {
+        *self.medium == *other.medium && self.priority == other.priority
+    }
+}
+
 /// What a medium's own keys default to: the place and size of the object that it fills.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Surroundings {

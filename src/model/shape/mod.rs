@@ -18,14 +18,15 @@ mod read;
 mod solid;
 mod sphere;
 
-use std::any::Any;
 use std::fmt;
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
+use super::Same;
 use super::cut::{Outline, OwnPlane};
 use super::medium::Surroundings;
+use super::same::same;
 use crate::assets::{Files, Mesh, Transform};
 use crate::document::reader::TableReader;
 use crate::document::{self, Key, Kinds, keys};
@@ -61,7 +62,7 @@ pub const SOLIDS: [&Solid; 7] =
     [&cuboid::SOLID, &cylinder::SOLID, &disk::SOLID, &sphere::ELLIPSOID, &plane::SOLID, &sphere::SOLID, &mesh::SOLID];
 
 /// A shape in its own space, where its size is about 1.
-pub trait Shape: fmt::Debug + Send + Sync + Any {
+pub trait Shape: fmt::Debug + Send + Sync + Same {
     /// What the shaders test, in this place.
     fn solid(&self, place: &Transform) -> &'static Solid;
 
@@ -153,13 +154,7 @@ fn ball(radius: f64, place: &Transform) -> (DVec3, f64) {
     (place.0.translation, radius * stretch)
 }
 
-impl dyn Shape {
-    /// As this kind, if it is that.
-    #[must_use]
-    pub fn downcast<T: 'static>(&self) -> Option<&T> {
-        (self as &dyn Any).downcast_ref()
-    }
-}
+same!(Shape);
 
 /// `center`.
 const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units"; }[0];

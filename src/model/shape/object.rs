@@ -24,8 +24,14 @@ pub struct Object {
     pub substance: Substance,
 }
 
+impl PartialEq for Object {
+    fn eq(&self, other: &Self) -> bool {
+        *self.shape == *other.shape && self.transform == other.transform && self.substance == other.substance
+    }
+}
+
 /// What an object is made of.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Substance {
     /// A surface: index into [`Scene::materials`](crate::scene::Scene::materials).
     Opaque(usize),
