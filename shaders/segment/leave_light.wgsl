@@ -36,9 +36,8 @@ fn light_size() -> f32 {
 }
 
 fn keep_reach(pixel: vec2u) {
-    if reaches {
-        light_reaches[pixel.y * frame.size.x + pixel.x] = 1u;
-    }
+    let i = pixel.y * frame.size.x + pixel.x;
+    light_reaches[i] = select(light_reaches[i], 1u, reaches);
 }
 
 // s: a segment whose part up to the fraction `until` is passed by so much of a ray.

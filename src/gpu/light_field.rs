@@ -168,15 +168,13 @@ impl LightField {
     /// The members of `GridLight` in `shaders/surface/light/grid.wgsl`; before its own there are so many voxels and values of others.
     #[must_use]
     pub(super) fn row(&self, light: &Light, first_brick: usize, first: usize) -> Row {
-        // How bright light from far away is follows from how many paths come, wherever the law bends them to.
-        let falls = light.falls || !light.is_point();
         let position = match light.source {
             LightSource::Point(position) => position,
             LightSource::Directional(_) => DVec3::ZERO,
         };
         let own = row! {
             color: Vec3(light.color),
-            falls: Uint(falls.into()),
+            falls: Uint(light.falls_in_grid().into()),
             first_brick: Uint(first_brick as u32),
             first: Uint(first as u32),
             position: Vec3(position),

@@ -3,7 +3,7 @@
 use super::names::Names;
 use super::{Choice, Purpose, generated};
 use crate::model::{CameraFrame, Pattern, Projection, Stereo, StereoLayout};
-use crate::scene::{SamplePattern, Scene, Shadows, Sky, Tonemap};
+use crate::scene::{Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
@@ -93,5 +93,22 @@ pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
     names.add(if lights.is_empty() { "surface/light/none" } else { "surface/light/blinn_phong" });
     let falls = scene.lights.iter().any(|light| light.falls);
     names.add(if falls { "surface/light/falls_some" } else { "surface/light/falls_none" });
+    if lights.contains(&"grid") {
+        grid_parts(scene, names);
+    }
     names.make(generated::materials(&kinds, &patterns, &lights));
+}
+
+/// How bright the lights are that have a grid.
+fn grid_parts(scene: &Scene, names: &mut Names) {
+    let lights = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
+    let all = lights().all(Light::falls_in_grid);
+    if !all {
+        names.add("surface/light/even_share");
+    }
+    names.add(match (all, lights().any(Light::falls_in_grid)) {
+        (true, _) => "surface/light/grid_falls_all",
+        (false, true) => "surface/light/grid_falls_some",
+        (false, false) => "surface/light/grid_falls_none",
+    });
 }

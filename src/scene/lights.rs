@@ -95,6 +95,12 @@ impl Light {
         Self { source, color: DVec3::ONE, shadows, falls: false, size: 0.0, grid }
     }
 
+    /// Is it in a grid as bright as its paths are many? How bright light from far away is follows from them wherever the law bends it to.
+    #[must_use]
+    pub fn falls_in_grid(&self) -> bool {
+        self.falls || !self.is_point()
+    }
+
     /// Is it at a place?
     #[must_use]
     pub fn is_point(&self) -> bool {

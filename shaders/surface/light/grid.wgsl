@@ -28,9 +28,6 @@ struct GridLight {
 
 // In voxels: where light is looked for, off the surface, so that none of the voxels asked is mostly behind it.
 const LIGHT_OFF: f32 = 0.9;
-// Of what is expected of a place: so dark is a shadow, and so much brighter is lit.
-const SHADE: f32 = 0.25;
-const FADE: f32 = 0.5;
 
 fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
@@ -47,10 +44,7 @@ fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
         let strength = length(f.xyz);
         if strength > 0.0 {
             let answer = light.color * blinn_phong(material, color, -f.xyz / strength, lit.normal, lit.view);
-            let way = lit.x - light.position;
-            let expected = min(1.0 / dot(way, way), brightest_around(light, x + 1.5 / cut * lit.normal, cut));
-            let share = clamp((f.w / expected - SHADE) / FADE, 0.0, 1.0);
-            sum += select(share, strength, light.falls == 1u) * answer;
+            sum += grid_strength(light, x, lit, f, cut) * answer;
         }
     }
     return sum;
@@ -94,16 +88,4 @@ fn light_between(light: GridLight, x: vec3f, normal: vec3f, cut: f32) -> vec4f {
         open += share * clamp(0.5 + dot(corner + by - surface, normal) / across, 0.0, 1.0);
     }
     return sum / open;
-}
-
-// The greatest fluence about a place: near a shadow that of what is not in it, where light is spread wide or in focus about the place's own.
-fn brightest_around(light: GridLight, x: vec3f, cut: f32) -> f32 {
-    let corner = floor(x * cut);
-    var most = 0.0;
-    for (var k = 0u; k < 27u; k++) {
-        work += 1u;
-        let by = vec3f(vec3u(k % 3u, (k / 3u) % 3u, k / 9u)) - 1.0;
-        most = max(most, light_in(light, corner + by, cut).w);
-    }
-    return most;
 }
