@@ -113,7 +113,13 @@ impl Aim {
             }
         }
         let strata: Vec<u32> = self.strata.iter().copied().filter(|stratum| wanted[*stratum as usize]).collect();
-        Self::through(if strata.is_empty() { self.strata.clone() } else { strata }, paths)
+        if strata.is_empty() { self.again(paths) } else { Self::through(strata, paths) }
+    }
+
+    /// At least so many paths through the same strata.
+    #[must_use]
+    pub fn again(&self, paths: u32) -> Self {
+        Self::through(self.strata.clone(), paths)
     }
 
     /// How many paths there are.

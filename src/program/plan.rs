@@ -130,11 +130,11 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
         names.all(&[
             "surface/region_none",
             "surface/scatter/none",
-            if choice.purpose == Purpose::Light { "surface/weight/light" } else { "surface/weight/none" },
             "surface/branch/transmitted",
             "segment/last_hit_none",
             "shape/facing_any",
         ]);
+        weight_parts(if choice.purpose == Purpose::Light { LIGHT } else { "surface/weight/none" }, names);
         return;
     }
     let continuing = || scene.objects.iter().enumerate().filter(|(_, object)| scene.continues_from(object));
@@ -160,14 +160,15 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     }
     names.add(if regions.touching.count() > 0 { "surface/touching_some" } else { "surface/touching_none" });
     let is_gray = |material: &Material| !material.surface.continues() || material.color.is_gray();
-    let kept = if scene.materials.iter().all(is_gray) { "surface/weight/gray" } else { "surface/weight/colored" };
+    let kept = if scene.materials.iter().all(is_gray) { GRAY } else { "surface/weight/colored" };
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
         (Purpose::Picture, Branches::Enumerated(_)) => (kept, "surface/branch/enumerated"),
         (Purpose::Picture, Branches::Random) => (kept, "surface/branch/random"),
-        (Purpose::Light, _) => ("surface/weight/light", "surface/branch/random"),
+        (Purpose::Light, _) => (LIGHT, "surface/branch/random"),
         _ => ("surface/weight/none", "surface/branch/transmitted"),
     };
-    names.all(&[weight, branch]);
+    weight_parts(weight, names);
+    names.add(branch);
     let mut kinds: Vec<&str> = continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.part())).collect();
     if scene.splits() {
         kinds.push("surface/scatter/transmissive");
@@ -177,6 +178,17 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     names.all(&kinds);
     names.make(generated::scatter(&kinds));
     names.make(generated::regions(regions));
+}
+
+const GRAY: &str = "surface/weight/gray";
+const LIGHT: &str = "surface/weight/light";
+
+/// A weight, and how it is kept.
+fn weight_parts(weight: &'static str, names: &mut Names) {
+    names.add(weight);
+    if matches!(weight, GRAY | LIGHT) {
+        names.add("surface/weight/kept_single");
+    }
 }
 
 fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {

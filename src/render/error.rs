@@ -52,6 +52,12 @@ pub enum RenderError {
         /// The light's place in the scene file.
         light: usize,
     },
+    /// A pixel that the camera has no ray for, as outside a fisheye's disk.
+    #[error("the camera has no ray through pixel {},{}: the picture shows nothing there", .pixel[0], .pixel[1])]
+    NoRay {
+        /// Its column and row.
+        pixel: [u32; 2],
+    },
     /// A scene that needs passes of its own.
     #[error("this scene needs another program than the one that was compiled")]
     OtherProgram,

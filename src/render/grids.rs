@@ -39,6 +39,10 @@ impl fmt::Display for LightReport {
         if refined < wanted {
             write!(f, " of {wanted} for want of memory")?;
         }
-        write!(f, ", {} paths, {mebibytes:.1} MiB, {:.3} s", self.totals.rays, self.wall.as_secs_f64())
+        write!(f, ", {} paths, {mebibytes:.1} MiB, {:.3} s", self.totals.rays, self.wall.as_secs_f64())?;
+        match self.totals.unfollowed() {
+            0 => Ok(()),
+            lost => write!(f, "; {lost} of them could not be followed to their ends"),
+        }
     }
 }

@@ -1,10 +1,10 @@
 //! Grids of light directions (G95 §6), made before a picture whose lights ask for them.
 //!
 //! *Theory.* Paths leave a light evenly in all directions, follow the scene's law through what is clear until they end, and leave their
-//! light in the voxels on their way. The same paths again do so in the parts of those voxels that disagreed with their neighbours.
+//! light in the voxels on their way. Then more paths do so in the parts of those voxels whose light is unlike a neighbour's.
 //!
 //! *Practice.* The paths are rays like any others, of a program whose purpose is that; only what they leave is read back, batch by batch.
-//! Sums are of whole numbers, so that a grid is the same bit for bit however its paths are batched.
+//! Sums are of whole numbers, so that a grid is the same bit for bit in whatever order its paths run.
 
 use std::borrow::Cow;
 use std::time::Instant;
@@ -43,7 +43,8 @@ impl<'a> Renderer<'a> {
     ///
     /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        let kept = scene.is_lit_as(&self.scene).then(|| self.grids.clone());
+        let has_grids = !self.grids.fields.is_empty();
+        let kept = (has_grids && scene.is_lit_as(&self.scene)).then(|| self.grids.clone());
         let grids = kept.map_or_else(|| LightGrids::new(self.gpu, &scene, &self.settings), Ok)?;
         self.change_scene(scene, grids)
     }
@@ -132,7 +133,7 @@ impl Maker<'_> {
                 bricks[*voxel as usize] = number;
             }
             let count = cut.len() * parts;
-            let pilot = aim.narrowed(std::iter::empty(), pilots);
+            let pilot = aim.again(pilots);
             let reaches = shine(&pilot, refine, &bricks, count)?.reaches.into_iter();
             let aim = pilot.narrowed(reaches, paths.saturating_mul(FOR_PARTS));
             let sums = shine(&aim, refine, &bricks, count)?.sums;

@@ -186,6 +186,9 @@ pub fn pixel_starts(
     let started = steps.iter().filter(|step| matches!(step.pass, Pass::Setup | Pass::Record)).copied();
     renderer.run_steps(&tile, sample, &started.collect::<Vec<_>>())?;
     let records = read_records(&renderer, &tile, pixels.len())?;
+    if let Some((pixel, _)) = pixels.iter().zip(&records).find(|(_, record)| record.status == Status::Outside) {
+        return Err(RenderError::NoRay { pixel: *pixel });
+    }
     Ok(records.into_iter().map(|Traced { x: [x, y, z], v: [a, b, c], .. }| [x, y, z, a, b, c]).collect())
 }
 

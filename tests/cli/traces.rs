@@ -215,6 +215,10 @@ fn pixels_start_where_the_camera_looks() {
         assert!((slope[1] / wanted[1] - scale).abs() < 1e-6, "{slope:?} and {wanted:?}");
     }
     folder.run("trace scene.toml --pixel 40,3 -o -").fails(1, &["pixel 40,3 is not in the picture of 40 by 20 pixels"]);
+    let round = "trace scene.toml --pixel 0,0 -o - --set camera.kind=fisheye --set camera.fov=180 --set camera.corners=transparent";
+    let ran = folder.run(round);
+    assert_eq!(ran.code, Some(1), "{}", ran.err);
+    ran.says(&["the camera has no ray through pixel 0,0"]);
     folder.run("trace scene.toml --pixel 4 -o -").fails(2, &["`4` is not a pixel such as 320,240"]);
 }
 
