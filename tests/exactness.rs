@@ -85,8 +85,8 @@ const PICTURES: [&[&str]; 7] = [
 #[test]
 fn nothing_can_be_taken_out_of_any_program() {
     let purposes = [Purpose::Picture, Purpose::Trace, Purpose::Pixels];
-    let shipped: Vec<_> =
-        shipped_scenes().into_iter().chain(scenes_in("scenes/groller")).chain(scenes_in("scenes/light")).collect();
+    let shipped: Vec<_> = ["scenes/groller", "scenes/light", "scenes/paths"].into_iter().flat_map(scenes_in).collect();
+    let shipped: Vec<_> = shipped_scenes().into_iter().chain(shipped).collect();
     let hole = shipped.iter().find(|path| path.ends_with("schwarzschild_sky.toml")).unwrap();
     let changed = PICTURES.iter().map(|keys| (hole, keys.iter().map(|key| key.parse().unwrap()).collect()));
     for (path, keys) in shipped.iter().map(|path| (path, Vec::<Override>::new())).chain(changed) {
@@ -138,7 +138,15 @@ const ALLOWED: [(&str, &str, &str); 5] = [
 #[test]
 fn programs_do_not_branch_on_what_the_scene_fixes() {
     let mut found = BTreeSet::new();
-    let folders = ["scenes", "scenes/groller", "scenes/light", "scenes/thesis", "scenes/bench", "scenes/stability"];
+    let folders = [
+        "scenes",
+        "scenes/groller",
+        "scenes/light",
+        "scenes/paths",
+        "scenes/thesis",
+        "scenes/bench",
+        "scenes/stability",
+    ];
     for path in folders.into_iter().flat_map(scenes_in) {
         let scene = Scene::load(&path, &[]).unwrap();
         let geometry = Geometry::new(&scene);

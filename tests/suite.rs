@@ -22,6 +22,7 @@ mod oracle;
 mod orders;
 mod own_laws;
 mod parametric;
+mod paths;
 mod pictures;
 mod sampling;
 mod schedules;

@@ -24,7 +24,7 @@ pub(super) struct SceneOptions {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
     /// Rays per pixel, instead of the scene's
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
     samples: Option<u32>,
     /// Bits of the numbers that paths are followed in, instead of the scene's
     #[arg(long, value_parser = one_of(Bits::all(), Bits::name, Bits::meaning))]

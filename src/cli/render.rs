@@ -96,6 +96,11 @@ impl Arguments {
             None => film.load(None),
             Some(frame) => film.load(Some(&|_| frame)),
         }?;
+        let has_errors = scene.rays.paths.is_some() || scene.image.adaptive.is_some();
+        if !has_errors && self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(Layer::Error))) {
+            let problem = "the layer `error` is of pictures that take random samples: with transport = \"paths\" or image.adaptive";
+            return Err(Error::Usage(problem.to_owned()));
+        }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
             Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),
             None => Ok(scene),
@@ -134,7 +139,11 @@ impl Arguments {
         if !self.output.iter().any(|path| is_exr(path)) {
             return Vec::new();
         }
-        let usual = |layer: Layer| layer != Layer::Samples || scene.image.adaptive.is_some();
+        let usual = |layer: Layer| match layer {
+            Layer::Samples => scene.image.adaptive.is_some(),
+            Layer::Error => scene.rays.paths.is_some(),
+            _ => true,
+        };
         let keeps =
             |layer: &Layer| self.layers.as_ref().map_or_else(|| usual(*layer), |wanted| wanted.contains(&Some(*layer)));
         Layer::ALL.into_iter().filter(keeps).collect()

@@ -211,6 +211,7 @@ impl Source<'_> {
                 Branches::Enumerated(depth) => one(&[("depth", Uint(depth))]),
                 Branches::Random => Ok(None),
             },
+            "transport" => one(&self.transport()),
             "limit" => one(&[("length", Float(self.scene.rays.length.unwrap_or(f64::MAX)))]),
             "chord" => match self.scene.rays.segment {
                 Segment::Chord { steps } => one(&[("steps", Uint(steps))]),

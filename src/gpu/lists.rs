@@ -13,7 +13,7 @@ use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, constant};
-use crate::scene::{Light, LightSource, Segment, Shadows};
+use crate::scene::{Lamp, Light, LightSource, Segment, Shadows};
 
 impl Source<'_> {
     /// What the scene's kinds feed their own parts.
@@ -121,6 +121,12 @@ impl Source<'_> {
             "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
             "object_materials" => Ok(Some(bytemuck::cast_slice(&g.materials).to_vec())),
             "materials" => self.materials(layout).map(Some),
+            "lamps" => {
+                let row = |lamp: Lamp| -> Row {
+                    row! { center: Vec3(lamp.center), radius: Float(lamp.radius), power: Float(lamp.power) }
+                };
+                pack(name, layout, self.scene.lamps().into_iter().map(row)).map(Some)
+            }
             "light_bricks" => {
                 let bricks = self.fields.iter().flat_map(|field| &field.bricks);
                 Ok(Some(bricks.flat_map(|brick| brick.to_ne_bytes()).collect()))

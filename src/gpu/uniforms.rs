@@ -15,6 +15,13 @@ impl Source<'_> {
         ]
     }
 
+    /// How far paths go.
+    pub(super) fn transport(&self) -> [(&'static str, Value); 3] {
+        let paths = self.scene.rays.paths.unwrap_or_default();
+        let depth = paths.depth.unwrap_or(u32::MAX);
+        [("depth", Uint(depth)), ("roulette", Uint(paths.roulette)), ("seed", Uint(paths.seed))]
+    }
+
     pub(super) fn sky(&self) -> Vec<(&'static str, Value)> {
         match &self.scene.sky {
             Sky::Color(color) => vec![("color", Vec3(*color))],

@@ -17,6 +17,7 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Status => &["id.status"],
         Layer::Steps => &["steps"],
         Layer::Samples => &["samples"],
+        Layer::Error => &["error"],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }
@@ -38,7 +39,7 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
 
 fn suits(plane: &Plane, layer: Layer) -> bool {
     match plane {
-        Plane::Scalar(_) => layer == Layer::Depth,
+        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error),
         Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way),
         Plane::Id(_) => is_id(layer),
     }

@@ -162,19 +162,29 @@ pub enum Layer {
     Steps,
     /// Rays that the pixel took.
     Samples,
+    /// The standard error of the pixel's mean luminance.
+    Error,
     /// Where the ray was going at its end, as long as its way there: not for files, but for what is measured on a picture.
     Way,
 }
 
 impl Layer {
     /// Every layer that files hold.
-    pub const ALL: [Self; 7] =
-        [Self::Depth, Self::Position, Self::Normal, Self::Object, Self::Status, Self::Steps, Self::Samples];
+    pub const ALL: [Self; 8] = [
+        Self::Depth,
+        Self::Position,
+        Self::Normal,
+        Self::Object,
+        Self::Status,
+        Self::Steps,
+        Self::Samples,
+        Self::Error,
+    ];
 
     /// Is it of a pixel's first ray, kept when that is shaded? The others are of all of a pixel's rays.
     #[must_use]
     pub fn is_of_a_ray(self) -> bool {
-        self != Self::Samples
+        !matches!(self, Self::Samples | Self::Error)
     }
 
     /// The name of its file in `shaders/picture/layer/`, if it is of a ray; its texture is `layer_` and this.
@@ -188,6 +198,7 @@ impl Layer {
             Self::Status => "status",
             Self::Steps => "steps",
             Self::Samples => "samples",
+            Self::Error => "error",
             Self::Way => "way",
         }
     }
@@ -203,6 +214,7 @@ impl Layer {
             Self::Status => "How the ray ended",
             Self::Steps => "Integration steps",
             Self::Samples => "Rays that the pixel took",
+            Self::Error => "The standard error of the pixel's mean luminance, where paths are followed",
             Self::Way => "Where the ray was going at its end",
         }
     }
@@ -274,6 +286,12 @@ impl Choice {
             Branches::Enumerated(depth) if self.purpose == Purpose::Picture && scene.branches() => 1 << depth,
             _ => 1,
         }
+    }
+
+    /// Does light go from surface to surface?
+    #[must_use]
+    pub fn follows_paths(&self, scene: &Scene) -> bool {
+        self.purpose == Purpose::Picture && scene.rays.paths.is_some()
     }
 
     /// Do pixels take as many samples as they need?

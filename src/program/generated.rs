@@ -166,16 +166,24 @@ fn own_name(part: &str) -> &str {
     part.rsplit('/').next().unwrap_or(part)
 }
 
-/// What surfaces send back: the scene's kinds of material, pattern and light.
-pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str]) -> Unit {
-    let radiance: Vec<_> = kinds
-        .iter()
-        .map(|part| own_name(part))
-        .map(|kind| (kind.to_uppercase(), format!("radiance_{kind}(material, color, lit)")))
-        .collect();
+/// What surfaces send back: the scene's kinds of material, pattern and light. On `paths` each answers light, and none shows it.
+pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str], paths: bool) -> Unit {
+    let calls = |what: &str, arguments: &str| -> Vec<_> {
+        let names = kinds.iter().map(|part| own_name(part));
+        names.map(|kind| (kind.to_uppercase(), format!("{what}_{kind}({arguments})"))).collect()
+    };
+    let radiance = if paths { Vec::new() } else { calls("radiance", "material, color, lit") };
     let colors: Vec<_> = patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
     let mut text =
         switch("fn surface_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f", "material.kind", &radiance);
+    if paths {
+        let mut answers = calls("answer", "material, color");
+        if answers.is_empty() {
+            answers.push((String::new(), "Answer(vec3f(0.0), vec3f(0.0), vec3f(0.0), 1.0)".to_owned()));
+        }
+        text += "\n";
+        text += &switch("fn answer_at(material: Material, color: vec3f) -> Answer", "material.kind", &answers);
+    }
     text += "\n";
     text += &switch("fn pattern_color(material: Material, uv: vec2f) -> vec3f", "material.pattern", &colors);
     if !lights.is_empty() {

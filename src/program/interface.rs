@@ -157,7 +157,7 @@ const ROLES: [(&str, Role); 29] = [
 ];
 
 /// What passes keep for each pixel.
-const KEPT: [&str; 14] = [
+const KEPT: [&str; 17] = [
     "status",
     "taken",
     "hit_primitive",
@@ -172,6 +172,9 @@ const KEPT: [&str; 14] = [
     "weight_blue",
     "branches",
     "inside_set",
+    "paths",
+    "waiting_rays",
+    "spread",
 ];
 
 /// Bindings of the state are named by a part and a slot, such as `x_in`.

@@ -16,10 +16,11 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     match scene.image.pattern {
         _ if scene.image.samples == 1 => names.add("camera/sample/center"),
         SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
-        SamplePattern::Progressive if choice.adapts(scene) => {
-            names.all(&["camera/sample/sobol", "camera/sample/adaptive"]);
+        SamplePattern::Progressive => {
+            names.all(&["camera/sample/scrambled", "camera/sample/sobol"]);
+            let adapts = choice.adapts(scene);
+            names.add(if adapts { "camera/sample/adaptive" } else { "camera/sample/progressive" });
         }
-        SamplePattern::Progressive => names.all(&["camera/sample/sobol", "camera/sample/progressive"]),
     }
     names.add(if scene.rays.asymptotic { "camera/arrival/along_orbit" } else { "camera/arrival/straight" });
     // A scene that is only traced is checked as with any camera.
@@ -70,8 +71,8 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     }
 }
 
-pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
-    let used = || scene.objects.iter().filter_map(|object| scene.material_of(object));
+pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    let used = || scene.used_materials();
     let ends = || used().filter(|material| !material.surface.continues());
     let mut kinds: Vec<&str> = ends().map(|material| material.surface.part()).collect();
     kinds.sort_unstable();
@@ -96,7 +97,7 @@ pub(super) fn material_parts(scene: &Scene, names: &mut Names) {
     if lights.contains(&"grid") {
         grid_parts(scene, names);
     }
-    names.make(generated::materials(&kinds, &patterns, &lights));
+    names.make(generated::materials(&kinds, &patterns, &lights, choice.follows_paths(scene)));
 }
 
 /// How bright the lights are that have a grid.

@@ -30,8 +30,8 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         "segment/path_end",
         "segment/follow_path",
         "picture/colors",
-        "picture/shade_ray",
     ]);
+    names.add(if choice.follows_paths(scene) { "picture/shade_path" } else { "picture/shade_ray" });
     names.all(&["state/ray", "state/active", "state/finish"]);
     names.all(match scene.rays.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
@@ -55,10 +55,10 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         names.make(generated::images(scene.pictures.len()));
     }
     if !scene.objects.is_empty() {
-        material_parts(scene, &mut names);
+        material_parts(scene, choice, &mut names);
     }
     shadow_parts(scene, choice, regions, &mut names);
-    let of_kind = |kind: &RegionKind| region_parts(scene, choice.purpose, regions, kind);
+    let of_kind = |kind: &RegionKind| region_parts(scene, choice, regions, kind);
     let lengths = short_lists::lengths(scene, regions);
     let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
     Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? })
@@ -68,7 +68,8 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
 fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
     let straight = scene.has_shadows(Shadows::Straight);
     let shot = scene.has_shadows(Shadows::Shooting) || choice.purpose == Purpose::Lit;
-    let starts = if straight || shot { "surface/shadow/start_off" } else { "surface/shadow/start_on" };
+    let leaves = straight || shot || choice.follows_paths(scene);
+    let starts = if leaves { "surface/shadow/start_off" } else { "surface/shadow/start_on" };
     let status = if straight || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
     names.all(&[starts, status]);
     if shot {
@@ -137,13 +138,21 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
         weight_parts(if choice.purpose == Purpose::Light { LIGHT } else { "surface/weight/none" }, names);
         return;
     }
+    let paths = choice.follows_paths(scene);
     let continuing = || scene.objects.iter().enumerate().filter(|(_, object)| scene.continues_from(object));
     let flat = continuing().any(|(i, _)| regions.bit(i).is_none());
     let sided_mesh = regions.regions.iter().any(|region| scene.objects[region.object].shape.mesh().is_some());
-    names.all(&["surface/scatter/some"]);
+    names.add("surface/scatter/scattered");
+    if paths {
+        path_parts(scene, choice, names);
+    } else {
+        names.add("surface/scatter/some");
+    }
     names.add(if regions.regions.is_empty() { "surface/region_none" } else { "surface/region_set" });
     names.add(if choice.purpose.is_given() { "surface/origin_given" } else { "surface/origin_camera" });
-    names.add(if flat { "segment/last_hit_kept" } else { "segment/last_hit_none" });
+    // Paths that are in pieces are told where they left a surface.
+    let in_pieces = paths && !regions.kinds.iter().all(|kind| joins_whole(scene, kind));
+    names.add(if flat || in_pieces { "segment/last_hit_kept" } else { "segment/last_hit_none" });
     names.add(if sided_mesh { "shape/facing_sided" } else { "shape/facing_any" });
     let fans: Vec<_> = scene.fans().into_iter().map(|(_, rays)| rays).collect();
     let closed_fan = !fans.is_empty() && !regions.regions.is_empty();
@@ -159,6 +168,32 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
         }
     }
     names.add(if regions.touching.count() > 0 { "surface/touching_some" } else { "surface/touching_none" });
+    if !paths {
+        sent_parts(scene, choice, names);
+    }
+    let mut kinds: Vec<&str> = continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.part())).collect();
+    if scene.splits() {
+        kinds.push("surface/scatter/transmissive");
+    }
+    kinds.sort_unstable();
+    kinds.dedup();
+    names.all(&kinds);
+    names.make(generated::scatter(&kinds));
+    names.make(generated::regions(regions));
+}
+
+/// What a path carries, and how it goes on.
+fn path_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    names.all(&["path/carried", "path/random", "path/branch", "path/vertex", "path/scatter"]);
+    names.add("camera/sample/scrambled");
+    let glossy = scene.used_materials().any(|material| material.surface.is_glossy());
+    names.add(if glossy { "path/answer/glossy" } else { "path/answer/matte" });
+    names.add(if scene.lamps().is_empty() { "path/aim/none" } else { "path/aim/lamps" });
+    names.add(if choice.adapts(scene) { "picture/spread_none" } else { "picture/spread_kept" });
+}
+
+/// What is sent on counts for so much, and which ray of two it is.
+fn sent_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     let is_gray = |material: &Material| !material.surface.continues() || material.color.is_gray();
     let kept = if scene.materials.iter().all(is_gray) { GRAY } else { "surface/weight/colored" };
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
@@ -169,15 +204,6 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     };
     weight_parts(weight, names);
     names.add(branch);
-    let mut kinds: Vec<&str> = continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.part())).collect();
-    if scene.splits() {
-        kinds.push("surface/scatter/transmissive");
-    }
-    kinds.sort_unstable();
-    kinds.dedup();
-    names.all(&kinds);
-    names.make(generated::scatter(&kinds));
-    names.make(generated::regions(regions));
 }
 
 const GRAY: &str = "surface/weight/gray";

@@ -3,7 +3,7 @@
 use super::names::Names;
 use super::regions::{Motion, RegionKind, Regions};
 use super::unit::Unit;
-use super::{ProgramError, Purpose, formula, generated};
+use super::{Choice, ProgramError, Purpose, formula, generated};
 use crate::model::law::SOLVED_PARTS;
 use crate::model::method::Path;
 use crate::model::{ClosedForm, Start};
@@ -12,10 +12,11 @@ use crate::scene::{Scene, Shadows};
 /// The parts of one kind of region.
 pub(super) fn region_parts(
     scene: &Scene,
-    purpose: Purpose,
+    choice: &Choice,
     regions: &Regions,
     kind: &RegionKind,
 ) -> Result<Vec<Unit>, ProgramError> {
+    let purpose = choice.purpose;
     let mut names = Names::default();
     names.add(if kind.leaps { "motion/leap_sphere" } else { "motion/leap_none" });
     if let Some(index) = &kind.index {
@@ -32,6 +33,7 @@ pub(super) fn region_parts(
     names.add(if chords || kind.is_line() { "segment/curve_line" } else { "segment/curve_arc" });
     names.add(match (joins_whole(scene, kind), scene.has_shadows(Shadows::Straight)) {
         (true, _) => "segment/join_whole",
+        (false, _) if choice.follows_paths(scene) => "segment/join_scattered",
         (false, false) => "segment/join_pieces",
         (false, true) => "segment/join_lit",
     });

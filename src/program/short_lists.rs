@@ -33,6 +33,7 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         ("point_lights", points),
         ("directional_lights", plain().count() - points),
         ("shot_lights", shot),
+        ("lamps", scene.lamps().len()),
         ("grid_lights", grids),
     ];
     others.into_iter().chain(placed).collect()

@@ -21,6 +21,8 @@ use crate::program::{Role, constant};
 pub(super) struct Moments {
     /// Mean red, green, blue and alpha.
     pub color: [f32; 4],
+    /// The sums of the squared distances of its own samples from their mean, red, green and blue.
+    pub squares: [f32; 3],
     /// Rays that it took: that through its corner, and its own samples.
     pub rays: u32,
 }
@@ -78,7 +80,8 @@ impl Renderer<'_> {
         let rays = constant("picture/adaptive", "RAYS") as u32;
         let moments = |words: &[u32]| {
             let color = [words[0], words[1], words[2], words[3]].map(f32::from_bits);
-            Moments { color, rays: words[7] & rays }
+            let squares = [words[4], words[5], words[6]].map(f32::from_bits);
+            Moments { color, squares, rays: words[7] & rays }
         };
         Ok(Some(words.chunks_exact(8).map(moments).collect()))
     }

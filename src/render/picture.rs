@@ -3,10 +3,11 @@
 use std::time::Instant;
 
 use super::clock::Clock;
+use super::noise::luminance;
 use super::readback::read_texture;
 use super::renderer::Walks;
 use super::sample::Sample;
-use super::{Adaptive, RenderError, Renderer, Totals, Window};
+use super::{Adaptive, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
 use crate::program::{Channel, Layer, Role};
 
@@ -57,7 +58,8 @@ impl Renderer<'_> {
     ) -> Result<Totals, RenderError> {
         let started = Instant::now();
         let mut clock = Clock::new(self.gpu, self.settings.apart);
-        let mut totals = Totals { adaptive: self.adaptive(), ..Totals::default() };
+        let noise = self.scene.rays.paths.map(|_| Noise::default());
+        let mut totals = Totals { adaptive: self.adaptive(), noise, ..Totals::default() };
         let height = self.window().size[1];
         let next = self.current().render_rows(0, rows, &mut clock, progress, &mut totals)?;
         if next < height {
@@ -114,7 +116,7 @@ impl Renderer<'_> {
                     made = again;
                 }
                 pixels_done += pixels;
-                self.read_tile(made, left, &mut band)?;
+                self.read_tile(made, left, &mut band, totals.noise.as_mut())?;
             }
             rows(band)?;
         }
@@ -158,7 +160,7 @@ impl Renderer<'_> {
         if self.read_tally(&tile, &mut totals, None)? == Walks::Unfinished {
             return if self.is_whole() { self.go_over()?.first_sample() } else { self.first_sample() };
         }
-        self.read_tile(&tile, 0, &mut band)?;
+        self.read_tile(&tile, 0, &mut band, None)?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(Rendering { band, totals })
     }
@@ -192,8 +194,9 @@ impl Renderer<'_> {
         Ok(())
     }
 
-    fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band) -> Result<(), RenderError> {
+    fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band, noise: Option<&mut Noise>) -> Result<(), RenderError> {
         let moments = self.read_moments(tile)?;
+        let errors = self.read_errors(tile, moments.as_deref())?;
         let at = TilePlace { left, width: tile.size[0], margin: self.settings.choice.margin(&self.scene) };
         let weight = 1.0 / self.scene.image.samples as f32;
         let planes = band.color.iter_mut().chain(&mut band.alpha);
@@ -208,6 +211,10 @@ impl Renderer<'_> {
         }
         for &layer in &self.settings.choice.layers {
             let words = match (layer, &moments, tile.texture(&Role::Layer(layer))) {
+                (Layer::Error, ..) => match &errors {
+                    Some(errors) => errors.iter().map(|error| error.to_bits()).collect(),
+                    None => continue,
+                },
                 (Layer::Samples, Some(moments), _) => moments.iter().map(|moments| moments.rays).collect(),
                 (Layer::Samples, None, _) => {
                     vec![self.scene.image.samples; tile.size.map(|n| n as usize).iter().product()]
@@ -216,6 +223,17 @@ impl Renderer<'_> {
                 _ => continue,
             };
             at.put_layer(layer, band, &words);
+        }
+        if let (Some(errors), Some(noise)) = (errors, noise) {
+            let mut own = vec![0.0; band.width as usize * band.rows as usize];
+            at.put(&mut own, band.width, errors.into_iter());
+            let columns = at.left..at.left + tile.size[0] - at.margin;
+            for (row, errors) in own.chunks_exact(band.width as usize).enumerate() {
+                for column in columns.clone().map(|column| column as usize) {
+                    let at = row * band.width as usize + column;
+                    noise.add(luminance(&band.color, at), errors[column]);
+                }
+            }
         }
         Ok(())
     }
@@ -264,7 +282,7 @@ impl TilePlace {
 
 fn empty_plane(layer: Layer, pixels: usize) -> Plane {
     match layer {
-        Layer::Depth => Plane::Scalar(vec![0.0; pixels]),
+        Layer::Depth | Layer::Error => Plane::Scalar(vec![0.0; pixels]),
         Layer::Position | Layer::Normal | Layer::Way => {
             Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]])
         }

@@ -16,7 +16,7 @@ use crate::gpu::{
     Built, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
 use crate::model::{Control, Value};
-use crate::program::{BindingKind, Layout, Program, Regions, Role};
+use crate::program::{BindingKind, Layout, Program, Purpose, Regions, Role};
 use crate::scene::Scene;
 
 /// In so many rounds of a sample and more most pixels rest, so that a pass costs more than the ended rays that it drops: passes
@@ -61,10 +61,14 @@ impl<'a> Renderer<'a> {
     /// Links, compiles and uploads.
     pub(super) fn of(
         gpu: &'a Gpu,
-        scene: Cow<'a, Scene>,
+        mut scene: Cow<'a, Scene>,
         mut settings: RenderSettings,
         grids: LightGrids,
     ) -> Result<Self, RenderError> {
+        // Whatever rays are followed for besides a picture, they end where they meet a surface.
+        if settings.choice.purpose != Purpose::Picture && scene.rays.paths.is_some() {
+            scene.to_mut().rays.paths = None;
+        }
         let given = settings.choice.purpose.is_given();
         if !given && scene.camera.is_none() {
             return Err(RenderError::NoCamera);
@@ -104,8 +108,11 @@ impl<'a> Renderer<'a> {
     }
 
     /// Goes on with another scene of the same program.
-    pub(super) fn change_scene(&mut self, scene: Scene, grids: LightGrids) -> Result<(), RenderError> {
+    pub(super) fn change_scene(&mut self, mut scene: Scene, grids: LightGrids) -> Result<(), RenderError> {
         let RenderSettings { window, choice, .. } = &self.settings;
+        if choice.purpose != Purpose::Picture {
+            scene.rays.paths = None;
+        }
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }

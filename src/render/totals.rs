@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::LazyLock;
 use std::time::Duration;
 
+use super::Noise;
 use crate::program::constant;
 
 /// How a ray ended.
@@ -139,6 +140,8 @@ pub struct Totals {
     pub wall: Duration,
     /// What adaptive sampling came to, where the scene asks for it.
     pub adaptive: Option<Adaptive>,
+    /// How noisy the picture is, if it is made of random paths.
+    pub noise: Option<Noise>,
 }
 
 impl Totals {
@@ -223,6 +226,9 @@ impl fmt::Display for Totals {
         }
         if let Some(adaptive) = &self.adaptive {
             write!(f, "; {adaptive}")?;
+        }
+        if let Some(noise) = &self.noise {
+            write!(f, "; {noise}")?;
         }
         Ok(())
     }

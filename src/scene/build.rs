@@ -91,6 +91,7 @@ impl Rays {
             leaps: true,
             branches: Branches::Enumerated(4),
             accelerate: Accelerate::Auto,
+            paths: None,
         }
     }
 }

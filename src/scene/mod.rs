@@ -10,6 +10,7 @@
 mod build;
 mod check;
 mod followed;
+mod lamps;
 mod lights;
 mod optics;
 mod rays;
@@ -29,8 +30,9 @@ pub use crate::model::{
     StereoLayout, Substance, Surface,
 };
 pub use followed::follow_as;
+pub use lamps::Lamp;
 pub use lights::{Light, LightGrid, LightSource, Shadows};
-pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Precision, Rays, Segment};
+pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};
 pub use reference::{REFERENCE, TEMPLATE, reference_markdown};
 
 use std::sync::Arc;
@@ -136,10 +138,15 @@ impl Scene {
         self.material_of(object).is_some_and(|material| material.surface.continues())
     }
 
+    /// The materials of its objects, each as often as it is used.
+    pub fn used_materials(&self) -> impl Iterator<Item = &Material> {
+        self.objects.iter().filter_map(|object| self.material_of(object))
+    }
+
     /// Does a ray continue from some surface?
     #[must_use]
     pub fn scatters(&self) -> bool {
-        self.splits() || self.objects.iter().any(|object| self.continues_from(object))
+        self.rays.paths.is_some() || self.splits() || self.objects.iter().any(|object| self.continues_from(object))
     }
 
     /// What surfaces send rays on in several directions by a law of the user's own, by their materials' places.
@@ -174,7 +181,8 @@ impl Scene {
     #[must_use]
     pub fn demands(&self) -> Demands {
         let ends = self.rays.length.is_some();
-        Optics { law: Some(&*self.law), objects: &self.objects, materials: &self.materials }
+        let paths = self.rays.paths;
+        Optics { law: Some(&*self.law), objects: &self.objects, materials: &self.materials, paths }
             .demands(ends, self.rays.segment.has_chords())
     }
 

@@ -4,7 +4,7 @@ use crate::document::reader::TableReader;
 use crate::model::method::Demands;
 use crate::model::{Law, Material, Medium, Object, Order};
 
-use super::{Precision, Segment};
+use super::{Paths, Precision, Segment};
 
 /// As much of a scene as decides how its rays can be followed.
 #[derive(Clone, Copy)]
@@ -15,6 +15,8 @@ pub(super) struct Optics<'a> {
     pub objects: &'a [Object],
     /// Theirs.
     pub materials: &'a [Material],
+    /// Does light go from surface to surface?
+    pub paths: Option<Paths>,
 }
 
 impl Optics<'_> {
@@ -24,6 +26,9 @@ impl Optics<'_> {
 
     /// Is there an opaque surface from which rays continue?
     fn has_continuing_surface(&self) -> bool {
+        if self.paths.is_some() {
+            return !self.objects.is_empty();
+        }
         let continues = |material: usize| self.materials.get(material).is_some_and(|m| m.surface.continues());
         self.objects.iter().filter_map(Object::material).any(continues)
     }

@@ -33,6 +33,27 @@ pub struct Rays {
     pub branches: Branches,
     /// How the objects that a segment may meet are searched.
     pub accelerate: Accelerate,
+    /// Does light go from surface to surface, and how far? Else what surfaces show is the light of the scene's lights.
+    pub paths: Option<Paths>,
+}
+
+/// `[paths]`: how paths are followed from surface to surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Paths {
+    /// Surfaces that send a path on, at most; as many as light needs without.
+    pub depth: Option<u32>,
+    /// Surfaces that send it on before roulette may end it.
+    pub roulette: u32,
+    /// Does one more ray leave each place towards the lamps?
+    pub aim: bool,
+    /// What its random numbers begin with.
+    pub seed: u32,
+}
+
+impl Default for Paths {
+    fn default() -> Self {
+        Self { depth: None, roulette: 4, aim: true, seed: 0 }
+    }
 }
 
 /// What stands between a segment and the objects. All give the same picture.

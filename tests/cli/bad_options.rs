@@ -76,7 +76,7 @@ fn changes_that_do_not_suit_the_scene_exit_with_1() {
         ("--set rays.bound.radius=nan", &["--set rays.bound.radius=nan:1:19: not a finite number"]),
         ("--set rays.bound=abc", &[":1:12: expected a table, found the string \"abc\""]),
         ("--set objects.3.radius=1", &[":1:1: `objects` has 1 entries, counted from 0, and none is `3`"]),
-        ("--set image.samples=0", &["--set image.samples=0:1:15: expected a whole number, 1 to 4096, found 0"]),
+        ("--set image.samples=0", &["--set image.samples=0:1:15: expected a whole number, 1 to 1048576, found 0"]),
     ];
     for (arguments, texts) in cases {
         folder.run(&format!("render scene.toml -o a.png {arguments}")).fails(1, texts).says(&["1 mistake found"]);

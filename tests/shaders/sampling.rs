@@ -104,7 +104,9 @@ fn progressive_samples() {
     let inputs: Vec<[Vec4; 1]> = (0..SIDE * SIDE)
         .flat_map(|i| (0..COUNT).map(move |s| [Vec4::new(pixel(i)[0] as f32, pixel(i)[1] as f32, s as f32, 0.0)]))
         .collect();
-    let probe = Probe::new(&["state/work", "camera/sample/sobol", "camera/sample/progressive"]).stub(FRAME);
+    let probe =
+        Probe::new(&["state/work", "camera/sample/scrambled", "camera/sample/sobol", "camera/sample/progressive"])
+            .stub(FRAME);
     let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)) - p0.xy, 0.0, 0.0));";
     let out = probe.run::<1, 1>(&gpu(), body, &inputs);
     let mut patterns = BTreeSet::new();

@@ -5,3 +5,8 @@ const PHONG: u32 = 1u;
 fn radiance_phong(material: Material, color: vec3f, lit: Lit) -> vec3f {
     return material.emission + material.ambient * color + lit_radiance(material, color, lit);
 }
+
+// On a path the highlight is a glossy lobe, and there is no ambient light.
+fn answer_phong(material: Material, color: vec3f) -> Answer {
+    return Answer(material.emission, color, material.specular, material.shininess);
+}

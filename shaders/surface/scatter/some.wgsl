@@ -1,28 +1,5 @@
 // From some surfaces rays go on: what met one is looked at, and where it is reflected or refracted, it is under way again.
 
-// What becomes of a ray at such a surface.
-struct Scattered {
-    v: Real3,
-    // What its weight is multiplied by.
-    weight: vec3f,
-    // It is followed no further.
-    cut: bool,
-    // False where the surface is opaque: there it ends.
-    continues: bool,
-}
-
-// Which of its two rays is followed where a surface both reflects and transmits.
-struct Branch {
-    reflects: bool,
-    // What the ray's weight is multiplied by.
-    weight: f32,
-    // It is followed no further.
-    cut: bool,
-}
-
-// A path whose weight has fallen this low adds nothing that a float of the picture could show.
-const DARK: f32 = 1e-8;
-
 fn may_scatter(code: u32) -> bool {
     return code == HIT;
 }

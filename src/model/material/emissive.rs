@@ -2,23 +2,63 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::{Kind, Surface, pattern};
 use crate::document::keys;
+use crate::document::values::{boolean, color};
+use crate::model::{Row, row};
 
 pub static KIND: Kind = Kind {
     name: "emissive",
     keys: keys! {
         color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "required", "radiance, linear";
+        diffuse: "[red, green, blue]" = "[0, 0, 0]", "what it gives back of other light, on paths";
+        aim: "true | false" = "true", "whether paths aim at it";
     },
-    read: |table, files| Some((pattern::read(table, "color", None, files)?, Arc::new(Emissive))),
+    read: |table, files| {
+        let usual = Emissive::default();
+        let emissive = Emissive {
+            diffuse: table.or("diffuse", usual.diffuse, color),
+            is_aimed_at: table.or("aim", usual.is_aimed_at, boolean),
+        };
+        Some((pattern::read(table, "color", None, files)?, Arc::new(emissive)))
+    },
 };
 
 /// Radiates its colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Emissive;
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Emissive {
+    /// The part of other light that it gives back, on paths.
+    pub diffuse: DVec3,
+    /// Do paths aim at it?
+    pub is_aimed_at: bool,
+}
+
+impl Default for Emissive {
+    fn default() -> Self {
+        Self { diffuse: DVec3::ZERO, is_aimed_at: true }
+    }
+}
 
 impl Surface for Emissive {
     fn part(&self) -> &'static str {
         "surface/material/emissive"
+    }
+
+    fn values(&self) -> Row {
+        row! { specular: Vec3(self.diffuse) }
+    }
+
+    fn emission(&self, color: DVec3) -> DVec3 {
+        color
+    }
+
+    fn is_aimed_at(&self) -> bool {
+        self.is_aimed_at
+    }
+
+    fn albedo(&self, _color: DVec3) -> DVec3 {
+        self.diffuse
     }
 }

@@ -75,6 +75,11 @@ impl Surface for Fan {
         true
     }
 
+    /// What its rays weigh is for the user to say.
+    fn albedo(&self, color: DVec3) -> DVec3 {
+        color
+    }
+
     fn fan(&self) -> Option<&[FanRay]> {
         Some(&self.0)
     }

@@ -28,4 +28,8 @@ impl Surface for Mirror {
     fn continues(&self) -> bool {
         true
     }
+
+    fn albedo(&self, color: DVec3) -> DVec3 {
+        color
+    }
 }

@@ -14,9 +14,11 @@ mod phong;
 use std::fmt;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::same::same;
 use super::{Row, Same};
-use crate::assets::{FanRay, Files};
+use crate::assets::{FanRay, Files, Picture};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
@@ -76,6 +78,24 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
         None
     }
 
+    /// What it radiates by itself, on the mean; `color` is that of its pattern.
+    fn emission(&self, _color: DVec3) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    /// Do paths aim at it, if it emits?
+    fn is_aimed_at(&self) -> bool {
+        true
+    }
+
+    /// The part of the light that it gives back at most, where its pattern has this colour.
+    fn albedo(&self, color: DVec3) -> DVec3;
+
+    /// Does it give back light about the mirror's direction?
+    fn is_glossy(&self) -> bool {
+        false
+    }
+
     /// Is it lit by the scene's lights?
     fn is_lit(&self) -> bool {
         false
@@ -84,8 +104,9 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
 
 same!(Surface);
 
-/// The names of all materials, and those that can be used, both in the order of the file.
-pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files) -> (Vec<&'a str>, Vec<Material>) {
+/// The names of all materials, and those that can be used, both in the order of the file. On `paths` none may give back more light than
+/// it gets.
+pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files, paths: bool) -> (Vec<&'a str>, Vec<Material>) {
     let Some(table) = root.subtable("materials", "materials") else {
         return (Vec::new(), Vec::new());
     };
@@ -93,8 +114,21 @@ pub(crate) fn read<'a>(root: &TableReader<'_, 'a>, files: &mut Files) -> (Vec<&'
     let materials = table.entries().filter_map(|(name, node)| {
         let table = table.reader.open("materials.NAME", node)?;
         let read = KINDS.chosen(&table).and_then(|read| read(&table, files));
+        let material = read.map(|(color, surface)| Material { name: name.to_owned(), color, surface });
+        if let Some(material) = material.as_ref().filter(|_| paths) {
+            check_albedo(&table, material, &files.pictures());
+        }
         table.finish();
-        read.map(|(color, surface)| Material { name: name.to_owned(), color, surface })
+        material
     });
     (names, materials.collect())
+}
+
+/// A surface that gave back more light than it gets would make a path's light grow without end.
+fn check_albedo(table: &TableReader, material: &Material, pictures: &[Picture]) {
+    let albedo = material.surface.albedo(material.color.largest(pictures)).max_element();
+    if albedo > 1.0 + 1e-9 {
+        let problem = format!("this surface gives back up to {albedo:.4} of the light that it gets");
+        table.fault(&[], problem, "on paths its parts must add up to 1 or less in every channel");
+    }
 }

@@ -1,8 +1,8 @@
 //! A colour over a surface's (u, v).
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 
-use crate::assets::Files;
+use crate::assets::{Files, Picture};
 use crate::document::reader::TableReader;
 use crate::document::values::{array, color, extents_2d};
 use crate::document::{Node, Value};
@@ -41,6 +41,33 @@ impl Pattern {
             Self::Constant(color) => gray(color),
             Self::Checker { colors, .. } => colors.iter().all(gray),
             Self::Picture { .. } => false,
+        }
+    }
+
+    /// Its mean over the surface; `pictures` are the scene's.
+    #[must_use]
+    pub fn mean(&self, pictures: &[Picture]) -> DVec3 {
+        match self {
+            Self::Constant(color) => *color,
+            Self::Checker { colors: [first, second], .. } => 0.5 * (*first + *second),
+            Self::Picture { picture, .. } => {
+                let pixels = pictures.get(*picture).map_or(&[][..], |picture| &picture.pixels);
+                let sum: DVec3 = pixels.iter().map(|pixel| Vec3::from(*pixel).as_dvec3()).sum();
+                sum / pixels.len().max(1) as f64
+            }
+        }
+    }
+
+    /// Each channel's largest value.
+    #[must_use]
+    pub fn largest(&self, pictures: &[Picture]) -> DVec3 {
+        match self {
+            Self::Constant(color) => *color,
+            Self::Checker { colors: [first, second], .. } => first.max(*second),
+            Self::Picture { picture, .. } => {
+                let pixels = pictures.get(*picture).map_or(&[][..], |picture| &picture.pixels);
+                pixels.iter().fold(DVec3::ZERO, |most, pixel| most.max(Vec3::from(*pixel).as_dvec3()))
+            }
         }
     }
 

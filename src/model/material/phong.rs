@@ -69,4 +69,16 @@ impl Surface for Phong {
     fn is_lit(&self) -> bool {
         true
     }
+
+    fn emission(&self, _color: DVec3) -> DVec3 {
+        self.emission
+    }
+
+    fn albedo(&self, color: DVec3) -> DVec3 {
+        color + self.specular
+    }
+
+    fn is_glossy(&self) -> bool {
+        self.specular != DVec3::ZERO
+    }
 }

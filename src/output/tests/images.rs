@@ -42,6 +42,7 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
                 (Layer::Object, id(1)),
                 (Layer::Status, id(3)),
                 (Layer::Samples, id(5)),
+                (Layer::Error, Plane::Scalar(plane(12))),
             ],
         });
         first_row += rows;

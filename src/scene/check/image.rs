@@ -6,13 +6,15 @@ use crate::scene::{Image, SamplePattern};
 
 /// Samples that an adaptive pixel takes at once: as many again each time that it goes on.
 const FIRST_SAMPLES: u32 = 16;
+/// The last number of samples at which it can.
+const MOST_ADAPTIVE: u32 = 32_768;
 
 pub fn read(root: &TableReader) -> Image {
     let mut image = Image::default();
     let Some(table) = root.subtable("image", "image") else { return image };
     let size = array("two whole numbers, [width, height]", whole(1..=65_536));
     image.size = table.or("size", image.size, size);
-    let samples = table.optional("samples", whole(1..=4096));
+    let samples = table.optional("samples", whole(1..=1_048_576));
     let patterns = &[("multi-jittered", SamplePattern::MultiJittered), ("progressive", SamplePattern::Progressive)];
     let pattern = table.optional("pattern", word(patterns));
     let tolerance =
@@ -30,9 +32,13 @@ pub fn read(root: &TableReader) -> Image {
 
 /// What goes with adaptive sampling.
 fn check_adaptive(table: &TableReader, samples: Option<u32>, pattern: Option<SamplePattern>) {
-    if let Some(samples) = samples.filter(|n| *n < FIRST_SAMPLES || !n.is_power_of_two()) {
+    if let Some(samples) = samples.filter(|n| *n < FIRST_SAMPLES || *n > MOST_ADAPTIVE || !n.is_power_of_two()) {
         let problem = format!("adaptive sampling takes 16, 32, 64, … samples, and cannot stop at {samples}");
-        table.fault(&["samples"], problem, "give a power of two from 16 to 4096, or leave `samples` out, for up to 64");
+        table.fault(
+            &["samples"],
+            problem,
+            "give a power of two from 16 to 32768, or leave `samples` out, for up to 64",
+        );
     }
     if pattern == Some(SamplePattern::MultiJittered) {
         let problem =

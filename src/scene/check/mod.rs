@@ -6,6 +6,7 @@
 
 mod animation;
 mod image;
+mod paths;
 mod rays;
 mod regions;
 mod sky;
@@ -74,21 +75,25 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let law = law::read(&root, files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
+    let paths = paths::read(&root, table.as_ref(), law.as_deref());
     let camera = camera::read(&root, law.as_deref(), image.size);
     let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
     let sky = sky::read(&root, files);
     let output = output(&root);
-    let (names, materials) = material::read(&root, files);
+    let (names, materials) = material::read(&root, files, paths.is_some());
     let placed = shape::read(&root, &names, bound.map(|bound| (bound.center, bound.radius)), files);
     regions::check(reader, &placed, &materials);
     let objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
-    let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials };
+    let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials, paths };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
     let chords = rays.as_ref().is_some_and(|rays| rays.segment.has_chords());
     let lights = lights(&root, bound.map_or(1.0, |bound| bound.radius), &optics);
     if chords && lights.iter().any(|light| light.shadows == Shadows::Shooting) {
         let help = "use segment = \"arc\", or shadows = \"straight\"";
         root.fault(&["lights"], "shooting follows arcs, and these rays are chords", help);
+    }
+    if paths.is_some() {
+        paths::refuse(&root, &lights);
     }
     let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
     root.finish();

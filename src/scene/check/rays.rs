@@ -63,7 +63,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     if let (true, Some(law), Some(bound)) = (asymptotic, optics.law, bound) {
         check_asymptotic(&table, law, bound);
     }
-    let branches = table.or("branches", Branches::Enumerated(4), branches);
+    let branches = branching(&table, optics);
     let accelerate = table.or("accelerate", Accelerate::Auto, word(ACCELERATE));
     optics.check(&table, segment, asymptotic, precision);
     table.finish();
@@ -81,7 +81,19 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         leaps: true,
         branches,
         accelerate,
+        paths: optics.paths,
     })
+}
+
+/// What is followed where a surface splits a ray: on paths one of the two.
+fn branching(table: &TableReader, optics: &Optics) -> Branches {
+    let usual = if optics.paths.is_some() { Branches::Random } else { Branches::Enumerated(4) };
+    let wanted = table.or("branches", usual, branches);
+    if optics.paths.is_some() && wanted != Branches::Random {
+        let problem = "a path goes on in one way, drawn at random, wherever a surface splits it";
+        table.fault(&["branches"], problem, "leave it out, or write \"random\"");
+    }
+    wanted
 }
 
 /// The method that the scene names, or the one that what it says calls for; none where a calibration finds it, or where closed forms

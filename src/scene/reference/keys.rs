@@ -34,11 +34,12 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             objects: "array of tables" = "[]", "things to hit";
             lights: "array of tables" = "[]",
                 "lights for phong materials; they shine in straight lines, without shadows or fall-off";
+            paths if r#"transport = "paths""#: "table" = "{}", "how light goes from surface to surface";
             animation: "table" = "none", "what changes from frame to frame, for `render --frames`";
         }
         "image" {
             size: "[width, height], 1 to 65536" = "[800, 600]", "pixels";
-            samples: "whole number, 1 to 4096" = "1", "rays a pixel; with `adaptive` the most that one may take, a power of two from 16 and by default 64";
+            samples: "whole number, 1 to 1048576" = "1", "rays a pixel; with `adaptive` the most that one may take, a power of two from 16 and by default 64";
             pattern: "multi-jittered | progressive" = "multi-jittered",
                 "how they are spread: for their number, or so that any first 2, 4, 8, … are spread well; `adaptive` has it progressive";
             adaptive: "number between 0 and 1" = "none",
@@ -86,8 +87,17 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "media whose paths have a closed form are followed by it, whatever the method";
             branches: "whole number, 0 to 20, or random" = "4",
                 "where a surface splits light both rays are followed, so many times along a path; or one at random, a sample";
+            transport: "lights | paths" = "lights",
+                "what lights surfaces: the scene's lights; or all that shines, by paths from surface to surface under the law";
             accelerate: "auto | bvh | grid | none" = "auto",
                 "how objects are searched: by a hierarchy of boxes, a uniform grid, or one after the other; auto is what measures best";
+        }
+        "paths" {
+            depth: "whole number, 0 to 1000000" = "none", "surfaces that send a path on, at most; light beyond is missing";
+            roulette: "whole number, 1 to 1000000" = "4",
+                "after so many surfaces a path is given up at random, the sooner the less it weighs, and what is left weighs more";
+            aim: "true | false" = "true", "from each surface one more ray towards lamps: less noise, the same picture";
+            seed: "whole number, 0 to 4294967295" = "0", "another for another picture of the same light: other noise";
         }
         "rays.bound" {
             center: "[x, y, z]" = "[0, 0, 0]", "scene units";

@@ -58,6 +58,7 @@ const KINDS: &[&str] = &[
     "[rays]\nbound = { radius = 9 }\n[materials.m]\nkind = \"fan\"\nrays = [[\"dx\", \"dy\", \"dz\", \"1\"]]\n",
     "[law]\nkind = \"parametric\"\nx = \"t\"\ny = \"t\"\nz = \"t\"\nt = [0, 1]\n[rays]\nbound = { radius = 1 }\n",
     "[law]\nkind = \"wgsl\"\nfile = \"law.wgsl\"\n[rays]\nbound = { radius = 1 }\n",
+    "[rays]\nbound = { radius = 9 }\ntransport = \"paths\"\n[paths]\ndepth = 2\n",
     "[rays]\nbound = { radius = 1 }\n[animation]\nframes = 3\n[[animation.tracks]]\nkey = \"rays.bound.radius\"\n\
      values = [1, 2]\n",
 ];

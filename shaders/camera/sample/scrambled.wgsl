@@ -1,0 +1,31 @@
+// Numbers that are as good as random, and Sobol's first two dimensions, a (0,2)-sequence, with Owen's scrambling by hashes (Burley 2020).
+
+// PCG's output function.
+fn hashed(seed: u32) -> u32 {
+    let state = seed * 747796405u + 2891336453u;
+    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
+// Flips each bit as the bits above it and the seed say: Laine and Karras's hash, with the constants of Vegdahl, on the bits in
+// reverse.
+fn owen_scrambled(x: u32, seed: u32) -> u32 {
+    var v = reverseBits(x);
+    v ^= v * 0x3d20adeau;
+    v += seed;
+    v *= (seed >> 16u) | 1u;
+    v ^= v * 0x05526c56u;
+    v ^= v * 0x53a22864u;
+    return reverseBits(v);
+}
+
+// The second dimension; the first is the index with its bits reversed. Its matrix is Pascal's triangle of even and odd, a product of
+// five with one shift each.
+fn sobol_second(index: u32) -> u32 {
+    var v = reverseBits(index);
+    v ^= v << 16u;
+    v ^= (v & 0x00ff00ffu) << 8u;
+    v ^= (v & 0x0f0f0f0fu) << 4u;
+    v ^= (v & 0x33333333u) << 2u;
+    return v ^ ((v & 0x55555555u) << 1u);
+}

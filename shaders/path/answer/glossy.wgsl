@@ -1,0 +1,41 @@
+// Surfaces with a matte part and a glossy one, reciprocal: f = rho/pi + k (e + 2)/(2 pi) cosᵉ a, where a is the angle to the mirror's
+// direction (Lafortune and Willems 1994). The glossy part's albedo is k along the normal and less elsewhere.
+
+// Narrower lobes find their light by themselves.
+const NARROW: f32 = 500.0;
+
+// How often the matte part is chosen.
+fn matte_share(answer: Answer) -> f32 {
+    let matte = max(answer.diffuse.x, max(answer.diffuse.y, answer.diffuse.z));
+    let glossy = max(answer.gloss.x, max(answer.gloss.y, answer.gloss.z));
+    return matte / max(matte + glossy, 1e-30);
+}
+
+// cosᵉ of the angle to the mirror's direction.
+fn lobe(vertex: PathVertex, way: vec3f) -> f32 {
+    let cosine = dot(vertex.mirror, way);
+    return select(0.0, pow(max(cosine, 1e-30), vertex.answer.exponent), cosine > 0.0);
+}
+
+fn answered(vertex: PathVertex, way: vec3f) -> vec3f {
+    let gloss = (vertex.answer.exponent + 2.0) / 2.0 * lobe(vertex, way) * vertex.answer.gloss;
+    return max(dot(vertex.normal, way), 0.0) / f32(PI) * (vertex.answer.diffuse + gloss);
+}
+
+fn answer_density(vertex: PathVertex, way: vec3f) -> f32 {
+    let matte = matte_share(vertex.answer);
+    let glossy = (vertex.answer.exponent + 1.0) / (2.0 * f32(PI)) * lobe(vertex, way);
+    return matte * max(dot(vertex.normal, way), 0.0) / f32(PI) + (1.0 - matte) * glossy;
+}
+
+fn answer_way(vertex: PathVertex, u: vec2f, choice: f32) -> vec3f {
+    if choice < matte_share(vertex.answer) {
+        return way_about(vertex.normal, sqrt(1.0 - u.x), sqrt(u.x), u.y);
+    }
+    let cosine = pow(1.0 - u.x, 1.0 / (vertex.answer.exponent + 1.0));
+    return way_about(vertex.mirror, cosine, sqrt(max(1.0 - cosine * cosine, 0.0)), u.y);
+}
+
+fn answers_widely(vertex: PathVertex) -> bool {
+    return any(vertex.answer.diffuse > vec3f(0.0)) || vertex.answer.exponent < NARROW;
+}

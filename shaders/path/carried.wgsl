@@ -1,0 +1,57 @@
+// What a path carries from surface to surface, in place of a weight alone: what light at its end counts for at the camera, and the light
+// that it has found on its way. Since L/n² is kept along a ray (thesis Eq. 14), of all indices only the first and the last matter.
+
+struct Carried {
+    // The parts that surfaces have sent on.
+    weight: vec3f,
+    // n² where the camera is.
+    camera: f32,
+    // Light found so far, as the camera sees it.
+    gathered: vec3f,
+    // What emission that is met next counts for beside that which is aimed at (Veach 1997, the balance heuristic).
+    share: f32,
+    // Surfaces that sent it on so far.
+    scatterings: u32,
+    // Which of its rays is under way.
+    flight: u32,
+    // 1 once its first surface is in the picture's layers.
+    recorded: u32,
+}
+
+@group(0) @binding(43) var<storage, read_write> paths: array<Carried>;
+
+var<private> carried: Carried;
+
+// The path's own ray.
+const OWN: u32 = 0u;
+// None: it ended on a surface, or by roulette.
+const OVER: u32 = 1u;
+
+fn place_of_path(pixel: vec2u) -> u32 {
+    return pixel.y * frame.size.x + pixel.x;
+}
+
+fn load_weight(pixel: vec2u) {
+    carried = paths[place_of_path(pixel)];
+}
+
+fn store_weight(pixel: vec2u) {
+    paths[place_of_path(pixel)] = carried;
+}
+
+fn start_weight(x: Real3) {
+    let n = medium_index(x);
+    carried = Carried(vec3f(1.0), f32(n * n), vec3f(0.0), 1.0, 0u, OWN, 0u);
+}
+
+// Returns the largest of what is left.
+fn scale_weight(factor: vec3f) -> f32 {
+    carried.weight *= factor;
+    return max(carried.weight.x, max(carried.weight.y, carried.weight.z));
+}
+
+// Of light that is emitted at x towards the path.
+fn gather(radiance: vec3f, x: Real3) {
+    let n = medium_index(x);
+    carried.gathered += carried.share * carried.camera / f32(n * n) * carried.weight * radiance;
+}

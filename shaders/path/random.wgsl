@@ -1,0 +1,28 @@
+// What is random on a path: for every use of it, at every scattering of every pixel's sample, a point of the unit square. Nothing is
+// stored, and the samples of one use are Sobol's points, shuffled and scrambled (Burley 2020, padding).
+
+struct Transport {
+    // Scatterings after which a path is cut.
+    depth: u32,
+    // Scatterings after which roulette begins.
+    roulette: u32,
+    seed: u32,
+}
+
+@group(0) @binding(42) var<uniform> transport: Transport;
+
+// Uses.
+const DIRECTION: u32 = 0u;
+// Which lobe, and whether the path goes on.
+const CHOICE: u32 = 1u;
+const BRANCH: u32 = 16u;
+
+fn path_point(pixel: vec2u, own_use: u32) -> vec2f {
+    let whole = frame.origin + pixel;
+    let place = hashed(whole.x ^ hashed(whole.y ^ hashed(transport.seed)));
+    let seed = hashed(place ^ hashed(carried.scatterings ^ hashed((carried.flight << 16u) ^ own_use)));
+    let index = owen_scrambled(frame.sample, seed);
+    let x = owen_scrambled(reverseBits(index), hashed(seed ^ 0x9e3779b9u));
+    let y = owen_scrambled(sobol_second(index), hashed(seed ^ 0x51633e2du));
+    return vec2f(f32(x >> 8u), f32(y >> 8u)) / 16777216.0;
+}

@@ -1,0 +1,96 @@
+// Path tracing (thesis 4.3): a sample is one path, which goes on from every surface in one direction until it finds no more light. Each
+// part of it is a ray as any other, followed under the scene's law and through its media, so that nothing assumes that light is
+// straight: no line of sight is ever asked for.
+
+// Set in place of a primitive where a path starts just off a surface: nothing is hit before that start, and nothing is left out.
+const OFF_SURFACE: u32 = 0xfffffffeu;
+
+// What a path weighs no less than at roulette.
+const LIKELIEST: f32 = 0.95;
+
+// ray: at the start of its last segment. It comes back under way from the surface that it met, or with the status that ends it.
+fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
+    if carried.flight == OVER {
+        return ray;
+    }
+    if ray.status != HIT {
+        return met_nothing(ray, pixel);
+    }
+    let end = path_end(ray, *met);
+    let surface = met_surface(met, end.x);
+    let material = materials[surface.material];
+    let side = region_bits();
+    let scattered = scattered_at(material, surface, end, ray.index, pixel);
+    if !scattered.continues {
+        return met_matter(ray, end, surface, material, pixel);
+    }
+    carried.scatterings += 1u;
+    let cut = carried.scatterings > transport.depth || scale_weight(scattered.weight) < DARK;
+    if cut {
+        enter_set(side);
+        return ended(ray, CUT, pixel);
+    }
+    return gone_on(ray, end.x, scattered.v, end.tau, (*met).primitive);
+}
+
+// On a surface that is neither clear nor a mirror.
+fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pixel: vec2u) -> Ray {
+    let way = vec3f(normalize(end.v));
+    let across = select(vec3f(surface.across), -vec3f(surface.across), dot(vec3f(surface.across), way) > 0.0);
+    let normal = select(surface.normal, -surface.normal, dot(surface.normal, across) < 0.0);
+    let answer = answer_at(material, pattern_color(material, surface.uv));
+    gather(answer.emission, end.x);
+    if carried.flight != OWN {
+        return ended(ray, HIT, pixel);
+    }
+    if carried.recorded == 0u {
+        carried.recorded = 1u;
+        keep_layers(pixel, ray, Seen(end, vec3f(0.0), normal, surface.object + 1u));
+    }
+    if all(answer.diffuse + answer.gloss <= vec3f(0.0)) {
+        return ended(ray, HIT, pixel);
+    }
+    if carried.scatterings >= transport.depth {
+        return ended(ray, CUT, pixel);
+    }
+    let start = lit_from(end.x, surface, -way);
+    let mirror = way - 2.0 * dot(way, normal) * normal;
+    let vertex = PathVertex(start, end.tau, length(end.v), across, normal, mirror, answer);
+    let choice = path_point(pixel, CHOICE);
+    let onward = answer_way(vertex, path_point(pixel, DIRECTION), choice.x);
+    let density = answer_density(vertex, onward);
+    var weight = carried.weight * answered(vertex, onward) / max(density, 1e-30);
+    weight = select(vec3f(0.0), weight, density > 0.0 && dot(onward, across) > 0.0);
+    let left = max(weight.x, max(weight.y, weight.z));
+    let survives = select(min(left, LIKELIEST), 1.0, carried.scatterings + 1u < transport.roulette);
+    weight = select(vec3f(0.0), weight / max(survives, 1e-30), choice.y < survives && left > DARK);
+    return left_vertex(ray, vertex, onward, density, weight, pixel);
+}
+
+// The path's own ray from a vertex, of which so much is left.
+fn sent_on(ray: Ray, x: Real3, v: Real3, tau: Real, weight: vec3f) -> Ray {
+    carried.weight = weight;
+    if all(weight <= vec3f(0.0)) {
+        carried.flight = OVER;
+        return ray;
+    }
+    return gone_on(ray, x, v, tau, OFF_SURFACE);
+}
+
+// A ray of the path under way from x. One path may have so many segments, whatever surfaces lie between them.
+fn gone_on(ray: Ray, x: Real3, v: Real3, tau: Real, primitive: u32) -> Ray {
+    var next = ray;
+    if ray.index + 1u >= schedule.max_segments {
+        carried.flight = OVER;
+        next.status = EXHAUSTED;
+        return next;
+    }
+    next.phase = opaque_phase(law_start(x, v));
+    next.tau = opaque(tau);
+    next.rest = 0.0;
+    next.memory = first_memory(next.phase);
+    next.index += 1u;
+    next.status = ALIVE;
+    set_last_hit(primitive);
+    return next;
+}

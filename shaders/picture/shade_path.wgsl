@@ -1,0 +1,17 @@
+// What a path has found goes into the picture, once it is over: the light of surfaces on its way, and of the sky at its end.
+
+// ray: at the start of its last segment, which ended on `end`.
+fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
+    let seen = seen_at(ray, end);
+    if carried.flight != OVER && (ray.status == ESCAPED || ray.status == MISSED) {
+        gather(sky_radiance(vec3f(normalize(seen.end.v))), seen.end.x);
+    }
+    keep_spread(pixel, carried.gathered);
+    add_color(pixel, carried.gathered);
+    add_coverage(pixel, ray.status);
+    if carried.recorded == 0u {
+        keep_layers(pixel, ray, seen);
+    }
+    // Corners that look alike prove nothing of a path's light: no two are said to be of the same object.
+    keep_corner(pixel, ray, Seen(seen.end, seen.color, seen.normal, place_of_path(pixel)));
+}

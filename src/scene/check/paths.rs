@@ -1,0 +1,38 @@
+//! `rays.transport` and `[paths]`: whether light goes from surface to surface.
+
+use crate::document::reader::TableReader;
+use crate::document::values::{boolean, whole, word};
+use crate::model::Law;
+use crate::scene::{Light, Paths};
+
+/// The paths that light takes from surface to surface, if it does.
+pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law>) -> Option<Paths> {
+    let follows = rays.is_some_and(|rays| rays.or("transport", false, word(&[("lights", false), ("paths", true)])));
+    if let (true, Some(rays), Some(why)) = (follows, rays, law.and_then(Law::ignores_direction)) {
+        let problem = format!("light cannot go from surface to surface under this law: {why}");
+        rays.fault(&["transport"], problem, "use transport = \"lights\"");
+    }
+    let usual = Paths::default();
+    let mut paths = usual;
+    if let Some(table) = root.subtable("paths", "paths") {
+        if !follows {
+            let help = "write transport = \"paths\" in [rays], or leave [paths] out";
+            table.fault(&[], "[paths] goes with transport = \"paths\"", help);
+        }
+        paths.depth = table.optional("depth", whole(0..=1_000_000));
+        paths.roulette = table.or("roulette", usual.roulette, whole(1..=1_000_000));
+        paths.aim = table.or("aim", usual.aim, boolean);
+        paths.seed = table.or("seed", usual.seed, whole(0..=u32::MAX));
+        table.finish();
+    }
+    follows.then_some(paths)
+}
+
+/// Lights that no path can meet.
+pub fn refuse(root: &TableReader, lights: &[Light]) {
+    if !lights.is_empty() {
+        let problem = "lights without a surface are never met by a path, so that they give it nothing";
+        let help = "use a small ball of an emissive material in place of each, or transport = \"lights\"";
+        root.fault(&["lights"], problem, help);
+    }
+}

@@ -1,0 +1,45 @@
+//! What paths aim at: surfaces that emit.
+
+use glam::DVec3;
+
+use super::Scene;
+
+/// The ball about a surface that emits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lamp {
+    /// Which object.
+    pub object: usize,
+    /// The ball's middle.
+    pub center: DVec3,
+    /// Its radius.
+    pub radius: f64,
+    /// Its disk's area times the mean radiance.
+    pub power: f64,
+}
+
+/// Lamps that are aimed at: each costs every vertex a few operations.
+const MOST: usize = 64;
+
+impl Scene {
+    /// What paths aim at, in the order of the file: the brightest if there are more than 64. Light that nothing aims at is found as well, by
+    /// chance.
+    #[must_use]
+    pub fn lamps(&self) -> Vec<Lamp> {
+        if !self.rays.paths.is_some_and(|paths| paths.aim) {
+            return Vec::new();
+        }
+        let lamp = |(i, object): (usize, &super::Object)| {
+            let material = self.material_of(object)?;
+            let radiance = material.surface.emission(material.color.mean(&self.pictures));
+            let mean = radiance.element_sum() / 3.0;
+            let (center, radius) = object.ball();
+            let power = mean * std::f64::consts::PI * radius * radius;
+            (material.surface.is_aimed_at() && mean > 0.0).then_some(Lamp { object: i, center, radius, power })
+        };
+        let mut all: Vec<Lamp> = self.objects.iter().enumerate().filter_map(lamp).collect();
+        all.sort_by(|a, b| b.power.total_cmp(&a.power));
+        all.truncate(MOST);
+        all.sort_by_key(|lamp| lamp.object);
+        all
+    }
+}

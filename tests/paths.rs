@@ -1,0 +1,239 @@
+//! Paths from surface to surface: furnaces, lamps against closed forms, and the same light whatever is aimed at.
+
+use bentray::program::{Choice, Layer, Masks, Schedule};
+use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
+use bentray::scene::{Override, Scene};
+
+use glam::DVec3;
+
+use crate::support::{gpu, scene, scenes_in};
+
+/// A closed ball that glows and gives back: of L = Le/(1 − albedo) in every direction, under whatever law.
+fn furnace(law: &str, camera: &str, rest: &str) -> String {
+    format!(
+        "[image]\nsize = [24, 16]\nsamples = 4\n[camera]\nposition = {camera}\nlook_at = [3, 0.5, 0.2]\nfov = 70\n\
+         [law]\n{law}\n[rays]\nbound = {{ radius = 4 }}\ntransport = \"paths\"\n[paths]\nroulette = 100000\naim = false\n\
+         [materials.wall]\nkind = \"phong\"\ndiffuse = [0.5, 0.2, 0]\nemission = [0.5, 0.4, 0.3]\n\
+         [[objects]]\nshape = \"sphere\"\nradius = 2\nmaterial = \"wall\"\n{rest}"
+    )
+}
+
+fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
+    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+}
+
+/// Mean and standard error of a channel over the pixels of a picture, which all show the same.
+fn mean(picture: &Rendering, channel: usize) -> (f64, f64) {
+    let all: Vec<f64> = picture.band.color[channel].iter().map(|x| f64::from(*x)).collect();
+    let n = all.len() as f64;
+    let mean = all.iter().sum::<f64>() / n;
+    (mean, (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt())
+}
+
+/// Not on average: every path brings the same light.
+#[test]
+fn furnaces_are_exact_under_every_law() {
+    let sources = |falloff: &str, strength: f64| {
+        format!(
+            "kind = \"sources\"\n[[law.sources]]\nposition = [0, 0.6, 0]\nstrength = {strength}\nfalloff = {falloff}"
+        )
+    };
+    let laws = [
+        ("kind = \"straight\"".to_owned(), false),
+        (sources("\"inverse-square\"", -0.2), false),
+        (sources("{ cubic = 0.5 }", -0.2), false),
+        (sources("{ yukawa = 1.5 }", -0.3), false),
+        ("kind = \"medium\"\nindex = { kind = \"luneburg\", c = 2, radius = 2 }".to_owned(), true),
+        ("kind = \"medium\"\nindex = { kind = \"maxwell-fisheye\", n0 = 2, a = 2 }".to_owned(), true),
+        ("kind = \"medium\"\nindex = { kind = \"gaussian\", a = 1.6, radius = 3 }".to_owned(), true),
+    ];
+    for (law, is_medium) in laws {
+        for rest in [
+            "",
+            "[[objects]]\nshape = \"box\"\nmaterial = \"wall\"\nscale = 0.4\nrotate = [20, 30, 0]\ntranslate = [1.1, 0.3, 0.2]\n",
+        ] {
+            // In a medium a thing that emits inside of it would have to be as bright as its own index says.
+            if is_medium && !rest.is_empty() {
+                continue;
+            }
+            let text = furnace(&law, "[0, 0, 0]", rest);
+            let scene = scene(&text);
+            let index = |x| scene.law.medium().and_then(|medium| medium.index(x)).unwrap_or(1.0);
+            let medium = index(DVec3::ZERO) / index(DVec3::X * 2.0);
+            let picture = rendered(&scene, RenderSettings::default());
+            assert_eq!(picture.totals.unfollowed(), 0, "{law}: {}", picture.totals);
+            for (channel, expected) in [1.0, 0.5, 0.3].into_iter().enumerate() {
+                let expected = expected * medium * medium;
+                for value in &picture.band.color[channel] {
+                    assert!((f64::from(*value) / expected - 1.0).abs() < 4e-6, "{law}: {value} for {expected}");
+                }
+            }
+        }
+    }
+}
+
+/// What a floor shows of a lamp is its albedo times E/π, aimed at or not.
+#[test]
+fn lamps_light_as_closed_forms_say() {
+    let lamps = [
+        ("shape = \"sphere\"\ncenter = [0, 4, 0]\nradius = 1", 0.0625),
+        ("shape = \"sphere\"\ncenter = [3, 4, 1]\nradius = 1.5", 0.067_886_354_470_909_86),
+        ("shape = \"sphere\"\ncenter = [5, 0.5, 0]\nradius = 2", 0.023_106_085_830_083_965),
+        ("shape = \"disk\"\nscale = 1\ntranslate = [0, 2, 0]", 0.2),
+        ("shape = \"box\"\ncenter = [0, 1.98, 0]\nsize = [0.5, 1e-6, 0.5]", 0.019_876_246_392_363_97),
+    ];
+    for (lamp, form_factor) in lamps {
+        for aim in [true, false] {
+            let text = format!(
+                "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"plane\"\nheight = 1e-4\nposition = [0, 0.02, 0]\n\
+                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[rays]\nbound = {{ radius = 30 }}\ntransport = \"paths\"\n\
+                 [paths]\naim = {aim}\n[materials.floor]\nkind = \"phong\"\ndiffuse = [1, 0.5, 0]\n\
+                 [materials.lamp]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"box\"\nmaterial = \"floor\"\n\
+                 center = [0, -1, 0]\nsize = [24, 2, 24]\n[[objects]]\nmaterial = \"lamp\"\n{lamp}\n"
+            );
+            let picture = rendered(&scene(&text), RenderSettings::default());
+            let (mean, error) = mean(&picture, 0);
+            // Four standard errors, and what the camera's distance and rounding come to.
+            assert!((mean - form_factor).abs() < 4.0 * error + 3e-5 * form_factor, "{lamp}, {aim}: {mean} ± {error}");
+            assert!(error < 0.04 * form_factor, "{lamp}: {error}");
+            assert!(picture.band.color[2].iter().all(|x| *x == 0.0));
+        }
+    }
+}
+
+/// A box with two lamps, a mirror and glass under a law.
+fn room(law: &str, aims: [bool; 2], aim: bool) -> String {
+    format!(
+        "[image]\nsize = [24, 24]\nsamples = 256\n[camera]\nposition = [0, 0.2, 2.6]\nfov = 50\n[law]\n{law}\n\
+         [rays]\nbound = {{ radius = 8 }}\ntransport = \"paths\"\n[paths]\naim = {aim}\n\
+         [sky]\ncolor = [0.1, 0.2, 0.3]\n\
+         [materials.wall]\nkind = \"phong\"\ndiffuse = [0.7, 0.6, 0.5]\n\
+         [materials.shiny]\nkind = \"phong\"\ndiffuse = [0.3, 0.3, 0.3]\nspecular = [0.5, 0.5, 0.5]\nshininess = 12\n\
+         [materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.9, 0.9]\n\
+         [materials.a]\nkind = \"emissive\"\ncolor = [6, 6, 5]\naim = {}\n[materials.b]\nkind = \"emissive\"\ncolor = [5, 7, 9]\naim = {}\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, -1.5, 0]\nsize = [6, 1, 6]\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"shiny\"\ncenter = [0, 0, -2]\nsize = [6, 3, 0.5]\n\
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"mirror\"\ncenter = [-0.7, -0.5, 0]\nradius = 0.4\n\
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"a\"\ncenter = [1.2, 0.8, 0.3]\nradius = 0.5\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"b\"\ncenter = [-1.2, 0.9, -0.5]\nsize = [0.6, 0.6, 0.6]\n",
+        aims[0], aims[1]
+    )
+}
+
+/// Aims change the noise and nothing else, however far the law turns what is aimed.
+#[test]
+fn aims_do_not_change_the_light() {
+    let force =
+        "kind = \"sources\"\n[[law.sources]]\nposition = [0, 0.2, 0]\nstrength = 0.5\nfalloff = { cubic = 0.4 }";
+    for law in ["kind = \"straight\"", force] {
+        let pictures = [([true, true], true), ([true, true], false), ([true, false], true)].map(|(aims, aim)| {
+            let picture = rendered(&scene(&room(law, aims, aim)), RenderSettings::default());
+            assert_eq!(picture.totals.unfollowed(), 0, "{}", picture.totals);
+            let noise = picture.totals.noise.clone().unwrap().mean().unwrap();
+            let light =
+                picture.band.color[1].iter().map(|x| f64::from(*x)).sum::<f64>() / picture.band.color[1].len() as f64;
+            // The mean of all pixels errs by less than their own by the root of their number.
+            (light, noise * light / (picture.band.color[1].len() as f64).sqrt(), noise)
+        });
+        let [(light, error, noise), others @ ..] = pictures;
+        for (other, own, _) in others {
+            assert!((light - other).abs() < 4.0 * error.hypot(own), "{law}: {light} ± {error}, {other} ± {own}");
+        }
+        assert!(noise < 0.7 * others[0].2, "{law}: {noise} and {}", others[0].2);
+    }
+}
+
+/// Whatever cuts a path into passes, and wherever a pixel's neighbours are.
+#[test]
+fn every_schedule_gives_the_same_bits() {
+    let mut scene = scene(&room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 3"));
+    for aim in [true, false] {
+        if let Some(paths) = &mut scene.rays.paths {
+            paths.aim = aim;
+        }
+        let layers = vec![Layer::Error, Layer::Normal];
+        let of = |schedule, masks| Choice { schedule, masks, layers: layers.clone(), ..Choice::default() };
+        let usual =
+            rendered(&scene, RenderSettings { choice: of(Schedule::Whole, Masks::List), ..RenderSettings::default() });
+        for schedule in Schedule::ALL {
+            for masks in [Masks::List, Masks::Grid, Masks::Off] {
+                let settings = RenderSettings { choice: of(schedule, masks), ..RenderSettings::default() };
+                assert!(rendered(&scene, settings).band == usual.band, "{schedule:?} {masks:?}");
+            }
+        }
+        let window = Window { origin: [5, 9], size: [8, 7] };
+        let settings = RenderSettings {
+            choice: of(Schedule::Whole, Masks::List),
+            window: Some(window),
+            memory: 1 << 20,
+            ..RenderSettings::default()
+        };
+        let crop = rendered(&scene, settings);
+        for y in 0..7 {
+            let at = (9 + y) * 24 + 5;
+            assert_eq!(crop.band.color[0][y * 8..y * 8 + 8], usual.band.color[0][at..at + 8]);
+        }
+    }
+}
+
+/// Of a limit on scatterings the geometric sum is left, and the rest is counted.
+#[test]
+fn depth_cuts_paths() {
+    let mut scene = scene(&furnace("kind = \"straight\"", "[0.3, 0.1, 0]", ""));
+    let Some(paths) = &mut scene.rays.paths else { panic!() };
+    paths.depth = Some(3);
+    let picture = rendered(&scene, RenderSettings::default());
+    let expected = 0.5 * (1.0 + 0.5 + 0.25 + 0.125);
+    assert!(picture.band.color[0].iter().all(|x| (x - expected).abs() < 1e-6));
+    assert_eq!(picture.totals.count(Status::Cut), picture.totals.rays);
+}
+
+/// Glass gives light no share of its own: before a sky that is the same everywhere it cannot be seen.
+#[test]
+fn glass_under_an_even_sky_vanishes() {
+    for interior in ["1.5", "{ kind = \"luneburg\", c = 2 }", "{ kind = \"constant\", n = 2.4 }"] {
+        let text = format!(
+            "[image]\nsize = [16, 16]\nsamples = 4\n[camera]\nposition = [0, 0, 4]\nfov = 40\n[sky]\ncolor = [1, 0.5, 0.25]\n\
+             [rays]\nbound = {{ radius = 9 }}\ntransport = \"paths\"\n[[objects]]\nshape = \"sphere\"\ninterior = {interior}\n"
+        );
+        let picture = rendered(&scene(&text), RenderSettings::default());
+        for (channel, expected) in [1.0, 0.5, 0.25].into_iter().enumerate() {
+            let off = picture.band.color[channel].iter().filter(|x| (**x - expected).abs() > 2e-6).count();
+            assert_eq!(off, 0, "{interior}: {:?}", picture.totals);
+        }
+    }
+}
+
+/// The noise that is said is the noise that is there: of the same picture with other random numbers.
+#[test]
+fn the_error_is_what_seeds_differ_by() {
+    let text = room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 64");
+    let of = |seed: &str| {
+        let change: Override = format!("paths.seed={seed}").parse().unwrap();
+        let scene = Scene::parse(&text, std::path::Path::new("test.toml"), &[change]).unwrap();
+        let choice = Choice { layers: vec![Layer::Error], ..Choice::default() };
+        rendered(&scene, RenderSettings { choice, ..RenderSettings::default() })
+    };
+    let [a, b] = ["1", "2"].map(of);
+    let Some(Plane::Scalar(errors)) = a.band.layer(Layer::Error) else { panic!("no errors") };
+    let squares = |values: &[f32]| values.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>();
+    let light = |band: &bentray::render::Band, i: usize| {
+        0.2126 * band.color[0][i] + 0.7152 * band.color[1][i] + 0.0722 * band.color[2][i]
+    };
+    let apart: Vec<f32> = (0..errors.len()).map(|i| light(&a.band, i) - light(&b.band, i)).collect();
+    // Samples that are well spread err by less than as many independent ones.
+    let share = squares(&apart) / (2.0 * squares(errors));
+    assert!((0.1..1.3).contains(&share), "{share}");
+}
+
+#[test]
+fn shipped_scenes_render() {
+    let all = scenes_in("scenes/paths");
+    assert!(!all.is_empty());
+    for path in all {
+        let small = ["image.size=[32, 32]", "image.samples=4"].map(|change| change.parse().unwrap());
+        let scene = Scene::load(&path, &small).unwrap_or_else(|error| panic!("{error}"));
+        let picture = rendered(&scene, RenderSettings::default());
+        assert_eq!(picture.totals.unfollowed(), 0, "{}: {}", path.display(), picture.totals);
+    }
+}
