@@ -7,7 +7,7 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` that make up what they ask for, and all that this can be.
-const COMPUTED: [(&str, &[(&str, &str)]); 10] = [
+const COMPUTED: [(&str, &[(&str, &str)]); 11] = [
     ("part, \"ASYMPTOTE_STEPS\"", &[("real/f32", "ASYMPTOTE_STEPS"), ("real/f64", "ASYMPTOTE_STEPS")]),
     (
         "part, \"MAX_TRIES\"",
@@ -21,10 +21,25 @@ const COMPUTED: [(&str, &[(&str, &str)]); 10] = [
             ("surface/material/emissive", "EMISSIVE"),
             ("surface/material/phong", "PHONG"),
             ("surface/scatter/mirror", "MIRROR"),
+            ("surface/scatter/glossy", "GLOSSY"),
+            ("surface/scatter/frosted", "FROSTED"),
             ("surface/scatter/transmissive", "TRANSMISSIVE"),
             ("surface/pattern/constant", "CONSTANT"),
             ("surface/pattern/checker", "CHECKER"),
             ("surface/pattern/image", "IMAGE"),
+        ],
+    ),
+    (
+        "&part, &name",
+        &[
+            ("filter/even", "EVEN"),
+            ("filter/formula", "FORMULA"),
+            ("filter/color_formula", "COLOR_FORMULA"),
+            ("filter/texture/mix", "MIX"),
+            ("filter/texture/wrapped", "WRAPPED"),
+            ("filter/texture/rainbow", "RAINBOW"),
+            ("filter/texture/ramp", "RAMP"),
+            ("filter/texture/marble", "MARBLE"),
         ],
     ),
     (

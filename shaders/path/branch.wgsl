@@ -15,3 +15,8 @@ fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
     // The choices at one surface lie in the upper bits.
     return Branch(path_point(pixel, BRANCH + (index >> 16u)).x < reflectance, 1.0, false);
 }
+
+// Is what media add here not in another branch's sum already?
+fn glow_is_new() -> bool {
+    return true;
+}

@@ -17,6 +17,7 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         return met_nothing(ray, pixel);
     }
     let end = path_end(ray, *met);
+    filter_last(ray, end);
     let surface = met_surface(met, end.x);
     let material = materials[surface.material];
     let side = region_bits();
@@ -25,7 +26,8 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         return met_matter(ray, end, surface, material, pixel);
     }
     carried.scatterings += 1u;
-    let cut = carried.scatterings > transport.depth || scale_weight(scattered.weight) < DARK;
+    let left = scale_weight(scattered.weight);
+    let cut = scattered.cut || carried.scatterings > transport.depth || left < DARK;
     if cut {
         enter_set(side);
         return ended(ray, CUT, pixel);
@@ -53,7 +55,8 @@ fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pi
     if carried.scatterings >= transport.depth {
         return ended(ray, CUT, pixel);
     }
-    let start = lit_from(end.x, surface, -way);
+    // On the surface itself first: how far off a long way ends has nothing to do with the numbers there.
+    let start = lit_from(end.x - surface.gap * surface.across, surface, -way);
     let mirror = way - 2.0 * dot(way, normal) * normal;
     let vertex = PathVertex(start, end.tau, length(end.v), across, normal, mirror, answer);
     let choice = path_point(pixel, CHOICE);

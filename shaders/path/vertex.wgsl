@@ -23,17 +23,3 @@ struct PathVertex {
     mirror: vec3f,
     answer: Answer,
 }
-
-// Two unit vectors square to a third, which is the last column (Duff et al. 2017).
-fn frame_about(n: vec3f) -> mat3x3f {
-    let side = select(-1.0, 1.0, n.z >= 0.0);
-    let a = -1.0 / (side + n.z);
-    let b = n.x * n.y * a;
-    return mat3x3f(vec3f(1.0 + side * n.x * n.x * a, side * b, -side * n.x), vec3f(b, side + n.y * n.y * a, -n.y), n);
-}
-
-// About an axis, at an angle of this cosine and sine, so many turns round.
-fn way_about(axis: vec3f, cosine: f32, sine: f32, turns: f32) -> vec3f {
-    let phi = 2.0 * f32(PI) * turns;
-    return normalize(frame_about(axis) * vec3f(sine * cos(phi), sine * sin(phi), cosine));
-}

@@ -4,6 +4,7 @@
 fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     let seen = seen_at(ray, end);
     if carried.flight != OVER && (ray.status == ESCAPED || ray.status == MISSED) {
+        filter_last(ray, seen.end);
         gather(sky_radiance(vec3f(normalize(seen.end.v))), seen.end.x);
     }
     keep_spread(pixel, carried.gathered);

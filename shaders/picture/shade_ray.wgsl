@@ -4,6 +4,7 @@
 // ray: at the start of its last segment, which ended on `end`.
 fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     let seen = seen_at(ray, end);
+    filter_last(ray, seen.end);
     let code = ray.status;
     var color = seen.color;
     if code == ESCAPED || code == MISSED {

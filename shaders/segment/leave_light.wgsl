@@ -73,7 +73,7 @@ fn leave_chord(a: vec3f, b: vec3f, share: f32) {
     while t < last {
         work += 1u;
         if work > WORK_LIMIT {
-            tally_status(LOST);
+            tally_at_once(LOST);
             break;
         }
         let place = a + (t + nudge) * d;
@@ -114,6 +114,6 @@ fn leave_at(index: u32, along: vec3f, size: f32) {
     atomicAdd(&light_sums[4u * index + 2u], bitcast<u32>(whole.z));
     // Half of the numbers there are: as many as the signed ones hold.
     if atomicAdd(&light_sums[4u * index + 3u], n) + n > 0x7fffffffu {
-        tally_status(LOST);
+        tally_at_once(LOST);
     }
 }

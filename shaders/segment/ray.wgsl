@@ -75,6 +75,8 @@ const UNFINISHED: u32 = 12u;
 const UNLIT: u32 = 13u;
 // Nor this: light that a voxel had no room for.
 const LOST: u32 = 14u;
+// Nor this: a stretch of a path whose filter could not be had to its tolerance, or is none: below 0, or above 1.
+const UNFILTERED: u32 = 15u;
 
 // Did the path end on a surface?
 fn ends_on_surface(code: u32) -> bool {

@@ -22,6 +22,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 break;
             }
             clear_last_hit();
+            filter_step(*ray, next);
             *segments += 1u;
             next.index += 1u;
             *ray = next;
@@ -39,6 +40,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         clear_last_hit();
         *segments += 1u;
         if code == ALIVE {
+            filter_step(*ray, next);
             next.index += 1u;
             *ray = next;
         } else {

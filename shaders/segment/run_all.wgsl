@@ -24,6 +24,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             (*ray).rejected = next.rejected;
             (*ray).status = code;
             if code == ALIVE {
+                filter_step(*ray, next);
                 *ray = next;
             } else {
                 // As exact as the record of hits.

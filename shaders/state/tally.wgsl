@@ -58,6 +58,11 @@ fn tally_statuses(code: u32, n: u32) {
     atomicAdd(&group_statuses[min(code, STATUSES - 1u)], n);
 }
 
+// What happens seldom, from any pass.
+fn tally_at_once(code: u32) {
+    atomicAdd(&tally.statuses[code], 1u);
+}
+
 // How the rays of one lane ended: eight bits for each status code, of up to 255 rays.
 struct Ends {
     counts: vec4u,

@@ -297,6 +297,13 @@ pub(super) fn warn(totals: &Totals) {
         (Status::Stalled, "stopped moving: their steps fell under what float32 resolves"),
         (Status::Failed, "became infinite or undefined: take shorter steps, or give sources a capture radius"),
     ];
+    if totals.unfiltered > 0 {
+        eprintln!(
+            "warning: on {} stretches of paths a filter could not be had to its tolerance, or is below 0 or above 1 there: raise \
+             filter.tolerance, or mend the formula",
+            totals.unfiltered
+        );
+    }
     for (status, what) in advice {
         let count = totals.count(status);
         if count > 0 {

@@ -121,6 +121,7 @@ impl Source<'_> {
             "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
             "object_materials" => Ok(Some(bytemuck::cast_slice(&g.materials).to_vec())),
             "materials" => self.materials(layout).map(Some),
+            "filters" => pack_shared(name, layout, self.filters()).map(Some),
             "lamps" => {
                 let row = |lamp: Lamp| -> Row {
                     row! { center: Vec3(lamp.center), radius: Float(lamp.radius), power: Float(lamp.power) }
@@ -152,8 +153,14 @@ impl Source<'_> {
         let fans = self.scene.fans();
         let place = |i: usize| fans.iter().position(|(material, _)| *material == i);
         let fan = |i: usize| place(i).map(|which| ("bit".into(), Uint(which as u32)));
-        let side =
-            |bit: usize| vec![("kind".into(), code("surface/scatter/transmissive")), ("bit".into(), Uint(bit as u32))];
+        let side = |bit: usize| -> Row {
+            let object = self.geometry.analysis.regions.regions[bit].object;
+            let gloss = self.scene.objects[object].interior().map(|interior| interior.gloss).unwrap_or_default();
+            let kind = if gloss.is_smooth() { "transmissive" } else { "frosted" };
+            let kind = vec![("kind".into(), code(&format!("surface/scatter/{kind}")))];
+            let [reflect, transmit] = [gloss.reflect, gloss.transmit].map(|exponent| exponent.unwrap_or(0.0));
+            [kind, row! { bit: Uint(bit as u32), ambient: Float(reflect), shininess: Float(transmit) }].concat()
+        };
         let own = self.scene.materials.iter().enumerate().map(|(i, m)| row(m).into_iter().chain(fan(i)).collect());
         let sides = (0..self.geometry.analysis.regions.regions.len()).map(side);
         pack_shared("materials", layout, own.chain(sides))

@@ -1,11 +1,32 @@
 //! The values of media, by the names of their members in WGSL.
 
+use glam::DVec3;
+
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint};
-use crate::model::{Medium, Row};
-use crate::program::Region;
+use crate::model::{Filter, Medium, Row};
+use crate::program::{Region, constant};
 
 impl Source<'_> {
+    /// The rows of `filters`: of every region, and behind them of space.
+    pub(super) fn filters(&self) -> Vec<Row> {
+        let none = Filter::even(DVec3::ONE);
+        let objects = &self.scene.objects;
+        let of_object = |object: usize| objects[object].interior()?.filter.as_deref();
+        // Formulas are counted in the order of the file, whatever that of regions is.
+        let formulas = |objects: usize| (0..objects).filter_map(of_object).filter_map(Filter::formulas).count();
+        let row = |filter: Option<&Filter>, before: usize| {
+            let filter = filter.unwrap_or(&none);
+            let part = format!("filter/{}", filter.part());
+            let name = part.rsplit('/').next().unwrap_or_default().to_uppercase();
+            let kind = vec![("kind".into(), Uint(constant(&part, &name) as u32))];
+            [filter.values(formulas(before)), kind].concat()
+        };
+        let regions = self.geometry.analysis.regions.regions.iter();
+        let of_regions = regions.map(|region| row(of_object(region.object), region.object));
+        of_regions.chain([row(self.scene.filter.as_ref(), objects.len())]).collect()
+    }
+
     /// The rows of `regions`.
     pub(super) fn regions(&self) -> Vec<[(&'static str, Value); 5]> {
         let regions = &self.geometry.analysis.regions;

@@ -1,5 +1,7 @@
 //! What a program is for: its schedule, and what it is asked to put out.
 
+use glam::DVec3;
+
 use crate::scene::{Branches, Precision, Scene, Segment, Shadows};
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
@@ -292,6 +294,18 @@ impl Choice {
     #[must_use]
     pub fn follows_paths(&self, scene: &Scene) -> bool {
         self.purpose == Purpose::Picture && scene.rays.paths.is_some()
+    }
+
+    /// Do media take from the light of its rays?
+    #[must_use]
+    pub fn filters(&self, scene: &Scene) -> bool {
+        matches!(self.purpose, Purpose::Picture | Purpose::Light) && scene.filters().next().is_some()
+    }
+
+    /// Do media add to it?
+    #[must_use]
+    pub fn sees_glow(&self, scene: &Scene) -> bool {
+        self.purpose == Purpose::Picture && scene.filters().any(|filter| filter.glow != DVec3::ZERO)
     }
 
     /// Do pixels take as many samples as they need?

@@ -66,6 +66,27 @@ pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
     unit("generated/fans.wgsl", text)
 }
 
+/// `filter_formula(which, q)`: three numbers, one for each channel.
+pub(super) fn filters(filters: &[&[Formula; 3]]) -> Unit {
+    let (mut text, mut calls) = (String::new(), Vec::new());
+    for (which, formulas) in filters.iter().enumerate() {
+        let mut channels = Vec::new();
+        for (k, formula) in formulas.iter().enumerate() {
+            let (graph, [.., value]) = formula.graph();
+            let (lines, values) = body(graph, &[value], &["q.x", "q.y", "q.z"]);
+            let _ = writeln!(
+                text,
+                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    return f32({});\n}}\n",
+                values.join("")
+            );
+            channels.push(format!("filter_{which}_{k}(q)"));
+        }
+        calls.push((format!("{which}u"), format!("vec3f({})", channels.join(", "))));
+    }
+    text += &switch("fn filter_formula(which: u32, q: Real3) -> vec3f", "which", &calls);
+    unit("generated/filter_formulas.wgsl", text)
+}
+
 fn function(name: &str, formula: &Formula) -> String {
     let (graph, roots) = formula.graph();
     let (lines, values) = body(graph, &roots, &["q.x", "q.y", "q.z"]);

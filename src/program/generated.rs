@@ -198,6 +198,15 @@ pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str], path
     unit("generated/materials.wgsl", text)
 }
 
+/// What filters leave of light, by their kinds, and how many pieces a step is cut into at most.
+pub(super) fn filters(kinds: &[&str], pieces: u64) -> Unit {
+    let names = kinds.iter().map(|part| own_name(part));
+    let calls: Vec<_> = names.map(|kind| (kind.to_uppercase(), format!("density_{kind}(filter_at, q)"))).collect();
+    let mut text = switch("fn filter_density(filter_at: Filter, q: Real3) -> vec3f", "filter_at.kind", &calls);
+    let _ = writeln!(text, "\nconst FILTER_PIECES: u32 = {pieces}u;");
+    unit("generated/filters.wgsl", text)
+}
+
 /// The first of the picture textures' bindings; `image_K` is at this and K.
 const FIRST_IMAGE: usize = 300;
 

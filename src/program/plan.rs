@@ -7,9 +7,9 @@ use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
 use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, formula, generated, short_lists};
-use crate::model::Material;
 use crate::model::method::Path;
 use crate::model::source::SOURCES;
+use crate::model::{Filter, Material};
 use crate::scene::{Branches, Precision, Scene, Segment, Shadows};
 
 /// Steps of a chord up to which they are written out.
@@ -31,7 +31,11 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         "segment/follow_path",
         "picture/colors",
     ]);
-    names.add(if choice.follows_paths(scene) { "picture/shade_path" } else { "picture/shade_ray" });
+    names.add(match (choice.follows_paths(scene), choice.sees_glow(scene)) {
+        (true, _) => "picture/shade_path",
+        (false, true) => "picture/shade_glow",
+        (false, false) => "picture/shade_ray",
+    });
     names.all(&["state/ray", "state/active", "state/finish"]);
     names.all(match scene.rays.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
@@ -58,10 +62,40 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         material_parts(scene, choice, &mut names);
     }
     shadow_parts(scene, choice, regions, &mut names);
+    if choice.filters(scene) {
+        filter_parts(scene, choice, (regions, work), &mut names);
+    }
     let of_kind = |kind: &RegionKind| region_parts(scene, choice, regions, kind);
     let lengths = short_lists::lengths(scene, regions);
     let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
-    Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? })
+    let parts = Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? };
+    Ok(parts.without_calls(&OPTIONAL))
+}
+
+/// What a pass calls where some part has it, and else not at all.
+const OPTIONAL: [&str; 5] = ["filter_step", "filter_last", "filter_left", "filter_passed", "note_glow"];
+
+/// What media take from light on its way.
+fn filter_parts(scene: &Scene, choice: &Choice, (regions, work): (&Regions, &Work), names: &mut Names) {
+    names.add("filter/along");
+    names.add(if regions.regions.is_empty() { "filter/place_space" } else { "filter/place_regions" });
+    names.add(if choice.sees_glow(scene) { "filter/glowing" } else { "filter/dark" });
+    let mut kinds: Vec<&str> = scene.filters().map(Filter::part).collect();
+    // Where there is none it is even.
+    kinds.push("even");
+    kinds.sort_unstable();
+    kinds.dedup();
+    names.each("filter", kinds.iter().copied());
+    names.add(if kinds.contains(&"texture/wrapped") { "filter/jumping" } else { "filter/smooth" });
+    if scene.filters().any(|filter| filter.texture().is_some()) {
+        names.all(&["filter/texture/noise", "medium/fractal_noise"]);
+    }
+    let formulas: Vec<_> = scene.filters().filter_map(Filter::formulas).collect();
+    if !formulas.is_empty() {
+        names.make(formula::filters(&formulas));
+        names.add("medium/formula");
+    }
+    names.make(generated::filters(&kinds, work.filter_pieces));
 }
 
 /// Whether what is seen lies in a light's shadow.
@@ -135,7 +169,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
             "segment/last_hit_none",
             "shape/facing_any",
         ]);
-        weight_parts(if choice.purpose == Purpose::Light { LIGHT } else { "surface/weight/none" }, names);
+        weight_parts(plain_weight(scene, choice), names);
         return;
     }
     let paths = choice.follows_paths(scene);
@@ -175,6 +209,18 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
     if scene.splits() {
         kinds.push("surface/scatter/transmissive");
     }
+    if scene.is_frosted() {
+        kinds.push("surface/scatter/frosted");
+    }
+    if scene.has_lobes() {
+        names.add("surface/scatter/lobe");
+        names.add(match choice.purpose {
+            Purpose::Picture if paths => "path/lobe",
+            Purpose::Picture | Purpose::Light => "surface/scatter/lobe_random",
+            _ => "surface/scatter/lobe_axis",
+        });
+        names.add("camera/sample/scrambled");
+    }
     kinds.sort_unstable();
     kinds.dedup();
     names.all(&kinds);
@@ -184,7 +230,7 @@ fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut 
 
 /// What a path carries, and how it goes on.
 fn path_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
-    names.all(&["path/carried", "path/random", "path/branch", "path/vertex", "path/scatter"]);
+    names.all(&["path/carried", "path/random", "path/branch", "path/vertex", "path/scatter", "surface/scatter/lobe"]);
     names.add("camera/sample/scrambled");
     let glossy = scene.used_materials().any(|material| material.surface.is_glossy());
     names.add(if glossy { "path/answer/glossy" } else { "path/answer/matte" });
@@ -195,7 +241,11 @@ fn path_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
 /// What is sent on counts for so much, and which ray of two it is.
 fn sent_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     let is_gray = |material: &Material| !material.surface.continues() || material.color.is_gray();
-    let kept = if scene.materials.iter().all(is_gray) { GRAY } else { "surface/weight/colored" };
+    let kept = match plain_weight(scene, choice) {
+        "surface/weight/none" if scene.materials.iter().all(is_gray) => GRAY,
+        "surface/weight/none" => "surface/weight/colored",
+        filtered => filtered,
+    };
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
         (Purpose::Picture, Branches::Enumerated(_)) => (kept, "surface/branch/enumerated"),
         (Purpose::Picture, Branches::Random) => (kept, "surface/branch/random"),
@@ -204,6 +254,16 @@ fn sent_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     };
     weight_parts(weight, names);
     names.add(branch);
+}
+
+/// What is known of a ray's weight where no surface has changed it.
+fn plain_weight(scene: &Scene, choice: &Choice) -> &'static str {
+    match choice.purpose {
+        Purpose::Light => LIGHT,
+        Purpose::Picture if choice.sees_glow(scene) => "path/carried",
+        Purpose::Picture if choice.filters(scene) => "surface/weight/colored",
+        _ => "surface/weight/none",
+    }
 }
 
 const GRAY: &str = "surface/weight/gray";

@@ -34,6 +34,7 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         ("directional_lights", plain().count() - points),
         ("shot_lights", shot),
         ("lamps", scene.lamps().len()),
+        ("filters", regions.regions.len() + 1),
         ("grid_lights", grids),
     ];
     others.into_iter().chain(placed).collect()

@@ -60,3 +60,23 @@ pub struct Parts {
     /// The parts of each kind of region; with more than one kind each gets a copy of its own.
     pub regions: Vec<Vec<Unit>>,
 }
+
+impl Parts {
+    /// Without statements that call one of these functions, which stand on lines of their own, where no part declares it.
+    #[must_use]
+    pub(super) fn without_calls(mut self, names: &[&str]) -> Self {
+        let declared = |name: &&&str| {
+            let begins = format!("fn {name}(");
+            !self.shared.iter().any(|unit| unit.text.lines().any(|line| line.starts_with(&begins)))
+        };
+        let missing: Vec<String> = names.iter().filter(declared).map(|name| format!("{name}(")).collect();
+        for unit in &mut self.shared {
+            let is_missing = |line: &str| missing.iter().any(|call| line.trim_start().starts_with(call));
+            if unit.author == Author::BuiltIn && unit.text.lines().any(is_missing) {
+                let kept = unit.text.split_inclusive('\n').filter(|line| !is_missing(line));
+                unit.text = kept.collect::<String>().into();
+            }
+        }
+        self
+    }
+}

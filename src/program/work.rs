@@ -6,7 +6,7 @@
 use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constant, own};
 use crate::model::control::StepLoops;
 use crate::model::method::Path;
-use crate::model::{Loops, Medium};
+use crate::model::{Filter, Loops, Medium};
 use crate::scene::{Light, Object, Precision, Scene, Segment, Shadows};
 
 fn work_limit() -> u64 {
@@ -21,6 +21,8 @@ const GRID: u64 = 8 + 27 + 1;
 const WHOLE: u64 = 4_000;
 /// What integration and the analytic shapes may take of one invocation: the end of a path is found by following its last
 /// segment again, a few times over.
+/// Loop iterations that filters may take of a segment, about.
+const FILTERING: u64 = 16_000;
 const LARGEST: u64 = 20_000;
 
 /// Bounds on the loop iterations of a segment.
@@ -32,6 +34,8 @@ pub struct Work {
     pub resumed: bool,
     /// Passes over which one segment's walk may be spread.
     pub passes_per_segment: u64,
+    /// Pieces that a step is cut into, at most, where a medium filters its light.
+    pub filter_pieces: u64,
 }
 
 impl Work {
@@ -59,9 +63,12 @@ impl Work {
         } else {
             0
         };
+        let retaken =
+            u64::from(scene.rays.method.kind.evaluations) * loops.derivative + loops.scale + closed_loops(regions);
+        let (filter_pieces, filter) = filtering(scene, retaken);
         // A grid is walked piece by piece.
         let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 1);
-        let segment = steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter;
+        let segment = steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter + filter;
         if segment > LARGEST {
             let what = [
                 (steps * step, "force centres"),
@@ -82,6 +89,7 @@ impl Work {
             segment: if resumed { segment } else { whole },
             resumed,
             // Before a walk may be a segment's work, and room for as much is left behind it.
+            filter_pieces,
             passes_per_segment: if resumed { 1 + walk / (work_limit() - 2 * segment) } else { 1 },
         })
     }
@@ -110,6 +118,17 @@ fn shadows(scene: &Scene) -> u64 {
 }
 
 /// Iterations of the steps of closed forms.
+/// Pieces that a step is cut into for a filter, at most, and the loop iterations of all, if a place on a step takes so many: of a piece
+/// six evaluations and its middle, and of some the search for a jump.
+fn filtering(scene: &Scene, place: u64) -> (u64, u64) {
+    let Some(own) = scene.filters().map(Filter::loops).max() else { return (0, 0) };
+    let piece = 6 * (own + place) + place + 1;
+    let jump = (constant("filter/jumping", "JUMP_HALVINGS") as u64 + 2) * (own + place + 1);
+    let jumps = if scene.filters().any(Filter::jumps) { FILTERING / 2 / jump } else { 0 };
+    let pieces = ((FILTERING - jumps * jump) / piece).clamp(16, 1024);
+    (pieces, pieces * piece + jumps * jump)
+}
+
 fn closed_loops(regions: &Regions) -> u64 {
     let forms = regions.kinds.iter().filter_map(|kind| kind.motion.closed_form());
     regions.obstacles.len() as u64 + forms.map(|form| form.loops).max().unwrap_or(0)

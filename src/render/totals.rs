@@ -140,6 +140,8 @@ pub struct Totals {
     pub wall: Duration,
     /// What adaptive sampling came to, where the scene asks for it.
     pub adaptive: Option<Adaptive>,
+    /// Stretches of paths whose filter could not be had to its tolerance, or was none.
+    pub unfiltered: u64,
     /// How noisy the picture is, if it is made of random paths.
     pub noise: Option<Noise>,
 }
@@ -177,7 +179,7 @@ impl Totals {
 
     /// Rays in a tally, by the code of how they ended.
     fn ends(words: &[u32]) -> impl Iterator<Item = (u32, u64)> {
-        let others = ["UNLIT", "LOST"].map(|name| constant("segment/ray", name) as u32);
+        let others = ["UNLIT", "LOST", "UNFILTERED"].map(|name| constant("segment/ray", name) as u32);
         let codes = words[6..].iter().take(16).zip(0..).map(|(n, code)| (code, u64::from(*n)));
         codes.filter(move |(code, _)| !others.contains(code))
     }
@@ -196,6 +198,7 @@ impl Totals {
         let besides = |name: &str| u64::from(words[6 + constant("segment/ray", name) as usize]);
         self.unlit += besides("UNLIT");
         self.lost += besides("LOST");
+        self.unfiltered += besides("UNFILTERED");
         for (code, n) in Self::ends(words) {
             self.rays += n;
             let status = Status::from_code(code);
@@ -223,6 +226,9 @@ impl fmt::Display for Totals {
         }
         if self.unlit > 0 {
             write!(f, "; no path from a light for {} places", self.unlit)?;
+        }
+        if self.unfiltered > 0 {
+            write!(f, "; filters not known on {} stretches of paths", self.unfiltered)?;
         }
         if let Some(adaptive) = &self.adaptive {
             write!(f, "; {adaptive}")?;

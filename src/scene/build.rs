@@ -24,6 +24,7 @@ impl Scene {
             image: Image::default(),
             camera: None,
             law: Arc::new(law),
+            filter: None,
             rays: Rays::new(radius),
             sky: Sky::Color(DVec3::ZERO),
             output: Output::default(),
@@ -54,7 +55,7 @@ impl Scene {
     /// Adds a shape in a place, filled with a medium that light goes through. Of interiors that overlap, the one of the higher
     /// priority is there.
     pub fn add_interior(&mut self, shape: impl Shape, transform: Transform, medium: impl Medium, priority: u32) {
-        let substance = Substance::Clear(Interior { medium: Arc::new(medium), priority });
+        let substance = Substance::Clear(Interior { priority, ..Interior::new(Arc::new(medium)) });
         self.objects.push(Object { shape: Arc::new(shape), transform, substance });
     }
 }

@@ -25,9 +25,10 @@ pub use crate::assets::{
 };
 pub use crate::document::{KeyReference, Mistake, Override, SceneError};
 pub use crate::model::cut::{CORNERS, CutPlane, Outline};
+pub use crate::model::filter::{Density, Look, Texture};
 pub use crate::model::{
-    Camera, CameraFrame, Control, Interior, Law, Material, Medium, Method, Object, Pattern, Shape, Stereo,
-    StereoLayout, Substance, Surface,
+    Camera, CameraFrame, Control, Filter, Gloss, Interior, Law, Material, Medium, Method, Object, Pattern, Shape,
+    Stereo, StereoLayout, Substance, Surface,
 };
 pub use followed::follow_as;
 pub use lamps::Lamp;
@@ -52,6 +53,8 @@ pub struct Scene {
     pub camera: Option<Camera>,
     /// How light travels.
     pub law: Arc<dyn Law>,
+    /// What space takes from light on its way, or adds to it, where no interior is.
+    pub filter: Option<Filter>,
     /// How light is followed.
     pub rays: Rays,
     /// What an escaped ray sees.
@@ -118,6 +121,11 @@ impl Scene {
         self.law.medium().into_iter().chain(interiors).map(|medium| &**medium)
     }
 
+    /// Every filter that light passes: of interiors, and of space.
+    pub fn filters(&self) -> impl Iterator<Item = &Filter> {
+        self.objects.iter().filter_map(|object| object.interior()?.filter.as_deref()).chain(&self.filter)
+    }
+
     /// Where rays that move inwards end: as far out as `clearance` allows, the distance from a place to the nearest object; none
     /// where rays are to be followed as far as they go.
     #[must_use]
@@ -161,6 +169,18 @@ impl Scene {
     #[must_use]
     pub fn branches(&self) -> bool {
         self.splits() || self.fans().iter().any(|(_, rays)| rays.len() > 1)
+    }
+
+    /// Is there a surface from which a ray goes on in a direction that is drawn from a lobe?
+    #[must_use]
+    pub fn has_lobes(&self) -> bool {
+        self.used_materials().any(|material| material.surface.has_lobe()) || self.is_frosted()
+    }
+
+    /// Is there a clear object with a rough surface?
+    #[must_use]
+    pub fn is_frosted(&self) -> bool {
+        self.objects.iter().filter_map(Object::interior).any(|interior| !interior.gloss.is_smooth())
     }
 
     /// Is there a surface that both reflects and transmits?
@@ -209,6 +229,7 @@ impl Scene {
     #[must_use]
     pub fn is_lit_as(&self, other: &Self) -> bool {
         *self.law == *other.law
+            && self.filter == other.filter
             && self.rays == other.rays
             && self.materials == other.materials
             && self.objects == other.objects

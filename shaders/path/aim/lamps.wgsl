@@ -49,6 +49,7 @@ fn met_nothing(ray: Ray, pixel: vec2u) -> Ray {
     }
     if ray.status == ESCAPED {
         let end = path_end(ray, Hit(0.0, NOTHING));
+        filter_last(ray, end);
         gather(sky_radiance(vec3f(normalize(end.v))), end.x);
     }
     return own_ray(ray, pixel);

@@ -32,8 +32,7 @@ fn answer_way(vertex: PathVertex, u: vec2f, choice: f32) -> vec3f {
     if choice < matte_share(vertex.answer) {
         return way_about(vertex.normal, sqrt(1.0 - u.x), sqrt(u.x), u.y);
     }
-    let cosine = pow(1.0 - u.x, 1.0 / (vertex.answer.exponent + 1.0));
-    return way_about(vertex.mirror, cosine, sqrt(max(1.0 - cosine * cosine, 0.0)), u.y);
+    return lobe_way(vertex.mirror, vertex.answer.exponent, u);
 }
 
 fn answers_widely(vertex: PathVertex) -> bool {

@@ -63,3 +63,8 @@ fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
     let reflects = ((branch_code >> met) & 1u) == 1u;
     return Branch(reflects, select(1.0 - reflectance, reflectance, reflects), false);
 }
+
+// The first of all paths that share this stretch takes what media add on it: that whose later branches all transmit.
+fn glow_is_new() -> bool {
+    return ((branch_code & low_bits(MET)) >> (branch_code >> MET)) == 0u;
+}

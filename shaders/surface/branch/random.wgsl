@@ -18,3 +18,8 @@ fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
     let at = f32(((word >> 22u) ^ word) >> 8u) / 16777216.0;
     return Branch(at < reflectance, 1.0, false);
 }
+
+// Is what media add here not in another branch's sum already?
+fn glow_is_new() -> bool {
+    return true;
+}

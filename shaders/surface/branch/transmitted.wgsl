@@ -13,3 +13,7 @@ fn begin_branches(pixel: vec2u) -> bool {
 fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
     return Branch(false, 1.0, false);
 }
+
+fn glow_is_new() -> bool {
+    return true;
+}

@@ -11,11 +11,13 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     let surface = met_surface(met, end.x);
     // A ray that ends here stays on the side that it came from.
     let side = region_bits();
+    note_glow();
     let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
     var next = ray;
     if !scattered.continues {
         return next;
     }
+    filter_left(ray, end, side);
     let weight = scale_weight(scattered.weight);
     if scattered.cut || weight < DARK {
         next.status = CUT;

@@ -25,7 +25,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use super::same::same;
-use super::{Anchor, Binding, Capture, ClosedForm, Loops, Medium, Same, Wgsl};
+use super::{Anchor, Binding, Capture, ClosedForm, Filter, Loops, Medium, Same, Wgsl, filter};
 use crate::assets::Files;
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
@@ -235,13 +235,18 @@ pub struct Landmark {
     pub captures: bool,
 }
 
-/// None if the law cannot be used; straight lines if there is none.
-pub(crate) fn read(root: &TableReader, files: &mut Files) -> Option<Arc<dyn Law>> {
+/// None if the law cannot be used; straight lines if there is none. And what is left of light on its way through space.
+pub(crate) fn read(root: &TableReader, files: &mut Files) -> (Option<Arc<dyn Law>>, Option<Filter>) {
     if root.node("law").is_none() {
-        return Some(Arc::new(Straight));
+        return (Some(Arc::new(Straight)), None);
     }
-    let table = root.subtable("law", "law")?;
+    let Some(table) = root.subtable("law", "law") else { return (None, None) };
     let law = KINDS.chosen(&table).and_then(|read| read(&table, files));
+    let filter = table.node("filter").map(|node| filter::read(&table, node, DVec3::ZERO, files));
     table.finish();
-    law
+    match filter {
+        Some(None) => (None, None),
+        Some(filter) => (law, filter),
+        None => (law, None),
+    }
 }

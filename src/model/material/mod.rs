@@ -7,6 +7,7 @@
 
 mod emissive;
 mod fan;
+mod glossy;
 mod mirror;
 mod pattern;
 mod phong;
@@ -24,6 +25,7 @@ use crate::document::{self, Kinds};
 
 pub use emissive::Emissive;
 pub use fan::Fan;
+pub use glossy::Glossy;
 pub use mirror::Mirror;
 pub use pattern::Pattern;
 pub use phong::Phong;
@@ -38,7 +40,7 @@ pub static KINDS: Kinds<Read> = Kinds {
     chooser: "kind",
     meaning: "how it answers light",
     example: None,
-    all: &[&phong::KIND, &emissive::KIND, &mirror::KIND, &fan::KIND],
+    all: &[&phong::KIND, &emissive::KIND, &mirror::KIND, &glossy::KIND, &fan::KIND],
 };
 
 /// `[materials.NAME]`.
@@ -90,6 +92,11 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
 
     /// The part of the light that it gives back at most, where its pattern has this colour.
     fn albedo(&self, color: DVec3) -> DVec3;
+
+    /// Does a ray go on in a direction that is drawn from a lobe?
+    fn has_lobe(&self) -> bool {
+        false
+    }
 
     /// Does it give back light about the mirror's direction?
     fn is_glossy(&self) -> bool {

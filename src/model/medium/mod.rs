@@ -28,7 +28,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::same::same;
-use super::{Capture, ClosedForm, Loops, Row, Same, Wgsl};
+use super::{Capture, ClosedForm, Filter, Loops, Row, Same, Wgsl, filter};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive, suggest, vector};
@@ -156,13 +156,45 @@ same!(Medium);
 pub struct Interior {
     /// Its index.
     pub medium: Arc<dyn Medium>,
+    /// What it takes from light, or adds to it.
+    pub filter: Option<Box<Filter>>,
+    /// How rough its surface is.
+    pub gloss: Gloss,
     /// Where interiors overlap, the one of the higher priority is there.
     pub priority: u32,
 }
 
+/// The exponents of the lobes about a clear object's two rays (thesis 2.2.3); none where they are smooth.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Gloss {
+    /// Of what is reflected.
+    pub reflect: Option<f64>,
+    /// Of what goes through.
+    pub transmit: Option<f64>,
+}
+
+impl Gloss {
+    /// Is there none?
+    #[must_use]
+    pub fn is_smooth(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
+impl Interior {
+    /// A medium by itself.
+    #[must_use]
+    pub fn new(medium: Arc<dyn Medium>) -> Self {
+        Self { medium, filter: None, gloss: Gloss::default(), priority: 0 }
+    }
+}
+
 impl PartialEq for Interior {
     fn eq(&self, other: &Self) -> bool {
-        *self.medium == *other.medium && self.priority == other.priority
+        *self.medium == *other.medium
+            && self.filter == other.filter
+            && self.gloss == other.gloss
+            && self.priority == other.priority
     }
 }
 
@@ -220,21 +252,51 @@ pub(crate) fn read(
     around: Surroundings,
     files: &mut Files,
 ) -> Option<Arc<dyn Medium>> {
+    match &node.value {
+        Value::Table(_) => {
+            let table = parent.reader.open("medium", node)?;
+            let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
+            table.finish();
+            medium
+        }
+        _ => named(parent, node),
+    }
+}
+
+/// What an object is filled with: a medium, and in its table what belongs to interiors alone.
+pub(crate) fn read_interior(
+    parent: &TableReader,
+    node: &Node,
+    around: Surroundings,
+    files: &mut Files,
+) -> Option<Interior> {
+    if !matches!(node.value, Value::Table(_)) {
+        return named(parent, node).map(Interior::new);
+    }
+    let table = parent.reader.open("medium", node)?;
+    let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
+    let filter = table.node("filter").map(|node| filter::read(&table, node, around.center, files));
+    let [reflect, transmit] = ["reflect_exponent", "transmit_exponent"].map(|key| table.optional(key, positive));
+    table.finish();
+    let filter = match filter {
+        Some(filter) => Some(Box::new(filter?)),
+        None => None,
+    };
+    Some(Interior { filter, gloss: Gloss { reflect, transmit }, ..Interior::new(medium?) })
+}
+
+/// A medium without a table: a number or a name.
+fn named(parent: &TableReader, node: &Node) -> Option<Arc<dyn Medium>> {
     let reader = parent.reader;
     match &node.value {
-        Value::Table(_) => {}
         Value::Text(name) => {
             let names: Vec<&str> = COMMON.iter().map(|(name, _)| *name).collect();
             let known = COMMON.iter().find(|(known, _)| known == name);
             if known.is_none() {
                 reader.fault(node.fault(format!("unknown medium `{name}`"), suggest(name, &names, "media")));
             }
-            return known.map(|(_, n)| Arc::new(Constant { n: *n }) as Arc<dyn Medium>);
+            known.map(|(_, n)| Arc::new(Constant { n: *n }) as Arc<dyn Medium>)
         }
-        _ => return reader.accept(positive(node)).map(|n| Arc::new(Constant { n }) as Arc<dyn Medium>),
+        _ => reader.accept(positive(node)).map(|n| Arc::new(Constant { n }) as Arc<dyn Medium>),
     }
-    let table = reader.open("medium", node)?;
-    let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
-    table.finish();
-    medium
 }

@@ -60,12 +60,12 @@ fn substance(
         return table.required("material", "\"red\"", |node| material(node, materials)).map(Substance::Opaque);
     };
     let around = object.map_or_else(Surroundings::default, |(shape, place)| shape.surroundings(&place));
-    let medium = medium::read(table, node, around, files);
+    let interior = medium::read_interior(table, node, around, files);
     let priority = table.or("priority", 0, whole(0..=1000));
     if let Some(problem) = object.and_then(|(shape, _)| shape.opening()) {
         table.fault(&["interior"], problem, "give it a material, or close it");
     }
-    medium.map(|medium| Substance::Clear(Interior { medium, priority }))
+    interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))
 }
 
 fn material(node: &Node, materials: &[&str]) -> Read<usize> {

@@ -72,7 +72,7 @@ fn read(path: &Path) -> Result<String, SceneError> {
 pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let root = reader.root();
     let image = image::read(&root);
-    let law = law::read(&root, files);
+    let (law, filter) = law::read(&root, files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
     let paths = paths::read(&root, table.as_ref(), law.as_deref());
@@ -101,6 +101,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         image,
         camera,
         law: law?,
+        filter,
         rays: rays?,
         sky,
         output,

@@ -60,6 +60,10 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             convergence: "number above 0" = "none",
                 "the distance at which both views show the same, scene units; without it both look the same way";
         }
+        "law" {
+            filter: "[red, green, blue] or { .. }" = "none",
+                "what space leaves of light after a unit length, or adds to it: see filter";
+        }
         "law.sources" {
             position: "[x, y, z]" = "required", "a point of what it is centred on, scene units";
             strength: "number other than 0" = "required", "above 0 attracts, below 0 repels";
@@ -67,6 +71,14 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "how the force falls with distance";
             capture: "number, 0 or above" = "0",
                 "a ray that comes this near moving inwards is captured, scene units; 0 for never";
+        }
+        "medium" {
+            filter if "an object's interior": "[red, green, blue] or { .. }" = "none",
+                "what it leaves of light after a unit length, or adds to it: see filter";
+            reflect_exponent if "an object's interior": "number above 0" = "none: smooth",
+                "a rough surface: what it reflects is spread as cosᵉ of the angle to the mirror's direction";
+            transmit_exponent if "an object's interior": "number above 0" = "none: smooth",
+                "what goes through is spread so about the refracted direction; what would end on the wrong side is lost";
         }
         "rays" {
             accuracy if r#"method = "auto""#: r#"number above 0, or pixels such as "0.1px""# = "0.1px",

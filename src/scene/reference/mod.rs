@@ -8,7 +8,7 @@ mod keys;
 use std::sync::LazyLock;
 
 use crate::document::KeyReference;
-use crate::model::{camera, falloff, law, material, medium, method, shape, source};
+use crate::model::{camera, falloff, filter, law, material, medium, method, shape, source};
 
 /// The scene that `bentray new` writes: a black hole before a chequered sphere, every line with a comment.
 pub const TEMPLATE: &str = include_str!("template.toml");
@@ -20,6 +20,7 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
         source::reference(),
         falloff::reference(),
         medium::KINDS.reference(),
+        filter::reference(),
         camera::KINDS.reference(),
         method::reference(),
         material::KINDS.reference(),
@@ -38,10 +39,11 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
 });
 
 /// Tables that are read by their kinds alone, each with the one that it stands behind.
-const AFTER: [(&str, &str); 4] = [
+const AFTER: [(&str, &str); 5] = [
     ("law", "camera.stereo"),
     ("law.sources.falloff", "law.sources"),
     ("medium", "law.sources.falloff"),
+    ("filter", "medium"),
     ("materials.NAME", "output"),
 ];
 

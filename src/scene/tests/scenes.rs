@@ -58,6 +58,12 @@ const KINDS: &[&str] = &[
     "[rays]\nbound = { radius = 9 }\n[materials.m]\nkind = \"fan\"\nrays = [[\"dx\", \"dy\", \"dz\", \"1\"]]\n",
     "[law]\nkind = \"parametric\"\nx = \"t\"\ny = \"t\"\nz = \"t\"\nt = [0, 1]\n[rays]\nbound = { radius = 1 }\n",
     "[law]\nkind = \"wgsl\"\nfile = \"law.wgsl\"\n[rays]\nbound = { radius = 1 }\n",
+    "[law]\nkind = \"straight\"\nfilter = { color = [1, 1, 1] }\n[rays]\nbound = { radius = 9 }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, filter = { texture = \"wrapped\", \
+     frequency = 2, low = [0, 0, 0], high = [1, 1, 1] } }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, filter = { texture = \"ramp\", \
+     frequency = 2, ramp = \"none.png\", axis = [0, 1, 0] } }\n",
+    "[rays]\nbound = { radius = 9 }\n[materials.m]\nkind = \"glossy\"\nexponent = 9\n",
     "[rays]\nbound = { radius = 9 }\ntransport = \"paths\"\n[paths]\ndepth = 2\n",
     "[rays]\nbound = { radius = 1 }\n[animation]\nframes = 3\n[[animation.tracks]]\nkey = \"rays.bound.radius\"\n\
      values = [1, 2]\n",

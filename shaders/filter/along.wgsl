@@ -1,0 +1,134 @@
+// Filters (thesis 2.3, 4.4): what a medium leaves of light on its way, L = exp(−∫ σ ds) L₀, where s is length in the scene and
+// σ = −ln c of the colour c that is left after a unit length. Weighed as a ray passes, step by step; the last step as far as it went.
+//
+// A step is cut into pieces, each by Gauss's two points and again by its halves, until the two agree; what is taken is better than
+// both by Richardson's formula. Places on a curved step are retaken, as exact as the step itself.
+
+struct Filter {
+    // The density of an even filter, or the colour that is left where a texture is 0.
+    color: vec3f,
+    kind: u32,
+    // The colour that is left where a texture is 1.
+    high: vec3f,
+    // How far the optical depths of a piece and of its halves may differ.
+    tolerance: f32,
+    // Where textures and formulas have their origin.
+    center: Real3,
+    // No piece is longer.
+    piece: f32,
+    // Radiance of the medium's own, per unit length.
+    glow: vec3f,
+    // Lattice cells a unit length.
+    frequency: f32,
+    axis: vec3f,
+    octaves: u32,
+    seed: u32,
+    // Of a wrapped texture its turns, and of marble the noise's part.
+    times: f32,
+    // Which formulas, or which picture.
+    which: u32,
+}
+
+@group(0) @binding(47) var<storage, read> filters: array<Filter>;
+
+// Half the distance between Gauss's two points, in parts of a piece.
+const GAUSS: Real = 0.28867513459481287;
+const LEAST_SHARE: f32 = 0.25;
+// What rounding makes of an optical depth.
+const FILTER_ROUNDING: f32 = 4e-7;
+
+var<private> filter_slips: bool;
+
+fn filter_step(ray: Ray, next: Ray) {
+    note_glow();
+    filter_part(ray.phase, own_size(ray, next));
+}
+
+// The step on which a path ended, up to there.
+fn filter_last(ray: Ray, end: PathPoint) {
+    note_glow();
+    filter_end(ray, end);
+}
+
+fn filter_end(ray: Ray, end: PathPoint) {
+    if end.fraction > 0.0 {
+        let step = last_step(ray);
+        filter_part(step.phase, end.fraction * step.h);
+    }
+}
+
+// The same behind a surface, which has put the ray into another region and on a branch: it came through this region, as was noted.
+fn filter_left(ray: Ray, end: PathPoint, came_through: u32) {
+    let now = region_bits();
+    enter_set(came_through);
+    filter_end(ray, end);
+    enter_set(now);
+}
+
+// A segment between two slots of the state, after which its ray is under way.
+fn filter_passed(pixel: vec2u, word: u32) {
+    load_weight(pixel);
+    let ray = load_ray(pixel, word);
+    filter_step(ray, accepted_step(ray));
+    store_weight(pixel);
+}
+
+// A point of the texture, so far behind p.
+fn place_in_filter(filter_at: Filter, p: Phase, h: Real) -> Real3 {
+    return retaken_step(p, h)[0].xyz - filter_at.center;
+}
+
+// The part of size h, in the step's own measure, that begins at p.
+fn filter_part(p: Phase, h: Real) {
+    let filter_at = filters[filter_place()];
+    let speed = f32(length(path_velocity(p[1].xyz)) * own_pace(p));
+    let longest = min(h, Real(filter_at.piece / max(speed, 1e-30)));
+    var size = longest;
+    var a: Real = 0.0;
+    filter_slips = false;
+    for (var k = 0u; k <= FILTER_PIECES && a < h; k++) {
+        work += 1u;
+        let rest = h - a;
+        let own = select(min(size, rest), rest, k == FILTER_PIECES || size >= 0.999 * rest);
+        let whole = depth_over(filter_at, p, a, own);
+        let halves = depth_over(filter_at, p, a, 0.5 * own) + depth_over(filter_at, p, a + 0.5 * own, 0.5 * own);
+        let off = abs(halves.xyz - whole.xyz);
+        let apart = max(off.x, max(off.y, off.z));
+        let deep = max(halves.x, max(halves.y, halves.z));
+        // Of what a step may err a piece may by its length, down to a part.
+        let share = max(f32(own / h), LEAST_SHARE);
+        let agrees = apart <= max(share * filter_at.tolerance, FILTER_ROUNDING * deep);
+        filter_slips = filter_slips || (!agrees && k == FILTER_PIECES);
+        if agrees || k == FILTER_PIECES {
+            let depth = max(halves + (halves - whole) / 15.0, vec4f(0.0));
+            pass_piece(filter_at, retaken_step(p, a + 0.5 * own)[0].xyz, depth);
+            a += own;
+            size = min(2.0 * size, longest);
+        } else {
+            size = smaller_piece(filter_at, p, a, own);
+        }
+    }
+    if filter_slips {
+        tally_at_once(UNFILTERED);
+    }
+}
+
+// The optical depth of a piece from a on, and its length, by Gauss's rule.
+fn depth_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> vec4f {
+    let first = depth_rate(filter_at, retaken_step(p, a + (0.5 - GAUSS) * size));
+    let second = depth_rate(filter_at, retaken_step(p, a + (0.5 + GAUSS) * size));
+    return 0.5 * f32(size) * (first + second);
+}
+
+fn depth_rate(filter_at: Filter, p: Phase) -> vec4f {
+    let density = filter_density(filter_at, p[0].xyz - filter_at.center);
+    let there = all(density >= vec3f(0.0));
+    filter_slips = filter_slips || !there;
+    let speed = f32(length(path_velocity(p[1].xyz)) * own_pace(p));
+    return speed * vec4f(select(vec3f(0.0), density, there), 1.0);
+}
+
+// Of the colour that is left after a unit length: none of what is 0.
+fn density_of(color: vec3f) -> vec3f {
+    return -log(max(color, vec3f(1e-30)));
+}

@@ -1,0 +1,43 @@
+// The fractal sum of noise as a number from 0 to 1 (thesis Eq. 10): splines overshoot it, and are cut off there. Values alone, without
+// the gradients that media need, and without a loop but that over octaves.
+
+fn noise_layer(cell: vec3i, seed: u32, across: Real4, up: Real4) -> Real {
+    let a = dot(lattice_row(cell - vec3i(0, 1, 0), seed), across);
+    let b = dot(lattice_row(cell, seed), across);
+    let c = dot(lattice_row(cell + vec3i(0, 1, 0), seed), across);
+    let d = dot(lattice_row(cell + vec3i(0, 2, 0), seed), across);
+    return dot(Real4(a, b, c, d), up);
+}
+
+fn noise_value(p: Real3, seed: u32) -> Real {
+    let base = floor(p);
+    let t = p - base;
+    let cell = vec3i(base);
+    let across = spline_weights(t.x);
+    let up = spline_weights(t.y);
+    let layers = Real4(
+        noise_layer(cell - vec3i(0, 0, 1), seed, across, up),
+        noise_layer(cell, seed, across, up),
+        noise_layer(cell + vec3i(0, 0, 1), seed, across, up),
+        noise_layer(cell + vec3i(0, 0, 2), seed, across, up),
+    );
+    return dot(layers, spline_weights(t.z));
+}
+
+fn texture_sum(filter_at: Filter, q: Real3) -> f32 {
+    var sum: Real = 0.0;
+    var weight: Real = 1.0;
+    var place_in_octave = Real(filter_at.frequency) * q;
+    for (var j = 0u; j < filter_at.octaves; j++) {
+        work += 1u;
+        sum += weight * noise_value(place_in_octave, filter_at.seed);
+        place_in_octave *= 2.0;
+        weight *= 0.5;
+    }
+    return f32(sum);
+}
+
+fn texture_share(filter_at: Filter, q: Real3) -> f32 {
+    let most = 2.0 - exp2(1.0 - f32(filter_at.octaves));
+    return clamp(0.5 * texture_sum(filter_at, q) / most + 0.5, 0.0, 1.0);
+}

@@ -1,0 +1,13 @@
+// What a ray saw, and what media have added to it on its way, goes into the picture.
+
+// ray: at the start of its last segment, which ended on `end`.
+fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
+    let seen = seen_at(ray, end);
+    filter_last(ray, seen.end);
+    let escaped = ray.status == ESCAPED || ray.status == MISSED;
+    gather(select(seen.color, sky_radiance(vec3f(normalize(seen.end.v))), escaped), seen.end.x);
+    add_color(pixel, carried.gathered);
+    add_coverage(pixel, ray.status);
+    keep_layers(pixel, ray, seen);
+    keep_corner(pixel, ray, seen);
+}

@@ -1,0 +1,20 @@
+// Clear objects with a rough surface (thesis 2.2.3): Fresnel's law chooses between the smooth surface's two rays, and the one that goes on
+// is spread about its direction. What would end on the wrong side is dropped, and its light is lost.
+
+const FROSTED: u32 = 6u;
+
+// material.shininess is the lobe's exponent in transmission, and material.ambient that in reflection; 0 where it is passed.
+fn scatter_frosted(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
+    let near_medium = medium_object();
+    let passed = scatter_transmissive(material, surface, end, index, pixel);
+    let across = vec3f(surface.across);
+    let reflects = dot(vec3f(passed.v), across) * dot(vec3f(end.v), across) < 0.0;
+    let exponent = select(material.shininess, material.ambient, reflects);
+    // Between the same medium on both sides there is no surface.
+    if exponent == 0.0 || (!reflects && medium_object() == near_medium) {
+        return passed;
+    }
+    let way = lobe_way(vec3f(normalize(passed.v)), exponent, lobe_point(pixel, index));
+    let lost = dot(way, across) * dot(vec3f(passed.v), across) <= 0.0;
+    return Scattered(length(passed.v) * Real3(way), passed.weight, passed.cut || lost, true);
+}

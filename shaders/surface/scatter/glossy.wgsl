@@ -1,0 +1,12 @@
+// Glossy reflection (thesis 2.2.3): rays go on about the mirror's direction. Those that would go on below the surface are dropped, and
+// their light is lost: under an even light such a ball is as bright as the part of the lobe that lies above it, which is half at its limb.
+
+const GLOSSY: u32 = 5u;
+
+fn scatter_glossy(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
+    let mirrored = end.v - (2.0 * dot(end.v, surface.across)) * surface.across;
+    let way = lobe_way(vec3f(normalize(mirrored)), material.shininess, lobe_point(pixel, index));
+    let across = vec3f(surface.across);
+    let above = dot(way, across) * dot(vec3f(mirrored), across) > 0.0;
+    return Scattered(length(end.v) * Real3(way), pattern_color(material, surface.uv), !above, true);
+}

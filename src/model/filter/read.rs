@@ -1,0 +1,219 @@
+//! `filter`: a colour, or a table.
+
+use glam::DVec3;
+
+use super::{Density, Filter, Look, Texture, density_of};
+use crate::assets::{Files, Formula};
+use crate::document::reader::TableReader;
+use crate::document::values::{
+    Read, array, color, direction, number, number_where, positive, text, vector, whole, word,
+};
+use crate::document::{KeyReference, Node, Value};
+
+/// The reference's rows.
+pub(crate) fn reference() -> Vec<KeyReference> {
+    let row = |key, when: &str, value: &str, default, meaning| KeyReference {
+        table: "filter",
+        key,
+        when: when.to_owned(),
+        value: value.to_owned(),
+        default,
+        meaning,
+    };
+    let texture = "texture";
+    vec![
+        row(
+            "color",
+            "no density and no texture",
+            "[red, green, blue], or formulas",
+            "none",
+            "what is left of light after a unit length, 0 to 1: numbers, or one formula in x, y, z and r, or three",
+        ),
+        row(
+            "density",
+            "no color and no texture",
+            "number, formula, or three",
+            "none",
+            "the same as σ = -ln color, 0 or above",
+        ),
+        row(
+            "texture",
+            "no color and no density",
+            "mix | wrapped | rainbow | ramp",
+            "none",
+            "that colour by fractal noise",
+        ),
+        row(
+            "low",
+            "texture = \"mix\", or \"wrapped\"",
+            "[red, green, blue], 0 to 1",
+            "required",
+            "the colour where the noise is least",
+        ),
+        row(
+            "high",
+            "texture = \"mix\", or \"wrapped\"",
+            "[red, green, blue], 0 to 1",
+            "required",
+            "the colour where it is most",
+        ),
+        row("times", "texture = \"wrapped\"", "number above 0", "5", "how often low to high is repeated"),
+        row(
+            "ramp",
+            "texture = \"ramp\"",
+            "file",
+            "required",
+            "a picture whose middle row has the colours, from left to right",
+        ),
+        row(
+            "axis",
+            "texture = \"ramp\"",
+            "[x, y, z]",
+            "none",
+            "the ramp in waves along this direction, disturbed by the noise: marble",
+        ),
+        row("turbulence", "texture = \"ramp\", with axis", "number", "3", "how much the noise disturbs them"),
+        row("frequency", texture, "number above 0", "required", "lattice cells a unit length"),
+        row("octaves", texture, "whole number, 1 to 8", "4", "terms of the noise"),
+        row("seed", texture, "whole number", "0", "chooses the noise"),
+        row("glow", "", "[red, green, blue]", "[0, 0, 0]", "radiance that the medium adds, per unit length"),
+        row("center", "", "[x, y, z]", "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units"),
+        row(
+            "tolerance",
+            "",
+            "number above 0 and below 1",
+            "0.001",
+            "how far the optical depths of a piece of path and of its halves may differ; else it is cut again",
+        ),
+    ]
+}
+
+/// The filter that a node gives: what is left after a unit length, or a table.
+pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut Files) -> Option<Filter> {
+    if !matches!(node.value, Value::Table(_)) {
+        return parent.reader.accept(part(node).map(Filter::even));
+    }
+    let table = parent.reader.open("filter", node)?;
+    let usual = Filter::even(DVec3::ONE);
+    let small = number_where("a number above 0 and below 1", |x| x > 0.0 && x < 1.0);
+    let center = table.or("center", center, vector);
+    let glow = table.or("glow", usual.glow, color);
+    let tolerance = table.or("tolerance", usual.tolerance, small);
+    let density = match table.one_of(&["color", "density", "texture"]) {
+        Some(("color", node)) => colors(&table, node),
+        Some(("density", node)) => densities(&table, node),
+        Some(_) => texture(&table, files).map(Density::Texture),
+        None => Some(usual.density),
+    };
+    table.finish();
+    Some(Filter { density: density?, glow, tolerance, center })
+}
+
+/// A colour whose channels are from 0 to 1.
+fn part(node: &Node) -> Read<DVec3> {
+    let color = color(node)?;
+    if color.max_element() > 1.0 {
+        let problem = format!("expected channels from 0 to 1, found {}", color.max_element());
+        return Err(
+            node.fault(problem, "it is what is left of light after a unit length; a medium that adds light has `glow`")
+        );
+    }
+    Ok(color)
+}
+
+fn colors(table: &TableReader, node: &Node) -> Option<Density> {
+    if is_text(node) {
+        return formulas(table, node, 0.0..=1.0).map(Density::Color);
+    }
+    table.reader.accept(part(node)).map(|color| Density::Even(density_of(color)))
+}
+
+fn densities(table: &TableReader, node: &Node) -> Option<Density> {
+    if is_text(node) {
+        return formulas(table, node, 0.0..=f64::INFINITY).map(Density::Formula);
+    }
+    let any = |node: &Node| number_where("a density of 0 or above", |x| x >= 0.0)(node);
+    let read = match node.value {
+        Value::Array(_) => array("three densities, one for each channel", any)(node).map(DVec3::from_array),
+        _ => any(node).map(DVec3::splat),
+    };
+    table.reader.accept(read).map(Density::Even)
+}
+
+/// Is it made of formulas?
+fn is_text(node: &Node) -> bool {
+    match &node.value {
+        Value::Text(_) => true,
+        Value::Array(items) => items.iter().any(|item| matches!(item.value, Value::Text(_))),
+        _ => false,
+    }
+}
+
+/// One formula for all channels, or one for each; those that are numbers must be within `range`.
+fn formulas(table: &TableReader, node: &Node, range: std::ops::RangeInclusive<f64>) -> Option<[Formula; 3]> {
+    let nodes: Vec<&Node> = match &node.value {
+        Value::Array(items) if items.len() == 3 => items.iter().collect(),
+        Value::Text(_) => vec![node],
+        _ => {
+            table.reader.fault(node.expected("one formula, or three, in quotes"));
+            return None;
+        }
+    };
+    // All are read before any is missed.
+    let read: Vec<Option<Formula>> = nodes.iter().map(|node| formula(table, node, &range)).collect();
+    let all: Vec<Formula> = read.into_iter().collect::<Option<_>>()?;
+    Some(std::array::from_fn(|k| all[k.min(all.len() - 1)].clone()))
+}
+
+fn formula(table: &TableReader, node: &Node, range: &std::ops::RangeInclusive<f64>) -> Option<Formula> {
+    let written = table.reader.accept(text(node))?;
+    match Formula::parse(written) {
+        Ok(formula) => match formula.constant().filter(|value| !range.contains(value)) {
+            Some(value) => {
+                let problem = match range.end() {
+                    end if end.is_finite() => format!("expected a part from 0 to 1, found {value}"),
+                    _ => format!("expected a density of 0 or above, found {value}"),
+                };
+                table.reader.fault_inside(node, 0..written.len(), problem, String::new());
+                None
+            }
+            None => Some(formula),
+        },
+        Err(error) => {
+            table.reader.fault_inside(node, error.place, error.problem, error.help);
+            None
+        }
+    }
+}
+
+fn texture(table: &TableReader, files: &mut Files) -> Option<Texture> {
+    let kinds = &[("mix", 0), ("wrapped", 1), ("rainbow", 2), ("ramp", 3)];
+    let kind = table.decide_required("texture", "\"mix\"", word(kinds));
+    let frequency = table.required("frequency", "1.5", positive);
+    let octaves = table.or("octaves", 4, whole(1..=8));
+    let seed = table.or("seed", 0, whole(0..=u32::MAX));
+    let look = match kind? {
+        0 => Look::Mix(two(table)?),
+        1 => {
+            let times = table.or("times", 5.0, positive);
+            Look::Wrapped(two(table)?, times)
+        }
+        2 => Look::Rainbow,
+        _ => ramp(table, files)?,
+    };
+    Some(Texture { look, frequency: frequency?, octaves, seed })
+}
+
+fn two(table: &TableReader) -> Option<[DVec3; 2]> {
+    let low = table.required("low", "[0.2, 0.4, 0.9]", part);
+    let high = table.required("high", "[1, 1, 1]", part);
+    Some([low?, high?])
+}
+
+fn ramp(table: &TableReader, files: &mut Files) -> Option<Look> {
+    let node = table.required_node("ramp", "\"ramp.png\"")?;
+    let axis = table.optional("axis", direction);
+    let turbulence = axis.map(|_| table.or("turbulence", 3.0, number));
+    let picture = files.picture(table.reader, node)?;
+    Some(axis.zip(turbulence).map_or(Look::Ramp(picture), |(axis, part)| Look::Marble(picture, axis, part)))
+}

@@ -1,0 +1,54 @@
+//! A surface that reflects about the mirror's direction (thesis 2.2.3).
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Surface, pattern};
+use crate::document::keys;
+use crate::document::values::not_negative;
+use crate::model::{Row, row};
+
+pub static KIND: Kind = Kind {
+    name: "glossy",
+    keys: keys! {
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]",
+            "the part of the light that it gives back";
+        exponent: "number, 0 or above" = "required",
+            "e: directions are as dense as cosᵉ of the angle to the mirror's; those below the surface are dropped, and their light is lost";
+    },
+    read: |table, files| {
+        let exponent = table.required("exponent", "100", not_negative);
+        let color = pattern::read(table, "color", Some(DVec3::ONE), files);
+        Some((color?, Arc::new(Glossy { exponent: exponent? })))
+    },
+};
+
+/// Reflects rays in a lobe about the mirror's direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Glossy {
+    /// e of cosᵉ.
+    pub exponent: f64,
+}
+
+impl Surface for Glossy {
+    fn part(&self) -> &'static str {
+        "surface/scatter/glossy"
+    }
+
+    fn values(&self) -> Row {
+        row! { shininess: Float(self.exponent) }
+    }
+
+    fn continues(&self) -> bool {
+        true
+    }
+
+    fn has_lobe(&self) -> bool {
+        true
+    }
+
+    fn albedo(&self, color: DVec3) -> DVec3 {
+        color
+    }
+}

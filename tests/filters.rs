@@ -1,0 +1,209 @@
+//! What media take from light on its way, and add to it: against quadrature along paths in closed form.
+
+use bentray::program::{Choice, Masks, Schedule};
+use bentray::render::{RenderSettings, Renderer, Rendering};
+use bentray::scene::Scene;
+use glam::DVec3;
+
+use crate::support::lens::{columns, vector};
+use crate::support::{gpu, scene};
+
+const TABLE: &str = include_str!("tables/filters.tsv");
+
+fn rendered(scene: &Scene, choice: Choice) -> Rendering {
+    Renderer::new(&gpu(), scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap().picture().unwrap()
+}
+
+/// One ray from a place in a direction, to a white screen through another place.
+fn to_screen(medium: &str, filter: &str, [from, along, to]: [DVec3; 3], rays: &str) -> String {
+    let ball: Vec<&str> = medium.split_whitespace().collect();
+    let (law, object, normal, size) = match ball[..] {
+        ["ball", n, radius] => {
+            let interior = format!("{{ kind = \"constant\", n = {n}, filter = {{ {filter} }} }}");
+            let object = format!("[[objects]]\nshape = \"sphere\"\nradius = {radius}\ninterior = {interior}\n");
+            (String::new(), object, along, 30.0)
+        }
+        ["straight"] => {
+            (format!("[law]\nkind = \"straight\"\nfilter = {{ {filter} }}\n"), String::new(), to - from, 0.1)
+        }
+        _ => (
+            format!("[law]\nkind = \"medium\"\nindex = {{ {medium} }}\nfilter = {{ {filter} }}\n"),
+            String::new(),
+            to - from,
+            0.02,
+        ),
+    };
+    let (from, look, to, normal) = (from.to_array(), (from + along).to_array(), to.to_array(), normal.to_array());
+    format!(
+        "[image]\nsize = [1, 1]\n[camera]\nposition = {from:?}\nlook_at = {look:?}\nup = [0.01, 0.02, 1]\nfov = 0.001\n\
+         [rays]\nbound = {{ radius = 100 }}\n{rays}\n{law}[materials.screen]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n{object}\
+         [[objects]]\nshape = \"disk\"\nmaterial = \"screen\"\ncenter = {to:?}\nnormal = {normal:?}\nradius = {size}\n"
+    )
+}
+
+/// Along straight, harmonic, circular and parabolic paths, through formulas and through textures.
+#[test]
+fn filters_are_as_exact_as_they_are_asked_to_be() {
+    for (tolerance, allowed) in [(1e-3, 1e-4), (1e-6, 2e-6)] {
+        for row in columns(TABLE) {
+            let [medium, filter, from, along, to, left] = row[..] else { panic!("{row:?}") };
+            let places = [from, along, to].map(|text| vector(text).unwrap());
+            let filter = format!("{filter}, tolerance = {tolerance}");
+            let branches = if medium.starts_with("ball") { "branches = 2" } else { "" };
+            let picture = rendered(&scene(&to_screen(medium, &filter, places, branches)), Choice::default());
+            let expected = vector(left).unwrap().to_array();
+            for (channel, expected) in expected.into_iter().enumerate() {
+                let found = f64::from(picture.band.color[channel][0]);
+                assert!(
+                    (found - expected).abs() < allowed * expected.max(1.0),
+                    "{medium}, {filter}: {found} for {expected}"
+                );
+            }
+            assert_eq!(picture.totals.unfiltered, 0, "{medium}, {filter}");
+        }
+    }
+}
+
+/// The same by steps of a method, as good as those are.
+#[test]
+fn filters_follow_integrated_paths() {
+    let rays = "method = \"dormand-prince\"\ntolerance = 1e-6";
+    for row in columns(TABLE).filter(|row| row[0].starts_with("kind")) {
+        let places = [row[2], row[3], row[4]].map(|text| vector(text).unwrap());
+        let picture = rendered(&scene(&to_screen(row[0], row[1], places, rays)), Choice::default());
+        for (channel, expected) in vector(row[5]).unwrap().to_array().into_iter().enumerate() {
+            let found = f64::from(picture.band.color[channel][0]);
+            assert!((found - expected).abs() < 2e-4 * expected.max(1.0), "{}: {found} for {expected}", row[0]);
+        }
+    }
+}
+
+/// c^d, d the chord: of a lens that reflects nothing at its edge, all that is left of a sky.
+#[test]
+fn lenses_filter_by_the_length_of_their_paths() {
+    let text = "[image]\nsize = [1, 1]\n[camera]\nposition = [-10, 0.4, 0]\nlook_at = [0, 0.4, 0]\nfov = 0.001\n\
+                [rays]\nbound = { radius = 20 }\n[sky]\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\n\
+                interior = { kind = \"luneburg\", c = 2, filter = [0.9, 0.6, 0.3] }\n";
+    for rays in ["", "closed_forms = false\nmethod = \"rk4\"\n"] {
+        let text = text.replace("[sky]", &format!("{rays}[sky]"));
+        let picture = rendered(&scene(&text), Choice::default());
+        for (channel, expected) in [0.812_713_1_f32, 0.365_884_1, 0.093_505_6].into_iter().enumerate() {
+            let found = picture.band.color[channel][0];
+            assert!((found - expected).abs() < 2e-5, "{rays}: {found} for {expected}");
+        }
+    }
+}
+
+/// A medium that absorbs and glows, before a wall: c^d L + ε (c^d − 1)/ln c.
+#[test]
+fn media_glow() {
+    for transport in ["lights", "paths"] {
+        let text = format!(
+            "[image]\nsize = [3, 3]\n[camera]\nposition = [0, 0, 0]\nlook_at = [0, 0, -1]\nfov = 0.001\n\
+             [law]\nkind = \"straight\"\nfilter = {{ color = [0.9, 0.5, 1], glow = [0.1, 0.2, 0.3] }}\n\
+             [rays]\nbound = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
+             [materials.wall]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n[[objects]]\nshape = \"box\"\nmaterial = \"wall\"\n\
+             center = [0, 0, -3]\nsize = [4, 4, 2]\n"
+        );
+        let picture = rendered(&scene(&text), Choice::default());
+        for (channel, expected) in [0.990_333_21_f32, 0.341_404_26, 0.6].into_iter().enumerate() {
+            let found = picture.band.color[channel][4];
+            assert!((found - expected).abs() < 1e-6, "{transport}: {found} for {expected}");
+        }
+    }
+}
+
+/// A ball that absorbs under an even sky: R + (1 − R)² t/(1 − R t), t = c^chord; all its light the same, branch by branch or by paths.
+const BALL: &str = "[image]\nsize = [24, 24]\nsamples = 64\n[camera]\nkind = \"plane\"\nheight = 1.6\nposition = [0, 0, 4]\n\
+    [sky]\ncolor = [1, 1, 1]\n[rays]\nbound = { radius = 9 }\n[[objects]]\nshape = \"sphere\"\n\
+    interior = { kind = \"constant\", n = 1.5, filter = { color = [0.65, 0.45, 0.1], glow = [0.2, 0, 0] } }\n";
+
+fn ball(b: f64, color: f64, glow: f64) -> f64 {
+    let (sin, n) = (b, 1.5_f64);
+    let (cos, inner) = ((1.0 - sin * sin).sqrt(), (1.0 - sin * sin / (n * n)).sqrt());
+    let s = (cos - n * inner) / (cos + n * inner);
+    let p = (n * cos - inner) / (n * cos + inner);
+    let r = 0.5 * (s * s + p * p);
+    let chord = 2.0 * inner;
+    let t = color.powf(chord);
+    // In the light that comes out L/n² is kept.
+    let added = glow / (n * n) * (t - 1.0) / color.ln();
+    r + (1.0 - r) * ((1.0 - r) * t + added) / (1.0 - r * t)
+}
+
+#[test]
+fn balls_absorb_in_every_order_of_reflection() {
+    let exact: Vec<[f64; 3]> = (0..24 * 24)
+        .map(|i| {
+            let at = |k: usize| (k as f64 + 0.5) / 24.0 * 1.6 - 0.8;
+            let b = at(i % 24).hypot(at(i / 24));
+            [(0.65, 0.2), (0.45, 0.0), (0.1, 0.0)]
+                .map(|(color, glow)| if b < 0.97 { ball(b, color, glow) } else { f64::NAN })
+        })
+        .collect();
+    for (rays, allowed) in [("branches = 8", 2e-3), ("branches = \"random\"", 0.04), ("transport = \"paths\"", 0.04)] {
+        let samples = if rays.contains(" 8") { "samples = 1" } else { "samples = 64" };
+        let text = BALL.replace("samples = 64", samples).replace("[[objects]]", &format!("{rays}\n[[objects]]"));
+        let picture = rendered(&scene(&text), Choice::default());
+        for channel in 0..3 {
+            let own = picture.band.color[channel].iter().map(|x| f64::from(*x));
+            let off: Vec<f64> = own.zip(&exact).map(|(x, e)| x - e[channel]).filter(|x| x.is_finite()).collect();
+            let mean = (off.iter().map(|x| x * x).sum::<f64>() / off.len() as f64).sqrt();
+            assert!(mean < allowed, "{rays}, {channel}: {mean}");
+        }
+    }
+}
+
+#[test]
+fn every_schedule_filters_alike() {
+    let texts = [
+        BALL.replace("samples = 64", "samples = 1"),
+        BALL.replace("samples = 64", "samples = 2").replace("[[objects]]", "transport = \"paths\"\n[[objects]]"),
+        BALL.replace("samples = 64", "samples = 1")
+            .replace("[sky]", "[law]\nkind = \"medium\"\nindex = { kind = \"gaussian\", a = 1.6, radius = 9 }\nfilter = [0.9, 0.8, 0.7]\n[sky]")
+            .replace("interior = {", "material = \"m\" #")
+            .replace("[[objects]]", "method = \"rk4\"\n[materials.m]\nkind = \"mirror\"\n[[objects]]"),
+    ];
+    for text in texts {
+        let scene = scene(&text);
+        let usual = rendered(&scene, Choice::default());
+        for schedule in Schedule::ALL {
+            for masks in [Masks::List, Masks::Off] {
+                let other = rendered(&scene, Choice { schedule, masks, ..Choice::default() });
+                assert!(other.band == usual.band, "{schedule:?} {masks:?}\n{text}");
+            }
+        }
+    }
+}
+
+/// What is no filter is counted, and so is what was not had to its tolerance.
+#[test]
+fn bad_filters_are_counted() {
+    let straight = [DVec3::ZERO, DVec3::X, DVec3::X * 3.0];
+    for filter in ["density = 'x - 1'", "color = '1.5 - x'", "density = '1/(x - 1.2)^2', tolerance = 1e-6"] {
+        let picture = rendered(&scene(&to_screen("straight", filter, straight, "")), Choice::default());
+        assert!(picture.totals.unfiltered > 0, "{filter}");
+        assert!(picture.totals.to_string().contains("filters not known"), "{}", picture.totals);
+    }
+}
+
+/// Each object has its own formula, in whatever order regions lie: those of higher priority come first.
+#[test]
+fn formulas_belong_to_their_objects() {
+    let ball = |x: f64, density: &str, priority: u32| {
+        format!(
+            "[[objects]]\nshape = \"sphere\"\ncenter = [{x}, 0, 0]\nradius = 0.5\npriority = {priority}\n\
+             interior = {{ kind = \"constant\", n = 1, filter = {{ density = {density} }} }}\n"
+        )
+    };
+    let text = format!(
+        "[image]\nsize = [2, 1]\n[camera]\nkind = \"plane\"\nheight = 2\nposition = [0, 0, 4]\n[sky]\ncolor = [1, 1, 1]\n\
+         [rays]\nbound = {{ radius = 9 }}\n{}{}",
+        ball(-1.0, "\"1 + 0*x\"", 0),
+        ball(1.0, "\"2 + 0*x\"", 5)
+    );
+    let picture = rendered(&scene(&text), Choice::default());
+    for (found, expected) in picture.band.color[0].iter().zip([(-1.0_f32).exp(), (-2.0_f32).exp()]) {
+        assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
+    }
+}

@@ -1,0 +1,98 @@
+//! Lobes about the mirror's direction and the refracted one: what is kept of them, against integrals.
+
+use bentray::program::{Choice, Masks, Schedule};
+use bentray::render::{RenderSettings, Renderer, Rendering, Status};
+
+use crate::support::{gpu, scene};
+
+fn rendered(text: &str, choice: Choice) -> Rendering {
+    Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
+        .unwrap()
+        .picture()
+        .unwrap()
+}
+
+/// Exponent, degrees from the normal, the part of a lobe above the surface, and the albedo of the reciprocal form.
+const LOBES: [[f64; 4]; 6] = [
+    [0.0, 60.0, 0.666_666_7, 0.75],
+    [1.0, 45.0, 0.853_553_4, 0.755_409_2],
+    [1.0, 85.0, 0.543_577_9, 0.363_096_9],
+    [10.0, 80.0, 0.714_762_3, 0.228_056_1],
+    [100.0, 75.0, 0.995_852_2, 0.258_944_6],
+    [1000.0, 85.0, 0.997_128_0, 0.087_183_0],
+];
+
+/// A disk under an even sky, seen at an angle.
+fn disk(material: &str, transport: &str, degrees: f64) -> String {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    format!(
+        "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"plane\"\nheight = 0.001\nposition = [{}, {}, 0]\n\
+         up = [0, 0, 1]\n[sky]\ncolor = [1, 1, 1]\n[rays]\nbound = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
+         [materials.m]\n{material}\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\nradius = 2\n",
+        5.0 * sin,
+        5.0 * cos
+    )
+}
+
+#[test]
+fn lobes_keep_what_lies_above_the_surface() {
+    for [exponent, degrees, kept, albedo] in LOBES {
+        let glossy = format!("kind = \"glossy\"\nexponent = {exponent}");
+        let phong =
+            format!("kind = \"phong\"\ndiffuse = [0, 0, 0]\nspecular = [1, 1, 1]\nshininess = {}", exponent.max(1e-6));
+        for (material, transport, expected) in
+            [(&glossy, "lights", kept), (&glossy, "paths", kept), (&phong, "paths", albedo)]
+        {
+            let picture = rendered(&disk(material, transport, degrees), Choice::default());
+            let all: Vec<f64> = picture.band.color[0].iter().map(|x| f64::from(*x)).collect();
+            let n = all.len() as f64;
+            let mean = all.iter().sum::<f64>() / n;
+            let error = (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt();
+            let z = (mean - expected) / error.max(3e-5 * expected);
+            assert!(
+                z.abs() < 4.0 && error < 0.01 * expected,
+                "{material}, {transport}, {degrees}: {mean} ± {error}, {expected}"
+            );
+        }
+    }
+}
+
+const BALL: &str = "[image]\nsize = [32, 32]\nsamples = 16\n[camera]\nposition = [0, 0, 4]\nfov = 40\n[rays]\nbound = { radius = 9 }\n\
+    [materials.wall]\nkind = \"emissive\"\ncolor = { checker = [[1, 1, 1], [0.2, 0.4, 0.6]] }\n\
+    [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, 0, -3]\nsize = [9, 9, 1]\n\
+    [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, GLOSS }\n";
+
+/// A lobe that is narrow enough is the smooth surface.
+#[test]
+fn narrow_lobes_are_smooth() {
+    let smooth = rendered(&BALL.replace(", GLOSS", ""), Choice::default());
+    let narrow = rendered(&BALL.replace("GLOSS", "reflect_exponent = 1e9, transmit_exponent = 1e9"), Choice::default());
+    let rough = rendered(&BALL.replace("GLOSS", "transmit_exponent = 30"), Choice::default());
+    let apart = |other: &Rendering| {
+        let off = smooth.band.color[0].iter().zip(&other.band.color[0]).map(|(a, b)| f64::from((a - b).abs()));
+        off.sum::<f64>() / smooth.band.color[0].len() as f64
+    };
+    assert!(apart(&narrow) < 2e-3, "{}", apart(&narrow));
+    assert!(apart(&rough) > 0.05, "{}", apart(&rough));
+}
+
+/// Light that would end on the wrong side is dropped, and counted.
+#[test]
+fn lost_light_is_counted() {
+    let rough = BALL.replace("GLOSS", "reflect_exponent = 2, transmit_exponent = 2");
+    let text = rough.replace("[rays]", "[rays]\nbranches = \"random\"");
+    let picture = rendered(&text, Choice::default());
+    assert!(picture.totals.count(Status::Cut) > 0, "{}", picture.totals);
+    assert_eq!(picture.totals.unfollowed(), 0, "{}", picture.totals);
+}
+
+#[test]
+fn every_schedule_draws_the_same_lobes() {
+    let text =
+        BALL.replace("GLOSS", "reflect_exponent = 50, transmit_exponent = 30").replace("samples = 16", "samples = 2");
+    let usual = rendered(&text, Choice::default());
+    for schedule in Schedule::ALL {
+        let other = rendered(&text, Choice { schedule, masks: Masks::Off, ..Choice::default() });
+        assert!(other.band == usual.band, "{schedule:?}");
+    }
+}
