@@ -20,6 +20,7 @@ const COMPUTED: [(&str, &[(&str, &str)]); 11] = [
         &[
             ("surface/material/emissive", "EMISSIVE"),
             ("surface/material/phong", "PHONG"),
+            ("surface/material/phong_occluded", "PHONG_OCCLUDED"),
             ("surface/scatter/mirror", "MIRROR"),
             ("surface/scatter/glossy", "GLOSSY"),
             ("surface/scatter/frosted", "FROSTED"),

@@ -20,6 +20,7 @@ mod light_grids;
 mod light_paths;
 mod meshes;
 mod methods;
+mod occlusion;
 mod oracle;
 mod orders;
 mod own_laws;

@@ -212,6 +212,7 @@ impl Source<'_> {
                 Branches::Random => Ok(None),
             },
             "transport" => one(&self.transport()),
+            "ambient" => one(&self.ambient()),
             "limit" => one(&[("length", Float(self.scene.rays.length.unwrap_or(f64::MAX)))]),
             "chord" => match self.scene.rays.segment {
                 Segment::Chord { steps } => one(&[("steps", Uint(steps))]),

@@ -146,7 +146,7 @@ impl Source<'_> {
         let code = |part: &str| Uint(constant(part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()) as u32);
         let row = |material: &Material| -> Row {
             let pattern = format!("surface/pattern/{}", material.color.part());
-            let kinds = vec![("kind".into(), code(material.surface.part())), ("pattern".into(), code(&pattern))];
+            let kinds = vec![("kind".into(), code(self.scene.part_of(material))), ("pattern".into(), code(&pattern))];
             [kinds, material.color.values(), material.surface.values()].concat()
         };
         // A fan is told by its place among them.

@@ -15,6 +15,14 @@ impl Source<'_> {
         ]
     }
 
+    /// How far ambient light comes from: from all around, if no less.
+    pub(super) fn ambient(&self) -> [(&'static str, Value); 2] {
+        let occlusion = self.scene.occlusion.as_ref();
+        let across = 2.0 * self.scene.rays.bound.radius;
+        let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
+        [("distance", Float(distance)), ("floor", Float(occlusion.map_or(0.0, |occlusion| occlusion.floor)))]
+    }
+
     /// How far paths go.
     pub(super) fn transport(&self) -> [(&'static str, Value); 3] {
         let paths = self.scene.rays.paths.unwrap_or_default();

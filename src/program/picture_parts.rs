@@ -74,7 +74,7 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
 pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     let used = || scene.used_materials();
     let ends = || used().filter(|material| !material.surface.continues());
-    let mut kinds: Vec<&str> = ends().map(|material| material.surface.part()).collect();
+    let mut kinds: Vec<&str> = ends().map(|material| scene.part_of(material)).collect();
     kinds.sort_unstable();
     kinds.dedup();
     let patterns: Vec<&str> =

@@ -73,7 +73,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
 }
 
 /// What a pass calls where some part has it, and else not at all.
-const OPTIONAL: [&str; 5] = ["filter_step", "filter_last", "filter_left", "filter_passed", "note_glow"];
+const OPTIONAL: [&str; 6] = ["filter_step", "filter_last", "filter_left", "filter_passed", "note_glow", "note_pixel"];
 
 /// What media take from light on its way.
 fn filter_parts(scene: &Scene, choice: &Choice, (regions, work): (&Regions, &Work), names: &mut Names) {
@@ -100,7 +100,7 @@ fn filter_parts(scene: &Scene, choice: &Choice, (regions, work): (&Regions, &Wor
 
 /// Whether what is seen lies in a light's shadow.
 fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
-    let straight = scene.has_shadows(Shadows::Straight);
+    let straight = scene.follows_lines();
     let shot = scene.has_shadows(Shadows::Shooting) || choice.purpose == Purpose::Lit;
     let leaves = straight || shot || choice.follows_paths(scene);
     let starts = if leaves { "surface/shadow/start_off" } else { "surface/shadow/start_on" };
@@ -119,7 +119,17 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
     names.add("surface/shadow/straight");
     let all = scene.lights.iter().all(|light| light.shadows == Shadows::Straight);
     names.add(if all { "surface/shadow/of_all" } else { "surface/shadow/of_some" });
-    names.add(if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" });
+    names.add(match (scene.splits(), scene.occlusion.filter(|_| scene.is_occluded())) {
+        (true, Some(occlusion)) if !occlusion.clear_is_open => "surface/shadow/clear_lights",
+        (true, _) if scene.is_frosted() => "surface/shadow/clear_rough",
+        (true, _) => "surface/shadow/clear",
+        (false, _) => "surface/shadow/opaque",
+    });
+    names.add("surface/scatter/frosted");
+    if scene.is_occluded() {
+        names.all(&["surface/occlusion/line", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
+        names.add("camera/sample/scrambled");
+    }
     let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
     names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
 }

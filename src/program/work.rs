@@ -114,7 +114,8 @@ impl Work {
 fn shadows(scene: &Scene) -> u64 {
     let cast = scene.lights.iter().filter(|light| light.shadows == Shadows::Straight).count() as u64;
     let part = if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" };
-    if scene.is_lit() { cast * constant(part, "CROSSINGS") as u64 } else { 0 }
+    let lines = if scene.is_lit() { cast } else { 0 } + u64::from(scene.is_occluded());
+    lines * constant(part, "CROSSINGS") as u64
 }
 
 /// Iterations of the steps of closed forms.

@@ -31,6 +31,7 @@ impl Scene {
             materials: Vec::new(),
             objects: Vec::new(),
             lights: Vec::new(),
+            occlusion: None,
             animation: None,
             pictures: Vec::new(),
         }

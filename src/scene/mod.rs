@@ -67,6 +67,8 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// In the order of the file.
     pub lights: Vec<Light>,
+    /// How ambient light is shut out, if it is.
+    pub occlusion: Option<Occlusion>,
     /// What changes from frame to frame, if anything does.
     pub animation: Option<Animation>,
     /// Every picture that a material or the sky uses, each loaded once.
@@ -225,6 +227,27 @@ impl Scene {
         self.is_lit() && self.lights.iter().any(|light| light.shadows == kind)
     }
 
+    /// Is ambient light shut out where a surface shows it?
+    #[must_use]
+    pub fn is_occluded(&self) -> bool {
+        self.occlusion.is_some() && self.used_materials().any(|material| material.surface.is_lit())
+    }
+
+    /// Are straight lines followed from surfaces?
+    #[must_use]
+    pub fn follows_lines(&self) -> bool {
+        self.has_shadows(Shadows::Straight) || self.is_occluded()
+    }
+
+    /// The WGSL part of a material here.
+    #[must_use]
+    pub fn part_of(&self, material: &Material) -> &'static str {
+        match material.surface.occluded_part() {
+            Some(part) if self.is_occluded() => part,
+            _ => material.surface.part(),
+        }
+    }
+
     /// Does light from the lights go where it goes in another scene? The camera, the sky and colours that show only there do not matter.
     #[must_use]
     pub fn is_lit_as(&self, other: &Self) -> bool {
@@ -254,6 +277,17 @@ impl Scene {
     pub fn is_transparent(&self) -> bool {
         self.camera.as_ref().is_some_and(|camera| camera.projection.is_transparent())
     }
+}
+
+/// `[ambient]`: how much of ambient light reaches a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Occlusion {
+    /// What is farther shuts nothing out; without one all does.
+    pub distance: Option<f64>,
+    /// The part that is left where all is closed.
+    pub floor: f64,
+    /// Does light come through what is clear?
+    pub clear_is_open: bool,
 }
 
 /// `[sky]`.

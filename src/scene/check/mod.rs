@@ -4,6 +4,7 @@
 //! after both, objects after materials and the bound). A value that is wrong is recorded and replaced, or the whole
 //! left out, so that the reading goes on; a scene is handed out only if nothing was recorded.
 
+mod ambient;
 mod animation;
 mod image;
 mod paths;
@@ -92,6 +93,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         let help = "use segment = \"arc\", or shadows = \"straight\"";
         root.fault(&["lights"], "shooting follows arcs, and these rays are chords", help);
     }
+    let occlusion = ambient::read(&root, paths.is_some());
     if paths.is_some() {
         paths::refuse(&root, &lights);
     }
@@ -108,6 +110,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         materials,
         objects,
         lights,
+        occlusion,
         animation,
         pictures: files.pictures(),
     };

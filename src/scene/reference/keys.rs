@@ -35,6 +35,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             lights: "array of tables" = "[]",
                 "lights for phong materials; they shine in straight lines, without shadows or fall-off";
             paths if r#"transport = "paths""#: "table" = "{}", "how light goes from surface to surface";
+            ambient: "table" = "none", "how ambient light is shut out: without it it reaches every place";
             animation: "table" = "none", "what changes from frame to frame, for `render --frames`";
         }
         "image" {
@@ -103,6 +104,11 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "what lights surfaces: the scene's lights; or all that shines, by paths from surface to surface under the law";
             accelerate: "auto | bvh | grid | none" = "auto",
                 "how objects are searched: by a hierarchy of boxes, a uniform grid, or one after the other; auto is what measures best";
+        }
+        "ambient" {
+            distance: "number above 0" = "none", "what is farther away shuts nothing out, scene units";
+            floor: "number from 0 to 1" = "0", "the part that is left where all is closed";
+            clear: "closed | open" = "closed", "whether light comes through what has an interior";
         }
         "paths" {
             depth: "whole number, 0 to 1000000" = "none", "surfaces that send a path on, at most; light beyond is missing";

@@ -1,0 +1,30 @@
+// Ambient occlusion (thesis 6.2): of ambient light as much reaches a place as its hemisphere is open, weighted by the cosine. One straight
+// line a sample, in a direction that is drawn like matte light's.
+
+struct Ambient {
+    // How far lines go.
+    distance: Real,
+    // What is left where all is closed.
+    floor: f32,
+}
+
+@group(0) @binding(148) var<uniform> ambient: Ambient;
+
+// Random points' number of this use; others are numbers of segments.
+const OCCLUSION: u32 = 0x80000000u;
+
+var<private> shaded_pixel: vec2u;
+var<private> occluding: bool;
+
+fn note_pixel(pixel: vec2u) {
+    shaded_pixel = pixel;
+}
+
+fn open_part(lit: Lit) -> f32 {
+    let u = lobe_point(shaded_pixel, OCCLUSION);
+    let way = way_about(lit.normal, sqrt(1.0 - u.x), sqrt(u.x), u.y);
+    occluding = true;
+    let open = light_share(1u, true, lit.start, ambient.distance * Real3(way));
+    occluding = false;
+    return mix(ambient.floor, 1.0, open);
+}
