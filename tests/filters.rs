@@ -119,16 +119,15 @@ const BALL: &str = "[image]\nsize = [24, 24]\nsamples = 64\n[camera]\nkind = \"p
     interior = { kind = \"constant\", n = 1.5, filter = { color = [0.65, 0.45, 0.1], glow = [0.2, 0, 0] } }\n";
 
 fn ball(sin: f64, color: f64, glow: f64) -> f64 {
-    let n = 1.5_f64;
-    let (cos, inner) = ((1.0 - sin * sin).sqrt(), (1.0 - sin * sin / (n * n)).sqrt());
-    let s = (cos - n * inner) / (cos + n * inner);
-    let p = (n * cos - inner) / (n * cos + inner);
-    let r = 0.5 * (s * s + p * p);
-    let chord = 2.0 * inner;
-    let t = color.powf(chord);
+    let index = 1.5_f64;
+    let (cos, inner) = ((1.0 - sin * sin).sqrt(), (1.0 - sin * sin / (index * index)).sqrt());
+    let across = (cos - index * inner) / (cos + index * inner);
+    let along = (index * cos - inner) / (index * cos + inner);
+    let back = 0.5 * (across * across + along * along);
+    let left = color.powf(2.0 * inner);
     // In the light that comes out L/n² is kept.
-    let added = glow / (n * n) * (t - 1.0) / color.ln();
-    r + (1.0 - r) * ((1.0 - r) * t + added) / (1.0 - r * t)
+    let added = glow / (index * index) * (left - 1.0) / color.ln();
+    back + (1.0 - back) * ((1.0 - back) * left + added) / (1.0 - back * left)
 }
 
 #[test]

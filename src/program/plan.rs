@@ -73,7 +73,8 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
 }
 
 /// What a pass calls where some part has it, and else not at all.
-const OPTIONAL: [&str; 6] = ["filter_step", "filter_last", "filter_left", "filter_passed", "note_glow", "note_pixel"];
+const OPTIONAL: [&str; 7] =
+    ["filter_step", "filter_last", "filter_left", "filter_passed", "note_glow", "note_pixel", "mark_occluding"];
 
 /// What media take from light on its way.
 fn filter_parts(scene: &Scene, choice: &Choice, (regions, work): (&Regions, &Work), names: &mut Names) {

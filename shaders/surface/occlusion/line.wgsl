@@ -14,7 +14,6 @@ struct Ambient {
 const OCCLUSION: u32 = 0x80000000u;
 
 var<private> shaded_pixel: vec2u;
-var<private> occluding: bool;
 
 fn note_pixel(pixel: vec2u) {
     shaded_pixel = pixel;
@@ -23,8 +22,8 @@ fn note_pixel(pixel: vec2u) {
 fn open_part(lit: Lit) -> f32 {
     let u = lobe_point(shaded_pixel, OCCLUSION);
     let way = way_about(lit.normal, sqrt(1.0 - u.x), sqrt(u.x), u.y);
-    occluding = true;
-    let open = light_share(1u, true, lit.start, ambient.distance * Real3(way));
-    occluding = false;
+    mark_occluding(true);
+    let open = light_share(1u, dot(way, lit.normal) > 0.0, lit.start, ambient.distance * Real3(way));
+    mark_occluding(false);
     return mix(ambient.floor, 1.0, open);
 }

@@ -2,6 +2,13 @@
 
 const CROSSINGS: u32 = 64u;
 
+// True while the line is one of ambient light.
+var<private> occluding: bool;
+
+fn mark_occluding(on: bool) {
+    occluding = on;
+}
+
 fn passes_light(material: u32) -> bool {
     let own = materials[material];
     let passes = !occluding && (own.kind == TRANSMISSIVE || own.kind == FROSTED);
