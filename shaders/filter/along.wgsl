@@ -65,12 +65,14 @@ fn filter_left(ray: Ray, end: PathPoint, came_through: u32) {
     enter_set(now);
 }
 
-// A segment between two slots of the state, after which its ray is under way.
-fn filter_passed(pixel: vec2u, word: u32) {
-    load_weight(pixel);
-    let ray = load_ray(pixel, word);
-    filter_step(ray, accepted_step(ray));
-    store_weight(pixel);
+// A segment between two slots of the state, if its ray is under way behind it.
+fn filter_passed(spot: ActiveRay, lives: bool) {
+    if lives {
+        load_weight(spot.pixel);
+        let ray = load_ray(spot.pixel, spot.word);
+        filter_step(ray, accepted_step(ray));
+        store_weight(spot.pixel);
+    }
 }
 
 // A point of the texture, so far behind p.

@@ -82,11 +82,33 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
         let bytes = light_bytes(volume.voxels() as u64);
         say!("  light {i} (from 0): a grid of {x}×{y}×{z} voxels, {} paths, at least {bytes} bytes", light.grid.paths);
     }
+    for line in random_words(&scene) {
+        say!("  {line}");
+    }
     if scene.rays.auto.is_some() {
         say!("  method auto: measured when the scene is rendered; counted here for rk4");
     }
     print_memory(&scene, &program, &choice)?;
     check_frames(path, arguments, &choice, &scene)
+}
+
+/// What of the picture is drawn at random.
+fn random_words(scene: &Scene) -> Vec<String> {
+    let mut words = Vec::new();
+    if scene.rays.paths.is_some() {
+        let aims: Vec<_> = scene.lamps().iter().map(|lamp| lamp.object.to_string()).collect();
+        words.push(match aims[..] {
+            [] => "paths aim at nothing: they find light by chance".to_owned(),
+            _ => format!("paths aim at {} lamps: objects {} (from 0)", aims.len(), aims.join(", ")),
+        });
+    } else if scene.has_lobes() {
+        words.push("rough surfaces: a direction a sample is drawn at random, and few samples are noisy".to_owned());
+    } else if scene.is_occluded() {
+        words.push(
+            "ambient light: a line a sample is drawn at random, and few samples are noisy; 64 are smooth".to_owned(),
+        );
+    }
+    words
 }
 
 /// What segments search, if there is anything.

@@ -13,6 +13,7 @@ mod interrupted;
 mod light;
 mod measures;
 mod parts;
+mod paths;
 mod pictures;
 mod tables;
 mod traces;
