@@ -8,16 +8,52 @@ const OFF_SURFACE: u32 = 0xfffffffeu;
 // What a path weighs no less than at roulette.
 const LIKELIEST: f32 = 0.95;
 
+// How a path goes on, if it does.
+struct Leg {
+    x: Real3,
+    v: Real3,
+    tau: Real,
+    // The surface that it leaves, or OFF_SURFACE.
+    primitive: u32,
+    // ALIVE, or the status that it ends with.
+    code: u32,
+}
+
+// The same however it goes on, and once for all that do: what stands under a condition costs its neighbours' time too.
+//
 // ray: at the start of its last segment. It comes back under way from the surface that it met, or with the status that ends it.
 fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
-    if carried.flight == OVER {
+    if carried.flight == OVER || (carried.flight == OWN && ray.status != HIT) {
         return ray;
-    }
-    if ray.status != HIT {
-        return met_nothing(ray, pixel);
     }
     let end = path_end(ray, *met);
     filter_last(ray, end);
+    var leg = Leg(end.x, end.v, end.tau, OFF_SURFACE, ray.status);
+    if ray.status == HIT {
+        leg = met_surface_leg(ray, met, end, pixel);
+    } else if ray.status == ESCAPED {
+        gather(sky_radiance(vec3f(normalize(end.v))), end.x);
+    }
+    leg = after_flight(leg, ray.status, pixel);
+    var next = ray;
+    next.status = leg.code;
+    if leg.code == ALIVE && ray.index + 1u >= schedule.max_segments {
+        next.status = EXHAUSTED;
+    }
+    if next.status != ALIVE {
+        carried.flight = OVER;
+        return next;
+    }
+    next.phase = opaque_phase(law_start(leg.x, leg.v));
+    next.tau = opaque(leg.tau);
+    next.rest = 0.0;
+    next.memory = first_memory(next.phase);
+    next.index += 1u;
+    set_last_hit(leg.primitive);
+    return next;
+}
+
+fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec2u) -> Leg {
     let surface = met_surface(met, end.x);
     let material = materials[surface.material];
     let side = region_bits();
@@ -30,30 +66,30 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     let cut = scattered.cut || carried.scatterings > transport.depth || left < DARK;
     if cut {
         enter_set(side);
-        return ended(ray, CUT, pixel);
     }
-    return gone_on(ray, end.x, scattered.v, end.tau, (*met).primitive);
+    return Leg(end.x, scattered.v, end.tau, (*met).primitive, select(ALIVE, CUT, cut));
 }
 
 // On a surface that is neither clear nor a mirror.
-fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pixel: vec2u) -> Ray {
+fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pixel: vec2u) -> Leg {
     let way = vec3f(normalize(end.v));
     let across = select(vec3f(surface.across), -vec3f(surface.across), dot(vec3f(surface.across), way) > 0.0);
     let normal = select(surface.normal, -surface.normal, dot(surface.normal, across) < 0.0);
     let answer = answer_at(material, pattern_color(material, surface.uv));
     gather(answer.emission, end.x);
+    let stays = Leg(end.x, end.v, end.tau, OFF_SURFACE, HIT);
     if carried.flight != OWN {
-        return ended(ray, HIT, pixel);
+        return stays;
     }
     if carried.recorded == 0u {
         carried.recorded = 1u;
         keep_layers(pixel, ray, Seen(end, vec3f(0.0), normal, surface.object + 1u));
     }
     if all(answer.diffuse + answer.gloss <= vec3f(0.0)) {
-        return ended(ray, HIT, pixel);
+        return stays;
     }
     if carried.scatterings >= transport.depth {
-        return ended(ray, CUT, pixel);
+        return Leg(end.x, end.v, end.tau, OFF_SURFACE, CUT);
     }
     // On the surface itself first: how far off a long way ends has nothing to do with the numbers there.
     let start = lit_from(end.x - surface.gap * surface.across, surface, -way);
@@ -67,33 +103,11 @@ fn met_matter(ray: Ray, end: PathPoint, surface: Surface, material: Material, pi
     let left = max(weight.x, max(weight.y, weight.z));
     let survives = select(min(left, LIKELIEST), 1.0, carried.scatterings + 1u < transport.roulette);
     weight = select(vec3f(0.0), weight / max(survives, 1e-30), choice.y < survives && left > DARK);
-    return left_vertex(ray, vertex, onward, density, weight, pixel);
+    return left_vertex(vertex, onward, density, weight, pixel);
 }
 
-// The path's own ray from a vertex, of which so much is left.
-fn sent_on(ray: Ray, x: Real3, v: Real3, tau: Real, weight: vec3f) -> Ray {
+// The path's own ray from a vertex, of which so much is left; `code` where nothing is.
+fn own_leg(x: Real3, v: Real3, tau: Real, weight: vec3f, code: u32) -> Leg {
     carried.weight = weight;
-    if all(weight <= vec3f(0.0)) {
-        carried.flight = OVER;
-        return ray;
-    }
-    return gone_on(ray, x, v, tau, OFF_SURFACE);
-}
-
-// A ray of the path under way from x. One path may have so many segments, whatever surfaces lie between them.
-fn gone_on(ray: Ray, x: Real3, v: Real3, tau: Real, primitive: u32) -> Ray {
-    var next = ray;
-    if ray.index + 1u >= schedule.max_segments {
-        carried.flight = OVER;
-        next.status = EXHAUSTED;
-        return next;
-    }
-    next.phase = opaque_phase(law_start(x, v));
-    next.tau = opaque(tau);
-    next.rest = 0.0;
-    next.memory = first_memory(next.phase);
-    next.index += 1u;
-    next.status = ALIVE;
-    set_last_hit(primitive);
-    return next;
+    return Leg(x, v, tau, OFF_SURFACE, select(ALIVE, code, all(weight <= vec3f(0.0))));
 }

@@ -31,9 +31,8 @@ struct Waiting {
 @group(0) @binding(44) var<storage, read_write> waiting_rays: array<Waiting>;
 
 const AIMED: u32 = 2u;
-// Uses of random points.
+// This use of random points.
 const AIM: u32 = 2u;
-const LAMP: u32 = 3u;
 // What of all aimed rays goes to all lamps alike, however far and faint.
 const ALIKE: f32 = 0.1;
 
@@ -42,56 +41,38 @@ fn may_scatter(code: u32) -> bool {
     return code == HIT || code == ESCAPED || code == CAPTURED || code == ENDED;
 }
 
-// An aimed ray that met nothing has found the sky, if any light.
-fn met_nothing(ray: Ray, pixel: vec2u) -> Ray {
-    if carried.flight == OWN {
-        return ray;
+// Behind an aimed ray, which ended as `code` says, the path's own flies.
+fn after_flight(leg: Leg, code: u32, pixel: vec2u) -> Leg {
+    if leg.code == ALIVE || carried.flight != AIMED {
+        return leg;
     }
-    if ray.status == ESCAPED {
-        let end = path_end(ray, Hit(0.0, NOTHING));
-        filter_last(ray, end);
-        gather(sky_radiance(vec3f(normalize(end.v))), end.x);
-    }
-    return own_ray(ray, pixel);
-}
-
-fn ended(ray: Ray, code: u32, pixel: vec2u) -> Ray {
-    if carried.flight == AIMED {
-        return own_ray(ray, pixel);
-    }
-    var next = ray;
-    next.status = code;
-    carried.flight = OVER;
-    return next;
-}
-
-fn own_ray(ray: Ray, pixel: vec2u) -> Ray {
     let waiting = waiting_rays[place_of_path(pixel)];
     carried.flight = OWN;
     carried.share = waiting.share;
     carried.scatterings = waiting.scatterings;
     enter_set(waiting.bits);
-    return sent_on(ray, waiting.x, waiting.v, waiting.tau, waiting.weight);
+    return own_leg(waiting.x, waiting.v, waiting.tau, waiting.weight, code);
 }
 
-fn left_vertex(ray: Ray, vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, pixel: vec2u) -> Ray {
-    let before = carried.weight;
-    let aim = aimed_way(vertex, pixel);
-    carried.scatterings += 1u;
-    carried.share = 1.0;
+fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, pixel: vec2u) -> Leg {
+    let total = brightness_of_all(vec3f(vertex.x));
+    let aim = aimed_way(vertex, total, pixel);
+    let both = answer_density(vertex, aim) + aim_density(vertex, total, aim);
+    let aimed_weight = carried.weight * answered(vertex, aim) / max(both, 1e-30);
+    let widely = answers_widely(vertex);
+    let finds = widely && any(aimed_weight > vec3f(0.0)) && dot(aim, vertex.across) > 0.0;
+    let share = density / max(density + aim_density(vertex, total, onward), 1e-30);
     let own = vertex.speed * Real3(onward);
-    if !answers_widely(vertex) {
-        return sent_on(ray, vertex.x, own, vertex.tau, weight);
+    carried.scatterings += 1u;
+    carried.share = select(1.0, share, widely);
+    if !finds {
+        return own_leg(vertex.x, own, vertex.tau, weight, HIT);
     }
-    let share = density / max(density + aim_density(vertex, onward), 1e-30);
     waiting_rays[place_of_path(pixel)] =
         Waiting(vertex.x, vertex.tau, own, share, weight, carried.scatterings, region_bits());
     carried.flight = AIMED;
-    carried.weight = before * answered(vertex, aim) / max(answer_density(vertex, aim) + aim_density(vertex, aim), 1e-30);
-    if all(carried.weight <= vec3f(0.0)) || dot(aim, vertex.across) <= 0.0 {
-        return own_ray(ray, pixel);
-    }
-    return gone_on(ray, vertex.x, vertex.speed * Real3(aim), vertex.tau, OFF_SURFACE);
+    carried.share = 1.0;
+    return own_leg(vertex.x, vertex.speed * Real3(aim), vertex.tau, aimed_weight, HIT);
 }
 
 // A lamp from a place: 1 less the cosine of the angle to the edge of the ball about it, and the squared sine; all directions from inside
@@ -115,30 +96,37 @@ fn brightness_of_all(x: vec3f) -> f32 {
     return max(sum, 1e-30);
 }
 
-fn aimed_way(vertex: PathVertex, pixel: vec2u) -> vec3f {
+// How often a lamp is aimed at.
+fn lamp_share(lamp: Lamp, way: vec3f, total: f32) -> f32 {
+    return mix(brightness(lamp, way) / total, 1.0 / f32(arrayLength(&lamps)), ALIKE);
+}
+
+// The same number chooses the lamp and, stretched to what is left of it, the angle to its middle.
+fn aimed_way(vertex: PathVertex, total: f32, pixel: vec2u) -> vec3f {
     let x = vec3f(vertex.x);
     let u = path_point(pixel, AIM);
-    let count = arrayLength(&lamps);
-    let all = brightness_of_all(x);
-    var rest = path_point(pixel, LAMP).x;
     var chosen = 0u;
-    for (var i = 0u; i < count; i++) {
+    var before = 0.0;
+    var within = 1.0;
+    var sum = 0.0;
+    for (var i = 0u; i < arrayLength(&lamps); i++) {
         work += 1u;
-        let share = mix(brightness(lamps[i], lamps[i].center - x) / all, 1.0 / f32(count), ALIKE);
-        chosen = select(chosen, i, rest >= 0.0);
-        rest -= share;
+        let share = lamp_share(lamps[i], lamps[i].center - x, total);
+        let reached = u.x >= sum;
+        chosen = select(chosen, i, reached);
+        before = select(before, sum, reached);
+        within = select(within, share, reached);
+        sum += share;
     }
     let way = lamps[chosen].center - x;
     let wide = cone(lamps[chosen], way).x;
-    let off = u.x * wide;
+    let off = clamp((u.x - before) / within, 0.0, 1.0) * wide;
     return way_about(normalize(way), 1.0 - off, sqrt(off * (2.0 - off)), u.y);
 }
 
 // Of an aimed ray's direction, per solid angle: of all lamps that it may have been drawn for.
-fn aim_density(vertex: PathVertex, d: vec3f) -> f32 {
+fn aim_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     let x = vec3f(vertex.x);
-    let all = brightness_of_all(x);
-    let alike = ALIKE / f32(arrayLength(&lamps));
     var sum = 0.0;
     for (var i = 0u; i < arrayLength(&lamps); i++) {
         work += 1u;
@@ -146,8 +134,7 @@ fn aim_density(vertex: PathVertex, d: vec3f) -> f32 {
         let wide = cone(lamps[i], way);
         let off = cross(d, normalize(way));
         let inside = wide.y >= 1.0 || (dot(off, off) <= wide.y && dot(d, way) > 0.0);
-        let share = (1.0 - ALIKE) * brightness(lamps[i], way) / all + alike;
-        sum += select(0.0, share / (2.0 * f32(PI) * wide.x), inside);
+        sum += select(0.0, lamp_share(lamps[i], way, total) / (2.0 * f32(PI) * wide.x), inside);
     }
     return sum;
 }

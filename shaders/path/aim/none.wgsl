@@ -4,18 +4,11 @@ fn may_scatter(code: u32) -> bool {
     return code == HIT;
 }
 
-fn met_nothing(ray: Ray, pixel: vec2u) -> Ray {
-    return ray;
+fn after_flight(leg: Leg, code: u32, pixel: vec2u) -> Leg {
+    return leg;
 }
 
-fn ended(ray: Ray, code: u32, pixel: vec2u) -> Ray {
-    var next = ray;
-    next.status = code;
-    carried.flight = OVER;
-    return next;
-}
-
-fn left_vertex(ray: Ray, vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, pixel: vec2u) -> Ray {
+fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, pixel: vec2u) -> Leg {
     carried.scatterings += 1u;
-    return sent_on(ray, vertex.x, vertex.speed * Real3(onward), vertex.tau, weight);
+    return own_leg(vertex.x, vertex.speed * Real3(onward), vertex.tau, weight, HIT);
 }
