@@ -18,6 +18,7 @@ mod link;
 mod linked;
 mod lower;
 mod names;
+mod onward_parts;
 mod own;
 mod parts;
 mod picture_parts;

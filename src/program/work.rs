@@ -118,7 +118,6 @@ fn shadows(scene: &Scene) -> u64 {
     lines * constant(part, "CROSSINGS") as u64
 }
 
-/// Iterations of the steps of closed forms.
 /// Pieces that a step is cut into for a filter, at most, and the loop iterations of all, if a place on a step takes so many: of a piece
 /// six evaluations and its middle, and of some the search for a jump.
 fn filtering(scene: &Scene, place: u64) -> (u64, u64) {
@@ -130,6 +129,7 @@ fn filtering(scene: &Scene, place: u64) -> (u64, u64) {
     (pieces, pieces * piece + jumps * jump)
 }
 
+/// Iterations of the steps of closed forms.
 fn closed_loops(regions: &Regions) -> u64 {
     let forms = regions.kinds.iter().filter_map(|kind| kind.motion.closed_form());
     regions.obstacles.len() as u64 + forms.map(|form| form.loops).max().unwrap_or(0)
