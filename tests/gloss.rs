@@ -90,6 +90,7 @@ fn lost_light_is_counted() {
 fn every_schedule_draws_the_same_lobes() {
     let text =
         BALL.replace("GLOSS", "reflect_exponent = 50, transmit_exponent = 30").replace("samples = 16", "samples = 2");
+    let text = text.replace("[rays]", "[rays]\nmax_segments = 60");
     let usual = rendered(&text, Choice::default());
     for schedule in Schedule::ALL {
         let other = rendered(&text, Choice { schedule, masks: Masks::Off, ..Choice::default() });
