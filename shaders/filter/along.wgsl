@@ -33,6 +33,7 @@ struct Filter {
 
 // Half the distance between Gauss's two points, in parts of a piece.
 const GAUSS: Real = 0.28867513459481287;
+// Of what a whole step may err a piece may this part, however short it is.
 const LEAST_SHARE: f32 = 0.25;
 // What rounding makes of an optical depth.
 const FILTER_ROUNDING: f32 = 4e-7;
