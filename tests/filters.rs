@@ -206,3 +206,17 @@ fn formulas_belong_to_their_objects() {
         assert!((found - expected).abs() < 1e-5, "{found} for {expected}");
     }
 }
+
+/// Orbits in an empty space are followed in few steps, but not past what filters their light.
+#[test]
+fn filters_follow_orbits() {
+    let text = "[image]\nsize = [8, 6]\n[camera]\nposition = [0, 0, 12]\nlook_at = [5, 0, 0]\nfov = 30\n[sky]\ncolor = [1, 1, 1]\n\
+                [law]\nkind = \"schwarzschild\"\nfilter = { density = \"0.02 + 0.2*exp(-r^2/20)\" }\n\
+                [rays]\nbound = { radius = 30 }\nmethod = ";
+    let [planar, solved] = ["\"planar\"\n", "\"dormand-prince\"\ntolerance = 1e-6\n"]
+        .map(|method| rendered(&scene(&format!("{text}{method}")), Choice::default()).band.color);
+    assert!(planar[0].iter().filter(|x| **x > 0.1).count() > 12);
+    for (found, expected) in planar[0].iter().zip(&solved[0]) {
+        assert!((found - expected).abs() < 1e-3, "{found} for {expected}");
+    }
+}

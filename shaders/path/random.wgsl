@@ -20,9 +20,5 @@ const BRANCH: u32 = 16u;
 fn path_point(pixel: vec2u, own_use: u32) -> vec2f {
     let whole = frame.origin + pixel;
     let place = hashed(whole.x ^ hashed(whole.y ^ hashed(transport.seed)));
-    let seed = hashed(place ^ hashed(carried.scatterings ^ hashed((carried.flight << 16u) ^ own_use)));
-    let index = owen_scrambled(frame.sample, seed);
-    let x = owen_scrambled(reverseBits(index), hashed(seed ^ 0x9e3779b9u));
-    let y = owen_scrambled(sobol_second(index), hashed(seed ^ 0x51633e2du));
-    return vec2f(f32(x >> 8u), f32(y >> 8u)) / 16777216.0;
+    return seeded_point(hashed(place ^ hashed(carried.scatterings ^ hashed((carried.flight << 16u) ^ own_use))));
 }

@@ -5,7 +5,7 @@
 // Set in place of a primitive where a path starts just off a surface: nothing is hit before that start, and nothing is left out.
 const OFF_SURFACE: u32 = 0xfffffffeu;
 
-// What a path weighs no less than at roulette.
+// No path is likelier than this to survive roulette.
 const LIKELIEST: f32 = 0.95;
 
 // How a path goes on, if it does.

@@ -216,7 +216,7 @@ impl Layer {
             Self::Status => "How the ray ended",
             Self::Steps => "Integration steps",
             Self::Samples => "Rays that the pixel took",
-            Self::Error => "The standard error of the pixel's mean luminance, where paths are followed",
+            Self::Error => "The standard error of the pixel's mean luminance, with paths or adaptive sampling",
             Self::Way => "Where the ray was going at its end",
         }
     }

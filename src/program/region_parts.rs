@@ -111,7 +111,7 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
 
 /// τ is integrated only where something asks for it: arcs, and the numbers of a trace.
 fn planar_parts(scene: &Scene, purpose: Purpose, names: &mut Names) {
-    let open = scene.objects.is_empty();
+    let open = !scene.needs_arcs();
     names.add(if open { "motion/orbit_open" } else { "motion/orbit_arcs" });
     let asked = !open || !matches!(purpose, Purpose::Picture | Purpose::Bare);
     names.add(if asked { "motion/time_kept" } else { "motion/time_none" });

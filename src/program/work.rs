@@ -145,7 +145,7 @@ fn step_loops(scene: &Scene, Loops { derivative, scale }: Loops) -> u64 {
     let (method, control) = (scene.rays.method.kind, scene.rays.control.kind);
     if method.path == Path::Orbit {
         let part = "motion/orbit_open";
-        return if scene.objects.is_empty() { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 } else { 0 };
+        return if scene.needs_arcs() { 0 } else { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 };
     }
     let tries = control.tries.map_or(1, |part| constant(part, "MAX_TRIES") as u64);
     (control.loops)(&StepLoops { evaluations: method.evaluations.into(), derivative, scale, tries })

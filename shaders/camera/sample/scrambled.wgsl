@@ -29,3 +29,11 @@ fn sobol_second(index: u32) -> u32 {
     v ^= (v & 0x33333333u) << 2u;
     return v ^ ((v & 0x55555555u) << 1u);
 }
+
+// A point of the unit square for the sample: of one seed all samples are Sobol's points, shuffled and scrambled (padding).
+fn seeded_point(seed: u32) -> vec2f {
+    let index = owen_scrambled(frame.sample, seed);
+    let x = owen_scrambled(reverseBits(index), hashed(seed ^ 0x9e3779b9u));
+    let y = owen_scrambled(sobol_second(index), hashed(seed ^ 0x51633e2du));
+    return vec2f(f32(x >> 8u), f32(y >> 8u)) / 16777216.0;
+}

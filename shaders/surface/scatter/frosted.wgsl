@@ -3,7 +3,7 @@
 
 const FROSTED: u32 = 6u;
 
-// material.shininess is the lobe's exponent in transmission, and material.ambient that in reflection; 0 where it is passed.
+// material.shininess is the lobe's exponent in transmission, and material.ambient that in reflection; 0 where it is smooth.
 fn scatter_frosted(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
     let near_medium = medium_object();
     let passed = scatter_transmissive(material, surface, end, index, pixel);

@@ -93,6 +93,10 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         let help = "use segment = \"arc\", or shadows = \"straight\"";
         root.fault(&["lights"], "shooting follows arcs, and these rays are chords", help);
     }
+    if chords && filter.is_some() {
+        let help = "use segment = \"arc\", or leave the filter out";
+        root.fault(&["law"], "filters follow arcs, and these rays are chords", help);
+    }
     let occlusion = ambient::read(&root, paths.is_some());
     if paths.is_some() {
         paths::refuse(&root, &lights);
