@@ -157,6 +157,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
             (Schedule::Paper, Purpose::Pixels),
             (Schedule::Fused, Purpose::Bare),
             (Schedule::Fused, Purpose::Light),
+            (Schedule::Fused, Purpose::Caustics),
         ] {
             let choice = Choice { schedule, purpose, ..Choice::default() };
             let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();

@@ -4,8 +4,6 @@ use bentray::program::{Choice, Layer, Masks, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
 use bentray::scene::{Override, Scene};
 
-use glam::DVec3;
-
 use crate::support::{gpu, scene, scenes_in};
 
 /// A closed ball that glows and gives back: of L = Le/(1 − albedo) in every direction, under whatever law.
@@ -28,48 +26,6 @@ fn mean(picture: &Rendering, channel: usize) -> (f64, f64) {
     let n = all.len() as f64;
     let mean = all.iter().sum::<f64>() / n;
     (mean, (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt())
-}
-
-/// Not on average: every path brings the same light.
-#[test]
-fn furnaces_are_exact_under_every_law() {
-    let sources = |falloff: &str, strength: f64| {
-        format!(
-            "kind = \"sources\"\n[[law.sources]]\nposition = [0, 0.6, 0]\nstrength = {strength}\nfalloff = {falloff}"
-        )
-    };
-    let laws = [
-        ("kind = \"straight\"".to_owned(), false),
-        (sources("\"inverse-square\"", -0.2), false),
-        (sources("{ cubic = 0.5 }", -0.2), false),
-        (sources("{ yukawa = 1.5 }", -0.3), false),
-        ("kind = \"medium\"\nindex = { kind = \"luneburg\", c = 2, radius = 2 }".to_owned(), true),
-        ("kind = \"medium\"\nindex = { kind = \"maxwell-fisheye\", n0 = 2, a = 2 }".to_owned(), true),
-        ("kind = \"medium\"\nindex = { kind = \"gaussian\", a = 1.6, radius = 3 }".to_owned(), true),
-    ];
-    for (law, is_medium) in laws {
-        for rest in [
-            "",
-            "[[objects]]\nshape = \"box\"\nmaterial = \"wall\"\nscale = 0.4\nrotate = [20, 30, 0]\ntranslate = [1.1, 0.3, 0.2]\n",
-        ] {
-            // In a medium a thing that emits inside of it would have to be as bright as its own index says.
-            if is_medium && !rest.is_empty() {
-                continue;
-            }
-            let text = furnace(&law, "[0, 0, 0]", rest);
-            let scene = scene(&text);
-            let index = |x| scene.law.medium().and_then(|medium| medium.index(x)).unwrap_or(1.0);
-            let medium = index(DVec3::ZERO) / index(DVec3::X * 2.0);
-            let picture = rendered(&scene, RenderSettings::default());
-            assert_eq!(picture.totals.unfollowed(), 0, "{law}: {}", picture.totals);
-            for (channel, expected) in [1.0, 0.5, 0.3].into_iter().enumerate() {
-                let expected = expected * medium * medium;
-                for value in &picture.band.color[channel] {
-                    assert!((f64::from(*value) / expected - 1.0).abs() < 4e-6, "{law}: {value} for {expected}");
-                }
-            }
-        }
-    }
 }
 
 /// What a floor shows of a lamp is its albedo times E/π, aimed at or not.
@@ -140,6 +96,33 @@ fn aims_do_not_change_the_light() {
             assert!((light - other).abs() < 4.0 * error.hypot(own), "{law}: {light} ± {error}, {other} ± {own}");
         }
         assert!(noise < 0.7 * others[0].2, "{law}: {noise} and {}", others[0].2);
+    }
+}
+
+/// The spot of light below a glass ball, and what a ball of index that falls off from its middle makes of the lamp behind it.
+#[test]
+fn a_guide_changes_the_noise_and_not_the_light() {
+    let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 1.2, 0]\nradius = 0.6\ninterior = 1.5\n";
+    let bent =
+        "kind = \"sources\"\n[[law.sources]]\nposition = [0, 1.2, 0]\nstrength = -0.4\nfalloff = { cubic = 0.4 }";
+    for (law, rest) in [("kind = \"straight\"", ball), (bent, "")] {
+        let [(on, on_error), (off, off_error)] = [true, false].map(|guide| {
+            let text = format!(
+                "[image]\nsize = [24, 24]\nsamples = 256\n[camera]\nkind = \"plane\"\nheight = 0.4\nposition = [0, 0.1, 0]\n\
+                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[law]\n{law}\n[rays]\nbound = {{ radius = 9 }}\n\
+                 transport = \"paths\"\n[paths]\nguide = {guide}\n[materials.floor]\nkind = \"phong\"\n\
+                 diffuse = [0.8, 0.8, 0.8]\n[materials.lamp]\nkind = \"emissive\"\ncolor = [40, 40, 40]\n\
+                 [[objects]]\nshape = \"box\"\nmaterial = \"floor\"\ncenter = [0, -0.5, 0]\nsize = [5, 1, 5]\n\
+                 [[objects]]\nshape = \"sphere\"\nmaterial = \"lamp\"\ncenter = [0, 5, 0]\nradius = 0.12\n{rest}"
+            );
+            let picture = rendered(&scene(&text), RenderSettings::default());
+            assert_eq!(picture.totals.unfollowed(), 0, "{law}: {}", picture.totals);
+            let error = picture.totals.noise.clone().unwrap().mean().unwrap();
+            (mean(&picture, 1), error)
+        });
+        let apart = (on.0 - off.0).abs() / on.1.hypot(off.1);
+        assert!(apart < 4.0, "{law}: {on:?} and {off:?}");
+        assert!(on_error < 0.6 * off_error, "{law}: {on_error} and {off_error}");
     }
 }
 

@@ -10,6 +10,7 @@ mod constants;
 mod exactness;
 mod fans;
 mod filters;
+mod furnaces;
 mod gallery;
 mod gloss;
 mod groeller;

@@ -67,7 +67,9 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
     if cut {
         enter_set(side);
     }
-    return Leg(end.x, scattered.v, end.tau, (*met).primitive, select(ALIVE, CUT, cut));
+    var leg = Leg(end.x, scattered.v, end.tau, (*met).primitive, select(ALIVE, CUT, cut));
+    leave_aside(surface, end, &leg);
+    return leg;
 }
 
 // On a surface that is neither clear nor a mirror.

@@ -48,6 +48,7 @@ fn open_gap(code: u32, x: Real3) -> Real4 {
 // by up to 3e-4.
 fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     var h = first_guess(code, hit, step);
+    pass_top(code, hit, step, &h);
     var p = step.end;
     var there = false;
     for (var i = 0u; i <= STOP_STEPS; i++) {

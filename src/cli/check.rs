@@ -10,7 +10,7 @@ use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
 use crate::gpu::{Built, Geometry, Grid, LightVolume, light_bytes, memory};
 use crate::program::{Choice, Program, Schedule};
-use crate::scene::{Scene, Shadows, reference_markdown};
+use crate::scene::{Beam, Scene, Shadows, reference_markdown};
 
 /// Validate scenes, and say what will be modelled: parts, passes, bytes per pixel
 #[derive(Debug, Args)]
@@ -101,6 +101,7 @@ fn random_words(scene: &Scene) -> Vec<String> {
             [] => "paths aim at nothing: they find light by chance".to_owned(),
             _ => format!("paths aim at {} lamps: objects {} (from 0)", aims.len(), aims.join(", ")),
         });
+        words.extend(guide_words(scene));
     } else if scene.has_lobes() {
         words.push("rough surfaces: a direction a sample is drawn at random, and few samples are noisy".to_owned());
     } else if scene.is_occluded() {
@@ -109,6 +110,17 @@ fn random_words(scene: &Scene) -> Vec<String> {
         );
     }
     words
+}
+
+/// What guides paths, if anything does.
+fn guide_words(scene: &Scene) -> Option<String> {
+    let beam = |beam: &Beam| match beam.through {
+        Some(object) => format!("from {} by {object}", beam.lamp.object),
+        None => format!("from {}", beam.lamp.object),
+    };
+    let beams: Vec<_> = scene.beams().iter().map(beam).collect();
+    let paths = scene.guide_grid().paths;
+    (!beams.is_empty()).then(|| format!("light guides them, {paths} paths of it each: {}", beams.join(", ")))
 }
 
 /// What segments search, if there is anything.

@@ -208,7 +208,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         }
         for light in renderer.light_reports() {
             eprintln!("{light}");
-            unfollowed += light.totals.unfollowed();
+            unfollowed += light.unfollowed();
         }
         report(frame, ready, &totals);
         unfollowed += totals.unfollowed();

@@ -2,14 +2,19 @@
 
 use glam::DVec3;
 
-use crate::scene::{Light, LightSource, Scene};
+use crate::scene::{Beam, Light, LightSource, Scene};
 
 /// Where a light's paths start and where they go, and the flux of each: evenly over all directions that lead into the bounding sphere from
-/// a light of intensity 1, evenly over the sphere's disk from one far away of irradiance 1.
-///
+/// a light of intensity 1, evenly over the sphere's disk from one far away of irradiance 1. From a lamp they start all over the inside of the
+/// box about it, and lead into the ball of what they are sent to.
 #[derive(Debug, Clone, Copy)]
 pub struct Emission {
     source: LightSource,
+    /// Of a lamp, the corners of the box about it.
+    lamp: Option<[DVec3; 2]>,
+    /// What paths lead into: centre and radius.
+    into: (DVec3, f64),
+    /// The bounding sphere's.
     center: DVec3,
     radius: f64,
 }
@@ -19,7 +24,18 @@ impl Emission {
     #[must_use]
     pub fn new(scene: &Scene, light: &Light) -> Self {
         let bound = &scene.rays.bound;
-        Self { source: light.source, center: bound.center, radius: bound.radius }
+        let (center, radius) = (bound.center, bound.radius);
+        Self { source: light.source, lamp: None, into: (center, radius), center, radius }
+    }
+
+    /// Of a lamp.
+    #[must_use]
+    pub fn of_lamp(scene: &Scene, beam: &Beam) -> Self {
+        let bound = &scene.rays.bound;
+        let (center, radius) = (bound.center, bound.radius);
+        let into = beam.through.map_or((center, radius), |object| scene.objects[object].ball());
+        let (lo, hi) = scene.objects[beam.lamp.object].bounds();
+        Self { source: LightSource::Point(beam.lamp.center), lamp: Some([lo, hi]), into, center, radius }
     }
 
     /// Of all paths together.
@@ -32,28 +48,27 @@ impl Emission {
         }
     }
 
-    /// The cosine of the widest angle to the sphere's middle at which light goes out.
+    /// The cosine of the widest angle to the middle of what paths lead into.
     fn widest(&self, position: DVec3) -> f64 {
-        let part = self.radius / position.distance(self.center);
+        let part = self.into.1 / position.distance(self.into.0);
         if part < 1.0 { (1.0 - part * part).sqrt() } else { -1.0 }
     }
 
-    /// The start and the direction of the path for a point of the unit square.
+    /// The start and the direction of the k-th path, for a point of the unit square.
     #[must_use]
-    pub fn path(&self, [even, turn]: [f64; 2]) -> [f64; 6] {
+    pub fn path(&self, k: u32, [even, turn]: [f64; 2]) -> [f64; 6] {
         let turn = std::f64::consts::TAU * turn;
         let (x, d) = match self.source {
-            LightSource::Point(position) => {
-                let axis = (self.center - position).normalize_or(DVec3::Z);
-                let (a, b) = axis.any_orthonormal_pair();
-                let z = 1.0 - even * (1.0 - self.widest(position));
-                let across = (1.0 - z * z).max(0.0).sqrt();
-                let d = z * axis + across * (turn.cos() * a + turn.sin() * b);
+            LightSource::Point(center) => {
+                let position = self.lamp.map_or(center, |[lo, hi]| lo + place_in_box(k) * (hi - lo));
+                let axis = (self.into.0 - position).normalize_or(DVec3::Z);
+                let cosine = 1.0 - even * (1.0 - self.widest(position));
+                let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
+                let d = cosine * axis + sine * about(axis, turn);
                 (position + self.way_in(position, d) * d, d)
             }
             LightSource::Directional(d) => {
-                let (a, b) = d.any_orthonormal_pair();
-                let off = self.radius * even.sqrt() * (turn.cos() * a + turn.sin() * b);
+                let off = self.radius * even.sqrt() * about(d, turn);
                 let back = (self.radius * self.radius - off.length_squared()).max(0.0).sqrt();
                 (self.center + off - (1.0 - INSIDE) * back * d, d)
             }
@@ -147,6 +162,19 @@ impl Aim {
         let [x, y] = even_point(k % self.each, row * SIDE + column);
         [(f64::from(row) + x) / f64::from(SIDE), (f64::from(column) + y) / f64::from(SIDE)]
     }
+}
+
+/// A unit vector square to an axis, so far round it.
+fn about(axis: DVec3, turn: f64) -> DVec3 {
+    let (a, b) = axis.any_orthonormal_pair();
+    turn.cos() * a + turn.sin() * b
+}
+
+/// A lamp's k-th place, in parts of the box about it: in the ellipsoid that touches its sides.
+fn place_in_box(k: u32) -> DVec3 {
+    let ([x, y], [z, _]) = (even_point(k, SIDE * SIDE), even_point(k, SIDE * SIDE + 1));
+    let off = DVec3::new(x, y, z) - 0.5;
+    0.5 + off * (0.5 / off.length()).min(1.0)
 }
 
 /// The k-th point of a (0,2)-sequence in the unit square, one for each seed.

@@ -11,7 +11,7 @@ use glam::{DVec3, IVec3, UVec3, Vec4};
 use rayon::prelude::*;
 
 use crate::model::{Row, row};
-use crate::scene::{Light, LightSource, Object, Scene};
+use crate::scene::{Object, Scene};
 
 /// Voxels on each side of what is lit, so that there are some about every place where light is looked for.
 const MARGIN: u32 = 2;
@@ -99,6 +99,28 @@ impl LightField {
         sums.iter().map(|sum| Vec4::from_array(sum.map(|n| (n * scale) as f32))).collect()
     }
 
+    /// As what guides paths. Where none came there is what lies around, or in the voxel of the part. And so much more fluence of no direction
+    /// wherever there is any: of few paths it is not known how far apart their directions are.
+    #[must_use]
+    pub fn guiding(mut self, voxels: f32, parts: f32) -> Self {
+        let count = self.volume.voxels();
+        let near = |voxel: usize| around(self.volume.count, voxel).map(|i| self.field[i]).sum::<Vec4>() / 27.0;
+        let spread = |voxel: usize| if self.field[voxel] == Vec4::ZERO { near(voxel) } else { self.field[voxel] };
+        let coarse: Vec<Vec4> = (0..count).map(spread).collect();
+        let each = self.refine.pow(3) as usize;
+        for (voxel, brick) in self.bricks.iter().enumerate().filter(|(_, brick)| **brick != 0) {
+            let first = count + (*brick as usize - 1) * each;
+            for part in self.field[first..first + each].iter_mut().filter(|part| **part == Vec4::ZERO) {
+                *part = coarse[voxel];
+            }
+        }
+        self.field[..count].copy_from_slice(&coarse);
+        for (i, value) in self.field.iter_mut().enumerate().filter(|(_, value)| value.w > 0.0) {
+            value.w += if i < count { voxels } else { parts };
+        }
+        self
+    }
+
     /// F and φ at a place that no surface is near: between the middles of voxels, or of parts where its own is in parts. None outside
     /// of the voxels.
     #[must_use]
@@ -165,20 +187,11 @@ impl LightField {
         all.into_iter().map(|(_, voxel)| voxel).collect()
     }
 
-    /// The members of `GridLight` in `shaders/surface/light/grid.wgsl`; before its own there are so many voxels and values of others.
+    /// The members of `GridLight` in `shaders/surface/light/field.wgsl` that say where it lies: before its own there are so many voxels and
+    /// values of others.
     #[must_use]
-    pub(super) fn row(&self, light: &Light, first_brick: usize, first: usize) -> Row {
-        let position = match light.source {
-            LightSource::Point(position) => position,
-            LightSource::Directional(_) => DVec3::ZERO,
-        };
-        let own = row! {
-            color: Vec3(light.color),
-            falls: Uint(light.falls_in_grid().into()),
-            first_brick: Uint(first_brick as u32),
-            first: Uint(first as u32),
-            position: Vec3(position),
-        };
+    pub(super) fn row(&self, first_brick: usize, first: usize) -> Row {
+        let own = row! { first_brick: Uint(first_brick as u32), first: Uint(first as u32) };
         [self.volume.row(self.refine), own].concat()
     }
 }

@@ -167,13 +167,11 @@ impl Source<'_> {
     }
 
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
-        let grids = self.grid_lights();
-        let mut grids = grids.iter();
         let row = |light: &Light| -> (&str, Row) {
             let shadows = u32::from(light.shadows == Shadows::Straight);
             let falls = u32::from(light.falls);
             match light.source {
-                _ if light.shadows == Shadows::Grid => ("grid_lights", grids.next().cloned().unwrap_or_default()),
+                _ if light.shadows == Shadows::Grid => ("grid_lights", Row::new()),
                 LightSource::Point(position) if light.shadows == Shadows::Shooting => (
                     "shot_lights",
                     row! { position: Vec3(position), color: Vec3(light.color), falls: Uint(falls), size: Float(light.size) },
@@ -188,6 +186,10 @@ impl Source<'_> {
                 ),
             }
         };
+        if name == "grid_lights" {
+            let grids = self.grid_lights();
+            return if grids.is_empty() { Ok(None) } else { pack(name, layout, grids).map(Some) };
+        }
         let all: Vec<_> = self.scene.lights.iter().map(row).filter(|(list, _)| *list == name).collect();
         if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }
     }
@@ -195,14 +197,26 @@ impl Source<'_> {
     /// The lights that have a grid, each with where its voxels begin.
     fn grid_lights(&self) -> Vec<Row> {
         let lights = self.scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
+        let lights = lights.map(|light| {
+            let position = match light.source {
+                LightSource::Point(position) => position,
+                LightSource::Directional(_) => DVec3::ZERO,
+            };
+            let falls = u32::from(light.falls_in_grid());
+            row! { color: Vec3(light.color), falls: Uint(falls), position: Vec3(position) }
+        });
+        // Of a beam the irradiance is asked for, of all colours together.
+        let guide = self.scene.beams().into_iter().map(|beam| -> Row {
+            row! { color: Vec3(DVec3::splat(beam.lamp.power)), falls: Uint(1), position: Vec3(beam.lamp.center) }
+        });
         let (mut bricks, mut values) = (0, 0);
-        let row = |(light, field): (&Light, &LightField)| {
-            let row = field.row(light, bricks, values);
+        let row = |(own, field): (Row, &LightField)| {
+            let place = field.row(bricks, values);
             bricks += field.bricks.len();
             values += field.field.len();
-            row
+            [own, place].concat()
         };
-        lights.zip(self.fields).map(row).collect()
+        lights.chain(guide).zip(self.fields).map(row).collect()
     }
 
     /// What segments may be near: of each list the shapes on which rays end, then those that they cross, then the

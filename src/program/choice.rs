@@ -135,6 +135,8 @@ pub enum Purpose {
     Lit,
     /// Rays from a light, which leave their light in the voxels on their way.
     Light,
+    /// The same, but they leave none before a surface has sent them on.
+    Caustics,
     /// The camera's rays, each to be moved by as many steps as it is told, to measure what they cost by themselves.
     Bare,
 }
@@ -143,7 +145,13 @@ impl Purpose {
     /// Are its rays given one by one, whatever the camera?
     #[must_use]
     pub fn is_given(self) -> bool {
-        matches!(self, Self::Trace | Self::Lit | Self::Light)
+        matches!(self, Self::Trace | Self::Lit | Self::Light | Self::Caustics)
+    }
+
+    /// Do its rays leave their light on their way?
+    #[must_use]
+    pub fn leaves_light(self) -> bool {
+        matches!(self, Self::Light | Self::Caustics)
     }
 }
 
@@ -261,7 +269,9 @@ impl Choice {
         passes.extend(match self.purpose {
             _ if self.schedule == Schedule::Whole => None,
             Purpose::Picture => Some(Pass::Shade),
-            Purpose::Trace | Purpose::Pixels | Purpose::Lit | Purpose::Light | Purpose::Bare => Some(Pass::Record),
+            Purpose::Trace | Purpose::Pixels | Purpose::Lit | Purpose::Light | Purpose::Caustics | Purpose::Bare => {
+                Some(Pass::Record)
+            }
         });
         if self.adapts(scene) {
             passes.push(Pass::Refine);
@@ -299,7 +309,7 @@ impl Choice {
     /// Do media take from the light of its rays?
     #[must_use]
     pub fn filters(&self, scene: &Scene) -> bool {
-        matches!(self.purpose, Purpose::Picture | Purpose::Light) && scene.filters().next().is_some()
+        (self.purpose == Purpose::Picture || self.purpose.leaves_light()) && scene.filters().next().is_some()
     }
 
     /// Do media add to it?

@@ -198,6 +198,37 @@ pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str], path
     unit("generated/materials.wgsl", text)
 }
 
+/// What paths aim at: each kind of it as often as it is bright at a vertex.
+pub(super) fn aims(kinds: &[&str]) -> Unit {
+    let each = |word: &dyn Fn(&str) -> String, between: &str| -> String {
+        kinds.iter().map(|kind| word(kind)).collect::<Vec<_>>().join(between)
+    };
+    let members = each(&|kind| format!("    {kind}: f32,\n"), "");
+    let bright = each(&|kind| format!("{kind}_brightness(vertex)"), ", ");
+    let all = each(&|kind| format!("aims.{kind}"), " + ");
+    let density = each(&|kind| format!("aims.{kind} * {kind}_density(vertex, aims.{kind}, d)"), "\n        + ");
+    let (last, others) = kinds.split_last().expect("paths that aim aim at something");
+    let mut way = String::new();
+    for kind in others {
+        let _ = write!(
+            way,
+            "    if at < aims.{kind} {{\n        \
+             return {kind}_way(vertex, aims.{kind}, vec2f(at / aims.{kind}, u.y));\n    }}\n    \
+             at -= aims.{kind};\n"
+        );
+    }
+    let text = format!(
+        "struct Aims {{\n{members}}}\n\n\
+         fn aims_at(vertex: PathVertex) -> Aims {{\n    return Aims({bright});\n}}\n\n\
+         fn aimed_way(vertex: PathVertex, aims: Aims, u: vec2f) -> vec3f {{\n    \
+         var at = u.x * ({all});\n{way}    \
+         return {last}_way(vertex, aims.{last}, vec2f(clamp(at / max(aims.{last}, 1e-30), 0.0, 1.0), u.y));\n}}\n\n\
+         fn aim_density(vertex: PathVertex, aims: Aims, d: vec3f) -> f32 {{\n    \
+         return ({density})\n        / max({all}, 1e-30);\n}}\n"
+    );
+    unit("generated/aims.wgsl", text)
+}
+
 /// What filters leave of light, by their kinds, and how many pieces a step is cut into at most.
 pub(super) fn filters(kinds: &[&str], pieces: u64) -> Unit {
     let names = kinds.iter().map(|part| own_name(part));
@@ -235,15 +266,17 @@ pub(super) fn layers(names: &[&str]) -> Unit {
     unit("generated/layers.wgsl", text)
 }
 
-/// What becomes of a ray at a surface, by the kinds of material that it goes on from.
-pub(super) fn scatter(kinds: &[&str]) -> Unit {
+/// What becomes of a ray at a surface, by the kinds of material that it goes on from; on some others it `ends`.
+pub(super) fn scatter(kinds: &[&str], ends: bool) -> Unit {
     let arguments = "material, surface, end, index, pixel";
     let mut calls: Vec<_> = kinds
         .iter()
         .map(|part| own_name(part))
         .map(|kind| (kind.to_uppercase(), format!("scatter_{kind}({arguments})")))
         .collect();
-    calls.push((String::new(), "Scattered(end.v, vec3f(1.0), false, false)".to_owned()));
+    if ends || calls.is_empty() {
+        calls.push((String::new(), "Scattered(end.v, vec3f(1.0), false, false)".to_owned()));
+    }
     let signature = "fn scattered_at(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) \
                      -> Scattered";
     unit("generated/scatter.wgsl", switch(signature, "material.kind", &calls))

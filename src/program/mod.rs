@@ -75,7 +75,7 @@ impl Program {
     pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
         let choice = choice.settled(scene);
         let work = Work::of(scene, analysis, extent)?;
-        let work = if choice.purpose == Purpose::Light { work.leaving_light(scene) } else { work };
+        let work = if choice.purpose.leaves_light() { work.leaving_light(scene) } else { work };
         let parts = plan(scene, analysis, &choice, &work)?;
         let passes = choice
             .passes(scene)

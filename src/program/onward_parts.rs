@@ -57,6 +57,9 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
     names.add(if choice.purpose.is_given() { "surface/origin_given" } else { "surface/origin_camera" });
     // Paths that are in pieces are told where they left a surface.
     let in_pieces = paths && !regions.kinds.iter().all(|kind| joins_whole(scene, kind));
+    if in_pieces {
+        names.all(&["segment/pass_top", "path/aside"]);
+    }
     names.add(if flat || in_pieces { "segment/last_hit_kept" } else { "segment/last_hit_none" });
     names.add(if sided_mesh { "shape/facing_sided" } else { "shape/facing_any" });
     let fans: Vec<_> = scene.fans().into_iter().map(|(_, rays)| rays).collect();
@@ -87,7 +90,7 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
         names.add("surface/scatter/lobe");
         names.add(match choice.purpose {
             Purpose::Picture if paths => "path/lobe",
-            Purpose::Picture | Purpose::Light => "surface/scatter/lobe_random",
+            Purpose::Picture | Purpose::Light | Purpose::Caustics => "surface/scatter/lobe_random",
             _ => "surface/scatter/lobe_axis",
         });
         names.add("camera/sample/scrambled");
@@ -95,7 +98,8 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
     kinds.sort_unstable();
     kinds.dedup();
     names.all(&kinds);
-    names.make(generated::scatter(&kinds));
+    let ends = scene.objects.iter().any(|object| object.interior().is_none() && !scene.continues_from(object));
+    names.make(generated::scatter(&kinds, ends));
     names.make(generated::regions(regions));
 }
 
@@ -105,7 +109,15 @@ fn path_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add("camera/sample/scrambled");
     let glossy = scene.used_materials().any(|material| material.surface.is_glossy());
     names.add(if glossy { "path/answer/glossy" } else { "path/answer/matte" });
-    names.add(if scene.lamps().is_empty() { "path/aim/none" } else { "path/aim/lamps" });
+    let aims = scene.aims();
+    names.add(if aims.is_empty() { "path/aim/none" } else { "path/aim/flight" });
+    if !aims.is_empty() {
+        names.each("path/aim", aims.iter().copied());
+        names.make(generated::aims(&aims));
+    }
+    if aims.contains(&"guide") {
+        names.add("surface/light/field");
+    }
     names.add(if choice.adapts(scene) { "picture/spread_none" } else { "picture/spread_kept" });
 }
 
@@ -120,7 +132,7 @@ fn sent_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     let (weight, branch) = match (choice.purpose, scene.rays.branches) {
         (Purpose::Picture, Branches::Enumerated(_)) => (kept, "surface/branch/enumerated"),
         (Purpose::Picture, Branches::Random) => (kept, "surface/branch/random"),
-        (Purpose::Light, _) => (LIGHT, "surface/branch/random"),
+        (Purpose::Light | Purpose::Caustics, _) => (plain_weight(scene, choice), "surface/branch/random"),
         _ => ("surface/weight/none", "surface/branch/transmitted"),
     };
     weight_parts(weight, names);
@@ -131,6 +143,7 @@ fn sent_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
 fn plain_weight(scene: &Scene, choice: &Choice) -> &'static str {
     match choice.purpose {
         Purpose::Light => LIGHT,
+        Purpose::Caustics => CAUSTIC,
         Purpose::Picture if choice.sees_glow(scene) => "path/carried",
         Purpose::Picture if choice.filters(scene) => "surface/weight/colored",
         _ => "surface/weight/none",
@@ -139,11 +152,12 @@ fn plain_weight(scene: &Scene, choice: &Choice) -> &'static str {
 
 const GRAY: &str = "surface/weight/gray";
 const LIGHT: &str = "surface/weight/light";
+const CAUSTIC: &str = "surface/weight/caustic";
 
 /// A weight, and how it is kept.
 fn weight_parts(weight: &'static str, names: &mut Names) {
     names.add(weight);
-    if matches!(weight, GRAY | LIGHT) {
+    if matches!(weight, GRAY | LIGHT | CAUSTIC) {
         names.add("surface/weight/kept_single");
     }
 }

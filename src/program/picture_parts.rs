@@ -95,6 +95,7 @@ pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) 
     let falls = scene.lights.iter().any(|light| light.falls);
     names.add(if falls { "surface/light/falls_some" } else { "surface/light/falls_none" });
     if lights.contains(&"grid") {
+        names.add("surface/light/field");
         grid_parts(scene, names);
     }
     names.make(generated::materials(&kinds, &patterns, &lights, choice.follows_paths(scene)));

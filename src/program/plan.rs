@@ -69,12 +69,8 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     let lengths = short_lists::lengths(scene, regions);
     let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
     let parts = Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? };
-    Ok(parts.without_calls(&OPTIONAL))
+    Ok(parts.without_optional_calls())
 }
-
-/// What a pass calls where some part has it, and else not at all.
-const OPTIONAL: [&str; 7] =
-    ["filter_step", "filter_last", "filter_left", "filter_passed", "note_glow", "note_pixel", "mark_occluding"];
 
 /// Whether what is seen lies in a light's shadow.
 fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
@@ -118,7 +114,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
         Masks::Grid => "state/active/grid",
         Masks::List => "state/active/list",
     });
-    if choice.purpose == Purpose::Light {
+    if choice.purpose.leaves_light() {
         names.all(&["segment/run_light", "segment/leave_light"]);
     } else {
         names.add(if choice.masks == Masks::Off { "segment/run_all" } else { "segment/run_active" });

@@ -35,7 +35,7 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
         ("shot_lights", shot),
         ("lamps", scene.lamps().len()),
         ("filters", regions.regions.len() + 1),
-        ("grid_lights", grids),
+        ("grid_lights", grids + scene.beams().len()),
     ];
     others.into_iter().chain(placed).collect()
 }

@@ -61,15 +61,29 @@ pub struct Parts {
     pub regions: Vec<Vec<Unit>>,
 }
 
+/// What parts call where some part declares it, and else not at all: statements on lines of their own.
+const OPTIONAL: [&str; 10] = [
+    "filter_step",
+    "filter_last",
+    "filter_left",
+    "filter_passed",
+    "note_glow",
+    "note_pixel",
+    "note_sent",
+    "mark_occluding",
+    "pass_top",
+    "leave_aside",
+];
+
 impl Parts {
-    /// Without statements that call one of these functions, which stand on lines of their own, where no part declares it.
+    /// Without the optional calls of what no part declares.
     #[must_use]
-    pub(super) fn without_calls(mut self, names: &[&str]) -> Self {
-        let declared = |name: &&&str| {
+    pub fn without_optional_calls(mut self) -> Self {
+        let undeclared = |name: &&&str| {
             let begins = format!("fn {name}(");
             !self.shared.iter().any(|unit| unit.text.lines().any(|line| line.starts_with(&begins)))
         };
-        let missing: Vec<String> = names.iter().filter(declared).map(|name| format!("{name}(")).collect();
+        let missing: Vec<String> = OPTIONAL.iter().filter(undeclared).map(|name| format!("{name}(")).collect();
         for unit in &mut self.shared {
             let is_missing = |line: &str| missing.iter().any(|call| line.trim_start().starts_with(call));
             if unit.author == Author::BuiltIn && unit.text.lines().any(is_missing) {

@@ -1,4 +1,4 @@
-//! Grids of light directions (G95 §6), made before a picture whose lights ask for them.
+//! Grids of light directions (G95 §6), made before a picture whose lights ask for them or whose paths they guide.
 //!
 //! *Theory.* Paths leave a light evenly in all directions, follow the scene's law through what is clear until they end, and leave their
 //! light in the voxels on their way. Then more paths do so in the parts of those voxels whose light is unlike a neighbour's.
@@ -13,21 +13,25 @@ use glam::Vec4;
 use rayon::prelude::*;
 
 use super::clock::Clock;
-use super::grids::{LightGrids, LightReport};
+use super::grids::{Gridded, LightGrids, LightReport};
 use super::readback::read_buffer;
 use super::renderer::Walks;
 use super::trace::{BATCH, ray_tile};
 use super::{RenderError, RenderSettings, Renderer, Totals};
 use crate::gpu::{Aim, Emission, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
 use crate::program::{Choice, Masks, Purpose, Role, Schedule, constant};
-use crate::scene::{Light, LightGrid, Scene, Shadows};
+use crate::scene::{LightGrid, Scene, Shadows};
 
 /// Paths that tell where others are to go: half as many, and so many at least and at most.
 const PILOTS: [u32; 2] = [1 << 16, 1 << 18];
 /// Times as many paths for the parts of voxels.
 const FOR_PARTS: u32 = 4;
+/// What is not known of the direction of light that guides paths, in parts of one path's.
+const DOUBT: f64 = 0.03;
 /// Of the device's memory that is left, the part that bricks may take.
 const FOR_BRICKS: u64 = 2;
+/// Parts of what guides paths, in all.
+const GUIDE_PARTS: u64 = 1 << 19;
 
 impl<'a> Renderer<'a> {
     /// Makes the grids of its lights, where the scene has such, and links, compiles and uploads.
@@ -52,10 +56,12 @@ impl<'a> Renderer<'a> {
 
 impl LightGrids {
     fn new(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
-        if settings.choice.purpose != Purpose::Picture || !scene.has_shadows(Shadows::Grid) {
-            return Ok(Self::default());
-        }
-        let (fields, reports): (Vec<_>, _) = light_grids(gpu, scene, settings)?.into_iter().unzip();
+        let made = match settings.choice.purpose {
+            Purpose::Picture if scene.has_shadows(Shadows::Grid) => light_grids(gpu, scene, settings)?,
+            Purpose::Picture => guide(gpu, scene, settings)?,
+            _ => Vec::new(),
+        };
+        let (fields, reports): (Vec<_>, _) = made.into_iter().unzip();
         Ok(Self { fields: fields.into(), reports })
     }
 }
@@ -66,31 +72,82 @@ pub fn light_grids(
     scene: &Scene,
     settings: &RenderSettings,
 ) -> Result<Vec<(LightField, LightReport)>, RenderError> {
-    let lights: Vec<_> = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid).collect();
-    if lights.is_empty() {
+    let lights = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid);
+    let wanted: Vec<_> = lights
+        .map(|(i, light)| Wanted {
+            of: Gridded::Light(i),
+            emission: Emission::new(scene, light),
+            grid: light.grid,
+            narrows: true,
+        })
+        .collect();
+    fields(gpu, scene.clone(), settings, (Purpose::Light, &wanted))
+}
+
+/// The grids of the light that guides a scene's paths.
+fn guide(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Vec<(LightField, LightReport)>, RenderError> {
+    let beams = scene.beams();
+    let bends = beams.iter().any(|beam| beam.through.is_none());
+    let purpose = if bends { Purpose::Light } else { Purpose::Caustics };
+    let wanted: Vec<_> = beams
+        .iter()
+        .map(|beam| Wanted {
+            of: Gridded::Beam(beam.lamp.object, beam.through),
+            emission: Emission::of_lamp(scene, beam),
+            grid: scene.guide_grid(),
+            narrows: bends,
+        })
+        .collect();
+    fields(gpu, scene.of_beams(), settings, (purpose, &wanted))
+}
+
+/// A grid that is to be made.
+struct Wanted {
+    of: Gridded,
+    emission: Emission,
+    grid: LightGrid,
+    /// Is it found out first which ways from the light lead to where it is looked for?
+    narrows: bool,
+}
+
+impl Wanted {
+    fn guides(&self) -> bool {
+        matches!(self.of, Gridded::Beam(..))
+    }
+}
+
+/// Follows light through a scene.
+fn fields(
+    gpu: &Gpu,
+    mut followed: Scene,
+    settings: &RenderSettings,
+    (purpose, wanted): (Purpose, &[Wanted]),
+) -> Result<Vec<(LightField, LightReport)>, RenderError> {
+    if wanted.is_empty() {
         return Ok(Vec::new());
     }
-    let volumes: Vec<_> = lights.iter().map(|(_, light)| LightVolume::new(scene, light.grid.voxels)).collect();
+    let volumes: Vec<_> = wanted.iter().map(|light| LightVolume::new(&followed, light.grid.voxels)).collect();
     let all: u64 = volumes.iter().map(|volume| light_bytes(volume.voxels() as u64)).sum();
-    if all > settings.memory {
+    let guides = wanted.iter().any(Wanted::guides);
+    if all > settings.memory && !guides {
         let voxels = volumes.iter().map(LightVolume::voxels).sum();
         return Err(RenderError::LightGrid { voxels, needed: all, allowed: settings.memory });
     }
-    let choice = Choice { purpose: Purpose::Light, schedule: Schedule::Fused, masks: Masks::List, layers: Vec::new() };
-    let mut followed = scene.clone();
-    if std::mem::take(&mut followed.rays.leaps) {
-        // A leap does not tell where it went.
+    let choice = Choice { purpose, schedule: Schedule::Fused, masks: Masks::List, layers: Vec::new() };
+    // A leap does not tell where it went.
+    if std::mem::take(&mut followed.rays.leaps) && !guides {
         followed.rays.max_segments = followed.rays.max_segments.max(ARCS);
     }
-    let settings = RenderSettings { choice, window: None, ..settings.clone() };
-    let maker = Maker { renderer: Renderer::new(gpu, &followed, settings)? };
+    let own = RenderSettings { choice, window: None, ..settings.clone() };
+    let maker = Maker { renderer: Renderer::new(gpu, &followed, own)? };
     // Each light's share of what bricks may take: of the memory, and of a buffer.
     let limit = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
     let coarse: u64 = volumes.iter().map(|volume| volume.voxels() as u64).sum();
     let part = size_of::<Vec4>() as u64;
-    let room = (maker.renderer.settings.memory - all) / FOR_BRICKS / light_bytes(1);
-    let room = room.min((limit / part).saturating_sub(coarse)) / lights.len() as u64;
-    lights.iter().zip(volumes).map(|((i, light), volume)| maker.make(*i, light, volume, room)).collect()
+    // What guides paths is the same whatever memory there is: a picture does not change with it.
+    let room = if guides { GUIDE_PARTS } else { (settings.memory - all) / FOR_BRICKS / light_bytes(1) };
+    let room = room.min((limit / part).saturating_sub(coarse)) / wanted.len() as u64;
+    wanted.iter().zip(volumes).map(|(light, volume)| maker.make(light, volume, room)).collect()
 }
 
 /// Arcs of one path, at most, where the camera's paths take leaps.
@@ -102,51 +159,55 @@ struct Maker<'a> {
 
 impl Maker<'_> {
     /// A light's grid, with at most `room` parts in bricks.
-    fn make(
-        &self,
-        index: usize,
-        light: &Light,
-        volume: LightVolume,
-        room: u64,
-    ) -> Result<(LightField, LightReport), RenderError> {
+    fn make(&self, wanted: &Wanted, volume: LightVolume, room: u64) -> Result<(LightField, LightReport), RenderError> {
         let (started, mut totals, mut clock) =
             (Instant::now(), Totals::default(), Clock::new(self.renderer.gpu, false));
-        let LightGrid { refine, paths, .. } = light.grid;
-        let emission = Emission::new(&self.renderer.scene, light);
+        let guides = wanted.guides();
+        let Wanted { of, emission, grid: LightGrid { refine, paths, .. }, narrows } = *wanted;
         let unit = constant("segment/leave_light", "LIGHT_UNIT");
         let mut shine = |aim: &Aim, refine: u32, bricks: &[u32], count: usize| {
             self.shine(&emission, aim, (&volume, refine, bricks), count, (&mut totals, &mut clock))
         };
         let mut bricks = vec![0; volume.voxels()];
         let pilots = (paths / 2).clamp(PILOTS[0], PILOTS[1]);
-        let pilot = Aim::everywhere(pilots);
-        let aim = pilot.narrowed(shine(&pilot, 1, &bricks, volume.voxels())?.reaches.into_iter(), paths);
+        let mut aim = Aim::everywhere(if narrows { pilots } else { paths });
+        if narrows {
+            aim = aim.narrowed(shine(&aim, 1, &bricks, volume.voxels())?.reaches.into_iter(), paths);
+        }
         let flux = emission.flux() * aim.share();
         let sums = shine(&aim, 1, &bricks, volume.voxels())?.sums;
         let mut made = LightField::new(volume, refine, &LightField::values(&sums, flux, volume.h, unit));
         let parts = refine.pow(3) as usize;
         let mut cut = if refine > 1 { made.worth_cutting(flux / f64::from(FOR_PARTS)) } else { Vec::new() };
-        let wanted = cut.len();
+        let worth = cut.len();
         cut.truncate((room / parts as u64) as usize);
         if !cut.is_empty() {
             for (number, voxel) in (1..).zip(&cut) {
                 bricks[*voxel as usize] = number;
             }
             let count = cut.len() * parts;
-            let pilot = aim.again(pilots);
-            let reaches = shine(&pilot, refine, &bricks, count)?.reaches.into_iter();
-            let aim = pilot.narrowed(reaches, paths.saturating_mul(FOR_PARTS));
+            let paths = paths.saturating_mul(FOR_PARTS);
+            let mut aim = aim.again(if narrows { pilots } else { paths });
+            if narrows {
+                aim = aim.narrowed(shine(&aim, refine, &bricks, count)?.reaches.into_iter(), paths);
+            }
             let sums = shine(&aim, refine, &bricks, count)?.sums;
             let flux = emission.flux() * aim.share();
             made.cut(bricks, &LightField::values(&sums, flux, volume.h / f64::from(refine), unit));
         }
+        if guides {
+            let part = made.volume.h / f64::from(refine);
+            let [voxel, part] =
+                [(flux, made.volume.h), (flux / f64::from(FOR_PARTS), part)].map(|(f, h)| DOUBT * f / (h * h));
+            made = made.guiding(voxel as f32, part as f32);
+        }
         self.renderer.finish_totals(&mut totals, &clock, started)?;
-        if totals.lost > 0 {
-            return Err(RenderError::LightLost { light: index });
+        if let (Gridded::Light(light), true) = (of, totals.lost > 0) {
+            return Err(RenderError::LightLost { light });
         }
         let (count, bytes, wall) = (volume.count, made.bytes(), started.elapsed());
-        let refined = [cut.len(), wanted];
-        Ok((made, LightReport { light: index, count, refined, bytes, totals, wall }))
+        let refined = [cut.len(), worth];
+        Ok((made, LightReport { of, count, refined, bytes, totals, wall }))
     }
 
     /// What all paths together leave in `count` voxels, or parts of them.
@@ -165,7 +226,7 @@ impl Maker<'_> {
         let mut first = 0;
         while first < aim.paths() {
             let batch = first..aim.paths().min(first + BATCH as u32);
-            let rays: Vec<[f64; 6]> = batch.clone().into_par_iter().map(|k| emission.path(aim.point(k))).collect();
+            let rays: Vec<[f64; 6]> = batch.clone().into_par_iter().map(|k| emission.path(k, aim.point(k))).collect();
             let (mut tile, mut sample) = ray_tile(&self.renderer, &rays)?;
             // What is drawn at random for a path depends on its place in its batch, and on that.
             sample.number = first / BATCH as u32;

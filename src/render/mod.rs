@@ -36,7 +36,7 @@ mod whole;
 mod window;
 
 pub use error::RenderError;
-pub use grids::LightReport;
+pub use grids::{Gridded, LightReport};
 pub use light_grid::light_grids;
 pub use light_paths::{LightPath, light_paths};
 pub use noise::Noise;

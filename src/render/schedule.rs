@@ -29,7 +29,7 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
             recorded.push(Pass::Shots, Slots::only(0), 0, 1);
             return recorded.steps;
         }
-        Purpose::Picture | Purpose::Trace | Purpose::Pixels | Purpose::Light => {}
+        Purpose::Picture | Purpose::Trace | Purpose::Pixels | Purpose::Light | Purpose::Caustics => {}
     }
     match choice.schedule {
         Schedule::Fused | Schedule::Whole => recorded.fused(work, segments, n),

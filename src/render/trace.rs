@@ -226,11 +226,12 @@ pub(super) fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile,
     let bytes = pack("given", renderer.layout(&Role::Given)?, batch.iter().map(row))?;
     let mut tile = list_tile(renderer, batch.len(), ROW, &Role::Given, &bytes)?;
     if renderer.program.layout(&Role::GivenSets).is_some() {
+        let meshes = closed_meshes(&renderer.scene, &renderer.regions);
         let mut sets: Vec<u32> = Vec::with_capacity(batch.len());
         for (i, ray) in batch.iter().enumerate() {
             // Many may start at one place.
             let known = i.checked_sub(1).filter(|before| batch[*before][..3] == ray[..3]).map(|before| sets[before]);
-            sets.push(known.unwrap_or_else(|| starting_set(&renderer.scene, &renderer.regions, ray)));
+            sets.push(known.unwrap_or_else(|| starting_set(&meshes, ray)));
         }
         tile.add_input(renderer.gpu, &Role::GivenSets, bytemuck::cast_slice(&sets))?;
     }
@@ -238,11 +239,21 @@ pub(super) fn ray_tile(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<(Tile,
     Ok((tile, Sample::first(image)))
 }
 
-/// The meshes that a ray starts in, as bits of the set of regions.
-fn starting_set(scene: &Scene, regions: &Regions, ray: &[f64; 6]) -> u32 {
-    let starts = |object: &Object| object.shape.mesh().is_some() && object.contains(DVec3::new(ray[0], ray[1], ray[2]));
-    let bits = regions.regions.iter().enumerate().filter(|(_, region)| starts(&scene.objects[region.object]));
-    bits.fold(0, |set, (bit, _)| set | 1 << bit)
+/// A mesh that rays may start in: its bit in the set of regions, and the corners of the box about it.
+type ClosedMesh<'a> = (usize, &'a Object, (DVec3, DVec3));
+
+fn closed_meshes<'a>(scene: &'a Scene, regions: &Regions) -> Vec<ClosedMesh<'a>> {
+    let objects = regions.regions.iter().map(|region| &scene.objects[region.object]).enumerate();
+    let meshes = objects.filter(|(_, object)| object.shape.mesh().is_some());
+    meshes.map(|(bit, object)| (bit, object, object.bounds())).collect()
+}
+
+/// The meshes that a ray starts in, as bits of the set of regions. To ask a mesh takes as long as it has triangles.
+fn starting_set(meshes: &[ClosedMesh], ray: &[f64; 6]) -> u32 {
+    let x = DVec3::new(ray[0], ray[1], ray[2]);
+    let near = |(lo, hi): &(DVec3, DVec3)| x.cmpge(*lo).all() && x.cmple(*hi).all();
+    let inside = meshes.iter().filter(|(_, object, bounds)| near(bounds) && object.contains(x));
+    inside.fold(0, |set, (bit, ..)| set | 1 << bit)
 }
 
 /// A tile whose pixels stand for pixels of the picture.

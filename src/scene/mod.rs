@@ -10,6 +10,7 @@
 mod build;
 mod check;
 mod followed;
+mod guide;
 mod lamps;
 mod lights;
 mod optics;
@@ -31,6 +32,7 @@ pub use crate::model::{
     Stereo, StereoLayout, Substance, Surface,
 };
 pub use followed::follow_as;
+pub use guide::Beam;
 pub use lamps::Lamp;
 pub use lights::{Light, LightGrid, LightSource, Shadows};
 pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};

@@ -46,13 +46,15 @@ pub struct Paths {
     pub roulette: u32,
     /// Does one more ray leave each place towards the lamps?
     pub aim: bool,
+    /// Is light followed from the lamps first, to guide those rays where cones about lamps do not lead?
+    pub guide: bool,
     /// What its random numbers begin with.
     pub seed: u32,
 }
 
 impl Default for Paths {
     fn default() -> Self {
-        Self { depth: None, roulette: 4, aim: true, seed: 0 }
+        Self { depth: None, roulette: 4, aim: true, guide: true, seed: 0 }
     }
 }
 

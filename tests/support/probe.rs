@@ -158,7 +158,7 @@ impl Probe {
     pub fn run<const I: usize, const O: usize>(&self, gpu: &Gpu, body: &str, inputs: &[[Vec4; I]]) -> Vec<[Vec4; O]> {
         let mut shared = self.units.clone();
         shared.push(entry(body, I, O, inputs.len()));
-        let parts = Parts { shared, regions: Vec::new() };
+        let parts = Parts { shared, regions: Vec::new() }.without_optional_calls();
         let linked = link(&parts, "probe").unwrap_or_else(|error| panic!("{error}"));
         let reflection = reflect(&linked).unwrap_or_else(|error| panic!("{error}"));
         let flat: Vec<Vec4> = inputs.iter().flatten().copied().collect();

@@ -1,33 +1,5 @@
-// Lights whose light was left in voxels on its way (G95 §6, his grid of light directions). In each voxel lies the light vector F, the sum of
-// what every path through it carries, along the path; what a surface receives of all of them is −F·n, as long as all come from its front.
-
-struct GridLight {
-    lo: vec3f,
-    // A voxel's side.
-    h: f32,
-    count: vec3u,
-    // A brick is a voxel cut into so many along each axis.
-    refine: u32,
-    color: vec3f,
-    // 1 where it is as bright as its paths are many, 0 as bright wherever one comes.
-    falls: u32,
-    // Where its voxels begin in light_bricks and in light_field; its bricks follow them there.
-    first_brick: u32,
-    first: u32,
-    // Where it is.
-    position: vec3f,
-}
-
-@group(0) @binding(145) var<storage, read> grid_lights: array<GridLight>;
-
-// For each voxel the number of its brick, from 1, or 0.
-@group(0) @binding(146) var<storage, read> light_bricks: array<u32>;
-
-// F and the fluence, the sum of the same without directions: for light of intensity 1, or of irradiance 1 if it comes from far away.
-@group(0) @binding(147) var<storage, read> light_field: array<vec4f>;
-
-// In voxels: where light is looked for, off the surface, so that none of the voxels asked is mostly behind it.
-const LIGHT_OFF: f32 = 0.9;
+// Lights whose light was left in voxels on its way (G95 §6, his grid of light directions): what a surface receives of all paths is −F·n, as
+// long as all come from its front.
 
 fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
@@ -48,26 +20,6 @@ fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
         }
     }
     return sum;
-}
-
-fn light_brick_at(light: GridLight, x: vec3f) -> u32 {
-    let voxel = vec3u(clamp(x, vec3f(0.0), vec3f(light.count) - 0.5));
-    return light_bricks[light.first_brick + (voxel.z * light.count.y + voxel.y) * light.count.x + voxel.x];
-}
-
-// What lies in a part of a voxel, each cut into `cut` along each axis, or in all of it where it is no brick.
-fn light_in(light: GridLight, part: vec3f, cut: f32) -> vec4f {
-    let place = clamp((part + 0.5) / cut, vec3f(0.0), vec3f(light.count) - 1e-3);
-    let voxel = vec3u(place);
-    let brick = light_brick_at(light, place);
-    let own = (voxel.z * light.count.y + voxel.y) * light.count.x + voxel.x;
-    if cut == 1.0 || brick == 0u {
-        return light_field[light.first + own];
-    }
-    let n = light.refine;
-    let fine = min(vec3u((place - vec3f(voxel)) * cut), vec3u(n - 1u));
-    let all = light.count.x * light.count.y * light.count.z;
-    return light_field[light.first + all + (brick - 1u) * n * n * n + (fine.z * n + fine.y) * n + fine.x];
 }
 
 // Trilinear between the middles of parts, off a surface at x. Of a part that it cuts, light had only what lies before it.

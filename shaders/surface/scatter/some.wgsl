@@ -18,6 +18,7 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         return next;
     }
     filter_left(ray, end, side);
+    note_sent();
     let weight = scale_weight(scattered.weight);
     if scattered.cut || weight < DARK {
         next.status = CUT;

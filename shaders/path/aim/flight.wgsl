@@ -1,0 +1,64 @@
+// Aimed rays. A shadow ray assumes a straight line of sight; an aimed ray assumes nothing. At each vertex one more ray than the path's
+// own leaves in a direction that is drawn towards light, and is followed under the law like any other, off mirrors and through clear
+// objects too. What it finds up to its first vertex counts, and nothing after that. Both rays may find the same light, so that each
+// counts by the balance of the two densities where it left (Veach 1997), whatever the law does to it later: aims that miss cost time,
+// and never bias.
+//
+// It flies first, in the same pixel's place; then the path goes back to the vertex for its own.
+
+// The path's own ray, while an aimed one flies.
+struct Waiting {
+    x: Real3,
+    tau: Real,
+    v: Real3,
+    share: f32,
+    weight: vec3f,
+    scatterings: u32,
+    // The set of regions.
+    bits: u32,
+}
+
+@group(0) @binding(44) var<storage, read_write> waiting_rays: array<Waiting>;
+
+const AIMED: u32 = 2u;
+// This use of random points.
+const AIM: u32 = 2u;
+
+// Behind an aimed ray, wherever it ended, the path's own may wait: which of the two it was is not known before all that is carried.
+fn may_scatter(code: u32) -> bool {
+    return code == HIT || code == ESCAPED || code == CAPTURED || code == ENDED;
+}
+
+// Behind an aimed ray, which ended as `code` says, the path's own flies.
+fn after_flight(leg: Leg, code: u32, pixel: vec2u) -> Leg {
+    if leg.code == ALIVE || carried.flight != AIMED {
+        return leg;
+    }
+    let waiting = waiting_rays[place_of_path(pixel)];
+    carried.flight = OWN;
+    carried.share = waiting.share;
+    carried.scatterings = waiting.scatterings;
+    enter_set(waiting.bits);
+    return own_leg(waiting.x, waiting.v, waiting.tau, waiting.weight, code);
+}
+
+fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, pixel: vec2u) -> Leg {
+    let aims = aims_at(vertex);
+    let aim = aimed_way(vertex, aims, path_point(pixel, AIM));
+    let aimed = aim_density(vertex, aims, aim);
+    let aimed_weight = carried.weight * answered(vertex, aim) / max(answer_density(vertex, aim) + aimed, 1e-30);
+    let widely = answers_widely(vertex);
+    let finds = widely && aimed > 0.0 && any(aimed_weight > vec3f(0.0)) && dot(aim, vertex.across) > 0.0;
+    let share = density / max(density + aim_density(vertex, aims, onward), 1e-30);
+    let own = vertex.speed * Real3(onward);
+    carried.scatterings += 1u;
+    carried.share = select(1.0, share, widely);
+    if !finds {
+        return own_leg(vertex.x, own, vertex.tau, weight, HIT);
+    }
+    waiting_rays[place_of_path(pixel)] =
+        Waiting(vertex.x, vertex.tau, own, share, weight, carried.scatterings, region_bits());
+    carried.flight = AIMED;
+    carried.share = 1.0;
+    return own_leg(vertex.x, vertex.speed * Real3(aim), vertex.tau, aimed_weight, HIT);
+}

@@ -1,0 +1,69 @@
+// Aims along the light that came: before the picture, paths from the lamps left their light in grids, one for each lamp, or for each mirror
+// and clear object that it shines on. Gröller's approximate direction (G95 §6), −F/|F|, becomes the proposal of an exact method: a von
+// Mises-Fisher lobe about it, as wide as |F|/φ says that directions differ there.
+
+// How narrow a lobe is: so that what 32 bits leave of a direction does not show in it, and so that it is a lobe.
+const NARROWEST: f32 = 2e4;
+const WIDEST: f32 = 1e-2;
+const MORE: f32 = 15.0;
+
+// Of a lobe about an axis.
+struct Guide {
+    axis: vec3f,
+    kappa: f32,
+    // What light comes from there.
+    brightness: f32,
+}
+
+fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
+    let x = (vec3f(vertex.x) - light.lo) / light.h;
+    let fine = f32(light.refine);
+    let near = x + LIGHT_OFF / fine * vertex.across;
+    let cut = select(1.0, fine, light_brick_at(light, near) != 0u);
+    let f = light_in(light, floor((x + LIGHT_OFF / cut * vertex.across) * cut), cut);
+    let strength = length(f.xyz);
+    let r = min(strength / max(f.w, 1e-30), 1.0);
+    let kappa = r * (3.0 - r * r) / max(1.0 - r * r, 1e-6);
+    let axis = select(vertex.across, -f.xyz / strength, strength > 0.0);
+    return Guide(axis, clamp(kappa, WIDEST, NARROWEST), MORE * light.color.x * f.w);
+}
+
+fn guide_brightness(vertex: PathVertex) -> f32 {
+    var sum = 0.0;
+    for (var i = 0u; i < arrayLength(&grid_lights); i++) {
+        work += 1u;
+        sum += guide_at(grid_lights[i], vertex).brightness;
+    }
+    return sum;
+}
+
+// The same number chooses the lobe and, stretched to what is left of it, the angle to its axis.
+fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
+    var chosen = Guide(vertex.across, WIDEST, 0.0);
+    var at = 0.0;
+    var sum = 0.0;
+    for (var i = 0u; i < arrayLength(&grid_lights); i++) {
+        work += 1u;
+        let guide = guide_at(grid_lights[i], vertex);
+        if guide.brightness > 0.0 && u.x * total >= sum {
+            chosen = guide;
+            at = clamp((u.x * total - sum) / guide.brightness, 0.0, 1.0);
+        }
+        sum += guide.brightness;
+    }
+    let off = min(-log(max(1.0 - at * (1.0 - exp(-2.0 * chosen.kappa)), 1e-30)) / chosen.kappa, 2.0);
+    return way_about(chosen.axis, 1.0 - off, sqrt(off * (2.0 - off)), u.y);
+}
+
+fn guide_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
+    var sum = 0.0;
+    for (var i = 0u; i < arrayLength(&grid_lights); i++) {
+        work += 1u;
+        let guide = guide_at(grid_lights[i], vertex);
+        // 1 less the cosine.
+        let apart = d - guide.axis;
+        let lobe = exp(-0.5 * guide.kappa * dot(apart, apart)) / (1.0 - exp(-2.0 * guide.kappa));
+        sum += guide.brightness * guide.kappa / (2.0 * f32(PI)) * lobe;
+    }
+    return sum / max(total, 1e-30);
+}

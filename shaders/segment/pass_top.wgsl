@@ -1,0 +1,28 @@
+// Light that leaves a surface and is bent back to it may rise and fall within one piece, whose chord then crosses the surface where the
+// path began. Where the path rises from there it is followed over its top, so that it is met where it comes down.
+
+// Of a step, how far it goes at first; then twice as far each time.
+const RISE: Real = 1e-3;
+const RISES: u32 = 11u;
+// In parts of the numbers that its place was computed from: nearer than a path begins that left a surface for good.
+const ON_SURFACE: Real = 4e-6;
+
+fn pass_top(code: u32, hit: Hit, step: LastStep, h: ptr<function, Real>) {
+    if !ends_on_surface(code) {
+        return;
+    }
+    let start = step.phase[0].xyz;
+    let surface = hit_surface(hit.primitive, start);
+    // On which side it began; not known of what began on the surface itself.
+    let side = select(surface.gap, 0.0, abs(surface.gap) < ON_SURFACE * (length(start) + surface.depth));
+    var further = RISE * step.h;
+    for (var i = 0u; i < RISES; i++) {
+        work += 1u;
+        let p = retaken_step(step.phase, *h);
+        if side * dot(stop_gap(code, hit, p[0].xyz).xyz, p[1].xyz) <= 0.0 {
+            break;
+        }
+        *h = min(*h + further, step.h);
+        further *= 2.0;
+    }
+}
