@@ -5,8 +5,8 @@ use glam::DVec3;
 use crate::scene::{Beam, Light, LightSource, Scene};
 
 /// Where a light's paths start and where they go, and the flux of each: evenly over all directions that lead into the bounding sphere from
-/// a light of intensity 1, evenly over the sphere's disk from one far away of irradiance 1. From a lamp they start all over the inside of the
-/// box about it, and lead into the ball of what they are sent to.
+/// a light of intensity 1, evenly over the sphere's disk from one far away of irradiance 1. From a lamp they start all over the ellipsoid
+/// in the box about it, and lead into the ball of what they are sent to.
 #[derive(Debug, Clone, Copy)]
 pub struct Emission {
     source: LightSource,

@@ -18,14 +18,13 @@ const MOST: usize = 8;
 const RAYS: u64 = 128;
 /// Paths of a beam.
 const PATHS: std::ops::RangeInclusive<u64> = 1 << 12..=1 << 17;
-
 /// Segments of a path of a beam: what goes round and round leaves its light on its first rounds.
 const SEGMENTS: u32 = 256;
 /// Those that come to a voxel by a surface, about.
 const PATHS_A_VOXEL: f64 = 64.0;
 
 impl Scene {
-    /// The light that guides paths, the brightest if there is more than eight times some; none where cones about lamps lead to all of it.
+    /// The light that guides paths: the eight brightest beams, and none where cones about lamps lead to all light.
     #[must_use]
     pub fn beams(&self) -> Vec<Beam> {
         if !self.rays.paths.is_some_and(|paths| paths.guide) {

@@ -2,9 +2,10 @@
 // and clear object that it shines on. Gröller's approximate direction (G95 §6), −F/|F|, becomes the proposal of an exact method: a von
 // Mises-Fisher lobe about it, as wide as |F|/φ says that directions differ there.
 
-// How narrow a lobe is: so that what 32 bits leave of a direction does not show in it, and so that it is a lobe.
+// How narrow a lobe may be: what 32 bits leave of a direction does not show in it; and how wide.
 const NARROWEST: f32 = 2e4;
 const WIDEST: f32 = 1e-2;
+// Times as often as it is bright: a lobe hits its light more seldom than the cone about a lamp does.
 const MORE: f32 = 15.0;
 
 // Of a lobe about an axis.
