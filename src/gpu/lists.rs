@@ -128,6 +128,7 @@ impl Source<'_> {
                 };
                 pack(name, layout, self.scene.lamps().into_iter().map(row)).map(Some)
             }
+            "grid_lights" => pack(name, layout, self.grid_lights()).map(Some),
             "light_bricks" => {
                 let bricks = self.fields.iter().flat_map(|field| &field.bricks);
                 Ok(Some(bricks.flat_map(|brick| brick.to_ne_bytes()).collect()))
@@ -171,7 +172,6 @@ impl Source<'_> {
             let shadows = u32::from(light.shadows == Shadows::Straight);
             let falls = u32::from(light.falls);
             match light.source {
-                _ if light.shadows == Shadows::Grid => ("grid_lights", Row::new()),
                 LightSource::Point(position) if light.shadows == Shadows::Shooting => (
                     "shot_lights",
                     row! { position: Vec3(position), color: Vec3(light.color), falls: Uint(falls), size: Float(light.size) },
@@ -186,15 +186,12 @@ impl Source<'_> {
                 ),
             }
         };
-        if name == "grid_lights" {
-            let grids = self.grid_lights();
-            return if grids.is_empty() { Ok(None) } else { pack(name, layout, grids).map(Some) };
-        }
-        let all: Vec<_> = self.scene.lights.iter().map(row).filter(|(list, _)| *list == name).collect();
+        let others = self.scene.lights.iter().filter(|light| light.shadows != Shadows::Grid);
+        let all: Vec<_> = others.map(row).filter(|(list, _)| *list == name).collect();
         if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }
     }
 
-    /// The lights that have a grid, each with where its voxels begin.
+    /// The lights that have a grid and the beams that guide paths, each with where its voxels begin.
     fn grid_lights(&self) -> Vec<Row> {
         let lights = self.scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let lights = lights.map(|light| {

@@ -7,7 +7,7 @@ use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constan
 use crate::model::control::StepLoops;
 use crate::model::method::Path;
 use crate::model::{Filter, Loops, Medium};
-use crate::scene::{Object, Precision, Scene, Segment, Shadows};
+use crate::scene::{LightGrid, Object, Precision, Scene, Segment, Shadows};
 
 fn work_limit() -> u64 {
     constant("state/work", "WORK_LIMIT") as u64
@@ -97,9 +97,10 @@ impl Work {
     /// With what a segment takes that leaves its light in the voxels on its way, of as many as there are along one line.
     pub(super) fn leaving_light(self, scene: &Scene) -> Self {
         let chords = constant("segment/leave_light", "MOST_CHORDS") as u64;
-        let grids = scene.lights.iter().map(|light| light.grid).chain([scene.guide_grid()]);
-        let parts = grids.map(|grid| 3 * u64::from(grid.voxels) * u64::from(grid.refine));
-        let most = parts.max().unwrap_or(0);
+        let parts = |grid: LightGrid| 3 * u64::from(grid.voxels) * u64::from(grid.refine);
+        // Where there are no lights it is what guides paths.
+        let lights = scene.lights.iter().map(|light| parts(light.grid));
+        let most = lights.max().unwrap_or_else(|| parts(scene.guide_grid()));
         Self { segment: self.segment + (2 * chords + LINES * most).min(LARGEST), ..self }
     }
 

@@ -22,7 +22,7 @@ pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law
         paths.depth = table.optional("depth", whole(0..=1_000_000));
         paths.roulette = table.or("roulette", usual.roulette, whole(1..=1_000_000));
         paths.aim = table.or("aim", usual.aim, boolean);
-        paths.guide = table.or("guide", usual.guide, boolean) && paths.aim;
+        paths.guide = table.or("guide", usual.guide, boolean);
         paths.seed = table.or("seed", usual.seed, whole(0..=u32::MAX));
         table.finish();
     }
