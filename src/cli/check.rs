@@ -96,10 +96,15 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
 fn random_words(scene: &Scene) -> Vec<String> {
     let mut words = Vec::new();
     if scene.rays.paths.is_some() {
-        let aims: Vec<_> = scene.lamps().iter().map(|lamp| lamp.object.to_string()).collect();
-        words.push(match aims[..] {
-            [] => "paths aim at nothing: they find light by chance".to_owned(),
-            _ => format!("paths aim at {} lamps: objects {} (from 0)", aims.len(), aims.join(", ")),
+        let lamps: Vec<_> = scene.lamps().iter().map(|lamp| lamp.object.to_string()).collect();
+        let lamps =
+            (!lamps.is_empty()).then(|| format!("{} lamps: objects {} (from 0)", lamps.len(), lamps.join(", ")));
+        let sky = scene.aims_at_sky().then(|| "the sky where it is bright".to_owned());
+        let aims: Vec<_> = lamps.into_iter().chain(sky).collect();
+        words.push(if aims.is_empty() {
+            "paths aim at nothing: they find light by chance".to_owned()
+        } else {
+            format!("paths aim at {}", aims.join("; and at "))
         });
         words.extend(guide_words(scene));
     } else if scene.has_lobes() {

@@ -128,6 +128,13 @@ impl Source<'_> {
                 };
                 pack(name, layout, self.scene.lamps().into_iter().map(row)).map(Some)
             }
+            "sky_cells" => {
+                let columns = constant("path/aim/sky", "SKY_COLUMNS") as u32;
+                let rows = constant("path/aim/sky", "SKY_ROWS") as u32;
+                let sky = self.scene.sky_cells([columns, rows]);
+                let all = [sky.total].into_iter().chain(sky.rows).chain(sky.cells);
+                Ok(Some(all.flat_map(f32::to_ne_bytes).collect()))
+            }
             "grid_lights" => pack(name, layout, self.grid_lights()).map(Some),
             "light_bricks" => {
                 let bricks = self.fields.iter().flat_map(|field| &field.bricks);

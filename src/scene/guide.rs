@@ -86,6 +86,7 @@ impl Scene {
     pub fn aims(&self) -> Vec<&'static str> {
         let lamps = (!self.lamps().is_empty()).then_some("lamps");
         let guide = (!self.beams().is_empty()).then_some("guide");
-        lamps.into_iter().chain(guide).collect()
+        let sky = self.aims_at_sky().then_some("sky");
+        lamps.into_iter().chain(guide).chain(sky).collect()
     }
 }

@@ -16,6 +16,7 @@ mod lights;
 mod optics;
 mod rays;
 mod reference;
+mod sky_cells;
 
 #[cfg(test)]
 mod tests;
@@ -37,6 +38,7 @@ pub use lamps::Lamp;
 pub use lights::{Light, LightGrid, LightSource, Shadows};
 pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};
 pub use reference::{REFERENCE, TEMPLATE, reference_markdown};
+pub use sky_cells::SkyCells;
 
 use std::sync::Arc;
 

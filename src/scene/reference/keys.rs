@@ -114,7 +114,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             depth: "whole number, 0 to 1000000" = "none", "surfaces that send a path on, at most; light beyond is missing";
             roulette: "whole number, 1 to 1000000" = "4",
                 "after so many surfaces a path is given up at random, the sooner the less it weighs, and what is left weighs more";
-            aim: "true | false" = "true", "from each surface one more ray towards lamps: less noise, the same picture";
+            aim: "true | false" = "true", "from each surface one more ray towards lamps and what is bright in the sky's picture: less noise, the same picture";
             guide: "true | false" = "true", "light is followed from the lamps first, so that these rays also go where mirrors, glass or the law send it";
             seed: "whole number, 0 to 4294967295" = "0", "another for another picture of the same light: other noise";
         }

@@ -1,0 +1,132 @@
+//! Where the sky's picture is bright: what paths aim at besides lamps.
+
+use std::f64::consts::PI;
+
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+use super::{Picture, Scene, Sky};
+
+/// A globe in cells, equal in both angles, that lies as an equirectangular picture does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SkyCells {
+    /// What is brighter than the mean, of all colours together: radiance times solid angle.
+    pub total: f32,
+    /// The part of it up to the end of each row, from the top.
+    pub rows: Vec<f32>,
+    /// Row by row, the part of the row up to the end of each cell.
+    pub cells: Vec<f32>,
+}
+
+impl SkyCells {
+    /// The cells of a sky whose radiance, all colours together, is `mean(column, row)` in the mean over a cell.
+    fn of([columns, rows]: [u32; 2], mean: impl Fn(u32, u32) -> f64 + Sync) -> Self {
+        let angle = |row: u32| PI * f64::from(row) / f64::from(rows);
+        let solid = |row: u32| 2.0 * PI / f64::from(columns) * (angle(row).cos() - angle(row + 1).cos());
+        let row = |row: u32| (0..columns).map(|column| mean(column, row)).collect::<Vec<_>>();
+        let radiance: Vec<Vec<f64>> = (0..rows).into_par_iter().map(row).collect();
+        let power = |(row, radiance): (u32, &Vec<f64>)| solid(row) * radiance.iter().sum::<f64>();
+        let even = (0..rows).zip(&radiance).map(power).sum::<f64>() / (4.0 * PI);
+        let bright = |radiance: &Vec<f64>| radiance.iter().map(|x| (x - even).max(0.0)).collect::<Vec<_>>();
+        let bright: Vec<Vec<f64>> = radiance.iter().map(bright).collect();
+        let of_rows: Vec<f64> = (0..rows).zip(&bright).map(power).collect();
+        Self {
+            total: of_rows.iter().sum::<f64>() as f32,
+            rows: sums(&of_rows),
+            cells: bright.iter().flat_map(|row| sums(row)).collect(),
+        }
+    }
+}
+
+/// Sums up to each value over that of all; evenly spread where that is nothing.
+fn sums(values: &[f64]) -> Vec<f32> {
+    let all: f64 = values.iter().sum();
+    let even = 1.0 / values.len() as f64;
+    let mut sum = 0.0;
+    let mut next = |x: &f64| {
+        sum += if all > 0.0 { x / all } else { even };
+        sum as f32
+    };
+    let mut sums: Vec<f32> = values.iter().map(&mut next).collect();
+    // Where nothing follows, nothing is to be chosen for want of the last bit.
+    let end = values.iter().rposition(|x| *x > 0.0).unwrap_or(values.len() - 1);
+    sums[end..].fill(1.0);
+    sums
+}
+
+impl Scene {
+    /// Do paths aim at the sky? Only a picture has places that are brighter than others.
+    #[must_use]
+    pub fn aims_at_sky(&self) -> bool {
+        self.rays.paths.is_some_and(|paths| paths.aim) && !matches!(self.sky, Sky::Color(_))
+    }
+
+    /// The sky in columns and rows.
+    #[must_use]
+    pub fn sky_cells(&self, size: [u32; 2]) -> SkyCells {
+        let [columns, rows] = size.map(f64::from);
+        // As many points along a cell's side as the picture has pixels there: none is passed over.
+        let points = (self.sky_pixels_around() / columns).ceil().max(1.0) as u32;
+        SkyCells::of(size, |column, row| {
+            let at = |cell: u32, k: u32| f64::from(cell) + (f64::from(k) + 0.5) / f64::from(points);
+            let place = |k: u32| DVec2::new(at(column, k % points) / columns, at(row, k / points) / rows);
+            let sum: f64 = (0..points * points).map(|k| self.sky_brightness(place(k))).sum();
+            sum / f64::from(points * points)
+        })
+    }
+
+    /// Pixels once round the sky, where they are densest.
+    fn sky_pixels_around(&self) -> f64 {
+        match self.sky {
+            Sky::Color(_) => 1.0,
+            Sky::Equirectangular(picture, _) => f64::from(self.pictures[picture].size[0]),
+            // A pixel in a face's middle is 4/π as wide as the mean one, in its corner less than half.
+            Sky::Faces(faces, _) => {
+                let widest = faces.iter().map(|face| self.pictures[*face].size[0]).max().unwrap_or(1);
+                2.0 * PI * f64::from(widest)
+            }
+        }
+    }
+
+    /// Radiance, all colours together, at a place of the globe from its top left, as `shaders/picture/sky` has it.
+    fn sky_brightness(&self, place: DVec2) -> f64 {
+        match self.sky {
+            Sky::Color(color) => color.element_sum() / 3.0,
+            Sky::Equirectangular(picture, intensity) => intensity * sample(&self.pictures[picture], place, true),
+            Sky::Faces(faces, intensity) => {
+                let (around, down) = (2.0 * PI * (place.x - 0.5), PI * place.y);
+                let d = DVec3::new(down.sin() * around.sin(), down.cos(), -down.sin() * around.cos());
+                let (face, at) = on_face(d);
+                intensity * sample(&self.pictures[faces[face]], at, false)
+            }
+        }
+    }
+}
+
+/// Which of the faces +x −x +y −y +z −z is in a direction, and where on it from its top left.
+fn on_face(d: DVec3) -> (usize, DVec2) {
+    let size = d.abs();
+    let (face, p) = if size.x >= size.y.max(size.z) {
+        (usize::from(d.x <= 0.0), DVec3::new(d.x.signum() * d.z, d.y, size.x))
+    } else if size.y >= size.z {
+        (2 + usize::from(d.y <= 0.0), DVec3::new(d.x, d.y.signum() * d.z, size.y))
+    } else {
+        (4 + usize::from(d.z <= 0.0), DVec3::new(-d.z.signum() * d.x, d.y, size.z))
+    };
+    (face, 0.5 + 0.5 * DVec2::new(p.x, -p.y) / p.z)
+}
+
+/// A picture between its pixels' middles, all colours together.
+fn sample(picture: &Picture, place: DVec2, repeats: bool) -> f64 {
+    let [width, height] = picture.size.map(i64::from);
+    let p = place * DVec2::new(width as f64, height as f64) - 0.5;
+    let (base, f) = (p.floor(), p - p.floor());
+    let pixel = |dx: i64, dy: i64| {
+        let x = base.x as i64 + dx;
+        let x = if repeats { x.rem_euclid(width) } else { x.clamp(0, width - 1) };
+        let y = (base.y as i64 + dy).clamp(0, height - 1);
+        picture.pixels[(y * width + x) as usize].iter().map(|c| f64::from(*c)).sum::<f64>() / 3.0
+    };
+    let row = |dy| pixel(0, dy) * (1.0 - f.x) + pixel(1, dy) * f.x;
+    row(0) * (1.0 - f.y) + row(1) * f.y
+}
