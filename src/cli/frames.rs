@@ -6,6 +6,8 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use siphasher::sip128::{Hasher128, SipHasher24};
+
 use crate::error::Error;
 use crate::gpu::Geometry;
 use crate::program::{Choice, Program};
@@ -96,6 +98,29 @@ impl<'a> Film<'a> {
             std::fs::read(&path).ok()?.hash(hasher);
         }
         Some(())
+    }
+
+    /// What says whether two pictures are of the same scene: a hash of its file, the changes to it and the files that were loaded for it,
+    /// whatever they are called and however it is laid out. How many samples there are and how a PNG is written is no part of it. None
+    /// where a file is not there any more.
+    pub(super) fn fingerprint(&self) -> Option<String> {
+        let mut hasher = SipHasher24::new();
+        env!("CARGO_PKG_VERSION").hash(&mut hasher);
+        let mut table: toml::Table = std::fs::read_to_string(self.path).ok()?.parse().ok()?;
+        table.remove("output");
+        if let Some(image) = table.get_mut("image").and_then(toml::Value::as_table_mut) {
+            image.remove("samples");
+        }
+        table.to_string().hash(&mut hasher);
+        let key = |text: &str| text.split('=').next().unwrap_or_default().trim().to_owned();
+        let is_free = |text: &str| key(text) == "image.samples" || key(text).starts_with("output.");
+        for text in self.overrides.iter().map(Override::text).filter(|text| !is_free(text)) {
+            text.hash(&mut hasher);
+        }
+        for path in self.files.borrow().paths() {
+            std::fs::read(&path).ok()?.hash(&mut hasher);
+        }
+        Some(format!("{:032x}", hasher.finish128().as_u128()))
     }
 
     /// The program of a frame.

@@ -18,12 +18,14 @@ mod decisions;
 mod devices;
 mod formula;
 mod frames;
+mod go_on;
 mod light;
 mod new;
 mod options;
 mod render;
 mod settle;
 mod trace;
+mod watch;
 mod wgsl;
 
 use std::fmt::Arguments;

@@ -1,22 +1,25 @@
 //! `bentray render`: a scene to pictures.
 
+mod files;
+
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use clap::builder::TypedValueParser;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::decisions::Rays;
 use super::frames::{Film, Frames, path_of};
+use super::go_on::{self, Before, SUMS, is_continuable};
 use super::options::{DeviceFlags, FOLLOWED, SceneOptions, one_of, parse_bytes, parse_window};
 use super::settle::settle;
+use super::watch::{PreviewFile, Progress};
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
-use crate::output::{FileSettings, ImageWriter, open};
+use crate::output::{ImageWriter, open};
 use crate::program::Layer;
-use crate::render::{RenderError, RenderSettings, Renderer, StartUp, Status, Totals, Window};
+use crate::render::{Earlier, Preview, RenderError, RenderSettings, Renderer, StartUp, Status, Totals, Watch, Window};
 use crate::scene::Scene;
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
@@ -42,6 +45,16 @@ pub(super) struct Arguments {
     /// number in place of {frame} in the name, or of {frame:4} for at least four digits
     #[arg(long, value_name = "FRAMES", conflicts_with = "verify")]
     frames: Option<Frames>,
+    /// Add samples to a picture of random paths that was rendered before, up to as many as the scene now asks for: to the bit what a
+    /// single longer render gives. The EXR has to keep its sums, as it does unless --layers leaves them out
+    #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames")]
+    earlier: Option<PathBuf>,
+    /// While the picture is rendered, write what there is so far to this file: .png or .exr, which may be continued
+    #[arg(long, value_name = "FILE", conflicts_with = "frames")]
+    preview: Option<PathBuf>,
+    /// Seconds between two previews
+    #[arg(long, value_name = "SECONDS", default_value = "30", requires = "preview")]
+    preview_every: f64,
     /// Memory of the device that the render may take: a picture that needs more is rendered in tiles
     #[arg(long, value_name = "BYTES", default_value = "1GiB", value_parser = parse_bytes)]
     memory: u64,
@@ -70,12 +83,13 @@ fn is_exr(path: &Path) -> bool {
 impl Arguments {
     fn check(&self) -> Result<(), Error> {
         self.device.check()?;
-        if self.layers.is_some() && !self.output.iter().any(|path| is_exr(path)) {
+        if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
             return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
         }
-        let twice = self.output.iter().enumerate().find(|(i, path)| self.output[..*i].contains(path));
+        let files: Vec<_> = self.output.iter().chain(&self.preview).collect();
+        let twice = files.iter().enumerate().find(|(i, path)| files[..*i].contains(path));
         if let Some((_, path)) = twice {
-            return Err(Error::Usage(format!("{} is named twice with -o", path.display())));
+            return Err(Error::Usage(format!("{} is named twice, with -o or --preview", path.display())));
         }
         let misplaced = self.output.iter().find(|path| path_of(path, 0).is_some() != self.frames.is_some());
         match (misplaced, self.frames) {
@@ -90,63 +104,27 @@ impl Arguments {
         }
     }
 
-    /// The scene, or a frame of it.
-    fn load(&self, film: &Film, frame: Option<u32>) -> Result<Scene, Error> {
-        let scene = match frame {
-            None => film.load(None),
-            Some(frame) => film.load(Some(&|_| frame)),
-        }?;
-        let has_errors = scene.rays.paths.is_some() || scene.image.adaptive.is_some();
-        if !has_errors && self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(Layer::Error))) {
+    /// The scene, or a frame of it, or the one that a picture is continued from.
+    fn load(&self, film: &Film, frame: Option<u32>, before: Option<&Before>) -> Result<Scene, Error> {
+        let scene = match (frame, before) {
+            (_, Some(before)) => before.load(film)?,
+            (None, None) => film.load(None)?,
+            (Some(frame), None) => film.load(Some(&|_| frame))?,
+        };
+        let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
+        if asked(Layer::Error) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
             let problem = "the layer `error` is of pictures that take random samples: with transport = \"paths\" or image.adaptive";
+            return Err(Error::Usage(problem.to_owned()));
+        }
+        if SUMS.into_iter().any(asked) && !is_continuable(&scene) {
+            let problem =
+                "the layers `sums` and `spread` are of pictures with transport = \"paths\" and without image.adaptive";
             return Err(Error::Usage(problem.to_owned()));
         }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
             Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),
             None => Ok(scene),
         }
-    }
-
-    /// Begins the files of a frame.
-    fn open(
-        &self,
-        scene: &Scene,
-        frame: Option<u32>,
-        metadata: &[(String, String)],
-    ) -> Result<Vec<Box<dyn ImageWriter>>, Error> {
-        let path = |path: &PathBuf| frame.and_then(|frame| path_of(path, frame)).unwrap_or(path.clone());
-        let paths = self.output.iter().map(path);
-        paths.map(|path| Ok(open(&path, &self.file_settings(scene, &path, metadata))?)).collect()
-    }
-
-    /// How the file at `path` is to be written; `metadata` is what it says of itself.
-    fn file_settings(&self, scene: &Scene, path: &Path, metadata: &[(String, String)]) -> FileSettings {
-        FileSettings {
-            size: scene.image.size,
-            window: self.crop.unwrap_or(Window::whole(scene.image.size)),
-            exposure: scene.output.exposure,
-            tonemap: scene.output.tonemap,
-            bits: scene.output.bits,
-            alpha: scene.is_transparent(),
-            layers: if is_exr(path) { self.layers(scene) } else { Vec::new() },
-            metadata: metadata.to_vec(),
-        }
-    }
-
-    /// In the order of [`Layer::ALL`], each once; none without an EXR to hold them. How many samples a pixel took is a layer of
-    /// adaptive pictures unless others ask for it.
-    fn layers(&self, scene: &Scene) -> Vec<Layer> {
-        if !self.output.iter().any(|path| is_exr(path)) {
-            return Vec::new();
-        }
-        let usual = |layer: Layer| match layer {
-            Layer::Samples => scene.image.adaptive.is_some(),
-            Layer::Error => scene.rays.paths.is_some(),
-            _ => true,
-        };
-        let keeps =
-            |layer: &Layer| self.layers.as_ref().map_or_else(|| usual(*layer), |wanted| wanted.contains(&Some(*layer)));
-        Layer::ALL.into_iter().filter(keeps).collect()
     }
 }
 
@@ -155,24 +133,37 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.check()?;
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
-    let still = arguments.load(&film, None)?;
+    let before = arguments.earlier.as_deref().map(Before::read).transpose()?;
+    let still = arguments.load(&film, None, before.as_ref())?;
+    let layers = arguments.layers(&still, before.as_ref());
+    if let Some(before) = &before {
+        let window = arguments.crop.unwrap_or(Window::whole(still.image.size));
+        before.check(&film, &still, &layers, window)?;
+    }
     let frames: Vec<Option<u32>> = match arguments.frames {
         Some(frames) => frames.of(&still)?.map(Some).collect(),
         None => vec![None],
     };
     // Opened and dropped: a path that cannot be written is found before the work.
     for &frame in &frames {
-        drop(arguments.open(&still, frame, &[])?);
+        drop(arguments.open(&still, frame, &layers, &[])?);
+    }
+    if let Some(path) = &arguments.preview {
+        if still.image.adaptive.is_some() {
+            let problem = "--preview: an adaptive picture has none, for its pixels do not take their samples together";
+            return Err(Error::Usage(problem.to_owned()));
+        }
+        drop(open(path, &arguments.file_settings(&still, path, &layers, &[]))?);
     }
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
     }
     let begun = Instant::now();
-    let scene = if frames[0].is_some() { arguments.load(&film, frames[0])? } else { still };
+    let scene = if frames[0].is_some() { arguments.load(&film, frames[0], None)? } else { still };
     launch.next();
     let gpu = opening.finish()?;
     launch.next();
-    let settings = arguments.device.settings(arguments.layers(&scene));
+    let settings = arguments.device.settings(layers.clone());
     let settings = RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };
     let [width, height] = arguments.crop.unwrap_or(Window::whole(scene.image.size)).size;
     let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
@@ -182,11 +173,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if let Some(verification) = &measured {
         say!("{verification}");
     }
-    let metadata = metadata(&scene, measured.as_ref());
-    let mut writers = arguments.open(&scene, frames[0], &metadata)?;
+    let mut metadata = metadata(&scene, measured.as_ref());
+    if frames[0].is_none() && is_continuable(&scene) {
+        metadata.extend(go_on::metadata(&film, scene.image.samples));
+    }
+    let mut writers = arguments.open(&scene, frames[0], &layers, &metadata)?;
+    let preview = arguments.preview(&scene, &layers, &metadata);
+    let earlier = before.map(Before::earlier);
     let mut renderer = Renderer::new(&gpu, &scene, settings)?;
     if arguments.device.chooses_segments() {
         renderer.choose_segments()?;
+    }
+    if preview.is_some() && !renderer.is_one_tile()? {
+        eprintln!("warning: no --preview, for the picture is rendered tile by tile: give it more --memory");
     }
     launch.next();
     let mut ready = begun.elapsed();
@@ -194,12 +193,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     for (i, &frame) in frames.iter().enumerate() {
         if i > 0 {
             let begun = Instant::now();
-            let next = settled(arguments.load(&film, frame)?, &scene);
-            writers = arguments.open(&next, frame, &self::metadata(&next, None))?;
+            let next = settled(arguments.load(&film, frame, None)?, &scene);
+            writers = arguments.open(&next, frame, &layers, &self::metadata(&next, None))?;
             change(&mut renderer, &film, &scene, next, [frames[0], frame])?;
             ready = begun.elapsed();
         }
-        let totals = render(&renderer, &mut writers, &mut launch)?;
+        let totals = render(&renderer, &mut writers, &mut launch, (earlier.as_ref(), preview.as_ref()))?;
         for writer in writers.drain(..) {
             writer.finish()?;
         }
@@ -269,13 +268,12 @@ fn render(
     renderer: &Renderer,
     writers: &mut [Box<dyn ImageWriter>],
     launch: &mut StartUp,
+    (earlier, preview): (Option<&Earlier>, Option<&PreviewFile>),
 ) -> Result<Totals, RenderError> {
-    // Hidden by indicatif itself where stderr is no terminal.
-    let bar = ProgressBar::new(1000);
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left") {
-        bar.set_style(style);
-    }
-    let totals = renderer.render(
+    let progress = Progress::new();
+    let tell = |done| progress.tell(done);
+    let preview = preview.map(|preview| -> &dyn Preview { preview });
+    let totals = renderer.render_watched(
         &mut |band| {
             if !launch.is_complete() {
                 launch.next();
@@ -283,9 +281,9 @@ fn render(
             let failed = |error| RenderError::Output(Box::new(error));
             writers.iter_mut().try_for_each(|writer| writer.write_band(&band)).map_err(failed)
         },
-        &|done| bar.set_position((done * 1000.0) as u64),
+        &Watch { progress: &tell, earlier, preview },
     );
-    bar.finish_and_clear();
+    progress.finish();
     totals
 }
 

@@ -258,7 +258,10 @@ fn texture(gpu: &Gpu, label: &str, size: [u32; 2], format: TextureFormat) -> Tex
         sample_count: 1,
         dimension: TextureDimension::D2,
         format,
-        usage: TextureUsages::STORAGE_BINDING | TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_SRC,
+        usage: TextureUsages::STORAGE_BINDING
+            | TextureUsages::TEXTURE_BINDING
+            | TextureUsages::COPY_SRC
+            | TextureUsages::COPY_DST,
         view_formats: &[],
     })
 }

@@ -18,6 +18,8 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Steps => &["steps"],
         Layer::Samples => &["samples"],
         Layer::Error => &["error"],
+        Layer::Sums => &["sums.R", "sums.G", "sums.B"],
+        Layer::Spread => &["spread"],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }
@@ -39,8 +41,8 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
 
 fn suits(plane: &Plane, layer: Layer) -> bool {
     match plane {
-        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error),
-        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way),
+        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error | Layer::Spread),
+        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way | Layer::Sums),
         Plane::Id(_) => is_id(layer),
     }
 }

@@ -23,6 +23,7 @@ pub mod report;
 mod said;
 #[cfg(test)]
 mod tests;
+mod whole;
 
 use std::path::Path;
 
@@ -30,6 +31,7 @@ pub use assemble::assemble;
 pub use atomic::AtomicFile;
 pub use error::OutputError;
 pub use said::said;
+pub use whole::picture;
 
 use crate::program::Layer;
 use crate::render::{Band, Rendering, Window};

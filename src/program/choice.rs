@@ -174,13 +174,17 @@ pub enum Layer {
     Samples,
     /// The standard error of the pixel's mean luminance.
     Error,
+    /// The sums of the pixel's samples, red, green and blue.
+    Sums,
+    /// The sum of the squared distances of its samples' luminance from their mean.
+    Spread,
     /// Where the ray was going at its end, as long as its way there: not for files, but for what is measured on a picture.
     Way,
 }
 
 impl Layer {
     /// Every layer that files hold.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 10] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -189,12 +193,14 @@ impl Layer {
         Self::Steps,
         Self::Samples,
         Self::Error,
+        Self::Sums,
+        Self::Spread,
     ];
 
     /// Is it of a pixel's first ray, kept when that is shaded? The others are of all of a pixel's rays.
     #[must_use]
     pub fn is_of_a_ray(self) -> bool {
-        !matches!(self, Self::Samples | Self::Error)
+        !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread)
     }
 
     /// The name of its file in `shaders/picture/layer/`, if it is of a ray; its texture is `layer_` and this.
@@ -209,6 +215,8 @@ impl Layer {
             Self::Steps => "steps",
             Self::Samples => "samples",
             Self::Error => "error",
+            Self::Sums => "sums",
+            Self::Spread => "spread",
             Self::Way => "way",
         }
     }
@@ -225,6 +233,8 @@ impl Layer {
             Self::Steps => "Integration steps",
             Self::Samples => "Rays that the pixel took",
             Self::Error => "The standard error of the pixel's mean luminance, with paths or adaptive sampling",
+            Self::Sums => "The sums of the samples of a picture of paths, which it is continued from",
+            Self::Spread => "How far its samples are apart, for the same",
             Self::Way => "Where the ray was going at its end",
         }
     }

@@ -8,17 +8,18 @@ use crate::gpu::Tile;
 use crate::program::Role;
 
 impl Renderer<'_> {
-    /// The standard error of every pixel of a tile, infinite where it has one sample; none where nothing of the kind was kept.
+    /// The standard error of every pixel of a tile after so many samples, infinite where it has one; none where nothing of the kind was kept.
     pub(super) fn read_errors(
         &self,
         tile: &Tile,
+        samples: u32,
         moments: Option<&[Moments]>,
     ) -> Result<Option<Vec<f32>>, RenderError> {
         if let Some(moments) = moments {
             return Ok(Some(moments.iter().map(Moments::error).collect()));
         }
         let Some(texture) = tile.texture(&Role::Kept("spread")) else { return Ok(None) };
-        let n = self.scene.image.samples as f32;
+        let n = samples as f32;
         let error =
             |bits: u32| if n > 1.0 { (f32::from_bits(bits) / (n * (n - 1.0))).max(0.0).sqrt() } else { f32::INFINITY };
         Ok(Some(read_texture(self.gpu, texture)?.into_iter().map(error).collect()))

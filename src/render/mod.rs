@@ -8,6 +8,7 @@
 //! dispatch drops the rays that have ended. Submissions are kept short, because drivers kill long ones.
 
 mod adaptive;
+mod band;
 mod bare;
 mod batch;
 mod clock;
@@ -32,15 +33,16 @@ mod step;
 mod tiles;
 mod totals;
 mod trace;
+mod watch;
 mod whole;
 mod window;
 
+pub use band::{Band, Plane, Rendering};
 pub use error::RenderError;
 pub use grids::{Gridded, LightReport};
 pub use light_grid::light_grids;
 pub use light_paths::{LightPath, light_paths};
 pub use noise::Noise;
-pub use picture::{Band, Plane, Rendering};
 pub use renderer::Renderer;
 pub use schedule::steps;
 pub use settings::RenderSettings;
@@ -48,4 +50,5 @@ pub use start::StartUp;
 pub use step::{Dispatch, PixelList, Step};
 pub use totals::{Adaptive, Status, Totals};
 pub use trace::{PathPoint, Starts, Traced, pixel_starts, trace, trace_paths, trace_pixels};
+pub use watch::{Earlier, Preview, Watch};
 pub use window::Window;

@@ -2,51 +2,16 @@
 
 use std::time::Instant;
 
+use super::band::{Band, Rendering, TilePlace};
 use super::clock::Clock;
 use super::noise::luminance;
 use super::readback::read_texture;
 use super::renderer::Walks;
 use super::sample::Sample;
+use super::watch::Watch;
 use super::{Adaptive, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
 use crate::program::{Channel, Layer, Role};
-
-/// Values of a layer, row by row.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Plane {
-    /// One number a pixel.
-    Scalar(Vec<f32>),
-    /// Three numbers a pixel, by component.
-    Vector([Vec<f32>; 3]),
-    /// One whole number a pixel.
-    Id(Vec<u32>),
-}
-
-/// Some full rows of the window that is rendered.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Band {
-    /// The first row, from the window's top.
-    pub first_row: u32,
-    /// How many.
-    pub rows: u32,
-    /// The window's width.
-    pub width: u32,
-    /// Linear red, green and blue, the mean of the samples.
-    pub color: [Vec<f32>; 3],
-    /// The share of the samples that show something, by which the colours are multiplied already; none where all do.
-    pub alpha: Option<Vec<f32>>,
-    /// The layers that the settings ask for, in their order.
-    pub layers: Vec<(Layer, Plane)>,
-}
-
-/// A whole picture in memory, for tests and comparisons.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Rendering {
-    /// All its rows in one band.
-    pub band: Band,
-    /// What rendering it took.
-    pub totals: Totals,
-}
 
 impl Renderer<'_> {
     /// Renders the picture tile by tile; `rows` is given bands of full rows from top to bottom, `progress` the fraction that
@@ -56,14 +21,23 @@ impl Renderer<'_> {
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
         progress: &dyn Fn(f64),
     ) -> Result<Totals, RenderError> {
+        self.render_watched(rows, &Watch::of(progress))
+    }
+
+    /// As [`render`](Self::render), with samples that there are already, and looked at while it is made.
+    pub fn render_watched(
+        &self,
+        rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
+        watch: &Watch,
+    ) -> Result<Totals, RenderError> {
         let started = Instant::now();
         let mut clock = Clock::new(self.gpu, self.settings.apart);
         let noise = self.scene.rays.paths.map(|_| Noise::default());
         let mut totals = Totals { adaptive: self.adaptive(), noise, ..Totals::default() };
         let height = self.window().size[1];
-        let next = self.current().render_rows(0, rows, &mut clock, progress, &mut totals)?;
+        let next = self.current().render_rows(0, rows, &mut clock, watch, &mut totals)?;
         if next < height {
-            self.go_over()?.render_rows(next, rows, &mut clock, progress, &mut totals)?;
+            self.go_over()?.render_rows(next, rows, &mut clock, watch, &mut totals)?;
         }
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(totals)
@@ -76,10 +50,10 @@ impl Renderer<'_> {
         first: u32,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
         clock: &mut Clock,
-        progress: &dyn Fn(f64),
+        watch: &Watch,
         totals: &mut Totals,
     ) -> Result<u32, RenderError> {
-        let Window { origin, size: [width, height] } = self.window();
+        let [width, height] = self.window().size;
         let [tile_width, tile_height] = self.tile_size()?;
         let margin = self.settings.choice.margin(&self.scene);
         let mut tile: Option<Tile> = None;
@@ -96,12 +70,13 @@ impl Renderer<'_> {
                     _ => tile.insert(self.tile(size.map(|side| side + margin))?),
                 };
                 let pixels = f64::from(size[0]) * f64::from(size[1]);
-                let corner = [origin[0] + left, origin[1] + first_row];
-                let progress = |done| progress((pixels_done + done * pixels) / all);
+                let at = Window { origin: [left, first_row], size };
+                let progress = |done| (watch.progress)((pixels_done + done * pixels) / all);
+                let part = Watch { progress: &progress, ..*watch };
                 let before = totals.clone();
-                self.render_tile(made, corner, clock, &progress, totals)?;
+                self.render_tile(made, at, clock, &part, totals)?;
                 // Adaptive sampling takes as many as it needs.
-                let samples = u64::from(self.scene.image.samples);
+                let samples = u64::from(self.scene.image.samples - watch.earlier.map_or(0, |earlier| earlier.samples));
                 let rays =
                     self.scene.image.adaptive.is_none().then(|| samples * size.map(u64::from).iter().product::<u64>());
                 if self.read_tally(made, totals, rays)? == Walks::Unfinished {
@@ -111,12 +86,15 @@ impl Renderer<'_> {
                     }
                     *totals = before;
                     let again = tile.insert(self.tile(size.map(|side| side + margin))?);
-                    self.render_tile(again, corner, clock, &progress, totals)?;
+                    self.render_tile(again, at, clock, &part, totals)?;
                     self.read_tally(again, totals, None)?;
                     made = again;
                 }
                 pixels_done += pixels;
-                self.read_tile(made, left, &mut band, totals.noise.as_mut())?;
+                self.read_tile(made, (left, self.scene.image.samples), &mut band, totals.noise.as_mut())?;
+            }
+            if let Some(earlier) = watch.earlier {
+                earlier.put_first(&mut band);
             }
             rows(band)?;
         }
@@ -160,7 +138,7 @@ impl Renderer<'_> {
         if self.read_tally(&tile, &mut totals, None)? == Walks::Unfinished {
             return if self.is_whole() { self.go_over()?.first_sample() } else { self.first_sample() };
         }
-        self.read_tile(&tile, 0, &mut band, None)?;
+        self.read_tile(&tile, (0, 1), &mut band, None)?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(Rendering { band, totals })
     }
@@ -177,28 +155,50 @@ impl Renderer<'_> {
     fn render_tile(
         &self,
         tile: &Tile,
-        origin: [u32; 2],
+        part: Window,
         clock: &mut Clock,
-        progress: &dyn Fn(f64),
+        watch: &Watch,
         totals: &mut Totals,
     ) -> Result<(), RenderError> {
+        let window = self.window();
+        let origin = [0, 1].map(|k| window.origin[k] + part.origin[k]);
         if let Some(sums) = &mut totals.adaptive {
-            return self.sample_adaptively(tile, origin, clock, progress, sums);
+            return self.sample_adaptively(tile, origin, clock, watch.progress, sums);
         }
         let samples = self.scene.image.samples;
-        for number in 0..samples {
+        let first = watch.earlier.map_or(0, |earlier| earlier.samples);
+        if let Some(earlier) = watch.earlier {
+            earlier.put(self.gpu, tile, part);
+        }
+        for number in first..samples {
             let sample = Sample { origin, image: self.scene.image.size, number, refines: None };
-            let part = |done: f64| progress((f64::from(number) + done) / f64::from(samples));
-            self.run_sample(tile, sample, clock, &part)?;
+            let done = |part: f64| (watch.progress)((f64::from(number - first) + part) / f64::from(samples - first));
+            self.run_sample(tile, sample, clock, &done)?;
+            let preview = watch.preview.filter(|_| part.size == window.size && number + 1 < samples);
+            if let Some(preview) = preview.filter(|preview| preview.is_due()) {
+                let mut band = self.band(0, window.size[1]);
+                self.read_tile(tile, (0, number + 1), &mut band, None)?;
+                if let Some(earlier) = watch.earlier {
+                    earlier.put_first(&mut band);
+                }
+                preview.look(&band, number + 1)?;
+            }
         }
         Ok(())
     }
 
-    fn read_tile(&self, tile: &Tile, left: u32, band: &mut Band, noise: Option<&mut Noise>) -> Result<(), RenderError> {
+    /// What a tile has come to after so many samples, into a band whose column `left` is the tile's first.
+    fn read_tile(
+        &self,
+        tile: &Tile,
+        (left, samples): (u32, u32),
+        band: &mut Band,
+        noise: Option<&mut Noise>,
+    ) -> Result<(), RenderError> {
         let moments = self.read_moments(tile)?;
-        let errors = self.read_errors(tile, moments.as_deref())?;
+        let errors = self.read_errors(tile, samples, moments.as_deref())?;
         let at = TilePlace { left, width: tile.size[0], margin: self.settings.choice.margin(&self.scene) };
-        let weight = 1.0 / self.scene.image.samples as f32;
+        let weight = 1.0 / samples as f32;
         let planes = band.color.iter_mut().chain(&mut band.alpha);
         let channels = [Channel::Red, Channel::Green, Channel::Blue, Channel::Alpha];
         for (k, (plane, channel)) in planes.zip(channels).enumerate() {
@@ -216,9 +216,12 @@ impl Renderer<'_> {
                     None => continue,
                 },
                 (Layer::Samples, Some(moments), _) => moments.iter().map(|moments| moments.rays).collect(),
-                (Layer::Samples, None, _) => {
-                    vec![self.scene.image.samples; tile.size.map(|n| n as usize).iter().product()]
-                }
+                (Layer::Samples, None, _) => vec![samples; tile.size.map(|n| n as usize).iter().product()],
+                (Layer::Sums, None, _) => self.read_sums(tile)?,
+                (Layer::Spread, None, _) => match tile.texture(&Role::Kept("spread")) {
+                    Some(texture) => read_texture(self.gpu, texture)?,
+                    None => continue,
+                },
                 (_, _, Some(texture)) => read_texture(self.gpu, texture)?,
                 _ => continue,
             };
@@ -237,81 +240,17 @@ impl Renderer<'_> {
         }
         Ok(())
     }
-}
 
-/// Where in the rows of a band a tile's values go.
-struct TilePlace {
-    left: u32,
-    /// The tile's width, with its margin.
-    width: u32,
-    margin: u32,
-}
-
-impl TilePlace {
-    /// A tile's values without its margin, row by row, into full rows of the picture.
-    fn put<T: Copy>(&self, rows: &mut [T], width: u32, values: impl Iterator<Item = T>) {
-        for (i, value) in values.enumerate() {
-            let (row, column) = (i / self.width as usize, i % self.width as usize);
-            let own = column < (self.width - self.margin) as usize;
-            if let Some(place) = rows.get_mut(row * width as usize + self.left as usize + column).filter(|_| own) {
-                *place = value;
+    /// The sums of a tile's colours, in fours as the texels of a layer are.
+    fn read_sums(&self, tile: &Tile) -> Result<Vec<u32>, RenderError> {
+        let texels = tile.size.map(|n| n as usize).iter().product::<usize>();
+        let mut words = vec![0; 4 * texels];
+        for (k, channel) in [Channel::Red, Channel::Green, Channel::Blue].into_iter().enumerate() {
+            if let Some(texture) = tile.texture(&Role::Color(channel)) {
+                let sums = read_texture(self.gpu, texture)?;
+                words.iter_mut().skip(k).step_by(4).zip(sums).for_each(|(word, sum)| *word = sum);
             }
         }
-    }
-
-    fn put_layer(&self, layer: Layer, band: &mut Band, words: &[u32]) {
-        let (width, pixels) = (band.width, band.width as usize * band.rows as usize);
-        let at = if let Some(at) = band.layers.iter().position(|(l, _)| *l == layer) {
-            at
-        } else {
-            band.layers.push((layer, empty_plane(layer, pixels)));
-            band.layers.len() - 1
-        };
-        let floats = |step: usize, k: usize| words.iter().skip(k).step_by(step).map(|bits| f32::from_bits(*bits));
-        match &mut band.layers[at].1 {
-            Plane::Scalar(values) => self.put(values, width, floats(1, 0)),
-            Plane::Id(values) => self.put(values, width, words.iter().copied()),
-            Plane::Vector(values) => {
-                for (k, values) in values.iter_mut().enumerate() {
-                    self.put(values, width, floats(4, k));
-                }
-            }
-        }
-    }
-}
-
-fn empty_plane(layer: Layer, pixels: usize) -> Plane {
-    match layer {
-        Layer::Depth | Layer::Error => Plane::Scalar(vec![0.0; pixels]),
-        Layer::Position | Layer::Normal | Layer::Way => {
-            Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]])
-        }
-        Layer::Object | Layer::Status | Layer::Steps | Layer::Samples => Plane::Id(vec![0; pixels]),
-    }
-}
-
-impl Band {
-    /// The plane of a layer, if the band has one.
-    #[must_use]
-    pub fn layer(&self, layer: Layer) -> Option<&Plane> {
-        self.layers.iter().find_map(|(l, plane)| (*l == layer).then_some(plane))
-    }
-
-    fn append(&mut self, below: Self) {
-        self.rows += below.rows;
-        let planes = self.color.iter_mut().chain(&mut self.alpha);
-        for (channel, more) in planes.zip(below.color.into_iter().chain(below.alpha)) {
-            channel.extend(more);
-        }
-        for ((_, plane), (_, more)) in self.layers.iter_mut().zip(below.layers) {
-            match (plane, more) {
-                (Plane::Scalar(values), Plane::Scalar(more)) => values.extend(more),
-                (Plane::Id(values), Plane::Id(more)) => values.extend(more),
-                (Plane::Vector(values), Plane::Vector(more)) => {
-                    values.iter_mut().zip(more).for_each(|(values, more)| values.extend(more));
-                }
-                _ => {}
-            }
-        }
+        Ok(words)
     }
 }

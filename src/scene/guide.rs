@@ -14,8 +14,6 @@ pub struct Beam {
 
 /// Beams, at most: each costs every vertex a few operations.
 const MOST: usize = 8;
-/// Rays of a picture for each path of a beam: what guides it is to cost a small part of it.
-const RAYS: u64 = 128;
 /// Paths of a beam.
 const PATHS: std::ops::RangeInclusive<u64> = 1 << 12..=1 << 17;
 /// Segments of a path of a beam: what goes round and round leaves its light on its first rounds.
@@ -56,8 +54,9 @@ impl Scene {
     #[must_use]
     pub fn guide_grid(&self) -> LightGrid {
         let [width, height] = self.image.size.map(u64::from);
-        let rays = width * height * u64::from(self.image.samples);
-        let paths = (rays / RAYS).clamp(*PATHS.start(), *PATHS.end());
+        // One for each pixel: a small part of what a picture's own paths cost, and the same however many there are of those, so that a
+        // picture can be gone on with.
+        let paths = (width * height).clamp(*PATHS.start(), *PATHS.end());
         let voxels = ((paths as f64 / PATHS_A_VOXEL).sqrt() as u32).max(LightGrid::COARSEST.voxels);
         LightGrid { voxels, refine: 6, paths: paths as u32 }
     }

@@ -28,6 +28,57 @@ fn pictures_say_their_noise() {
 }
 
 #[test]
+fn pictures_go_on_where_they_were() {
+    let folder = Folder::with(ROOM);
+    folder.run("render scene.toml -o long.exr --samples 11").succeeds();
+    let long = std::fs::read(folder.path("long.exr")).unwrap();
+    folder.run("render scene.toml -o part.exr --samples 5").succeeds();
+    for how in ["", " --schedule fused --memory 1MiB"] {
+        let ran =
+            folder.run(&format!("render scene.toml -o more.exr --samples 11 --continue part.exr{how}")).succeeds();
+        ran.says(&["864 rays"]);
+        assert!(std::fs::read(folder.path("more.exr")).unwrap() == long, "{how}");
+    }
+    // The file itself may be the one that is written, and layers may be left out.
+    folder.run("render scene.toml -o part.exr -o part.png --samples 11 --continue part.exr").succeeds();
+    assert!(std::fs::read(folder.path("part.exr")).unwrap() == long);
+    let few = folder.run("render scene.toml -o few.exr --layers normal,sums,spread --samples 5").succeeds();
+    few.says(&["noise"]);
+    let go_on = |rest: &str| folder.run(&format!("render scene.toml -o more.exr {rest}"));
+    go_on("--continue few.exr --layers normal").succeeds();
+    go_on("--continue few.exr --layers depth").fails(1, &["few.exr: it has no layer `depth`"]);
+    go_on("--continue part.exr").succeeds();
+    go_on("--samples 11 --continue part.exr").fails(1, &["has 11 samples a pixel already", "--samples 22"]);
+    go_on("--set objects.1.radius=0.2 --continue few.exr").fails(1, &["of another scene"]);
+    go_on("--crop 0,0,4x4 --continue few.exr").fails(1, &["few.exr: it shows the part 0,0,12x12"]);
+    go_on("--set image.pattern=multi-jittered --continue few.exr").fails(1, &["known beforehand"]);
+    go_on("--layers error").succeeds();
+    go_on("--continue more.exr").fails(1, &["more.exr: it keeps no sums"]);
+    go_on("--samples 1").succeeds();
+    go_on("--continue more.exr").fails(1, &["it has one sample a pixel"]);
+    folder.write("scene.toml", ROOM.replace("transport = \"paths\"\n", ""));
+    go_on("--layers sums").fails(1, &["the layers `sums` and `spread` are of pictures"]);
+}
+
+#[test]
+fn previews_are_pictures_so_far() {
+    let folder = Folder::with(ROOM);
+    folder.run("render scene.toml -o long.exr --preview so_far.exr --preview-every 0 --samples 9").succeeds();
+    folder.run("render scene.toml -o more.exr --samples 9 --continue so_far.exr").succeeds().says(&["144 rays"]);
+    assert!(std::fs::read(folder.path("more.exr")).unwrap() == std::fs::read(folder.path("long.exr")).unwrap());
+    let tiles = folder
+        .run("render scene.toml -o a.png --preview b.png --preview-every 0 --size 64x64 --memory 300KiB")
+        .succeeds();
+    tiles.says(&["warning: no --preview"]);
+    folder.run("render scene.toml -o a.png --preview a.png").fails(1, &["named twice"]);
+    folder.run("render scene.toml -o a.png --preview no/b.png").fails(1, &["no/b.png"]);
+    folder.run("render scene.toml -o a.png --preview-every 3").fails(2, &["--preview"]);
+    folder
+        .run("render scene.toml -o a.png --preview b.png --preview-every 0 --set image.adaptive=0.1")
+        .fails(1, &["adaptive"]);
+}
+
+#[test]
 fn filters_that_are_none_are_warned_of() {
     let filter = "[law]\nkind = \"straight\"\nfilter = { density = \"x - 1\" }\n";
     let folder = Folder::with(&format!("{filter}{}", ROOM.replace("transport = \"paths\"\n", "")));

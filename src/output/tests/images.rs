@@ -11,7 +11,7 @@ use crate::output::band::{channels, components};
 use crate::output::{
     FileSettings, OutputError,
     color::{SrgbBytes, display, srgb_from_linear, tonemapped},
-    open,
+    open, picture,
 };
 use crate::program::Layer;
 use crate::render::{Band, Plane};
@@ -43,6 +43,8 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
                 (Layer::Status, id(3)),
                 (Layer::Samples, id(5)),
                 (Layer::Error, Plane::Scalar(plane(12))),
+                (Layer::Sums, Plane::Vector([13, 14, 15].map(plane))),
+                (Layer::Spread, Plane::Scalar(plane(16))),
             ],
         });
         first_row += rows;
@@ -111,6 +113,15 @@ fn exr_keeps_every_bit_however_the_bands_fall() {
         let bytes = fs::read(&path).unwrap();
         assert_eq!(*seen.get_or_insert(bytes.clone()), bytes);
     }
+    // And our own reader finds what was written.
+    let all = bands(13, &[61]);
+    let (read, band) = picture(&path).unwrap();
+    assert_eq!(band.color, all[0].color);
+    assert!(
+        band.layers.len() == Layer::ALL.len()
+            && band.layers.iter().all(|(layer, plane)| all[0].layer(*layer) == Some(plane))
+    );
+    assert_eq!((read.layers, read.window, read.metadata.len()), (settings.layers.clone(), settings.window, 2));
     let image = read_first_flat_layer_from_file(&path).unwrap();
     let value = &image.layer_data.attributes.other[b"scene".as_slice()];
     let ::exr::meta::attribute::AttributeValue::Text(text) = value else {

@@ -9,8 +9,12 @@ const FIRST_SAMPLES: u32 = 16;
 /// The last number of samples at which it can.
 const MOST_ADAPTIVE: u32 = 32_768;
 
-pub fn read(root: &TableReader) -> Image {
+/// `by_paths`: is it made of random paths, of which there may be more later?
+pub fn read(root: &TableReader, by_paths: bool) -> Image {
     let mut image = Image::default();
+    if by_paths {
+        image.pattern = SamplePattern::Progressive;
+    }
     let Some(table) = root.subtable("image", "image") else { return image };
     let size = array("two whole numbers, [width, height]", whole(1..=65_536));
     image.size = table.or("size", image.size, size);

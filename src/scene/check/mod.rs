@@ -72,11 +72,11 @@ fn read(path: &Path) -> Result<String, SceneError> {
 /// The scene, as far as it can be made; faults are left with the reader.
 pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let root = reader.root();
-    let image = image::read(&root);
     let (law, filter) = law::read(&root, files);
     let table = rays::table(&root);
     let bound = table.as_ref().and_then(rays::bound);
     let paths = paths::read(&root, table.as_ref(), law.as_deref());
+    let image = image::read(&root, paths.is_some());
     let camera = camera::read(&root, law.as_deref(), image.size);
     let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
     let sky = sky::read(&root, files);

@@ -41,7 +41,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         "image" {
             size: "[width, height], 1 to 65536" = "[800, 600]", "pixels";
             samples: "whole number, 1 to 1048576" = "1", "rays a pixel; with `adaptive` the most that one may take, a power of two from 16 and by default 64";
-            pattern: "multi-jittered | progressive" = "multi-jittered",
+            pattern: "multi-jittered | progressive" = "multi-jittered; of adaptive and of path-traced pictures progressive",
                 "how they are spread: for their number, or so that any first 2, 4, 8, … are spread well; `adaptive` has it progressive";
             adaptive: "number between 0 and 1" = "none",
                 "more rays only where the picture needs them: a pixel whose corners end and look alike is done with those, any other takes 16, 32, … until the standard error of its mean, in what a screen shows, is below this";

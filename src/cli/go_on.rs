@@ -1,0 +1,126 @@
+//! `--continue`: more samples for a picture that was rendered before, from its own EXR.
+//!
+//! *Idea.* A path's ray depends on its pixel and its sample's number alone, and the file keeps the sums of its samples bit for bit. So what
+//! is added to them makes the picture that one longer render would have made, if the scene is still the same: the file says which it was,
+//! and by which method its rays were followed.
+
+use std::path::{Path, PathBuf};
+
+use super::frames::Film;
+use super::options::FOLLOWED;
+use crate::error::Error;
+use crate::output::{FileSettings, OutputError, picture};
+use crate::program::Layer;
+use crate::render::{Band, Earlier, Window};
+use crate::scene::{SamplePattern, Scene};
+
+/// What a picture says of the scene that it is of.
+const SCENE: &str = "scene";
+/// How many samples its pixels have.
+const SAMPLES: &str = "samples";
+
+/// Layers that hold what a picture is continued from.
+pub(super) const SUMS: [Layer; 2] = [Layer::Sums, Layer::Spread];
+
+/// Can a picture of this scene be continued, if its file keeps the sums?
+pub(super) fn is_continuable(scene: &Scene) -> bool {
+    scene.rays.paths.is_some() && scene.image.adaptive.is_none()
+}
+
+/// What a picture says of itself so that it can be continued.
+pub(super) fn metadata(film: &Film, samples: u32) -> Vec<(String, String)> {
+    let scene = film.fingerprint().map(|scene| (SCENE.to_owned(), scene));
+    scene.into_iter().chain([(SAMPLES.to_owned(), samples.to_string())]).collect()
+}
+
+/// How a picture that has so many samples so far is written, where `settings` are those of the finished one.
+pub(super) fn after(mut settings: FileSettings, samples: u32) -> FileSettings {
+    let said = settings.metadata.iter_mut().find(|(key, _)| key == SAMPLES);
+    said.into_iter().for_each(|(_, text)| *text = samples.to_string());
+    settings
+}
+
+/// A picture to go on with.
+pub(super) struct Before {
+    path: PathBuf,
+    settings: FileSettings,
+    band: Band,
+    samples: u32,
+    followed: String,
+}
+
+impl Before {
+    /// Reads a picture that keeps its sums.
+    pub(super) fn read(path: &Path) -> Result<Self, Error> {
+        let none = || {
+            OutputError::Part {
+            path: path.to_owned(),
+            problem: "it keeps no sums to continue from: EXRs of pictures with transport = \"paths\" do, in the layers `sums` and `spread`"
+                .to_owned(),
+        }
+        };
+        let (settings, band) = picture(path)?;
+        let has_sums = SUMS.iter().all(|layer| settings.layers.contains(layer));
+        let samples = said(&settings, SAMPLES).and_then(|samples| samples.parse().ok()).filter(|_| has_sums);
+        let followed = said(&settings, FOLLOWED).map(str::to_owned);
+        let (samples, followed) = (samples.ok_or_else(none)?, followed.ok_or_else(none)?);
+        Ok(Self { path: path.to_owned(), settings, band, samples, followed })
+    }
+
+    /// The scene, with its rays followed as the picture's were.
+    pub(super) fn load(&self, film: &Film) -> Result<Scene, Error> {
+        Ok(film.load_as(None, &self.followed)?)
+    }
+
+    /// Refuses a picture that a longer render of the scene, with these layers of this part, would not have begun with.
+    pub(super) fn check(&self, film: &Film, scene: &Scene, layers: &[Layer], window: Window) -> Result<(), Error> {
+        let wrong = |problem: String| Err(Error::Usage(format!("--continue {}: {problem}", self.path.display())));
+        if self.samples == 1 {
+            return wrong("it has one sample a pixel, in the middle, where others do not begin".to_owned());
+        }
+        if scene.image.pattern == SamplePattern::MultiJittered {
+            return wrong(
+                "multi-jittered samples are made for a number that is known beforehand: leave `pattern` out".to_owned(),
+            );
+        }
+        if said(&self.settings, SCENE) != film.fingerprint().as_deref() {
+            return wrong(
+                "it is of another scene, or of this one before it was changed: only `samples` and [output] may differ"
+                    .to_owned(),
+            );
+        }
+        if self.settings.window != window {
+            return wrong(format!("it shows the part {}, and this render {window}", self.settings.window));
+        }
+        if self.samples >= scene.image.samples {
+            let [has, more] = [self.samples, 2 * self.samples];
+            let asked = scene.image.samples;
+            return wrong(format!(
+                "it has {has} samples a pixel already, and {asked} are asked for: ask for more, as with --samples {more}"
+            ));
+        }
+        let missing = |layer: &&Layer| layer.is_of_a_ray() && !self.settings.layers.contains(layer);
+        match layers.iter().find(missing) {
+            Some(layer) => wrong(format!(
+                "it has no layer `{}`, which is of a pixel's first sample: leave it out of --layers",
+                layer.name()
+            )),
+            None => Ok(()),
+        }
+    }
+
+    /// Layers that it has.
+    pub(super) fn layers(&self) -> &[Layer] {
+        &self.settings.layers
+    }
+
+    /// What the render goes on from.
+    pub(super) fn earlier(self) -> Earlier {
+        Earlier { samples: self.samples, band: self.band }
+    }
+}
+
+/// What a picture says of itself under a key.
+fn said<'s>(settings: &'s FileSettings, key: &str) -> Option<&'s str> {
+    settings.metadata.iter().find_map(|(own, text)| (own == key).then_some(text.as_str()))
+}

@@ -1,0 +1,42 @@
+//! A picture read back from an EXR that [`exr`](super::exr) wrote, every plane of it.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::band::{channels as channels_of, is_id};
+use super::part::Part;
+use super::{FileSettings, OutputError};
+use crate::render::{Band, Plane};
+
+/// What the EXR at `path` would be written with, and all that is in it.
+///
+/// # Errors
+///
+/// Where it cannot be read, or is no picture that `render` wrote.
+pub fn picture(path: &Path) -> Result<(FileSettings, Band), OutputError> {
+    let mut part = Part::open(path)?;
+    let [width, rows] = part.settings.window.size;
+    let settings = part.settings.clone();
+    let mut names: Vec<&str> = ["R", "G", "B"].into();
+    names.extend(settings.alpha.then_some("A"));
+    names.extend(settings.layers.iter().flat_map(|layer| channels_of(*layer)));
+    names.sort_unstable();
+    let mut planes: BTreeMap<&str, Vec<u32>> = names.iter().map(|name| (*name, Vec::new())).collect();
+    for _ in 0..rows {
+        let row = part.next_row()?;
+        for (name, samples) in names.iter().zip(row.chunks_exact(size_of::<u32>() * width as usize)) {
+            let words: Vec<u32> = bytemuck::pod_collect_to_vec(samples);
+            planes.entry(name).or_default().extend(words);
+        }
+    }
+    let mut floats = |name: &str| -> Vec<f32> { bytemuck::cast_vec(planes.remove(name).unwrap_or_default()) };
+    let color = ["R", "G", "B"].map(&mut floats);
+    let alpha = settings.alpha.then(|| floats("A"));
+    let mut plane = |layer| match channels_of(layer) {
+        [name] if is_id(layer) => Plane::Id(bytemuck::cast_vec(floats(name))),
+        [x, y, z] => Plane::Vector([x, y, z].map(|name| floats(name))),
+        names => Plane::Scalar(names.first().map(|name| floats(name)).unwrap_or_default()),
+    };
+    let layers = settings.layers.iter().map(|layer| (*layer, plane(*layer))).collect();
+    Ok((settings, Band { first_row: 0, rows, width, color, alpha, layers }))
+}

@@ -1,0 +1,118 @@
+//! Rows of a picture in the host's memory: what finished tiles come to, and what files are written from.
+
+use super::Totals;
+use crate::program::Layer;
+
+/// Values of a layer, row by row.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Plane {
+    /// One number a pixel.
+    Scalar(Vec<f32>),
+    /// Three numbers a pixel, by component.
+    Vector([Vec<f32>; 3]),
+    /// One whole number a pixel.
+    Id(Vec<u32>),
+}
+
+/// Some full rows of the window that is rendered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// The first row, from the window's top.
+    pub first_row: u32,
+    /// How many.
+    pub rows: u32,
+    /// The window's width.
+    pub width: u32,
+    /// Linear red, green and blue, the mean of the samples.
+    pub color: [Vec<f32>; 3],
+    /// The share of the samples that show something, by which the colours are multiplied already; none where all do.
+    pub alpha: Option<Vec<f32>>,
+    /// The layers that the settings ask for, in their order.
+    pub layers: Vec<(Layer, Plane)>,
+}
+
+/// A whole picture in memory, for tests and comparisons.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendering {
+    /// All its rows in one band.
+    pub band: Band,
+    /// What rendering it took.
+    pub totals: Totals,
+}
+
+/// Where in the rows of a band a tile's values go.
+pub(super) struct TilePlace {
+    pub left: u32,
+    /// The tile's width, with its margin.
+    pub width: u32,
+    pub margin: u32,
+}
+
+impl TilePlace {
+    /// A tile's values without its margin, row by row, into full rows of the picture.
+    pub fn put<T: Copy>(&self, rows: &mut [T], width: u32, values: impl Iterator<Item = T>) {
+        for (i, value) in values.enumerate() {
+            let (row, column) = (i / self.width as usize, i % self.width as usize);
+            let own = column < (self.width - self.margin) as usize;
+            if let Some(place) = rows.get_mut(row * width as usize + self.left as usize + column).filter(|_| own) {
+                *place = value;
+            }
+        }
+    }
+
+    pub fn put_layer(&self, layer: Layer, band: &mut Band, words: &[u32]) {
+        let (width, pixels) = (band.width, band.width as usize * band.rows as usize);
+        let at = if let Some(at) = band.layers.iter().position(|(l, _)| *l == layer) {
+            at
+        } else {
+            band.layers.push((layer, empty_plane(layer, pixels)));
+            band.layers.len() - 1
+        };
+        let floats = |step: usize, k: usize| words.iter().skip(k).step_by(step).map(|bits| f32::from_bits(*bits));
+        match &mut band.layers[at].1 {
+            Plane::Scalar(values) => self.put(values, width, floats(1, 0)),
+            Plane::Id(values) => self.put(values, width, words.iter().copied()),
+            Plane::Vector(values) => {
+                for (k, values) in values.iter_mut().enumerate() {
+                    self.put(values, width, floats(4, k));
+                }
+            }
+        }
+    }
+}
+
+fn empty_plane(layer: Layer, pixels: usize) -> Plane {
+    match layer {
+        Layer::Depth | Layer::Error | Layer::Spread => Plane::Scalar(vec![0.0; pixels]),
+        Layer::Position | Layer::Normal | Layer::Way | Layer::Sums => {
+            Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]])
+        }
+        Layer::Object | Layer::Status | Layer::Steps | Layer::Samples => Plane::Id(vec![0; pixels]),
+    }
+}
+
+impl Band {
+    /// The plane of a layer, if the band has one.
+    #[must_use]
+    pub fn layer(&self, layer: Layer) -> Option<&Plane> {
+        self.layers.iter().find_map(|(l, plane)| (*l == layer).then_some(plane))
+    }
+
+    pub(super) fn append(&mut self, below: Self) {
+        self.rows += below.rows;
+        let planes = self.color.iter_mut().chain(&mut self.alpha);
+        for (channel, more) in planes.zip(below.color.into_iter().chain(below.alpha)) {
+            channel.extend(more);
+        }
+        for ((_, plane), (_, more)) in self.layers.iter_mut().zip(below.layers) {
+            match (plane, more) {
+                (Plane::Scalar(values), Plane::Scalar(more)) => values.extend(more),
+                (Plane::Id(values), Plane::Id(more)) => values.extend(more),
+                (Plane::Vector(values), Plane::Vector(more)) => {
+                    values.iter_mut().zip(more).for_each(|(values, more)| values.extend(more));
+                }
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What a render is told besides its scene: what there is already, and who wants to know how far it is.
+
+use wgpu::{Extent3d, TexelCopyBufferLayout, Texture};
+
+use super::band::{Band, Plane};
+use super::{RenderError, Window};
+use crate::gpu::{Gpu, Tile};
+use crate::program::{Channel, Layer, Role};
+
+/// How a render is watched.
+#[derive(Clone, Copy)]
+pub struct Watch<'w> {
+    /// Told the part that is done.
+    pub progress: &'w dyn Fn(f64),
+    /// Samples that need not be taken again.
+    pub earlier: Option<&'w Earlier>,
+    /// Who looks at the picture while it is made. Only of pictures of one tile, all of whose samples are equally many.
+    pub preview: Option<&'w dyn Preview>,
+}
+
+/// Looks at a picture while it is made.
+pub trait Preview {
+    /// Is it time for another look? Asked after every sample but the last.
+    fn is_due(&self) -> bool;
+    /// The whole window after so many samples.
+    fn look(&self, picture: &Band, samples: u32) -> Result<(), RenderError>;
+}
+
+impl std::fmt::Debug for Watch<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Watch").field("earlier", &self.earlier).finish_non_exhaustive()
+    }
+}
+
+impl<'w> Watch<'w> {
+    /// Only told how far it is.
+    pub fn of(progress: &'w dyn Fn(f64)) -> Self {
+        Self { progress, earlier: None, preview: None }
+    }
+}
+
+/// The samples of a picture that was rendered before, as its file keeps them.
+///
+/// A sample's ray does not depend on how many there will be, and sums are kept bit for bit, so that the picture that goes on from here is
+/// the one that a single longer render would have made.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Earlier {
+    /// How many samples each pixel has.
+    pub samples: u32,
+    /// All rows of the window, with the layers [`Layer::Sums`] and [`Layer::Spread`].
+    pub band: Band,
+}
+
+impl Earlier {
+    /// Puts the sums of a part of the window into a tile of that size.
+    pub(super) fn put(&self, gpu: &Gpu, tile: &Tile, part: Window) {
+        let band = &self.band;
+        let sums = match band.layer(Layer::Sums) {
+            Some(Plane::Vector(sums)) => &sums[..],
+            _ => &[],
+        };
+        let channels = [Channel::Red, Channel::Green, Channel::Blue].map(Role::Color);
+        for (channel, sums) in channels.iter().zip(sums) {
+            write(gpu, tile.texture(channel), part, band.width, |at| sums[at]);
+        }
+        // A count of samples, which its mean gives back.
+        if let Some(alpha) = &band.alpha {
+            let samples = self.samples as f32;
+            let texture = tile.texture(&Role::Color(Channel::Alpha));
+            write(gpu, texture, part, band.width, |at| (alpha[at] * samples).round());
+        }
+        if let Some(Plane::Scalar(spread)) = band.layer(Layer::Spread) {
+            write(gpu, tile.texture(&Role::Kept("spread")), part, band.width, |at| spread[at]);
+        }
+    }
+
+    /// Layers of the first samples, which are not taken again, for the rows of a band.
+    pub(super) fn put_first(&self, band: &mut Band) {
+        let (start, count) = ((band.first_row * band.width) as usize, (band.rows * band.width) as usize);
+        let range = start..start + count;
+        for (layer, plane) in band.layers.iter_mut().filter(|(layer, _)| layer.is_of_a_ray()) {
+            match (plane, self.band.layer(*layer)) {
+                (Plane::Scalar(own), Some(Plane::Scalar(all))) => own.copy_from_slice(&all[range.clone()]),
+                (Plane::Id(own), Some(Plane::Id(all))) => own.copy_from_slice(&all[range.clone()]),
+                (Plane::Vector(own), Some(Plane::Vector(all))) => {
+                    own.iter_mut().zip(all).for_each(|(own, all)| own.copy_from_slice(&all[range.clone()]));
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Writes a part of the window's values into a texture of the part's size.
+fn write(gpu: &Gpu, texture: Option<&Texture>, part: Window, width: u32, value: impl Fn(usize) -> f32) {
+    let Some(texture) = texture else { return };
+    let Window { origin: [left, top], size: [columns, rows] } = part;
+    let place = |row: u32, column: u32| ((top + row) * width + left + column) as usize;
+    let value = &value;
+    let values: Vec<f32> =
+        (0..rows).flat_map(|row| (0..columns).map(move |column| value(place(row, column)))).collect();
+    let layout = TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * columns), rows_per_image: None };
+    let size = Extent3d { width: columns, height: rows, depth_or_array_layers: 1 };
+    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(&values), layout, size);
+}
