@@ -277,3 +277,25 @@ fn shipped_scenes_render() {
         assert_eq!(picture.totals.unfollowed(), 0, "{}: {}", path.display(), picture.totals);
     }
 }
+
+/// What clamped samples lose is what the picture lacks; all schedules and tiles agree on it.
+#[test]
+fn what_clamped_samples_lose_is_counted() {
+    let mut scene = scene(&room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 16"));
+    let whole = rendered(&scene, RenderSettings::default());
+    scene.output.clamp = Some(0.7);
+    let light = |picture: &Rendering| (0..3).map(|channel| mean(picture, channel).0).sum::<f64>() / 3.0;
+    let pixels = f64::from(scene.image.size[0] * scene.image.size[1] * scene.image.samples);
+    let mut first = None;
+    for (schedule, tile_pixels) in [(Schedule::Whole, 1 << 20), (Schedule::Fused, 100)] {
+        let choice = Choice { schedule, ..Choice::default() };
+        let picture = rendered(&scene, RenderSettings { choice, tile_pixels, ..RenderSettings::default() });
+        let clamped = picture.totals.clamped.unwrap();
+        let lacks = pixels * (light(&whole) - light(&picture));
+        assert!(clamped.samples > 100 && clamped.lost > 0.0, "{clamped}");
+        assert!((clamped.lost - lacks).abs() < 1e-4 * clamped.lost, "{} and {lacks}", clamped.lost);
+        assert!((clamped.left - pixels * light(&picture)).abs() < 1e-5 * clamped.left, "{clamped:?}");
+        let (band, samples) = first.get_or_insert((picture.band.clone(), clamped.samples));
+        assert!(*band == picture.band && *samples == clamped.samples);
+    }
+}

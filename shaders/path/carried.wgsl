@@ -16,6 +16,8 @@ struct Carried {
     flight: u32,
     // 1 once its first surface is in the picture's layers.
     recorded: u32,
+    // 1 from where its wavelength has mattered.
+    dispersed: u32,
 }
 
 @group(0) @binding(43) var<storage, read_write> paths: array<Carried>;
@@ -32,6 +34,7 @@ fn place_of_path(pixel: vec2u) -> u32 {
 }
 
 fn load_weight(pixel: vec2u) {
+    draw_wavelength(pixel);
     carried = paths[place_of_path(pixel)];
 }
 
@@ -40,8 +43,9 @@ fn store_weight(pixel: vec2u) {
 }
 
 fn start_weight(x: Real3) {
+    carried = Carried(vec3f(1.0), 1.0, vec3f(0.0), 1.0, 0u, OWN, 0u, 0u);
     let n = medium_index(x);
-    carried = Carried(vec3f(1.0), f32(n * n), vec3f(0.0), 1.0, 0u, OWN, 0u);
+    carried.camera = f32(n * n);
 }
 
 // Returns the largest of what is left.
@@ -53,5 +57,7 @@ fn scale_weight(factor: vec3f) -> f32 {
 // Of light that is emitted at x towards the path.
 fn gather(radiance: vec3f, x: Real3) {
     let n = medium_index(x);
-    carried.gathered += carried.share * carried.camera / f32(n * n) * carried.weight * radiance;
+    var light = carried.share * carried.camera / f32(n * n) * carried.weight * radiance;
+    color_dispersed(&light);
+    carried.gathered += light;
 }

@@ -7,8 +7,10 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         filter_last(ray, seen.end);
         gather(sky_radiance(vec3f(normalize(seen.end.v))), seen.end.x);
     }
-    keep_spread(pixel, carried.gathered);
-    add_color(pixel, carried.gathered);
+    var found = carried.gathered;
+    clamp_sample(pixel, &found);
+    keep_spread(pixel, found);
+    add_color(pixel, found);
     add_coverage(pixel, ray.status);
     if carried.recorded == 0u {
         keep_layers(pixel, ray, seen);

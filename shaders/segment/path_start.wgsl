@@ -2,6 +2,7 @@
 
 // Sets the region and the weight that the ray starts with too. A pixel that takes no ray in this round rests.
 fn path_start(pixel: vec2u) -> Ray {
+    draw_wavelength(pixel);
     let start = arrived(picture_ray(sampled_pixel(pixel)));
     start_region(start.x, start.d, pixel);
     let phase = opaque_phase(law_start(start.x, start.d));

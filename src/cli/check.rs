@@ -107,6 +107,9 @@ fn random_words(scene: &Scene) -> Vec<String> {
             format!("paths aim at {}", aims.join("; and at "))
         });
         words.extend(guide_words(scene));
+        if scene.disperses() {
+            words.push("dispersion: each path is of one wavelength, from 380 to 730 nm".to_owned());
+        }
     } else if scene.has_lobes() {
         words.push("rough surfaces: a direction a sample is drawn at random, and few samples are noisy".to_owned());
     } else if scene.is_occluded() {

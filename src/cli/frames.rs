@@ -107,13 +107,16 @@ impl<'a> Film<'a> {
         let mut hasher = SipHasher24::new();
         env!("CARGO_PKG_VERSION").hash(&mut hasher);
         let mut table: toml::Table = std::fs::read_to_string(self.path).ok()?.parse().ok()?;
-        table.remove("output");
+        if let Some(output) = table.get_mut("output").and_then(toml::Value::as_table_mut) {
+            output.retain(|key, _| key == "clamp");
+        }
         if let Some(image) = table.get_mut("image").and_then(toml::Value::as_table_mut) {
             image.remove("samples");
         }
         table.to_string().hash(&mut hasher);
         let key = |text: &str| text.split('=').next().unwrap_or_default().trim().to_owned();
-        let is_free = |text: &str| key(text) == "image.samples" || key(text).starts_with("output.");
+        let of_file = |key: &str| key.starts_with("output.") && key != "output.clamp";
+        let is_free = |text: &str| key(text) == "image.samples" || of_file(&key(text));
         for text in self.overrides.iter().map(Override::text).filter(|text| !is_free(text)) {
             text.hash(&mut hasher);
         }

@@ -35,8 +35,9 @@ pub(super) fn metadata(film: &Film, samples: u32) -> Vec<(String, String)> {
 
 /// How a picture that has so many samples so far is written, where `settings` are those of the finished one.
 pub(super) fn after(mut settings: FileSettings, samples: u32) -> FileSettings {
-    let said = settings.metadata.iter_mut().find(|(key, _)| key == SAMPLES);
-    said.into_iter().for_each(|(_, text)| *text = samples.to_string());
+    if let Some((_, text)) = settings.metadata.iter_mut().find(|(key, _)| key == SAMPLES) {
+        *text = samples.to_string();
+    }
     settings
 }
 

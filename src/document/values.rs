@@ -111,6 +111,21 @@ pub fn array<T, const N: usize>(what: &'static str, read: impl Fn(&Node) -> Read
     }
 }
 
+/// As many values as the range says, each read by `read`; `what` describes them.
+pub fn list<T>(
+    what: &'static str,
+    count: RangeInclusive<usize>,
+    read: impl Fn(&Node) -> Read<T>,
+) -> impl Fn(&Node) -> Read<Vec<T>> {
+    move |node| {
+        let Value::Array(items) = &node.value else {
+            return Err(node.expected(what));
+        };
+        let values = items.iter().map(&read).collect::<Read<Vec<T>>>()?;
+        if count.contains(&values.len()) { Ok(values) } else { Err(node.expected(what)) }
+    }
+}
+
 /// Three numbers.
 pub fn vector(node: &Node) -> Read<DVec3> {
     array("three numbers, [x, y, z]", number)(node).map(DVec3::from_array)

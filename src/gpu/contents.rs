@@ -212,6 +212,8 @@ impl Source<'_> {
                 Branches::Random => Ok(None),
             },
             "transport" => one(&self.transport()),
+            "spectrum" => one(&[("wavelength", Float(1e-3 * self.scene.rays.wavelength))]),
+            "brightest" => one(&[("radiance", Float(self.scene.output.clamp.unwrap_or(f64::from(f32::MAX))))]),
             "ambient" => one(&self.ambient()),
             "limit" => one(&[("length", Float(self.scene.rays.length.unwrap_or(f64::MAX)))]),
             "chord" => match self.scene.rays.segment {

@@ -198,8 +198,8 @@ pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str], path
     unit("generated/materials.wgsl", text)
 }
 
-/// What paths aim at: each kind of it as often as it is bright at a vertex.
-pub(super) fn aims(kinds: &[&str]) -> Unit {
+/// What paths aim at, with so many guides: each kind of it as often as it is bright at a vertex.
+pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
     let each = |word: &dyn Fn(&str) -> String, between: &str| -> String {
         kinds.iter().map(|kind| word(kind)).collect::<Vec<_>>().join(between)
     };
@@ -218,7 +218,7 @@ pub(super) fn aims(kinds: &[&str]) -> Unit {
         );
     }
     let text = format!(
-        "struct Aims {{\n{members}}}\n\n\
+        "const GUIDES: u32 = {guides}u;\n\nstruct Aims {{\n{members}}}\n\n\
          fn aims_at(vertex: PathVertex) -> Aims {{\n    return Aims({bright});\n}}\n\n\
          fn aimed_way(vertex: PathVertex, aims: Aims, u: vec2f) -> vec3f {{\n    \
          var at = u.x * ({all});\n{way}    \

@@ -157,7 +157,7 @@ const ROLES: [(&str, Role); 29] = [
 ];
 
 /// What passes keep for each pixel.
-const KEPT: [&str; 17] = [
+const KEPT: [&str; 19] = [
     "status",
     "taken",
     "hit_primitive",
@@ -175,6 +175,8 @@ const KEPT: [&str; 17] = [
     "paths",
     "waiting_rays",
     "spread",
+    "clamped_samples",
+    "clamped_light",
 ];
 
 /// Bindings of the state are named by a part and a slot, such as `x_in`.

@@ -113,12 +113,15 @@ fn path_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     names.add(if aims.is_empty() { "path/aim/none" } else { "path/aim/flight" });
     if !aims.is_empty() {
         names.each("path/aim", aims.iter().copied());
-        names.make(generated::aims(&aims));
+        names.make(generated::aims(&aims, scene.beams().len()));
     }
     if aims.contains(&"guide") {
         names.add("surface/light/field");
     }
     names.add(if choice.adapts(scene) { "picture/spread_none" } else { "picture/spread_kept" });
+    if scene.output.clamp.is_some() {
+        names.add("picture/clamped");
+    }
 }
 
 /// What is sent on counts for so much, and which ray of two it is.

@@ -62,6 +62,9 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         material_parts(scene, choice, &mut names);
     }
     shadow_parts(scene, choice, regions, &mut names);
+    if scene.disperses() {
+        spectrum_parts(scene, choice, &mut names);
+    }
     if choice.filters(scene) {
         filter_parts(scene, choice, (regions, work), &mut names);
     }
@@ -106,6 +109,19 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
     }
     let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
     names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
+}
+
+/// Of which wavelength light is.
+fn spectrum_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    match choice.purpose {
+        Purpose::Picture if choice.follows_paths(scene) => {
+            names.all(&["path/spectrum/drawn", "path/spectrum/of_path", "path/spectrum/color"]);
+        }
+        Purpose::Caustics => {
+            names.all(&["path/spectrum/drawn", "path/spectrum/of_light", "camera/sample/scrambled"]);
+        }
+        _ => names.add("medium/wavelength"),
+    }
 }
 
 fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {

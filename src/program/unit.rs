@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 10] = [
+const OPTIONAL: [&str; 14] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -73,6 +73,10 @@ const OPTIONAL: [&str; 10] = [
     "mark_occluding",
     "pass_top",
     "leave_aside",
+    "draw_wavelength",
+    "note_dispersed",
+    "color_dispersed",
+    "clamp_sample",
 ];
 
 impl Parts {
@@ -84,7 +88,7 @@ impl Parts {
             !self.shared.iter().any(|unit| unit.text.lines().any(|line| line.starts_with(&begins)))
         };
         let missing: Vec<String> = OPTIONAL.iter().filter(undeclared).map(|name| format!("{name}(")).collect();
-        for unit in &mut self.shared {
+        for unit in self.shared.iter_mut().chain(self.regions.iter_mut().flatten()) {
             let is_missing = |line: &str| missing.iter().any(|call| line.trim_start().starts_with(call));
             if unit.author == Author::BuiltIn && unit.text.lines().any(is_missing) {
                 let kept = unit.text.split_inclusive('\n').filter(|line| !is_missing(line));

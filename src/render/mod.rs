@@ -48,7 +48,7 @@ pub use schedule::steps;
 pub use settings::RenderSettings;
 pub use start::StartUp;
 pub use step::{Dispatch, PixelList, Step};
-pub use totals::{Adaptive, Status, Totals};
+pub use totals::{Adaptive, Clamped, Status, Totals};
 pub use trace::{PathPoint, Starts, Traced, pixel_starts, trace, trace_paths, trace_pixels};
 pub use watch::{Earlier, Preview, Watch};
 pub use window::Window;

@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::adaptive::Moments;
 use super::band::{Band, Rendering, TilePlace};
 use super::clock::Clock;
 use super::noise::luminance;
@@ -9,7 +10,7 @@ use super::readback::read_texture;
 use super::renderer::Walks;
 use super::sample::Sample;
 use super::watch::Watch;
-use super::{Adaptive, Noise, RenderError, Renderer, Totals, Window};
+use super::{Adaptive, Clamped, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
 use crate::program::{Channel, Layer, Role};
 
@@ -33,7 +34,8 @@ impl Renderer<'_> {
         let started = Instant::now();
         let mut clock = Clock::new(self.gpu, self.settings.apart);
         let noise = self.scene.rays.paths.map(|_| Noise::default());
-        let mut totals = Totals { adaptive: self.adaptive(), noise, ..Totals::default() };
+        let clamped = self.scene.output.clamp.map(|_| Clamped::default());
+        let mut totals = Totals { adaptive: self.adaptive(), noise, clamped, ..Totals::default() };
         let height = self.window().size[1];
         let next = self.current().render_rows(0, rows, &mut clock, watch, &mut totals)?;
         if next < height {
@@ -92,6 +94,9 @@ impl Renderer<'_> {
                 }
                 pixels_done += pixels;
                 self.read_tile(made, (left, self.scene.image.samples), &mut band, totals.noise.as_mut())?;
+                if let Some(clamped) = &mut totals.clamped {
+                    self.read_clamped(made, clamped)?;
+                }
             }
             if let Some(earlier) = watch.earlier {
                 earlier.put_first(&mut band);
@@ -241,6 +246,25 @@ impl Renderer<'_> {
         Ok(())
     }
 
+    /// Adds what a tile's samples have lost because they were too bright, and what is left.
+    fn read_clamped(&self, tile: &Tile, sums: &mut Clamped) -> Result<(), RenderError> {
+        let kept = |name| tile.texture(&Role::Kept(name));
+        let (Some(samples), Some(light)) = (kept("clamped_samples"), kept("clamped_light")) else { return Ok(()) };
+        sums.samples += read_texture(self.gpu, samples)?.into_iter().map(u64::from).sum::<u64>();
+        sums.lost += floats(&read_texture(self.gpu, light)?).sum::<f64>();
+        if let Some(moments) = self.read_moments(tile)? {
+            let light = |moments: &Moments| f64::from(moments.color[..3].iter().sum::<f32>()) / 3.0;
+            sums.left += moments.iter().map(|moments| light(moments) * f64::from(moments.rays)).sum::<f64>();
+            return Ok(());
+        }
+        for channel in [Channel::Red, Channel::Green, Channel::Blue] {
+            if let Some(texture) = tile.texture(&Role::Color(channel)) {
+                sums.left += floats(&read_texture(self.gpu, texture)?).sum::<f64>() / 3.0;
+            }
+        }
+        Ok(())
+    }
+
     /// The sums of a tile's colours, in fours as the texels of a layer are.
     fn read_sums(&self, tile: &Tile) -> Result<Vec<u32>, RenderError> {
         let texels = tile.size.map(|n| n as usize).iter().product::<usize>();
@@ -253,4 +277,8 @@ impl Renderer<'_> {
         }
         Ok(words)
     }
+}
+
+fn floats(words: &[u32]) -> impl Iterator<Item = f64> {
+    words.iter().map(|bits| f64::from(f32::from_bits(*bits)))
 }

@@ -144,6 +144,27 @@ pub struct Totals {
     pub unfiltered: u64,
     /// How noisy the picture is, if it is made of random paths.
     pub noise: Option<Noise>,
+    /// What samples that were too bright have lost, where the scene limits them.
+    pub clamped: Option<Clamped>,
+}
+
+/// What samples that were too bright have lost.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Clamped {
+    /// How many there were.
+    pub samples: u64,
+    /// Radiance that they lost, all colours together, summed over all samples of the picture.
+    pub lost: f64,
+    /// Radiance that is left, of all samples.
+    pub left: f64,
+}
+
+impl fmt::Display for Clamped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let all = self.lost + self.left;
+        let share = if all > 0.0 { 100.0 * self.lost / all } else { 0.0 };
+        write!(f, "{} samples clamped, which took {share:.2} % of the light", self.samples)
+    }
 }
 
 impl Totals {
@@ -235,6 +256,9 @@ impl fmt::Display for Totals {
         }
         if let Some(noise) = &self.noise {
             write!(f, "; {noise}")?;
+        }
+        if let Some(clamped) = &self.clamped {
+            write!(f, "; {clamped}")?;
         }
         Ok(())
     }

@@ -71,11 +71,14 @@ impl Default for Image {
 impl Default for Output {
     /// As it is, in eight bits.
     fn default() -> Self {
-        Self { exposure: 0.0, tonemap: Tonemap::None, bits: 8 }
+        Self { exposure: 0.0, tonemap: Tonemap::None, bits: 8, clamp: None }
     }
 }
 
 impl Rays {
+    /// Helium's yellow line d, by which glasses are named, nanometres.
+    pub const D_LINE: f64 = 587.561_8;
+
     /// As a scene file has it that says no more than the radius of the bounding sphere, at a tolerance of 10⁻⁵.
     #[must_use]
     pub fn new(radius: f64) -> Self {
@@ -94,6 +97,7 @@ impl Rays {
             branches: Branches::Enumerated(4),
             accelerate: Accelerate::Auto,
             paths: None,
+            wavelength: Self::D_LINE,
         }
     }
 }

@@ -127,6 +127,12 @@ impl Scene {
         self.law.medium().into_iter().chain(interiors).map(|medium| &**medium)
     }
 
+    /// Has some medium another index for each wavelength?
+    #[must_use]
+    pub fn disperses(&self) -> bool {
+        self.media().any(Medium::is_dispersive)
+    }
+
     /// Every filter that light passes: of interiors, and of space.
     pub fn filters(&self) -> impl Iterator<Item = &Filter> {
         self.objects.iter().filter_map(|object| object.interior()?.filter.as_deref()).chain(&self.filter)
@@ -320,6 +326,8 @@ pub struct Output {
     pub tonemap: Tonemap,
     /// Bits per channel of a PNG, 8 or 16.
     pub bits: u8,
+    /// The radiance of the brightest channel of a sample of random paths, at most: what is more is left out, and counted.
+    pub clamp: Option<f64>,
 }
 
 /// Tone curves.

@@ -33,6 +33,12 @@ impl Optics<'_> {
         self.objects.iter().filter_map(Object::material).any(continues)
     }
 
+    /// Has some medium another index for each wavelength?
+    pub fn disperses(&self) -> bool {
+        let of_law = self.law.and_then(Law::medium);
+        of_law.into_iter().map(|medium| &**medium).chain(self.interiors()).any(Medium::is_dispersive)
+    }
+
     /// Is light bent anywhere?
     pub fn bends(&self) -> bool {
         self.law.is_none_or(|law| !law.is_straight()) || self.interiors().any(Medium::bends)

@@ -35,6 +35,8 @@ pub struct Rays {
     pub accelerate: Accelerate,
     /// Does light go from surface to surface, and how far? Else what surfaces show is the light of the scene's lights.
     pub paths: Option<Paths>,
+    /// Of light, nanometres, where it is not drawn; it matters to dispersion alone.
+    pub wavelength: f64,
 }
 
 /// `[paths]`: how paths are followed from surface to surface.

@@ -23,6 +23,13 @@ fn pictures_say_their_noise() {
     folder.run("render scene.toml -o one.png --samples 1").succeeds().says(&["its noise is not known"]);
     let cut = folder.run("render scene.toml -o cut.png --set paths.depth=0").succeeds();
     cut.says(&[" cut "]);
+    // A lamp of radiance 4 is too bright for a clamp of 1, and no sample for one of 5.
+    let clamped = folder.run("render scene.toml -o clamped.png --set output.clamp=1").succeeds();
+    clamped.says(&[" samples clamped, which took "]);
+    folder
+        .run("render scene.toml -o clamped.png --set output.clamp=5")
+        .succeeds()
+        .says(&["; 0 samples clamped, which took 0.00 %"]);
     folder.write("scene.toml", ROOM.replace("transport = \"paths\"\n", ""));
     folder.run("render scene.toml -o out.exr --layers error").fails(1, &["the layer `error` is of pictures"]);
 }

@@ -16,6 +16,7 @@ struct Waiting {
     scatterings: u32,
     // The set of regions.
     bits: u32,
+    dispersed: u32,
 }
 
 @group(0) @binding(44) var<storage, read_write> waiting_rays: array<Waiting>;
@@ -38,6 +39,7 @@ fn after_flight(leg: Leg, code: u32, pixel: vec2u) -> Leg {
     carried.flight = OWN;
     carried.share = waiting.share;
     carried.scatterings = waiting.scatterings;
+    carried.dispersed = waiting.dispersed;
     enter_set(waiting.bits);
     return own_leg(waiting.x, waiting.v, waiting.tau, waiting.weight, code);
 }
@@ -57,7 +59,7 @@ fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, p
         return own_leg(vertex.x, own, vertex.tau, weight, HIT);
     }
     waiting_rays[place_of_path(pixel)] =
-        Waiting(vertex.x, vertex.tau, own, share, weight, carried.scatterings, region_bits());
+        Waiting(vertex.x, vertex.tau, own, share, weight, carried.scatterings, region_bits(), carried.dispersed);
     carried.flight = AIMED;
     carried.share = 1.0;
     return own_leg(vertex.x, vertex.speed * Real3(aim), vertex.tau, aimed_weight, HIT);

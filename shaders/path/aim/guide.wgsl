@@ -16,6 +16,9 @@ struct Guide {
     brightness: f32,
 }
 
+// Those of the vertex whose brightness was asked for last: each is looked up once.
+var<private> guides: array<Guide, GUIDES>;
+
 fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
     let x = (vec3f(vertex.x) - light.lo) / light.h;
     let fine = f32(light.refine);
@@ -31,9 +34,10 @@ fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
 
 fn guide_brightness(vertex: PathVertex) -> f32 {
     var sum = 0.0;
-    for (var i = 0u; i < arrayLength(&grid_lights); i++) {
+    for (var i = 0u; i < GUIDES; i++) {
         work += 1u;
-        sum += guide_at(grid_lights[i], vertex).brightness;
+        guides[i] = guide_at(grid_lights[i], vertex);
+        sum += guides[i].brightness;
     }
     return sum;
 }
@@ -43,9 +47,9 @@ fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     var chosen = Guide(vertex.across, WIDEST, 0.0);
     var at = 0.0;
     var sum = 0.0;
-    for (var i = 0u; i < arrayLength(&grid_lights); i++) {
+    for (var i = 0u; i < GUIDES; i++) {
         work += 1u;
-        let guide = guide_at(grid_lights[i], vertex);
+        let guide = guides[i];
         if guide.brightness > 0.0 && u.x * total >= sum {
             chosen = guide;
             at = clamp((u.x * total - sum) / guide.brightness, 0.0, 1.0);
@@ -58,9 +62,9 @@ fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
 
 fn guide_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     var sum = 0.0;
-    for (var i = 0u; i < arrayLength(&grid_lights); i++) {
+    for (var i = 0u; i < GUIDES; i++) {
         work += 1u;
-        let guide = guide_at(grid_lights[i], vertex);
+        let guide = guides[i];
         // 1 less the cosine.
         let apart = d - guide.axis;
         let lobe = exp(-0.5 * guide.kappa * dot(apart, apart)) / (1.0 - exp(-2.0 * guide.kappa));

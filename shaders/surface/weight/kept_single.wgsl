@@ -5,6 +5,7 @@
 var<private> weight: f32;
 
 fn load_weight(pixel: vec2u) {
+    draw_wavelength(pixel);
     weight = textureLoad(weight_all, pixel).x;
 }
 

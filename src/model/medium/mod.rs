@@ -20,6 +20,7 @@ mod noise;
 mod profile;
 mod rod;
 mod sech;
+mod sellmeier;
 mod textured;
 
 use std::fmt;
@@ -49,6 +50,7 @@ pub use noise::Noise;
 pub use profile::Layers;
 pub use rod::Rod;
 pub use sech::Sech;
+pub use sellmeier::Sellmeier;
 pub use textured::Textured;
 
 /// Reads a medium; none if it cannot be used.
@@ -65,6 +67,7 @@ pub static KINDS: Kinds<Read> = Kinds {
     example: Some("luneburg"),
     all: &[
         &constant::KIND,
+        &sellmeier::KIND,
         &luneburg::KIND,
         &gaussian::KIND,
         &inverse_r::KIND,
@@ -106,6 +109,11 @@ pub trait Medium: fmt::Debug + Send + Sync + Same {
     /// Is light bent in it?
     fn bends(&self) -> bool {
         true
+    }
+
+    /// Is the index another for each wavelength?
+    fn is_dispersive(&self) -> bool {
+        false
     }
 
     /// Does the index vary over surfaces alone, so that it can be no law's?

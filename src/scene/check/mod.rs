@@ -80,7 +80,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let camera = camera::read(&root, law.as_deref(), image.size);
     let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
     let sky = sky::read(&root, files);
-    let output = output(&root);
+    let output = output(&root, paths.is_some());
     let (names, materials) = material::read(&root, files, paths.is_some());
     let placed = shape::read(&root, &names, bound.map(|bound| (bound.center, bound.radius)), files);
     regions::check(reader, &placed, &materials);
@@ -140,7 +140,8 @@ fn turned(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Opt
     law.turned(DMat3::from_cols(camera.right, camera.up, -camera.forward))
 }
 
-fn output(root: &TableReader) -> Output {
+/// `by_paths`: is the picture made of random paths?
+fn output(root: &TableReader, by_paths: bool) -> Output {
     let mut output = Output::default();
     if let Some(table) = root.subtable("output", "output") {
         let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
@@ -152,6 +153,11 @@ fn output(root: &TableReader) -> Output {
             16 => Ok(16),
             other => Err(node.fault(format!("expected 8 or 16 bits, found {other}"), "")),
         });
+        output.clamp = table.optional("clamp", positive);
+        if output.clamp.is_some() && !by_paths {
+            let help = "leave it out; exposure and tonemap are for what is bright in the scene";
+            table.fault(&["clamp"], "only samples of random paths are now and then too bright", help);
+        }
         table.finish();
     }
     output

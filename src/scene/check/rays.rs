@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, boolean, choice, positive, text, vector, whole, word};
+use crate::document::values::{Read, boolean, choice, number_where, positive, text, vector, whole, word};
 use crate::document::{Node, Value};
 use crate::model::method::{self, Demands, Named};
 use crate::model::{Law, control};
@@ -64,6 +64,11 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         check_asymptotic(&table, law, bound);
     }
     let branches = branching(&table, optics);
+    let wavelength = table.or("wavelength", Rays::D_LINE, wavelength);
+    if table.gives("wavelength") && !optics.disperses() {
+        let help = "leave it out, or give an interior kind = \"sellmeier\"";
+        table.fault(&["wavelength"], "nothing here is another for another wavelength", help);
+    }
     let accelerate = table.or("accelerate", Accelerate::Auto, word(ACCELERATE));
     optics.check(&table, segment, asymptotic, precision);
     table.finish();
@@ -82,7 +87,12 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         branches,
         accelerate,
         paths: optics.paths,
+        wavelength,
     })
+}
+
+fn wavelength(node: &Node) -> Read<f64> {
+    number_where("a wavelength from 380 to 730 nm", |x| (380.0..=730.0).contains(&x))(node)
 }
 
 /// What is followed where a surface splits a ray: on paths one of the two.

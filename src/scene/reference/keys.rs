@@ -102,6 +102,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "where a surface splits light both rays are followed, so many times along a path; or one at random, a sample";
             transport: "lights | paths" = "lights",
                 "what lights surfaces: the scene's lights; or all that shines, by paths from surface to surface under the law";
+            wavelength if "sellmeier": "number, 380 to 730" = "587.56", "of light, nm, where paths do not draw it: in pictures without paths, and in traces";
             accelerate: "auto | bvh | grid | none" = "auto",
                 "how objects are searched: by a hierarchy of boxes, a uniform grid, or one after the other; auto is what measures best";
         }
@@ -133,6 +134,8 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             exposure: "number, -64 to 64" = "0", "stops; PNG only";
             tonemap: "none | filmic" = "none", "the tone curve; PNG only";
             bits: "8, 16" = "8", "bits a channel; PNG only";
+            clamp if r#"transport = "paths""#: "number above 0" = "none",
+                "the most radiance that one sample may add, in its brightest channel: less noise, and less light; what is lost is said";
         }
         "materials.NAME.diffuse" {
             checker if "no image": "[color, color]" = "none", "two colours in turn";

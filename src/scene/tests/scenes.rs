@@ -64,7 +64,8 @@ const KINDS: &[&str] = &[
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, filter = { texture = \"ramp\", \
      frequency = 2, ramp = \"none.png\", axis = [0, 1, 0] } }\n",
     "[rays]\nbound = { radius = 9 }\n[ambient]\nfloor = 0.2\n[materials.m]\nkind = \"glossy\"\nexponent = 9\n",
-    "[rays]\nbound = { radius = 9 }\ntransport = \"paths\"\n[paths]\ndepth = 2\n",
+    "[rays]\nbound = { radius = 9 }\ntransport = \"paths\"\n[paths]\ndepth = 2\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"sellmeier\", b = [1], c = [0.01] }\n",
     "[rays]\nbound = { radius = 1 }\n[animation]\nframes = 3\n[[animation.tracks]]\nkey = \"rays.bound.radius\"\n\
      values = [1, 2]\n",
 ];

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{BOUND, Case, Want, exp_error, root_error};
+use super::{BOUND, Case, WAVELENGTH, Want, exp_error, root_error};
 
 const CENTER: DVec3 = DVec3::new(0.5, -0.25, 1.0);
 /// As scenes give it, and as a unit vector.
@@ -26,6 +26,25 @@ fn constant() {
         reach: [1e-3, 1e3],
         regular: true,
         want: |_, _| Want { n: (1.5, 0.0), pull: (DVec3::ZERO, 0.0), length: (BOUND, 0.0) },
+        undecided: NOWHERE,
+    };
+    case.check();
+}
+
+#[test]
+fn sellmeier() {
+    let case = Case {
+        name: "sellmeier",
+        parts: &["medium/sellmeier", "medium/wavelength"],
+        index: "{ kind = \"sellmeier\", b = [1.25, 0.25], c = [0.0078125, 100] }",
+        center: CENTER,
+        reach: [1e-3, 1e3],
+        regular: true,
+        want: |_, u| {
+            let square = WAVELENGTH * WAVELENGTH;
+            let n = (1.0 + 1.25 * square / (square - 0.007_812_5) + 0.25 * square / (square - 100.0)).sqrt();
+            Want { n: (n, 8.0 * u * n), pull: (DVec3::ZERO, 0.0), length: (BOUND, 0.0) }
+        },
         undecided: NOWHERE,
     };
     case.check();

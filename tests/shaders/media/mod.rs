@@ -21,6 +21,9 @@ use crate::support::{gpu, probe::Probe, scene};
 /// The radius of the bounding sphere, through which a medium that never changes is crossed in one go.
 const BOUND: f64 = 64.0;
 
+/// Of light, micrometres: for which the host knows indices.
+const WAVELENGTH: f64 = 1e-3 * bentray::scene::Rays::D_LINE;
+
 /// What a medium should say of a place, each value with the bound on its error.
 struct Want {
     n: (f64, f64),
@@ -60,6 +63,7 @@ impl Case {
         Probe::new(&parts)
             .list("media", "MEDIA_COUNT", [medium.values(0)])
             .bind("profile", medium.points())
+            .bind("spectrum", [vec![("wavelength", Float(WAVELENGTH))]])
             .bind("bound", [vec![("center", V3(DVec3::ZERO)), ("radius", Float(BOUND))]])
     }
 

@@ -1,0 +1,26 @@
+// Dispersion by Sellmeier's formula: n² = 1 + Σ B λ²/(λ² − C), the same everywhere.
+
+struct Medium {
+    @align(32) b: Real4,
+    // Square micrometres.
+    c: Real4,
+}
+
+@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+
+fn medium_index(x: Real3) -> Real {
+    note_dispersed();
+    let medium = media[place];
+    let square = wavelength() * wavelength();
+    return sqrt(1.0 + dot(medium.b, square / (Real4(square) - medium.c)));
+}
+
+// ∇(n²/2).
+fn medium_pull(x: Real3) -> Real3 {
+    return Real3(0.0);
+}
+
+// Nothing changes: the way through the whole bounding sphere.
+fn medium_length(x: Real3) -> Real {
+    return bound.radius;
+}

@@ -1,0 +1,171 @@
+//! n by Sellmeier's formula, n² = 1 + Σ B λ²/(λ² − C): the same everywhere, and another for each wavelength.
+
+use std::sync::Arc;
+
+use glam::{DVec3, DVec4};
+
+use super::{Kind, Medium};
+use crate::document::Node;
+use crate::document::keys;
+use crate::document::reader::TableReader;
+use crate::document::values::{Read, list, number, word};
+use crate::model::{ClosedForm, Row, STRAIGHT, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "sellmeier",
+    keys: keys! {
+        glass: "BK7 | SF11 | fused-silica | water | diamond" = "none", "a common one, in place of b and c";
+        b: "up to 4 numbers" = "none", "the strengths B";
+        c: "as many numbers" = "none", "the resonances C, square micrometres";
+    },
+    read: |table, _, _| read(table).map(|medium| Arc::new(medium) as Arc<dyn Medium>),
+};
+
+/// Terms, at most.
+const TERMS: usize = 4;
+/// The square of visible light's wavelengths, square micrometres.
+const VISIBLE: std::ops::RangeInclusive<f64> = 0.38 * 0.38..=0.73 * 0.73;
+/// Helium's yellow line d, by which glasses are named, square micrometres.
+const D_LINE: f64 = 0.587_561_8 * 0.587_561_8;
+
+/// B and C of common glasses: of Schott's catalogue; of silica (Malitson 1965), water at 20 °C (Daimon and Masumura 2007) and diamond (Peter
+/// 1923).
+const GLASSES: [(&str, Sellmeier); 5] = [
+    (
+        "BK7",
+        Sellmeier {
+            b: [1.039_612_12, 0.231_792_344, 1.010_469_45, 0.0],
+            c: [0.006_000_698_67, 0.020_017_914_4, 103.560_653, 0.0],
+        },
+    ),
+    (
+        "SF11",
+        Sellmeier {
+            b: [1.737_596_95, 0.313_747_346, 1.898_781_01, 0.0],
+            c: [0.013_188_707, 0.062_306_814_2, 155.236_29, 0.0],
+        },
+    ),
+    (
+        "fused-silica",
+        Sellmeier {
+            b: [0.696_166_3, 0.407_942_6, 0.897_479_4, 0.0],
+            c: [0.004_679_148_3, 0.013_512_063, 97.934_003, 0.0],
+        },
+    ),
+    (
+        "water",
+        Sellmeier {
+            b: [0.568_402_756_5, 0.172_617_739_1, 0.020_861_895_78, 0.113_074_868_8],
+            c: [0.005_101_829_712, 0.018_211_539_36, 0.026_207_222_93, 10.697_927_21],
+        },
+    ),
+    ("diamond", Sellmeier { b: [0.3306, 4.3356, 0.0, 0.0], c: [0.030_625, 0.011_236, 0.0, 0.0] }),
+];
+
+/// n² = 1 + Σ B λ²/(λ² − C).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sellmeier {
+    /// B.
+    pub b: [f64; TERMS],
+    /// C, square micrometres.
+    pub c: [f64; TERMS],
+}
+
+impl Sellmeier {
+    /// n² at a squared wavelength in square micrometres.
+    fn square(&self, wavelength: f64) -> f64 {
+        let terms = self.b.iter().zip(self.c).map(|(b, c)| b * wavelength / (wavelength - c));
+        1.0 + terms.sum::<f64>()
+    }
+}
+
+fn terms(node: &Node) -> Read<Vec<f64>> {
+    list("1 to 4 numbers", 1..=TERMS, number)(node)
+}
+
+fn read(table: &TableReader) -> Option<Sellmeier> {
+    let names: &[(&str, Sellmeier)] = &GLASSES;
+    let (b, c) = (table.optional("b", terms), table.optional("c", terms));
+    if let Some(glass) = table.optional("glass", word(names)) {
+        if table.gives("b") || table.gives("c") {
+            table.fault(&["glass"], "a glass has its own B and C", "leave b and c out, or the glass");
+        }
+        return Some(glass);
+    }
+    let (Some(b), Some(c)) = (b, c) else {
+        let is_complete = table.gives("glass") || (table.gives("b") && table.gives("c"));
+        if !is_complete {
+            table.fault(&[], "it has no numbers", "name a glass, such as glass = \"BK7\", or give both b and c");
+        }
+        return None;
+    };
+    if b.len() != c.len() {
+        table.fault(&["c"], format!("b has {} numbers, and this has {}", b.len(), c.len()), "give as many of both");
+        return None;
+    }
+    let filled = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
+    let medium = Sellmeier { b: filled(&b), c: filled(&c) };
+    if c.iter().any(|c| VISIBLE.contains(c)) {
+        table.fault(
+            &["c"],
+            "a resonance lies in visible light",
+            "they are in square micrometres, from 0.1444 to 0.5329 of it",
+        );
+        return None;
+    }
+    if !(medium.square(*VISIBLE.start()) > 0.0 && medium.square(*VISIBLE.end()) > 0.0) {
+        table.fault(&["b"], "n² is not positive in visible light", "check the numbers: λ is in micrometres");
+        return None;
+    }
+    Some(medium)
+}
+
+impl Medium for Sellmeier {
+    fn parts(&self) -> Vec<Wgsl> {
+        Wgsl::parts(&["medium/sellmeier"])
+    }
+
+    fn values(&self, _: u32) -> Row {
+        row! { b: Vec4(DVec4::from_array(self.b)), c: Vec4(DVec4::from_array(self.c)) }
+    }
+
+    /// At the yellow line d.
+    fn index(&self, _: DVec3) -> Option<f64> {
+        Some(self.square(D_LINE).sqrt())
+    }
+
+    fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
+        Some(&STRAIGHT)
+    }
+
+    fn bends(&self) -> bool {
+        false
+    }
+
+    fn is_dispersive(&self) -> bool {
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At Fraunhofer's lines F, d and C, as catalogues have them.
+    #[test]
+    fn glasses_are_those_of_catalogues() {
+        let lines = [0.486_132_7_f64, 0.587_561_8, 0.656_272_5];
+        for (name, expected) in [
+            ("BK7", [1.522_38, 1.516_80, 1.514_32]),
+            ("SF11", [1.806_51, 1.784_72, 1.775_96]),
+            ("fused-silica", [1.463_13, 1.458_46, 1.456_37]),
+            ("water", [1.337_49, 1.333_40, 1.331_51]),
+            ("diamond", [2.435_54, 2.417_49, 2.409_91]),
+        ] {
+            let glass = GLASSES.iter().find(|(known, _)| *known == name).unwrap().1;
+            for (line, n) in lines.iter().zip(expected) {
+                assert!((glass.square(line * line).sqrt() - n).abs() < 6e-6, "{name} at {line} µm");
+            }
+        }
+    }
+}
