@@ -32,6 +32,7 @@ mod pictures;
 mod sampling;
 mod schedules;
 mod shaders;
+mod sky_light;
 mod structure;
 mod tree;
 mod written_media;

@@ -107,9 +107,6 @@ fn random_words(scene: &Scene) -> Vec<String> {
             format!("paths aim at {}", aims.join("; and at "))
         });
         words.extend(guide_words(scene));
-        if scene.disperses() {
-            words.push("dispersion: each path is of one wavelength, from 380 to 730 nm".to_owned());
-        }
     } else if scene.has_lobes() {
         words.push("rough surfaces: a direction a sample is drawn at random, and few samples are noisy".to_owned());
     } else if scene.is_occluded() {
@@ -117,7 +114,19 @@ fn random_words(scene: &Scene) -> Vec<String> {
             "ambient light: a line a sample is drawn at random, and few samples are noisy; 64 are smooth".to_owned(),
         );
     }
+    words.extend(dispersion_words(scene));
     words
+}
+
+/// Of what wavelengths light is, if that matters.
+fn dispersion_words(scene: &Scene) -> Option<String> {
+    scene.disperses().then(|| {
+        if scene.rays.paths.is_some() {
+            "dispersion: each path is of one wavelength, from 380 to 730 nm".to_owned()
+        } else {
+            format!("dispersion: all light is of {} nm; on paths it is of all visible", scene.rays.wavelength)
+        }
+    })
 }
 
 /// What guides paths, if anything does.

@@ -54,11 +54,44 @@ fn sums(values: &[f64]) -> Vec<f32> {
     sums
 }
 
+/// The variance of the sky's light, over the square of its mean, for which one more ray is worth its time.
+const WORTH_AIMING: f64 = 0.25;
+
+/// The sum over a picture's pixels of something of their light, all colours together, by a weight at places from -1 to 1 both ways.
+fn weighed(picture: &Picture, weight: impl Fn(f64, f64) -> f64 + Sync, of: &(dyn Fn(f64) -> f64 + Sync)) -> f64 {
+    let [width, height] = picture.size.map(f64::from);
+    let place = |k: usize, size: f64| 2.0 * (k as f64 + 0.5) / size - 1.0;
+    let rows = picture.pixels.par_chunks(picture.size[0] as usize).enumerate();
+    let row = |(j, row): (usize, &[[f32; 3]])| -> f64 {
+        let light = |pixel: &[f32; 3]| f64::from(pixel.iter().sum::<f32>()) / 3.0;
+        let y = place(j, height);
+        row.iter().enumerate().map(|(i, pixel)| weight(place(i, width), y) * of(light(pixel))).sum()
+    };
+    // In order: the same sum whatever the number of cores.
+    let sums: Vec<f64> = rows.map(row).collect();
+    sums.iter().sum::<f64>() / (width * height)
+}
+
 impl Scene {
-    /// Do paths aim at the sky? Only a picture has places that are brighter than others.
+    /// Do paths aim at the sky? Where its light varies: an even sky is found without aims.
     #[must_use]
     pub fn aims_at_sky(&self) -> bool {
-        self.rays.paths.is_some_and(|paths| paths.aim) && !matches!(self.sky, Sky::Color(_))
+        let wanted = self.rays.paths.is_some_and(|paths| paths.aim);
+        let faces: Vec<&Picture> = match &self.sky {
+            _ if !wanted => return false,
+            Sky::Color(_) => return false,
+            Sky::Equirectangular(picture, _) => vec![&self.pictures[*picture]],
+            Sky::Faces(faces, _) => faces.iter().map(|face| &self.pictures[*face]).collect(),
+        };
+        // Solid angle, not to scale.
+        let weight = |x: f64, y: f64| match faces.len() {
+            1 => (0.5 * PI * y).cos(),
+            _ => (1.0 + x * x + y * y).powf(-1.5),
+        };
+        let sum =
+            |of: &(dyn Fn(f64) -> f64 + Sync)| -> f64 { faces.iter().map(|face| weighed(face, weight, of)).sum() };
+        let [solid, light, squares] = [sum(&|_| 1.0), sum(&|x| x), sum(&|x| x * x)];
+        squares * solid > (1.0 + WORTH_AIMING) * light * light
     }
 
     /// The sky in columns and rows.

@@ -1,0 +1,84 @@
+//! Light of the sky's picture on paths: what of it is aimed at, and that it is as much as sums over the picture say.
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use bentray::render::RenderSettings;
+
+use crate::paths::{mean, rendered};
+use crate::support::scene;
+
+/// A sky with a small sun: of `size` in sRGB, even but for one white pixel.
+fn sun(folder: &Path, name: &str, size: [u32; 2], place: [u32; 2], even: u8) {
+    let at = |x, y| image::Luma([if [x, y] == place { 255 } else { even }]);
+    image::GrayImage::from_fn(size[0], size[1], at).save(folder.join(name)).unwrap();
+}
+
+/// What a floor shows of it, by sums over the sky: in an equirectangular picture, and in the middle of a cube's top.
+#[test]
+fn the_sky_lights_as_sums_over_it_say() {
+    const EVEN: u8 = 30;
+    let folder = tempfile::tempdir().unwrap();
+    sun(folder.path(), "globe.png", [64, 32], [20, 9], EVEN);
+    sun(folder.path(), "top.png", [16, 16], [5, 8], EVEN);
+    sun(folder.path(), "side.png", [16, 16], [99, 0], EVEN);
+    let even = ((f64::from(EVEN) / 255.0 + 0.055) / 1.055).powf(2.4);
+    // Of a pixel's tent, between its middle and its neighbours'.
+    let tent = |x: f64| (1.0 - x.abs()).max(0.0);
+    let (steps, sun) = (400, 1.0 - even);
+    let around_pixel = || {
+        (0..steps * steps).map(|k| [k % steps, k / steps].map(|k| 2.0 * (f64::from(k) + 0.5) / f64::from(steps) - 1.0))
+    };
+    let of_pixel = |f: &dyn Fn(f64, f64) -> f64| {
+        around_pixel().map(|[x, y]| tent(x) * tent(y) * f(x, y)).sum::<f64>() * 4.0 / f64::from(steps * steps)
+    };
+    let globe = of_pixel(&|_, y| {
+        let polar = PI * (9.5 + y) / 32.0;
+        polar.cos() * polar.sin() * (2.0 * PI / 64.0) * (PI / 32.0)
+    });
+    let cube = of_pixel(&|x, y| {
+        let [x, y] = [(5.5 + x) / 8.0 - 1.0, (8.5 + y) / 8.0 - 1.0];
+        1.0 / (1.0 + x * x + y * y).powi(2) / 64.0
+    });
+    let path = |name: &str| format!("{:?}", folder.path().join(name));
+    let faces = ["side", "side", "top", "side", "side", "side"].map(|face| path(&format!("{face}.png"))).join(", ");
+    for (sky, of_sun) in [(format!("image = {}", path("globe.png")), globe), (format!("faces = [{faces}]"), cube)] {
+        let exact = 50.0 * (even + sun * of_sun / PI);
+        let errors = [true, false].map(|aim| {
+            let text = format!(
+                "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nkind = \"plane\"\nheight = 1e-4\nposition = [0, 0.02, 0]\n\
+                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[rays]\nbound = {{ radius = 30 }}\ntransport = \"paths\"\n\
+                 [sky]\n{sky}\nintensity = 50\n[paths]\naim = {aim}\n[materials.floor]\nkind = \"phong\"\n\
+                 diffuse = [1, 1, 1]\n[[objects]]\nshape = \"disk\"\nmaterial = \"floor\"\nscale = 24\n"
+            );
+            let (mean, error) = mean(&rendered(&scene(&text), RenderSettings::default()), 0);
+            assert!((mean - exact).abs() < 4.0 * error + 3e-5 * exact, "{sky}, {aim}: {mean} ± {error}, not {exact}");
+            error
+        });
+        assert!(errors[0] < 0.3 * errors[1], "{sky}: {errors:?}");
+    }
+}
+
+/// An even sky is found without aims, which would only cost time.
+#[test]
+fn only_what_is_bright_in_the_sky_is_aimed_at() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("sky.png");
+    for (aimed, pixel) in [(false, [0, 99]), (true, [20, 9])] {
+        // From 90 to 120 from top to bottom, with a sun or without.
+        let at = |x, y| image::Luma([if [x, y] == pixel { 255 } else { 90 + y as u8 }]);
+        image::GrayImage::from_fn(64, 32, at).save(&path).unwrap();
+        let text = format!("[rays]\nbound = {{ radius = 3 }}\ntransport = \"paths\"\n[sky]\nimage = {path:?}\n");
+        let mut scene = scene(&text);
+        if let (true, Some(picture)) = (aimed, scene.pictures.first_mut()) {
+            // A sun is far brighter than an image of 8 bits can say.
+            let pixels = picture.pixels.iter().map(|p| if p[0] > 0.99 { [1000.0; 3] } else { *p });
+            picture.pixels = std::sync::Arc::new(pixels.collect());
+        }
+        assert_eq!(scene.aims_at_sky(), aimed);
+        if let Some(paths) = &mut scene.rays.paths {
+            paths.aim = false;
+        }
+        assert!(!scene.aims_at_sky());
+    }
+}
