@@ -184,9 +184,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if arguments.device.chooses_segments() {
         renderer.choose_segments()?;
     }
-    if preview.is_some() && !renderer.is_one_tile()? {
-        eprintln!("warning: no --preview, for the picture is rendered tile by tile: give it more --memory");
-    }
     launch.next();
     let mut ready = begun.elapsed();
     let mut unfollowed = 0;

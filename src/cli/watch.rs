@@ -54,20 +54,19 @@ fn line(done: f64, taken: Duration) -> String {
 pub(super) struct PreviewFile {
     path: PathBuf,
     every: Duration,
-    last: Cell<Instant>,
     /// How it is written after so many samples.
     settings: Box<dyn Fn(u32) -> FileSettings>,
 }
 
 impl PreviewFile {
     pub(super) fn new(path: PathBuf, every: Duration, settings: Box<dyn Fn(u32) -> FileSettings>) -> Self {
-        Self { path, every, last: Cell::new(Instant::now()), settings }
+        Self { path, every, settings }
     }
 }
 
 impl Preview for PreviewFile {
-    fn is_due(&self) -> bool {
-        self.last.get().elapsed() >= self.every
+    fn every(&self) -> Duration {
+        self.every
     }
 
     fn look(&self, picture: &Band, samples: u32) -> Result<(), RenderError> {
@@ -76,9 +75,7 @@ impl Preview for PreviewFile {
             writer.write_band(picture)?;
             writer.finish()
         };
-        write().map_err(|error| RenderError::Output(Box::new(error)))?;
-        self.last.set(Instant::now());
-        Ok(())
+        write().map_err(|error| RenderError::Output(Box::new(error)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rows of a picture in the host's memory: what finished tiles come to, and what files are written from.
 
-use super::Totals;
+use super::{RenderError, Totals};
 use crate::program::Layer;
 
 /// Values of a layer, row by row.
@@ -29,6 +29,26 @@ pub struct Band {
     pub alpha: Option<Vec<f32>>,
     /// The layers that the settings ask for, in their order.
     pub layers: Vec<(Layer, Plane)>,
+}
+
+/// Bands in order, put together.
+#[derive(Debug, Default)]
+pub(super) struct Bands {
+    /// None before the first.
+    pub whole: Option<Band>,
+}
+
+impl Bands {
+    /// Takes one more.
+    pub fn sink(&mut self) -> impl FnMut(Band) -> Result<(), RenderError> {
+        |band| {
+            match &mut self.whole {
+                Some(whole) => whole.append(band),
+                None => self.whole = Some(band),
+            }
+            Ok(())
+        }
+    }
 }
 
 /// A whole picture in memory, for tests and comparisons.

@@ -33,6 +33,7 @@ mod step;
 mod tiles;
 mod totals;
 mod trace;
+mod values;
 mod watch;
 mod whole;
 mod window;

@@ -2,17 +2,13 @@
 
 use std::time::Instant;
 
-use super::adaptive::Moments;
-use super::band::{Band, Rendering, TilePlace};
+use super::band::{Band, Bands, Rendering};
 use super::clock::Clock;
-use super::noise::luminance;
-use super::readback::read_texture;
 use super::renderer::Walks;
 use super::sample::Sample;
-use super::watch::Watch;
+use super::watch::{Earlier, Preview, Round, Watch};
 use super::{Adaptive, Clamped, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
-use crate::program::{Channel, Layer, Role};
 
 impl Renderer<'_> {
     /// Renders the picture tile by tile; `rows` is given bands of full rows from top to bottom, `progress` the fraction that
@@ -36,13 +32,57 @@ impl Renderer<'_> {
         let noise = self.scene.rays.paths.map(|_| Noise::default());
         let clamped = self.scene.output.clamp.map(|_| Clamped::default());
         let mut totals = Totals { adaptive: self.adaptive(), noise, clamped, ..Totals::default() };
-        let height = self.window().size[1];
-        let next = self.current().render_rows(0, rows, &mut clock, watch, &mut totals)?;
-        if next < height {
-            self.go_over()?.render_rows(next, rows, &mut clock, watch, &mut totals)?;
-        }
+        let own =
+            watch.preview.map(|preview| self.preview(preview, watch, &mut clock, &mut totals)).transpose()?.flatten();
+        let last = Round::new(own.as_ref().or(watch.earlier), self.scene.image.samples, true);
+        self.render_round(rows, &mut clock, &last.told(watch, self.scene.image.samples), &mut totals)?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(totals)
+    }
+
+    /// Renders some samples of the whole picture, shows it, and goes on so until too few are left for another look. What comes back is
+    /// what there is then, if there was any look.
+    fn preview(
+        &self,
+        preview: &dyn Preview,
+        watch: &Watch,
+        clock: &mut Clock,
+        totals: &mut Totals,
+    ) -> Result<Option<Earlier>, RenderError> {
+        let mut own: Option<Earlier> = None;
+        let mut samples = 1;
+        loop {
+            let before = own.as_ref().or(watch.earlier);
+            let until = before.map_or(0, |earlier| earlier.samples).saturating_add(samples);
+            // Adaptive pixels take as many as they need, of which none are left for later.
+            if until >= self.scene.image.samples || totals.adaptive.is_some() {
+                return Ok(own);
+            }
+            let begun = Instant::now();
+            let mut all = Bands::default();
+            let round = Round::new(before, until, false).told(watch, self.scene.image.samples);
+            self.render_round(&mut all.sink(), clock, &round, totals)?;
+            let band = all.whole.unwrap_or_else(|| self.band(0, 0));
+            preview.look(&band, until)?;
+            own = Some(Earlier { samples: until, band });
+            let each = begun.elapsed().as_secs_f64() / f64::from(samples);
+            samples = ((preview.every().as_secs_f64() / each) as u32).clamp(1, 2 * samples);
+        }
+    }
+
+    /// Renders a round, by another schedule from where it has to be.
+    fn render_round(
+        &self,
+        rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
+        clock: &mut Clock,
+        round: &Round,
+        totals: &mut Totals,
+    ) -> Result<(), RenderError> {
+        let next = self.current().render_rows(0, rows, clock, round, totals)?;
+        if next < self.window().size[1] {
+            self.go_over()?.render_rows(next, rows, clock, round, totals)?;
+        }
+        Ok(())
     }
 
     /// Renders from a row on. Returns the row that comes next: none of the picture, unless a path there outlived the pass that was to
@@ -52,7 +92,7 @@ impl Renderer<'_> {
         first: u32,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
         clock: &mut Clock,
-        watch: &Watch,
+        round: &Round,
         totals: &mut Totals,
     ) -> Result<u32, RenderError> {
         let [width, height] = self.window().size;
@@ -73,12 +113,11 @@ impl Renderer<'_> {
                 };
                 let pixels = f64::from(size[0]) * f64::from(size[1]);
                 let at = Window { origin: [left, first_row], size };
-                let progress = |done| (watch.progress)((pixels_done + done * pixels) / all);
-                let part = Watch { progress: &progress, ..*watch };
+                let progress = |done| round.tell((pixels_done + done * pixels) / all);
                 let before = totals.clone();
-                self.render_tile(made, at, clock, &part, totals)?;
+                self.render_tile(made, at, clock, (round, &progress), totals)?;
                 // Adaptive sampling takes as many as it needs.
-                let samples = u64::from(self.scene.image.samples - watch.earlier.map_or(0, |earlier| earlier.samples));
+                let samples = u64::from(round.until - round.begins());
                 let rays =
                     self.scene.image.adaptive.is_none().then(|| samples * size.map(u64::from).iter().product::<u64>());
                 if self.read_tally(made, totals, rays)? == Walks::Unfinished {
@@ -88,17 +127,18 @@ impl Renderer<'_> {
                     }
                     *totals = before;
                     let again = tile.insert(self.tile(size.map(|side| side + margin))?);
-                    self.render_tile(again, at, clock, &part, totals)?;
+                    self.render_tile(again, at, clock, (round, &progress), totals)?;
                     self.read_tally(again, totals, None)?;
                     made = again;
                 }
                 pixels_done += pixels;
-                self.read_tile(made, (left, self.scene.image.samples), &mut band, totals.noise.as_mut())?;
+                let noise = totals.noise.as_mut().filter(|_| round.is_last);
+                self.read_tile(made, left, round, &mut band, noise)?;
                 if let Some(clamped) = &mut totals.clamped {
-                    self.read_clamped(made, clamped)?;
+                    self.read_clamped(made, round, clamped)?;
                 }
             }
-            if let Some(earlier) = watch.earlier {
+            if let Some(earlier) = round.earlier {
                 earlier.put_first(&mut band);
             }
             rows(band)?;
@@ -108,16 +148,9 @@ impl Renderer<'_> {
 
     /// The whole picture at once.
     pub fn picture(&self) -> Result<Rendering, RenderError> {
-        let mut whole: Option<Band> = None;
-        let mut append = |band: Band| {
-            match &mut whole {
-                Some(all) => all.append(band),
-                None => whole = Some(band),
-            }
-            Ok(())
-        };
-        let totals = self.render(&mut append, &|_| {})?;
-        let band = whole.unwrap_or_else(|| self.band(0, 0));
+        let mut all = Bands::default();
+        let totals = self.render(&mut all.sink(), &|_| {})?;
+        let band = all.whole.unwrap_or_else(|| self.band(0, 0));
         Ok(Rendering { band, totals })
     }
 
@@ -143,7 +176,7 @@ impl Renderer<'_> {
         if self.read_tally(&tile, &mut totals, None)? == Walks::Unfinished {
             return if self.is_whole() { self.go_over()?.first_sample() } else { self.first_sample() };
         }
-        self.read_tile(&tile, (0, 1), &mut band, None)?;
+        self.read_tile(&tile, 0, &Round::new(None, 1, true), &mut band, None)?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(Rendering { band, totals })
     }
@@ -162,123 +195,23 @@ impl Renderer<'_> {
         tile: &Tile,
         part: Window,
         clock: &mut Clock,
-        watch: &Watch,
+        (round, progress): (&Round, &dyn Fn(f64)),
         totals: &mut Totals,
     ) -> Result<(), RenderError> {
         let window = self.window();
         let origin = [0, 1].map(|k| window.origin[k] + part.origin[k]);
         if let Some(sums) = &mut totals.adaptive {
-            return self.sample_adaptively(tile, origin, clock, watch.progress, sums);
+            return self.sample_adaptively(tile, origin, clock, progress, sums);
         }
-        let samples = self.scene.image.samples;
-        let first = watch.earlier.map_or(0, |earlier| earlier.samples);
-        if let Some(earlier) = watch.earlier {
+        let first = round.begins();
+        if let Some(earlier) = round.earlier {
             earlier.put(self.gpu, tile, part);
         }
-        for number in first..samples {
+        for number in first..round.until {
             let sample = Sample { origin, image: self.scene.image.size, number, refines: None };
-            let done = |part: f64| (watch.progress)((f64::from(number - first) + part) / f64::from(samples - first));
+            let done = |part: f64| progress((f64::from(number - first) + part) / f64::from(round.until - first));
             self.run_sample(tile, sample, clock, &done)?;
-            let preview = watch.preview.filter(|_| part.size == window.size && number + 1 < samples);
-            if let Some(preview) = preview.filter(|preview| preview.is_due()) {
-                let mut band = self.band(0, window.size[1]);
-                self.read_tile(tile, (0, number + 1), &mut band, None)?;
-                if let Some(earlier) = watch.earlier {
-                    earlier.put_first(&mut band);
-                }
-                preview.look(&band, number + 1)?;
-            }
         }
         Ok(())
     }
-
-    /// What a tile has come to after so many samples, into a band whose column `left` is the tile's first.
-    fn read_tile(
-        &self,
-        tile: &Tile,
-        (left, samples): (u32, u32),
-        band: &mut Band,
-        noise: Option<&mut Noise>,
-    ) -> Result<(), RenderError> {
-        let moments = self.read_moments(tile)?;
-        let errors = self.read_errors(tile, samples, moments.as_deref())?;
-        let at = TilePlace { left, width: tile.size[0], margin: self.settings.choice.margin(&self.scene) };
-        let weight = 1.0 / samples as f32;
-        let planes = band.color.iter_mut().chain(&mut band.alpha);
-        let channels = [Channel::Red, Channel::Green, Channel::Blue, Channel::Alpha];
-        for (k, (plane, channel)) in planes.zip(channels).enumerate() {
-            if let Some(moments) = &moments {
-                at.put(plane, band.width, moments.iter().map(|moments| moments.color[k]));
-            } else if let Some(texture) = tile.texture(&Role::Color(channel)) {
-                let sums = read_texture(self.gpu, texture)?;
-                at.put(plane, band.width, sums.iter().map(|bits| f32::from_bits(*bits) * weight));
-            }
-        }
-        for &layer in &self.settings.choice.layers {
-            let words = match (layer, &moments, tile.texture(&Role::Layer(layer))) {
-                (Layer::Error, ..) => match &errors {
-                    Some(errors) => errors.iter().map(|error| error.to_bits()).collect(),
-                    None => continue,
-                },
-                (Layer::Samples, Some(moments), _) => moments.iter().map(|moments| moments.rays).collect(),
-                (Layer::Samples, None, _) => vec![samples; tile.size.map(|n| n as usize).iter().product()],
-                (Layer::Sums, None, _) => self.read_sums(tile)?,
-                (Layer::Spread, None, _) => match tile.texture(&Role::Kept("spread")) {
-                    Some(texture) => read_texture(self.gpu, texture)?,
-                    None => continue,
-                },
-                (_, _, Some(texture)) => read_texture(self.gpu, texture)?,
-                _ => continue,
-            };
-            at.put_layer(layer, band, &words);
-        }
-        if let (Some(errors), Some(noise)) = (errors, noise) {
-            let mut own = vec![0.0; band.width as usize * band.rows as usize];
-            at.put(&mut own, band.width, errors.into_iter());
-            let columns = at.left..at.left + tile.size[0] - at.margin;
-            for (row, errors) in own.chunks_exact(band.width as usize).enumerate() {
-                for column in columns.clone().map(|column| column as usize) {
-                    let at = row * band.width as usize + column;
-                    noise.add(luminance(&band.color, at), errors[column]);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Adds what a tile's samples have lost because they were too bright, and what is left.
-    fn read_clamped(&self, tile: &Tile, sums: &mut Clamped) -> Result<(), RenderError> {
-        let kept = |name| tile.texture(&Role::Kept(name));
-        let (Some(samples), Some(light)) = (kept("clamped_samples"), kept("clamped_light")) else { return Ok(()) };
-        sums.samples += read_texture(self.gpu, samples)?.into_iter().map(u64::from).sum::<u64>();
-        sums.lost += floats(&read_texture(self.gpu, light)?).sum::<f64>();
-        if let Some(moments) = self.read_moments(tile)? {
-            let light = |moments: &Moments| f64::from(moments.color[..3].iter().sum::<f32>()) / 3.0;
-            sums.left += moments.iter().map(|moments| light(moments) * f64::from(moments.rays)).sum::<f64>();
-            return Ok(());
-        }
-        for channel in [Channel::Red, Channel::Green, Channel::Blue] {
-            if let Some(texture) = tile.texture(&Role::Color(channel)) {
-                sums.left += floats(&read_texture(self.gpu, texture)?).sum::<f64>() / 3.0;
-            }
-        }
-        Ok(())
-    }
-
-    /// The sums of a tile's colours, in fours as the texels of a layer are.
-    fn read_sums(&self, tile: &Tile) -> Result<Vec<u32>, RenderError> {
-        let texels = tile.size.map(|n| n as usize).iter().product::<usize>();
-        let mut words = vec![0; 4 * texels];
-        for (k, channel) in [Channel::Red, Channel::Green, Channel::Blue].into_iter().enumerate() {
-            if let Some(texture) = tile.texture(&Role::Color(channel)) {
-                let sums = read_texture(self.gpu, texture)?;
-                words.iter_mut().skip(k).step_by(4).zip(sums).for_each(|(word, sum)| *word = sum);
-            }
-        }
-        Ok(words)
-    }
-}
-
-fn floats(words: &[u32]) -> impl Iterator<Item = f64> {
-    words.iter().map(|bits| f64::from(f32::from_bits(*bits)))
 }

@@ -20,11 +20,6 @@ impl Renderer<'_> {
         self.settings.window.unwrap_or(Window::whole(self.scene.image.size))
     }
 
-    /// Is the window rendered in one tile?
-    pub fn is_one_tile(&self) -> Result<bool, GpuError> {
-        Ok(self.tile_size()? == self.window().size)
-    }
-
     /// Bytes on the device that are the same for every size of tile.
     fn fixed_memory(&self) -> u64 {
         self.buffers.bytes() + self.plan().sections().bytes()

@@ -1,5 +1,7 @@
 //! What a render is told besides its scene: what there is already, and who wants to know how far it is.
 
+use std::time::Duration;
+
 use wgpu::{Extent3d, TexelCopyBufferLayout, Texture};
 
 use super::band::{Band, Plane};
@@ -14,14 +16,14 @@ pub struct Watch<'w> {
     pub progress: &'w dyn Fn(f64),
     /// Samples that need not be taken again.
     pub earlier: Option<&'w Earlier>,
-    /// Who looks at the picture while it is made. Only of pictures of one tile, all of whose samples are equally many.
+    /// Who looks at the picture while it is made. Not at adaptive ones, whose pixels do not take their samples together.
     pub preview: Option<&'w dyn Preview>,
 }
 
 /// Looks at a picture while it is made.
 pub trait Preview {
-    /// Is it time for another look? Asked after every sample but the last.
-    fn is_due(&self) -> bool;
+    /// The time between two looks, about.
+    fn every(&self) -> Duration;
     /// The whole window after so many samples.
     fn look(&self, picture: &Band, samples: u32) -> Result<(), RenderError>;
 }
@@ -36,6 +38,48 @@ impl<'w> Watch<'w> {
     /// Only told how far it is.
     pub fn of(progress: &'w dyn Fn(f64)) -> Self {
         Self { progress, earlier: None, preview: None }
+    }
+}
+
+/// Some samples of every pixel of the window, and then no more before all tiles have theirs.
+pub(super) struct Round<'r> {
+    /// What there is before it.
+    pub earlier: Option<&'r Earlier>,
+    /// How many samples there are behind it.
+    pub until: u32,
+    /// Is the picture done then?
+    pub is_last: bool,
+    /// Who is told how far it is, and how many samples there will be.
+    told: Option<(&'r Watch<'r>, u32)>,
+}
+
+impl<'r> Round<'r> {
+    pub fn new(earlier: Option<&'r Earlier>, until: u32, is_last: bool) -> Self {
+        Self { earlier, until, is_last, told: None }
+    }
+
+    /// With someone who is told how far it is of so many samples.
+    pub fn told(self, watch: &'r Watch, samples: u32) -> Self {
+        Self { told: Some((watch, samples)), ..self }
+    }
+
+    /// The first sample that it takes.
+    pub fn begins(&self) -> u32 {
+        self.earlier.map_or(0, |earlier| earlier.samples)
+    }
+
+    /// Tells that a part of it is done. The last round is all that is left.
+    pub fn tell(&self, part: f64) {
+        let Some((watch, samples)) = self.told else { return };
+        let before = watch.earlier.map_or(0, |earlier| earlier.samples);
+        let done = f64::from(self.begins() - before) + part * f64::from(self.until - self.begins());
+        (watch.progress)(done / f64::from(samples - before));
+    }
+
+    /// The layers that are read behind it: those of the picture, and before its end what the next round goes on from.
+    pub fn layers(&self, wanted: &[Layer]) -> Vec<Layer> {
+        let sums = [Layer::Sums, Layer::Spread].into_iter().filter(|layer| !self.is_last && !wanted.contains(layer));
+        wanted.iter().copied().chain(sums).collect()
     }
 }
 
@@ -68,6 +112,9 @@ impl Earlier {
             let samples = self.samples as f32;
             let texture = tile.texture(&Role::Color(Channel::Alpha));
             write(gpu, texture, part, band.width, |at| (alpha[at] * samples).round());
+        }
+        for counted in ["clamped_samples", "clamped_light"] {
+            write(gpu, tile.texture(&Role::Kept(counted)), part, band.width, |_| 0.0);
         }
         if let Some(Plane::Scalar(spread)) = band.layer(Layer::Spread) {
             write(gpu, tile.texture(&Role::Kept("spread")), part, band.width, |at| spread[at]);

@@ -73,10 +73,14 @@ fn previews_are_pictures_so_far() {
     folder.run("render scene.toml -o long.exr --preview so_far.exr --preview-every 0 --samples 9").succeeds();
     folder.run("render scene.toml -o more.exr --samples 9 --continue so_far.exr").succeeds().says(&["144 rays"]);
     assert!(std::fs::read(folder.path("more.exr")).unwrap() == std::fs::read(folder.path("long.exr")).unwrap());
-    let tiles = folder
-        .run("render scene.toml -o a.png --preview b.png --preview-every 0 --size 64x64 --memory 300KiB")
-        .succeeds();
-    tiles.says(&["warning: no --preview"]);
+    // Tile by tile as well, and clamped.
+    let tiles = "--set output.clamp=1 --preview b.exr --preview-every 0 --size 64x64 --memory 300KiB --samples 5";
+    let looked = folder.run(&format!("render scene.toml -o a.exr {tiles}")).succeeds();
+    let at_once = folder.run("render scene.toml -o c.exr --set output.clamp=1 --size 64x64 --samples 5").succeeds();
+    assert!(std::fs::read(folder.path("a.exr")).unwrap() == std::fs::read(folder.path("c.exr")).unwrap());
+    let clamped = |words: &str| words.split("; ").last().unwrap_or_default().trim().to_owned();
+    assert!(clamped(&at_once.err).contains("samples clamped"), "{}", at_once.err);
+    assert_eq!(clamped(&looked.err), clamped(&at_once.err));
     folder.run("render scene.toml -o a.png --preview a.png").fails(1, &["named twice"]);
     folder.run("render scene.toml -o a.png --preview no/b.png").fails(1, &["no/b.png"]);
     folder.run("render scene.toml -o a.png --preview-every 3").fails(2, &["--preview"]);
