@@ -66,6 +66,37 @@ fn glass_casts_no_shadow_of_lights() {
     }
 }
 
+/// Each light and ambient light say for themselves whether clear things shut them out.
+#[test]
+fn clear_things_shut_out_what_asks_for_it() {
+    let light = |shadows: &str, part: f64| {
+        format!(
+            "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\ncolor = [{part}, {part}, {part}]\n{shadows}"
+        )
+    };
+    let all = [
+        light("shadows = \"none\"\n", 1.0),
+        light("shadows = \"straight\"\n", 0.5),
+        light("shadows = \"straight\"\nclear = \"closed\"\n", 0.25),
+    ];
+    for gloss in [
+        "interior = 1.5\n",
+        "interior = { kind = \"constant\", n = 1.5, transmit_exponent = 100 }\n",
+        "material = \"m\"\n",
+    ] {
+        for ambient in ["floor = 1", "floor = 1\nclear = \"open\""] {
+            let text = format!("{}{}", floor(ambient, &format!("{BALL}{gloss}"), 0.5), all.concat());
+            let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
+            let expected = if gloss.starts_with("material") { 2.0 } else { 2.5 };
+            assert!((mean - expected).abs() < 1e-4, "{gloss}, {ambient}: {mean}");
+        }
+        // And beside the ball all of them.
+        let text = format!("{}{}", floor("floor = 1", &format!("{BALL}{gloss}"), 3.0), all.concat());
+        let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
+        assert!((mean - 2.75).abs() < 1e-4, "{gloss}: {mean}");
+    }
+}
+
 #[test]
 fn every_schedule_sees_the_same() {
     let text = floor("", &format!("{BALL}material = \"m\"\n"), 1.2).replace("samples = 64", "samples = 3");

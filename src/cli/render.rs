@@ -17,7 +17,7 @@ use super::settle::settle;
 use super::watch::{PreviewFile, Progress};
 use crate::error::Error;
 use crate::measure::{Verification, method_words, verify};
-use crate::output::{ImageWriter, open};
+use crate::output::ImageWriter;
 use crate::program::Layer;
 use crate::render::{Earlier, Preview, RenderError, RenderSettings, Renderer, StartUp, Status, Totals, Watch, Window};
 use crate::scene::Scene;
@@ -144,17 +144,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         Some(frames) => frames.of(&still)?.map(Some).collect(),
         None => vec![None],
     };
-    // Opened and dropped: a path that cannot be written is found before the work.
-    for &frame in &frames {
-        drop(arguments.open(&still, frame, &layers, &[])?);
-    }
-    if let Some(path) = &arguments.preview {
-        if still.image.adaptive.is_some() {
-            let problem = "--preview: an adaptive picture has none, for its pixels do not take their samples together";
-            return Err(Error::Usage(problem.to_owned()));
-        }
-        drop(open(path, &arguments.file_settings(&still, path, &layers, &[]))?);
-    }
+    arguments.try_files(&still, &frames, &layers)?;
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
     }

@@ -176,7 +176,10 @@ impl Source<'_> {
 
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let row = |light: &Light| -> (&str, Row) {
-            let shadows = u32::from(light.shadows == Shadows::Straight);
+            let shadows = match light.shadows {
+                Shadows::Straight => self.shadow_code(light.clear_is_open),
+                _ => 0,
+            };
             let falls = u32::from(light.falls);
             match light.source {
                 LightSource::Point(position) if light.shadows == Shadows::Shooting => (
@@ -196,6 +199,15 @@ impl Source<'_> {
         let others = self.scene.lights.iter().filter(|light| light.shadows != Shadows::Grid);
         let all: Vec<_> = others.map(row).filter(|(list, _)| *list == name).collect();
         if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }
+    }
+
+    /// How parts know straight shadows: by clear things as well, or not.
+    pub(super) fn shadow_code(&self, clear_is_open: bool) -> u32 {
+        if clear_is_open || !self.scene.splits() {
+            1
+        } else {
+            constant("surface/shadow/clear_chosen", "SHUT_OUT") as u32
+        }
     }
 
     /// The lights that have a grid and the beams that guide paths, each with where its voxels begin.

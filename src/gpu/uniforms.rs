@@ -16,11 +16,13 @@ impl Source<'_> {
     }
 
     /// How far ambient light comes from: from all around, if no less.
-    pub(super) fn ambient(&self) -> [(&'static str, Value); 2] {
+    pub(super) fn ambient(&self) -> [(&'static str, Value); 3] {
         let occlusion = self.scene.occlusion.as_ref();
         let across = 2.0 * self.scene.rays.bound.radius;
         let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
-        [("distance", Float(distance)), ("floor", Float(occlusion.map_or(0.0, |occlusion| occlusion.floor)))]
+        let floor = occlusion.map_or(0.0, |occlusion| occlusion.floor);
+        let shadows = self.shadow_code(occlusion.is_none_or(|occlusion| occlusion.clear_is_open));
+        [("distance", Float(distance)), ("floor", Float(floor)), ("shadows", Uint(shadows))]
     }
 
     /// How far paths go.

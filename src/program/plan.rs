@@ -95,12 +95,17 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
     }
     names.add("surface/shadow/straight");
     let all = scene.lights.iter().all(|light| light.shadows == Shadows::Straight);
-    names.add(if all { "surface/shadow/of_all" } else { "surface/shadow/of_some" });
-    names.add(match (scene.splits(), scene.occlusion.filter(|_| scene.is_occluded())) {
-        (true, Some(occlusion)) if !occlusion.clear_is_open => "surface/shadow/clear_lights",
-        (true, _) if scene.is_frosted() => "surface/shadow/clear_rough",
-        (true, _) => "surface/shadow/clear",
-        (false, _) => "surface/shadow/opaque",
+    let shut_out = scene.shuts_out();
+    names.add(match (all, shut_out) {
+        (true, _) => "surface/shadow/of_all",
+        (false, true) => "surface/shadow/of_several",
+        (false, false) => "surface/shadow/of_some",
+    });
+    names.add(match scene.splits() {
+        true if shut_out => "surface/shadow/clear_chosen",
+        true if scene.is_frosted() => "surface/shadow/clear_rough",
+        true => "surface/shadow/clear",
+        false => "surface/shadow/opaque",
     });
     names.add("surface/scatter/frosted");
     if scene.is_occluded() {

@@ -70,7 +70,7 @@ const OPTIONAL: [&str; 14] = [
     "note_glow",
     "note_pixel",
     "note_sent",
-    "mark_occluding",
+    "note_light",
     "pass_top",
     "leave_aside",
     "draw_wavelength",

@@ -13,6 +13,8 @@ pub struct Light {
     pub color: DVec3,
     /// How it is found out whether it reaches a surface.
     pub shadows: Shadows,
+    /// Where its shadows are straight: does it shine through what is clear?
+    pub clear_is_open: bool,
     /// Does it fall off with the square of the distance; found by shooting, with the spread of its bundle?
     pub falls: bool,
     /// The radius of the ball that it is: as bright as that at a caustic.
@@ -92,7 +94,7 @@ impl Light {
     #[must_use]
     pub fn new(source: LightSource) -> Self {
         let (shadows, grid) = (Shadows::None, LightGrid::default());
-        Self { source, color: DVec3::ONE, shadows, falls: false, size: 0.0, grid }
+        Self { source, color: DVec3::ONE, shadows, clear_is_open: true, falls: false, size: 0.0, grid }
     }
 
     /// Is it in a grid as bright as its paths are many? How bright light from far away is follows from them wherever the law bends it to.

@@ -255,6 +255,14 @@ impl Scene {
         self.has_shadows(Shadows::Straight) || self.is_occluded()
     }
 
+    /// Do clear things shut out light that comes in straight lines?
+    #[must_use]
+    pub fn shuts_out(&self) -> bool {
+        let lights = self.lights.iter().any(|light| light.shadows == Shadows::Straight && !light.clear_is_open);
+        let ambient = self.is_occluded() && self.occlusion.is_some_and(|occlusion| !occlusion.clear_is_open);
+        self.splits() && (lights || ambient)
+    }
+
     /// The WGSL part of a material here.
     #[must_use]
     pub fn part_of(&self, material: &Material) -> &'static str {

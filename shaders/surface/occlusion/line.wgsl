@@ -6,6 +6,8 @@ struct Ambient {
     distance: Real,
     // What is left where all is closed.
     floor: f32,
+    // As lights have it.
+    shadows: u32,
 }
 
 @group(0) @binding(148) var<uniform> ambient: Ambient;
@@ -22,8 +24,6 @@ fn note_pixel(pixel: vec2u) {
 fn open_part(lit: Lit) -> f32 {
     let u = lobe_point(shaded_pixel, OCCLUSION);
     let way = way_about(lit.normal, sqrt(1.0 - u.x), sqrt(u.x), u.y);
-    mark_occluding(true);
-    let open = light_share(1u, dot(way, lit.normal) > 0.0, lit.start, ambient.distance * Real3(way));
-    mark_occluding(false);
+    let open = light_share(ambient.shadows, dot(way, lit.normal) > 0.0, lit.start, ambient.distance * Real3(way));
     return mix(ambient.floor, 1.0, open);
 }

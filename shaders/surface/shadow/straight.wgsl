@@ -3,6 +3,7 @@
 
 // 1, or 0 where something opaque lies between `start` and the light, which is at the end of `way`.
 fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
+    note_light(shadows);
     if !casts(shadows) || !faces {
         return 1.0;
     }

@@ -27,6 +27,20 @@ impl Arguments {
         paths.map(|path| Ok(open(&path, &self.file_settings(scene, &path, layers, metadata))?)).collect()
     }
 
+    /// Opens all files and drops them again: a path that cannot be written is found before the work.
+    pub(super) fn try_files(&self, still: &Scene, frames: &[Option<u32>], layers: &[Layer]) -> Result<(), Error> {
+        for &frame in frames {
+            drop(self.open(still, frame, layers, &[])?);
+        }
+        let Some(path) = &self.preview else { return Ok(()) };
+        if still.image.adaptive.is_some() {
+            let problem = "--preview: an adaptive picture has none, for its pixels do not take their samples together";
+            return Err(Error::Usage(problem.to_owned()));
+        }
+        drop(open(path, &self.file_settings(still, path, layers, &[]))?);
+        Ok(())
+    }
+
     /// How the file at `path` is to be written; `metadata` is what it says of itself.
     pub(super) fn file_settings(
         &self,

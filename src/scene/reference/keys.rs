@@ -164,6 +164,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "what it does not reach: nothing that faces it; what is behind something opaque on a straight line, whatever the law; or what no path under the law leads to from it, by paths from the light that are kept in voxels, or by the search for one from each place";
             falloff if r#"kind = "point""#: "none | inverse-square" = "none",
                 "as bright everywhere, or by the square of the distance, `color` at distance 1; with grid and shooting, by the spread of its bundle of paths";
+            clear if r#"shadows = "straight""#: "open | closed" = "open", "whether light comes through what has an interior";
             voxels if r#"shadows = "grid""#: "whole number, 8 to 512" = "64", "along the longest side of what is lit";
             refine if r#"shadows = "grid""#: "whole number, 1 to 8" = "4",
                 "parts along each axis of voxels in which light changes much: at caustics, at shadows' edges and at surfaces; 1 for none";

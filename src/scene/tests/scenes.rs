@@ -54,6 +54,7 @@ const KINDS: &[&str] = &[
     "[camera]\nkind = \"fisheye\"\nposition = [1, 2, 3]\ncorners = \"transparent\"\n\
      stereo = { separation = 0.5, layout = \"top-bottom\", convergence = 3 }\n[rays]\nbound = { radius = 1 }\n",
     "[rays]\nbound = { radius = 9 }\n[[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"shooting\"\n\
+     [[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"straight\"\n\
      [[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"grid\"\n",
     "[rays]\nbound = { radius = 9 }\n[materials.m]\nkind = \"fan\"\nrays = [[\"dx\", \"dy\", \"dz\", \"1\"]]\n",
     "[law]\nkind = \"parametric\"\nx = \"t\"\ny = \"t\"\nz = \"t\"\nt = [0, 1]\n[rays]\nbound = { radius = 1 }\n",
