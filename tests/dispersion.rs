@@ -1,5 +1,7 @@
 //! Media whose index is another for each wavelength: prisms against the law of least deviation, and that white light stays white.
 
+use bentray::model::medium::VISIBLE;
+use bentray::program::constant;
 use bentray::render::{RenderSettings, Renderer, trace};
 use glam::{DVec3, Vec4};
 
@@ -10,6 +12,13 @@ fn heavy_flint(nm: f64) -> f64 {
     let square = (nm / 1000.0).powi(2);
     let terms = [(1.737_596_95, 0.013_188_707), (0.313_747_346, 0.062_306_814_2), (1.898_781_01, 155.236_29)];
     (1.0 + terms.iter().map(|(b, c)| b * square / (square - c)).sum::<f64>()).sqrt()
+}
+
+/// Paths draw what scenes may ask for.
+#[test]
+fn visible_light_is_the_same_everywhere() {
+    let drawn = ["SHORTEST", "LONGEST"].map(|name| constant("path/spectrum/drawn", name).to_bits());
+    assert_eq!(drawn, [VISIBLE.start(), VISIBLE.end()].map(|end| end.to_bits()));
 }
 
 /// A prism of angle A turns a ray that crosses it evenly by D, where n = sin((A + D)/2)/sin(A/2).

@@ -17,8 +17,13 @@ const DIRECTION: u32 = 0u;
 const CHOICE: u32 = 1u;
 const BRANCH: u32 = 16u;
 
-fn path_point(pixel: vec2u, own_use: u32) -> vec2f {
+// Of a pixel, wherever it is in its tile.
+fn pixel_seed(pixel: vec2u) -> u32 {
     let whole = frame.origin + pixel;
-    let place = hashed(whole.x ^ hashed(whole.y ^ hashed(transport.seed)));
+    return hashed(whole.x ^ hashed(whole.y ^ hashed(transport.seed)));
+}
+
+fn path_point(pixel: vec2u, own_use: u32) -> vec2f {
+    let place = pixel_seed(pixel);
     return seeded_point(hashed(place ^ hashed(carried.scatterings ^ hashed((carried.flight << 16u) ^ own_use))));
 }

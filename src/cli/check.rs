@@ -9,6 +9,7 @@ use super::frames::Film;
 use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
 use crate::gpu::{Built, Geometry, Grid, LightVolume, light_bytes, memory};
+use crate::model::medium::VISIBLE;
 use crate::program::{Choice, Program, Schedule};
 use crate::scene::{Beam, Scene, Shadows, reference_markdown};
 
@@ -122,7 +123,7 @@ fn random_words(scene: &Scene) -> Vec<String> {
 fn dispersion_words(scene: &Scene) -> Option<String> {
     scene.disperses().then(|| {
         if scene.rays.paths.is_some() {
-            "dispersion: each path is of one wavelength, from 380 to 730 nm".to_owned()
+            format!("dispersion: each path is of one wavelength, from {} to {} nm", VISIBLE.start(), VISIBLE.end())
         } else {
             format!("dispersion: all light is of {} nm; on paths it is of all visible", scene.rays.wavelength)
         }

@@ -53,17 +53,13 @@ pub(super) struct Before {
 impl Before {
     /// Reads a picture that keeps its sums.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
-        let none = || {
-            OutputError::Part {
-            path: path.to_owned(),
-            problem: "it keeps no sums to continue from: EXRs of pictures with transport = \"paths\" do, in the layers `sums` and `spread`"
-                .to_owned(),
-        }
-        };
+        let problem = "it keeps no sums to continue from: EXRs of pictures with transport = \"paths\" do, in the layers `sums` \
+                       and `spread`";
+        let none = || OutputError::Part { path: path.to_owned(), problem: problem.to_owned() };
         let (settings, band) = picture(path)?;
         let has_sums = SUMS.iter().all(|layer| settings.layers.contains(layer));
-        let samples = said(&settings, SAMPLES).and_then(|samples| samples.parse().ok()).filter(|_| has_sums);
-        let followed = said(&settings, FOLLOWED).map(str::to_owned);
+        let samples = settings.said(SAMPLES).and_then(|samples| samples.parse().ok()).filter(|_| has_sums);
+        let followed = settings.said(FOLLOWED).map(str::to_owned);
         let (samples, followed) = (samples.ok_or_else(none)?, followed.ok_or_else(none)?);
         Ok(Self { path: path.to_owned(), settings, band, samples, followed })
     }
@@ -84,7 +80,7 @@ impl Before {
                 "multi-jittered samples are made for a number that is known beforehand: leave `pattern` out".to_owned(),
             );
         }
-        if said(&self.settings, SCENE) != film.fingerprint().as_deref() {
+        if film.fingerprint().is_none_or(|own| self.settings.said(SCENE) != Some(&own)) {
             return wrong(
                 "it is of another scene, or of this one before it was changed: only `samples` and [output] may differ"
                     .to_owned(),
@@ -119,9 +115,4 @@ impl Before {
     pub(super) fn earlier(self) -> Earlier {
         Earlier { samples: self.samples, band: self.band }
     }
-}
-
-/// What a picture says of itself under a key.
-fn said<'s>(settings: &'s FileSettings, key: &str) -> Option<&'s str> {
-    settings.metadata.iter().find_map(|(own, text)| (own == key).then_some(text.as_str()))
 }

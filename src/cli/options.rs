@@ -3,6 +3,7 @@
 use std::panic;
 use std::path::PathBuf;
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -90,6 +91,12 @@ pub(super) fn parse_window(text: &str) -> Result<Window, String> {
     parsed().ok_or_else(|| {
         format!("`{text}` is not a part such as 0,540,1920x270: its left column, its top row, and its width x height")
     })
+}
+
+/// A time from a number of seconds.
+pub(super) fn parse_seconds(text: &str) -> Result<Duration, String> {
+    let parsed = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    parsed.ok_or_else(|| format!("`{text}` is not a number of seconds such as 30 or 0.5"))
 }
 
 /// Bytes from a number with KiB, MiB, GiB or nothing behind it.

@@ -12,7 +12,7 @@ use clap::builder::TypedValueParser;
 use super::decisions::Rays;
 use super::frames::{Film, Frames, path_of};
 use super::go_on::{self, Before, SUMS, is_continuable};
-use super::options::{DeviceFlags, FOLLOWED, SceneOptions, one_of, parse_bytes, parse_window};
+use super::options::{DeviceFlags, FOLLOWED, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::settle::settle;
 use super::watch::{PreviewFile, Progress};
 use crate::error::Error;
@@ -53,8 +53,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE", conflicts_with = "frames")]
     preview: Option<PathBuf>,
     /// Seconds between two previews
-    #[arg(long, value_name = "SECONDS", default_value = "30", requires = "preview")]
-    preview_every: f64,
+    #[arg(long, value_name = "SECONDS", default_value = "30", requires = "preview", value_parser = parse_seconds)]
+    preview_every: Duration,
     /// Memory of the device that the render may take: a picture that needs more is rendered in tiles
     #[arg(long, value_name = "BYTES", default_value = "1GiB", value_parser = parse_bytes)]
     memory: u64,
@@ -164,7 +164,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         say!("{verification}");
     }
     let mut metadata = metadata(&scene, measured.as_ref());
-    if frames[0].is_none() && is_continuable(&scene) {
+    if frames[0].is_none() && layers.contains(&Layer::Sums) {
         metadata.extend(go_on::metadata(&film, scene.image.samples));
     }
     let mut writers = arguments.open(&scene, frames[0], &layers, &metadata)?;

@@ -76,18 +76,13 @@ fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
         return differ(format!("it has other layers than {other}; render all parts with the same --layers"));
     }
     let pairs = [own, whole].map(|settings| settings.metadata.iter());
-    let Some((key, _)) = pairs.into_iter().flatten().find(|(key, _)| text(own, key) != text(whole, key)) else {
+    let Some((key, _)) = pairs.into_iter().flatten().find(|(key, _)| own.said(key) != whole.said(key)) else {
         return Ok(());
     };
-    let [this, that] = [own, whole].map(|settings| text(settings, key).unwrap_or("nothing"));
+    let [this, that] = [own, whole].map(|settings| settings.said(key).unwrap_or("nothing"));
     differ(format!(
         "its `{key}` is `{this}`, and that of {other} `{that}`; render all parts alike, by a method that is named"
     ))
-}
-
-/// What a picture says of itself under a key.
-fn text<'a>(settings: &'a FileSettings, key: &str) -> Option<&'a str> {
-    settings.metadata.iter().find_map(|(own, text)| (own == key).then_some(text.as_str()))
 }
 
 /// A part of the picture that no window covers, if there is one.

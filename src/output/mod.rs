@@ -75,6 +75,12 @@ impl FileSettings {
         }
     }
 
+    /// What the file says of itself under a key.
+    #[must_use]
+    pub fn said(&self, key: &str) -> Option<&str> {
+        self.metadata.iter().find_map(|(own, text)| (own == key).then_some(text.as_str()))
+    }
+
     /// What is wrong with these settings whatever the format, if anything.
     fn problem(&self) -> Option<String> {
         let [width, height] = self.size;

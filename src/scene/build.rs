@@ -11,6 +11,7 @@ use super::{
     Accelerate, Bound, Branches, Image, Output, Precision, Rays, SamplePattern, Scene, Segment, Sky, Tonemap, Transform,
 };
 use crate::model::control::embedded;
+use crate::model::medium::D_LINE;
 use crate::model::method::TOLERANT;
 use crate::model::{Interior, Law, Material, Medium, Object, Pattern, Shape, Substance, Surface};
 
@@ -76,9 +77,6 @@ impl Default for Output {
 }
 
 impl Rays {
-    /// Helium's yellow line d, by which glasses are named, nanometres.
-    pub const D_LINE: f64 = 587.561_8;
-
     /// As a scene file has it that says no more than the radius of the bounding sphere, at a tolerance of 10⁻⁵.
     #[must_use]
     pub fn new(radius: f64) -> Self {
@@ -97,7 +95,7 @@ impl Rays {
             branches: Branches::Enumerated(4),
             accelerate: Accelerate::Auto,
             paths: None,
-            wavelength: Self::D_LINE,
+            wavelength: D_LINE,
         }
     }
 }

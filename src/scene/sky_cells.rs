@@ -57,19 +57,22 @@ fn sums(values: &[f64]) -> Vec<f32> {
 /// The variance of the sky's light, over the square of its mean, for which one more ray is worth its time.
 const WORTH_AIMING: f64 = 0.25;
 
-/// The sum over a picture's pixels of something of their light, all colours together, by a weight at places from -1 to 1 both ways.
-fn weighed(picture: &Picture, weight: impl Fn(f64, f64) -> f64 + Sync, of: &(dyn Fn(f64) -> f64 + Sync)) -> f64 {
+/// The sums over a picture's pixels of 1, their light, all colours together, and its square, by a weight at places from -1 to 1 both ways.
+fn weighed(picture: &Picture, weight: impl Fn(f64, f64) -> f64 + Sync) -> DVec3 {
     let [width, height] = picture.size.map(f64::from);
     let place = |k: usize, size: f64| 2.0 * (k as f64 + 0.5) / size - 1.0;
     let rows = picture.pixels.par_chunks(picture.size[0] as usize).enumerate();
-    let row = |(j, row): (usize, &[[f32; 3]])| -> f64 {
-        let light = |pixel: &[f32; 3]| f64::from(pixel.iter().sum::<f32>()) / 3.0;
+    let row = |(j, row): (usize, &[[f32; 3]])| -> DVec3 {
         let y = place(j, height);
-        row.iter().enumerate().map(|(i, pixel)| weight(place(i, width), y) * of(light(pixel))).sum()
+        let of_pixel = |(i, pixel): (usize, &[f32; 3])| {
+            let light = f64::from(pixel.iter().sum::<f32>()) / 3.0;
+            weight(place(i, width), y) * DVec3::new(1.0, light, light * light)
+        };
+        row.iter().enumerate().map(of_pixel).sum()
     };
     // In order: the same sum whatever the number of cores.
-    let sums: Vec<f64> = rows.map(row).collect();
-    sums.iter().sum::<f64>() / (width * height)
+    let sums: Vec<DVec3> = rows.map(row).collect();
+    sums.iter().sum::<DVec3>() / (width * height)
 }
 
 impl Scene {
@@ -88,9 +91,7 @@ impl Scene {
             1 => (0.5 * PI * y).cos(),
             _ => (1.0 + x * x + y * y).powf(-1.5),
         };
-        let sum =
-            |of: &(dyn Fn(f64) -> f64 + Sync)| -> f64 { faces.iter().map(|face| weighed(face, weight, of)).sum() };
-        let [solid, light, squares] = [sum(&|_| 1.0), sum(&|x| x), sum(&|x| x * x)];
+        let [solid, light, squares] = faces.iter().map(|face| weighed(face, weight)).sum::<DVec3>().to_array();
         squares * solid > (1.0 + WORTH_AIMING) * light * light
     }
 

@@ -84,6 +84,7 @@ fn previews_are_pictures_so_far() {
     folder.run("render scene.toml -o a.png --preview a.png").fails(1, &["named twice"]);
     folder.run("render scene.toml -o a.png --preview no/b.png").fails(1, &["no/b.png"]);
     folder.run("render scene.toml -o a.png --preview-every 3").fails(2, &["--preview"]);
+    folder.run("render scene.toml -o a.png --preview b.png --preview-every=-3").fails(2, &["not a number of seconds"]);
     folder
         .run("render scene.toml -o a.png --preview b.png --preview-every 0 --set image.adaptive=0.1")
         .fails(1, &["adaptive"]);

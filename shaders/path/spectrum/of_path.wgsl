@@ -4,7 +4,5 @@
 const WAVELENGTH: u32 = 0x57415645u;
 
 fn draw_wavelength(pixel: vec2u) {
-    let whole = frame.origin + pixel;
-    let place = hashed(whole.x ^ hashed(whole.y ^ hashed(transport.seed)));
-    drawn_wavelength = mix(SHORTEST, LONGEST, seeded_point(hashed(place ^ WAVELENGTH)).x);
+    drawn_wavelength = mix(SHORTEST, LONGEST, seeded_point(hashed(pixel_seed(pixel) ^ WAVELENGTH)).x);
 }

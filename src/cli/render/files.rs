@@ -1,7 +1,6 @@
 //! The files of a render: what each holds, and what it says of itself.
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use super::{Arguments, is_exr};
 use crate::cli::frames::path_of;
@@ -71,7 +70,7 @@ impl Arguments {
         let path = self.preview.clone()?;
         let settings = self.file_settings(scene, &path, layers, metadata);
         let settings = move |samples| go_on::after(settings.clone(), samples);
-        Some(PreviewFile::new(path, Duration::from_secs_f64(self.preview_every), Box::new(settings)))
+        Some(PreviewFile::new(path, self.preview_every, Box::new(settings)))
     }
 
     /// In the order of [`Layer::ALL`], each once; none without an EXR to hold them. How many samples a pixel took is a layer of

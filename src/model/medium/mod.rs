@@ -50,7 +50,7 @@ pub use noise::Noise;
 pub use profile::Layers;
 pub use rod::Rod;
 pub use sech::Sech;
-pub use sellmeier::Sellmeier;
+pub use sellmeier::{D_LINE, Sellmeier, VISIBLE};
 pub use textured::Textured;
 
 /// Reads a medium; none if it cannot be used.

@@ -1,5 +1,6 @@
 //! n by Sellmeier's formula, n² = 1 + Σ B λ²/(λ² − C): the same everywhere, and another for each wavelength.
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
@@ -23,10 +24,10 @@ pub static KIND: Kind = Kind {
 
 /// Terms, at most.
 const TERMS: usize = 4;
-/// The square of visible light's wavelengths, square micrometres.
-const VISIBLE: std::ops::RangeInclusive<f64> = 0.38 * 0.38..=0.73 * 0.73;
-/// Helium's yellow line d, by which glasses are named, square micrometres.
-const D_LINE: f64 = 0.587_561_8 * 0.587_561_8;
+/// Visible light, nanometres.
+pub const VISIBLE: RangeInclusive<f64> = 380.0..=730.0;
+/// Helium's yellow line d, by which glasses are named, nanometres.
+pub const D_LINE: f64 = 587.561_8;
 
 /// B and C of common glasses: of Schott's catalogue; of silica (Malitson 1965), water at 20 °C (Daimon and Masumura 2007) and diamond (Peter
 /// 1923).
@@ -72,11 +73,17 @@ pub struct Sellmeier {
 }
 
 impl Sellmeier {
-    /// n² at a squared wavelength in square micrometres.
+    /// n² at a wavelength in nanometres.
     fn square(&self, wavelength: f64) -> f64 {
-        let terms = self.b.iter().zip(self.c).map(|(b, c)| b * wavelength / (wavelength - c));
+        let square = square_micrometres(wavelength);
+        let terms = self.b.iter().zip(self.c).map(|(b, c)| b * square / (square - c));
         1.0 + terms.sum::<f64>()
     }
+}
+
+/// The square of a wavelength in nanometres.
+fn square_micrometres(wavelength: f64) -> f64 {
+    (1e-3 * wavelength).powi(2)
 }
 
 fn terms(node: &Node) -> Read<Vec<f64>> {
@@ -105,7 +112,8 @@ fn read(table: &TableReader) -> Option<Sellmeier> {
     }
     let filled = |values: &[f64]| std::array::from_fn(|k| values.get(k).copied().unwrap_or(0.0));
     let medium = Sellmeier { b: filled(&b), c: filled(&c) };
-    if c.iter().any(|c| VISIBLE.contains(c)) {
+    let visible = square_micrometres(*VISIBLE.start())..=square_micrometres(*VISIBLE.end());
+    if c.iter().any(|c| visible.contains(c)) {
         table.fault(
             &["c"],
             "a resonance lies in visible light",
@@ -154,7 +162,7 @@ mod tests {
     /// At Fraunhofer's lines F, d and C, as catalogues have them.
     #[test]
     fn glasses_are_those_of_catalogues() {
-        let lines = [0.486_132_7_f64, 0.587_561_8, 0.656_272_5];
+        let lines = [486.132_7, D_LINE, 656.272_5];
         for (name, expected) in [
             ("BK7", [1.522_38, 1.516_80, 1.514_32]),
             ("SF11", [1.806_51, 1.784_72, 1.775_96]),
@@ -164,7 +172,7 @@ mod tests {
         ] {
             let glass = GLASSES.iter().find(|(known, _)| *known == name).unwrap().1;
             for (line, n) in lines.iter().zip(expected) {
-                assert!((glass.square(line * line).sqrt() - n).abs() < 6e-6, "{name} at {line} µm");
+                assert!((glass.square(*line).sqrt() - n).abs() < 6e-6, "{name} at {line} nm");
             }
         }
     }

@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, boolean, choice, number_where, positive, text, vector, whole, word};
 use crate::document::{Node, Value};
+use crate::model::medium::{D_LINE, VISIBLE};
 use crate::model::method::{self, Demands, Named};
 use crate::model::{Law, control};
 use crate::scene::optics::Optics;
@@ -64,7 +65,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         check_asymptotic(&table, law, bound);
     }
     let branches = branching(&table, optics);
-    let wavelength = table.or("wavelength", Rays::D_LINE, wavelength);
+    let wavelength = table.or("wavelength", D_LINE, wavelength);
     if table.gives("wavelength") && !optics.disperses() {
         let help = "leave it out, or give an interior kind = \"sellmeier\"";
         table.fault(&["wavelength"], "nothing here is another for another wavelength", help);
@@ -92,7 +93,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
 }
 
 fn wavelength(node: &Node) -> Read<f64> {
-    number_where("a wavelength from 380 to 730 nm", |x| (380.0..=730.0).contains(&x))(node)
+    number_where("a wavelength from 380 to 730 nm", |x| VISIBLE.contains(&x))(node)
 }
 
 /// What is followed where a surface splits a ray: on paths one of the two.

@@ -22,7 +22,7 @@ use crate::support::{gpu, probe::Probe, scene};
 const BOUND: f64 = 64.0;
 
 /// Of light, micrometres: for which the host knows indices.
-const WAVELENGTH: f64 = 1e-3 * bentray::scene::Rays::D_LINE;
+const WAVELENGTH: f64 = 1e-3 * bentray::model::medium::D_LINE;
 
 /// What a medium should say of a place, each value with the bound on its error.
 struct Want {
