@@ -30,6 +30,8 @@ fn mean(picture: &Rendering, channel: usize) -> (f64, f64) {
 }
 
 const BALL: &str = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 1, 0]\nradius = 1\n";
+/// Above the place that is seen, and the camera.
+const RAISED: &str = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 1.2, 0]\nradius = 1\n";
 const WALL: &str = "[[objects]]\nshape = \"box\"\nmaterial = \"m\"\ncenter = [1.5, 25, 0]\nsize = [2, 50, 400]\n";
 
 #[test]
@@ -95,6 +97,103 @@ fn clear_things_shut_out_what_asks_for_it() {
         let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
         assert!((mean - 2.75).abs() < 1e-4, "{gloss}: {mean}");
     }
+}
+
+/// What glass of index 1.5 lets through head on, through both of its sides.
+const THROUGH: f64 = 0.96 * 0.96;
+
+/// A floor seen beside what stands on it, lit by one light alone.
+fn lit(law: &str, objects: &str, light: &str) -> Rendering {
+    let text = floor("floor = 1", objects, 0.0).replace("ambient = 1", "ambient = 0");
+    let text = text.replace("[ambient]\nfloor = 1\n", law).replace("diffuse = [1, 0.5, 0]", "diffuse = [1, 1, 1]");
+    rendered(&format!("{text}[[lights]]\n{light}shadows = \"straight\"\nclear = \"filtered\"\n"), Choice::default())
+}
+
+#[test]
+fn clear_things_weaken_light_on_straight_lines() {
+    let above = "kind = \"directional\"\ndirection = [0, -1, 0]\n";
+    let slanting = "kind = \"directional\"\ndirection = [0, -0.6, 0.8]\n";
+    let near = "kind = \"point\"\nposition = [0, 3, 0]\n";
+    let (c, s) = (0.6_f64, 0.8_f64);
+    // Fresnel's law for a ray of sine s, without an angle in it.
+    let inside = (1.0 - (s / 1.5_f64).powi(2)).sqrt();
+    let [r1, r2] = [(c - 1.5 * inside) / (c + 1.5 * inside), (1.5 * c - inside) / (1.5 * c + inside)];
+    let slanted = 1.0 - 0.5 * (r1 * r1 + r2 * r2);
+    let slab = |interior: &str| {
+        format!(
+            "[[objects]]\nshape = \"box\"\ncenter = [0, 1.5, 0]\nsize = [20, 1, 20]\ninterior = {{ kind = \"constant\", {interior} }}\n"
+        )
+    };
+    let ball = |filter: &str| format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, filter = {filter} }}\n");
+    let cases = [
+        (slab("n = 1.5"), above, "", [THROUGH; 3]),
+        (slab("n = 1.5, transmit_exponent = 50"), above, "", [THROUGH; 3]),
+        (slab("n = 1.5, filter = [0.5, 0.25, 1]"), near, "", [0.5 * THROUGH, 0.25 * THROUGH, THROUGH]),
+        (
+            slab("n = 1.5, filter = [0.5, 1, 0]"),
+            slanting,
+            "",
+            [0.5_f64.powf(1.0 / c), 1.0, 0.0].map(|t| c * t * slanted * slanted),
+        ),
+        // Where indices agree there is nothing but the filter.
+        (slab("n = 1, filter = [0.5, 1, 0.2]"), above, "", [0.5, 1.0, 0.2]),
+        (
+            ball("{ density = [\"0.1 + 0.4*r^2\", \"0.3\", \"exp(-y)\"] }"),
+            above,
+            "",
+            [
+                THROUGH * (-0.2 - 0.8_f64 / 3.0).exp(),
+                THROUGH * (-0.6_f64).exp(),
+                THROUGH * (-2.0 * 1.0_f64.sinh()).exp(),
+            ],
+        ),
+        // Through space alone, down to the floor; and the camera is 0.002 above it.
+        (String::new(), near, "filter = [0.9, 0.5, 1]\n", [0.9_f64.powf(3.002), 0.5_f64.powf(3.002), 1.0]),
+        // Two bodies, and the space around them.
+        (
+            format!(
+                "{}{}",
+                slab("n = 1.5, filter = [0.5, 0.5, 0.5]"),
+                slab("n = 1.5").replace("1.5, 0]", "2.5, 0]").replace("[20, 1, 20]", "[20, 0.5, 20]")
+            ),
+            near,
+            "filter = [0.5, 1, 1]\n",
+            [0.5_f64.powf(2.502), 0.5, 0.5].map(|t| t * THROUGH * THROUGH),
+        ),
+        (format!("{RAISED}material = \"m\"\n"), above, "", [0.0; 3]),
+    ];
+    for (objects, light, law, expected) in cases {
+        let law = if law.is_empty() { String::new() } else { format!("[law]\nkind = \"straight\"\n{law}") };
+        let picture = lit(&law, &objects, light);
+        for (channel, expected) in expected.into_iter().enumerate() {
+            let (mean, _) = self::mean(&picture, channel);
+            assert!(
+                (mean - expected).abs() < 1e-3 * expected + 1e-6,
+                "{objects}{light}{law} {channel}: {mean} for {expected}"
+            );
+        }
+    }
+}
+
+/// Each light has its own way with what is clear, and ambient light too.
+#[test]
+fn lights_of_all_kinds_share_a_scene() {
+    let light = |part: f64, clear: &str| {
+        format!(
+            "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\ncolor = [{part}, {part}, {part}]\nshadows = \"straight\"\nclear = \"{clear}\"\n"
+        )
+    };
+    let glass = format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, filter = [0.5, 0.5, 0.5] }}\n");
+    let lights = [light(1.0, "open"), light(0.5, "filtered"), light(0.25, "closed")].concat();
+    let text = format!("{}{lights}", floor("floor = 1", &glass, 0.0));
+    let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
+    let expected = 1.0 + 1.0 + 0.5 * 0.25 * THROUGH;
+    assert!((mean - expected).abs() < 1e-3, "{mean} for {expected}");
+    // A dome of glass over the place: all ambient light comes through it head on.
+    let dome = glass.replace("center = [0, 1.2, 0]", "center = [0, 0, 0]");
+    let (mean, error) = self::mean(&rendered(&floor("clear = \"filtered\"", &dome, 0.0), Choice::default()), 0);
+    let expected = 0.96 * 0.5;
+    assert!((mean - expected).abs() < 4.0 * error + 2e-3, "{mean} ± {error} for {expected}");
 }
 
 #[test]

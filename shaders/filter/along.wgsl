@@ -76,15 +76,25 @@ fn filter_passed(spot: ActiveRay, lives: bool) {
     }
 }
 
+// A place on a ray's path so far behind p, in the step's own measure, with the length that the path covers there for each unit of that.
+fn path_place(p: Phase, h: Real) -> Real4 {
+    let q = retaken_step(p, h);
+    return Real4(q[0].xyz, path_pace(q));
+}
+
+fn path_pace(p: Phase) -> Real {
+    return length(path_velocity(p[1].xyz)) * own_pace(p);
+}
+
 // A point of the texture, so far behind p.
 fn place_in_filter(filter_at: Filter, p: Phase, h: Real) -> Real3 {
-    return retaken_step(p, h)[0].xyz - filter_at.center;
+    return track_place(p, h).xyz - filter_at.center;
 }
 
 // The part of size h, in the step's own measure, that begins at p.
 fn filter_part(p: Phase, h: Real) {
     let filter_at = filters[filter_place()];
-    let speed = f32(length(path_velocity(p[1].xyz)) * own_pace(p));
+    let speed = f32(track_pace(p));
     let longest = min(h, Real(filter_at.piece / max(speed, 1e-30)));
     var size = longest;
     var a: Real = 0.0;
@@ -104,7 +114,7 @@ fn filter_part(p: Phase, h: Real) {
         filter_slips = filter_slips || (!agrees && k == FILTER_PIECES);
         if agrees || k == FILTER_PIECES {
             let depth = max(halves + (halves - whole) / 15.0, vec4f(0.0));
-            pass_piece(filter_at, retaken_step(p, a + 0.5 * own)[0].xyz, depth);
+            take_piece(filter_at, track_place(p, a + 0.5 * own).xyz, depth);
             a += own;
             size = min(2.0 * size, longest);
         } else {
@@ -118,17 +128,16 @@ fn filter_part(p: Phase, h: Real) {
 
 // The optical depth of a piece from a on, and its length, by Gauss's rule.
 fn depth_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> vec4f {
-    let first = depth_rate(filter_at, retaken_step(p, a + (0.5 - GAUSS) * size));
-    let second = depth_rate(filter_at, retaken_step(p, a + (0.5 + GAUSS) * size));
+    let first = depth_rate(filter_at, track_place(p, a + (0.5 - GAUSS) * size));
+    let second = depth_rate(filter_at, track_place(p, a + (0.5 + GAUSS) * size));
     return 0.5 * f32(size) * (first + second);
 }
 
-fn depth_rate(filter_at: Filter, p: Phase) -> vec4f {
-    let density = filter_density(filter_at, p[0].xyz - filter_at.center);
+fn depth_rate(filter_at: Filter, q: Real4) -> vec4f {
+    let density = filter_density(filter_at, q.xyz - filter_at.center);
     let there = all(density >= vec3f(0.0));
     filter_slips = filter_slips || !there;
-    let speed = f32(length(path_velocity(p[1].xyz)) * own_pace(p));
-    return speed * vec4f(select(vec3f(0.0), density, there), 1.0);
+    return f32(q.w) * vec4f(select(vec3f(0.0), density, there), 1.0);
 }
 
 // Of the colour that is left after a unit length: none of what is 0.

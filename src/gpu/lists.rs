@@ -13,7 +13,7 @@ use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, constant};
-use crate::scene::{Lamp, Light, LightSource, Segment, Shadows};
+use crate::scene::{Clear, Lamp, Light, LightSource, Segment, Shadows};
 
 impl Source<'_> {
     /// What the scene's kinds feed their own parts.
@@ -177,7 +177,7 @@ impl Source<'_> {
     fn lights(&self, name: &str, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
         let row = |light: &Light| -> (&str, Row) {
             let shadows = match light.shadows {
-                Shadows::Straight => self.shadow_code(light.clear_is_open),
+                Shadows::Straight => self.shadow_code(light.clear),
                 _ => 0,
             };
             let falls = u32::from(light.falls);
@@ -201,12 +201,12 @@ impl Source<'_> {
         if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }
     }
 
-    /// How parts know straight shadows: by clear things as well, or not.
-    pub(super) fn shadow_code(&self, clear_is_open: bool) -> u32 {
-        if clear_is_open || !self.scene.splits() {
-            1
-        } else {
-            constant("surface/shadow/clear_chosen", "SHUT_OUT") as u32
+    /// How parts know straight shadows, by what clear things do to them.
+    pub(super) fn shadow_code(&self, clear: Clear) -> u32 {
+        match clear {
+            Clear::Filtered if self.scene.weakens_lines() => constant("surface/shadow/filtered", "WEAKENED") as u32,
+            Clear::Closed if self.scene.splits() => constant("surface/shadow/clear_chosen", "SHUT_OUT") as u32,
+            _ => 1,
         }
     }
 

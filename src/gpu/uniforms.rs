@@ -3,7 +3,7 @@
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
 use crate::program::Work;
-use crate::scene::{Scene, Sky};
+use crate::scene::{Clear, Scene, Sky};
 
 impl Source<'_> {
     pub(super) fn refinement(&self) -> Vec<(&'static str, Value)> {
@@ -21,7 +21,7 @@ impl Source<'_> {
         let across = 2.0 * self.scene.rays.bound.radius;
         let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
         let floor = occlusion.map_or(0.0, |occlusion| occlusion.floor);
-        let shadows = self.shadow_code(occlusion.is_none_or(|occlusion| occlusion.clear_is_open));
+        let shadows = self.shadow_code(occlusion.map_or(Clear::Open, |occlusion| occlusion.clear));
         [("distance", Float(distance)), ("floor", Float(floor)), ("shadows", Uint(shadows))]
     }
 

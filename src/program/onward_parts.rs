@@ -12,6 +12,8 @@ pub(super) fn filter_parts(scene: &Scene, choice: &Choice, (regions, work): (&Re
     names.add("filter/along");
     names.add(if regions.regions.is_empty() { "filter/place_space" } else { "filter/place_regions" });
     names.add(if choice.sees_glow(scene) { "filter/glowing" } else { "filter/dark" });
+    let lines = choice.purpose == Purpose::Picture && scene.weakens_lines();
+    names.add(if lines { "filter/track/line" } else { "filter/track/path" });
     let mut kinds: Vec<&str> = scene.filters().map(Filter::part).collect();
     // Where there is none it is even.
     kinds.push("even");

@@ -93,7 +93,27 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
         names.add("surface/shadow/none");
         return;
     }
-    names.add("surface/shadow/straight");
+    if scene.weakens_lines() {
+        names.add("surface/shadow/filtered");
+        names.add(if scene.splits() { "surface/shadow/crossing_clear" } else { "surface/shadow/crossing_opaque" });
+        if !choice.filters(scene) {
+            names.add("surface/shadow/filtered_none");
+        }
+    } else {
+        names.add("surface/shadow/straight");
+        line_parts(scene, names);
+    }
+    names.add("surface/scatter/frosted");
+    if scene.is_occluded() {
+        names.all(&["surface/occlusion/line", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
+        names.add("camera/sample/scrambled");
+    }
+    let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
+    names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
+}
+
+/// Which lights cast straight shadows, and what lets them through.
+fn line_parts(scene: &Scene, names: &mut Names) {
     let all = scene.lights.iter().all(|light| light.shadows == Shadows::Straight);
     let shut_out = scene.shuts_out();
     names.add(match (all, shut_out) {
@@ -107,13 +127,6 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
         true => "surface/shadow/clear",
         false => "surface/shadow/opaque",
     });
-    names.add("surface/scatter/frosted");
-    if scene.is_occluded() {
-        names.all(&["surface/occlusion/line", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
-        names.add("camera/sample/scrambled");
-    }
-    let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
-    names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
 }
 
 /// Of which wavelength light is.

@@ -13,8 +13,8 @@ pub struct Light {
     pub color: DVec3,
     /// How it is found out whether it reaches a surface.
     pub shadows: Shadows,
-    /// Where its shadows are straight: does it shine through what is clear?
-    pub clear_is_open: bool,
+    /// Where its shadows are straight: what clear things do to its light.
+    pub clear: Clear,
     /// Does it fall off with the square of the distance; found by shooting, with the spread of its bundle?
     pub falls: bool,
     /// The radius of the ball that it is: as bright as that at a caustic.
@@ -81,6 +81,23 @@ pub enum Shadows {
     Grid,
 }
 
+/// What clear things do to light that comes in a straight line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Clear {
+    /// They let it through undiminished.
+    Open,
+    /// They let through as much as their surfaces transmit and their media leave, with its colour, straight on.
+    Filtered,
+    /// They shut it out as what is opaque does.
+    Closed,
+}
+
+impl Clear {
+    /// The words for it in a scene's file.
+    pub(super) const WORDS: [(&str, Self); 3] =
+        [("open", Self::Open), ("filtered", Self::Filtered), ("closed", Self::Closed)];
+}
+
 impl Shadows {
     /// Is its light bent as the camera's rays are?
     #[must_use]
@@ -94,7 +111,7 @@ impl Light {
     #[must_use]
     pub fn new(source: LightSource) -> Self {
         let (shadows, grid) = (Shadows::None, LightGrid::default());
-        Self { source, color: DVec3::ONE, shadows, clear_is_open: true, falls: false, size: 0.0, grid }
+        Self { source, color: DVec3::ONE, shadows, clear: Clear::Open, falls: false, size: 0.0, grid }
     }
 
     /// Is it in a grid as bright as its paths are many? How bright light from far away is follows from them wherever the law bends it to.

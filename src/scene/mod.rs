@@ -35,7 +35,7 @@ pub use crate::model::{
 pub use followed::follow_as;
 pub use guide::Beam;
 pub use lamps::Lamp;
-pub use lights::{Light, LightGrid, LightSource, Shadows};
+pub use lights::{Clear, Light, LightGrid, LightSource, Shadows};
 pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};
 pub use reference::{REFERENCE, TEMPLATE, reference_markdown};
 pub use sky_cells::SkyCells;
@@ -252,15 +252,26 @@ impl Scene {
     /// Are straight lines followed from surfaces?
     #[must_use]
     pub fn follows_lines(&self) -> bool {
-        self.has_shadows(Shadows::Straight) || self.is_occluded()
+        self.lines().next().is_some()
+    }
+
+    /// What clear things do to light that comes in straight lines, of each light and of ambient light.
+    pub fn lines(&self) -> impl Iterator<Item = Clear> {
+        let straight = |light: &&Light| self.is_lit() && light.shadows == Shadows::Straight;
+        let ambient = self.occlusion.filter(|_| self.is_occluded()).map(|occlusion| occlusion.clear);
+        self.lights.iter().filter(straight).map(|light| light.clear).chain(ambient)
     }
 
     /// Do clear things shut out light that comes in straight lines?
     #[must_use]
     pub fn shuts_out(&self) -> bool {
-        let lights = self.lights.iter().any(|light| light.shadows == Shadows::Straight && !light.clear_is_open);
-        let ambient = self.is_occluded() && self.occlusion.is_some_and(|occlusion| !occlusion.clear_is_open);
-        self.splits() && (lights || ambient)
+        self.splits() && self.lines().any(|clear| clear == Clear::Closed)
+    }
+
+    /// Is there something that weakens light that comes in straight lines?
+    #[must_use]
+    pub fn weakens_lines(&self) -> bool {
+        (self.splits() || self.filter.is_some()) && self.lines().any(|clear| clear == Clear::Filtered)
     }
 
     /// The WGSL part of a material here.
@@ -310,8 +321,8 @@ pub struct Occlusion {
     pub distance: Option<f64>,
     /// The part that is left where all is closed.
     pub floor: f64,
-    /// Does light come through what is clear?
-    pub clear_is_open: bool,
+    /// What clear things do to it.
+    pub clear: Clear,
 }
 
 /// `[sky]`.

@@ -21,9 +21,9 @@ fn note_pixel(pixel: vec2u) {
     shaded_pixel = pixel;
 }
 
-fn open_part(lit: Lit) -> f32 {
+fn open_part(lit: Lit) -> Share {
     let u = lobe_point(shaded_pixel, OCCLUSION);
     let way = way_about(lit.normal, sqrt(1.0 - u.x), sqrt(u.x), u.y);
     let open = light_share(ambient.shadows, dot(way, lit.normal) > 0.0, lit.start, ambient.distance * Real3(way));
-    return mix(ambient.floor, 1.0, open);
+    return ambient.floor + (1.0 - ambient.floor) * open;
 }

@@ -1,6 +1,8 @@
 // Shadows by straight lines (G95 §6: light is without mass until it strikes something), for lights that ask for them. What light goes
 // through casts none.
 
+alias Share = f32;
+
 // 1, or 0 where something opaque lies between `start` and the light, which is at the end of `way`.
 fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
     note_light(shadows);

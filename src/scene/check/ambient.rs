@@ -2,7 +2,7 @@
 
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive, word};
-use crate::scene::Occlusion;
+use crate::scene::{Clear, Occlusion};
 
 /// None without the table.
 pub fn read(root: &TableReader, paths: bool) -> Option<Occlusion> {
@@ -18,7 +18,7 @@ pub fn read(root: &TableReader, paths: bool) -> Option<Occlusion> {
     let occlusion = Occlusion {
         distance: table.optional("distance", positive),
         floor: table.or("floor", 0.0, fraction),
-        clear_is_open: table.or("clear", false, word(&[("closed", false), ("open", true)])),
+        clear: table.or("clear", Clear::Closed, word(&Clear::WORDS)),
     };
     table.finish();
     Some(occlusion)

@@ -14,7 +14,7 @@ mod sky;
 
 use super::lights::PATHS;
 use super::optics::Optics;
-use super::{Animation, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
+use super::{Animation, Clear, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{color, direction, number_where, positive, vector, whole, word};
@@ -220,8 +220,8 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
     });
     // Light from far away is as bright everywhere.
     let falls = point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
-    let clear_is_open =
-        shadows != Shadows::Straight || table.or("clear", true, word(&[("open", true), ("closed", false)]));
+    let straight = shadows == Shadows::Straight;
+    let clear = if straight { table.or("clear", Clear::Open, word(&Clear::WORDS)) } else { Clear::Open };
     let shot = shadows == Shadows::Shooting;
     let size = if shot { table.or("size", 1e-3 * reach, positive) } else { 0.0 };
     if shot {
@@ -231,7 +231,7 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
         check_aimed(&table, optics);
     }
     let grid = if shadows == Shadows::Grid { light_grid(&table) } else { LightGrid::default() };
-    let light = source.map(|source| Light { source, color, shadows, clear_is_open, falls, size, grid });
+    let light = source.map(|source| Light { source, color, shadows, clear, falls, size, grid });
     table.finish();
     light
 }

@@ -109,7 +109,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         "ambient" {
             distance: "number above 0" = "none", "what is farther away shuts nothing out, scene units";
             floor: "number from 0 to 1" = "0", "the part that is left where all is closed";
-            clear: "closed | open" = "closed", "whether light comes through what has an interior";
+            clear: "open | filtered | closed" = "closed", "what comes through interiors: all light, what they transmit and filter, none";
         }
         "paths" {
             depth: "whole number, 0 to 1000000" = "none", "surfaces that send a path on, at most; light beyond is missing";
@@ -164,7 +164,8 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "what it does not reach: nothing that faces it; what is behind something opaque on a straight line, whatever the law; or what no path under the law leads to from it, by paths from the light that are kept in voxels, or by the search for one from each place";
             falloff if r#"kind = "point""#: "none | inverse-square" = "none",
                 "as bright everywhere, or by the square of the distance, `color` at distance 1; with grid and shooting, by the spread of its bundle of paths";
-            clear if r#"shadows = "straight""#: "open | closed" = "open", "whether light comes through what has an interior";
+            clear if r#"shadows = "straight""#: "open | filtered | closed" = "open",
+                "what comes straight through interiors: all light, what they transmit and filter, none";
             voxels if r#"shadows = "grid""#: "whole number, 8 to 512" = "64", "along the longest side of what is lit";
             refine if r#"shadows = "grid""#: "whole number, 1 to 8" = "4",
                 "parts along each axis of voxels in which light changes much: at caustics, at shadows' edges and at surfaces; 1 for none";
