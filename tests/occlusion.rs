@@ -196,6 +196,52 @@ fn lights_of_all_kinds_share_a_scene() {
     assert!((mean - expected).abs() < 4.0 * error + 2e-3, "{mean} ± {error} for {expected}");
 }
 
+/// A white floor under a black ball and beside a black wall, seen from above.
+fn bent_scene(law: &str, more: &str) -> String {
+    format!(
+        "[image]\nsize = [24, 18]\nsamples = 256\n[camera]\nkind = \"pinhole\"\nposition = [0, 6, 12]\nlook_at = [0, 1, 0]\nfov = 50\n\
+         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-5\nbound = {{ radius = 40 }}\n{law}{more}\
+         [materials.white]\ndiffuse = [1, 1, 1]\nspecular = [0, 0, 0]\n\
+         [materials.black]\ndiffuse = [0, 0, 0]\nspecular = [0, 0, 0]\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"white\"\ncenter = [0, -2, 0]\nsize = [12, 1, 12]\n\
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"black\"\ncenter = [3, 0, 2]\nradius = 1.2\n\
+         [[objects]]\nshape = \"box\"\nmaterial = \"black\"\ncenter = [-3, 1, -3]\nsize = [1, 5, 6]\n"
+    )
+}
+
+/// One bounce of a path under a white sky: what law it follows is for other parts to say.
+#[test]
+fn bent_paths_find_as_much_open() {
+    let hole = "[law]\nkind = \"schwarzschild\"\ncenter = [0, 2.5, 0]\nmass = 0.3\n";
+    let force = "[law]\nkind = \"sources\"\n[[law.sources]]\nkind = \"center\"\nposition = [1, 3, 1]\nstrength = 1.6\nfalloff = \"inverse-square\"\n\
+                 [[law.sources]]\nkind = \"line\"\nposition = [-1, 0, 4]\ndirection = [0, 1, 0]\nstrength = -1\nfalloff = { cubic = 5 }\n";
+    for law in [hole, force] {
+        let lit = |ambient: &str| {
+            rendered(&bent_scene(law, ambient).replace("specular", "ambient = 1\nspecular"), Choice::default())
+        };
+        let [open, straight, whole] = ["[ambient]\nrays = \"law\"\n", "[ambient]\n", ""].map(lit);
+        let more = "[paths]\ndepth = 1\naim = false\n[sky]\ncolor = [1, 1, 1]\n";
+        let paths = rendered(&bent_scene(&format!("transport = \"paths\"\n{law}"), more), Choice::default());
+        let at = |picture: &Rendering, i: usize| f64::from(picture.band.color[0][i]);
+        // Pixels that show the floor and nothing else.
+        let floor: Vec<usize> = (0..24 * 18).filter(|i| at(&whole, *i) > 0.9999).collect();
+        let seen = floor.len() as f64;
+        // Each of the two is a mean of so many zeros and ones, drawn anew.
+        let squares = |picture: &Rendering| {
+            let square = |i: &usize| {
+                let p = at(&open, *i);
+                (p - at(picture, *i)).powi(2) / (2.0 * (p * (1.0 - p)).max(0.02) / 256.0)
+            };
+            floor.iter().map(square).sum::<f64>()
+        };
+        let (off, from_straight) = (squares(&paths), squares(&straight));
+        assert!(seen > 20.0, "{law}: {seen}");
+        assert!(off < seen + 5.0 * (2.0 * seen).sqrt(), "{law}: {off} for {seen}");
+        // Both drew the same directions, and would be alike to the bit if the law bent nothing.
+        assert!(from_straight > 0.3 * seen, "{law}: along straight lines it is {from_straight} for {seen}");
+    }
+}
+
 #[test]
 fn every_schedule_sees_the_same() {
     let text = floor("", &format!("{BALL}material = \"m\"\n"), 1.2).replace("samples = 64", "samples = 3");

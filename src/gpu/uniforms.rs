@@ -18,7 +18,9 @@ impl Source<'_> {
     /// How far ambient light comes from: from all around, if no less.
     pub(super) fn ambient(&self) -> [(&'static str, Value); 3] {
         let occlusion = self.scene.occlusion.as_ref();
-        let across = 2.0 * self.scene.rays.bound.radius;
+        let along_law = occlusion.is_some_and(|occlusion| occlusion.along_law);
+        // Paths may go round before they leave.
+        let across = if along_law { f64::from(f32::MAX) } else { 2.0 * self.scene.rays.bound.radius };
         let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
         let floor = occlusion.map_or(0.0, |occlusion| occlusion.floor);
         let shadows = self.shadow_code(occlusion.map_or(Clear::Open, |occlusion| occlusion.clear));

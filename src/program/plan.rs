@@ -75,13 +75,13 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     Ok(parts.without_optional_calls())
 }
 
-/// Whether what is seen lies in a light's shadow.
+/// Whether what is seen lies in a light's shadow, and what of ambient light reaches it.
 fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
-    let straight = scene.follows_lines();
+    let looks = scene.looks_from_surfaces();
     let shot = scene.has_shadows(Shadows::Shooting) || choice.purpose == Purpose::Lit;
-    let leaves = straight || shot || choice.follows_paths(scene);
+    let leaves = looks || shot || choice.follows_paths(scene);
     let starts = if leaves { "surface/shadow/start_off" } else { "surface/shadow/start_on" };
-    let status = if straight || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
+    let status = if looks || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
     names.all(&[starts, status]);
     if shot {
         let planar = scene.law.orbit().is_some();
@@ -89,31 +89,32 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
         names.add(if planar { "surface/shot/planar" } else { "surface/shot/newton" });
         names.add(if scene.objects.is_empty() { "surface/shot/clear_space" } else { "surface/shot/clear" });
     }
-    if !straight {
+    if let Some(occlusion) = scene.occlusion.filter(|_| scene.is_occluded()) {
+        names.add(if occlusion.along_law { "surface/occlusion/along" } else { "surface/occlusion/line" });
+        names.all(&["surface/occlusion/drawn", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
+        names.add("camera/sample/scrambled");
+    }
+    let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
+    names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
+    line_parts(scene, choice, names);
+}
+
+/// Which lights cast straight shadows, and what lets them through.
+fn line_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    if !scene.follows_lines() {
         names.add("surface/shadow/none");
         return;
     }
+    names.add("surface/scatter/frosted");
     if scene.weakens_lines() {
         names.add("surface/shadow/filtered");
         names.add(if scene.splits() { "surface/shadow/crossing_clear" } else { "surface/shadow/crossing_opaque" });
         if !choice.filters(scene) {
             names.add("surface/shadow/filtered_none");
         }
-    } else {
-        names.add("surface/shadow/straight");
-        line_parts(scene, names);
+        return;
     }
-    names.add("surface/scatter/frosted");
-    if scene.is_occluded() {
-        names.all(&["surface/occlusion/line", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
-        names.add("camera/sample/scrambled");
-    }
-    let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
-    names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
-}
-
-/// Which lights cast straight shadows, and what lets them through.
-fn line_parts(scene: &Scene, names: &mut Names) {
+    names.add("surface/shadow/straight");
     let all = scene.lights.iter().all(|light| light.shadows == Shadows::Straight);
     let shut_out = scene.shuts_out();
     names.add(match (all, shut_out) {

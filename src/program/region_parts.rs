@@ -31,7 +31,7 @@ pub(super) fn region_parts(
     }
     let chords = scene.rays.segment.has_chords();
     names.add(if chords || kind.is_line() { "segment/curve_line" } else { "segment/curve_arc" });
-    names.add(match (joins_whole(scene, kind), scene.follows_lines()) {
+    names.add(match (joins_whole(scene, kind), scene.looks_from_surfaces()) {
         (true, _) => "segment/join_whole",
         (false, _) if choice.follows_paths(scene) => "segment/join_scattered",
         (false, false) => "segment/join_pieces",

@@ -62,13 +62,14 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 14] = [
+const OPTIONAL: [&str; 15] = [
     "filter_step",
     "filter_last",
     "filter_left",
     "filter_passed",
     "note_glow",
     "note_pixel",
+    "note_arrival",
     "note_sent",
     "note_light",
     "pass_top",

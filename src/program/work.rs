@@ -114,10 +114,8 @@ impl Work {
 
 /// Lines to lights from a surface, with those on behind what lets light through.
 fn shadows(scene: &Scene) -> u64 {
-    let cast = scene.lights.iter().filter(|light| light.shadows == Shadows::Straight).count() as u64;
     let part = if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" };
-    let lines = if scene.is_lit() { cast } else { 0 } + u64::from(scene.is_occluded());
-    lines * constant(part, "CROSSINGS") as u64
+    scene.lines().count() as u64 * constant(part, "CROSSINGS") as u64
 }
 
 /// Pieces that a step is cut into for a filter, at most, and the loop iterations of all, if a place on a step takes so many: of a piece

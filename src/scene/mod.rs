@@ -255,10 +255,17 @@ impl Scene {
         self.lines().next().is_some()
     }
 
+    /// Is light looked for from surfaces, along lines or paths that begin there?
+    #[must_use]
+    pub fn looks_from_surfaces(&self) -> bool {
+        self.follows_lines() || self.is_occluded()
+    }
+
     /// What clear things do to light that comes in straight lines, of each light and of ambient light.
     pub fn lines(&self) -> impl Iterator<Item = Clear> {
         let straight = |light: &&Light| self.is_lit() && light.shadows == Shadows::Straight;
-        let ambient = self.occlusion.filter(|_| self.is_occluded()).map(|occlusion| occlusion.clear);
+        let ambient = self.occlusion.filter(|occlusion| self.is_occluded() && !occlusion.along_law);
+        let ambient = ambient.map(|occlusion| occlusion.clear);
         self.lights.iter().filter(straight).map(|light| light.clear).chain(ambient)
     }
 
@@ -317,6 +324,8 @@ impl Scene {
 /// `[ambient]`: how much of ambient light reaches a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Occlusion {
+    /// Is it looked along the scene's law, which may bend what a place sees, or along straight lines?
+    pub along_law: bool,
     /// What is farther shuts nothing out; without one all does.
     pub distance: Option<f64>,
     /// The part that is left where all is closed.

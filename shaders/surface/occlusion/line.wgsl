@@ -1,29 +1,5 @@
-// Ambient occlusion (thesis 6.2): of ambient light as much reaches a place as its hemisphere is open, weighted by the cosine. One straight
-// line a sample, in a direction that is drawn like matte light's.
+// Ambient occlusion along straight lines, whatever the law.
 
-struct Ambient {
-    // How far lines go.
-    distance: Real,
-    // What is left where all is closed.
-    floor: f32,
-    // As lights have it.
-    shadows: u32,
-}
-
-@group(0) @binding(148) var<uniform> ambient: Ambient;
-
-// Random points' number of this use; others are numbers of segments.
-const OCCLUSION: u32 = 0x80000000u;
-
-var<private> shaded_pixel: vec2u;
-
-fn note_pixel(pixel: vec2u) {
-    shaded_pixel = pixel;
-}
-
-fn open_part(lit: Lit) -> Share {
-    let u = lobe_point(shaded_pixel, OCCLUSION);
-    let way = way_about(lit.normal, sqrt(1.0 - u.x), sqrt(u.x), u.y);
-    let open = light_share(ambient.shadows, dot(way, lit.normal) > 0.0, lit.start, ambient.distance * Real3(way));
-    return ambient.floor + (1.0 - ambient.floor) * open;
+fn open_share(lit: Lit, way: vec3f) -> Share {
+    return light_share(ambient.shadows, dot(way, lit.normal) > 0.0, lit.start, ambient.distance * Real3(way));
 }

@@ -2,12 +2,25 @@
 
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive, word};
+use crate::model::Law;
+use crate::scene::optics::Optics;
 use crate::scene::{Clear, Occlusion};
 
+/// What cannot be looked along.
+fn check_law(table: &TableReader, optics: &Optics, chords: bool) {
+    let help = "use rays = \"straight\"";
+    if let Some(why) = optics.law.and_then(Law::ignores_direction) {
+        table.fault(&["rays"], format!("ambient light cannot be followed under this law: {why}"), help);
+    }
+    if chords {
+        table.fault(&["rays"], "ambient light follows arcs, and these rays are chords", help);
+    }
+}
+
 /// None without the table.
-pub fn read(root: &TableReader, paths: bool) -> Option<Occlusion> {
+pub fn read(root: &TableReader, optics: &Optics, chords: bool) -> Option<Occlusion> {
     let table = root.subtable("ambient", "ambient")?;
-    if paths {
+    if optics.paths.is_some() {
         table.fault(
             &[],
             "paths have no ambient light: they find what reaches a place by themselves",
@@ -15,10 +28,15 @@ pub fn read(root: &TableReader, paths: bool) -> Option<Occlusion> {
         );
     }
     let fraction = number_where("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));
+    let along_law = table.or("rays", false, word(&[("straight", false), ("law", true)]));
+    if along_law {
+        check_law(&table, optics, chords);
+    }
     let occlusion = Occlusion {
+        along_law: along_law && optics.bends(),
         distance: table.optional("distance", positive),
         floor: table.or("floor", 0.0, fraction),
-        clear: table.or("clear", Clear::Closed, word(&Clear::WORDS)),
+        clear: if along_law { Clear::Closed } else { table.or("clear", Clear::Closed, word(&Clear::WORDS)) },
     };
     table.finish();
     Some(occlusion)

@@ -97,7 +97,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         let help = "use segment = \"arc\", or leave the filter out";
         root.fault(&["law"], "filters follow arcs, and these rays are chords", help);
     }
-    let occlusion = ambient::read(&root, paths.is_some());
+    let occlusion = ambient::read(&root, &optics, chords);
     if paths.is_some() {
         paths::refuse(&root, &lights);
     }

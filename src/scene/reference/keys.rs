@@ -107,9 +107,10 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "how objects are searched: by a hierarchy of boxes, a uniform grid, or one after the other; auto is what measures best";
         }
         "ambient" {
+            rays: "straight | law" = "straight", "along what a place looks for light: straight lines, or paths under the scene's law";
             distance: "number above 0" = "none", "what is farther away shuts nothing out, scene units";
             floor: "number from 0 to 1" = "0", "the part that is left where all is closed";
-            clear: "open | filtered | closed" = "closed", "what comes through interiors: all light, what they transmit and filter, none";
+            clear if r#"rays = "straight""#: "open | filtered | closed" = "closed", "what comes through interiors: all light, what they transmit and filter, none";
         }
         "paths" {
             depth: "whole number, 0 to 1000000" = "none", "surfaces that send a path on, at most; light beyond is missing";
