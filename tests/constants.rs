@@ -24,6 +24,7 @@ const COMPUTED: [(&str, &[(&str, &str)]); 11] = [
             ("surface/scatter/mirror", "MIRROR"),
             ("surface/scatter/glossy", "GLOSSY"),
             ("surface/scatter/frosted", "FROSTED"),
+            ("surface/scatter/microfacet", "MICROFACET"),
             ("surface/scatter/transmissive", "TRANSMISSIVE"),
             ("surface/pattern/constant", "CONSTANT"),
             ("surface/pattern/checker", "CHECKER"),

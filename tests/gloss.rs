@@ -1,5 +1,8 @@
 //! Lobes about the mirror's direction and the refracted one: what is kept of them, against integrals.
 
+use std::f64::consts::PI;
+
+use bentray::glam::{DVec3, dvec3};
 use bentray::program::{Choice, Masks, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering, Status};
 
@@ -72,8 +75,82 @@ fn narrow_lobes_are_smooth() {
         let off = smooth.band.color[0].iter().zip(&other.band.color[0]).map(|(a, b)| f64::from((a - b).abs()));
         off.sum::<f64>() / smooth.band.color[0].len() as f64
     };
+    let flat = rendered(&BALL.replace("GLOSS", "roughness = 1e-4"), Choice::default());
     assert!(apart(&narrow) < 2e-3, "{}", apart(&narrow));
+    assert!(apart(&flat) < 2e-3, "{}", apart(&flat));
     assert!(apart(&rough) > 0.05, "{}", apart(&rough));
+}
+
+/// What a surface of microfacets between air and a medium of index n reflects and transmits at an angle, by sums over the directions in
+/// which light leaves (Walter et al. 2007, Eqs. 20, 21, 33 and 34; Smith's G).
+#[allow(clippy::many_single_char_names, reason = "the letters of the paper")]
+fn microfacet_albedos(a: f64, n: f64, degrees: f64) -> [f64; 2] {
+    const STEPS: usize = 600;
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let i = dvec3(sin, 0.0, cos);
+    let spread = |c: f64| if c > 0.0 { (a / (c * c * (a * a - 1.0) + 1.0)).powi(2) / PI } else { 0.0 };
+    let open = |v: DVec3, m: DVec3| {
+        let tan2 = (1.0 - v.z * v.z) / (v.z * v.z);
+        if v.dot(m) * v.z > 0.0 { 2.0 / (1.0 + (1.0 + a * a * tan2).sqrt()) } else { 0.0 }
+    };
+    let fresnel = |c: f64| {
+        let g = (n * n - 1.0 + c * c).sqrt();
+        let (x, y) = ((g - c) / (g + c), (c * (g + c) - 1.0) / (c * (g - c) + 1.0));
+        0.5 * x * x * (1.0 + y * y)
+    };
+    let mut sums = [0.0; 2];
+    let cell = 2.0 * PI / STEPS as f64 / STEPS as f64;
+    for (j, k) in (0..STEPS).flat_map(|j| (0..STEPS).map(move |k| (j, k))) {
+        // Finer towards the normal, where narrow lobes are.
+        let u = (j as f64 + 0.5) / STEPS as f64;
+        let (z, cell) = (1.0 - u * u, cell * 2.0 * u);
+        let (s, phi) = ((1.0 - z * z).sqrt(), PI * (2.0 * k as f64 + 1.0) / STEPS as f64);
+        let o = dvec3(s * phi.cos(), s * phi.sin(), z);
+        let m = (i + o).normalize();
+        sums[0] += cell * fresnel(i.dot(m)) * spread(m.z) * open(i, m) * open(o, m) / (4.0 * i.z);
+        let o = dvec3(o.x, o.y, -o.z);
+        let m = -(i + n * o).normalize();
+        let (im, om) = (i.dot(m), o.dot(m));
+        if im > 0.0 && om < 0.0 {
+            let lens = n * n / (im + n * om).powi(2);
+            sums[1] +=
+                cell * (im * om).abs() / i.z * lens * (1.0 - fresnel(im)) * open(i, m) * open(o, m) * spread(m.z);
+        }
+    }
+    sums
+}
+
+/// A thick plate under a red sky, with green light inside.
+#[test]
+fn microfacets_reflect_and_transmit_by_their_distribution() {
+    for (a, n, degrees) in [(0.3, 1.5, 0.0), (0.3, 1.5, 60.0), (0.6, 1.5, 45.0), (0.5, 1.3, 75.0), (1.0, 2.4, 30.0)] {
+        let expected = microfacet_albedos(a, n, degrees);
+        let (sin, cos) = f64::to_radians(degrees).sin_cos();
+        for transport in ["branches = \"random\"", "transport = \"paths\"", "branches = 1"] {
+            let text = format!(
+                "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nkind = \"plane\"\nheight = 0.001\nposition = [{}, {}, 0]\n\
+                 up = [0, 0, 1]\n[sky]\ncolor = [1, 0, 0]\n[rays]\nbound = {{ radius = 3000 }}\n{transport}\n\
+                 [materials.lamp]\nkind = \"emissive\"\ncolor = [0, {}, 0]\n\
+                 [[objects]]\nshape = \"box\"\ncenter = [0, -1, 0]\nsize = [1000, 2, 1000]\ninterior = {{ kind = \"constant\", n = {n}, roughness = {a} }}\n\
+                 [[objects]]\nshape = \"box\"\nmaterial = \"lamp\"\ncenter = [0, -1, 0]\nsize = [999.9, 1.99, 999.9]\n",
+                5.0 * sin,
+                5.0 * cos,
+                n * n
+            );
+            let picture = rendered(&text, Choice::default());
+            for (channel, expected) in expected.into_iter().enumerate() {
+                let all: Vec<f64> = picture.band.color[channel].iter().map(|x| f64::from(*x)).collect();
+                let count = all.len() as f64;
+                let mean = all.iter().sum::<f64>() / count;
+                let error = (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (count * (count - 1.0))).sqrt();
+                let z = (mean - expected) / error.max(1e-4 * expected);
+                assert!(
+                    z.abs() < 4.0 && error < 0.03 * expected,
+                    "a = {a}, n = {n}, {degrees}°, {transport}, {channel}: {mean} ± {error}, {expected}"
+                );
+            }
+        }
+    }
 }
 
 /// Light that would end on the wrong side is dropped, and counted.

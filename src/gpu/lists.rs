@@ -164,10 +164,8 @@ impl Source<'_> {
         let side = |bit: usize| -> Row {
             let object = self.geometry.analysis.regions.regions[bit].object;
             let gloss = self.scene.objects[object].interior().map(|interior| interior.gloss).unwrap_or_default();
-            let kind = if gloss.is_smooth() { "transmissive" } else { "frosted" };
-            let kind = vec![("kind".into(), code(&format!("surface/scatter/{kind}")))];
-            let [reflect, transmit] = [gloss.reflect, gloss.transmit].map(|exponent| exponent.unwrap_or(0.0));
-            [kind, row! { bit: Uint(bit as u32), ambient: Float(reflect), shininess: Float(transmit) }].concat()
+            let kind = vec![("kind".into(), code(gloss.part()))];
+            [kind, row! { bit: Uint(bit as u32) }, gloss.values()].concat()
         };
         let own = self.scene.materials.iter().enumerate().map(|(i, m)| row(m).into_iter().chain(fan(i)).collect());
         let sides = (0..self.geometry.analysis.regions.regions.len()).map(side);

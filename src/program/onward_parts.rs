@@ -4,7 +4,7 @@ use super::names::Names;
 use super::region_parts::joins_whole;
 use super::regions::Regions;
 use super::{Choice, Purpose, Work, formula, generated};
-use crate::model::{Filter, Material};
+use crate::model::{Filter, Gloss, Material};
 use crate::scene::{Branches, Scene};
 
 /// What media take from light on its way.
@@ -83,11 +83,9 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
     }
     let mut kinds: Vec<&str> = continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.part())).collect();
     if scene.splits() {
-        kinds.push("surface/scatter/transmissive");
+        names.add("surface/scatter/transmissive");
     }
-    if scene.is_frosted() {
-        kinds.push("surface/scatter/frosted");
-    }
+    kinds.extend(scene.glosses().map(Gloss::part));
     if scene.has_lobes() {
         names.add("surface/scatter/lobe");
         names.add(match choice.purpose {

@@ -105,7 +105,7 @@ fn line_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
         names.add("surface/shadow/none");
         return;
     }
-    names.add("surface/scatter/frosted");
+    names.all(&["surface/shadow/clear_kinds", "surface/scatter/frosted", "surface/scatter/microfacet"]);
     if scene.weakens_lines() {
         names.add("surface/shadow/filtered");
         names.add(if scene.splits() { "surface/shadow/crossing_clear" } else { "surface/shadow/crossing_opaque" });
@@ -124,7 +124,7 @@ fn line_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     });
     names.add(match scene.splits() {
         true if shut_out => "surface/shadow/clear_chosen",
-        true if scene.is_frosted() => "surface/shadow/clear_rough",
+        true if scene.has_rough_glass() => "surface/shadow/clear_rough",
         true => "surface/shadow/clear",
         false => "surface/shadow/opaque",
     });

@@ -192,13 +192,18 @@ impl Scene {
     /// Is there a surface from which a ray goes on in a direction that is drawn from a lobe?
     #[must_use]
     pub fn has_lobes(&self) -> bool {
-        self.used_materials().any(|material| material.surface.has_lobe()) || self.is_frosted()
+        self.used_materials().any(|material| material.surface.has_lobe()) || self.has_rough_glass()
+    }
+
+    /// How rough its clear objects are.
+    pub fn glosses(&self) -> impl Iterator<Item = Gloss> {
+        self.objects.iter().filter_map(|object| Some(object.interior()?.gloss))
     }
 
     /// Is there a clear object with a rough surface?
     #[must_use]
-    pub fn is_frosted(&self) -> bool {
-        self.objects.iter().filter_map(Object::interior).any(|interior| !interior.gloss.is_smooth())
+    pub fn has_rough_glass(&self) -> bool {
+        self.glosses().any(|gloss| gloss != Gloss::Smooth)
     }
 
     /// Is there a surface that both reflects and transmits?

@@ -13,7 +13,7 @@ fn note_light(shadows: u32) {
 
 fn passes_light(material: u32) -> bool {
     let own = materials[material];
-    let passes = !shut_out && (own.kind == TRANSMISSIVE || own.kind == FROSTED);
+    let passes = !shut_out && is_clear(own.kind);
     if passes {
         enter_set(region_bits() ^ (1u << own.bit));
     }

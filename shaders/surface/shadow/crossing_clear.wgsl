@@ -3,7 +3,7 @@
 fn crossing_share(shadows: u32, hit: ptr<function, Hit>, x: Real3, way: Real3) -> f32 {
     let surface = met_surface(hit, x);
     let own = materials[surface.material];
-    if shadows == SHUT_OUT || (own.kind != TRANSMISSIVE && own.kind != FROSTED) {
+    if shadows == SHUT_OUT || !is_clear(own.kind) {
         return 0.0;
     }
     let near_medium = medium_object();

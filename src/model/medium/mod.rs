@@ -12,6 +12,7 @@ mod exponential;
 mod expression;
 mod fisheye;
 mod gaussian;
+mod gloss;
 mod grid;
 mod inverse_r;
 mod linear;
@@ -42,6 +43,7 @@ pub use exponential::Exponential;
 pub use expression::Expression;
 pub use fisheye::Fisheye;
 pub use gaussian::Gaussian;
+pub use gloss::Gloss;
 pub use grid::Grid;
 pub use inverse_r::{Ingoing, InverseR};
 pub use linear::Linear;
@@ -172,23 +174,6 @@ pub struct Interior {
     pub priority: u32,
 }
 
-/// The exponents of the lobes about a clear object's two rays (thesis 2.2.3); none where they are smooth.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Gloss {
-    /// Of what is reflected.
-    pub reflect: Option<f64>,
-    /// Of what goes through.
-    pub transmit: Option<f64>,
-}
-
-impl Gloss {
-    /// Is there none?
-    #[must_use]
-    pub fn is_smooth(&self) -> bool {
-        *self == Self::default()
-    }
-}
-
 impl Interior {
     /// A medium by itself.
     #[must_use]
@@ -284,13 +269,13 @@ pub(crate) fn read_interior(
     let table = parent.reader.open("medium", node)?;
     let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
     let filter = table.node("filter").map(|node| filter::read(&table, node, around.center, files));
-    let [reflect, transmit] = ["reflect_exponent", "transmit_exponent"].map(|key| table.optional(key, positive));
+    let gloss = gloss::read(&table);
     table.finish();
     let filter = match filter {
         Some(filter) => Some(Box::new(filter?)),
         None => None,
     };
-    Some(Interior { filter, gloss: Gloss { reflect, transmit }, ..Interior::new(medium?) })
+    Some(Interior { filter, gloss, ..Interior::new(medium?) })
 }
 
 /// A medium without a table: a number or a name.

@@ -80,6 +80,8 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "a rough surface: what it reflects is spread as cosᵉ of the angle to the mirror's direction";
             transmit_exponent if "an object's interior": "number above 0" = "none: smooth",
                 "what goes through is spread so about the refracted direction; what would end on the wrong side is lost";
+            roughness if "an object's interior": "number above 0, at most 1" = "none: smooth",
+                "a surface of microfacets, the width a of their slopes by the law of Trowbridge and Reitz (GGX)";
         }
         "rays" {
             accuracy if r#"method = "auto""#: r#"number above 0, or pixels such as "0.1px""# = "0.1px",

@@ -1,0 +1,56 @@
+// Clear objects with a surface of microfacets (Walter et al. 2007), whose slopes are spread by Trowbridge's and Reitz's law (GGX) of width
+// a. A ray meets one facet of those that it sees, is reflected or refracted there as by a smooth surface, and counts for the part of its
+// way out that other facets leave open. What would end on the wrong side is dropped: light that would be scattered a second time.
+
+const MICROFACET: u32 = 8u;
+
+// material.shininess is a.
+fn scatter_microfacet(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
+    let bits = inside;
+    let near_medium = medium_object();
+    let n1 = medium_index(end.x);
+    enter_set(set_beyond(1u << material.bit, surface, end.x));
+    let n2 = medium_index(end.x);
+    if medium_object() == near_medium {
+        return Scattered(end.v, vec3f(1.0), false, true);
+    }
+    let way = normalize(end.v);
+    let axis = vec3f(select(surface.across, -surface.across, dot(surface.across, way) > 0.0));
+    let facet = seen_facet(-vec3f(way), axis, material.shininess, lobe_point(pixel, index));
+    let both = refraction(n1 * way, Real3(facet), n1, n2);
+    if both.reflectance == 0.0 {
+        return Scattered(both.transmitted, vec3f(1.0), false, true);
+    }
+    var taken = Branch(true, 1.0, false);
+    if both.reflectance < 1.0 {
+        taken = chosen_branch(pixel, index, f32(both.reflectance));
+    }
+    if taken.reflects {
+        enter_set(bits);
+    }
+    let onward = select(both.transmitted, both.reflected, taken.reflects);
+    let height = dot(normalize(vec3f(onward)), axis);
+    let lost = (height > 0.0) != taken.reflects;
+    return Scattered(onward, vec3f(taken.weight * open_facets(height, material.shininess)), taken.cut || lost, true);
+}
+
+// The normal of a facet, as often as it is seen from the direction `view` (Heitz 2018, by the spherical caps of Dupuy and Benyoub 2023). u: a
+// point of the unit square; 0 is for rays that draw nothing, and gives the surface's own normal.
+fn seen_facet(view: vec3f, axis: vec3f, a: f32, u: vec2f) -> vec3f {
+    let frame_of = frame_about(axis);
+    let local = view * frame_of;
+    // Where facets are stretched to a half ball it is a direction of the cap that is seen.
+    let stretched = normalize(vec3f(a * local.xy, local.z));
+    let z = (1.0 - u.x) * (1.0 + stretched.z) - stretched.z;
+    let sine = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
+    let phi = 2.0 * f32(PI) * u.y;
+    let h = stretched + vec3f(sine * cos(phi), sine * sin(phi), z);
+    let facet = normalize(frame_of * vec3f(a * h.xy, max(h.z, 0.0)));
+    return select(facet, axis, all(u == vec2f(0.0)));
+}
+
+// Smith's part of the facets that others leave open in a direction of this cosine.
+fn open_facets(cosine: f32, a: f32) -> f32 {
+    let c2 = max(cosine * cosine, 1e-12);
+    return 2.0 / (1.0 + sqrt(1.0 + a * a * (1.0 - c2) / c2));
+}
