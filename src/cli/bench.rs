@@ -9,7 +9,9 @@ use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
 
 use super::options::parse_size;
-use crate::bench::{Bench, Report, compaction, groller, lights, limit, paper, sampling, scaling, schedules, start};
+use crate::bench::{
+    Bench, Report, compaction, groller, lights, limit, paper, paths, sampling, scaling, schedules, start,
+};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
@@ -38,7 +40,7 @@ pub(super) struct Arguments {
     /// Each time is the median of so many
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
-    /// Another viewport than the paper's 800x600, for a trial; for `sampling` another than 200x150
+    /// Another viewport than the paper's 800x600, for a trial; for `sampling` another than 200x150, for `paths` than 48x48
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
 }
@@ -61,6 +63,8 @@ enum Name {
     Groller,
     /// Light along bent paths: straight shadows, grids and shooting, their time against their error
     Lights,
+    /// Light from surface to surface: time for the same error, by the size of a lamp and how paths find it
+    Paths,
     /// The same work cut into passes in different ways
     Schedules,
     /// How time grows with pixels, steps, spheres, lights and samples
@@ -85,7 +89,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     let gpu = Gpu::open(arguments.device.as_deref())?;
     let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
-    let size = |name: Name| arguments.size.unwrap_or(if name == Name::Sampling { [200, 150] } else { [800, 600] });
+    let usual = |name: Name| match name {
+        Name::Sampling => [200, 150],
+        Name::Paths => [48, 48],
+        _ => [800, 600],
+    };
+    let size = |name: Name| arguments.size.unwrap_or_else(|| usual(name));
     let [width, height] = size(arguments.name);
     let how = format!("{device}, {width}×{height}, medians of {}", arguments.repeats);
     if !arguments.json {
@@ -116,9 +125,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn wanted(name: Name) -> Vec<Name> {
-    use Name::{All, Compaction, Groller, Lights, Limit, Paper, Sampling, Scaling, Schedules, Start};
+    use Name::{All, Compaction, Groller, Lights, Limit, Paper, Paths, Sampling, Scaling, Schedules, Start};
     match name {
-        All => vec![Paper, Groller, Lights, Schedules, Scaling, Sampling, Limit, Compaction, Start],
+        All => vec![Paper, Groller, Lights, Paths, Schedules, Scaling, Sampling, Limit, Compaction, Start],
         one => vec![one],
     }
 }
@@ -129,6 +138,7 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
         Name::Paper => paper(bench)?,
         Name::Groller => groller(bench, &given.mesh)?,
         Name::Lights => lights(bench)?,
+        Name::Paths => paths(bench)?,
         Name::Schedules => schedules(bench)?,
         Name::Scaling => scaling(bench)?,
         Name::Sampling => sampling(bench, scenes)?,

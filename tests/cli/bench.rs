@@ -56,6 +56,21 @@ fn sampling_has_an_error_for_every_number_of_samples() {
 }
 
 #[test]
+fn aims_and_guide_are_worth_their_time() {
+    let folder = Folder::with(BALL);
+    let ran = folder.run("bench paths --size 8x8 --repeats 1 --json").succeeds();
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let tables = &json["measured"]["paths"]["tables"];
+    let rows = tables["lamps"].as_array().unwrap();
+    assert_eq!((rows.len(), tables["truths"].as_array().unwrap().len()), (12, 4));
+    let error = |row: usize| rows[row]["error"].as_f64().unwrap();
+    for lamp in 0..4 {
+        let [own, aimed] = [error(3 * lamp), error(3 * lamp + 1)];
+        assert!(own > 1.3 * aimed && aimed > 0.0, "{tables}");
+    }
+}
+
+#[test]
 fn the_list_is_held_against_masks() {
     let folder = Folder::with(BALL);
     let ran = folder.run(&format!("bench compaction scene.toml {SMALL} -o report")).succeeds();

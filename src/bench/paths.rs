@@ -1,0 +1,171 @@
+//! What aimed rays and the guide are worth: the time that a picture of paths takes for the same error, in a box with lamps of four sizes.
+//!
+//! *Practice.* The error of random samples falls with the root of their number, so that time × error² is the same for any number of
+//! them, and the smaller the better. Times are the whole wait: the program compiled, the guide's light followed, the passes run, the
+//! picture read. The truth is a picture of many more samples with all aims; its own noise is in a table of its own.
+
+use std::cell::RefCell;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use super::{Bench, Cell, Report, Table, Times};
+use crate::output::plot::{Chart, Series};
+use crate::render::{Noise, RenderError, RenderSettings, Renderer, Rendering};
+use crate::scene::{Paths, Scene};
+
+/// Radii of the lamp, in a box that is 2 wide. All give the same light.
+const LAMPS: [f64; 4] = [0.4, 0.15, 0.05, 0.02];
+/// Samples of the pictures that are compared, and of the truth.
+const SAMPLES: u32 = 256;
+const TRUTH: u32 = 4096;
+/// The part of all values that counts in no error: the truth has fireflies too, of light that a lamp throws through glass onto a wall that is
+/// seen in the mirror, and the smaller the lamp the more.
+const WORST: f64 = 0.01;
+/// Ways to find light: aims at lamps, and a guide.
+const WAYS: [(&str, bool, bool); 3] =
+    [("own rays", false, false), ("aims", true, false), ("aims and guide", true, true)];
+
+/// Time for the same error by the lamp's size.
+pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
+    let header = [
+        "lamp's radius",
+        "light found by",
+        "time (s)",
+        "spread",
+        "error",
+        "time × error²",
+        "of own rays",
+        "ns a segment",
+    ];
+    let caption = format!("{SAMPLES} samples a pixel against {TRUTH}");
+    let mut table = Table::new("lamps", caption, &header);
+    let header = ["lamp's radius", "noise of the truth"];
+    let mut truths = Table::new("truths", "What pictures are held against", &header);
+    let mut series: Vec<Series> =
+        WAYS.iter().map(|(name, ..)| Series { name: (*name).to_owned(), points: Vec::new() }).collect();
+    for radius in LAMPS {
+        let scene = room(bench.size, radius)?;
+        let truth = picture(bench, &sampled(&scene, TRUTH, true, true))?.0;
+        let noise = truth.totals.noise.as_ref().and_then(Noise::mean).map_or(Cell::None, Cell::from);
+        truths.rows.push(vec![radius.into(), noise]);
+        let mut plain = None;
+        for (found, series) in measure(bench, &scene, &truth)?.into_iter().zip(&mut series) {
+            let cost = found.times.median * found.error * found.error;
+            let ratio = cost / *plain.get_or_insert(cost);
+            let numbers = [found.times.median, found.times.spread, found.error, cost, ratio, found.segment];
+            table.rows.push([radius.into(), found.name.into()].into_iter().chain(numbers.map(Cell::from)).collect());
+            series.points.push([radius, cost]);
+        }
+    }
+    let [width, height] = bench.size;
+    let chart = Chart {
+        title: "Paths to a lamp".to_owned(),
+        x_label: "radius of the lamp, in a box 2 wide".to_owned(),
+        y_label: "time × error² (s)".to_owned(),
+        log_x: true,
+        log_y: true,
+        series,
+    };
+    Ok(Report {
+        name: "paths",
+        title: "Light from surface to surface".to_owned(),
+        intro: vec![format!(
+            "{width}×{height} pixels. A box with a mirror and a ball of glass, lit by one ball that gives the same light whatever its size. \
+             The error is the root of the mean squared difference over pixels and channels, in parts of the picture's mean, \
+             without the worst hundredth of them; so what a way finds too rarely to show, such as a small lamp's light through glass without the guide, is \
+             missing from its error. Times are the whole wait; a segment's time is the device's."
+        )],
+        tables: vec![table, truths],
+        plots: vec![("cost", chart)],
+    })
+}
+
+/// The scene with so many samples, and with these ways to find light.
+fn sampled(scene: &Scene, samples: u32, aim: bool, guide: bool) -> Scene {
+    let mut scene = scene.clone();
+    scene.image.samples = samples;
+    scene.rays.paths = Some(Paths { aim, guide, ..scene.rays.paths.unwrap_or_default() });
+    scene
+}
+
+/// A picture, and all the time that it took.
+fn picture(bench: &Bench, scene: &Scene) -> Result<(Rendering, Duration), RenderError> {
+    let started = Instant::now();
+    let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
+    renderer.choose_segments()?;
+    let picture = renderer.picture()?;
+    Ok((picture, started.elapsed()))
+}
+
+/// What came of one way.
+struct Found {
+    name: &'static str,
+    times: Times,
+    /// In parts of the picture's mean.
+    error: f64,
+    /// Nanoseconds.
+    segment: f64,
+}
+
+fn measure(bench: &Bench, scene: &Scene, truth: &Rendering) -> Result<Vec<Found>, RenderError> {
+    let scenes = WAYS.map(|(_, aim, guide)| sampled(scene, SAMPLES, aim, guide));
+    let last: Vec<RefCell<Option<Rendering>>> = WAYS.iter().map(|_| RefCell::default()).collect();
+    let mut runs: Vec<_> = scenes
+        .iter()
+        .zip(&last)
+        .map(|(scene, last)| {
+            move || {
+                let (picture, time) = picture(bench, scene)?;
+                last.replace(Some(picture));
+                Ok(time)
+            }
+        })
+        .collect();
+    let times = Times::all_by_turns(bench.repeats, &mut runs)?;
+    let pictures = last.iter().map(RefCell::take);
+    let found = WAYS.iter().zip(times).zip(pictures).filter_map(|(((name, ..), times), picture)| {
+        let picture = picture?;
+        let device: Option<Duration> = picture.totals.device.as_ref().map(|stages| stages.iter().sum());
+        let segment = 1e9 * device.unwrap_or(picture.totals.wall).as_secs_f64() / picture.totals.segments as f64;
+        Some(Found { name, times, error: error(&picture, truth), segment })
+    });
+    Ok(found.collect())
+}
+
+/// The root of the mean squared difference, in parts of the truth's mean, without the worst part of all values.
+fn error(picture: &Rendering, truth: &Rendering) -> f64 {
+    let both = || picture.band.color.iter().flatten().zip(truth.band.color.iter().flatten());
+    let mut squares: Vec<f64> = both().map(|(a, b)| f64::from(a - b).powi(2)).collect();
+    let mean = both().map(|(_, b)| f64::from(*b)).sum::<f64>() / squares.len().max(1) as f64;
+    squares.sort_by(f64::total_cmp);
+    squares.truncate((squares.len() as f64 * (1.0 - WORST)) as usize);
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt() / mean
+}
+
+/// A box of matte walls 2 wide, open to the camera, with a lamp of this radius.
+fn room([width, height]: [u32; 2], radius: f64) -> Result<Scene, RenderError> {
+    // As bright as a lamp of radius 0.3 with a radiance of 8.
+    let radiance = 8.0 * (0.3 / radius).powi(2);
+    let wall = |material: &str, center: [f64; 3], size: [f64; 3]| {
+        format!("[[objects]]\nshape = \"box\"\nmaterial = \"{material}\"\ncenter = {center:?}\nsize = {size:?}\n")
+    };
+    let walls = [
+        wall("white", [0.0, -0.05, 0.0], [2.0, 0.1, 2.0]),
+        wall("white", [0.0, 2.05, 0.0], [2.0, 0.1, 2.0]),
+        wall("white", [0.0, 1.0, -1.05], [2.0, 2.0, 0.1]),
+        wall("red", [-1.05, 1.0, 0.0], [0.1, 2.0, 2.0]),
+        wall("green", [1.05, 1.0, 0.0], [0.1, 2.0, 2.0]),
+    ];
+    let text = format!(
+        "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 1, 3.4]\nlook_at = [0, 1, 0]\nfov = 40\n\
+         [rays]\nbound = {{ center = [0, 1, 0], radius = 5 }}\ntransport = \"paths\"\n\
+         [materials.white]\ndiffuse = [0.75, 0.75, 0.75]\n[materials.red]\ndiffuse = [0.65, 0.06, 0.05]\n\
+         [materials.green]\ndiffuse = [0.12, 0.5, 0.1]\n[materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.9, 0.9]\n\
+         [materials.lamp]\nkind = \"emissive\"\ncolor = [{radiance}, {radiance}, {radiance}]\n{}\
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"mirror\"\ncenter = [-0.45, 0.401, -0.4]\nradius = 0.4\n\
+         [[objects]]\nshape = \"sphere\"\ninterior = 1.5\ncenter = [0.45, 0.401, 0.25]\nradius = 0.4\n\
+         [[objects]]\nshape = \"sphere\"\nmaterial = \"lamp\"\ncenter = [0, 1.55, 0]\nradius = {radius}\n",
+        walls.concat()
+    );
+    Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)
+}
