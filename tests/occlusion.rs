@@ -60,7 +60,11 @@ fn what_is_open_is_as_bright() {
 #[test]
 fn glass_casts_no_shadow_of_lights() {
     let light = "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\nshadows = \"straight\"\n";
-    for gloss in ["interior = 1.5\n", "interior = { kind = \"constant\", n = 1.5, transmit_exponent = 100 }\n"] {
+    for gloss in [
+        "interior = 1.5\n",
+        "interior = { kind = \"constant\", n = 1.5, transmit_exponent = 100 }\n",
+        "interior = { kind = \"constant\", n = 1.5, roughness = 0.3 }\n",
+    ] {
         let text = format!("{}{light}", floor("floor = 1", &format!("{BALL}{gloss}"), 0.5));
         let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
         // Ambient light, and a lamp that faces it.
