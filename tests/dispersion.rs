@@ -5,7 +5,7 @@ use bentray::program::constant;
 use bentray::render::{RenderSettings, Renderer, trace};
 use glam::{DVec3, Vec4};
 
-use crate::support::{gpu, probe::Probe, scene};
+use crate::support::{gpu, mean_of, probe::Probe, scene};
 
 /// SF11 by its formula, at a wavelength in nanometres.
 fn heavy_flint(nm: f64) -> f64 {
@@ -73,12 +73,7 @@ fn colours_of_the_spectrum_add_up_to_white() {
 fn means(text: &str) -> [(f64, f64); 3] {
     let picture = Renderer::new(&gpu(), &scene(text), RenderSettings::default()).unwrap().picture().unwrap();
     assert_eq!(picture.totals.unfollowed(), 0, "{}", picture.totals);
-    picture.band.color.each_ref().map(|plane| {
-        let n = plane.len() as f64;
-        let mean = plane.iter().map(|x| f64::from(*x)).sum::<f64>() / n;
-        let squares = plane.iter().map(|x| (f64::from(*x) - mean).powi(2)).sum::<f64>();
-        (mean, (squares / (n * (n - 1.0))).sqrt())
-    })
+    [0, 1, 2].map(|channel| mean_of(&picture, channel))
 }
 
 fn ball(interior: &str, sky: &str, rest: &str) -> String {

@@ -6,7 +6,7 @@ use bentray::glam::{DVec3, dvec3};
 use bentray::program::{Choice, Masks, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering, Status};
 
-use crate::support::{gpu, scene};
+use crate::support::{gpu, mean_of, scene};
 
 fn rendered(text: &str, choice: Choice) -> Rendering {
     Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
@@ -47,10 +47,7 @@ fn lobes_keep_what_lies_above_the_surface() {
             [(&glossy, "lights", kept), (&glossy, "paths", kept), (&phong, "paths", albedo)]
         {
             let picture = rendered(&disk(material, transport, degrees), Choice::default());
-            let all: Vec<f64> = picture.band.color[0].iter().map(|x| f64::from(*x)).collect();
-            let n = all.len() as f64;
-            let mean = all.iter().sum::<f64>() / n;
-            let error = (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt();
+            let (mean, error) = mean_of(&picture, 0);
             let z = (mean - expected) / error.max(3e-5 * expected);
             assert!(
                 z.abs() < 4.0 && error < 0.01 * expected,
@@ -139,10 +136,7 @@ fn microfacets_reflect_and_transmit_by_their_distribution() {
             );
             let picture = rendered(&text, Choice::default());
             for (channel, expected) in expected.into_iter().enumerate() {
-                let all: Vec<f64> = picture.band.color[channel].iter().map(|x| f64::from(*x)).collect();
-                let count = all.len() as f64;
-                let mean = all.iter().sum::<f64>() / count;
-                let error = (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (count * (count - 1.0))).sqrt();
+                let (mean, error) = mean_of(&picture, channel);
                 let z = (mean - expected) / error.max(1e-4 * expected);
                 assert!(
                     z.abs() < 4.0 && error < 0.03 * expected,

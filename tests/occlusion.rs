@@ -3,7 +3,7 @@
 use bentray::program::{Choice, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering};
 
-use crate::support::{gpu, scene};
+use crate::support::{gpu, mean_of, scene};
 
 fn rendered(text: &str, choice: Choice) -> Rendering {
     Renderer::new(&gpu(), &scene(text), RenderSettings { choice, ..RenderSettings::default() })
@@ -20,13 +20,6 @@ fn floor(ambient: &str, objects: &str, x: f64) -> String {
          [materials.m]\nkind = \"phong\"\ndiffuse = [1, 0.5, 0]\nambient = 1\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"m\"\ncenter = [0, -1, 0]\nsize = [400, 2, 400]\n{objects}"
     )
-}
-
-fn mean(picture: &Rendering, channel: usize) -> (f64, f64) {
-    let all: Vec<f64> = picture.band.color[channel].iter().map(|x| f64::from(*x)).collect();
-    let n = all.len() as f64;
-    let mean = all.iter().sum::<f64>() / n;
-    (mean, (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt())
 }
 
 const BALL: &str = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 1, 0]\nradius = 1\n";
@@ -50,7 +43,7 @@ fn what_is_open_is_as_bright() {
         ("floor = 0.25", &*opaque, 1.0, 0.25 + 0.75 * 0.646_446_6),
     ] {
         let picture = rendered(&floor(ambient, objects, x), Choice::default());
-        let (mean, error) = self::mean(&picture, 0);
+        let (mean, error) = mean_of(&picture, 0);
         assert!((mean - open).abs() < 4.0 * error + 1e-5, "{ambient}, {objects}: {mean} ± {error} for {open}");
         assert!(error < 0.01 * open, "{objects}: {error}");
     }
@@ -66,7 +59,7 @@ fn glass_casts_no_shadow_of_lights() {
         "interior = { kind = \"constant\", n = 1.5, roughness = 0.3 }\n",
     ] {
         let text = format!("{}{light}", floor("floor = 1", &format!("{BALL}{gloss}"), 0.5));
-        let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
+        let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
         // Ambient light, and a lamp that faces it.
         assert!((mean - 2.0).abs() < 1e-4, "{gloss}: {mean}");
     }
@@ -92,13 +85,13 @@ fn clear_things_shut_out_what_asks_for_it() {
     ] {
         for ambient in ["floor = 1", "floor = 1\nclear = \"open\""] {
             let text = format!("{}{}", floor(ambient, &format!("{BALL}{gloss}"), 0.5), all.concat());
-            let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
+            let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
             let expected = if gloss.starts_with("material") { 2.0 } else { 2.5 };
             assert!((mean - expected).abs() < 1e-4, "{gloss}, {ambient}: {mean}");
         }
         // And beside the ball all of them.
         let text = format!("{}{}", floor("floor = 1", &format!("{BALL}{gloss}"), 3.0), all.concat());
-        let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
+        let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
         assert!((mean - 2.75).abs() < 1e-4, "{gloss}: {mean}");
     }
 }
@@ -170,7 +163,7 @@ fn clear_things_weaken_light_on_straight_lines() {
         let law = if law.is_empty() { String::new() } else { format!("[law]\nkind = \"straight\"\n{law}") };
         let picture = lit(&law, &objects, light);
         for (channel, expected) in expected.into_iter().enumerate() {
-            let (mean, _) = self::mean(&picture, channel);
+            let (mean, _) = mean_of(&picture, channel);
             assert!(
                 (mean - expected).abs() < 1e-3 * expected + 1e-6,
                 "{objects}{light}{law} {channel}: {mean} for {expected}"
@@ -190,12 +183,12 @@ fn lights_of_all_kinds_share_a_scene() {
     let glass = format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, filter = [0.5, 0.5, 0.5] }}\n");
     let lights = [light(1.0, "open"), light(0.5, "filtered"), light(0.25, "closed")].concat();
     let text = format!("{}{lights}", floor("floor = 1", &glass, 0.0));
-    let (mean, _) = self::mean(&rendered(&text, Choice::default()), 0);
+    let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
     let expected = 1.0 + 1.0 + 0.5 * 0.25 * THROUGH;
     assert!((mean - expected).abs() < 1e-3, "{mean} for {expected}");
     // A dome of glass over the place: all ambient light comes through it head on.
     let dome = glass.replace("center = [0, 1.2, 0]", "center = [0, 0, 0]");
-    let (mean, error) = self::mean(&rendered(&floor("clear = \"filtered\"", &dome, 0.0), Choice::default()), 0);
+    let (mean, error) = mean_of(&rendered(&floor("clear = \"filtered\"", &dome, 0.0), Choice::default()), 0);
     let expected = 0.96 * 0.5;
     assert!((mean - expected).abs() < 4.0 * error + 2e-3, "{mean} ± {error} for {expected}");
 }

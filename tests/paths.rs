@@ -4,7 +4,7 @@ use bentray::program::{Choice, Layer, Masks, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
 use bentray::scene::{Override, Scene};
 
-use crate::support::{gpu, scene, scenes_in};
+use crate::support::{gpu, mean_of, scene, scenes_in};
 
 /// A closed ball that glows and gives back: of L = Le/(1 − albedo) in every direction, under whatever law.
 fn furnace(law: &str, camera: &str, rest: &str) -> String {
@@ -18,14 +18,6 @@ fn furnace(law: &str, camera: &str, rest: &str) -> String {
 
 pub fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
-}
-
-/// Mean and standard error of a channel over the pixels of a picture, which all show the same.
-pub fn mean(picture: &Rendering, channel: usize) -> (f64, f64) {
-    let all: Vec<f64> = picture.band.color[channel].iter().map(|x| f64::from(*x)).collect();
-    let n = all.len() as f64;
-    let mean = all.iter().sum::<f64>() / n;
-    (mean, (all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n * (n - 1.0))).sqrt())
 }
 
 /// What a floor shows of a lamp is its albedo times E/π, aimed at or not.
@@ -48,7 +40,7 @@ fn lamps_light_as_closed_forms_say() {
                  center = [0, -1, 0]\nsize = [24, 2, 24]\n[[objects]]\nmaterial = \"lamp\"\n{lamp}\n"
             );
             let picture = rendered(&scene(&text), RenderSettings::default());
-            let (mean, error) = mean(&picture, 0);
+            let (mean, error) = mean_of(&picture, 0);
             // Four standard errors, and what the camera's distance and rounding come to.
             assert!((mean - form_factor).abs() < 4.0 * error + 3e-5 * form_factor, "{lamp}, {aim}: {mean} ± {error}");
             assert!(error < 0.04 * form_factor, "{lamp}: {error}");
@@ -118,7 +110,7 @@ fn a_guide_changes_the_noise_and_not_the_light() {
             let picture = rendered(&scene(&text), RenderSettings::default());
             assert_eq!(picture.totals.unfollowed(), 0, "{law}: {}", picture.totals);
             let error = picture.totals.noise.clone().unwrap().mean().unwrap();
-            (mean(&picture, 1), error)
+            (mean_of(&picture, 1), error)
         });
         let apart = (on.0 - off.0).abs() / on.1.hypot(off.1);
         assert!(apart < 4.0, "{law}: {on:?} and {off:?}");
@@ -230,7 +222,7 @@ fn what_clamped_samples_lose_is_counted() {
     let mut scene = scene(&room("kind = \"straight\"", [true, true], true).replace("samples = 256", "samples = 16"));
     let whole = rendered(&scene, RenderSettings::default());
     scene.output.clamp = Some(0.7);
-    let light = |picture: &Rendering| (0..3).map(|channel| mean(picture, channel).0).sum::<f64>() / 3.0;
+    let light = |picture: &Rendering| (0..3).map(|channel| mean_of(picture, channel).0).sum::<f64>() / 3.0;
     let pixels = f64::from(scene.image.size[0] * scene.image.size[1] * scene.image.samples);
     let mut first = None;
     for (schedule, tile_pixels) in [(Schedule::Whole, 1 << 20), (Schedule::Fused, 100)] {

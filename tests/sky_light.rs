@@ -5,8 +5,8 @@ use std::path::Path;
 
 use bentray::render::RenderSettings;
 
-use crate::paths::{mean, rendered};
-use crate::support::scene;
+use crate::paths::rendered;
+use crate::support::{mean_of, scene};
 
 /// A sky with a small sun: of `size` in sRGB, even but for one white pixel.
 fn sun(folder: &Path, name: &str, size: [u32; 2], place: [u32; 2], even: u8) {
@@ -51,7 +51,7 @@ fn the_sky_lights_as_sums_over_it_say() {
                  [sky]\n{sky}\nintensity = 50\n[paths]\naim = {aim}\n[materials.floor]\nkind = \"phong\"\n\
                  diffuse = [1, 1, 1]\n[[objects]]\nshape = \"disk\"\nmaterial = \"floor\"\nscale = 24\n"
             );
-            let (mean, error) = mean(&rendered(&scene(&text), RenderSettings::default()), 0);
+            let (mean, error) = mean_of(&rendered(&scene(&text), RenderSettings::default()), 0);
             assert!((mean - exact).abs() < 4.0 * error + 3e-5 * exact, "{sky}, {aim}: {mean} ± {error}, not {exact}");
             error
         });

@@ -202,8 +202,8 @@ impl Source<'_> {
     /// How parts know straight shadows, by what clear things do to them.
     pub(super) fn shadow_code(&self, clear: Clear) -> u32 {
         match clear {
-            Clear::Filtered if self.scene.weakens_lines() => constant("surface/shadow/filtered", "WEAKENED") as u32,
-            Clear::Closed if self.scene.splits() => constant("surface/shadow/clear_chosen", "SHUT_OUT") as u32,
+            Clear::Filtered if self.scene.weakens_lines() => constant("surface/shadow/clear_kinds", "WEAKENED") as u32,
+            Clear::Closed if self.scene.splits() => constant("surface/shadow/clear_kinds", "SHUT_OUT") as u32,
             _ => 1,
         }
     }

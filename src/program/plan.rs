@@ -91,6 +91,7 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
     }
     if let Some(occlusion) = scene.occlusion.filter(|_| scene.is_occluded()) {
         names.add(if occlusion.along_law { "surface/occlusion/along" } else { "surface/occlusion/line" });
+        names.add("surface/shadow/met");
         names.all(&["surface/occlusion/drawn", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
         names.add("camera/sample/scrambled");
     }
@@ -107,7 +108,7 @@ fn line_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     }
     names.all(&["surface/shadow/clear_kinds", "surface/scatter/frosted", "surface/scatter/microfacet"]);
     if scene.weakens_lines() {
-        names.add("surface/shadow/filtered");
+        names.all(&["surface/shadow/filtered", "surface/shadow/met"]);
         names.add(if scene.splits() { "surface/shadow/crossing_clear" } else { "surface/shadow/crossing_opaque" });
         if !choice.filters(scene) {
             names.add("surface/shadow/filtered_none");

@@ -4,6 +4,8 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
+use super::Scene;
+
 /// `[[lights]]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Light {
@@ -124,5 +126,51 @@ impl Light {
     #[must_use]
     pub fn is_point(&self) -> bool {
         matches!(self.source, LightSource::Point(_))
+    }
+}
+
+impl Scene {
+    /// Does a surface that shows lights show one with these shadows?
+    #[must_use]
+    pub fn has_shadows(&self, kind: Shadows) -> bool {
+        self.is_lit() && self.lights.iter().any(|light| light.shadows == kind)
+    }
+
+    /// Is ambient light shut out where a surface shows it?
+    #[must_use]
+    pub fn is_occluded(&self) -> bool {
+        self.occlusion.is_some() && self.used_materials().any(|material| material.surface.is_lit())
+    }
+
+    /// Are straight lines followed from surfaces?
+    #[must_use]
+    pub fn follows_lines(&self) -> bool {
+        self.lines().next().is_some()
+    }
+
+    /// Is light looked for from surfaces, along lines or paths that begin there?
+    #[must_use]
+    pub fn looks_from_surfaces(&self) -> bool {
+        self.follows_lines() || self.is_occluded()
+    }
+
+    /// What clear things do to light that comes in straight lines, of each light and of ambient light.
+    pub fn lines(&self) -> impl Iterator<Item = Clear> {
+        let straight = |light: &&Light| self.is_lit() && light.shadows == Shadows::Straight;
+        let ambient = self.occlusion.filter(|occlusion| self.is_occluded() && !occlusion.along_law);
+        let ambient = ambient.map(|occlusion| occlusion.clear);
+        self.lights.iter().filter(straight).map(|light| light.clear).chain(ambient)
+    }
+
+    /// Do clear things shut out light that comes in straight lines?
+    #[must_use]
+    pub fn shuts_out(&self) -> bool {
+        self.splits() && self.lines().any(|clear| clear == Clear::Closed)
+    }
+
+    /// Is there something that weakens light that comes in straight lines?
+    #[must_use]
+    pub fn weakens_lines(&self) -> bool {
+        (self.splits() || self.filter.is_some()) && self.lines().any(|clear| clear == Clear::Filtered)
     }
 }

@@ -8,6 +8,7 @@ pub mod tree;
 use std::path::Path;
 
 use bentray::gpu::Gpu;
+use bentray::render::Rendering;
 use bentray::scene::Scene;
 
 /// The device that `render` would take. Without one the tests fail, and the message says which package to install; those that
@@ -20,6 +21,15 @@ pub fn gpu() -> Gpu {
 pub fn scene(text: &str) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/test.toml");
     Scene::parse(text, &path, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The mean of a picture's channel over its pixels, which all show the same, and the standard error of that.
+pub fn mean_of(picture: &Rendering, channel: usize) -> (f64, f64) {
+    let plane = &picture.band.color[channel];
+    let n = plane.len() as f64;
+    let mean = plane.iter().map(|x| f64::from(*x)).sum::<f64>() / n;
+    let squares = plane.iter().map(|x| (f64::from(*x) - mean).powi(2)).sum::<f64>();
+    (mean, (squares / (n * (n - 1.0))).sqrt())
 }
 
 /// Every scene file of `scenes/`.

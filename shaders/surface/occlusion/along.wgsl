@@ -1,5 +1,5 @@
 // Ambient occlusion along the scene's own law, which may bend what a place sees of its surroundings: one path a sample, in a direction that
-// is drawn like matte light's, as fast as the ray that the place is seen by. Where it is captured or meets anything, no light comes from.
+// is drawn like matte light's, as fast as the ray that the place is seen by. If it is captured or meets anything no light comes along it.
 
 // How a ray came to the place that is seen.
 var<private> arrival: PathPoint;
@@ -17,7 +17,7 @@ fn open_share(lit: Lit, way: vec3f) -> Share {
     var met = false;
     for (var k = 0u; k < schedule.max_segments && passed < ambient.distance && !met && ray.status == ALIVE; k++) {
         work += 1u;
-        if work + 2u * schedule.segment_work > WORK_LIMIT {
+        if !line_has_room() {
             unfinished = true;
             break;
         }
@@ -25,12 +25,7 @@ fn open_share(lit: Lit, way: vec3f) -> Share {
         mark_line(k == 0u);
         var next = ray;
         let s = follow_segment(&next);
-        let pieces = segment_pieces(s);
-        let near = items_near(s);
-        var hit = listed_hit(s, pieces, near);
-        walk_anew();
-        hit = structure_hit(s, select(0u, pieces, (near & NEAR_STRUCTURE) != 0u), hit);
-        unfinished = unfinished || walk_suspended();
+        let hit = first_met(s, segment_pieces(s));
         let part = segment_length(s);
         met = hit.primitive != NOTHING && passed + hit.t * part < ambient.distance;
         next.status = open_status(s, next.tau, k);
@@ -40,9 +35,10 @@ fn open_share(lit: Lit, way: vec3f) -> Share {
     walk_anew();
     mark_line(false);
     enter_set(before);
-    let lost = ray.status != ALIVE && ray.status != ESCAPED && ray.status != ENDED && ray.status != CAPTURED;
-    unfinished = unfinished || (lost && !met);
-    return select(Share(1.0), Share(0.0), met || ray.status == CAPTURED || lost);
+    // What ends it farther away shuts nothing out.
+    let ended = ray.status != ALIVE && ray.status != ESCAPED && ray.status != ENDED && passed < ambient.distance;
+    unfinished = unfinished || (ended && !met && ray.status != CAPTURED);
+    return select(Share(1.0), Share(0.0), met || ended);
 }
 
 // About: between the lengths of its chord and of its Bézier polygon.

@@ -2,9 +2,6 @@
 
 const CROSSINGS: u32 = 64u;
 
-// Of lights whose shadows clear things cast as well.
-const SHUT_OUT: u32 = 2u;
-
 var<private> shut_out: bool;
 
 fn note_light(shadows: u32) {

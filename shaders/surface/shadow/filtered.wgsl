@@ -4,10 +4,6 @@
 // Surfaces on one line: more of them shut it out.
 const CROSSINGS: u32 = 64u;
 
-// As lights ask for it; 1 is for light that clear things let through undiminished.
-const SHUT_OUT: u32 = 2u;
-const WEAKENED: u32 = 3u;
-
 alias Share = vec3f;
 
 // What is left of the light at the end of `way` where it comes to `start`; 0 where something opaque lies between.
@@ -25,11 +21,7 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
         work += 1u;
         let rest = start + way - at;
         let s = Segment(at, rest, at + rest, rest, 1.0);
-        let near = items_near(s);
-        var hit = listed_hit(s, 1u, near);
-        walk_anew();
-        hit = structure_hit(s, select(0u, 1u, (near & NEAR_STRUCTURE) != 0u), hit);
-        unfinished = unfinished || walk_suspended();
+        var hit = first_met(s, 1u);
         there = hit.primitive == NOTHING;
         let part = select(hit.t, Real(1.0), there) * rest;
         if shadows == WEAKENED {
@@ -46,9 +38,4 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     mark_line(false);
     enter_set(before);
     return select(Share(0.0), share, there);
-}
-
-// There is room for one more part of the line.
-fn line_has_room() -> bool {
-    return work + schedule.segment_work < WORK_LIMIT;
 }

@@ -1,0 +1,15 @@
+// What a line or path that light is looked for along meets first on one segment.
+
+fn first_met(s: Segment, pieces: u32) -> Hit {
+    let near = items_near(s);
+    var hit = listed_hit(s, pieces, near);
+    walk_anew();
+    hit = structure_hit(s, select(0u, pieces, (near & NEAR_STRUCTURE) != 0u), hit);
+    unfinished = unfinished || walk_suspended();
+    return hit;
+}
+
+// There is room for one more segment.
+fn line_has_room() -> bool {
+    return work + 2u * schedule.segment_work < WORK_LIMIT;
+}
