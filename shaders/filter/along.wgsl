@@ -38,6 +38,12 @@ const LEAST_SHARE: f32 = 0.25;
 // What rounding makes of an optical depth.
 const FILTER_ROUNDING: f32 = 4e-7;
 
+// Of a piece, by the rule and by the rule for its halves.
+struct Depths {
+    whole: vec4f,
+    halves: vec4f,
+}
+
 var<private> filter_slips: bool;
 
 fn filter_step(ray: Ray, next: Ray) {
@@ -103,8 +109,9 @@ fn filter_part(p: Phase, h: Real) {
         work += 1u;
         let rest = h - a;
         let own = select(min(size, rest), rest, k == FILTER_PIECES || size >= 0.999 * rest);
-        let whole = depth_over(filter_at, p, a, own);
-        let halves = depth_over(filter_at, p, a, 0.5 * own) + depth_over(filter_at, p, a + 0.5 * own, 0.5 * own);
+        let depths = depths_over(filter_at, p, a, own);
+        let whole = depths.whole;
+        let halves = depths.halves;
         let off = abs(halves.xyz - whole.xyz);
         let apart = max(off.x, max(off.y, off.z));
         let deep = max(halves.x, max(halves.y, halves.z));
@@ -126,11 +133,22 @@ fn filter_part(p: Phase, h: Real) {
     }
 }
 
-// The optical depth of a piece from a on, and its length, by Gauss's rule.
-fn depth_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> vec4f {
-    let first = depth_rate(filter_at, track_place(p, a + (0.5 - GAUSS) * size));
-    let second = depth_rate(filter_at, track_place(p, a + (0.5 + GAUSS) * size));
-    return 0.5 * f32(size) * (first + second);
+// The optical depth of a piece from a on, and its length, by Gauss's rule: for all of it, and for its halves.
+fn depths_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> Depths {
+    var depths = Depths(vec4f(0.0), vec4f(0.0));
+    // In a loop, for a texture's density is long: two points of the whole, then two of either half.
+    for (var i = 0u; i < 6u; i++) {
+        work += 1u;
+        let in_halves = i >= 2u;
+        let middle = select(0.5, select(0.25, 0.75, i >= 4u), in_halves);
+        let part = select(1.0, 0.5, in_halves);
+        let side = select(-GAUSS, GAUSS, (i & 1u) == 1u);
+        let rate = depth_rate(filter_at, track_place(p, a + (Real(middle) + Real(part) * side) * size));
+        let depth = 0.5 * part * f32(size) * rate;
+        depths.whole += select(depth, vec4f(0.0), in_halves);
+        depths.halves += select(vec4f(0.0), depth, in_halves);
+    }
+    return depths;
 }
 
 fn depth_rate(filter_at: Filter, q: Real4) -> vec4f {

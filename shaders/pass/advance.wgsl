@@ -6,6 +6,7 @@
 fn advance(own: Invocation) {
     let spot = active_ray(own);
     load_weight(spot.pixel);
+    load_waiting(spot.pixel);
     load_branches(spot.pixel);
     load_last_hit(spot.pixel, spot.index);
     var ray = load_ray(spot.pixel, spot.word);

@@ -34,7 +34,7 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     } else if ray.status == ESCAPED {
         gather(sky_radiance(vec3f(normalize(end.v))), end.x);
     }
-    leg = after_flight(leg, ray.status, pixel);
+    leg = after_flight(leg, ray.status);
     var next = ray;
     next.status = leg.code;
     if leg.code == ALIVE && ray.index + 1u >= schedule.max_segments {

@@ -231,9 +231,22 @@ pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
 
 /// What filters leave of light, by their kinds, and how many pieces a step is cut into at most.
 pub(super) fn filters(kinds: &[&str], pieces: u64) -> Unit {
-    let names = kinds.iter().map(|part| own_name(part));
-    let calls: Vec<_> = names.map(|kind| (kind.to_uppercase(), format!("density_{kind}(filter_at, q)"))).collect();
-    let mut text = switch("fn filter_density(filter_at: Filter, q: Real3) -> vec3f", "filter_at.kind", &calls);
+    let textured = |part: &str| part.starts_with("texture/");
+    let call = |part: &&str| {
+        let kind = own_name(part);
+        let sum = if textured(part) { ", sum" } else { "" };
+        (kind.to_uppercase(), format!("density_{kind}(filter_at, q{sum})"))
+    };
+    let calls: Vec<_> = kinds.iter().map(call).collect();
+    // A texture's sum, which is long, stands once, whatever is made of it.
+    let mut text = if kinds.iter().any(|part| textured(part)) {
+        let signature = "fn textured_density(filter_at: Filter, q: Real3, sum: f32) -> vec3f";
+        switch(signature, "filter_at.kind", &calls)
+            + "\nfn filter_density(filter_at: Filter, q: Real3) -> vec3f {\n    \
+               return textured_density(filter_at, q, texture_sum(filter_at, q));\n}\n"
+    } else {
+        switch("fn filter_density(filter_at: Filter, q: Real3) -> vec3f", "filter_at.kind", &calls)
+    };
     let _ = writeln!(text, "\nconst FILTER_PIECES: u32 = {pieces}u;");
     unit("generated/filters.wgsl", text)
 }

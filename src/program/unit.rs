@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 15] = [
+const OPTIONAL: [&str; 17] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -74,6 +74,8 @@ const OPTIONAL: [&str; 15] = [
     "note_light",
     "pass_top",
     "leave_aside",
+    "load_waiting",
+    "store_waiting",
     "draw_wavelength",
     "note_dispersed",
     "color_dispersed",

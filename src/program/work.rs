@@ -122,8 +122,8 @@ fn shadows(scene: &Scene) -> u64 {
 /// six evaluations and its middle, and of some the search for a jump.
 fn filtering(scene: &Scene, place: u64) -> (u64, u64) {
     let Some(own) = scene.filters().map(Filter::loops).max() else { return (0, 0) };
-    let piece = 6 * (own + place) + place + 1;
-    let jump = (constant("filter/jumping", "JUMP_HALVINGS") as u64 + 2) * (own + place + 1);
+    let piece = 6 * (own + place + 1) + place + 1;
+    let jump = constant("filter/jumping", "JUMP_LOOKS") as u64 * (own + place + 1);
     let jumps = if scene.filters().any(Filter::jumps) { FILTERING / 2 / jump } else { 0 };
     let pieces = ((FILTERING - jumps * jump) / piece).clamp(16, 1024);
     (pieces, pieces * piece + jumps * jump)

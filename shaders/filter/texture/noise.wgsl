@@ -37,7 +37,8 @@ fn texture_sum(filter_at: Filter, q: Real3) -> f32 {
     return f32(sum);
 }
 
-fn texture_share(filter_at: Filter, q: Real3) -> f32 {
+// sum: of the texture at a place.
+fn texture_share(filter_at: Filter, sum: f32) -> f32 {
     let most = 2.0 - exp2(1.0 - f32(filter_at.octaves));
-    return clamp(0.5 * texture_sum(filter_at, q) / most + 0.5, 0.0, 1.0);
+    return clamp(0.5 * sum / most + 0.5, 0.0, 1.0);
 }

@@ -2,7 +2,7 @@
 
 const RAINBOW: u32 = 5u;
 
-fn density_rainbow(filter_at: Filter, q: Real3) -> vec3f {
+fn density_rainbow(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
     var stops = array<vec3f, 7>(
         vec3f(0.95, 0.15, 0.15),
         vec3f(0.95, 0.55, 0.12),
@@ -12,7 +12,7 @@ fn density_rainbow(filter_at: Filter, q: Real3) -> vec3f {
         vec3f(0.2, 0.25, 0.95),
         vec3f(0.65, 0.2, 0.9),
     );
-    let at = 6.0 * texture_share(filter_at, q);
+    let at = 6.0 * texture_share(filter_at, sum);
     let stop = min(u32(at), 5u);
     return density_of(mix(stops[stop], stops[stop + 1u], at - f32(stop)));
 }

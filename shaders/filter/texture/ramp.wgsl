@@ -2,6 +2,6 @@
 
 const RAMP: u32 = 6u;
 
-fn density_ramp(filter_at: Filter, q: Real3) -> vec3f {
-    return density_of(min(image_sample(filter_at.which, vec2f(texture_share(filter_at, q), 0.5), false), vec3f(1.0)));
+fn density_ramp(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
+    return density_of(min(image_sample(filter_at.which, vec2f(texture_share(filter_at, sum), 0.5), false), vec3f(1.0)));
 }

@@ -4,7 +4,7 @@
 // counts by the balance of the two densities where it left (Veach 1997), whatever the law does to it later: aims that miss cost time,
 // and never bias.
 //
-// It flies first, in the same pixel's place; then the path goes back to the vertex for its own.
+// It flies first, in the same pixel's place; then the path goes back to the vertex for its own, which is in memory only between passes.
 
 // The path's own ray, while an aimed one flies.
 struct Waiting {
@@ -21,9 +21,19 @@ struct Waiting {
 
 @group(0) @binding(44) var<storage, read_write> waiting_rays: array<Waiting>;
 
+var<private> waiting: Waiting;
+
 const AIMED: u32 = 2u;
 // This use of random points.
 const AIM: u32 = 2u;
+
+fn load_waiting(pixel: vec2u) {
+    waiting = waiting_rays[place_of_path(pixel)];
+}
+
+fn store_waiting(pixel: vec2u) {
+    waiting_rays[place_of_path(pixel)] = waiting;
+}
 
 // Behind an aimed ray, wherever it ended, the path's own may wait: which of the two it was is not known before all that is carried.
 fn may_scatter(code: u32) -> bool {
@@ -31,11 +41,10 @@ fn may_scatter(code: u32) -> bool {
 }
 
 // Behind an aimed ray, which ended as `code` says, the path's own flies.
-fn after_flight(leg: Leg, code: u32, pixel: vec2u) -> Leg {
+fn after_flight(leg: Leg, code: u32) -> Leg {
     if leg.code == ALIVE || carried.flight != AIMED {
         return leg;
     }
-    let waiting = waiting_rays[place_of_path(pixel)];
     carried.flight = OWN;
     carried.share = waiting.share;
     carried.scatterings = waiting.scatterings;
@@ -58,8 +67,7 @@ fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, p
     if !finds {
         return own_leg(vertex.x, own, vertex.tau, weight, HIT);
     }
-    waiting_rays[place_of_path(pixel)] =
-        Waiting(vertex.x, vertex.tau, own, share, weight, carried.scatterings, region_bits(), carried.dispersed);
+    waiting = Waiting(vertex.x, vertex.tau, own, share, weight, carried.scatterings, region_bits(), carried.dispersed);
     carried.flight = AIMED;
     carried.share = 1.0;
     return own_leg(vertex.x, vertex.speed * Real3(aim), vertex.tau, aimed_weight, HIT);

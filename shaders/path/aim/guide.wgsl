@@ -14,6 +14,8 @@ struct Guide {
     kappa: f32,
     // What light comes from there.
     brightness: f32,
+    // That, times the lobe's density along its axis.
+    peak: f32,
 }
 
 // Those of the vertex whose brightness was asked for last: each is looked up once.
@@ -21,15 +23,15 @@ var<private> guides: array<Guide, GUIDES>;
 
 fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
     let x = (vec3f(vertex.x) - light.lo) / light.h;
-    let fine = f32(light.refine);
-    let near = x + LIGHT_OFF / fine * vertex.across;
-    let cut = select(1.0, fine, light_brick_at(light, near) != 0u);
-    let f = light_in(light, floor((x + LIGHT_OFF / cut * vertex.across) * cut), cut);
+    let fine = x + LIGHT_OFF / f32(light.refine) * vertex.across;
+    let brick = light_brick_at(light, fine);
+    let f = light_field[light_place(light, select(fine, x + LIGHT_OFF * vertex.across, brick == 0u), brick)];
     let strength = length(f.xyz);
     let r = min(strength / max(f.w, 1e-30), 1.0);
-    let kappa = r * (3.0 - r * r) / max(1.0 - r * r, 1e-6);
+    let kappa = clamp(r * (3.0 - r * r) / max(1.0 - r * r, 1e-6), WIDEST, NARROWEST);
     let axis = select(vertex.across, -f.xyz / strength, strength > 0.0);
-    return Guide(axis, clamp(kappa, WIDEST, NARROWEST), MORE * light.color.x * f.w);
+    let brightness = MORE * light.color.x * f.w;
+    return Guide(axis, kappa, brightness, brightness * kappa / (2.0 * f32(PI) * (1.0 - exp(-2.0 * kappa))));
 }
 
 fn guide_brightness(vertex: PathVertex) -> f32 {
@@ -44,7 +46,7 @@ fn guide_brightness(vertex: PathVertex) -> f32 {
 
 // The same number chooses the lobe and, stretched to what is left of it, the angle to its axis.
 fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
-    var chosen = Guide(vertex.across, WIDEST, 0.0);
+    var chosen = Guide(vertex.across, WIDEST, 0.0, 0.0);
     var at = 0.0;
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {
@@ -67,8 +69,7 @@ fn guide_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
         let guide = guides[i];
         // 1 less the cosine.
         let apart = d - guide.axis;
-        let lobe = exp(-0.5 * guide.kappa * dot(apart, apart)) / (1.0 - exp(-2.0 * guide.kappa));
-        sum += guide.brightness * guide.kappa / (2.0 * f32(PI)) * lobe;
+        sum += guide.peak * exp(-0.5 * guide.kappa * dot(apart, apart));
     }
     return sum / max(total, 1e-30);
 }

@@ -4,7 +4,7 @@ fn may_scatter(code: u32) -> bool {
     return code == HIT;
 }
 
-fn after_flight(leg: Leg, code: u32, pixel: vec2u) -> Leg {
+fn after_flight(leg: Leg, code: u32) -> Leg {
     return leg;
 }
 

@@ -34,6 +34,17 @@ fn light_brick_at(light: GridLight, x: vec3f) -> u32 {
     return light_bricks[light.first_brick + (voxel.z * light.count.y + voxel.y) * light.count.x + voxel.x];
 }
 
+// Of a point, counted in voxels, in the light's field: in the part of the brick about it, or in all of its voxel if that is 0.
+fn light_place(light: GridLight, x: vec3f, brick: u32) -> u32 {
+    let place = clamp(x, vec3f(0.0), vec3f(light.count) - 1e-3);
+    let voxel = vec3u(place);
+    let n = light.refine;
+    let part = min(vec3u((place - vec3f(voxel)) * f32(n)), vec3u(n - 1u));
+    let all = light.count.x * light.count.y * light.count.z;
+    let own = (voxel.z * light.count.y + voxel.y) * light.count.x + voxel.x;
+    return light.first + select(all + (brick - 1u) * n * n * n + (part.z * n + part.y) * n + part.x, own, brick == 0u);
+}
+
 // What lies in a part of a voxel, each cut into `cut` along each axis, or in all of it where it is no brick.
 fn light_in(light: GridLight, part: vec3f, cut: f32) -> vec4f {
     let place = clamp((part + 0.5) / cut, vec3f(0.0), vec3f(light.count) - 1e-3);
