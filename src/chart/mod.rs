@@ -2,6 +2,7 @@
 
 mod files;
 mod formulas;
+mod noise;
 mod stability;
 mod sweep;
 
@@ -9,5 +10,6 @@ pub use files::{fastest_table, write_chart};
 pub use formulas::{
     beer_chart, fresnel_chart, reflectance, refracted_sine, snell_chart, spiral_angle, spiral_chart, spiral_plot,
 };
+pub use noise::{noise_chart, noise_sum, wrapped_chart};
 pub use stability::{Outcome, Place, default_settings};
 pub use sweep::{MethodCurve, Point, SceneChart, Sweep};

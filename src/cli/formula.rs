@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
-use crate::chart::{beer_chart, fresnel_chart, snell_chart, spiral_chart, spiral_plot};
+use crate::chart::{beer_chart, fresnel_chart, noise_chart, snell_chart, spiral_chart, spiral_plot, wrapped_chart};
 use crate::error::Error;
 use crate::output::plot::{plot_lines, plot_paths};
 
@@ -52,6 +52,23 @@ enum Formula {
         #[command(flatten)]
         drawing: Drawing,
     },
+    /// Noise along a line: its octaves and their sum, or the sum wrapped
+    Noise {
+        /// Terms of the sum, each twice as fine and half as high as the one before
+        #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=8))]
+        octaves: u32,
+        /// The line's length, in cells of the first octave
+        #[arg(long, value_name = "CELLS", default_value_t = 8.0, value_parser = cells)]
+        length: f64,
+        /// The random numbers' seed
+        #[arg(long, value_name = "N", default_value_t = 1)]
+        seed: u32,
+        /// Draw the sum from 0 to 1 and wrapped so many times, in place of octaves
+        #[arg(long, value_name = "M", value_parser = positive)]
+        wrap: Option<f64>,
+        #[command(flatten)]
+        drawing: Drawing,
+    },
     /// How far a ray goes round in an inverse-r sphere, against the angle at which it starts
     Spiral {
         /// R/S: the sphere's radius over that of the start
@@ -79,6 +96,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         Formula::Fresnel { eta, drawing } => (fresnel_chart(eta), drawing),
         Formula::Snell { eta, drawing } => (snell_chart(eta), drawing),
         Formula::Beer { c, distance, drawing } => (beer_chart(c, *distance), drawing),
+        Formula::Noise { octaves, length, seed, wrap: Some(times), drawing } => {
+            (wrapped_chart(*octaves, *length, *seed, *times), drawing)
+        }
+        Formula::Noise { octaves, length, seed, wrap: None, drawing } => {
+            (noise_chart(*octaves, *length, *seed), drawing)
+        }
         Formula::Spiral { ratio, drawing } => (spiral_chart(*ratio), drawing),
         Formula::Spirals { psi, ratio, drawing } => {
             let names: Vec<String> = psi.iter().map(|psi| format!("{psi}° to the circle")).collect();
@@ -92,6 +115,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 
 fn positive(text: &str) -> Result<f64, String> {
     number(text, |n| n > 0.0 && n <= 1e6).ok_or_else(|| format!("`{text}` is not a number above 0, at most 1e6"))
+}
+
+fn cells(text: &str) -> Result<f64, String> {
+    number(text, |n| n > 0.0 && n <= 1000.0).ok_or_else(|| format!("`{text}` is not a number above 0, at most 1000"))
 }
 
 fn part(text: &str) -> Result<f64, String> {

@@ -136,10 +136,12 @@ fn mistakes_in_a_diagram_exit_with_2() {
 #[test]
 fn formulas_are_drawn_without_a_scene() {
     let folder = Folder::new();
-    let charts: [(&str, &[&str]); 5] = [
+    let charts: [(&str, &[&str]); 7] = [
         ("fresnel --eta 1.4", &["reflected, η = 1.4", "transmitted, η = 1.4", "angle of incidence (degrees)"]),
         ("snell", &["η = 1.33", "angle of refraction (degrees)"]),
         ("beer --c 0.9,0.5 --distance 8", &["c = 0.9", "c = 0.5", "distance d in the medium"]),
+        ("noise --octaves 3 --length 5 --seed 2", &["octave 1", "octave 3", "sum", "cells of the first octave"]),
+        ("noise --wrap 5", &["from 0 to 1", "wrapped 5 times"]),
         ("spiral", &["I and II: outwards", "III and IV: inwards"]),
         ("spirals --psi 5.73,90", &["5.73° to the circle", "90° to the circle", "medium"]),
     ];
@@ -158,6 +160,8 @@ fn formulas_are_drawn_without_a_scene() {
         ("fresnel", "--output <FILE>"),
         ("fresnel --eta 0", "`0` is not a number above 0"),
         ("beer --c 1.5", "`1.5` is not a number above 0, at most 1"),
+        ("noise --octaves 9", "1..=8"),
+        ("noise --length 0", "`0` is not a number above 0, at most 1000"),
         ("spiral --ratio 1", "`1` is not a number above 1"),
         ("spirals --psi 0.01", "`0.01` is not an angle"),
         ("spirals --psi -90", "`-90` is not an angle"),

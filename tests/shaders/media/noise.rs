@@ -111,6 +111,17 @@ fn textured() {
     case.check();
 }
 
+/// Charts of noise have an implementation of their own, along one axis of the lattice.
+#[test]
+fn charts_show_the_same_noise() {
+    for i in -40..40 {
+        let x = 0.37 * f64::from(i);
+        let expected: f64 = (0..4).map(|j| 0.5_f64.powi(j) * octave(DVec3::X * x * 2.0_f64.powi(j), None)).sum();
+        let found = bentray::chart::noise_sum(x, 4, SEED);
+        assert!((found - expected).abs() < 1e-13, "{x}: {found} for {expected}");
+    }
+}
+
 /// Its points are reached, whatever the axis, and the sum is no more than it may be.
 #[test]
 fn noise_overshoots_by_no_more_than_is_reckoned_with() {
