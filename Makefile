@@ -1,4 +1,4 @@
-# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller and scenes/paths. `make test`: every check.
+# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes. `make test`: every check.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -18,7 +18,7 @@ render: device
 gallery: device
 	cargo build --release
 	bin="$$PWD/target/release/bentray"; root="$$PWD"; \
-	for pages in thesis groller paths; do \
+	for pages in thesis groller paths spacetimes; do \
 	    out="$$root/out/$$pages"; mkdir -p "$$out"; cd "$$root/scenes/$$pages"; \
 	    sed -n 's/^    bentray //p' README.md | while IFS= read -r line; do \
 	        echo "bentray $$line"; \

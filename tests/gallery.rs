@@ -91,3 +91,8 @@ fn figures_of_the_thesis() {
 fn images_of_1995() {
     figures_are_as_they_were_looked_at("groller", 14);
 }
+
+#[test]
+fn spacetimes() {
+    figures_are_as_they_were_looked_at("spacetimes", 7);
+}

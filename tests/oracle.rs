@@ -9,13 +9,13 @@ use glam::DVec3;
 
 use crate::support::{gpu, scene};
 
-fn vector(text: &str) -> DVec3 {
+pub fn vector(text: &str) -> DVec3 {
     let numbers: Vec<f64> = text.split(' ').map(|word| word.parse().unwrap()).collect();
     DVec3::new(numbers[0], numbers[1], numbers[2])
 }
 
 /// Rows of a table, grouped by the scene that they are traced in: each distinct one costs a compilation.
-fn traced<'t>(
+pub fn traced<'t>(
     gpu: &Gpu,
     rows: &[Vec<&'t str>],
     scene_of: impl Fn(&[&'t str]) -> String,
@@ -42,7 +42,7 @@ fn traced<'t>(
     ends.into_iter().map(Option::unwrap).collect()
 }
 
-fn rows(table: &str) -> Vec<Vec<&str>> {
+pub fn rows(table: &str) -> Vec<Vec<&str>> {
     table.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect()).collect()
 }
 

@@ -33,6 +33,7 @@ mod sampling;
 mod schedules;
 mod shaders;
 mod sky_light;
+mod spacetimes;
 mod structure;
 mod tree;
 mod written_media;

@@ -10,6 +10,7 @@ use super::ray_tree::{RayNode, object_tree, ray_tree};
 use super::records::{pack, pack_shared};
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
+use crate::model::camera::observer;
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, constant};
@@ -23,7 +24,9 @@ impl Source<'_> {
         let control = Binding::one("control", scene.rays.control.values());
         let laws = scene.law.values().into_iter().chain(scene.rays.method.values());
         let captures = Binding::list("capture_spheres", self.captures());
-        laws.chain(camera).chain([control, captures]).chain(self.solids()).collect()
+        let observer = scene.camera.as_ref().and_then(|camera| observer(&*scene.law, camera));
+        let observer = observer.map(|row| Binding::one("observer", row));
+        laws.chain(camera).chain(observer).chain([control, captures]).chain(self.solids()).collect()
     }
 
     /// The lists of solids: those on which rays end, those with two sides, and all of them.

@@ -26,10 +26,10 @@ pub mod shape;
 pub mod source;
 mod value;
 
-pub use camera::{Camera, CameraFrame, Projection, Stereo, StereoLayout};
+pub use camera::{Camera, Projection, Stereo, StereoLayout};
 pub use control::Control;
 pub use filter::Filter;
-pub use law::{Invariant, Landmark, Law, Orbit, Order};
+pub use law::{CameraFrame, Invariant, Landmark, Law, Orbit, Order};
 pub use material::{Material, Pattern, Surface};
 pub use medium::{Gloss, Interior, Medium};
 pub use method::Method;

@@ -154,7 +154,7 @@ fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usi
 
 /// The way to a place from what a force comes from.
 pub(super) fn anchors(kinds: &[&source::Kind]) -> Unit {
-    let code = |kind: &source::Kind| source::SOURCES.iter().position(|other| *other == kind).unwrap_or(0);
+    let code = |kind: &source::Kind| source::ANCHORS.iter().position(|other| *other == kind).unwrap_or(0);
     let calls: Vec<_> =
         kinds.iter().map(|kind| (format!("{}u", code(kind)), format!("offset_{}(d, along)", kind.name))).collect();
     let signature = "fn anchor_offset(kind: u32, d: Real3, along: Real3) -> Real3";

@@ -2,7 +2,7 @@
 
 use super::names::Names;
 use super::{Choice, Purpose, generated};
-use crate::model::{CameraFrame, Pattern, Projection, Stereo, StereoLayout};
+use crate::model::{Pattern, Projection, Stereo, StereoLayout};
 use crate::scene::{Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
@@ -26,10 +26,8 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     // A scene that is only traced is checked as with any camera.
     let camera = scene.camera.as_ref();
     names.add(camera.map_or("camera/pinhole", |camera| camera.projection.part()));
-    names.add(match camera.map(|camera| camera.frame) {
-        Some(CameraFrame::Static) => "camera/frame_static",
-        Some(CameraFrame::Coordinate) | None => "camera/frame_coordinate",
-    });
+    let frame = camera.and_then(|camera| scene.law.frame_part(camera.frame));
+    names.add(frame.unwrap_or("camera/frame_coordinate"));
     match camera.and_then(|camera| Some((&*camera.projection, camera.stereo?))) {
         Some((projection, stereo)) => stereo_parts(projection, stereo, names),
         None => names.add("camera/view/one"),

@@ -9,7 +9,7 @@ use super::structure::solids;
 use super::unit::Parts;
 use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, generated, short_lists};
 use crate::model::method::Path;
-use crate::model::source::SOURCES;
+use crate::model::source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment, Shadows};
 
 /// Steps of a chord up to which they are written out.
@@ -184,7 +184,7 @@ fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     names.add(if captures.is_empty() { "law/capture_none" } else { "law/capture_spheres" });
     let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.anchors());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
-    let kinds: Vec<_> = SOURCES.into_iter().filter(|kind| anchors.contains(kind)).collect();
+    let kinds: Vec<_> = ANCHORS.into_iter().filter(|kind| anchors.contains(kind)).collect();
     names.wgsl(kinds.iter().map(|kind| kind.part()))?;
     if !kinds.is_empty() {
         names.make(generated::anchors(&kinds));

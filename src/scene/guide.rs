@@ -25,7 +25,7 @@ impl Scene {
     /// The light that guides paths: the eight brightest beams, and none where cones about lamps lead to all light.
     #[must_use]
     pub fn beams(&self) -> Vec<Beam> {
-        if !self.rays.paths.is_some_and(|paths| paths.guide) {
+        if !self.rays.paths.is_some_and(|paths| paths.guide) || self.law.refuses_sent_light().is_some() {
             return Vec::new();
         }
         let lamps = self.lamps();

@@ -4,6 +4,7 @@
 //! and a line of that table.
 
 mod fisheye;
+mod observer;
 mod panorama;
 mod pinhole;
 mod plane;
@@ -15,11 +16,12 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::same::same;
-use super::{Binding, Row, Same, row};
+use super::{Binding, CameraFrame, Row, Same, row};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
 pub use fisheye::{Corners, Fisheye};
+pub use observer::observer;
 pub use panorama::Panorama;
 pub use pinhole::Pinhole;
 pub use plane::Plane;
@@ -91,15 +93,6 @@ pub struct Camera {
     pub frame: CameraFrame,
     /// Two eyes, if the picture is a pair of views.
     pub stereo: Option<Stereo>,
-}
-
-/// Whose unit directions the camera's are, under laws for which that differs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CameraFrame {
-    /// Directions are coordinate directions (W04 §5.4).
-    Coordinate,
-    /// Directions are those that an observer at rest measures.
-    Static,
 }
 
 /// `camera.stereo`: two eyes, one to the left and one to the right of the position, along the camera's `right`.

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::{Camera, CameraFrame, KINDS, Stereo, StereoLayout};
+use super::{Camera, KINDS, Stereo, StereoLayout};
 use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive, vector, word};
-use crate::model::{Law, Order};
+use crate::model::{CameraFrame, Law, Order};
 
 /// None if there is no camera, or one that cannot be used. `size` is the picture's.
 pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) -> Option<Camera> {
@@ -14,14 +14,16 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let position = table.required("position", "[0, 2, 15]", vector);
     let look_at = table.or("look_at", DVec3::ZERO, vector);
     let up = table.or("up", DVec3::Y, direction);
-    let frames = &[("coordinate", CameraFrame::Coordinate), ("static", CameraFrame::Static)];
-    let frame = table.or("frame", CameraFrame::Coordinate, word(frames));
-    if frame == CameraFrame::Static && law.is_some_and(|law| !law.has_static_frame()) {
-        table.fault(
-            &["frame"],
-            "the static frame needs law.kind = \"schwarzschild\"",
-            "leave `frame` out: under other laws both frames are the same",
-        );
+    let frame = table.or("frame", CameraFrame::Coordinate, word(&CameraFrame::WORDS));
+    if frame != CameraFrame::Coordinate && law.is_some_and(|law| law.frame_part(frame).is_none()) {
+        let (problem, help) = match frame {
+            CameraFrame::Static => (
+                "the static frame needs law.kind = \"schwarzschild\" or \"kerr-newman\"",
+                "leave `frame` out: under other laws both frames are the same",
+            ),
+            _ => ("such an observer needs law.kind = \"kerr-newman\"", "leave `frame` out"),
+        };
+        table.fault(&["frame"], problem, help);
     }
     let stereo = stereo(&table, size);
     let camera = position.and_then(|position| {
@@ -74,10 +76,16 @@ fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Opti
 }
 
 fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
+    let is_one = camera.projection.is_from_a_point() && camera.stereo.is_none();
+    if !is_one && law.observer(camera.frame, camera.position).is_some() {
+        let help = "leave `frame` out, or use a camera of one eye";
+        table.fault(&["frame"], "an observer is at one place, and rays start at more", help);
+    }
     let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
     // A plane's rays start all over it: those at such a place are captured, and the others are not.
     let eyes = if camera.projection.is_from_a_point() { camera.eyes() } else { Vec::new() };
-    if let Some([problem, help]) = eyes.into_iter().find_map(|eye| law.refuses_eye(eye)) {
+    let refused = |eye: &DVec3| law.refuses_eye(*eye).or_else(|| law.observer(camera.frame, *eye)?.err());
+    if let Some([problem, help]) = eyes.iter().find_map(refused) {
         table.fault(&["position"], format!("{who} {problem}"), help);
     }
     if let Some(why) = law.ignores_direction().filter(|_| camera.projection.is_from_a_point()) {

@@ -8,8 +8,10 @@
 //! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
 mod flow;
+mod kerr_newman;
 mod lorenz;
 mod medium;
+mod observer;
 pub mod own;
 mod parametric;
 mod rossler;
@@ -22,7 +24,7 @@ mod tests;
 use std::fmt;
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::same::same;
 use super::{Anchor, Binding, Capture, ClosedForm, Filter, Loops, Medium, Same, Wgsl, filter};
@@ -31,8 +33,10 @@ use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
 pub use flow::FlowOrder;
+pub use kerr_newman::{KerrNewman, KerrSchild};
 pub use lorenz::Lorenz;
 pub use medium::{InMedium, SOLVED_PARTS};
+pub use observer::CameraFrame;
 pub use own::{Depends, OwnLaw};
 pub use parametric::Parametric;
 pub use rossler::Rossler;
@@ -53,6 +57,7 @@ pub static KINDS: Kinds<Read> = Kinds {
     all: &[
         &straight::KIND,
         &schwarzschild::KIND,
+        &kerr_newman::KIND,
         &sources::KIND,
         &lorenz::KIND,
         &rossler::KIND,
@@ -153,6 +158,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         (self.order() == Order::Flow).then_some("all rays from there follow the same orbit")
     }
 
+    /// Why light cannot be followed from where it shines, if it cannot.
+    fn refuses_sent_light(&self) -> Option<&'static str> {
+        self.ignores_direction()
+    }
+
     /// Has it the camera's axes?
     fn is_of_camera(&self) -> bool {
         false
@@ -169,9 +179,23 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         false
     }
 
-    /// Has an observer at rest directions of their own?
-    fn has_static_frame(&self) -> bool {
-        false
+    /// The part that knows the directions of an observer, if they are not the coordinates'; none under laws that know no such observer.
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        let _ = frame;
+        None
+    }
+
+    /// The metric of spacetime at a place, if the law is that of one: of vectors of the place's components, then the time's.
+    fn metric(&self, x: DVec3) -> Option<DMat4> {
+        let _ = x;
+        None
+    }
+
+    /// The four-velocity of an observer there, under laws that have a metric; or why there can be none, as what follows the camera's
+    /// name in the message, and what to do.
+    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        let _ = (frame, at);
+        None
     }
 
     /// Why no eye can be at a place: what follows the eye's name in the message, and what to do.

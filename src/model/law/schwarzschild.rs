@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Invariant, Kind, Landmark, Law, Orbit, Order};
+use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, Order};
 use crate::document::keys;
 use crate::document::values::{positive, vector, word};
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
@@ -99,8 +99,8 @@ impl Law for Schwarzschild {
         vec![Landmark { name: "horizon", center: self.center, radius: 2.0 * self.mass, captures: true }]
     }
 
-    fn has_static_frame(&self) -> bool {
-        true
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        (frame == CameraFrame::Static).then_some("camera/frame_static")
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {

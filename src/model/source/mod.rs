@@ -8,6 +8,7 @@
 
 mod center;
 mod line;
+pub mod spheroid;
 
 use glam::DVec3;
 
@@ -19,6 +20,9 @@ use crate::document::{Key, KeyReference, kind_rows};
 
 /// Every kind of source; the first is that of a source that names none.
 pub const SOURCES: [&Kind; 2] = [&center::KIND, &line::KIND];
+
+/// Every kind of anchor: those of sources, and what captures besides.
+pub const ANCHORS: [&Kind; 3] = [SOURCES[0], SOURCES[1], &spheroid::KIND];
 
 /// What is known of a kind of source.
 pub struct Kind {
@@ -83,7 +87,7 @@ impl Anchor {
     /// The number that WGSL knows its kind by.
     #[must_use]
     pub fn code(&self) -> u32 {
-        SOURCES.iter().position(|kind| *kind == self.kind).unwrap_or(0) as u32
+        ANCHORS.iter().position(|kind| *kind == self.kind).unwrap_or(0) as u32
     }
 }
 

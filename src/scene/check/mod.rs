@@ -189,7 +189,7 @@ fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
 
 /// Under some laws no light can be sent anywhere.
 fn check_aimed(table: &TableReader, optics: &Optics) {
-    if let Some(why) = optics.law.and_then(Law::ignores_direction) {
+    if let Some(why) = optics.law.and_then(Law::refuses_sent_light) {
         let help = "use shadows = \"straight\"";
         table.fault(&["shadows"], format!("light cannot be aimed under this law: {why}"), help);
     }

@@ -1,0 +1,81 @@
+// Light round a hole with a spin and a charge (Kerr and Newman), in Cartesian ingoing Kerr-Schild coordinates: g = η + f l l, l_t = 1 and
+// |l| = 1, regular on the axis and at the horizon. Rays go into the past, by τ = t_camera − t, and v = dx/dτ: light is null where
+// |v|² = 1 − f W², with W = 1 − l·v.
+//
+// The congruence l has no shear: ∂ᵢlⱼ is its expansion θ and its twist ω about l, and θ + iω = 1/(r + ia cos θ). With that the geodesic
+// equation needs no Christoffel symbol:
+//     dv/dτ = ½W² ∇f + Ḟ (l − v) − 2ωF l × v,   F = f W,   Ḟ = W v·∇f − f (½W² l·∇f + θ (|v|² − (l·v)²))
+
+struct Law {
+    center: Real3,
+    mass: Real,
+    // a, along the axis.
+    spin: Real3,
+    // Q².
+    charge_squared: Real,
+}
+
+@group(0) @binding(67) var<uniform> law: Law;
+
+// Of a place.
+struct KerrSchild {
+    l: Real3,
+    f: Real,
+    // ∇f.
+    slope: Real3,
+    expansion: Real,
+    twist: Real,
+}
+
+// The squared sum and difference of which r² and a² cos²θ are made: d = ½(r² + a² cos²θ), and a·x.
+fn spheroid_of(x: Real3) -> Real3 {
+    let k = 0.5 * (dot(x, x) - dot(law.spin, law.spin));
+    let along = dot(law.spin, x);
+    let d = sqrt(k * k + along * along);
+    // Without a difference of equals near the ring.
+    let r2 = select(along * along / (d - k), k + d, k > 0.0);
+    return Real3(sqrt(max(r2, 1e-30)), d, along);
+}
+
+fn kerr_schild(x: Real3) -> KerrSchild {
+    let spheroid = spheroid_of(x);
+    let r = spheroid.x;
+    let d = spheroid.y;
+    let a_cos = spheroid.z / r;
+    let k = d - a_cos * a_cos;
+    // Where r grows, times 2d.
+    let outwards = r * x + a_cos * law.spin;
+    let f = (law.mass * r - 0.5 * law.charge_squared) / d;
+    let slope = (0.5 * law.mass * outwards - f * (k * x + spheroid.z * law.spin)) / (d * d);
+    let l = (outwards + cross(x, law.spin)) / (r * r + dot(law.spin, law.spin));
+    return KerrSchild(l, f, slope, 0.5 * r / d, 0.5 * a_cos / d);
+}
+
+fn law_pull(at: Real3, v: Real3) -> Real3 {
+    let g = kerr_schild(at - law.center);
+    let along = dot(g.l, v);
+    let w = 1.0 - along;
+    let half = 0.5 * w * w;
+    let rate = w * dot(v, g.slope) - g.f * (half * dot(g.l, g.slope) + g.expansion * (dot(v, v) - along * along));
+    return half * g.slope + rate * (g.l - v) - (2.0 * g.twist * g.f * w) * cross(g.l, v);
+}
+
+// As fast as light: κ of v/κ from (1−f)κ² + 2f(l·v)κ = f(l·v)² + |v|². Inside the ergosphere light goes some ways at two speeds, of
+// which it is the one that v is nearer to, and others not at all: then v is not finite, and the ray fails.
+fn law_start(x: Real3, v: Real3) -> Phase {
+    let g = kerr_schild(x - law.center);
+    let along = dot(g.l, v);
+    let b = g.f * along;
+    let c = b * along + dot(v, v);
+    let root = sqrt(b * b + (1.0 - g.f) * c);
+    let faster = c / (b + root);
+    let slower = c / (b - root);
+    let slow = g.f > 1.0 && abs(slower - 1.0) < abs(faster - 1.0);
+    let kappa = select(faster, slower, slow);
+    return Phase(x, v / select(0.0, kappa, kappa > 0.0));
+}
+
+// The tau over which the law changes: r, as light has speed 1 far away. Where it nears the horizon it slows down, but what pulls it does not.
+fn law_scale(p: Phase) -> Real {
+    return spheroid_of(p[0] - law.center).x;
+}

@@ -1,0 +1,42 @@
+//! What an observer in curved spacetime, who rests, falls or goes round, sees as forward, up and right.
+//!
+//! *Theory.* An observer of four-velocity u has three unit vectors at right angles to it and to each other. A direction d of theirs is
+//! seen along the past-directed light K = −u + `d_r` `e_r` + `d_u` `e_u` + `d_f` `e_f`, so that aberration is in it.
+//!
+//! *Practice.* All of it is found once, on the host in 64 bits; what the shader gets is linear in d, for any metric and any observer.
+//! Four-vectors have the place's three components first, and then the time's.
+
+use glam::{DMat4, DVec3, DVec4};
+
+use super::Camera;
+use crate::model::{Law, Row, row};
+
+/// The camera's right, up and forward to an observer, made of the scene's in the order forward, up, right.
+fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
+    let product = |a: DVec4, b: DVec4| a.dot(*metric * b);
+    let mut found: Vec<DVec4> = Vec::new();
+    for axis in [camera.forward, camera.up, camera.right] {
+        let mut e = axis.extend(0.0);
+        e += product(u, e) * u;
+        for &other in &found {
+            e -= product(other, e) * other;
+        }
+        found.push(e / product(e, e).sqrt());
+    }
+    [found[2], found[1], found[0]]
+}
+
+/// What the shader is fed; none if directions are the coordinates'.
+pub fn observer(law: &dyn Law, camera: &Camera) -> Option<Row> {
+    let u = law.observer(camera.frame, camera.position)?.ok()?;
+    let metric = law.metric(camera.position)?;
+    let [right, up, forward] = tetrad(&metric, u, camera);
+    let along =
+        |axis: DVec3| right * camera.right.dot(axis) + up * camera.up.dot(axis) + forward * camera.forward.dot(axis);
+    Some(row! {
+        x: Vec4(along(DVec3::X)),
+        y: Vec4(along(DVec3::Y)),
+        z: Vec4(along(DVec3::Z)),
+        rest: Vec4(-u),
+    })
+}

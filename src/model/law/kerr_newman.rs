@@ -1,0 +1,279 @@
+//! A black hole with spin and charge (Kerr and Newman), in Cartesian ingoing Kerr–Schild coordinates.
+//!
+//! *Theory.* g = η + f l l with a null vector l, f = (2Mr − Q²)/(r² + a² cos²θ). The congruence of l is free of shear, so that ∂ᵢlⱼ is
+//! known from two numbers of a place, its expansion and its twist, and the geodesic equation is a handful of vector operations: the
+//! shader has it. Rays go into the past by τ = `t_camera` − t, and v = dx/dτ.
+//!
+//! *Practice.* Place and velocity are the state, as under any other law, in place of place and momentum: six numbers too, and v is
+//! what arcs, surfaces and traces want. The null condition is then not built in, but kept, and shows how exact a path is.
+
+use std::sync::Arc;
+
+use glam::{DMat4, DVec3, DVec4};
+
+use super::observer::{normal, normalised};
+use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order};
+use crate::document::keys;
+use crate::document::values::{direction, number, positive, vector};
+use crate::model::source::spheroid;
+use crate::model::{Anchor, Binding, Capture, Wgsl, row};
+
+/// Of M: how near rays come to a horizon that they would reach after infinite time; and to the ring of a hole without a horizon.
+const NEAR: f64 = 0.01;
+
+pub static KIND: Kind = Kind {
+    name: "kerr-newman",
+    keys: keys! {
+        mass: "number above 0" = "1", "M, scene units (G = c = 1)";
+        spin: "number" = "0", "a, the angular momentum over M, scene units: up to M for a hole with a horizon; the other way round below 0";
+        charge: "number" = "0", "Q, scene units: a² + Q² up to M² for a hole with a horizon";
+        axis: "[x, y, z]" = "[0, 0, 1]", "what the hole spins about, anticlockwise seen from its tip";
+        center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
+    },
+    read: |table, _| {
+        let spin = table.or("spin", 0.0, number);
+        Some(Arc::new(KerrNewman {
+            mass: table.or("mass", 1.0, positive),
+            spin: spin.abs(),
+            axis: table.or("axis", DVec3::Z, direction) * if spin < 0.0 { -1.0 } else { 1.0 },
+            charge: table.or("charge", 0.0, number),
+            center: table.or("center", DVec3::ZERO, vector),
+        }))
+    },
+};
+
+/// A black hole with spin and charge; or, with too much of them, the ring of a singularity without a horizon.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KerrNewman {
+    /// M, scene units (G = c = 1).
+    pub mass: f64,
+    /// The spin a, scene units.
+    pub spin: f64,
+    /// The unit vector that it spins about, anticlockwise seen from its tip.
+    pub axis: DVec3,
+    /// Q, scene units.
+    pub charge: f64,
+    /// The hole's place.
+    pub center: DVec3,
+}
+
+/// The metric at a place: g = η + f l l, `l_t` = 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct KerrSchild {
+    /// Kerr's r.
+    pub r: f64,
+    /// The unit vector l.
+    pub l: DVec3,
+    /// How far it is from flat: 1 on the edge of the ergosphere.
+    pub f: f64,
+}
+
+impl KerrNewman {
+    /// What the metric is made of at x.
+    #[must_use]
+    pub fn at(&self, x: DVec3) -> KerrSchild {
+        let (d, a) = (x - self.center, self.spin * self.axis);
+        let (r, outwards) = spheroid::of(d, a);
+        let sigma = r * r + (a.dot(d) / r).powi(2);
+        KerrSchild {
+            r,
+            l: (outwards + d.cross(a)) / (r * r + a.length_squared()),
+            f: (2.0 * self.mass * r - self.charge * self.charge) / sigma,
+        }
+    }
+
+    /// r of the outer horizon, if there is one.
+    #[must_use]
+    pub fn horizon(&self) -> Option<f64> {
+        let left = self.mass * self.mass - self.spin * self.spin - self.charge * self.charge;
+        (left >= 0.0).then(|| self.mass + left.sqrt())
+    }
+
+    /// r of the circular orbit of light that goes round with the hole: what moves inwards below it never comes back.
+    #[must_use]
+    pub fn photon_orbit(&self) -> Option<f64> {
+        self.circular_light(1.0)
+    }
+
+    /// r of the circular orbit of light that goes round with the spin (1) or against it (−1).
+    fn circular_light(&self, sense: f64) -> Option<f64> {
+        let (m, q2, a) = (self.mass, self.charge * self.charge, sense * self.spin);
+        let beyond = |r: f64| r * r - 3.0 * m * r + 2.0 * q2 + 2.0 * a * (m * r - q2).max(0.0).sqrt();
+        let mut low = self.horizon()?;
+        let mut high = 4.0 * m;
+        for _ in 0..100 {
+            let middle = low.midpoint(high);
+            *(if beyond(middle) > 0.0 { &mut high } else { &mut low }) = middle;
+        }
+        Some(low)
+    }
+
+    /// dφ/dt of the circular orbit through a place of the equator, with the spin or against it; none elsewhere.
+    fn orbiting(&self, at: DVec3, sense: f64) -> Option<f64> {
+        let (d, r) = (at - self.center, self.at(at).r);
+        let speed = (self.mass * r - self.charge * self.charge).sqrt();
+        let is_equatorial = d.dot(self.axis).abs() <= 1e-6 * r;
+        (is_equatorial && speed > 0.0).then(|| sense * speed / (r * r + sense * self.spin * speed))
+    }
+
+    /// Of what has fallen from rest at infinity without angular momentum.
+    fn falling(&self, at: DVec3) -> DVec4 {
+        let (KerrSchild { r, l, .. }, d, a) = (self.at(at), at - self.center, self.spin);
+        let cos2 = (d.dot(self.axis) / r).powi(2);
+        let (s, n) = (r * r + a * a, (2.0 * self.mass * r - self.charge * self.charge).max(0.0));
+        let sigma = r * r + a * a * cos2;
+        let (root, pull) = (s.sqrt(), n.sqrt());
+        let inwards = root * pull;
+        let turning = a * pull / (root + pull);
+        let time = root * (s + inwards + n) / (root + pull) - a * a * (1.0 - cos2);
+        let velocity = -inwards * l - turning * self.axis.cross(d);
+        velocity.extend(time) / sigma
+    }
+
+    fn says_static(&self) -> [String; 2] {
+        let edge = self.mass + (self.mass * self.mass - self.charge * self.charge).max(0.0).sqrt();
+        let problem = "is inside the ergosphere, where nothing is at rest".to_owned();
+        [problem, format!("use frame = \"zamo\", or move it away: beyond r = {edge:.4} nothing is inside")]
+    }
+
+    fn says_orbiting(&self, sense: f64) -> [String; 2] {
+        let orbit = self.circular_light(sense).map_or(String::new(), |r| format!(", beyond r = {r:.4}"));
+        let problem = "is on no circular orbit".to_owned();
+        [problem, format!("those are in the plane through the hole across its axis{orbit}")]
+    }
+}
+
+fn says_inside() -> [String; 2] {
+    ["is where nothing can stay".to_owned(), "move it away from the hole".to_owned()]
+}
+
+impl Law for KerrNewman {
+    fn parts(&self) -> Vec<Wgsl> {
+        Wgsl::parts(&["law/by_velocity", "law/projected_as_is", "law/kerr_newman"])
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        let row = row! {
+            center: Vec3(self.center),
+            mass: Float(self.mass),
+            spin: Vec3(self.spin * self.axis),
+            charge_squared: Float(self.charge * self.charge),
+        };
+        vec![Binding::one("law", row)]
+    }
+
+    fn order(&self) -> Order {
+        Order::General
+    }
+
+    /// At the orbit of light that is nearest to the hole, or where something lies further in just outside the horizon.
+    fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        let near = NEAR * self.mass;
+        let radius = match (self.horizon(), self.photon_orbit()) {
+            (Some(horizon), Some(orbit)) => {
+                let outermost = orbit.hypot(self.spin);
+                let is_clear = clearance.is_some_and(|clearance| clearance(self.center) > outermost);
+                if is_clear { orbit.max(horizon + near) } else { horizon + near }
+            }
+            _ => near,
+        };
+        vec![Capture {
+            anchor: Anchor { kind: &spheroid::KIND, position: self.center, along: self.spin * self.axis },
+            radius,
+        }]
+    }
+
+    /// The null condition; L/E along the axis; and Carter's constant over E², regular on the axis. All but the first of rays that
+    /// reach infinity, whose energy E is above 0.
+    #[allow(clippy::many_single_char_names)] // the formulas' own letters
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let KerrSchild { r, l, f } = self.at(x);
+        let d = x - self.center;
+        let w = 1.0 - l.dot(v);
+        let null = Invariant { name: "|v|² + f W²", value: v.length_squared() + f * w * w, size: 1.0 };
+        let energy = 1.0 - f * w;
+        if energy <= 0.0 {
+            return vec![null];
+        }
+        let p = (v - f * w * l) / energy;
+        let axis = self.axis;
+        let (height, lift) = (d.dot(axis), p.dot(axis));
+        let (aside, along) = (d - height * axis, p - lift * axis);
+        let (a2, cos2) = (self.spin * self.spin, (height / r).powi(2));
+        let carter = cos2 * ((r * r + a2) * along.length_squared() - a2) - 2.0 * height * aside.dot(along) * lift
+            + r * r * (1.0 - cos2) * lift * lift;
+        let momentum = -axis.dot(d.cross(p));
+        let size = d.length() * p.length();
+        vec![
+            null,
+            Invariant { name: "angular momentum / energy", value: momentum, size },
+            Invariant { name: "Carter's constant / energy²", value: carter, size: size * size },
+        ]
+    }
+
+    /// The horizon's circle in the plane across the axis: the spheroid is flatter.
+    fn landmarks(&self) -> Vec<Landmark> {
+        let horizon =
+            |r: f64| Landmark { name: "horizon", center: self.center, radius: r.hypot(self.spin), captures: true };
+        self.horizon().map(horizon).into_iter().collect()
+    }
+
+    /// Along v as fast as light: as the shader's `law_start`.
+    fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
+        let KerrSchild { l, f, .. } = self.at(x);
+        let along = l.dot(v);
+        let (b, c) = (f * along, f * along * along + v.length_squared());
+        let root = (b * b + (1.0 - f) * c).sqrt();
+        let (faster, slower) = (c / (b + root), c / (b - root));
+        let is_slow = f > 1.0 && (slower - 1.0).abs() < (faster - 1.0).abs();
+        let kappa = if is_slow { slower } else { faster };
+        v / if kappa > 0.0 { kappa } else { 0.0 }
+    }
+
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        (frame != CameraFrame::Coordinate).then_some("camera/frame_observer")
+    }
+
+    fn metric(&self, x: DVec3) -> Option<DMat4> {
+        let KerrSchild { l, f, .. } = self.at(x);
+        let l = l.extend(1.0);
+        let flat = DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0));
+        Some(flat + f * DMat4::from_cols(l.x * l, l.y * l, l.z * l, l.w * l))
+    }
+
+    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        let metric = self.metric(at)?;
+        let around = self.axis.cross(at - self.center);
+        let way = |turning: f64| normalised(&metric, (turning * around).extend(1.0));
+        let found = match frame {
+            CameraFrame::Coordinate => return None,
+            CameraFrame::Static => way(0.0).ok_or_else(|| self.says_static()),
+            CameraFrame::Normal => normal(&metric).ok_or_else(says_inside),
+            CameraFrame::Zamo => {
+                let around = around.extend(0.0);
+                let (mixed, own) = (around.dot(metric.col(3)), around.dot(metric * around));
+                way(if own > 0.0 { -mixed / own } else { 0.0 }).ok_or_else(says_inside)
+            }
+            CameraFrame::Orbiting => self.orbiting(at, 1.0).and_then(way).ok_or_else(|| self.says_orbiting(1.0)),
+            CameraFrame::CounterOrbiting => {
+                self.orbiting(at, -1.0).and_then(way).ok_or_else(|| self.says_orbiting(-1.0))
+            }
+            CameraFrame::Falling => Ok(self.falling(at)),
+        };
+        Some(found)
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let (r, horizon) = (self.at(at).r, self.horizon()?);
+        let problem = || format!("is inside the horizon: r = {r:.4} ≤ {horizon:.4}");
+        (r <= horizon).then(|| [problem(), "move it away from the hole".to_owned()])
+    }
+
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        interiors.then_some("light has speeds of its own round a spinning hole")
+    }
+
+    fn refuses_sent_light(&self) -> Option<&'static str> {
+        Some("it goes other ways round a spinning hole than what is followed back from the camera")
+    }
+}

@@ -1,0 +1,49 @@
+//! Observers: whose directions a camera's are, and how they move.
+//!
+//! Four-vectors have the place's three components first, and then the time's.
+
+use glam::{DMat4, DVec4};
+
+/// Whose unit directions the camera's are, under laws for which that differs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CameraFrame {
+    /// Directions are coordinate directions (W04 §5.4).
+    Coordinate,
+    /// Those that an observer at rest measures.
+    Static,
+    /// Of one at rest in the slices of equal time.
+    Normal,
+    /// Of one with no angular momentum about the hole's axis.
+    Zamo,
+    /// Of one on a circular orbit round the hole's equator, the way that it spins.
+    Orbiting,
+    /// The other way.
+    CounterOrbiting,
+    /// Of one that has fallen from rest, far away, without angular momentum.
+    Falling,
+}
+
+impl CameraFrame {
+    /// As a scene file has them.
+    pub const WORDS: [(&'static str, Self); 7] = [
+        ("coordinate", Self::Coordinate),
+        ("static", Self::Static),
+        ("normal", Self::Normal),
+        ("zamo", Self::Zamo),
+        ("orbiting", Self::Orbiting),
+        ("counter-orbiting", Self::CounterOrbiting),
+        ("falling", Self::Falling),
+    ];
+}
+
+/// The four-velocity that is along k; none if that is no way of anything slower than light.
+pub(super) fn normalised(metric: &DMat4, k: DVec4) -> Option<DVec4> {
+    let length = -k.dot(*metric * k);
+    (length > 0.0).then(|| k / length.sqrt())
+}
+
+/// At rest in the slices of equal time.
+pub(super) fn normal(metric: &DMat4) -> Option<DVec4> {
+    let inverse = metric.inverse();
+    normalised(metric, -inverse.col(3))
+}
