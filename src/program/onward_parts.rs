@@ -82,9 +82,6 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
         sent_parts(scene, choice, names);
     }
     let mut kinds: Vec<&str> = continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.part())).collect();
-    if scene.splits() {
-        names.add("surface/scatter/transmissive");
-    }
     kinds.extend(scene.glosses().map(Gloss::part));
     if scene.has_lobes() {
         names.add("surface/scatter/lobe");
@@ -97,7 +94,11 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
     }
     kinds.sort_unstable();
     kinds.dedup();
-    names.all(&kinds);
+    // What splits light at any of them.
+    let smooth = scene.splits().then_some("surface/scatter/transmissive");
+    let mut parts: Vec<&str> = kinds.iter().copied().chain(smooth).collect();
+    parts.sort_unstable();
+    names.all(&parts);
     let ends = scene.objects.iter().any(|object| object.interior().is_none() && !scene.continues_from(object));
     names.make(generated::scatter(&kinds, ends));
     names.make(generated::regions(regions));

@@ -95,9 +95,9 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
         names.all(&["surface/occlusion/drawn", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
         names.add("camera/sample/scrambled");
     }
+    line_parts(scene, choice, names);
     let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
     names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
-    line_parts(scene, choice, names);
 }
 
 /// Which lights cast straight shadows, and what lets them through.
