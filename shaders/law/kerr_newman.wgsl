@@ -27,18 +27,8 @@ struct KerrSchild {
     twist: Real,
 }
 
-// The squared sum and difference of which r² and a² cos²θ are made: d = ½(r² + a² cos²θ), and a·x.
-fn spheroid_of(x: Real3) -> Real3 {
-    let k = 0.5 * (dot(x, x) - dot(law.spin, law.spin));
-    let along = dot(law.spin, x);
-    let d = sqrt(k * k + along * along);
-    // Without a difference of equals near the ring.
-    let r2 = select(along * along / (d - k), k + d, k > 0.0);
-    return Real3(sqrt(max(r2, 1e-30)), d, along);
-}
-
 fn kerr_schild(x: Real3) -> KerrSchild {
-    let spheroid = spheroid_of(x);
+    let spheroid = spheroid_of(x, law.spin);
     let r = spheroid.x;
     let d = spheroid.y;
     let a_cos = spheroid.z / r;
@@ -77,5 +67,5 @@ fn law_start(x: Real3, v: Real3) -> Phase {
 
 // The tau over which the law changes: r, as light has speed 1 far away. Where it nears the horizon it slows down, but what pulls it does not.
 fn law_scale(p: Phase) -> Real {
-    return spheroid_of(p[0] - law.center).x;
+    return spheroid_of(p[0] - law.center, law.spin).x;
 }

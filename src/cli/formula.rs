@@ -61,7 +61,7 @@ enum Formula {
         #[arg(long, value_name = "CELLS", default_value_t = 8.0, value_parser = cells)]
         length: f64,
         /// The random numbers' seed
-        #[arg(long, value_name = "N", default_value_t = 1)]
+        #[arg(long, value_name = "N", default_value_t = 0)]
         seed: u32,
         /// Draw the sum from 0 to 1 and wrapped so many times, in place of octaves
         #[arg(long, value_name = "M", value_parser = positive)]

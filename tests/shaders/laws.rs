@@ -205,8 +205,14 @@ fn kerr_newman() {
     let (a, e) = (SPIN.length(), SPIN.normalize());
     let hamilton = Hamilton { e, a };
     let inputs: Vec<_> = phases(14, [2.2 * MASS, 1e4], [0.5, 2.0]);
-    let probe =
-        Probe::new(&["segment/ray", "law/phase_space", "law/by_velocity", "law/projected_as_is", "law/kerr_newman"]);
+    let probe = Probe::new(&[
+        "segment/ray",
+        "law/phase_space",
+        "law/by_velocity",
+        "law/projected_as_is",
+        "law/spheroid",
+        "law/kerr_newman",
+    ]);
     let law = vec![
         ("center", V3(CENTER.as_dvec3())),
         ("mass", Float(MASS)),

@@ -149,7 +149,7 @@ fn says_inside() -> [String; 2] {
 
 impl Law for KerrNewman {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["law/by_velocity", "law/projected_as_is", "law/kerr_newman"])
+        Wgsl::parts(&["law/by_velocity", "law/projected_as_is", "law/spheroid", "law/kerr_newman"])
     }
 
     fn values(&self) -> Vec<Binding> {
