@@ -124,8 +124,11 @@ fn observers_have_the_axes_of_their_four_velocities() {
             (position + forward).to_array(),
             row[3]
         );
-        let scene =
-            scene(&format!("{camera}[law]\n{}\n[rays]\nbound = {{ radius = 60 }}\n", row[1].replace(';', "\n")));
+        let velocity = row.get(10).map_or(String::new(), |v| format!("velocity = {:?}\n", vector(v).to_array()));
+        let scene = scene(&format!(
+            "{camera}{velocity}[law]\n{}\n[rays]\nbound = {{ radius = 60 }}\n",
+            row[1].replace(';', "\n")
+        ));
         let camera = scene.camera.as_ref().unwrap();
         let fed = observer(&*scene.law, camera).unwrap();
         let column = |name: &str| match fed.iter().find(|(member, _)| member == name) {

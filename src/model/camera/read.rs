@@ -3,8 +3,9 @@
 use glam::DVec3;
 
 use super::{Camera, KINDS, Stereo, StereoLayout};
+use crate::document::Node;
 use crate::document::reader::TableReader;
-use crate::document::values::{direction, positive, vector, word};
+use crate::document::values::{Read, direction, positive, vector, word};
 use crate::model::{CameraFrame, Law, Order};
 
 /// None if there is no camera, or one that cannot be used. `size` is the picture's.
@@ -14,7 +15,12 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let position = table.required("position", "[0, 2, 15]", vector);
     let look_at = table.or("look_at", DVec3::ZERO, vector);
     let up = table.or("up", DVec3::Y, direction);
-    let frame = table.or("frame", CameraFrame::Coordinate, word(&CameraFrame::WORDS));
+    let frame = match table.or("frame", CameraFrame::Coordinate, word(&CameraFrame::WORDS)) {
+        CameraFrame::Moving(_) => {
+            CameraFrame::Moving(table.required("velocity", "[0.5, 0, 0]", slower_than_light).unwrap_or_default())
+        }
+        frame => frame,
+    };
     if frame != CameraFrame::Coordinate && law.is_some_and(|law| law.frame_part(frame).is_none()) {
         let (problem, help) = match frame {
             CameraFrame::Static => (
@@ -35,6 +41,11 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     }
     table.finish();
     camera
+}
+
+fn slower_than_light(node: &Node) -> Read<DVec3> {
+    let velocity = vector(node)?;
+    if velocity.length() < 1.0 { Ok(velocity) } else { Err(node.fault("the velocity must be below 1, light's", "")) }
 }
 
 /// None if there is one eye, or two that cannot be used.

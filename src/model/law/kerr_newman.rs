@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{normal, normalised};
+use super::observer::{moving, normal, normalised};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
@@ -249,6 +249,7 @@ impl Law for KerrNewman {
             CameraFrame::Coordinate => return None,
             CameraFrame::Static => way(0.0).ok_or_else(|| self.says_static()),
             CameraFrame::Normal => normal(&metric).ok_or_else(says_inside),
+            CameraFrame::Moving(velocity) => moving(&metric, velocity).ok_or_else(says_inside),
             CameraFrame::Zamo => {
                 let around = around.extend(0.0);
                 let (mixed, own) = (around.dot(metric.col(3)), around.dot(metric * around));

@@ -2,10 +2,10 @@
 //!
 //! Four-vectors have the place's three components first, and then the time's.
 
-use glam::{DMat4, DVec4};
+use glam::{DMat4, DVec3, DVec4};
 
 /// Whose unit directions the camera's are, under laws for which that differs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CameraFrame {
     /// Directions are coordinate directions (W04 §5.4).
     Coordinate,
@@ -21,11 +21,14 @@ pub enum CameraFrame {
     CounterOrbiting,
     /// Of one that has fallen from rest, far away, without angular momentum.
     Falling,
+    /// Of one that moves, to one at rest in the slices of equal time, along this direction of the coordinates and at its length, in
+    /// parts of light's speed.
+    Moving(DVec3),
 }
 
 impl CameraFrame {
     /// As a scene file has them.
-    pub const WORDS: [(&'static str, Self); 7] = [
+    pub const WORDS: [(&'static str, Self); 8] = [
         ("coordinate", Self::Coordinate),
         ("static", Self::Static),
         ("normal", Self::Normal),
@@ -33,6 +36,7 @@ impl CameraFrame {
         ("orbiting", Self::Orbiting),
         ("counter-orbiting", Self::CounterOrbiting),
         ("falling", Self::Falling),
+        ("moving", Self::Moving(DVec3::ZERO)),
     ];
 }
 
@@ -46,4 +50,12 @@ pub(super) fn normalised(metric: &DMat4, k: DVec4) -> Option<DVec4> {
 pub(super) fn normal(metric: &DMat4) -> Option<DVec4> {
     let inverse = metric.inverse();
     normalised(metric, -inverse.col(3))
+}
+
+/// Moving past that one, along `velocity` and as fast as it is long.
+pub(super) fn moving(metric: &DMat4, velocity: DVec3) -> Option<DVec4> {
+    let along = velocity.extend(0.0);
+    let length = along.dot(*metric * along).sqrt();
+    let stretched = if length > 0.0 { velocity.length() / length } else { 0.0 };
+    normalised(metric, normal(metric)? + stretched * along)
 }

@@ -50,8 +50,10 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             position: "[x, y, z]" = "required", "the point, or the centre of the plane; scene units";
             look_at: "[x, y, z]" = "[0, 0, 0]", "the point in the middle of the picture; differs from position";
             up: "[x, y, z]" = "[0, 1, 0]", "what is up in the picture; not parallel to the view";
-            frame: "coordinate | static | normal | zamo | orbiting | counter-orbiting | falling" = "coordinate",
-                "whose directions the camera sees: the coordinates', or those of an observer at rest (schwarzschild and kerr-newman)";
+            frame: "coordinate | static | normal | zamo | orbiting | counter-orbiting | falling | moving" = "coordinate",
+                "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, all under kerr-newman";
+            velocity if r#"frame = "moving""#: "[x, y, z], below 1 long" = "required",
+                "of the observer, in parts of light's speed, past one who is normal";
             stereo: "{ separation, layout, convergence }" = "none",
                 "two views in one picture, of eyes to the left and right of the position";
         }

@@ -32,7 +32,7 @@ const KINDS: &[&str] = &[
      method = \"snell\"\nbound = { radius = 1 }\n",
     "[camera]\nposition = [0, 0, 9]\nframe = \"static\"\n[law]\nkind = \"schwarzschild\"\nmass = 2\n\
      [rays]\nbound = { radius = 20 }\nmethod = \"euler-doubling\"\n",
-    "[law]\nkind = \"kerr-newman\"\nspin = 0.5\n[rays]\nbound = { radius = 20 }\n",
+    "[camera]\nposition = [9, 0, 0]\nframe = \"moving\"\nvelocity = [0, 0.5, 0]\n[law]\nkind = \"kerr-newman\"\nspin = 0.5\n[rays]\nbound = { radius = 20 }\n",
     "[rays]\nbound = { radius = 10 }\n[sky]\nimage = \"sky.png\"\n[materials.a]\ndiffuse = { image = \"sky.png\" }\n\
      [materials.b]\nkind = \"emissive\"\ncolor = { checker = [[1, 1, 1], [0, 0, 0]] }\n[[objects]]\nshape = \"box\"\n\
      material = \"b\"\nmin = [0, 0, 0]\nmax = [1, 2, 3]\n[[objects]]\nshape = \"plane\"\nmaterial = \"a\"\n\
