@@ -74,6 +74,9 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
             linked.parts().join(" ")
         );
     }
+    if let Some(remark) = scene.law.remark() {
+        say!("  {remark}");
+    }
     for light in scene.swallowed_lights() {
         say!("  light {light} (from 0) is inside of what captures rays, and lights nothing");
     }

@@ -48,6 +48,11 @@ fn check_goes_through_all_scenes_before_it_fails() {
         ran.out.lines().filter(|line| line.starts_with("  pass ")).count()
     };
     assert!(passes("--schedule paper --set rays.method=rk4") > passes(""));
+    // A hole that spins too fast for a horizon is allowed, and said.
+    for (spin, said) in [("0.9", false), ("1.1", true)] {
+        let ran = folder.run(&format!("check scene.toml --set law={{kind=\"kerr-newman\",spin={spin}}}")).succeeds();
+        assert_eq!(ran.out.contains("no horizon"), said, "{}", ran.out);
+    }
     let ran = folder.run("check scene.toml --size 800x600 --samples 9").succeeds();
     assert!(ran.out.starts_with("scene.toml: 800×600, samples 9"), "{}", ran.out);
 }

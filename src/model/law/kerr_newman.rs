@@ -190,7 +190,7 @@ impl Law for KerrNewman {
         let KerrSchild { r, l, f } = self.at(x);
         let d = x - self.center;
         let w = 1.0 - l.dot(v);
-        let null = Invariant { name: "|v|² + f W²", value: v.length_squared() + f * w * w, size: 1.0 };
+        let null = Invariant { name: "null condition", value: v.length_squared() + f * w * w, size: 1.0 };
         let energy = 1.0 - f * w;
         if energy <= 0.0 {
             return vec![null];
@@ -206,8 +206,8 @@ impl Law for KerrNewman {
         let size = d.length() * p.length();
         vec![
             null,
-            Invariant { name: "angular momentum / energy", value: momentum, size },
-            Invariant { name: "Carter's constant / energy²", value: carter, size: size * size },
+            Invariant { name: "L / E", value: momentum, size },
+            Invariant { name: "Carter's Q / E²", value: carter, size: size * size },
         ]
     }
 
@@ -216,6 +216,12 @@ impl Law for KerrNewman {
         let horizon =
             |r: f64| Landmark { name: "horizon", center: self.center, radius: r.hypot(self.spin), captures: true };
         self.horizon().map(horizon).into_iter().collect()
+    }
+
+    fn remark(&self) -> Option<String> {
+        let remark =
+            || "the hole has no horizon, for a² + Q² is above M²: the ring of its singularity is naked".to_owned();
+        self.horizon().is_none().then(remark)
     }
 
     /// Along v as fast as light: as the shader's `law_start`.

@@ -204,6 +204,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
+    /// What whoever chose it should know, if it is out of the ordinary.
+    fn remark(&self) -> Option<String> {
+        None
+    }
+
     /// Why rays cannot go on from surfaces: from mirrors, and with `interiors` through what objects are filled with.
     fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
         let _ = interiors;
