@@ -116,18 +116,18 @@ impl KerrNewman {
         (is_equatorial && speed > 0.0).then(|| sense * speed / (r * r + sense * self.spin * speed))
     }
 
-    /// Of what has fallen from rest at infinity without angular momentum.
-    fn falling(&self, at: DVec3) -> DVec4 {
+    /// Of what has fallen from rest at infinity without angular momentum; none where charge has turned that round.
+    fn falling(&self, at: DVec3) -> Option<DVec4> {
         let (KerrSchild { r, l, .. }, d, a) = (self.at(at), at - self.center, self.spin);
         let cos2 = (d.dot(self.axis) / r).powi(2);
-        let (s, n) = (r * r + a * a, (2.0 * self.mass * r - self.charge * self.charge).max(0.0));
+        let (s, n) = (r * r + a * a, 2.0 * self.mass * r - self.charge * self.charge);
         let sigma = r * r + a * a * cos2;
         let (root, pull) = (s.sqrt(), n.sqrt());
         let inwards = root * pull;
         let turning = a * pull / (root + pull);
         let time = root * (s + inwards + n) / (root + pull) - a * a * (1.0 - cos2);
         let velocity = -inwards * l - turning * self.axis.cross(d);
-        velocity.extend(time) / sigma
+        (n >= 0.0).then(|| velocity.extend(time) / sigma)
     }
 
     fn says_static(&self) -> [String; 2] {
@@ -144,7 +144,7 @@ impl KerrNewman {
 }
 
 fn says_inside() -> [String; 2] {
-    ["is where nothing can stay".to_owned(), "move it away from the hole".to_owned()]
+    ["is where there can be no such observer".to_owned(), "move it away from the hole".to_owned()]
 }
 
 impl Law for KerrNewman {
@@ -265,7 +265,7 @@ impl Law for KerrNewman {
             CameraFrame::CounterOrbiting => {
                 self.orbiting(at, -1.0).and_then(way).ok_or_else(|| self.says_orbiting(-1.0))
             }
-            CameraFrame::Falling => Ok(self.falling(at)),
+            CameraFrame::Falling => self.falling(at).ok_or_else(says_inside),
         };
         Some(found)
     }
