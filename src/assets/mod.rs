@@ -11,7 +11,9 @@ mod profile;
 mod transform;
 mod winding;
 
-pub use expression::{Curve, FanRay, Formula, FormulaError, Function, Graph, Id, Interval, Node, Variable};
+pub use expression::{
+    Curve, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement, Node, Spacetime, Variable,
+};
 pub use files::Files;
 pub use grid::{Bare, IndexGrid, Stored, Use};
 pub use mesh::{Mesh, Vertex};

@@ -74,7 +74,7 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
             linked.parts().join(" ")
         );
     }
-    if let Some(remark) = scene.law.remark() {
+    if let Some(remark) = scene.law.remark(scene.rays.bound.center, scene.rays.bound.radius) {
         say!("  {remark}");
     }
     for light in scene.swallowed_lights() {

@@ -181,7 +181,12 @@ fn phase_parts(scene: &Scene, names: &mut Names) {
 
 fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     let captures = scene.captures(None);
-    names.add(if captures.is_empty() { "law/capture_none" } else { "law/capture_spheres" });
+    let by_formula = scene.law.line_element().is_some_and(|element| element.graph().4.is_some());
+    names.add(match captures.is_empty() {
+        _ if by_formula => "law/capture_formula",
+        true => "law/capture_none",
+        false => "law/capture_spheres",
+    });
     let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.anchors());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
     let kinds: Vec<_> = ANCHORS.into_iter().filter(|kind| anchors.contains(kind)).collect();

@@ -98,6 +98,9 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
     if let Some(curve) = scene.law.curve() {
         names.make(formula::curve(&curve.curve));
     }
+    if let Some(element) = scene.law.line_element() {
+        names.make(formula::line_element(element));
+    }
     if in_plane {
         names.add("motion/closed");
         planar_parts(scene, purpose, names);

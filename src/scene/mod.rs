@@ -22,8 +22,8 @@ mod sky_cells;
 mod tests;
 
 pub use crate::assets::{
-    Curve, FanRay, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Interval, Mesh, Node, Picture,
-    Profile, ProfilePoint, Transform, Variable, Vertex,
+    Curve, FanRay, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Interval, LineElement, Mesh, Node,
+    Picture, Profile, ProfilePoint, Transform, Variable, Vertex,
 };
 pub use crate::document::{KeyReference, Mistake, Override, SceneError};
 pub use crate::model::cut::{CORNERS, CutPlane, Outline};

@@ -4,30 +4,54 @@ use super::Function;
 use super::graph::{Graph, Id, Node};
 use super::variable::Variable;
 
+/// What changes.
+#[derive(Debug, Clone, Copy)]
+enum Change {
+    /// One variable alone.
+    Of(Variable),
+    /// x, y, z and t, at these rates.
+    Along([Id; 4]),
+}
+
 impl Graph {
     /// ∂a/∂axis. Where a has a kink, such as |x| at 0, it is that of one side or between the two.
     pub(super) fn derivative(&mut self, a: Id, axis: Variable) -> Id {
+        self.change(a, Change::Of(axis))
+    }
+
+    /// How fast a changes where x, y, z and t do so at these rates.
+    pub(super) fn rate(&mut self, a: Id, rates: [Id; 4]) -> Id {
+        self.change(a, Change::Along(rates))
+    }
+
+    fn change(&mut self, a: Id, change: Change) -> Id {
         // Parts come before what they are part of, so that a single pass upwards has all that it needs.
         let mut known: Vec<Option<Id>> = vec![None; a.index() + 1];
         for id in self.reached(&[a]) {
-            let derivative = self.derivative_of(id, axis, &|part| known[part.index()].unwrap_or(part));
+            let derivative = self.derivative_of(id, change, &|part| known[part.index()].unwrap_or(part));
             known[id.index()] = Some(derivative);
         }
         known[a.index()].unwrap_or(a)
     }
 
     /// With the derivatives of the parts given by `of`.
-    fn derivative_of(&mut self, id: Id, axis: Variable, of: &dyn Fn(Id) -> Id) -> Id {
+    fn derivative_of(&mut self, id: Id, change: Change, of: &dyn Fn(Id) -> Id) -> Id {
         match self.node(id) {
             // Of functions of place only first derivatives are asked for, which have r's direction and are derived no further.
             Node::Number(_) | Node::Direction(_) => self.constant(0.0),
             Node::Choice([a, b, c, d]) => self.choice(a, b, of(c), of(d)),
-            Node::Variable(own) => self.constant(f64::from(u8::from(own == axis))),
+            Node::Variable(own) => self.rate_of(own, change),
             Node::Square => {
-                let (two, place) = (self.constant(2.0), self.make(Node::Variable(axis)));
-                self.product(two, place)
+                let (two, half) = (self.constant(2.0), self.half_of_square(change));
+                self.product(two, half)
             }
-            Node::Distance => self.make(Node::Direction(axis)),
+            Node::Distance => match change {
+                Change::Of(axis) if Variable::PLACE.contains(&axis) => self.make(Node::Direction(axis)),
+                _ => {
+                    let half = self.half_of_square(change);
+                    self.quotient(half, id)
+                }
+            },
             Node::Sum(a, b) => self.sum(of(a), of(b)),
             Node::Difference(a, b) => self.difference(of(a), of(b)),
             Node::Product(a, b) => {
@@ -42,7 +66,7 @@ impl Graph {
                 self.quotient(above, b)
             }
             Node::Negative(a) => self.negative(of(a)),
-            Node::Power(a, k) => self.derivative_of_power(a, k, axis, of),
+            Node::Power(a, k) => self.derivative_of_power(a, k, change, of),
             Node::Call(function, a) => {
                 let zero = self.number(of(a)) == Some(0.0);
                 if zero { of(a) } else { self.derivative_of_call(function, id, a, of(a)) }
@@ -52,15 +76,44 @@ impl Graph {
         }
     }
 
+    /// Of a variable.
+    fn rate_of(&mut self, own: Variable, change: Change) -> Id {
+        match change {
+            Change::Of(axis) => self.constant(f64::from(u8::from(own == axis))),
+            Change::Along([x, y, z, t]) => {
+                let rates = Variable::PLACE.into_iter().chain([Variable::TIME]).zip([x, y, z, t]);
+                let rate = rates.into_iter().find(|(variable, _)| *variable == own);
+                rate.map_or_else(|| self.constant(0.0), |(_, rate)| rate)
+            }
+        }
+    }
+
+    /// x·x′.
+    fn half_of_square(&mut self, change: Change) -> Id {
+        match change {
+            Change::Of(axis) if Variable::PLACE.contains(&axis) => self.make(Node::Variable(axis)),
+            Change::Of(_) => self.constant(0.0),
+            Change::Along(rates) => {
+                let mut sum = self.constant(0.0);
+                for (axis, rate) in Variable::PLACE.into_iter().zip(rates) {
+                    let own = self.make(Node::Variable(axis));
+                    let product = self.product(own, rate);
+                    sum = self.sum(sum, product);
+                }
+                sum
+            }
+        }
+    }
+
     fn choice(&mut self, a: Id, b: Id, c: Id, d: Id) -> Id {
         if c == d { c } else { self.make(Node::Choice([a, b, c, d])) }
     }
 
     /// k aᵏ⁻¹ a′; of rᵏ it is k rᵏ⁻² x, without a division by r for k ≥ 2.
-    fn derivative_of_power(&mut self, a: Id, k: i32, axis: Variable, of: &dyn Fn(Id) -> Id) -> Id {
+    fn derivative_of_power(&mut self, a: Id, k: i32, change: Change, of: &dyn Fn(Id) -> Id) -> Id {
         let factor = self.constant(f64::from(k));
         let (less, inner) = match self.node(a) {
-            Node::Distance => (self.power(a, k - 2), self.make(Node::Variable(axis))),
+            Node::Distance => (self.power(a, k - 2), self.half_of_square(change)),
             _ => (self.power(a, k - 1), of(a)),
         };
         let product = self.product(less, inner);
@@ -98,6 +151,8 @@ impl Graph {
                 let square = self.product(id, id);
                 self.difference(one, square)
             }
+            // Where there is none, 0/0: not a number.
+            Function::Abs if self.is_strict() => self.quotient(a, id),
             Function::Abs => self.call(Function::Sign, a),
             Function::Sign => self.constant(0.0),
         };

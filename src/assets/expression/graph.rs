@@ -60,9 +60,33 @@ pub enum Node {
 pub struct Graph {
     nodes: Vec<Node>,
     places: HashMap<Node, Id>,
+    /// What names that stand for formulas stand for.
+    terms: Vec<Term>,
+    /// What x, y, z and their differentials are, where a formula has axes of its own.
+    turned: Option<[Id; 6]>,
+    /// Has |x| no derivative at 0? Else it is 0 there.
+    is_strict: bool,
+}
+
+/// What a name stands for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Term {
+    pub value: Id,
+    /// The sine and the cosine of an angle that has them without itself.
+    pub sines: Option<[Id; 2]>,
 }
 
 impl Graph {
+    /// One in which |x| has no derivative at 0.
+    pub(super) fn strict() -> Self {
+        Self { is_strict: true, ..Self::default() }
+    }
+
+    /// Has |x| none at 0?
+    pub(super) fn is_strict(&self) -> bool {
+        self.is_strict
+    }
+
     /// The node itself.
     #[must_use]
     pub fn node(&self, id: Id) -> Node {
@@ -155,7 +179,11 @@ impl Graph {
     pub(super) fn of_tree(&mut self, tree: &Tree) -> Id {
         match tree {
             Tree::Number(value) => self.constant(*value),
-            Tree::Name(Name::Variable(_, variable)) => self.make(Node::Variable(*variable)),
+            Tree::Name(Name::Variable(_, variable)) => match self.turned {
+                Some(turned) if usize::from(variable.0) < turned.len() => turned[usize::from(variable.0)],
+                _ => self.make(Node::Variable(*variable)),
+            },
+            Tree::Term(_, k) => self.terms[*k].value,
             Tree::Name(Name::R) => self.make(Node::Distance),
             Tree::Name(Name::Pi) => self.constant(std::f64::consts::PI),
             Tree::Negative(a) => {
@@ -163,6 +191,9 @@ impl Graph {
                 self.negative(a)
             }
             Tree::Call(function, a) => {
+                if let Some(known) = self.known_call(*function, a) {
+                    return known;
+                }
                 let a = self.of_tree(a);
                 self.call(*function, a)
             }
@@ -182,6 +213,28 @@ impl Graph {
                 self.folded(node)
             }
         }
+    }
+
+    /// What a function of an angle is without the angle.
+    fn known_call(&mut self, function: Function, a: &Tree) -> Option<Id> {
+        let Tree::Term(_, k) = a else { return None };
+        let [sine, cosine] = self.terms[*k].sines?;
+        match function {
+            Function::Sin => Some(sine),
+            Function::Cos => Some(cosine),
+            Function::Tan => Some(self.quotient(sine, cosine)),
+            _ => None,
+        }
+    }
+
+    /// What the next name among those that stand for formulas stands for.
+    pub(super) fn define(&mut self, term: Term) {
+        self.terms.push(term);
+    }
+
+    /// From here on x, y, z and their differentials are these.
+    pub(super) fn turn(&mut self, turned: [Id; 6]) {
+        self.turned = Some(turned);
     }
 
     /// The node's place, perhaps one that it has already.

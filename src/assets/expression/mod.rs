@@ -14,8 +14,10 @@ mod fan;
 mod functions;
 mod graph;
 mod interval;
+mod line_element;
 mod parse;
 mod rules;
+mod spacetime;
 #[cfg(test)]
 mod tests;
 mod tokens;
@@ -27,6 +29,8 @@ pub use fan::FanRay;
 pub use functions::Function;
 pub use graph::{Graph, Id, Node};
 pub use interval::{Enclosure, Interval};
+pub use line_element::LineElement;
+pub use spacetime::{Field, Spacetime};
 pub use variable::Variable;
 
 use glam::DVec3;
@@ -40,6 +44,21 @@ struct Language {
     names: &'static [Name],
     /// A formula in them.
     example: &'static str,
+    /// Names that stand for formulas.
+    terms: Vec<String>,
+}
+
+impl Language {
+    /// All names but those of functions.
+    fn known(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(|name| name.text()).chain(self.terms.iter().map(String::as_str))
+    }
+
+    /// What a name stands for.
+    fn named(&self, text: &str) -> Option<Tree> {
+        let name = self.names.iter().find(|name| name.text() == text).map(|name| Tree::Name(*name));
+        name.or_else(|| Some(Tree::Term(text.to_owned(), self.terms.iter().position(|term| term == text)?)))
+    }
 }
 
 /// Functions of place.
@@ -52,11 +71,12 @@ static PLACE: Language = Language {
         Name::Pi,
     ],
     example: "1 + 0.1 * exp(-r^2)",
+    terms: Vec::new(),
 };
 
 /// Functions of a curve's parameter.
 static PARAMETER: Language =
-    Language { names: &[Name::Variable("t", Variable::PARAMETER), Name::Pi], example: "cos(2 * t)" };
+    Language { names: &[Name::Variable("t", Variable::PARAMETER), Name::Pi], example: "cos(2 * t)", terms: Vec::new() };
 
 /// Functions of a ray that comes to a surface, and of the normal on its side; c is the cosine between both.
 static FAN: Language = Language {
@@ -71,6 +91,7 @@ static FAN: Language = Language {
         Name::Pi,
     ],
     example: "dx + 2*c*nx",
+    terms: Vec::new(),
 };
 
 /// A function of place and its gradient.
@@ -133,10 +154,7 @@ impl Formula {
 }
 
 /// Several formulas of one thing: their trees, or what is wrong with which of them.
-fn parse_all<const N: usize>(
-    texts: [&str; N],
-    language: &'static Language,
-) -> Result<[Tree; N], Vec<(usize, FormulaError)>> {
+fn parse_all<const N: usize>(texts: [&str; N], language: &Language) -> Result<[Tree; N], Vec<(usize, FormulaError)>> {
     let mut wrong = Vec::new();
     let trees = texts.map(|text| parse::parse(text, language)).into_iter().enumerate();
     let trees: Vec<Tree> = trees.filter_map(|(k, tree)| tree.map_err(|error| wrong.push((k, error))).ok()).collect();

@@ -20,7 +20,7 @@ const LONGEST: usize = 1000;
 const DEEPEST: usize = 100;
 
 /// The tree of a formula in these names.
-pub fn parse(text: &str, language: &'static Language) -> Result<Tree, FormulaError> {
+pub fn parse(text: &str, language: &Language) -> Result<Tree, FormulaError> {
     if text.len() > LONGEST {
         return Err(wrong(0..text.len(), format!("the formula is longer than {LONGEST} characters"), ""));
     }
@@ -38,7 +38,7 @@ struct Parser<'a> {
     /// Of the text.
     end: usize,
     depth: usize,
-    language: &'static Language,
+    language: &'a Language,
 }
 
 type Parsed = Result<Tree, FormulaError>;
@@ -147,12 +147,12 @@ impl<'a> Parser<'a> {
     }
 
     fn named(&mut self, name: &str, place: Range<usize>) -> Parsed {
-        if let Some(known) = self.language.names.iter().find(|known| known.text() == name) {
+        if let Some(tree) = self.language.named(name) {
             if self.peek() == Some(Token::Sign('(')) {
                 let help = format!("a product is written {name} * (..)");
                 return Err(wrong(place, format!("`{name}` is not a function"), help));
             }
-            return Ok(Tree::Name(*known));
+            return Ok(tree);
         }
         let function = Function::WRITTEN.iter().find(|(text, _)| *text == name).map(|(_, function)| *function);
         let extreme = [Extreme::Min, Extreme::Max].into_iter().find(|extreme| extreme.name() == name);
@@ -180,8 +180,7 @@ impl<'a> Parser<'a> {
 
 fn unknown(name: &str, place: Range<usize>, language: &Language) -> FormulaError {
     let functions = Function::WRITTEN.iter().map(|(text, _)| *text);
-    let names: Vec<&str> =
-        language.names.iter().map(|known| known.text()).chain(functions).chain(["min", "max"]).collect();
+    let names: Vec<&str> = language.known().chain(functions).chain(["min", "max"]).collect();
     let help = if name == "ln" { "the natural logarithm is log".to_owned() } else { suggest(name, &names, "names") };
     wrong(place, format!("unknown name `{name}`"), help)
 }

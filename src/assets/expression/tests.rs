@@ -31,6 +31,7 @@ fn value(tree: &Tree, q: DVec3) -> f64 {
         Tree::Name(Name::R) => (q.x * q.x + q.y * q.y + q.z * q.z).sqrt(),
         Tree::Name(Name::Pi) => std::f64::consts::PI,
         Tree::Name(Name::Variable(name, _)) => unreachable!("{name}"),
+        Tree::Term(name, _) => unreachable!("{name}"),
         Tree::Negative(a) => -of(a),
         Tree::Binary(Operator::Plus, a, b) => of(a) + of(b),
         Tree::Binary(Operator::Minus, a, b) => of(a) - of(b),

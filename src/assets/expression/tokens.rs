@@ -44,7 +44,7 @@ pub fn tokens<'a>(text: &'a str, language: &Language) -> Result<Vec<(Token<'a>, 
                 '·' | '×' => "times is written *".to_owned(),
                 '[' | '{' => "only ( and ) are parentheses".to_owned(),
                 _ => {
-                    let names: Vec<&str> = language.names.iter().map(|name| name.text()).collect();
+                    let names: Vec<&str> = language.known().collect();
                     format!("a formula has numbers, {}, functions, + - * / ^ ( ) and ,", names.join(", "))
                 }
             };

@@ -11,6 +11,8 @@ pub enum Tree {
     Number(f64),
     /// A variable, r or pi.
     Name(Name),
+    /// A name that stands for a formula, by its place among those.
+    Term(String, usize),
     /// −a.
     Negative(Box<Tree>),
     /// a + b and so on.
@@ -83,7 +85,7 @@ impl Tree {
             Self::Binary(Operator::Times | Operator::Over, ..) => PRODUCT,
             Self::Binary(Operator::Power, ..) => POWER,
             Self::Negative(_) => MINUS,
-            Self::Number(_) | Self::Name(_) | Self::Call(..) | Self::Extreme(..) => WHOLE,
+            Self::Number(_) | Self::Name(_) | Self::Term(..) | Self::Call(..) | Self::Extreme(..) => WHOLE,
         }
     }
 
@@ -100,6 +102,7 @@ impl fmt::Display for Tree {
             Self::Number(value) if (1e-4..1e6).contains(value) => write!(f, "{value}"),
             Self::Number(value) => write!(f, "{value:?}"),
             Self::Name(name) => f.write_str(name.text()),
+            Self::Term(name, _) => f.write_str(name),
             Self::Negative(a) => {
                 f.write_str("-")?;
                 a.part(MINUS, f)

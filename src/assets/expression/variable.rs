@@ -8,6 +8,10 @@ pub struct Variable(pub u8);
 impl Variable {
     /// x, y and z.
     pub const PLACE: [Self; 3] = [Self(0), Self(1), Self(2)];
+    /// dx, dy, dz and dt.
+    pub const DIFFERENTIALS: [Self; 4] = [Self(3), Self(4), Self(5), Self(6)];
+    /// t of a place in spacetime.
+    pub const TIME: Self = Self(7);
     /// The parameter of a curve.
     pub const PARAMETER: Self = Self(0);
 }

@@ -24,10 +24,10 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     if frame != CameraFrame::Coordinate && law.is_some_and(|law| law.frame_part(frame).is_none()) {
         let (problem, help) = match frame {
             CameraFrame::Static => (
-                "the static frame needs law.kind = \"schwarzschild\" or \"kerr-newman\"",
+                "the static frame needs law.kind = \"schwarzschild\", \"kerr-newman\" or \"metric\"",
                 "leave `frame` out: under other laws both frames are the same",
             ),
-            _ => ("such an observer needs law.kind = \"kerr-newman\"", "leave `frame` out"),
+            _ => ("such an observer needs law.kind = \"kerr-newman\" or \"metric\"", "leave `frame` out"),
         };
         table.fault(&["frame"], problem, help);
     }

@@ -218,7 +218,7 @@ impl Law for KerrNewman {
         self.horizon().map(horizon).into_iter().collect()
     }
 
-    fn remark(&self) -> Option<String> {
+    fn remark(&self, _: DVec3, _: f64) -> Option<String> {
         let remark =
             || "the hole has no horizon, for a² + Q² is above M²: the ring of its singularity is naked".to_owned();
         self.horizon().is_none().then(remark)

@@ -11,6 +11,7 @@ mod flow;
 mod kerr_newman;
 mod lorenz;
 mod medium;
+mod metric;
 mod observer;
 pub mod own;
 mod parametric;
@@ -28,7 +29,7 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::same::same;
 use super::{Anchor, Binding, Capture, ClosedForm, Filter, Loops, Medium, Same, Wgsl, filter};
-use crate::assets::Files;
+use crate::assets::{Files, LineElement};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
@@ -36,6 +37,7 @@ pub use flow::FlowOrder;
 pub use kerr_newman::{KerrNewman, KerrSchild};
 pub use lorenz::Lorenz;
 pub use medium::{InMedium, SOLVED_PARTS};
+pub use metric::Metric;
 pub use observer::CameraFrame;
 pub use own::{Depends, OwnLaw};
 pub use parametric::Parametric;
@@ -58,6 +60,7 @@ pub static KINDS: Kinds<Read> = Kinds {
         &straight::KIND,
         &schwarzschild::KIND,
         &kerr_newman::KIND,
+        &metric::KIND,
         &sources::KIND,
         &lorenz::KIND,
         &rossler::KIND,
@@ -126,6 +129,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         let _ = x;
         v
+    }
+
+    /// The line element that it is written as, if it is; rays then end where that says.
+    fn line_element(&self) -> Option<&LineElement> {
+        None
     }
 
     /// The medium that fills all space, if that is what the law is.
@@ -204,8 +212,9 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
-    /// What whoever chose it should know, if it is out of the ordinary.
-    fn remark(&self) -> Option<String> {
+    /// What whoever chose it should know of it within a sphere of space, if that is out of the ordinary.
+    fn remark(&self, center: DVec3, radius: f64) -> Option<String> {
+        let _ = (center, radius);
         None
     }
 

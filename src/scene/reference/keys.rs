@@ -51,7 +51,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             look_at: "[x, y, z]" = "[0, 0, 0]", "the point in the middle of the picture; differs from position";
             up: "[x, y, z]" = "[0, 1, 0]", "what is up in the picture; not parallel to the view";
             frame: "coordinate | static | normal | zamo | orbiting | counter-orbiting | falling | moving" = "coordinate",
-                "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, all under kerr-newman";
+                "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, all under kerr-newman, all but `falling` under metric";
             velocity if r#"frame = "moving""#: "[x, y, z], below 1 long" = "required",
                 "of the observer, in parts of light's speed, past one who is normal";
             stereo: "{ separation, layout, convergence }" = "none",

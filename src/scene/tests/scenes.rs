@@ -32,6 +32,8 @@ const KINDS: &[&str] = &[
      method = \"snell\"\nbound = { radius = 1 }\n",
     "[camera]\nposition = [0, 0, 9]\nframe = \"static\"\n[law]\nkind = \"schwarzschild\"\nmass = 2\n\
      [rays]\nbound = { radius = 20 }\nmethod = \"euler-doubling\"\n",
+    "[law]\nkind = \"metric\"\nline_element = \"-dt^2 + a*dx^2 + dy^2 + dz^2\"\nscale = \"1\"\ncaptured = \"r < 1\"\ntime = 2\n\
+     rotate = [0, 0, 90]\ncenter = [1, 2, 3]\n[law.parameters]\na = 1\n[law.terms]\nb = \"2*a\"\n[rays]\nbound = { radius = 20 }\n",
     "[camera]\nposition = [9, 0, 0]\nframe = \"moving\"\nvelocity = [0, 0.5, 0]\n[law]\nkind = \"kerr-newman\"\nspin = 0.5\n[rays]\nbound = { radius = 20 }\n",
     "[rays]\nbound = { radius = 10 }\n[sky]\nimage = \"sky.png\"\n[materials.a]\ndiffuse = { image = \"sky.png\" }\n\
      [materials.b]\nkind = \"emissive\"\ncolor = { checker = [[1, 1, 1], [0, 0, 0]] }\n[[objects]]\nshape = \"box\"\n\

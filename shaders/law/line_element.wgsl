@@ -1,0 +1,69 @@
+// What a line element makes of light. With U = (v, −1), g U′ = force + κ g U, and τ is the coordinates' time, so that U′ has no part in
+// time: that is κ's condition. What has no space at a time, γ not positive or α² ≤ 0, gives no number, and the ray fails.
+
+// g: of the place xx, yy, zz and yz, xz, xy, of both xt, yt, zt, of time tt.
+struct Metric {
+    own: Real3,
+    mixed: Real3,
+    shift: Real3,
+    clock: Real,
+}
+
+// And the force, of the place and of time.
+struct MetricBend {
+    metric: Metric,
+    force: Real3,
+    power: Real,
+}
+
+fn metric_lowered(m: Metric, a: Real3) -> Real3 {
+    return m.own * a + m.mixed.zzy * a.yxx + Real3(m.mixed.y * a.z, m.mixed.x * a.z, m.mixed.x * a.y);
+}
+
+// γ by its Cholesky factor: 1/ of its diagonal, and what is below that, yx, zx, zy.
+struct Factor {
+    inverse: Real3,
+    below: Real3,
+}
+
+fn metric_factor(m: Metric) -> Factor {
+    let x = inverseSqrt(m.own.x);
+    let yx = m.mixed.z * x;
+    let zx = m.mixed.y * x;
+    let y = inverseSqrt(m.own.y - yx * yx);
+    let zy = (m.mixed.x - yx * zx) * y;
+    let z = inverseSqrt(m.own.z - zx * zx - zy * zy);
+    return Factor(Real3(x, y, z), Real3(yx, zx, zy));
+}
+
+fn metric_raised(f: Factor, a: Real3) -> Real3 {
+    let x = a.x * f.inverse.x;
+    let y = (a.y - f.below.x * x) * f.inverse.y;
+    let z = (a.z - f.below.y * x - f.below.z * y) * f.inverse.z;
+    let c = z * f.inverse.z;
+    let b = (y - f.below.z * c) * f.inverse.y;
+    return Real3((x - f.below.x * b - f.below.y * c) * f.inverse.x, b, c);
+}
+
+fn metric_pull(bend: MetricBend, v: Real3) -> Real3 {
+    let m = bend.metric;
+    let factor = metric_factor(m);
+    let force = metric_raised(factor, bend.force);
+    let shift = metric_raised(factor, m.shift);
+    let lapse2 = dot(m.shift, shift) - m.clock;
+    let kappa = (dot(m.shift, force) - bend.power) / select(not_a_number(), lapse2, lapse2 > 0.0);
+    return force + kappa * (v - shift);
+}
+
+// As fast as light: κ of v/κ from A κ² + 2bκ = c. Where nothing is at rest light goes some ways at two speeds, of which it is the one
+// that v is nearer to, and others not at all: then v is not finite, and the ray fails.
+fn as_light(m: Metric, v: Real3) -> Real3 {
+    let b = dot(m.shift, v);
+    let c = dot(v, metric_lowered(m, v));
+    let root = sqrt(b * b - m.clock * c);
+    let faster = c / (b + root);
+    let slower = c / (b - root);
+    let slow = (m.clock > 0.0) & (abs(slower - 1.0) < abs(faster - 1.0));
+    let kappa = select(faster, slower, slow);
+    return v / select(0.0, kappa, kappa > 0.0);
+}

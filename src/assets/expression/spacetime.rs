@@ -1,0 +1,185 @@
+//! How a spacetime is written: the texts of its line element, its scale and its end, and the names that they are written in.
+
+use std::ops::Range;
+
+use glam::DMat3;
+
+use super::graph::Term;
+use super::tree::{Name, Tree};
+use super::{FormulaError, Function, Graph, Id, Language, Node, Variable, parse};
+
+/// What names stand for besides those of x, y, z and t; an angle's sine and cosine are known without it.
+const KNOWN: [(&str, &str, Option<[&str; 2]>); 8] = [
+    ("rho", "sqrt(x^2 + y^2)", None),
+    ("theta", "2 * atan(rho / (r + z))", Some(["rho / r", "z / r"])),
+    ("phi", "2 * atan(y / (rho + x))", Some(["y / rho", "x / rho"])),
+    ("dr", "(x*dx + y*dy + z*dz) / r", None),
+    ("drho", "(x*dx + y*dy) / rho", None),
+    ("dphi", "(x*dy - y*dx) / (x^2 + y^2)", None),
+    ("dtheta", "(z*drho - rho*dz) / r^2", None),
+    ("dOmega2", "(dx^2 + dy^2 + dz^2 - dr^2) / r^2", None),
+];
+
+/// Of functions of place and time.
+pub(super) const PLACE: [Name; 6] = [
+    Name::Variable("x", Variable::PLACE[0]),
+    Name::Variable("y", Variable::PLACE[1]),
+    Name::Variable("z", Variable::PLACE[2]),
+    Name::Variable("t", Variable::TIME),
+    Name::R,
+    Name::Pi,
+];
+
+/// And the differentials.
+pub(super) const ALL: [Name; 10] = [
+    PLACE[0],
+    PLACE[1],
+    PLACE[2],
+    PLACE[3],
+    Name::Variable("dx", Variable::DIFFERENTIALS[0]),
+    Name::Variable("dy", Variable::DIFFERENTIALS[1]),
+    Name::Variable("dz", Variable::DIFFERENTIALS[2]),
+    Name::Variable("dt", Variable::DIFFERENTIALS[3]),
+    PLACE[4],
+    PLACE[5],
+];
+
+/// A spacetime as it is written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spacetime {
+    /// ds².
+    pub line_element: String,
+    /// Names for numbers.
+    pub parameters: Vec<(String, f64)>,
+    /// Names for formulas, each of what is before it.
+    pub terms: Vec<(String, String)>,
+    /// The length over which it changes.
+    pub scale: String,
+    /// Where rays that go further in end: `a < b` or `a > b`.
+    pub captured: Option<String>,
+    /// The axes of x, y and z, in columns.
+    pub axes: DMat3,
+}
+
+/// Which of its texts is wrong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Field {
+    /// ds².
+    LineElement,
+    /// A name for a number.
+    Parameter(usize),
+    /// A name for a formula.
+    TermName(usize),
+    /// A formula that has a name.
+    Term(usize),
+    /// The scale.
+    Scale,
+    /// Where rays end.
+    Captured,
+}
+
+/// And where in it, and how.
+pub(super) type Wrong = (Field, FormulaError);
+
+/// Reads texts, and keeps what their names stand for.
+pub(super) struct Reader {
+    pub graph: Graph,
+    terms: Vec<String>,
+}
+
+impl Reader {
+    pub fn new(axes: DMat3) -> Self {
+        let mut graph = Graph::strict();
+        if axes != DMat3::IDENTITY {
+            let [dx, dy, dz, _] = Variable::DIFFERENTIALS;
+            let [place, change] = [Variable::PLACE, [dx, dy, dz]].map(|own| {
+                [0, 1, 2].map(|k: usize| {
+                    let mut sum = graph.constant(0.0);
+                    for (axis, part) in own.into_iter().zip(axes.col(k).to_array()) {
+                        let (part, axis) = (graph.constant(part), graph.make(Node::Variable(axis)));
+                        let product = graph.product(part, axis);
+                        sum = graph.sum(sum, product);
+                    }
+                    sum
+                })
+            });
+            let ([x, y, z], [dx, dy, dz]) = (place, change);
+            graph.turn([x, y, z, dx, dy, dz]);
+        }
+        Self { graph, terms: Vec::new() }
+    }
+
+    fn language(&self, names: &'static [Name]) -> Language {
+        let example = if names.len() == ALL.len() { "-dt^2 + dx^2 + dy^2 + dz^2" } else { "r - 2" };
+        Language { names, example, terms: self.terms.clone() }
+    }
+
+    pub fn tree(&self, text: &str, names: &'static [Name]) -> Result<Tree, FormulaError> {
+        parse::parse(text, &self.language(names))
+    }
+
+    fn define(&mut self, name: &str, value: Id, sines: Option<[Id; 2]>) {
+        self.terms.push(name.to_owned());
+        self.graph.define(Term { value, sines });
+    }
+
+    pub fn name_all(&mut self, written: &Spacetime) -> Result<(), Wrong> {
+        for (name, text, sines) in KNOWN {
+            let mut of = |text: &str| {
+                let tree = self.tree(text, &ALL).map_err(|error| (Field::LineElement, error))?;
+                Ok(self.graph.of_tree(&tree))
+            };
+            let value = of(text)?;
+            let sines = match sines {
+                Some([sine, cosine]) => Some([of(sine)?, of(cosine)?]),
+                None => None,
+            };
+            self.define(name, value, sines);
+        }
+        for (k, (name, value)) in written.parameters.iter().enumerate() {
+            self.is_new(name).map_err(|error| (Field::Parameter(k), error))?;
+            let value = self.graph.constant(*value);
+            self.define(name, value, None);
+        }
+        for (k, (name, text)) in written.terms.iter().enumerate() {
+            self.is_new(name).map_err(|error| (Field::TermName(k), error))?;
+            let tree = self.tree(text, &ALL).map_err(|error| (Field::Term(k), error))?;
+            let value = self.graph.of_tree(&tree);
+            self.define(name, value, None);
+        }
+        Ok(())
+    }
+
+    /// A name that has no meaning yet.
+    fn is_new(&self, name: &str) -> Result<(), FormulaError> {
+        let place = 0..name.len();
+        let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
+            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        if !is_name {
+            let help = "use letters, digits and underscores, a letter first".to_owned();
+            return Err(FormulaError { place, problem: format!("`{name}` is no name"), help });
+        }
+        let mut functions = Function::WRITTEN.iter().map(|(text, _)| *text).chain(["min", "max"]);
+        if self.language(&ALL).named(name).is_some() || functions.any(|known| known == name) {
+            let problem = format!("`{name}` has a meaning already");
+            return Err(FormulaError { place, problem, help: "use another name".to_owned() });
+        }
+        Ok(())
+    }
+
+    /// The lesser side and the greater.
+    pub fn comparison(&self, text: &str) -> Result<[Tree; 2], FormulaError> {
+        let signs: Vec<(usize, char)> = text.char_indices().filter(|(_, c)| matches!(c, '<' | '>')).collect();
+        let [(at, sign)] = signs[..] else {
+            let problem = "expected one < or > between two formulas".to_owned();
+            return Err(FormulaError { place: 0..text.len(), problem, help: "for example r < 2.02".to_owned() });
+        };
+        let side = |part: Range<usize>| {
+            let moved = |place: Range<usize>| part.start + place.start..part.start + place.end;
+            let tree = self.tree(&text[part.clone()], &PLACE);
+            tree.map_err(|error| FormulaError { place: moved(error.place), ..error })
+        };
+        let [left, right] = [side(0..at)?, side(at + 1..text.len())?];
+        Ok(if sign == '<' { [left, right] } else { [right, left] })
+    }
+}

@@ -1,0 +1,266 @@
+//! Any spacetime that a scene writes as its line element.
+//!
+//! *Theory.* The geodesic equation in coordinate time needs the metric and what Euler and Lagrange make of the line element; both are
+//! derived from the text (`assets::LineElement`). Rays go into the past by τ = `t_camera` − t, and v = dx/dτ.
+//!
+//! *Practice.* Place and velocity are the state, as under any other law. A line element of t takes the clock of laws that carry time.
+
+mod read;
+
+use std::sync::Arc;
+
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+use super::observer::{moving, normal, normalised};
+use super::{CameraFrame, Invariant, Kind, Law, Order};
+use crate::assets::LineElement;
+use crate::document::keys;
+use crate::model::{Binding, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "metric",
+    keys: keys! {
+        line_element: "formula" = "required",
+            "ds² (G = c = 1, −+++) in x, y, z, t, r, rho, theta, phi and dx, dy, dz, dt, dr, drho, dtheta, dphi, dOmega2, with what `parameters` and `terms` name; all that light needs is derived from it";
+        scale: "formula" = "required", "the length over which it changes, scene units, as a function of place and t: steps are a fraction of it";
+        parameters: "table of numbers" = "{}", "names for numbers";
+        terms: "table of formulas" = "{}", "names for formulas, each of those before it";
+        captured: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "where rays that go further in end";
+        time: "number" = "0", "t when the picture is taken";
+        center: "[x, y, z]" = "[0, 0, 0]", "where x, y and z are 0";
+        rotate: "[x, y, z]" = "[0, 0, 0]", "degrees about x, then y, then z of the scene";
+    },
+    read: |table, _| read::read(table).map(|law| Arc::new(law) as Arc<dyn Law>),
+};
+
+/// A spacetime by its line element.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Metric {
+    /// ds² and what follows from it.
+    pub element: LineElement,
+    /// t when the picture is taken.
+    pub time: f64,
+    /// Where x, y and z are 0.
+    pub center: DVec3,
+}
+
+impl Metric {
+    fn at(&self, x: DVec3) -> DMat4 {
+        self.element.metric(x - self.center, self.time)
+    }
+
+    /// The direction of its z.
+    fn axis(&self) -> DVec3 {
+        self.element.written().axes.z_axis
+    }
+
+    /// Is it the same all round its axis? By a few places and velocities, turned.
+    fn is_axisymmetric(&self) -> bool {
+        let turn = DMat3::from_axis_angle(self.axis(), 0.7);
+        let places = [DVec3::new(1.3, -0.7, 2.1), DVec3::new(-4.2, 3.1, 0.9), DVec3::new(11.0, 7.0, -13.0)];
+        let velocities = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(0.48, 0.6, -0.64)];
+        places.into_iter().all(|x| {
+            let [here, there] = [x, turn * x].map(|x| self.element.metric(x, self.time));
+            velocities.into_iter().all(|v| {
+                let (u, turned) = (v.extend(-1.0), (turn * v).extend(-1.0));
+                let (one, other) = (u.dot(here * u), turned.dot(there * turned));
+                // Where there is no value there is none after turning.
+                (one - other).abs() <= 1e-9 * one.abs().max(1.0) || one.is_nan() && other.is_nan()
+            })
+        })
+    }
+
+    /// dφ/dt of the circular orbits through a place, with φ and against it: where the line element's slope across the axis vanishes.
+    fn orbiting(&self, at: DVec3, sense: f64) -> Option<f64> {
+        let (x, axis) = (at - self.center, self.axis());
+        let out = x - x.dot(axis) * axis;
+        let rho = out.length();
+        let is_level = x.dot(axis).abs() <= 1e-6 * rho;
+        let (out, around) = (out / rho, axis.cross(x).extend(0.0));
+        // ∂Q/∂ρ for U that turn with their place.
+        let slope = |u: DVec4, v: DVec4, turning: f64| {
+            let change = |u: DVec4| self.slope(x, u, out);
+            0.5 * (change(u + v) - change(u) - change(v)) + turning * u.dot(self.at(at) * v) / rho
+        };
+        let clock = DVec4::W;
+        let (tt, tp, pp) = (slope(clock, clock, 0.0), slope(clock, around, 1.0), slope(around, around, 2.0));
+        let root = (tp * tp - tt * pp).sqrt();
+        let turning = (-tp + sense * root) / pp;
+        (is_level && turning.is_finite()).then_some(turning)
+    }
+
+    /// ∂Q/∂s along a direction, U held: by central differences of four points, some 1e-12 of it.
+    fn slope(&self, x: DVec3, u: DVec4, along: DVec3) -> f64 {
+        let q = |s: f64| u.dot(self.element.metric(x + s * along, self.time) * u);
+        let h = 1e-3 * x.length();
+        let first = |h: f64| (q(h) - q(-h)) / (2.0 * h);
+        let second = |h: f64| (4.0 * first(0.5 * h) - first(h)) / 3.0;
+        (16.0 * second(0.5 * h) - second(h)) / 15.0
+    }
+}
+
+/// Is all space at one time, and are clocks across it? γ is positive, and g has one sign less than that.
+fn has_space(metric: &DMat4) -> bool {
+    let gamma = DMat3::from_mat4(*metric);
+    let leading = gamma.x_axis.x.min(gamma.x_axis.x * gamma.y_axis.y - gamma.x_axis.y * gamma.x_axis.y);
+    leading.min(gamma.determinant()) > 0.0 && metric.determinant() < 0.0
+}
+
+/// A place and a time from what is uniform in 0 to 1: places near the centre of a ball are the denser, times go as far back as it is wide.
+fn sample(k: u32, center: DVec3, radius: f64, time: f64) -> (DVec3, f64) {
+    let part = |step: f64| (f64::from(k) * step).fract();
+    // Powers of the inverse of 1.1673…, the root of x⁵ = x + 1: as even as four numbers get.
+    let [height, around, out, ago] = [0.856_674_883_9, 0.733_891_856_6, 0.628_706_721_0, 0.538_596_253_1].map(part);
+    let (cosine, angle) = (2.0 * height - 1.0, std::f64::consts::TAU * around);
+    let across = (1.0 - cosine * cosine).sqrt();
+    let way = DVec3::new(across * angle.cos(), across * angle.sin(), cosine);
+    (center + radius * out * way, time - 2.0 * radius * ago)
+}
+
+fn says_none(why: &str, help: &str) -> [String; 2] {
+    [why.to_owned(), help.to_owned()]
+}
+
+impl Law for Metric {
+    fn parts(&self) -> Vec<Wgsl> {
+        let shared: &[&'static str] = if self.carries_time() {
+            &["law/by_time", "law/metric_in_time"]
+        } else {
+            &["law/by_velocity", "law/metric"]
+        };
+        let all = [shared, &["law/line_element", "law/projected_as_is", "medium/formula"]].concat();
+        Wgsl::parts(&all)
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        let row = if self.carries_time() {
+            row! { center: Vec3(self.center), time: Float(self.time) }
+        } else {
+            row! { center: Vec3(self.center) }
+        };
+        vec![Binding::one("law", row)]
+    }
+
+    fn order(&self) -> Order {
+        Order::General
+    }
+
+    fn carries_time(&self) -> bool {
+        self.element.depends_on_time()
+    }
+
+    fn line_element(&self) -> Option<&LineElement> {
+        Some(&self.element)
+    }
+
+    /// The null condition; and L/E about the axis, of rays whose energy E is above 0.
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        if self.carries_time() {
+            return Vec::new();
+        }
+        let (metric, u) = (self.at(x), v.extend(-1.0));
+        let lowered = metric * u;
+        let mut kept = vec![Invariant { name: "null condition", value: u.dot(lowered), size: metric.w_axis.w.abs() }];
+        if self.is_axisymmetric() && lowered.w > 0.0 {
+            let momentum = lowered.truncate() / lowered.w;
+            let arm = x - self.center;
+            let about = -self.axis().dot(arm.cross(momentum));
+            kept.push(Invariant { name: "L / E", value: about, size: arm.length() * momentum.length() });
+        }
+        kept
+    }
+
+    /// Along v as fast as light: as the shader's `as_light`.
+    fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
+        let metric = self.at(x);
+        let (way, clock) = (v.extend(0.0), metric.w_axis.w);
+        let (b, c) = (way.dot(metric.w_axis), way.dot(metric * way));
+        let root = (b * b - clock * c).sqrt();
+        let (faster, slower) = (c / (b + root), c / (b - root));
+        let is_slow = clock > 0.0 && (slower - 1.0).abs() < (faster - 1.0).abs();
+        let kappa = if is_slow { slower } else { faster };
+        v / if kappa > 0.0 { kappa } else { 0.0 }
+    }
+
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        (frame != CameraFrame::Coordinate).then_some("camera/frame_observer")
+    }
+
+    fn metric(&self, x: DVec3) -> Option<DMat4> {
+        Some(self.at(x))
+    }
+
+    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        let metric = self.at(at);
+        let around = self.axis().cross(at - self.center);
+        let way = |turning: f64| normalised(&metric, (turning * around).extend(1.0));
+        let round = |found: Option<DVec4>, why: &str, help: &str| {
+            if self.is_axisymmetric() {
+                return found.ok_or_else(|| says_none(why, help));
+            }
+            Err(says_none("goes round an axis that the line element has not", "use frame = \"moving\" or \"normal\""))
+        };
+        let level = "is on no circular orbit of matter";
+        let help = "those are in the plane z = 0, not too near";
+        Some(match frame {
+            CameraFrame::Coordinate => return None,
+            CameraFrame::Static => {
+                way(0.0).ok_or_else(|| says_none("is where nothing is at rest", "use frame = \"normal\", or move it"))
+            }
+            CameraFrame::Normal => normal(&metric).ok_or_else(|| says_none("is where no space is", "move it")),
+            CameraFrame::Moving(velocity) => {
+                moving(&metric, velocity).ok_or_else(|| says_none("moves faster than light", "use less than 1"))
+            }
+            CameraFrame::Zamo => {
+                let around = around.extend(0.0);
+                let (mixed, own) = (around.dot(metric.w_axis), around.dot(metric * around));
+                round(way(if own > 0.0 { -mixed / own } else { 0.0 }), "is where no space is", "move it")
+            }
+            CameraFrame::Orbiting => round(self.orbiting(at, 1.0).and_then(way), level, help),
+            CameraFrame::CounterOrbiting => round(self.orbiting(at, -1.0).and_then(way), level, help),
+            CameraFrame::Falling => Err(says_none(
+                "falls, and a line element does not say from where",
+                "use frame = \"moving\" and camera.velocity",
+            )),
+        })
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        if self.element.gap(at - self.center).is_some_and(|gap| gap.w <= 0.0) {
+            return Some(says_none("is where rays end: see law.captured", "move it away"));
+        }
+        let problem = "is where the line element has no space at one time: its signature is not −+++";
+        (!has_space(&self.at(at))).then(|| says_none(problem, "move it, or see the signs of law.line_element"))
+    }
+
+    fn remark(&self, center: DVec3, radius: f64) -> Option<String> {
+        const PLACES: u32 = 4096;
+        let fails = |k: u32| {
+            let (x, t) = sample(k, center - self.center, radius, self.time);
+            let ended = self.element.gap(x).is_some_and(|gap| gap.w <= 0.0);
+            (!ended && !has_space(&self.element.metric(x, t))).then_some((x + self.center, t))
+        };
+        let failed: Vec<_> = (1..=PLACES).filter_map(fails).collect();
+        let (x, t) = failed.first()?;
+        let when = if self.carries_time() { format!(" at t = {t:.2}") } else { String::new() };
+        Some(format!(
+            "at {} of {PLACES} places within the bounding sphere, such as [{:.3}, {:.3}, {:.3}]{when}, the line element has no space at \
+             one time (its signature is not −+++): rays fail there",
+            failed.len(),
+            x.x,
+            x.y,
+            x.z
+        ))
+    }
+
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        if self.carries_time() {
+            return Some("behind a surface a law that depends on t would begin again");
+        }
+        interiors.then_some("light has speeds of its own in a spacetime")
+    }
+
+    fn refuses_sent_light(&self) -> Option<&'static str> {
+        (!self.element.is_static()).then_some("it goes other ways than what is followed back from the camera")
+    }
+}

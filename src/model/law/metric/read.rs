@@ -1,0 +1,69 @@
+//! The table of a law by its line element.
+
+use glam::DVec3;
+
+use super::Metric;
+use crate::assets::{Field, FormulaError, LineElement, Spacetime, Transform};
+use crate::document::Node;
+use crate::document::reader::TableReader;
+use crate::document::values::{number, text, vector};
+
+pub(super) fn read(table: &TableReader) -> Option<Metric> {
+    let element = table.required_node("line_element", "\"-dt^2 + dx^2 + dy^2 + dz^2\"");
+    let scale = table.required_node("scale", "\"r\"");
+    let captured = table.node("captured");
+    let parameters = named(table, "parameters", "law.parameters", &|node| table.reader.accept(number(node)));
+    let terms = named(table, "terms", "law.terms", &|node| written(table, node));
+    let rotate = table.or("rotate", DVec3::ZERO, vector);
+    let (time, center) = (table.or("time", 0.0, number), table.or("center", DVec3::ZERO, vector));
+    let captured_text = match captured {
+        Some(node) => Some(written(table, node)?),
+        None => None,
+    };
+    let (parameters, terms) = (parameters?, terms?);
+    let spacetime = Spacetime {
+        line_element: written(table, element?)?,
+        parameters: parameters.iter().map(|(name, _, value)| (name.clone(), *value)).collect(),
+        terms: terms.iter().map(|(name, _, value)| (name.clone(), value.clone())).collect(),
+        scale: written(table, scale?)?,
+        captured: captured_text,
+        axes: Transform::new(DVec3::ONE, rotate, DVec3::ZERO).0.matrix3,
+    };
+    let node_of = |field: Field| match field {
+        Field::LineElement => element,
+        Field::Scale => scale,
+        Field::Captured => captured.or(element),
+        Field::Parameter(k) => Some(parameters[k].1),
+        Field::Term(k) | Field::TermName(k) => Some(terms[k].1),
+    };
+    match LineElement::parse(spacetime) {
+        Ok(element) => Some(Metric { element, time, center }),
+        Err((field, FormulaError { place, problem, help })) => {
+            let node = node_of(field)?;
+            if matches!(field, Field::Parameter(_) | Field::TermName(_)) {
+                table.reader.fault(node.fault(problem, help));
+            } else {
+                table.reader.fault_inside(node, place, problem, help);
+            }
+            None
+        }
+    }
+}
+
+fn written(table: &TableReader, node: &Node) -> Option<String> {
+    let said = text(node).map_err(|_| table.reader.fault(node.fault("expected a formula, in quotes", "")));
+    said.ok().map(str::to_owned)
+}
+
+/// What a table names, in its order; all are read before any is missed.
+fn named<'a, T>(
+    table: &TableReader<'_, 'a>,
+    key: &'static str,
+    path: &'static str,
+    read: &dyn Fn(&'a Node) -> Option<T>,
+) -> Option<Vec<(String, &'a Node, T)>> {
+    let Some(node) = table.node(key) else { return Some(Vec::new()) };
+    let own = table.reader.open(path, node)?;
+    let all: Vec<Option<_>> = own.entries().map(|(name, node)| Some((name.to_owned(), node, read(node)?))).collect();
+    all.into_iter().collect()
+}
