@@ -18,6 +18,8 @@ const COMPUTED: [(&str, &[(&str, &str)]); 11] = [
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[
+            ("surface/material/accretion", "ACCRETION"),
+            ("surface/material/blackbody", "BLACKBODY"),
             ("surface/material/emissive", "EMISSIVE"),
             ("surface/material/phong", "PHONG"),
             ("surface/material/phong_occluded", "PHONG_OCCLUDED"),

@@ -94,5 +94,5 @@ fn images_of_1995() {
 
 #[test]
 fn spacetimes() {
-    figures_are_as_they_were_looked_at("spacetimes", 17);
+    figures_are_as_they_were_looked_at("spacetimes", 21);
 }

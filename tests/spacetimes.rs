@@ -14,7 +14,7 @@ use crate::shaders::Random;
 use crate::support::{gpu, scene};
 
 /// The law of a table's row, `kind="kerr-newman";spin=0.9`, as a user would type it.
-fn typed(law: &str) -> String {
+pub fn typed(law: &str) -> String {
     let given = |key: &str| {
         law.split(';').find_map(|pair| pair.strip_prefix(key)?.strip_prefix('=')).map_or(0.0, |n| n.parse().unwrap())
     };

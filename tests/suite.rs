@@ -7,6 +7,7 @@ mod accuracy;
 mod cameras;
 mod cli;
 mod constants;
+mod discs;
 mod dispersion;
 mod exactness;
 mod fans;

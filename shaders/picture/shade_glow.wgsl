@@ -3,6 +3,7 @@
 // ray: at the start of its last segment, which ended on `end`.
 fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     note_pixel(pixel);
+    note_frequency(pixel, ray);
     let seen = seen_at(ray, end);
     filter_last(ray, seen.end);
     let escaped = ray.status == ESCAPED || ray.status == MISSED;

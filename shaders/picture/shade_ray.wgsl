@@ -4,12 +4,14 @@
 // ray: at the start of its last segment, which ended on `end`.
 fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     note_pixel(pixel);
+    note_frequency(pixel, ray);
     let seen = seen_at(ray, end);
     filter_last(ray, seen.end);
     let code = ray.status;
     var color = seen.color;
     if code == ESCAPED || code == MISSED {
         color = sky_radiance(vec3f(normalize(seen.end.v)));
+        beam_sky(&color);
     }
     add_color(pixel, color * end_weight(seen.end.x));
     add_coverage(pixel, code);

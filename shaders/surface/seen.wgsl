@@ -13,6 +13,7 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
     let normal = select(-surface.normal, surface.normal, seen_side >= 0.0);
     let material = materials[surface.material];
     note_arrival(end);
+    note_matter(material, end);
     let lit = Lit(vec3f(end.x), lit_from(end.x, surface, view), normal, view);
     let color = surface_radiance(material, pattern_color(material, surface.uv), lit);
     return Seen(end, color, normal, surface.object + 1u);

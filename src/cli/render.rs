@@ -121,6 +121,11 @@ impl Arguments {
                 "the layers `sums` and `spread` are of pictures with transport = \"paths\" and without image.adaptive";
             return Err(Error::Usage(problem.to_owned()));
         }
+        if asked(Layer::Shift) && !scene.has_frequencies() {
+            let problem = "the layer `shift` is of pictures without paths that an observer sees: with camera.frame, and \
+                           law.kind = \"kerr-newman\" or a \"metric\" without t";
+            return Err(Error::Usage(problem.to_owned()));
+        }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
             Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),
             None => Ok(scene),

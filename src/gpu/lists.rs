@@ -5,12 +5,13 @@ use glam::DVec3;
 use super::GpuError;
 use super::LightField;
 use super::geometry::PlacedShape;
+use super::glow::{black_bodies, orbits};
 use super::hierarchy::Node;
 use super::ray_tree::{RayNode, object_tree, ray_tree};
 use super::records::{pack, pack_shared};
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
-use crate::model::camera::observer;
+use crate::model::camera::{frequency, observer};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::{Binding, Capture, Material, Row, row};
 use crate::program::{Layout, Obstacle, constant};
@@ -26,7 +27,28 @@ impl Source<'_> {
         let captures = Binding::list("capture_spheres", self.captures());
         let observer = scene.camera.as_ref().and_then(|camera| observer(&*scene.law, camera));
         let observer = observer.map(|row| Binding::one("observer", row));
-        laws.chain(camera).chain(observer).chain([control, captures]).chain(self.solids()).collect()
+        let frequency = scene.camera.as_ref().and_then(|camera| frequency(&*scene.law, camera));
+        let frequency = frequency.map(|row| Binding::one("frequency", row));
+        laws.chain(camera)
+            .chain(observer)
+            .chain(frequency)
+            .chain(self.glowing())
+            .chain([control, captures])
+            .chain(self.solids())
+            .collect()
+    }
+
+    /// What black bodies' colours are, and how matter moves that orbits.
+    fn glowing(&self) -> Vec<Binding> {
+        let scene = self.scene;
+        let mut bindings = Vec::new();
+        if scene.used_materials().any(|material| material.surface.has_temperature()) {
+            bindings.push(black_bodies());
+        }
+        if scene.used_materials().any(|material| material.surface.orbits()) {
+            bindings.extend(orbits(&*scene.law, scene.rays.bound.radius).into_iter().flatten());
+        }
+        bindings
     }
 
     /// The lists of solids: those on which rays end, those with two sides, and all of them.

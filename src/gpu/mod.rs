@@ -10,6 +10,7 @@ mod device;
 mod emission;
 mod error;
 mod geometry;
+mod glow;
 mod hierarchy;
 mod light_field;
 mod lists;

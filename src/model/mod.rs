@@ -10,6 +10,7 @@
 //! are names, and values are numbers by the names of WGSL's members. A user of the library implements [`Law`] or [`Medium`] for a
 //! kind of their own, with WGSL as text, and puts it into a [`Scene`](crate::scene::Scene).
 
+pub mod black_body;
 pub mod camera;
 pub mod control;
 pub mod cut;
@@ -17,6 +18,7 @@ pub mod falloff;
 pub mod filter;
 pub mod law;
 pub mod material;
+pub mod matter;
 pub mod medium;
 pub mod method;
 mod motion;

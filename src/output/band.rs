@@ -16,6 +16,7 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Object => &["id.object"],
         Layer::Status => &["id.status"],
         Layer::Steps => &["steps"],
+        Layer::Shift => &["shift"],
         Layer::Samples => &["samples"],
         Layer::Error => &["error"],
         Layer::Sums => &["sums.R", "sums.G", "sums.B"],
@@ -41,7 +42,7 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
 
 fn suits(plane: &Plane, layer: Layer) -> bool {
     match plane {
-        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error | Layer::Spread),
+        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error | Layer::Shift | Layer::Spread),
         Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way | Layer::Sums),
         Plane::Id(_) => is_id(layer),
     }

@@ -170,6 +170,8 @@ pub enum Layer {
     Status,
     /// Integration steps.
     Steps,
+    /// The frequency of what the ray saw, over that at its source.
+    Shift,
     /// Rays that the pixel took.
     Samples,
     /// The standard error of the pixel's mean luminance.
@@ -184,13 +186,14 @@ pub enum Layer {
 
 impl Layer {
     /// Every layer that files hold.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
         Self::Object,
         Self::Status,
         Self::Steps,
+        Self::Shift,
         Self::Samples,
         Self::Error,
         Self::Sums,
@@ -213,6 +216,7 @@ impl Layer {
             Self::Object => "object",
             Self::Status => "status",
             Self::Steps => "steps",
+            Self::Shift => "shift",
             Self::Samples => "samples",
             Self::Error => "error",
             Self::Sums => "sums",
@@ -231,6 +235,7 @@ impl Layer {
             Self::Object => "The object, from 1; 0 for none",
             Self::Status => "How the ray ended",
             Self::Steps => "Integration steps",
+            Self::Shift => "The frequency of the light that a ray saw, over that at its source",
             Self::Samples => "Rays that the pixel took",
             Self::Error => "The standard error of the pixel's mean luminance, with paths or adaptive sampling",
             Self::Sums => "The sums of the samples of a picture of paths, which it is continued from",
@@ -326,6 +331,18 @@ impl Choice {
     #[must_use]
     pub fn sees_glow(&self, scene: &Scene) -> bool {
         self.purpose == Purpose::Picture && scene.filters().any(|filter| filter.glow != DVec3::ZERO)
+    }
+
+    /// Is light as bright as its shift makes it?
+    #[must_use]
+    pub fn beams(&self, scene: &Scene) -> bool {
+        self.purpose == Purpose::Picture && scene.camera.as_ref().is_some_and(|camera| camera.shift)
+    }
+
+    /// Is it asked how light has shifted, and is there an answer?
+    #[must_use]
+    pub fn knows_shift(&self, scene: &Scene) -> bool {
+        self.beams(scene) || self.layers.contains(&Layer::Shift) && scene.has_frequencies()
     }
 
     /// Do pixels take as many samples as they need?

@@ -166,18 +166,38 @@ fn own_name(part: &str) -> &str {
     part.rsplit('/').next().unwrap_or(part)
 }
 
-/// What surfaces send back: the scene's kinds of material, pattern and light. On `paths` each answers light, and none shows it.
-pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str], paths: bool) -> Unit {
-    let calls = |what: &str, arguments: &str| -> Vec<_> {
-        let names = kinds.iter().map(|part| own_name(part));
-        names.map(|kind| (kind.to_uppercase(), format!("{what}_{kind}({arguments})"))).collect()
+/// What surfaces are made of, and what is asked of them.
+pub(super) struct Answers<'a> {
+    /// The parts of the kinds, of those whose colour follows from a temperature, and of those that orbit.
+    pub kinds: &'a [&'a str],
+    pub tempered: &'a [&'a str],
+    pub orbiting: &'a [&'a str],
+    pub patterns: &'a [&'a str],
+    pub lights: &'a [&'a str],
+    /// Does each answer light, and none show it?
+    pub paths: bool,
+    /// Is it asked how matter moves?
+    pub shift: bool,
+    /// Is its light as bright as its shift makes it?
+    pub beaming: bool,
+}
+
+/// What surfaces send back: the scene's kinds of material, pattern and light.
+pub(super) fn materials(answers: &Answers) -> Unit {
+    let Answers { kinds, tempered, orbiting, patterns, lights, paths, shift, beaming } = *answers;
+    let each = |call: &dyn Fn(&str, &str) -> String| -> Vec<_> {
+        kinds.iter().map(|part| (own_name(part).to_uppercase(), call(part, own_name(part)))).collect()
     };
-    let radiance = if paths { Vec::new() } else { calls("radiance", "material, color, lit") };
+    let radiance = |part: &str, kind: &str| {
+        let beamed = if beaming && !tempered.contains(&part) { " * beamed()" } else { "" };
+        format!("radiance_{kind}(material, color, lit){beamed}")
+    };
+    let radiance = if paths { Vec::new() } else { each(&radiance) };
     let colors: Vec<_> = patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
     let mut text =
         switch("fn surface_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f", "material.kind", &radiance);
     if paths {
-        let mut answers = calls("answer", "material, color");
+        let mut answers = each(&|_, kind| format!("answer_{kind}(material, color)"));
         if answers.is_empty() {
             answers.push((String::new(), "Answer(vec3f(0.0), vec3f(0.0), vec3f(0.0), 1.0)".to_owned()));
         }
@@ -186,6 +206,13 @@ pub(super) fn materials(kinds: &[&str], patterns: &[&str], lights: &[&str], path
     }
     text += "\n";
     text += &switch("fn pattern_color(material: Material, uv: vec2f) -> vec3f", "material.pattern", &colors);
+    if shift {
+        let matter = each(&|part, kind| {
+            if orbiting.contains(&part) { format!("matter_{kind}(x)") } else { "matter_at_rest(x)".to_owned() }
+        });
+        text += "\n";
+        text += &switch("fn surface_matter(material: Material, x: Real3) -> Real4", "material.kind", &matter);
+    }
     if !lights.is_empty() {
         let sum: Vec<_> = lights.iter().map(|l| format!("lit_by_{l}(material, color, lit)")).collect();
         let _ = write!(

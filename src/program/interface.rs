@@ -124,7 +124,7 @@ pub enum Access {
 }
 
 /// The renderer's bindings.
-const ROLES: [(&str, Role); 29] = [
+const ROLES: [(&str, Role); 30] = [
     ("red", Role::Color(Channel::Red)),
     ("green", Role::Color(Channel::Green)),
     ("blue", Role::Color(Channel::Blue)),
@@ -135,6 +135,7 @@ const ROLES: [(&str, Role); 29] = [
     ("layer_object", Role::Layer(Layer::Object)),
     ("layer_status", Role::Layer(Layer::Status)),
     ("layer_steps", Role::Layer(Layer::Steps)),
+    ("layer_shift", Role::Layer(Layer::Shift)),
     ("layer_way", Role::Layer(Layer::Way)),
     ("moments", Role::Moments),
     ("list_in", Role::List(Access::Read)),

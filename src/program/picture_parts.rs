@@ -1,8 +1,8 @@
 //! The parts of pictures: where samples lie, the camera, what is seen, and what is made of it.
 
 use super::names::Names;
-use super::{Choice, Purpose, generated};
-use crate::model::{Pattern, Projection, Stereo, StereoLayout};
+use super::{Choice, Layer, Purpose, generated};
+use crate::model::{Pattern, Projection, Stereo, StereoLayout, Surface};
 use crate::scene::{Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
@@ -59,6 +59,15 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     } else {
         names.all(&["picture/samples_all"]);
     }
+    if choice.knows_shift(scene) {
+        names.add("picture/shift");
+        names.all(&scene.law.momentum_part().into_iter().collect::<Vec<_>>());
+    } else if choice.layers.contains(&Layer::Shift) {
+        names.add("picture/shift_unknown");
+    }
+    if choice.beams(scene) {
+        names.add("picture/beaming");
+    }
     let layers: Vec<_> = choice.layers.iter().filter(|layer| layer.is_of_a_ray()).map(|layer| layer.name()).collect();
     if layers.is_empty() {
         names.add("picture/layers_none");
@@ -96,7 +105,25 @@ pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) 
         names.add("surface/light/field");
         grid_parts(scene, names);
     }
-    names.make(generated::materials(&kinds, &patterns, &lights, choice.follows_paths(scene)));
+    let parts_of = |wanted: fn(&dyn Surface) -> bool| -> Vec<&str> {
+        ends().filter(|material| wanted(&*material.surface)).map(|material| scene.part_of(material)).collect()
+    };
+    let tempered = parts_of(Surface::has_temperature);
+    let beaming = choice.beams(scene);
+    if !tempered.is_empty() {
+        names.add("surface/black_body");
+        names.all(if beaming { &[] } else { &["surface/unshifted"] });
+    }
+    names.make(generated::materials(&generated::Answers {
+        kinds: &kinds,
+        tempered: &tempered,
+        orbiting: &parts_of(Surface::orbits),
+        patterns: &patterns,
+        lights: &lights,
+        paths: choice.follows_paths(scene),
+        shift: choice.knows_shift(scene),
+        beaming,
+    }));
 }
 
 /// How bright the lights are that have a grid.

@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 17] = [
+const OPTIONAL: [&str; 20] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -80,6 +80,9 @@ const OPTIONAL: [&str; 17] = [
     "note_dispersed",
     "color_dispersed",
     "clamp_sample",
+    "note_frequency",
+    "note_matter",
+    "beam_sky",
 ];
 
 impl Parts {

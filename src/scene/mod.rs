@@ -111,6 +111,13 @@ pub struct Animation {
 }
 
 impl Scene {
+    /// Has light a frequency to whoever is at the camera?
+    #[must_use]
+    pub fn has_frequencies(&self) -> bool {
+        let is_seen = self.camera.as_ref().is_some_and(|camera| camera.frame != CameraFrame::Coordinate);
+        is_seen && self.law.momentum_part().is_some() && self.rays.paths.is_none()
+    }
+
     /// The accuracy that the scene asks for, in radians; none if it names a method. A plane camera's pixels have no angle:
     /// there, and without a camera, a pixel is a thousandth of a radian.
     #[must_use]

@@ -80,6 +80,7 @@ impl Arguments {
             return Vec::new();
         }
         let usual = |layer: Layer| match layer {
+            Layer::Shift => scene.has_frequencies(),
             Layer::Samples => scene.image.adaptive.is_some(),
             Layer::Error => scene.rays.paths.is_some(),
             Layer::Sums | Layer::Spread => is_continuable(scene),

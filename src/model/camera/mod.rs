@@ -21,7 +21,7 @@ use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
 pub use fisheye::{Corners, Fisheye};
-pub use observer::observer;
+pub use observer::{frequency, observer};
 pub use panorama::Panorama;
 pub use pinhole::Pinhole;
 pub use plane::Plane;
@@ -91,6 +91,8 @@ pub struct Camera {
     pub projection: Arc<dyn Projection>,
     /// Whose directions the camera's are.
     pub frame: CameraFrame,
+    /// Is light as bright and as coloured as its shift makes it?
+    pub shift: bool,
     /// Two eyes, if the picture is a pair of views.
     pub stereo: Option<Stereo>,
 }
@@ -122,7 +124,7 @@ impl Camera {
         let forward = (at - position).try_normalize()?;
         let right = forward.cross(up).try_normalize()?;
         let frame = CameraFrame::Coordinate;
-        Some(Self { position, forward, right, up: right.cross(forward), projection, frame, stereo: None })
+        Some(Self { position, forward, right, up: right.cross(forward), projection, frame, shift: false, stereo: None })
     }
 
     /// Where rays start: one place, or two.

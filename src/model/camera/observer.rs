@@ -26,17 +26,26 @@ fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
     [found[2], found[1], found[0]]
 }
 
+/// What the shader is fed of light's frequency: K's part in time, which is linear in the direction that it is seen in.
+pub fn frequency(law: &dyn Law, camera: &Camera) -> Option<Row> {
+    let metric = law.metric(camera.position)?;
+    let of = |k: DVec4| metric.w_axis.dot(k);
+    let [along_x, along_y, along_z, rest] = axes(law, camera)?.map(of);
+    Some(row! { along: Vec3(DVec3::new(along_x, along_y, along_z)), rest: Float(rest) })
+}
+
 /// What the shader is fed; none if directions are the coordinates'.
 pub fn observer(law: &dyn Law, camera: &Camera) -> Option<Row> {
+    let [x, y, z, rest] = axes(law, camera)?;
+    Some(row! { x: Vec4(x), y: Vec4(y), z: Vec4(z), rest: Vec4(rest) })
+}
+
+/// K's parts along the scene's three directions, and what it has besides: −u.
+fn axes(law: &dyn Law, camera: &Camera) -> Option<[DVec4; 4]> {
     let u = law.observer(camera.frame, camera.position)?.ok()?;
     let metric = law.metric(camera.position)?;
     let [right, up, forward] = tetrad(&metric, u, camera);
     let along =
         |axis: DVec3| right * camera.right.dot(axis) + up * camera.up.dot(axis) + forward * camera.forward.dot(axis);
-    Some(row! {
-        x: Vec4(along(DVec3::X)),
-        y: Vec4(along(DVec3::Y)),
-        z: Vec4(along(DVec3::Z)),
-        rest: Vec4(-u),
-    })
+    Some([along(DVec3::X), along(DVec3::Y), along(DVec3::Z), -u])
 }

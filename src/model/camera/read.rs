@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Camera, KINDS, Stereo, StereoLayout};
 use crate::document::Node;
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, direction, positive, vector, word};
+use crate::document::values::{Read, boolean, direction, positive, vector, word};
 use crate::model::{CameraFrame, Law, Order};
 
 /// None if there is no camera, or one that cannot be used. `size` is the picture's.
@@ -31,10 +31,16 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
         };
         table.fault(&["frame"], problem, help);
     }
+    let shift = table.or("shift", false, boolean);
+    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_part().is_none()) {
+        let problem = "light has a frequency only for an observer, and by a law that says it";
+        let help = "choose a `frame`, with law.kind = \"kerr-newman\" or a \"metric\" without t";
+        table.fault(&["shift"], problem, help);
+    }
     let stereo = stereo(&table, size);
     let camera = position.and_then(|position| {
         let [forward, right, up] = axes(&table, position, look_at, up)?;
-        Some(Camera { position, forward, right, up, projection: projection?, frame, stereo })
+        Some(Camera { position, forward, right, up, projection: projection?, frame, shift, stereo })
     });
     if let (Some(camera), Some(law)) = (&camera, law) {
         check_against_law(&table, camera, law);

@@ -270,6 +270,14 @@ impl Law for KerrNewman {
         Some(found)
     }
 
+    fn momentum_part(&self) -> Option<&'static str> {
+        Some("law/momentum/kerr_newman")
+    }
+
+    fn equator(&self) -> Option<[DVec3; 2]> {
+        Some([self.center, self.axis])
+    }
+
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (r, horizon) = (self.at(at).r, self.horizon()?);
         let problem = || format!("is inside the horizon: r = {r:.4} ≤ {horizon:.4}");

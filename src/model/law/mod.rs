@@ -206,6 +206,16 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
+    /// The part that gives the momentum of light, if light has a frequency under this law.
+    fn momentum_part(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// The centre and the axis about which matter goes round, if it does: on the orbits of [`CameraFrame::Orbiting`].
+    fn equator(&self) -> Option<[DVec3; 2]> {
+        None
+    }
+
     /// Why no eye can be at a place: what follows the eye's name in the message, and what to do.
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let _ = at;

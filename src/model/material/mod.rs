@@ -5,6 +5,8 @@
 //!
 //! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
+mod accretion;
+mod blackbody;
 mod emissive;
 mod fan;
 mod glossy;
@@ -23,6 +25,8 @@ use crate::assets::{FanRay, Files, Picture};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
+pub use accretion::Accretion;
+pub use blackbody::Blackbody;
 pub use emissive::Emissive;
 pub use fan::Fan;
 pub use glossy::Glossy;
@@ -40,7 +44,7 @@ pub static KINDS: Kinds<Read> = Kinds {
     chooser: "kind",
     meaning: "how it answers light",
     example: None,
-    all: &[&phong::KIND, &emissive::KIND, &mirror::KIND, &glossy::KIND, &fan::KIND],
+    all: &[&phong::KIND, &emissive::KIND, &blackbody::KIND, &accretion::KIND, &mirror::KIND, &glossy::KIND, &fan::KIND],
 };
 
 /// `[materials.NAME]`.
@@ -105,6 +109,16 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
 
     /// Does it give back light about the mirror's direction?
     fn is_glossy(&self) -> bool {
+        false
+    }
+
+    /// Does its colour follow from a temperature?
+    fn has_temperature(&self) -> bool {
+        false
+    }
+
+    /// Does it go round as matter does by its law, and not rest?
+    fn orbits(&self) -> bool {
         false
     }
 

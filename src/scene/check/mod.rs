@@ -10,6 +10,7 @@ mod image;
 mod paths;
 mod rays;
 mod regions;
+mod shift;
 mod sky;
 
 use super::lights::PATHS;
@@ -101,6 +102,10 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     if paths.is_some() {
         paths::refuse(&root, &lights);
     }
+    let reach = bound.map_or(1.0, |bound| bound.radius);
+    let (law_now, filter_now) = (law.as_deref(), filter.as_ref());
+    let rest = shift::Rest { law: law_now, materials: &materials, filter: filter_now, paths: paths.is_some(), reach };
+    shift::check(&root, camera.as_ref(), &rest);
     let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
     root.finish();
     let mut scene = Scene {

@@ -54,6 +54,8 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, all under kerr-newman, all but `falling` under metric";
             velocity if r#"frame = "moving""#: "[x, y, z], below 1 long" = "required",
                 "of the observer, in parts of light's speed, past one who is normal";
+            shift: "true | false" = "false",
+                "whether light is as the observer sees it: brighter and bluer from what comes near or lies higher, by the fourth power of its frequency's ratio; needs a `frame`";
             stereo: "{ separation, layout, convergence }" = "none",
                 "two views in one picture, of eyes to the left and right of the position";
         }

@@ -225,6 +225,14 @@ impl Law for Metric {
         })
     }
 
+    fn momentum_part(&self) -> Option<&'static str> {
+        (!self.carries_time()).then_some("law/momentum/metric")
+    }
+
+    fn equator(&self) -> Option<[DVec3; 2]> {
+        self.is_axisymmetric().then(|| [self.center, self.axis()])
+    }
+
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         if self.element.gap(at - self.center).is_some_and(|gap| gap.w <= 0.0) {
             return Some(says_none("is where rays end: see law.captured", "move it away"));

@@ -1,0 +1,54 @@
+// Matter that goes round in a thin disc and falls in, and radiates as black bodies do (Page and Thorne 1974).
+
+const ACCRETION: u32 = 10u;
+
+struct Equator {
+    center: Real3,
+    // The logarithm of the first orbit's distance from the axis; the others' are even.
+    first: Real,
+    axis: Real3,
+    per_orbit: Real,
+}
+
+@group(0) @binding(126) var<uniform> equator: Equator;
+struct Orbit {
+    // The four-velocity along the way out, along the way round and of time.
+    u: vec3f,
+    // √(F/F_most), which ends evenly at the innermost stable orbit.
+    light: f32,
+}
+
+@group(0) @binding(127) var<storage, read> orbits: array<Orbit>;
+
+const ORBITS: u32 = 4096u;
+
+fn from_axis(x: Real3) -> Real3 {
+    let d = x - equator.center;
+    return d - dot(d, equator.axis) * equator.axis;
+}
+
+fn orbit_at(rho: Real) -> Orbit {
+    let place = clamp((real_log(rho) - equator.first) / equator.per_orbit, 0.0, Real(ORBITS - 1u));
+    let first = min(u32(place), ORBITS - 2u);
+    let a = orbits[first];
+    let b = orbits[first + 1u];
+    let part = f32(place - Real(first));
+    return Orbit(mix(a.u, b.u, part), mix(a.light, b.light, part));
+}
+
+// u of the matter at x.
+fn matter_accretion(x: Real3) -> Real4 {
+    let out = from_axis(x);
+    let rho = length(out);
+    let u = orbit_at(rho).u;
+    return Real4((Real(u.x) * out + Real(u.y) * cross(equator.axis, out)) / rho, Real(u.z));
+}
+
+// In `emission`: the temperature of the hottest ring in kelvins, and its luminance. F goes with the fourth power of temperature. Without
+// one it is white, and as bright as all its frequencies together.
+fn radiance_accretion(material: Material, color: vec3f, lit: Lit) -> vec3f {
+    let heat = sqrt(orbit_at(length(from_axis(Real3(lit.x)))).light) * color_shift();
+    let body = material.emission;
+    let white = vec3f(heat * heat * heat * heat);
+    return color * body.y * select(black_body_color(body.x * heat, body.x), white, body.x == 0.0);
+}

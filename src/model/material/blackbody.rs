@@ -1,0 +1,56 @@
+//! A surface that radiates as a black body does.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{Kind, Surface, pattern};
+use crate::document::keys;
+use crate::document::values::positive;
+use crate::model::{Row, black_body, row};
+
+pub static KIND: Kind = Kind {
+    name: "blackbody",
+    keys: keys! {
+        temperature: "number above 0" = "required", "kelvins";
+        brightness: "number above 0" = "1", "its luminance";
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]", "its light times this";
+    },
+    read: |table, files| {
+        let temperature = table.required("temperature", "5800", positive);
+        let brightness = table.or("brightness", 1.0, positive);
+        let color = pattern::read(table, "color", Some(DVec3::ONE), files)?;
+        Some((color, Arc::new(Blackbody { temperature: temperature?, brightness })))
+    },
+};
+
+/// Radiates by Planck's law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blackbody {
+    /// In kelvins.
+    pub temperature: f64,
+    /// Its luminance.
+    pub brightness: f64,
+}
+
+impl Surface for Blackbody {
+    fn part(&self) -> &'static str {
+        "surface/material/blackbody"
+    }
+
+    fn values(&self) -> Row {
+        row! { emission: Vec3(DVec3::new(self.temperature, self.brightness, 0.0)) }
+    }
+
+    fn emission(&self, color: DVec3) -> DVec3 {
+        self.brightness * color * black_body::color(self.temperature).0
+    }
+
+    fn has_temperature(&self) -> bool {
+        true
+    }
+
+    fn albedo(&self, _color: DVec3) -> DVec3 {
+        DVec3::ZERO
+    }
+}

@@ -1,0 +1,191 @@
+//! How light shifts on its way, and matter that goes round in thin discs, against closed forms and answers to 15 digits.
+
+use bentray::model::{black_body, matter};
+use bentray::program::{Choice, Layer};
+use bentray::render::{Plane, RenderSettings, Renderer, Rendering};
+use bentray::scene::Scene;
+use glam::DVec3;
+
+use crate::oracle::{rows, vector};
+use crate::spacetimes::typed;
+use crate::support::{gpu, scene};
+
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(' ').map(|word| word.parse().unwrap()).collect()
+}
+
+/// The orbits' E, L, Ω, uᵗ and light, also where the law is typed as a line element: there derivatives are differences.
+#[test]
+fn matter_moves_and_shines_as_closed_forms_say() {
+    for row in rows(include_str!("tables/thin_discs.tsv")) {
+        let spin: f64 = row[1].parse().unwrap();
+        let kerr = format!("kind=\"kerr-newman\";spin={spin}");
+        for (law, bound) in [(kerr.replace(';', "\n"), 3e-7), (typed(&kerr), 3e-6)] {
+            let law = scene(&format!("[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n")).law;
+            let (edge, orbits) = matter::orbits(&*law, 60.0, 4096).unwrap();
+            let radius = |rho: f64| (rho * rho - spin * spin).sqrt();
+            let off = radius(orbits[edge].rho) / row[2].parse::<f64>().unwrap() - 1.0;
+            assert!(off.abs() < bound, "{}: the innermost stable orbit is off by {off:e}", row[0]);
+            for told in row[3].split("; ").map(numbers) {
+                // By Lagrange's formula from the four rows about it.
+                let after = orbits.iter().position(|orbit| radius(orbit.rho) > told[0]).unwrap();
+                let near = &orbits[after - 2..after + 2];
+                let at = |of: &dyn Fn(&matter::Orbit) -> f64| -> f64 {
+                    let weight = |i: usize| -> f64 {
+                        let others = (0..4).filter(|k| *k != i).map(|k| radius(near[k].rho));
+                        others.map(|r| (told[0] - r) / (radius(near[i].rho) - r)).product()
+                    };
+                    (0..4).map(|i| weight(i) * of(&near[i])).sum()
+                };
+                let found = [
+                    ("E", at(&|orbit| orbit.energy)),
+                    ("L", at(&|orbit| orbit.momentum)),
+                    ("turning", at(&matter::Orbit::turning)),
+                    ("clock", at(&|orbit| orbit.u.z)),
+                    ("flux", at(&|orbit| orbit.flux)),
+                ];
+                for ((what, found), told) in found.into_iter().zip(&told[1..]) {
+                    let off = found / told - 1.0;
+                    assert!(off.abs() < bound, "{} at {}: {what} is off by {off:e}", row[0], radius(near[1].rho));
+                }
+            }
+        }
+    }
+}
+
+/// Within the innermost stable orbit matter keeps E and L, and falls ever faster.
+#[test]
+fn matter_falls_in_from_the_innermost_stable_orbit() {
+    for law in ["kind=\"kerr-newman\"\nspin=0.7", "kind=\"kerr-newman\"\nspin=0.3\ncharge=0.5\naxis=[0, 1, 0]"] {
+        let law = scene(&format!("[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n")).law;
+        let [_, axis] = law.equator().unwrap();
+        let (edge, orbits) = matter::orbits(&*law, 60.0, 1000).unwrap();
+        let out = axis.any_orthonormal_vector();
+        let mut slower = 0.0;
+        for orbit in orbits[..edge].iter().rev().take_while(|orbit| orbit.rho > 2.2) {
+            let (at, around) = (orbit.rho * out, axis.cross(out));
+            let u = (orbit.u.x * out + orbit.u.y * around).extend(orbit.u.z);
+            let lowered = law.metric(at).unwrap() * u;
+            let kept = [lowered.dot(u) + 1.0, lowered.w + orbits[edge].energy];
+            assert!(kept.iter().all(|off| off.abs() < 1e-9), "{kept:?}");
+            let momentum = orbit.rho * lowered.dot(around.extend(0.0));
+            assert!((momentum - orbits[edge].momentum).abs() < 1e-9 && orbit.u.x < slower && orbit.flux == 0.0);
+            slower = orbit.u.x;
+        }
+        assert!(slower < -0.01, "{slower}");
+    }
+}
+
+/// The colour of CIE's illuminant A and of daylight's temperature, as near as sums of lobes come; and brightness by Rayleigh and Jeans.
+#[test]
+fn black_bodies_have_their_colours() {
+    for (kelvin, x, y) in [(2856.0, 0.4476, 0.4074), (6500.0, 0.3135, 0.3236), (15000.0, 0.2637, 0.2674)] {
+        let color = black_body::color(kelvin).0;
+        let xyz = DVec3::new(
+            DVec3::new(0.4124, 0.3576, 0.1805).dot(color),
+            DVec3::new(0.2126, 0.7152, 0.0722).dot(color),
+            DVec3::new(0.0193, 0.1192, 0.9505).dot(color),
+        );
+        let sum = xyz.element_sum();
+        let off = (xyz.x / sum - x).hypot(xyz.y / sum - y);
+        assert!(off < 5e-3, "{kelvin} K is off by {off}");
+        assert!((xyz.y - 1.0).abs() < 1e-3, "{}", xyz.y);
+    }
+    let brightness = |kelvin: f64| black_body::color(kelvin).1;
+    assert!((brightness(2e7) - brightness(1e7) - 2.0_f64.ln()).abs() < 1e-3);
+    // Wien: at low temperatures it goes by e^(−C₂/λT), and what is seen is red.
+    let slope = (brightness(1010.0) - brightness(990.0)) / (1.0_f64 / 990.0 - 1.0 / 1010.0);
+    assert!((1.44e7 / slope - 600.0).abs() < 60.0, "{slope}");
+}
+
+fn rendered(scene: &Scene) -> Rendering {
+    let choice = Choice { layers: vec![Layer::Position, Layer::Shift], ..Choice::default() };
+    let settings = RenderSettings { choice, ..RenderSettings::default() };
+    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
+}
+
+fn shifts(picture: &Rendering) -> &[f32] {
+    match picture.band.layer(Layer::Shift) {
+        Some(Plane::Scalar(values)) => values,
+        _ => panic!("no layer of shifts"),
+    }
+}
+
+/// Rays as they cross a disc, in the order of tracing: where, by how much their light is shifted and what colour it has. The third time
+/// some cross far out and at a grazing angle, of which the sensitivity does not know: that is for 64 bits.
+#[test]
+fn light_of_discs_is_shifted_as_series_say() {
+    for row in rows(include_str!("tables/disc_crossings.tsv")) {
+        let (spin, origin, way): (f64, _, _) = (row[1].parse().unwrap(), vector(row[2]), vector(row[3]));
+        let kerr = format!("kind=\"kerr-newman\";spin={spin}");
+        for (k, crossing) in row[4].split("; ").enumerate() {
+            let words: Vec<&str> = crossing.split(' ').collect();
+            let number = |i: usize| words[i].parse::<f64>().unwrap();
+            let rho = number(0).hypot(number(1));
+            let bits = [("f32", 1e-6, 2e-5_f64.max(40.0 * row[5].parse::<f64>().unwrap() / rho)), ("f64", 1e-12, 1e-7)];
+            let laws = [kerr.replace(';', "\n"), typed(&kerr)];
+            for (law, (precision, tolerance, bound)) in laws.iter().flat_map(|law| bits.map(|bits| (law, bits))) {
+                if k == 2 && precision == "f32" {
+                    continue;
+                }
+                // What lies at other distances is open, so that later crossings are seen as well.
+                let scene = scene(&format!(
+                    "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nframe = \"static\"\n\
+                     shift = true\n[law]\n{law}\n[rays]\nbound = {{ radius = 200 }}\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\nprecision = \"{precision}\"\n\
+                     max_segments = 20000\n[materials.m]\nkind = \"accretion\"\ntemperature = 9000\n[[objects]]\nshape = \"disk\"\n\
+                     material = \"m\"\nnormal = [0, 0, 1]\nradius = {}\nhole = {}\n",
+                    origin.to_array(),
+                    (origin + way).to_array(),
+                    1.05 * rho,
+                    0.95 * rho
+                ));
+                let picture = rendered(&scene);
+                let Some(Plane::Vector(position)) = picture.band.layer(Layer::Position) else { panic!("no places") };
+                let off = (f64::from(position[0][0]) - number(0)).hypot(f64::from(position[1][0]) - number(1)) / rho;
+                println!("{} crossing {k}: off by {off:e} of {bound:e}", row[0]);
+                assert!(off < bound, "{} crossing {k}: off by {off:e}", row[0]);
+                if words[3] == "none" {
+                    continue;
+                }
+                let g = f64::from(shifts(&picture)[0]);
+                let (_, orbits) = matter::orbits(&*scene.law, 200.0, 4096).unwrap();
+                let most = orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max);
+                let kelvin = 9000.0 * number(3) * (number(4) / most).powf(0.25);
+                let (color, luminance) = black_body::color(kelvin);
+                let told = color * (luminance - black_body::color(9000.0).1).exp();
+                let found = DVec3::from_array([0, 1, 2].map(|channel| f64::from(picture.band.color[channel][0])));
+                println!("g {g} for {}, colour {found} for {told}", number(3));
+                assert!((g / number(3) - 1.0).abs() < 1e-4, "{} crossing {k}: g is {g}", row[0]);
+                assert!(found.distance(told) < 2e-3 * told.length(), "{} crossing {k}: {found}, not {told}", row[0]);
+            }
+        }
+    }
+}
+
+/// The sky as who moves at 0.6 sees it in flat space, by Doppler's formula, and who rests near a hole: g⁴ as bright.
+#[test]
+fn the_sky_is_as_bright_as_its_shift() {
+    let flat = "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"";
+    let moving = "frame = \"moving\"\nvelocity = [0, 0.6, 0]";
+    let hole = "kind = \"kerr-newman\"\nspin = 0.5";
+    let near_hole = 1.0 / (1.0 - 2.0 * 1000.0 / (10_000.0_f64)).sqrt();
+    for (law, frame, ahead, g) in [
+        (flat, moving, [10, 1, 0], 2.0),
+        (flat, moving, [10, -1, 0], 0.5),
+        (flat, moving, [11, 0, 0], 0.8),
+        (hole, "frame = \"static\"", [10, 0, 1], near_hole),
+    ] {
+        // In the equator of a spinning hole Σ = r², and r = 10.
+        let x = if law == hole { (100.0_f64 + 0.25).sqrt() } else { 10.0 };
+        let picture = rendered(&scene(&format!(
+            "[image]\nsize = [1, 1]\n[camera]\nposition = [{x:?}, 0, 0]\nfov = 1\n{frame}\nlook_at = {ahead:?}\nup = [1, 1, 1]\n\
+             shift = true\n[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n[sky]\ncolor = [1, 0.5, 0.25]\n"
+        )));
+        let found = f64::from(shifts(&picture)[0]);
+        assert!((found / g - 1.0).abs() < 1e-5, "{frame} towards {ahead:?}: {found}, not {g}");
+        for (channel, color) in [1.0, 0.5, 0.25].into_iter().enumerate() {
+            let off = f64::from(picture.band.color[channel][0]) / (color * g.powi(4)) - 1.0;
+            assert!(off.abs() < 1e-4, "{frame} towards {ahead:?}: off by {off}");
+        }
+    }
+}
