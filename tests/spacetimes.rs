@@ -188,9 +188,17 @@ fn fate(hole: &KerrNewman, x: DVec3, v: DVec3) -> Option<Status> {
         let first = r * r + a2 - hole.spin * momentum.value;
         let delta = r * r - 2.0 * hole.mass * r + a2 + hole.charge * hole.charge;
         let slope =
-            hole.spin * first.abs() + delta * (carter.value.max(0.0).sqrt() + (momentum.value - hole.spin).abs());
+            hole.spin * first.abs() + delta.abs() * (carter.value.max(0.0).sqrt() + (momentum.value - hole.spin).abs());
         (first * first - delta * chi) / (2.0 * slope)
     };
+    // Light from below the horizon.
+    let leaving = horizon * horizon + a2 - hole.spin * momentum.value;
+    if here < horizon {
+        let crosses = (leaving.abs() > 1e-2).then_some(leaving > 0.0)?;
+        if !crosses {
+            return Some(Status::Captured);
+        }
+    }
     let is_outwards = spheroid::of(x - hole.center, hole.spin * hole.axis).1.dot(v) > 0.0;
     let end = if is_outwards { 1e6 } else { horizon + 0.01 * hole.mass };
     let least =
@@ -206,14 +214,18 @@ fn every_fate_is_right_round_spinning_holes() {
     let mut random = Random::new(82);
     for (spin, charge) in [(0.0, 0.0), (0.5, 0.0), (0.9, 0.0), (0.998, 0.0), (1.0, 0.0), (0.6, 0.6)] {
         let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
-        let nearest = hole.horizon().unwrap() + 0.05;
+        let horizon = hole.horizon().unwrap();
+        // Just above the horizon light takes for ever; below it, it leaves or has come from below.
+        let far = horizon + 0.05;
+        let near = hole.inner_horizon().unwrap() + 0.1..horizon - 0.05;
         let (mut rays, mut fates) = (Vec::new(), Vec::new());
         while rays.len() < 10_000 {
-            let x = random.direction() * random.log(1.0, 1000.0);
+            let x = random.direction() * random.log(0.1, 1000.0);
             let aimed = -x.normalize() + random.direction() * random.log(1e-3, 1.0);
             let d = if random.unit() < 0.7 { aimed.normalize() } else { random.direction() };
             let v = hole.starting_velocity(x, d);
-            if hole.at(x).r < nearest || !v.is_finite() {
+            let r = hole.at(x).r;
+            if r < far && !near.contains(&r) || !v.is_finite() {
                 continue;
             }
             if let Some(fate) = fate(&hole, x, v) {

@@ -50,19 +50,11 @@ fn law_pull(at: Real3, v: Real3) -> Real3 {
     return half * g.slope + rate * (g.l - v) - (2.0 * g.twist * g.f * w) * cross(g.l, v);
 }
 
-// As fast as light: κ of v/κ from (1−f)κ² + 2f(l·v)κ = f(l·v)² + |v|². Inside the ergosphere light goes some ways at two speeds, of
-// which it is the one that v is nearer to, and others not at all: then v is not finite, and the ray fails.
 fn law_start(x: Real3, v: Real3) -> Phase {
     let g = kerr_schild(x - law.center);
     let along = dot(g.l, v);
     let b = g.f * along;
-    let c = b * along + dot(v, v);
-    let root = sqrt(b * b + (1.0 - g.f) * c);
-    let faster = c / (b + root);
-    let slower = c / (b - root);
-    let slow = g.f > 1.0 && abs(slower - 1.0) < abs(faster - 1.0);
-    let kappa = select(faster, slower, slow);
-    return Phase(x, v / select(0.0, kappa, kappa > 0.0));
+    return Phase(x, v / light_speed(1.0 - g.f, b, b * along + dot(v, v)));
 }
 
 // The tau over which the law changes: r, as light has speed 1 far away. Where it nears the horizon it slows down, but what pulls it does not.

@@ -55,15 +55,6 @@ fn metric_pull(bend: MetricBend, v: Real3) -> Real3 {
     return force + kappa * (v - shift);
 }
 
-// As fast as light: κ of v/κ from A κ² + 2bκ = c. Where nothing is at rest light goes some ways at two speeds, of which it is the one
-// that v is nearer to, and others not at all: then v is not finite, and the ray fails.
 fn as_light(m: Metric, v: Real3) -> Real3 {
-    let b = dot(m.shift, v);
-    let c = dot(v, metric_lowered(m, v));
-    let root = sqrt(b * b - m.clock * c);
-    let faster = c / (b + root);
-    let slower = c / (b - root);
-    let slow = (m.clock > 0.0) & (abs(slower - 1.0) < abs(faster - 1.0));
-    let kappa = select(faster, slower, slow);
-    return v / select(0.0, kappa, kappa > 0.0);
+    return v / light_speed(-m.clock, dot(m.shift, v), dot(v, metric_lowered(m, v)));
 }

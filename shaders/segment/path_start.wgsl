@@ -11,6 +11,7 @@ fn path_start(pixel: vec2u) -> Ray {
     if ray.status == ALIVE && law_captured(phase[0].xyz, phase[1].xyz) {
         ray.status = CAPTURED;
     }
+    end_below(phase, &ray);
     if ray.status != OUTSIDE && (!finite(phase[0].xyz) || !finite(phase[1].xyz)) {
         ray.status = FAILED;
     }

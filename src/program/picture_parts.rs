@@ -3,9 +3,17 @@
 use super::names::Names;
 use super::{Choice, Layer, Purpose, generated};
 use crate::model::{Pattern, Projection, Stereo, StereoLayout, Surface};
-use crate::scene::{Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
+use crate::scene::{Animation, Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    // A film has one program for all places that its camera comes to.
+    let moves = |animation: &Animation| animation.keys.iter().any(|key| key == "camera.position");
+    let is_anywhere = choice.purpose.is_given() || scene.animation.as_ref().is_some_and(moves);
+    let eye = scene.camera.as_ref().filter(|_| !is_anywhere).map(|camera| camera.position);
+    if let Some(part) = scene.law.below_part(eye) {
+        names.all(&[part]);
+        names.all(&scene.law.momentum_part().into_iter().collect::<Vec<_>>());
+    }
     names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
     if choice.purpose.is_given() {
         names.all(&["camera/ray", "camera/given"]);

@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 20] = [
+const OPTIONAL: [&str; 21] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -80,6 +80,7 @@ const OPTIONAL: [&str; 20] = [
     "note_dispersed",
     "color_dispersed",
     "clamp_sample",
+    "end_below",
     "note_frequency",
     "note_matter",
     "beam_sky",

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{moving, normal, normalised};
+use super::observer::{light_speed, moving, normal, normalised};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
@@ -89,6 +89,12 @@ impl KerrNewman {
         (left >= 0.0).then(|| self.mass + left.sqrt())
     }
 
+    /// r of the inner horizon, below which nothing of what falls in is certain; 0 without spin and charge.
+    #[must_use]
+    pub fn inner_horizon(&self) -> Option<f64> {
+        Some((self.spin * self.spin + self.charge * self.charge) / self.horizon()?)
+    }
+
     /// r of the circular orbit of light that goes round with the hole: what moves inwards below it never comes back.
     #[must_use]
     pub fn photon_orbit(&self) -> Option<f64> {
@@ -149,7 +155,7 @@ fn says_inside() -> [String; 2] {
 
 impl Law for KerrNewman {
     fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["law/by_velocity", "law/projected_as_is", "law/spheroid", "law/kerr_newman"])
+        Wgsl::parts(&["law/by_velocity", "law/projected_as_is", "law/spheroid", "law/light_speed", "law/kerr_newman"])
     }
 
     fn values(&self) -> Vec<Binding> {
@@ -224,16 +230,11 @@ impl Law for KerrNewman {
         self.horizon().is_none().then(remark)
     }
 
-    /// Along v as fast as light: as the shader's `law_start`.
+    /// Along v as fast as light.
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         let KerrSchild { l, f, .. } = self.at(x);
         let along = l.dot(v);
-        let (b, c) = (f * along, f * along * along + v.length_squared());
-        let root = (b * b + (1.0 - f) * c).sqrt();
-        let (faster, slower) = (c / (b + root), c / (b - root));
-        let is_slow = f > 1.0 && (slower - 1.0).abs() < (faster - 1.0).abs();
-        let kappa = if is_slow { slower } else { faster };
-        v / if kappa > 0.0 { kappa } else { 0.0 }
+        v / light_speed(1.0 - f, f * along, f * along * along + v.length_squared())
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
@@ -270,6 +271,11 @@ impl Law for KerrNewman {
         Some(found)
     }
 
+    fn below_part(&self, eye: Option<DVec3>) -> Option<&'static str> {
+        let horizon = self.horizon()?;
+        eye.is_none_or(|eye| self.at(eye).r < horizon).then_some("law/below_kerr_newman")
+    }
+
     fn momentum_part(&self) -> Option<&'static str> {
         Some("law/momentum/kerr_newman")
     }
@@ -279,9 +285,9 @@ impl Law for KerrNewman {
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
-        let (r, horizon) = (self.at(at).r, self.horizon()?);
-        let problem = || format!("is inside the horizon: r = {r:.4} ≤ {horizon:.4}");
-        (r <= horizon).then(|| [problem(), "move it away from the hole".to_owned()])
+        let (r, inner) = (self.at(at).r, self.inner_horizon()?.max(NEAR * self.mass));
+        let problem = || format!("is inside the inner horizon: r = {r:.4} ≤ {inner:.4}");
+        (r <= inner).then(|| [problem(), "move it away from the hole".to_owned()])
     }
 
     fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {

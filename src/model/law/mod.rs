@@ -206,6 +206,12 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
+    /// The part that ends light from below a horizon, if it can come to such a place; or with none to any.
+    fn below_part(&self, eye: Option<DVec3>) -> Option<&'static str> {
+        let _ = eye;
+        None
+    }
+
     /// The part that gives the momentum of light, if light has a frequency under this law.
     fn momentum_part(&self) -> Option<&'static str> {
         None

@@ -59,3 +59,12 @@ pub(super) fn moving(metric: &DMat4, velocity: DVec3) -> Option<DVec4> {
     let stretched = if length > 0.0 { velocity.length() / length } else { 0.0 };
     normalised(metric, normal(metric)? + stretched * along)
 }
+
+/// κ of v/κ from aκ² + 2bκ = c: as the shader's `light_speed`.
+pub(super) fn light_speed(a: f64, b: f64, c: f64) -> f64 {
+    let root = (b * b + a * c).sqrt();
+    let (faster, slower) = (c / (b + root), c / (b - root));
+    let is_slow = a < 0.0 && (slower - 1.0).abs() < (faster - 1.0).abs();
+    let kappa = if is_slow { slower } else { faster };
+    if kappa > 0.0 { kappa } else { 0.0 }
+}

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-use super::observer::{moving, normal, normalised};
+use super::observer::{light_speed, moving, normal, normalised};
 use super::{CameraFrame, Invariant, Kind, Law, Order};
 use crate::assets::LineElement;
 use crate::document::keys;
@@ -128,7 +128,7 @@ impl Law for Metric {
         } else {
             &["law/by_velocity", "law/metric"]
         };
-        let all = [shared, &["law/line_element", "law/projected_as_is", "medium/formula"]].concat();
+        let all = [shared, &["law/light_speed", "law/line_element", "law/projected_as_is", "medium/formula"]].concat();
         Wgsl::parts(&all)
     }
 
@@ -170,16 +170,10 @@ impl Law for Metric {
         kept
     }
 
-    /// Along v as fast as light: as the shader's `as_light`.
+    /// Along v as fast as light.
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
-        let metric = self.at(x);
-        let (way, clock) = (v.extend(0.0), metric.w_axis.w);
-        let (b, c) = (way.dot(metric.w_axis), way.dot(metric * way));
-        let root = (b * b - clock * c).sqrt();
-        let (faster, slower) = (c / (b + root), c / (b - root));
-        let is_slow = clock > 0.0 && (slower - 1.0).abs() < (faster - 1.0).abs();
-        let kappa = if is_slow { slower } else { faster };
-        v / if kappa > 0.0 { kappa } else { 0.0 }
+        let (metric, way) = (self.at(x), v.extend(0.0));
+        v / light_speed(-metric.w_axis.w, way.dot(metric.w_axis), way.dot(metric * way))
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
