@@ -168,12 +168,15 @@ fn the_sky_is_as_bright_as_its_shift() {
     let flat = "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"";
     let moving = "frame = \"moving\"\nvelocity = [0, 0.6, 0]";
     let hole = "kind = \"kerr-newman\"\nspin = 0.5";
+    let charged = "kind = \"reissner-nordstrom\"\ncharge = 0.8\ncosmological = 0.003";
+    let near_charged = 1.0 / (1.0 - 0.2 + 0.0064 - 0.1_f64).sqrt();
     let near_hole = 1.0 / (1.0 - 2.0 * 1000.0 / (10_000.0_f64)).sqrt();
     for (law, frame, ahead, g) in [
         (flat, moving, [10, 1, 0], 2.0),
         (flat, moving, [10, -1, 0], 0.5),
         (flat, moving, [11, 0, 0], 0.8),
         (hole, "frame = \"static\"", [10, 0, 1], near_hole),
+        (charged, "frame = \"static\"", [10, 1, 1], near_charged),
     ] {
         // In the equator of a spinning hole Σ = r², and r = 10.
         let x = if law == hole { (100.0_f64 + 0.25).sqrt() } else { 10.0 };

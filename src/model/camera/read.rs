@@ -24,7 +24,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     if frame != CameraFrame::Coordinate && law.is_some_and(|law| law.frame_part(frame).is_none()) {
         let (problem, help) = match frame {
             CameraFrame::Static => (
-                "the static frame needs law.kind = \"schwarzschild\", \"kerr-newman\" or \"metric\"",
+                "the static frame needs a law of a hole or a spacetime",
                 "leave `frame` out: under other laws both frames are the same",
             ),
             _ => ("such an observer needs law.kind = \"kerr-newman\" or \"metric\"", "leave `frame` out"),
@@ -34,7 +34,8 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let shift = table.or("shift", false, boolean);
     if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_part().is_none()) {
         let problem = "light has a frequency only for an observer, and by a law that says it";
-        let help = "choose a `frame`, with law.kind = \"kerr-newman\" or a \"metric\" without t";
+        let help =
+            "choose a `frame`, with law.kind = \"kerr-newman\", \"reissner-nordstrom\" or a \"metric\" without t";
         table.fault(&["shift"], problem, help);
     }
     let stereo = stereo(&table, size);

@@ -7,6 +7,7 @@
 //!
 //! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
 
+mod charged;
 mod flow;
 mod kerr_newman;
 mod lorenz;
@@ -33,6 +34,7 @@ use crate::assets::{Files, LineElement};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
+pub use charged::ChargedHole;
 pub use flow::FlowOrder;
 pub use kerr_newman::{KerrNewman, KerrSchild};
 pub use lorenz::Lorenz;
@@ -59,6 +61,7 @@ pub static KINDS: Kinds<Read> = Kinds {
     all: &[
         &straight::KIND,
         &schwarzschild::KIND,
+        &charged::KIND,
         &kerr_newman::KIND,
         &metric::KIND,
         &sources::KIND,

@@ -1,0 +1,32 @@
+// Light round a hole with a charge and without spin (Reissner and Nordström), also in a space with a cosmological constant, in path form:
+// x″ = h² (−3M/r⁵ + 2Q²/r⁶) x with h = |x × v|, in pseudo-Cartesian coordinates of areal r. The constant bends no path: it drops out.
+
+struct Law {
+    center: Real3,
+    mass: Real,
+    // Q².
+    charge_squared: Real,
+    // Λ/3.
+    third: Real,
+}
+
+@group(0) @binding(67) var<uniform> law: Law;
+
+// h² = |x × v|².
+fn law_held(p: Phase) -> Real {
+    let l = cross(p[0] - law.center, p[1]);
+    return dot(l, l);
+}
+
+fn law_acceleration(at: Real3, held: Real) -> Real3 {
+    let x = at - law.center;
+    let r2 = dot(x, x);
+    let r = sqrt(r2);
+    return (held / (r2 * r2 * r2) * (2.0 * law.charge_squared - 3.0 * law.mass * r)) * x;
+}
+
+// The tau over which the law changes: the distance r over the speed.
+fn law_scale(p: Phase) -> Real {
+    let x = p[0] - law.center;
+    return sqrt(dot(x, x) / dot(p[1], p[1]));
+}
