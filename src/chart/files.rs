@@ -41,7 +41,7 @@ impl Row for Line<'_> {
             found.position.p99,
             found.position.max,
             found.depth.p95,
-            point.drift.unwrap_or(f64::NAN),
+            point.drifts.iter().map(|(_, drift)| *drift).reduce(f64::max).unwrap_or(f64::NAN),
             point.image,
         ];
         let numbers: Vec<String> = numbers.iter().map(|number| format!("{number:.6e}")).collect();
@@ -52,7 +52,7 @@ impl Row for Line<'_> {
 /// What a ray costs at a setting.
 type Cost = fn(&Point) -> f64;
 
-/// Writes `SCENE.csv`, `SCENE_time` and `SCENE_evaluations` as SVG and PNG into `folder`, and gives the page's section on them.
+/// Writes `SCENE.csv`, and `SCENE_time`, `SCENE_evaluations` and the drift of each quantity that the law keeps as SVG and PNG into `folder`, and gives the page's section on them.
 pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputError> {
     let file = |end: &str| folder.join(format!("{}{end}", chart.scene));
     let mut table = Table::create::<Line>(&file(".csv"))?;
@@ -77,7 +77,47 @@ pub fn write_chart(folder: &Path, chart: &SceneChart) -> Result<Section, OutputE
             format!("{}: error against {label}", chart.scene),
         ));
     }
+    for name in kept(chart) {
+        let lower = name.to_lowercase();
+        let words: Vec<&str> =
+            lower.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        let slug = words.join("_");
+        for format in ["svg", "png"] {
+            plot_precision(&file(&format!("_drift_{slug}.{format}")), &drift_plot(chart, name))?;
+        }
+        images.push((
+            PathBuf::from(format!("{}_drift_{slug}.svg", chart.scene)),
+            format!("{}: steps against the drift of {name}", chart.scene),
+        ));
+    }
     Ok(section(chart, images))
+}
+
+/// The quantities that the scene's law keeps.
+fn kept(chart: &SceneChart) -> Vec<&'static str> {
+    let mut names = Vec::new();
+    for (name, _) in chart.curves.iter().flat_map(|curve| &curve.points).flat_map(|point| &point.drifts) {
+        if !names.contains(name) {
+            names.push(*name);
+        }
+    }
+    names
+}
+
+fn drift_plot(chart: &SceneChart, name: &str) -> PrecisionPlot {
+    let point = |point: &Point| {
+        let drift = point.drifts.iter().find(|(own, _)| *own == name).map_or(f64::NAN, |(_, drift)| *drift);
+        [drift, point.steps + point.rejected]
+    };
+    let curve =
+        |curve: &MethodCurve| Series { name: curve.name.to_owned(), points: curve.points.iter().map(point).collect() };
+    PrecisionPlot {
+        title: format!("{}: {name}", chart.scene),
+        x_label: "drift that 95 of 100 rays stay under, in parts of its size".to_owned(),
+        y_label: "steps of a ray, with those that were rejected".to_owned(),
+        curves: chart.curves.iter().map(curve).collect(),
+        floor: None,
+    }
 }
 
 /// An error of nearly half a turn is none, but a wrong end.

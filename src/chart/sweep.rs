@@ -47,8 +47,8 @@ pub struct Point {
     pub steps: f64,
     /// Rejected steps, a ray.
     pub rejected: f64,
-    /// The drift of what the law keeps, the largest of its quantities': 95 of 100 rays drift by no more. None if it keeps nothing.
-    pub drift: Option<f64>,
+    /// The drift of each quantity that the law keeps: 95 of 100 rays drift by no more.
+    pub drifts: Vec<(&'static str, f64)>,
     /// Root of the mean square difference of the picture's colours, each cut to [0, 1], from the reference picture's.
     pub image: f64,
 }
@@ -175,7 +175,7 @@ impl Sweep<'_> {
                 evaluations: evaluations(candidate.method, control, steps, rejected),
                 steps,
                 rejected,
-                drift: worst_drift(&scene, &rays, truth),
+                drifts: drifts(&scene, &rays, truth),
                 image: root_mean_square(&measured.colors, reference),
             });
             if time > self.slowest * *fastest {
@@ -201,12 +201,12 @@ fn timed(renderer: &Renderer, repeats: usize) -> Result<Measured, RenderError> {
 }
 
 /// From what the true end keeps, which is what the start did.
-fn worst_drift(scene: &Scene, rays: &[Traced], truth: &Truth) -> Option<f64> {
+fn drifts(scene: &Scene, rays: &[Traced], truth: &Truth) -> Vec<(&'static str, f64)> {
     let pairs = rays.iter().zip(&truth.0).filter_map(|(ray, truth)| {
         let truth = truth.as_ref().filter(|truth| truth.status == ray.status)?;
         Some(([truth.x.into(), truth.v.into()], ray))
     });
-    drift(&*scene.law, pairs).into_iter().map(|(_, quantiles)| quantiles.p95).reduce(f64::max)
+    drift(&*scene.law, pairs).into_iter().map(|(name, quantiles)| (name, quantiles.p95)).collect()
 }
 
 fn mean(rays: &[Traced], count: impl Fn(&Traced) -> u32) -> f64 {

@@ -152,10 +152,16 @@ fn a_chart_is_tables_plots_and_a_page() {
     );
     assert!(!csv.contains("euler"), "only the methods that were named");
     let page = folder.text("report/index.html");
-    for text in ["scene_time.svg", "scene_evaluations.svg", "The fastest method"] {
+    for text in ["scene_time.svg", "scene_evaluations.svg", "scene_drift_energy.svg", "The fastest method"] {
         assert!(page.contains(text), "{text}");
     }
-    for name in ["scene_time.svg", "scene_time.png", "scene_evaluations.svg", "scene_evaluations.png"] {
+    for name in [
+        "scene_time.svg",
+        "scene_time.png",
+        "scene_evaluations.svg",
+        "scene_evaluations.png",
+        "scene_drift_angular_momentum.png",
+    ] {
         assert!(!folder.read(&format!("report/{name}")).is_empty());
     }
     folder.run("chart all -o report").fails(1, &["scenes holds no scenes", "--scenes"]);
