@@ -367,8 +367,8 @@ fn charged_holes_are_those_of_kerr_and_newman_without_spin() {
 #[test]
 fn charged_holes_have_their_landmarks() {
     for (charge, sphere, impact, horizon) in [
-        (0.3, 2.9387494569938157, 5.11679474532972, 1.9539392014169457),
-        (0.8, 2.4848857801796105, 4.545986272128442, 1.6),
+        (0.3, 2.938_749_456_993_815_7, 5.116_794_745_329_72, 1.953_939_201_416_945_7),
+        (0.8, 2.484_885_780_179_610_5, 4.545_986_272_128_442, 1.6),
         (1.0, 2.0, 4.0, 1.0),
     ] {
         let hole = ChargedHole { mass: 1.0, charge, cosmological: 0.0, center: DVec3::ZERO };
