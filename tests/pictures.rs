@@ -35,8 +35,8 @@ fn state_on_the_device_is_small() {
         let most = if scene.rays.length.is_some() { 100 + 2 * 4 } else { 100 };
         assert!(plain <= most, "{}: {plain} bytes a pixel", path.display());
         let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..fused() });
-        // Depth, object, status and steps at 4 bytes, two vectors at 16; the steps and rejections that are counted for them.
-        assert_eq!(layered - plain, 4 * 4 + 2 * 16 + 2 * 4, "{}", path.display());
+        // Depth, object, status, steps and shift at 4 bytes, two vectors at 16; the steps and rejections that are counted for them.
+        assert_eq!(layered - plain, 5 * 4 + 2 * 16 + 2 * 4, "{}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
         // A path in one pass leaves nothing but its colour.

@@ -30,6 +30,7 @@ mod scopes;
 mod selections;
 mod short_lists;
 mod signature;
+mod spacetime;
 mod structure;
 mod tokens;
 mod touching;

@@ -3,7 +3,7 @@
 use super::names::Names;
 use super::regions::{Motion, RegionKind, Regions};
 use super::unit::Unit;
-use super::{Choice, ProgramError, Purpose, formula, generated};
+use super::{Choice, ProgramError, Purpose, formula, generated, spacetime};
 use crate::model::law::SOLVED_PARTS;
 use crate::model::method::Path;
 use crate::model::{ClosedForm, Start};
@@ -99,7 +99,7 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
         names.make(formula::curve(&curve.curve));
     }
     if let Some(element) = scene.law.line_element() {
-        names.make(formula::line_element(element));
+        names.make(spacetime::line_element(element));
     }
     if in_plane {
         names.add("motion/closed");

@@ -211,6 +211,7 @@ fn kerr_newman() {
         "law/by_velocity",
         "law/projected_as_is",
         "law/spheroid",
+        "law/light_speed",
         "law/kerr_newman",
     ]);
     let law = vec![
