@@ -45,7 +45,9 @@ fn deflections_at_infinity() {
         ("method = \"dormand-prince\"\ntolerance = 1e-12\nprecision = \"f64\"", 1e-9, 1e-6 / 6e-8),
     ] {
         for rows in rows.chunk_by(|a, b| a[1] == b[1]) {
-            let scene = at_infinity(rows[0][1], method);
+            let method =
+                if rows[0][1].contains("kerr") { method.replace("planar", "separated") } else { method.into() };
+            let scene = at_infinity(rows[0][1], &method);
             let rays: Vec<_> = rows.iter().map(|r| [-900.0, number(r[2]), 0.0, number(r[3]), 0.0, 0.0]).collect();
             let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
             for (row, end) in rows.iter().zip(ends) {

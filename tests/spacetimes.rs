@@ -37,9 +37,18 @@ fn rays_round_spinning_holes_end_where_series_say() {
     let gpu = gpu();
     let (there, degrees) = (DVec3::new(0.5, -0.25, 0.125), DVec3::new(30.0, -50.0, 70.0));
     let places = [(DVec3::ZERO, DVec3::ZERO), (degrees, there)];
-    for (is_typed, (degrees, shift)) in [false, true].into_iter().flat_map(|typed| places.map(|place| (typed, place))) {
+    let ways = [
+        (false, "f32", "method = \"dormand-prince\"\ntolerance = 1e-6"),
+        (true, "f32", "method = \"dormand-prince\"\ntolerance = 1e-6"),
+        (false, "f32", "method = \"separated\"\nscaled_step = 0.02"),
+        (false, "f64", "method = \"dormand-prince\"\ntolerance = 1e-13"),
+        (true, "f64", "method = \"dormand-prince\"\ntolerance = 1e-13"),
+        (false, "f64", "method = \"separated\"\nscaled_step = 0.003"),
+    ];
+    for (degrees, shift) in places {
         let turn = Transform::new(DVec3::ONE, degrees, DVec3::ZERO).0.matrix3;
-        for (precision, tolerance, floor, factor) in [("f32", 1e-6, 2e-5_f64, 40.0), ("f64", 1e-13, 1e-9, 0.0)] {
+        for (is_typed, precision, method) in ways {
+            let (floor, factor) = if precision == "f32" { (2e-5_f64, 40.0) } else { (1e-9, 0.0) };
             let scene_of = |row: &[&str]| {
                 let (axis, center) = ((turn * DVec3::Z).to_array(), shift.to_array());
                 let law = if is_typed {
@@ -48,14 +57,14 @@ fn rays_round_spinning_holes_end_where_series_say() {
                     format!("{}\naxis = {axis:?}", row[1].replace(';', "\n"))
                 };
                 format!(
-                    "[law]\n{law}\ncenter = {center:?}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
-                     precision = \"{precision}\"\nmax_segments = 20000\nbound = {{ center = {center:?}, radius = {} }}\n",
+                    "[law]\n{law}\ncenter = {center:?}\n[rays]\n{method}\nprecision = \"{precision}\"\nmax_segments = 20000\n\
+                     bound = {{ center = {center:?}, radius = {} }}\n",
                     row[2]
                 )
             };
             let start = |row: &[&str]| (shift + turn * vector(row[3]), turn * vector(row[4]));
             for (row, end) in rows.iter().zip(traced(&gpu, &rows, scene_of, start)) {
-                assert_eq!(end.status.name(), row[5], "{} in {precision}", row[0]);
+                assert_eq!(end.status.name(), row[5], "{} in {precision}, {method}", row[0]);
                 if end.status != Status::Escaped {
                     continue;
                 }
@@ -77,8 +86,8 @@ fn rays_round_spinning_holes_end_where_series_say() {
                 errors.extend(kept.iter().map(|(name, drifted)| (*name, drifted.max, direction)));
                 for (what, error, bound) in errors {
                     let bound = floor.max(bound);
-                    println!("{} in {precision}: {what} {:.3} of the bound", row[0], error / bound);
-                    assert!(error <= bound, "{} in {precision}: {what} off by {error:e}", row[0]);
+                    println!("{} in {precision}, {method}: {what} {:.3} of the bound", row[0], error / bound);
+                    assert!(error <= bound, "{} in {precision}, {method}: {what} off by {error:e}", row[0]);
                 }
             }
         }
@@ -115,14 +124,17 @@ fn without_spin_and_charge_it_is_schwarzschilds() {
 fn shadows_end_where_spherical_orbits_of_light_say() {
     let rows = rows(include_str!("tables/kerr_shadows.tsv"));
     let gpu = gpu();
-    let scene_of = |row: &[&str]| {
-        format!(
-            "[law]\n{}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 20000\nbound = {{ radius = 60 }}\n",
-            row[1]
-        )
+    let scene_of = |row: &[&str]| format!("[law]\n{}\nmax_segments = 20000\nbound = {{ radius = 60 }}\n", row[1]);
+    let by = |method: &str| format!("\n[rays]\nmethod = \"{method}\"");
+    let general = by("dormand-prince") + "\ntolerance = 1e-6";
+    let laws = |law: &str| {
+        let own = law.replace(';', "\n");
+        [own.clone() + &general, own + &by("separated"), typed(law) + &general]
     };
-    let laws = |law: &str| [law.replace(';', "\n"), typed(law)];
-    for (column, fate, kind) in [(3, "captured", 0), (4, "escaped", 0), (3, "captured", 1), (4, "escaped", 1)] {
+    for (column, fate, kind) in [(3, "captured"), (4, "escaped")]
+        .into_iter()
+        .flat_map(|(column, fate)| (0..3).map(move |kind| (column, fate, kind)))
+    {
         for row in &rows {
             let directions: Vec<&str> = row[column].split("; ").collect();
             let law = &laws(row[1])[kind];
@@ -233,7 +245,7 @@ fn every_fate_is_right_round_spinning_holes() {
                 fates.push(fate);
             }
         }
-        for method in ["rk4", "dormand-prince", "bogacki-shampine"] {
+        for method in ["rk4", "dormand-prince", "bogacki-shampine", "separated"] {
             let scene = scene(&format!(
                 "[law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbound = {{ radius = 1001 }}\n\
                  max_segments = 20000\nmethod = \"{method}\"\n"

@@ -27,16 +27,6 @@ fn orbit_onto(start: Orbit, aim: Real, outbound: bool) -> Orbit {
     return o;
 }
 
-// The orbit that comes in along the line through x with velocity v.
-fn orbit_from_infinity(x: Real3, v: Real3) -> Orbit {
-    let speed = length(v);
-    let d = v / speed;
-    let y = x - orbit_center();
-    let off = y - dot(y, d) * d;
-    let b = length(off);
-    return Orbit(0.0, speed, 0.0, b * speed, -d, off / max(b, 1e-30));
-}
-
 // The start of an orbit's ray where it comes in to u = aim.
 fn arriving(o: Orbit, aim: Real, status: u32) -> CameraRay {
     let p = orbit_point(orbit_onto(o, aim, false));
@@ -49,6 +39,5 @@ fn departed(code: u32, x: Real3, v: Real3) -> mat2x3<Real> {
         return mat2x3<Real>(x, v);
     }
     let o = orbit_onto(orbit_of(x, v), 0.0, true);
-    let turn = real_sin_cos(o.angle);
-    return mat2x3<Real>(x, -o.w * (turn.y * o.n + turn.x * o.t));
+    return mat2x3<Real>(x, orbit_asymptote(o));
 }

@@ -71,3 +71,19 @@ fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
     let turn = sqrt(size / max(hh * size, abs(orbit_rate(o.u, hh))));
     return min(eta * turn, min(3.0 * eta, 0.5) * size / abs(o.w));
 }
+
+// Where it goes at infinity, where u = 0.
+fn orbit_asymptote(o: Orbit) -> Real3 {
+    let turn = real_sin_cos(o.angle);
+    return -o.w * (turn.y * o.n + turn.x * o.t);
+}
+
+// The orbit that comes in along the line through x with velocity v.
+fn orbit_from_infinity(x: Real3, v: Real3) -> Orbit {
+    let speed = length(v);
+    let d = v / speed;
+    let y = x - orbit_center();
+    let off = y - dot(y, d) * d;
+    let b = length(off);
+    return Orbit(0.0, speed, 0.0, b * speed, -d, off / max(b, 1e-30));
+}

@@ -6,8 +6,3 @@ fn follow_segment(ray: ptr<function, Ray>) -> Segment {
     let end = (*ray).phase;
     return Segment(start[0].xyz, path_velocity(start[1].xyz), end[0].xyz, path_velocity(end[1].xyz), (*ray).taken);
 }
-
-fn last_step(ray: Ray) -> LastStep {
-    let next = accepted_step(ray);
-    return LastStep(ray.phase, ray.tau, own_size(ray, next), next.phase, next.tau);
-}

@@ -1,40 +1,5 @@
 // Where a path ends, found once per ray after all segments: on the surface, on the bounding sphere, at the horizon.
 
-// The last step of a path's last segment.
-struct LastStep {
-    phase: Phase,
-    tau: Real,
-    // Its size, in the measure that retaken_step takes.
-    h: Real,
-    end: Phase,
-    end_tau: Real,
-}
-
-// A point of a path, and the fraction of its segment that leads to it.
-struct PathPoint {
-    x: Real3,
-    v: Real3,
-    tau: Real,
-    fraction: Real,
-}
-
-// What a ray saw at its end.
-struct Seen {
-    end: PathPoint,
-    // What surfaces send back; black elsewhere.
-    color: vec3f,
-    normal: vec3f,
-    // 0 for none, else the object's place in the scene file, from 1.
-    object: u32,
-}
-
-// What a record says of it.
-struct Recorded {
-    end: PathPoint,
-    // 0 for none, else the object's place in the scene file, from 1.
-    object: u32,
-}
-
 const STOP_STEPS: u32 = 4u;
 
 // The outward normal and the signed distance of the sphere at which a ray that met nothing stops.

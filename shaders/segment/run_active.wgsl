@@ -47,6 +47,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             (*ray).steps = next.steps;
             (*ray).rejected = next.rejected;
             (*ray).status = code;
+            keep_end(next);
             // As exact as the record of hits.
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }

@@ -27,6 +27,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 filter_step(*ray, next);
                 *ray = next;
             } else {
+                keep_end(next);
                 // As exact as the record of hits.
                 *end = Hit(Real(f32(hit.t)), hit.primitive);
             }

@@ -140,7 +140,7 @@ fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
 #[must_use]
 pub fn shots(scene: &Scene) -> usize {
     match scene.law.anchors().len() {
-        _ if scene.law.orbit().is_some() => 4,
+        _ if scene.law.orbit().is_some_and(|orbit| orbit.is_plane()) => 4,
         0 => 10,
         aims => 1 + 3 * aims,
     }

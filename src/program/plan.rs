@@ -3,7 +3,7 @@
 use super::names::Names;
 use super::onward_parts::{filter_parts, scatter_parts};
 use super::picture_parts::{camera_parts, material_parts, picture_parts};
-use super::region_parts::{joins_whole, region_parts};
+use super::region_parts::{ends_with_steps, joins_whole, region_parts};
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
@@ -27,7 +27,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         "state/tally",
         "segment/termination",
         "segment/path_start",
-        "segment/path_end",
+        "segment/ends",
         "segment/follow_path",
         "picture/colors",
     ]);
@@ -49,7 +49,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
     schedule_parts(scene, choice, regions, &mut names);
     camera_parts(scene, choice, &mut names);
-    end_parts(scene, &mut names)?;
+    end_parts(scene, choice, &mut names)?;
     surface_parts(scene, choice, work, analysis, &mut names);
     if choice.purpose == Purpose::Picture {
         picture_parts(scene, choice, &mut names);
@@ -84,7 +84,7 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
     let status = if looks || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
     names.all(&[starts, status]);
     if shot {
-        let planar = scene.law.orbit().is_some();
+        let planar = scene.law.orbit().is_some_and(|orbit| orbit.is_plane());
         names.all(&["surface/shot/shot", "surface/shot/path"]);
         names.add(if planar { "surface/shot/planar" } else { "surface/shot/newton" });
         names.add(if scene.objects.is_empty() { "surface/shot/clear_space" } else { "surface/shot/clear" });
@@ -179,7 +179,7 @@ fn phase_parts(scene: &Scene, names: &mut Names) {
     names.add(scene.rays.control.kind.memory);
 }
 
-fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
+fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), ProgramError> {
     let captures = scene.captures(None);
     let by_formula = scene.law.line_element().is_some_and(|element| element.graph().4.is_some());
     names.add(match captures.is_empty() {
@@ -199,9 +199,13 @@ fn end_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     names.add(if summed { "state/tau_compensated" } else { "state/tau_plain" });
     names.add(if scene.rays.asymptotic { "law/asymptotic_orbit" } else { "law/asymptotic_none" });
     let hits = !scene.objects.is_empty();
+    let stepped = ends_with_steps(scene);
+    names.add(if stepped { "segment/path_end_stepped" } else { "segment/path_end" });
     match scene.rays.segment {
         Segment::Arc { .. } => {
             names.all(&["segment/follow_step", "segment/quick_same"]);
+            let kept = stepped && choice.schedule == Schedule::Whole;
+            names.add(if kept { "segment/last_kept" } else { "segment/last_retaken" });
             names.all(if hits { &["segment/end_on_arc"] } else { &["segment/end_open", "segment/stop_open"] });
         }
         Segment::Chord { steps } => {

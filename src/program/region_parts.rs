@@ -4,7 +4,7 @@ use super::names::Names;
 use super::regions::{Motion, RegionKind, Regions};
 use super::unit::Unit;
 use super::{Choice, ProgramError, Purpose, formula, generated, spacetime};
-use crate::model::law::SOLVED_PARTS;
+use crate::model::law::{Orbit, OrbitForm, SOLVED_PARTS};
 use crate::model::method::Path;
 use crate::model::{ClosedForm, Start};
 use crate::scene::{Scene, Shadows};
@@ -87,12 +87,19 @@ fn closed_motion(
 
 /// The scene's own law, by the scene's own method.
 fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), ProgramError> {
-    let in_plane = scene.rays.method.kind.path == Path::Orbit;
+    let on_orbit = scene.rays.method.kind.path == Path::Orbit;
     let [path, pace] = scene.law.pace();
-    names.all(&[path, if in_plane { "motion/orbit" } else { pace }]);
+    let orbit = scene.law.orbit();
+    match orbit.filter(|_| on_orbit) {
+        Some(orbit) => {
+            names.all(&[path, "motion/orbit"]);
+            names.add(if orbit.is_plane() { "motion/pace_plane" } else { "motion/pace_spheroid" });
+        }
+        None => names.all(&[path, pace]),
+    }
     let shoots = purpose == Purpose::Lit || scene.has_shadows(Shadows::Shooting);
-    if let Some(orbit) = scene.law.orbit().filter(|_| in_plane || scene.rays.asymptotic || shoots) {
-        names.all(&["law/orbit", orbit.part]);
+    if let Some(orbit) = orbit.filter(|_| on_orbit || scene.rays.asymptotic || shoots) {
+        names.all(&orbit.parts());
     }
     names.wgsl(scene.law.parts())?;
     if let Some(curve) = scene.law.curve() {
@@ -101,9 +108,9 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
     if let Some(element) = scene.law.line_element() {
         names.make(spacetime::line_element(element));
     }
-    if in_plane {
+    if let Some(orbit) = orbit.filter(|_| on_orbit) {
         names.add("motion/closed");
-        planar_parts(scene, purpose, names);
+        orbit_parts(scene, &orbit, purpose, names);
         return Ok(());
     }
     names.add("method/first_derivative");
@@ -112,10 +119,30 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
     Ok(())
 }
 
+/// Does the last step of a path end where the path does? So where the bounding sphere is about a hole whose orbits separate, in every
+/// frame, and there is nothing to hit.
+pub(super) fn ends_with_steps(scene: &Scene) -> bool {
+    let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bound");
+    let is_still = scene.animation.as_ref().is_none_or(|animation| !animation.keys.iter().any(moves));
+    let is_about = |orbit: Orbit| orbit.form == OrbitForm::Separated && orbit.center == scene.rays.bound.center;
+    scene.rays.method.kind.path == Path::Orbit
+        && !scene.needs_arcs()
+        && is_still
+        && scene.law.orbit().is_some_and(is_about)
+}
+
 /// τ is integrated only where something asks for it: arcs, and the numbers of a trace.
-fn planar_parts(scene: &Scene, purpose: Purpose, names: &mut Names) {
+fn orbit_parts(scene: &Scene, orbit: &Orbit, purpose: Purpose, names: &mut Names) {
     let open = !scene.needs_arcs();
-    names.add(if open { "motion/orbit_open" } else { "motion/orbit_arcs" });
+    names.add(match open {
+        _ if ends_with_steps(scene) => "motion/separated_open",
+        true => "motion/orbit_open",
+        false => "motion/orbit_arcs",
+    });
     let asked = !open || !matches!(purpose, Purpose::Picture | Purpose::Bare);
-    names.add(if asked { "motion/time_kept" } else { "motion/time_none" });
+    names.add(match orbit.form {
+        _ if !asked => "motion/time_none",
+        OrbitForm::Plane(_) => "motion/time_kept",
+        OrbitForm::Separated => "motion/time_separated",
+    });
 }

@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 21] = [
+const OPTIONAL: [&str; 22] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -81,6 +81,7 @@ const OPTIONAL: [&str; 21] = [
     "color_dispersed",
     "clamp_sample",
     "end_below",
+    "keep_end",
     "note_frequency",
     "note_matter",
     "beam_sky",

@@ -3,6 +3,7 @@
 //! Lavapipe silently stops an invocation after 65,535 loop iterations, all loops together. Every loop of the shaders counts its
 //! iterations, and a pass takes no segment that might not fit any more. This module bounds what one segment needs.
 
+use super::region_parts::ends_with_steps;
 use super::{Analysis, Extent, ProgramError, RegionKind, Regions, Search, constant, own};
 use crate::model::control::StepLoops;
 use crate::model::method::Path;
@@ -144,7 +145,7 @@ fn asymptote_loops(precision: Precision) -> u64 {
 fn step_loops(scene: &Scene, Loops { derivative, scale }: Loops) -> u64 {
     let (method, control) = (scene.rays.method.kind, scene.rays.control.kind);
     if method.path == Path::Orbit {
-        let part = "motion/orbit_open";
+        let part = if ends_with_steps(scene) { "motion/separated_open" } else { "motion/orbit_open" };
         return if scene.needs_arcs() { 0 } else { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 };
     }
     let tries = control.tries.map_or(1, |part| constant(part, "MAX_TRIES") as u64);

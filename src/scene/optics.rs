@@ -62,7 +62,8 @@ impl Optics<'_> {
         let fills_space = self.law.is_some_and(|law| law.medium().is_some());
         Demands {
             order: self.law.map_or(Order::Place, Law::order),
-            has_center: self.law.is_none_or(|law| law.orbit().is_some()),
+            has_plane: self.law.is_none_or(|law| law.orbit().is_some_and(|orbit| orbit.is_plane())),
+            separates: self.law.is_none_or(|law| law.orbit().is_some_and(|orbit| !orbit.is_plane())),
             needs_solver: has_solved_interior || self.law.is_some_and(solved_law),
             has_solved_interior,
             has_medium: fills_space || self.interiors().any(Medium::bends),

@@ -30,7 +30,7 @@ const WRITTEN: &[Case] = &[
     ),
     (
         "[rays]\nbound = { radius = 10 }\nmethod = \"rk5\"\n",
-        &["scene.toml:3:10: unknown word `rk5`", "did you mean `rk4`? choices: auto, exact, planar, euler"],
+        &["scene.toml:3:10: unknown word `rk5`", "did you mean `rk4`? choices: auto, exact, planar, separated, euler"],
     ),
     ("[image]\nsize = [8, 8]\n", &["scene.toml:1:1: the table [rays] is missing", "help: "]),
 ];

@@ -124,6 +124,8 @@ fn path_end(step: f64) -> Probe {
         "law/limit_none",
         "law/capture_spheres",
         "segment/follow_step",
+        "segment/last_retaken",
+        "segment/ends",
         "segment/end_open",
         "segment/stop_open",
         "segment/path_end",

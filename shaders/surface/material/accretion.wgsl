@@ -11,14 +11,14 @@ struct Equator {
 }
 
 @group(0) @binding(126) var<uniform> equator: Equator;
-struct Orbit {
+struct DiscOrbit {
     // The four-velocity along the way out, along the way round and of time.
     u: vec3f,
     // √(F/F_most), which ends evenly at the innermost stable orbit.
     light: f32,
 }
 
-@group(0) @binding(127) var<storage, read> orbits: array<Orbit>;
+@group(0) @binding(127) var<storage, read> orbits: array<DiscOrbit>;
 
 const ORBITS: u32 = 4096u;
 
@@ -27,13 +27,13 @@ fn from_axis(x: Real3) -> Real3 {
     return d - dot(d, equator.axis) * equator.axis;
 }
 
-fn orbit_at(rho: Real) -> Orbit {
+fn orbit_at(rho: Real) -> DiscOrbit {
     let place = clamp((real_log(rho) - equator.first) / equator.per_orbit, 0.0, Real(ORBITS - 1u));
     let first = min(u32(place), ORBITS - 2u);
     let a = orbits[first];
     let b = orbits[first + 1u];
     let part = f32(place - Real(first));
-    return Orbit(mix(a.u, b.u, part), mix(a.light, b.light, part));
+    return DiscOrbit(mix(a.u, b.u, part), mix(a.light, b.light, part));
 }
 
 // u of the matter at x.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::observer::{moving, normalised};
-use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, Order};
+use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{number, positive, vector};
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
@@ -116,7 +116,7 @@ impl Law for ChargedHole {
     }
 
     fn orbit(&self) -> Option<Orbit> {
-        Some(Orbit { center: self.center, part: "law/orbit/charged", is_free_far_away: true })
+        Some(Orbit { center: self.center, form: OrbitForm::Plane("law/orbit/charged"), is_free_far_away: true })
     }
 
     /// h = |x × v| and E² = ṙ² + (1 − 2M/r + Q²/r²) h²/r², which together are the null condition: Λ only adds to it what h keeps.

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{light_speed, moving, normal, normalised};
-use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order};
+use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
 use crate::model::source::spheroid;
@@ -187,6 +187,11 @@ impl Law for KerrNewman {
             anchor: Anchor { kind: &spheroid::KIND, position: self.center, along: self.spin * self.axis },
             radius,
         }]
+    }
+
+    /// With a horizon: without one rays come as far as r = 0, where u has no end.
+    fn orbit(&self) -> Option<Orbit> {
+        self.horizon().map(|_| Orbit { center: self.center, form: OrbitForm::Separated, is_free_far_away: true })
     }
 
     /// The null condition; L/E along the axis; and Carter's constant over E², regular on the axis. All but the first of rays that

@@ -112,7 +112,7 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         self.medium().and_then(|medium| medium.capture()).into_iter().collect()
     }
 
-    /// The orbit about its only centre, if it has one and no more: rays then stay in a plane through it.
+    /// The orbit about its only centre, if it has one whose r has an equation of its own.
     fn orbit(&self) -> Option<Orbit> {
         None
     }
@@ -262,10 +262,36 @@ pub enum Order {
 pub struct Orbit {
     /// The centre.
     pub center: DVec3,
-    /// The WGSL part that has its pull.
-    pub part: &'static str,
+    /// What else a place on it needs.
+    pub form: OrbitForm,
     /// Does the pull fall by an inverse power, so that an orbit has an asymptote in closed form?
     pub is_free_far_away: bool,
+}
+
+/// What an orbit is besides its r.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrbitForm {
+    /// An angle in the plane through the centre in which a ray stays; and the WGSL part that has its pull.
+    Plane(&'static str),
+    /// Angles that turn about the axis of a spin.
+    Separated,
+}
+
+impl Orbit {
+    /// The WGSL parts of its steps.
+    #[must_use]
+    pub fn parts(&self) -> Vec<&'static str> {
+        match self.form {
+            OrbitForm::Plane(pull) => vec!["law/orbit", pull],
+            OrbitForm::Separated => vec!["law/separated"],
+        }
+    }
+
+    /// Does a ray stay in a plane through the centre?
+    #[must_use]
+    pub fn is_plane(&self) -> bool {
+        self.form != OrbitForm::Separated
+    }
 }
 
 /// A quantity that a law keeps.

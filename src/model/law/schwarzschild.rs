@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, Order};
+use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{positive, vector, word};
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
@@ -80,7 +80,8 @@ impl Law for Schwarzschild {
     }
 
     fn orbit(&self) -> Option<Orbit> {
-        let orbit = Orbit { center: self.center, part: "law/orbit/schwarzschild", is_free_far_away: true };
+        let orbit =
+            Orbit { center: self.center, form: OrbitForm::Plane("law/orbit/schwarzschild"), is_free_far_away: true };
         (self.form == SchwarzschildForm::Path).then_some(orbit)
     }
 

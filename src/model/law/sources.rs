@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Invariant, Kind, Landmark, Law, Orbit, Order, USUAL_PARTS};
+use super::{Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order, USUAL_PARTS};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector, word};
@@ -147,8 +147,11 @@ impl Law for Sources {
     fn orbit(&self) -> Option<Orbit> {
         let [only] = self.0.as_slice() else { return None };
         let falloff = only.falloff.kind;
-        let orbit =
-            Orbit { center: only.anchor.position, part: falloff.orbit, is_free_far_away: falloff.is_free_far_away };
+        let orbit = Orbit {
+            center: only.anchor.position,
+            form: OrbitForm::Plane(falloff.orbit),
+            is_free_far_away: falloff.is_free_far_away,
+        };
         only.anchor.kind.is_point.then_some(orbit)
     }
 

@@ -13,6 +13,7 @@ mod leapfrog;
 mod planar;
 mod rk4;
 mod rkn4;
+mod separated;
 mod snell;
 
 use std::fmt;
@@ -25,9 +26,10 @@ use crate::document::values::positive;
 use crate::document::{Key, KeyReference, kind_rows};
 
 /// Every method, in the order of the reference and of charts.
-pub const METHODS: [&Kind; 10] = [
+pub const METHODS: [&Kind; 11] = [
     &exact::KIND,
     &planar::KIND,
+    &separated::KIND,
     &euler::KIND,
     &leapfrog::KIND,
     &rkn4::KIND,
@@ -50,7 +52,7 @@ pub const TOLERANT: Method = Method { kind: &dormand_prince::KIND, own: 0.0 };
 pub enum Path {
     /// By closed forms alone.
     Closed,
-    /// By an equation of the orbit in the ray's own plane.
+    /// By an equation of the orbit about the law's only centre.
     Orbit,
     /// By steps of the law's differential equation.
     Steps,
@@ -128,7 +130,9 @@ pub struct Demands {
     /// What the law's derivative depends on.
     pub order: Order,
     /// Has the law a single centre, so that a ray stays in a plane?
-    pub has_center: bool,
+    pub has_plane: bool,
+    /// Is it that of a spin, whose orbits separate?
+    pub separates: bool,
     /// Is there anything but closed forms to follow?
     pub needs_solver: bool,
     /// Is there an interior that has no closed form?
@@ -157,6 +161,20 @@ impl Refusal {
     pub(super) const fn method(problem: &'static str) -> Self {
         Self { key: "method", problem, help: "use rk4, or leave `method` out" }
     }
+}
+
+/// Why no scene's rays can be followed by the equation of an orbit there.
+pub(super) fn refuses_orbits(scene: &Demands) -> Vec<Refusal> {
+    let mut refused = Vec::new();
+    if scene.ends {
+        let problem = "steps along an orbit are measured by angle and cannot end at a given τ";
+        refused.push(Refusal { key: "length", problem, help: "use dormand-prince, or leave `length` out" });
+    }
+    if scene.has_chords {
+        let help = "use segment = \"arc\", or another method";
+        refused.push(Refusal { key: "segment", problem: "a method of orbits has no chords", help });
+    }
+    refused
 }
 
 impl Method {

@@ -1,6 +1,6 @@
 //! The orbit's equation in the ray's own plane (Binet): for laws with one centre.
 
-use super::{Controls, Kind, Path, Refusal};
+use super::{Controls, Kind, Path, Refusal, refuses_orbits};
 use crate::model::control::scaled;
 
 pub static KIND: Kind = Kind {
@@ -15,17 +15,10 @@ pub static KIND: Kind = Kind {
         let mut refused = Vec::new();
         if scene.has_solved_interior {
             refused.push(Refusal::method("planar has no way through these interiors"));
-        } else if !scene.has_center {
+        } else if !scene.has_plane {
             refused.push(Refusal::method("planar needs a law with a single centre, which keeps a ray in its plane"));
         }
-        if scene.ends {
-            let problem = "planar steps are measured by angle and cannot end at a given τ";
-            refused.push(Refusal { key: "length", problem, help: "use dormand-prince, or leave `length` out" });
-        }
-        if scene.has_chords {
-            let help = "use segment = \"arc\", or another method";
-            refused.push(Refusal { key: "segment", problem: "the planar method has no chords", help });
-        }
+        refused.extend(refuses_orbits(scene));
         refused
     },
     closed_forms: true,

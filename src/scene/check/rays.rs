@@ -145,7 +145,7 @@ fn branches(node: &Node) -> Read<Branches> {
 /// Beyond the bound one centre's orbits go on in closed form, which has to be about the bound's own centre.
 fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
     let Some(center) = law.orbit().filter(|orbit| orbit.is_free_far_away).map(|orbit| orbit.center) else {
-        let problem = "`asymptotic` is for a schwarzschild or reissner-nordstrom law or one inverse-square source";
+        let problem = "`asymptotic` is for a hole's own law or one inverse-square source";
         table.fault(&["asymptotic"], problem, "leave it out");
         return;
     };

@@ -98,7 +98,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             steps_per_segment if r#"segment = "chord""#: "whole number, 1 to 1000" = "10", "steps a chord";
             max_segments: "whole number, 1 to 1000000" = "1000", "a ray is given up after so many segments";
             length: "number above 0" = "none", "rays end at this τ";
-            asymptotic if "schwarzschild, reissner-nordstrom, or one inverse-square source": "true | false" = "false",
+            asymptotic if "schwarzschild, reissner-nordstrom, kerr-newman, or one inverse-square source": "true | false" = "false",
                 "rays that leave the bound are followed to infinity in closed form, and those given from outside come from there";
             precision: "f16 | f32 | f64 | auto" = "f32",
                 "bits of the numbers: f64 where the device has it, f16 keeps 16 bits between passes as in 2004; beside method = \"auto\", auto takes f64 where f32 does not reach the accuracy";

@@ -1,0 +1,201 @@
+// Round a hole with a spin a and a charge Q light's equations separate: r and the angles each go their own way in Mino's parameter s, with
+// ds = dλ/Σ and Σ = r² + a² cos²θ. With u = 1/r and a unit vector n of the angles, in axes that turn about the spin by ψ(s),
+//
+//     u″ = (a²E² − G) u + 3MK u² − 2(a²η + Q²K) u³,    n″ = a²E² n_z e_z − (G + 2a²E² n_z²) n,    ψ′ = a (E − W),
+//
+// where E, aL, G, K = G − 2aLE + a²E² and η = G − L² are kept along a ray. There are no square roots and no turning points to sign, the
+// axis is a place like any other, and the horizon shows in W alone. Steps are as long as the angles allow, however far a ray goes.
+//
+// n is the l of Kerr-Schild coordinates: the place is r n + a e_z × n, turned by ψ. Momenta are scaled so that E² + (G + a²E²)/M² = 1, which
+// holds inside an ergosphere too.
+
+struct Orbit {
+    u: Real,
+    // u′.
+    w: Real,
+    // ψ.
+    angle: Real,
+    // √(G − a²E²): far away u goes like that of a straight line.
+    h: Real,
+    n: Real3,
+    // n′.
+    t: Real3,
+    // W = −l·(dx, dt), by which ψ and τ go.
+    gap: Real,
+    energy: Real,
+    // E + (a²E − aL) u² is P u², with P of the radial equation.
+    lift: Real,
+    // Carter's K.
+    carter: Real,
+    total: Real,
+    // a²E².
+    twist: Real,
+    // Of u² and u³ in u″.
+    pull: Real2,
+}
+
+fn orbit_center() -> Real3 {
+    return law.center;
+}
+
+// Up to this u the pull is small beside G u.
+fn orbit_calm() -> Real {
+    return 1.0 / (3.0 * law.mass);
+}
+
+// Axes of which the third is the spin's.
+fn spin_axes() -> mat3x3<Real> {
+    let a = length(law.spin);
+    let e = select(law.spin / max(a, 1e-30), Real3(0.0, 0.0, 1.0), a == 0.0);
+    let side = select(Real(-1.0), 1.0, e.z >= 0.0);
+    let k = -1.0 / (side + e.z);
+    let both = e.x * e.y * k;
+    let first = Real3(1.0 + side * e.x * e.x * k, side * both, -side * e.x);
+    return mat3x3<Real>(first, Real3(both, side + e.y * e.y * k, -e.y), e);
+}
+
+// e_z × y.
+fn across_spin(y: Real3) -> Real3 {
+    return Real3(-y.y, y.x, 0.0);
+}
+
+// W = (P − r′)/Δ for what moves inwards, and K/(P + r′), which is the same, for what moves outwards: neither is 0/0 on its way.
+fn orbit_gap(o: Orbit, u: Real, w: Real) -> Real {
+    let u2 = u * u;
+    let p = o.energy + o.lift * u2;
+    let delta = 1.0 - 2.0 * law.mass * u + (dot(law.spin, law.spin) + law.charge_squared) * u2;
+    let inwards = w > 0.0;
+    // A step may end inside the horizon: there it is captured.
+    return select(o.carter * u2, p + w, inwards) / select(p - w, max(delta, 1e-6), inwards);
+}
+
+fn orbit_of(place: Real3, v: Real3) -> Orbit {
+    let axes = spin_axes();
+    let x = (place - law.center) * axes;
+    let d = v * axes;
+    let a2 = dot(law.spin, law.spin);
+    let a = sqrt(a2);
+    let spheroid = spheroid_of(x, Real3(0.0, 0.0, a));
+    let r = spheroid.x;
+    let sigma = 2.0 * spheroid.y;
+    let outwards = Real3(r * x.xy, (r + a2 / r) * x.z);
+    let own = 1.0 / (r * r + a2);
+    let n = own * (outwards - a * across_spin(x));
+    let f = (2.0 * law.mass * r - law.charge_squared) / sigma;
+    let gap = 1.0 - dot(n, d);
+    let energy = 1.0 - f * gap;
+    let rising = dot(d, outwards);
+    let y = sigma * d - (a * (energy - gap)) * across_spin(x) - rising * n;
+    let t = Real3(own * (r * y.xy - a * across_spin(y).xy), y.z / r);
+    let momentum = -a * dot(across_spin(x), d - (f * gap) * n);
+    return orbit_kept(1.0 / r, -rising / (r * r), n, t, gap, energy, momentum);
+}
+
+// From u, u′, n, n′, W, E and aL: with all that is kept, to scale.
+fn orbit_kept(u: Real, w: Real, n: Real3, t: Real3, gap: Real, energy: Real, momentum: Real) -> Orbit {
+    let a2 = dot(law.spin, law.spin);
+    let twist = a2 * energy * energy;
+    let turn = dot(t, t) + twist * (1.0 - n.z * n.z);
+    let total = turn - twist;
+    let carter = turn - 2.0 * momentum * energy;
+    let eta = a2 * total - momentum * momentum;
+    let k = inverseSqrt(energy * energy + turn / (law.mass * law.mass));
+    let kk = k * k;
+    var o: Orbit;
+    o.u = u;
+    o.w = k * w;
+    o.angle = 0.0;
+    o.h = k * sqrt(max(total - twist, 0.0));
+    o.n = n;
+    o.t = k * t;
+    o.gap = k * gap;
+    o.energy = k * energy;
+    o.lift = k * (a2 * energy - momentum);
+    o.carter = kk * carter;
+    o.total = kk * total;
+    o.twist = kk * twist;
+    o.pull = kk * Real2(3.0 * law.mass * carter, -2.0 * (eta + law.charge_squared * carter));
+    return o;
+}
+
+// A vector of the turning axes in the scene's.
+fn orbit_turned(o: Orbit, y: Real3) -> Real3 {
+    let turn = real_sin_cos(o.angle);
+    return spin_axes() * Real3(turn.y * y.xy + turn.x * across_spin(y).xy, y.z);
+}
+
+// x and v.
+fn orbit_point(o: Orbit) -> mat2x3<Real> {
+    let a = length(law.spin);
+    let r = 1.0 / o.u;
+    let x = r * o.n + a * across_spin(o.n);
+    let moved = r * o.t + a * across_spin(o.t) - (o.w * r * r) * o.n + (a * (o.energy - o.gap)) * across_spin(x);
+    let v = moved / orbit_pace(o, o.u, o.n.z, o.gap);
+    return mat2x3<Real>(law.center + orbit_turned(o, x), orbit_turned(o, v));
+}
+
+// dτ/ds = ΣE + (2Mr − Q²) W.
+fn orbit_pace(o: Orbit, u: Real, height: Real, gap: Real) -> Real {
+    let r = 1.0 / u;
+    let sigma = r * r + dot(law.spin, law.spin) * height * height;
+    return sigma * o.energy + (2.0 * law.mass * r - law.charge_squared) * gap;
+}
+
+fn orbit_captured(o: Orbit) -> bool {
+    return (o.w > 0.0) & (o.u * captured_within() > 1.0);
+}
+
+// Of n and u.
+fn orbit_rate(o: Orbit, y: Real4) -> Real4 {
+    let turn = o.total + 2.0 * o.twist * y.z * y.z;
+    let u = (o.twist - o.total) + y.w * (o.pull.x + y.w * o.pull.y);
+    return Real4(-turn, -turn, o.twist - turn, u) * y;
+}
+
+// A step of Nyström's method, of order 4; ψ by Simpson's rule.
+fn orbit_step(o: Orbit, s: Real) -> Orbit {
+    let y = Real4(o.n, o.u);
+    let v = Real4(o.t, o.w);
+    let a1 = orbit_rate(o, y);
+    let a2 = orbit_rate(o, y + (0.5 * s) * (v + (0.25 * s) * a1));
+    let a3 = orbit_rate(o, y + s * (v + (0.5 * s) * a2));
+    let sixth = s * (1.0 / 6.0);
+    let place = y + s * (v + sixth * (a1 + 2.0 * a2));
+    let speed = v + sixth * (a1 + 4.0 * a2 + a3);
+    var next = o;
+    next.n = place.xyz;
+    next.t = speed.xyz;
+    next.u = place.w;
+    next.w = speed.w;
+    next.gap = orbit_gap(o, next.u, next.w);
+    let middle = 0.5 * (o.u + next.u) + 0.125 * s * (o.w - next.w);
+    let onward = o.w + (0.25 * sixth) * (5.0 * a1.w + 8.0 * a2.w - a3.w);
+    let gaps = o.gap + 4.0 * orbit_gap(o, middle, onward) + next.gap;
+    next.angle += length(law.spin) * (s * o.energy - sixth * gaps);
+    return next;
+}
+
+// The step by which n turns through eta at most, and u no further by its own rate, which near the hole is the greater; and u changes by
+// thrice that fraction of `size` or less.
+fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
+    let own = abs(o.twist - o.total + o.u * (2.0 * o.pull.x + 3.0 * o.pull.y * o.u));
+    let turn = inverseSqrt(max(max(o.total + o.twist, own), 1e-30));
+    return min(eta * turn, min(3.0 * eta, 0.5) * size / abs(o.w));
+}
+
+// The orbit that comes in along the line through x with velocity v. There W = 2E, and in axes that turn by −aE n′ is E times the way
+// from the hole to the line.
+fn orbit_from_infinity(x: Real3, v: Real3) -> Orbit {
+    let axes = spin_axes();
+    let energy = length(v);
+    let d = (v / energy) * axes;
+    let y = (x - law.center) * axes;
+    let off = y - dot(y, d) * d;
+    let momentum = -length(law.spin) * energy * dot(across_spin(off), d);
+    return orbit_kept(0.0, energy, -d, energy * off, 2.0 * energy, energy, momentum);
+}
+
+// Where it goes at infinity, where u = 0.
+fn orbit_asymptote(o: Orbit) -> Real3 {
+    return -o.w * orbit_turned(o, o.n);
+}

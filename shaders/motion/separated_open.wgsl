@@ -1,0 +1,51 @@
+// Separated orbits with nothing to hit, in a bounding sphere about the hole: a path is one segment, or one for as many steps as this
+// many. The step that would leave, or be captured, is tried again until it ends where the path does, by Newton's method; so that no
+// step has to be taken again to find the place. Every iteration does the same work: what some rays skip, others do beside them.
+
+const STEPS: u32 = 256u;
+const CUTS: u32 = 3u;
+
+// The u at which an orbit that is on its way in, or out, ends: just beyond it.
+fn orbit_stop(o: Orbit) -> Real {
+    let captured = (1.0 + 16.0 * LAST_PART) / captured_within();
+    // r² + a² sin²θ is the distance from the hole, squared.
+    let across = dot(law.spin, law.spin) * dot(o.n.xy, o.n.xy);
+    let left = (1.0 - 16.0 * LAST_PART) * inverseSqrt(bound.radius * bound.radius - across);
+    // As far as steps leave n a unit vector.
+    return select(left, captured, o.w > 0.0) * length(o.n);
+}
+
+// No last step is taken again to another end: τ is size enough.
+fn own_size(ray: Ray, next: Ray) -> Real {
+    return next.taken;
+}
+
+fn accepted_step(ray: Ray) -> Ray {
+    var here = orbit_of(ray.phase[0], ray.phase[1]);
+    var s = orbit_stride(here, control.eta, here.u);
+    var longest = s;
+    var steps = 0u;
+    var cuts = 0u;
+    var passed: Real = 0.0;
+    for (var i = 0u; (i < STEPS) & (cuts <= CUTS); i++) {
+        work += 1u;
+        let end = orbit_step(here, s);
+        let stop = orbit_stop(end);
+        let beyond = (end.u - stop) * end.w > 0.0;
+        let taken = orbit_time(here, end, s);
+        // What turns inwards within the sphere that captures is there at once.
+        let crosses = (cuts > 0u) | ((here.u - stop) * end.w < 0.0);
+        cuts += select(0u, select(CUTS + 1u, 1u, crosses), beyond | (cuts > 0u));
+        if (cuts == 0u) | (cuts > CUTS) {
+            here = end;
+            passed += taken;
+            steps += 1u;
+        }
+        let cut = clamp(s - (end.u - stop) / end.w, 0.0, longest);
+        s = select(cut, orbit_stride(here, control.eta, here.u), cuts == 0u);
+        longest = select(longest, s, cuts == 0u);
+    }
+    var next = after_step(ray, orbit_point(here), passed);
+    next.steps = ray.steps + steps;
+    return next;
+}

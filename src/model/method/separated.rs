@@ -1,0 +1,27 @@
+//! The orbit's separated equations in Mino's parameter: for a hole with a spin.
+
+use super::{Controls, Kind, Path, Refusal, refuses_orbits};
+use crate::model::control::scaled;
+
+pub static KIND: Kind = Kind {
+    name: "separated",
+    path: Path::Orbit,
+    parts: &[],
+    // Nyström's, of the orbit.
+    evaluations: 3,
+    order: 4,
+    controls: Controls::Scaled,
+    refuses: |scene| {
+        let mut refused = Vec::new();
+        if !scene.separates {
+            refused.push(Refusal::method("separated needs the kerr-newman law, of a hole with a horizon"));
+        }
+        refused.extend(refuses_orbits(scene));
+        refused
+    },
+    closed_forms: true,
+    polygon: false,
+    step_cost: Some(3.0),
+    sweeps: || vec![("separated", scaled::sweep(16))],
+    own: None,
+};
