@@ -37,4 +37,5 @@ mod sky_light;
 mod spacetimes;
 mod structure;
 mod tree;
+mod wormholes;
 mod written_media;

@@ -4,7 +4,7 @@ const STOP_STEPS: u32 = 4u;
 
 // The outward normal and the signed distance of the sphere at which a ray that met nothing stops.
 fn open_gap(code: u32, x: Real3) -> Real4 {
-    let d = x - bound.center;
+    let d = bound_offset(x);
     let r = length(d);
     return select(capture_gap(x), Real4(d / r, r - bound.radius), code == ESCAPED);
 }
@@ -31,6 +31,7 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         there = abs(correction) <= LAST_PART * step.h;
     }
     let tau = step.tau + own_tau(step.phase, p, h);
+    note_side(p[0].xyz);
     let far = departed(code, p[0].xyz, p[1].xyz);
     return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
 }
@@ -44,7 +45,7 @@ fn secant_guess(code: u32, step: LastStep) -> Real {
 
 // How far along v the line from the step's start leaves the bounding sphere.
 fn line_exit(p: Phase) -> Real {
-    let d = p[0].xyz - bound.center;
+    let d = bound_offset(p[0].xyz);
     let v = p[1].xyz;
     let vv = dot(v, v);
     let b = dot(d, v) / vv;
@@ -54,7 +55,7 @@ fn line_exit(p: Phase) -> Real {
 
 // A ray that first moves inwards comes nearer before it goes: there Newton's method would run back to where it came in.
 fn open_guess(code: u32, step: LastStep) -> Real {
-    let inwards = dot(step.phase[0].xyz - bound.center, step.phase[1].xyz) < 0.0;
+    let inwards = dot(bound_offset(step.phase[0].xyz), step.phase[1].xyz) < 0.0;
     return select(secant_guess(code, step), min(own_measure(step.phase, line_exit(step.phase)), step.h), code == ESCAPED && inwards);
 }
 
@@ -65,6 +66,7 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
     let nowhere = unfollowed || (ray.status == CAPTURED && law_captured(x, v));
     if nowhere {
+        note_side(x);
         let far = departed(ray.status, x, v);
         return PathPoint(far[0], far[1], ray.tau, 0.0);
     }

@@ -22,7 +22,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         "segment/ray",
         "state/arguments",
         "state/work",
-        "law/bound",
+        "law/leaving",
         "real/math",
         "state/tally",
         "segment/termination",
@@ -44,6 +44,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     });
     let regions = &analysis.regions;
     names.make(generated::counts(scene, regions));
+    names.add(if scene.law.throat().is_some() { "law/bound_mouths" } else { "law/bound" });
     phase_parts(scene, &mut names);
     scatter_parts(scene, choice, regions, &mut names);
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));

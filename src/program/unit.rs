@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 22] = [
+const OPTIONAL: [&str; 24] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -82,6 +82,8 @@ const OPTIONAL: [&str; 22] = [
     "clamp_sample",
     "end_below",
     "keep_end",
+    "note_side",
+    "pass_throat",
     "note_frequency",
     "note_matter",
     "beam_sky",

@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::throat::add_throat;
 use super::{
     Accelerate, Bound, Branches, Image, Output, Precision, Rays, SamplePattern, Scene, Segment, Sky, Tonemap, Transform,
 };
@@ -21,6 +22,8 @@ impl Scene {
     /// [`Camera::looking`](super::Camera::looking) makes: without one rendering is an error.
     #[must_use]
     pub fn new(law: impl Law, radius: f64) -> Self {
+        let (mut materials, mut objects) = (Vec::new(), Vec::new());
+        add_throat(&law, &mut materials, &mut objects);
         Self {
             image: Image::default(),
             camera: None,
@@ -29,8 +32,8 @@ impl Scene {
             rays: Rays::new(radius),
             sky: Sky::Color(DVec3::ZERO),
             output: Output::default(),
-            materials: Vec::new(),
-            objects: Vec::new(),
+            materials,
+            objects,
             lights: Vec::new(),
             occlusion: None,
             animation: None,

@@ -17,6 +17,7 @@ mod optics;
 mod rays;
 mod reference;
 mod sky_cells;
+mod throat;
 
 #[cfg(test)]
 mod tests;

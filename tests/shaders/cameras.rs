@@ -45,6 +45,7 @@ fn pinhole_and_plane() {
             let probe = Probe::new(&[
                 "segment/ray",
                 "law/bound",
+                "law/leaving",
                 "camera/ray",
                 "camera/arrival/straight",
                 "camera/frame_coordinate",

@@ -69,7 +69,7 @@ fn bounding_sphere() {
     }
     let bound = vec![("center", V3(MIDDLE.as_dvec3())), ("radius", Float(BOUND))];
     let body = "put(0u, vec4f(bound_entry(p0.xyz, p1.xyz), f32(left_bound(p0.xyz, p1.xyz)), 0.0, 0.0));";
-    let out = Probe::new(&["law/bound"]).bind("bound", [bound]).run::<2, 1>(&gpu(), body, &inputs);
+    let out = Probe::new(&["law/bound", "law/leaving"]).bind("bound", [bound]).run::<2, 1>(&gpu(), body, &inputs);
     let mut entries = Errors::of("bound_entry, as length over the size of its terms");
     let (mut open, mut entered) = (0, 0);
     for (input, [got]) in inputs.iter().zip(&out) {

@@ -306,7 +306,8 @@ fn flows_of_both_orders() {
 fn straight_lines_have_no_rate() {
     let inputs = phases(15, [1e-3, 1e5], [1e-3, 1e3]);
     let bound = vec![("center", V3(DVec3::ZERO)), ("radius", Float(50.0))];
-    let probe = Probe::new(&["segment/ray", "law/bound", "law/phase_space", "law/straight"]).bind("bound", [bound]);
+    let probe = Probe::new(&["segment/ray", "law/bound", "law/leaving", "law/phase_space", "law/straight"])
+        .bind("bound", [bound]);
     let mut scales = Errors::of("straight scale");
     for (input, output) in inputs.iter().zip(&probe.run::<2, 6>(&gpu(), LAW, &inputs)) {
         keeps_phase(input, output);

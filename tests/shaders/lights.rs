@@ -114,6 +114,7 @@ fn lights_add_up() {
         "surface/light/falls_some",
         "surface/shadow/none",
         "law/bound",
+        "law/leaving",
         "real/f32",
     ];
     let probe = materials(Probe::new(&parts))

@@ -33,7 +33,15 @@ fn straight_motion_leaves_the_bound_in_one_step() {
         put(1u, vec4f(next.phase[1], f32(left_bound(next.phase[0], next.phase[1]))));
         put(2u, vec4f(next.tau, f32(next.steps), 0.0, 0.0));";
     let probe = bounded(
-        &["segment/ray", "state/arguments", "law/bound", "law/phase_space", "motion/straight", "law/limit_none"],
+        &[
+            "segment/ray",
+            "state/arguments",
+            "law/bound",
+            "law/leaving",
+            "law/phase_space",
+            "motion/straight",
+            "law/limit_none",
+        ],
         CENTER,
     );
     let (mut places, mut exits) = (Errors::of("straight motion"), Errors::of("straight motion's exit"));
@@ -69,6 +77,7 @@ fn fates_in_their_order() {
         "state/work",
         "state/arguments",
         "law/bound",
+        "law/leaving",
         "law/phase_space",
         "law/capture_spheres",
         "law/limit_length",
@@ -117,6 +126,7 @@ fn path_end(step: f64) -> Probe {
         "state/work",
         "state/arguments",
         "law/bound",
+        "law/leaving",
         "law/phase_space",
         "law/schwarzschild_path",
         "method/step/rk4",

@@ -22,6 +22,7 @@ mod sources;
 mod straight;
 #[cfg(test)]
 mod tests;
+mod wormhole;
 
 use std::fmt;
 use std::sync::Arc;
@@ -47,6 +48,7 @@ pub use rossler::Rossler;
 pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
 pub use sources::{ByLength, Sources};
 pub use straight::Straight;
+pub use wormhole::Wormhole;
 
 /// Reads a law; none if it cannot be used.
 type Read = fn(&TableReader, &mut Files) -> Option<Arc<dyn Law>>;
@@ -64,6 +66,7 @@ pub static KINDS: Kinds<Read> = Kinds {
         &charged::KIND,
         &kerr_newman::KIND,
         &metric::KIND,
+        &wormhole::KIND,
         &sources::KIND,
         &lorenz::KIND,
         &rossler::KIND,
@@ -225,6 +228,17 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
+    /// What joins two places of its space, if something does.
+    fn throat(&self) -> Option<Throat> {
+        None
+    }
+
+    /// Why rays cannot be followed within a bounding sphere of this radius: the mistake, and what to do.
+    fn refuses_bound(&self, radius: f64) -> Option<[String; 2]> {
+        let _ = radius;
+        None
+    }
+
     /// Why no eye can be at a place: what follows the eye's name in the message, and what to do.
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let _ = at;
@@ -292,6 +306,15 @@ impl Orbit {
     pub fn is_plane(&self) -> bool {
         self.form != OrbitForm::Separated
     }
+}
+
+/// What joins two places of a law's space: a sphere round each, into which rays go at one to come out at the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Throat {
+    /// The spheres' centres, on this side and on the other.
+    pub mouths: [DVec3; 2],
+    /// Their radius.
+    pub radius: f64,
 }
 
 /// A quantity that a law keeps.

@@ -13,6 +13,7 @@ mod glossy;
 mod mirror;
 mod pattern;
 mod phong;
+mod throat;
 
 use std::fmt;
 use std::sync::Arc;
@@ -33,6 +34,7 @@ pub use glossy::Glossy;
 pub use mirror::Mirror;
 pub use pattern::Pattern;
 pub use phong::Phong;
+pub use throat::Throat;
 
 /// Reads the colour that a material uses, and what it does with it; none if it cannot be used.
 type Read = fn(&TableReader, &mut Files) -> Option<(Pattern, Arc<dyn Surface>)>;

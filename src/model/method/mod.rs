@@ -164,7 +164,7 @@ impl Refusal {
 }
 
 /// Why no scene's rays can be followed by the equation of an orbit there.
-pub(super) fn refuses_orbits(scene: &Demands) -> Vec<Refusal> {
+pub(super) fn refuses_orbits(scene: Demands) -> Vec<Refusal> {
     let mut refused = Vec::new();
     if scene.ends {
         let problem = "steps along an orbit are measured by angle and cannot end at a given τ";

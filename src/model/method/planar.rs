@@ -18,7 +18,7 @@ pub static KIND: Kind = Kind {
         } else if !scene.has_plane {
             refused.push(Refusal::method("planar needs a law with a single centre, which keeps a ray in its plane"));
         }
-        refused.extend(refuses_orbits(scene));
+        refused.extend(refuses_orbits(*scene));
         refused
     },
     closed_forms: true,

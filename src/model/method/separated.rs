@@ -16,7 +16,7 @@ pub static KIND: Kind = Kind {
         if !scene.separates {
             refused.push(Refusal::method("separated needs the kerr-newman law, of a hole with a horizon"));
         }
-        refused.extend(refuses_orbits(scene));
+        refused.extend(refuses_orbits(*scene));
         refused
     },
     closed_forms: true,

@@ -15,6 +15,7 @@ mod sky;
 
 use super::lights::PATHS;
 use super::optics::Optics;
+use super::throat::add_throat;
 use super::{Animation, Clear, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
@@ -82,10 +83,16 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
     let sky = sky::read(&root, files);
     let output = output(&root, paths.is_some());
-    let (names, materials) = material::read(&root, files, paths.is_some());
+    let (names, mut materials) = material::read(&root, files, paths.is_some());
     let placed = shape::read(&root, &names, bound.map(|bound| (bound.center, bound.radius)), files);
     regions::check(reader, &placed, &materials);
-    let objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
+    let mut objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
+    if let Some(law) = &law {
+        add_throat(&**law, &mut materials, &mut objects);
+        if let Some([problem, help]) = bound.and_then(|bound| law.refuses_bound(bound.radius)) {
+            root.fault(&["law"], problem, help);
+        }
+    }
     let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials, paths };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
     let chords = rays.as_ref().is_some_and(|rays| rays.segment.has_chords());

@@ -1,0 +1,178 @@
+//! A wormhole: a throat that joins two places.
+//!
+//! *Theory.* ds² = −dt² + dl² + r(l)² dΩ² (Ellis 1973; James, von Tunzelmann, Franklin and Thorne 2015, eqs. 1 and 5), l from −∞ on the other
+//! side to ∞ on this one. Time goes on everywhere as far away: light takes the shortest way of space alone.
+//!
+//! *Practice.* Each side is drawn round a mouth of its own, as x = R n̂ with R = ρ₀ + |l|: so both are in the same coordinates, objects on either
+//! side are objects like any other, and no ray has to know where it is. The throat itself is a surface that rays go on from, which
+//! [`Law::throat`] has the scene put round each mouth; and there is a bounding sphere round each.
+
+use std::sync::Arc;
+
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+use super::observer::{moving, normalised};
+use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order, Throat};
+use crate::document::keys;
+use crate::document::values::{not_negative, positive, vector};
+use crate::model::{Binding, Wgsl, row};
+
+pub static KIND: Kind = Kind {
+    name: "wormhole",
+    keys: keys! {
+        radius: "number above 0" = "1", "ρ₀ of the throat, scene units";
+        length: "number from 0" = "0", "2a, over which the throat is a tube of that radius: for a throat with `mass`";
+        mass: "number above 0" = "none", "M: how far the throat takes to open, as by a hole of that mass; 1.43 M is the width of what it bends most. Without it the throat is Ellis's";
+        center: "[x, y, z]" = "[0, 0, 0]", "the mouth on this side";
+        other: "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
+    },
+    read: |table, _| {
+        let mass = table.optional("mass", positive);
+        let length = table.or("length", 0.0, not_negative);
+        if mass.is_none() && length > 0.0 {
+            table.fault(
+                &["length"],
+                "Ellis's throat has no tube",
+                "add `mass`, by which the throat opens, or leave it out",
+            );
+        }
+        Some(Arc::new(Wormhole {
+            radius: table.or("radius", 1.0, positive),
+            length,
+            mass,
+            center: table.or("center", DVec3::ZERO, vector),
+            other: table.required("other", "[1000, 0, 0]", vector)?,
+        }))
+    },
+};
+
+/// A throat that joins two places.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wormhole {
+    /// ρ₀, scene units.
+    pub radius: f64,
+    /// 2a, over which the throat is a tube.
+    pub length: f64,
+    /// M, by which it opens; none for Ellis's throat.
+    pub mass: Option<f64>,
+    /// The mouth on this side.
+    pub center: DVec3,
+    /// The mouth on the other side.
+    pub other: DVec3,
+}
+
+impl Wormhole {
+    /// r at a proper distance from the throat.
+    #[must_use]
+    pub fn width(&self, l: f64) -> f64 {
+        let Some(mass) = self.mass else { return self.radius.hypot(l) };
+        let y = (2.0 * (l.abs() - 0.5 * self.length) / (std::f64::consts::PI * mass)).max(0.0);
+        self.radius + mass * (y * y.atan() - 0.5 * y.mul_add(y, 1.0).ln())
+    }
+
+    /// From the nearer mouth.
+    fn offset(&self, x: DVec3) -> DVec3 {
+        let [here, there] = [x - self.center, x - self.other];
+        if there.length_squared() < here.length_squared() { there } else { here }
+    }
+
+    /// The direction outwards, and r over the distance at which it is drawn.
+    fn drawn(&self, x: DVec3) -> (DVec3, f64) {
+        let d = self.offset(x);
+        let away = d.length();
+        (d / away, self.width(away - self.radius) / away)
+    }
+}
+
+impl Law for Wormhole {
+    fn parts(&self) -> Vec<Wgsl> {
+        let throat = if self.mass.is_some() { "law/throat/three_parameter" } else { "law/throat/ellis" };
+        Wgsl::parts(&["law/by_velocity", "law/projected_as_is", "law/wormhole", throat])
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        let row = row! {
+            center: Vec3(self.center),
+            other: Vec3(self.other),
+            radius: Float(self.radius),
+            half_length: Float(0.5 * self.length),
+            mouth: Float(self.mass.unwrap_or(self.radius)),
+        };
+        vec![Binding::one("law", row)]
+    }
+
+    fn order(&self) -> Order {
+        Order::General
+    }
+
+    fn throat(&self) -> Option<Throat> {
+        Some(Throat { mouths: [self.center, self.other], radius: self.radius })
+    }
+
+    /// The speed of light, and L/E = r v⊥ r/R.
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let (n, wider) = self.drawn(x);
+        let away = self.offset(x).length();
+        let rising = n.dot(v);
+        let across = (v - rising * n) * wider;
+        vec![
+            Invariant { name: "speed", value: rising.hypot(across.length()), size: 1.0 },
+            Invariant { name: "L / E", value: n.cross(across).length() * wider * away, size: away },
+        ]
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        let mouth = |center| Landmark { name: "throat", center, radius: self.radius, captures: false };
+        [self.center, self.other].map(mouth).into()
+    }
+
+    fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
+        let (n, wider) = self.drawn(x);
+        let rising = n.dot(v);
+        v / rising.hypot((v - rising * n).length() * wider)
+    }
+
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        matches!(frame, CameraFrame::Static | CameraFrame::Moving(_)).then_some("camera/frame_observer")
+    }
+
+    fn metric(&self, x: DVec3) -> Option<DMat4> {
+        let (n, wider) = self.drawn(x);
+        let along = DMat3::from_cols(n.x * n, n.y * n, n.z * n);
+        let space = along + (DMat3::IDENTITY - along) * (wider * wider);
+        let mut metric = DMat4::from_mat3(space);
+        metric.w_axis = DVec4::new(0.0, 0.0, 0.0, -1.0);
+        Some(metric)
+    }
+
+    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        let metric = self.metric(at)?;
+        let found = match frame {
+            CameraFrame::Static => normalised(&metric, DVec4::W),
+            CameraFrame::Moving(velocity) => moving(&metric, velocity),
+            _ => return None,
+        };
+        Some(found.ok_or_else(|| ["is nowhere".to_owned(), "move it".to_owned()]))
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let away = self.offset(at).length();
+        let problem = || format!("is inside the mouth's sphere: {away:.4} ≤ {:.4}", self.radius);
+        (away <= self.radius).then(|| [problem(), "move it out: the throat is that sphere".to_owned()])
+    }
+
+    fn refuses_bound(&self, radius: f64) -> Option<[String; 2]> {
+        let apart = self.center.distance(self.other);
+        let problem = || format!("the bounding spheres round the two mouths overlap: they are {apart} apart");
+        (apart <= 2.0 * radius)
+            .then(|| [problem(), format!("move law.other to more than {} from law.center", 2.0 * radius)])
+    }
+
+    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        interiors.then_some("light has speeds of its own round a wormhole's mouth")
+    }
+
+    fn refuses_sent_light(&self) -> Option<&'static str> {
+        Some("it has more ways through a wormhole than are looked for")
+    }
+}
