@@ -1,7 +1,6 @@
 //! Light round wormholes and through them.
 
 use bentray::measure::drift;
-use bentray::model::Law;
 use bentray::model::law::Wormhole;
 use bentray::render::{RenderSettings, Status, trace};
 use glam::DVec3;
@@ -107,17 +106,17 @@ fn every_ray_comes_out_on_the_right_side() {
         let (mut rays, mut through) = (Vec::new(), Vec::new());
         while rays.len() < 4000 {
             let n = random.direction();
-            let l = random.log(0.01, 100.0);
-            let (mouth, x) = if random.unit() < 0.5 { (law.center, (1.0 + l) * n) } else { (law.other, (1.0 + l) * n) };
+            let far = random.log(0.01, 100.0);
+            let mouth = if random.unit() < 0.5 { law.center } else { law.other };
             let d = (random.direction() * random.log(1e-2, 1.0) - n).normalize();
             let rising = n.dot(d);
-            let impact = (1.0 - rising * rising).sqrt() * law.width(l);
+            let impact = (1.0 - rising * rising).sqrt() * law.width(far);
             if (impact - 1.0).abs() < 1e-4 {
                 continue;
             }
+            let (x, aside) = (mouth + (1.0 + far) * n, d - rising * n);
             // In the coordinates of its drawing.
-            let v = rising * n + (d - rising * n) * ((1.0 + l) / law.width(l));
-            let x = mouth + x;
+            let v = rising * n + aside * ((1.0 + far) / law.width(far));
             rays.push([x.x, x.y, x.z, v.x, v.y, v.z]);
             through.push((impact < 1.0 && rising < 0.0) != (mouth == law.other));
         }

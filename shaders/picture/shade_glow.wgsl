@@ -7,6 +7,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     let seen = seen_at(ray, end);
     filter_last(ray, seen.end);
     let escaped = ray.status == ESCAPED || ray.status == MISSED;
+    note_side(seen.end.x);
     gather(select(seen.color, sky_radiance(vec3f(normalize(seen.end.v))), escaped), seen.end.x);
     add_color(pixel, carried.gathered);
     add_coverage(pixel, ray.status);

@@ -10,6 +10,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     let code = ray.status;
     var color = seen.color;
     if code == ESCAPED || code == MISSED {
+        note_side(seen.end.x);
         color = sky_radiance(vec3f(normalize(seen.end.v)));
         beam_sky(&color);
     }

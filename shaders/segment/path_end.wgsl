@@ -31,7 +31,6 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         there = abs(correction) <= LAST_PART * step.h;
     }
     let tau = step.tau + own_tau(step.phase, p, h);
-    note_side(p[0].xyz);
     let far = departed(code, p[0].xyz, p[1].xyz);
     return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
 }
@@ -66,7 +65,6 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
     let nowhere = unfollowed || (ray.status == CAPTURED && law_captured(x, v));
     if nowhere {
-        note_side(x);
         let far = departed(ray.status, x, v);
         return PathPoint(far[0], far[1], ray.tau, 0.0);
     }

@@ -193,6 +193,19 @@ impl<'r, 'a> TableReader<'r, 'a> {
         self.table.iter().map(|(name, _, node)| (name.as_str(), node))
     }
 
+    /// Records a mistake at the value of a key of a table in this one, else as [`TableReader::fault`].
+    pub fn fault_within(&self, table: &str, key: &str, problem: String, help: String) {
+        let inner = self.table.iter().find(|(name, _, _)| name == table).map(|(_, _, node)| &node.value);
+        let node = match inner {
+            Some(Value::Table(inner)) => inner.iter().find(|(name, _, _)| name == key).map(|(_, _, node)| node),
+            _ => None,
+        };
+        match node {
+            Some(node) => self.reader.fault(Fault { place: node.place, problem, help }),
+            None => self.fault(&[table], problem, help),
+        }
+    }
+
     /// Records a mistake at the value of the first of these keys that the table has, else at the table.
     pub fn fault(&self, keys: &[&str], problem: impl Into<String>, help: impl Into<String>) {
         let place = |key: &&str| {

@@ -14,7 +14,7 @@ use wgpu::{
 
 use super::records::pack;
 use super::source::Source;
-use super::uniforms::schedule_values;
+use super::uniforms::{schedule_values, sky_values};
 use super::{Geometry, Gpu, GpuError, LightField};
 use crate::model::Value::{self, Float, Uint, Uint2, Uint3, Vec3};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program, Role, SceneValue};
@@ -227,7 +227,8 @@ impl Source<'_> {
                 }
                 Segment::Chord { .. } => Ok(None),
             },
-            "sky" => one(&self.sky()),
+            "sky" => one(&sky_values(&self.scene.sky)),
+            "beyond_sky" => self.scene.beyond.as_ref().map_or(Ok(None), |sky| one(&sky_values(sky))),
             "grid_space" => match &self.geometry.structure.grid {
                 Some(grid) => one(&[
                     ("lo", Vec3(grid.lo)),

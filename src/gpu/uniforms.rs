@@ -33,21 +33,22 @@ impl Source<'_> {
         let depth = paths.depth.unwrap_or(u32::MAX);
         [("depth", Uint(depth)), ("roulette", Uint(paths.roulette)), ("seed", Uint(paths.seed))]
     }
+}
 
-    pub(super) fn sky(&self) -> Vec<(&'static str, Value)> {
-        match &self.scene.sky {
-            Sky::Color(color) => vec![("color", Vec3(*color))],
-            Sky::Equirectangular(image, intensity) => {
-                vec![("intensity", Float(*intensity)), ("image", Uint(*image as u32))]
-            }
-            Sky::Faces(faces, intensity) => {
-                let f = faces.map(|face| face as u32);
-                vec![
-                    ("faces", Uint4([f[0], f[1], f[2], f[3]])),
-                    ("more_faces", Uint2([f[4], f[5]])),
-                    ("intensity", Float(*intensity)),
-                ]
-            }
+/// The members of `sky`.
+pub(super) fn sky_values(sky: &Sky) -> Vec<(&'static str, Value)> {
+    match sky {
+        Sky::Color(color) => vec![("color", Vec3(*color))],
+        Sky::Equirectangular(image, intensity) => {
+            vec![("intensity", Float(*intensity)), ("image", Uint(*image as u32))]
+        }
+        Sky::Faces(faces, intensity) => {
+            let f = faces.map(|face| face as u32);
+            vec![
+                ("faces", Uint4([f[0], f[1], f[2], f[3]])),
+                ("more_faces", Uint2([f[4], f[5]])),
+                ("intensity", Float(*intensity)),
+            ]
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The parts of pictures: where samples lie, the camera, what is seen, and what is made of it.
 
 use super::names::Names;
-use super::{Choice, Layer, Purpose, generated};
+use super::{Choice, Layer, ProgramError, Purpose, generated};
 use crate::model::{Pattern, Projection, Stereo, StereoLayout, Surface};
-use crate::scene::{Animation, Light, SamplePattern, Scene, Shadows, Sky, Tonemap};
+use crate::scene::{Animation, Light, SamplePattern, Scene, Shadows, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     // A film has one program for all places that its camera comes to.
@@ -51,13 +51,17 @@ fn stereo_parts(projection: &dyn Projection, stereo: Stereo, names: &mut Names) 
     names.add(if stereo.convergence.is_some() { projection.convergence_part() } else { "camera/eyes/parallel" });
 }
 
-pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), ProgramError> {
     names.add(if scene.is_transparent() { "picture/coverage_kept" } else { "picture/coverage_none" });
-    names.add(match scene.sky {
-        Sky::Color(_) => "picture/sky/color",
-        Sky::Equirectangular(..) => "picture/sky/equirectangular",
-        Sky::Faces(..) => "picture/sky/faces",
-    });
+    match &scene.beyond {
+        Some(beyond) => {
+            names.add("picture/sky/both");
+            for unit in generated::two_skies(scene.sky.part(), beyond.part())? {
+                names.make(unit);
+            }
+        }
+        None => names.add(scene.sky.part()),
+    }
     if choice.adapts(scene) {
         names.all(&["picture/adaptive"]);
         names.add(match scene.output.tonemap {
@@ -84,6 +88,7 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
         names.each("picture/layer", layers.iter().copied());
         names.make(generated::layers(&layers));
     }
+    Ok(())
 }
 
 pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) {

@@ -53,7 +53,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     end_parts(scene, choice, &mut names)?;
     surface_parts(scene, choice, work, analysis, &mut names);
     if choice.purpose == Purpose::Picture {
-        picture_parts(scene, choice, &mut names);
+        picture_parts(scene, choice, &mut names)?;
     }
     if !scene.pictures.is_empty() {
         names.add("surface/image_sample");

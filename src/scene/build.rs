@@ -31,6 +31,7 @@ impl Scene {
             filter: None,
             rays: Rays::new(radius),
             sky: Sky::Color(DVec3::ZERO),
+            beyond: None,
             output: Output::default(),
             materials,
             objects,

@@ -64,6 +64,8 @@ pub struct Scene {
     pub rays: Rays,
     /// What an escaped ray sees.
     pub sky: Sky,
+    /// What one sees that escaped on the other side of a wormhole; none where both sides have the same sky.
+    pub beyond: Option<Sky>,
     /// How radiance becomes a picture file.
     pub output: Output,
     /// In the order of the file; [`Substance::Opaque`] indexes it.
@@ -312,6 +314,18 @@ pub enum Sky {
     Equirectangular(usize, f64),
     /// Six faces +x −x +y −y +z −z, seen from inside: indices into [`Scene::pictures`], and a factor.
     Faces([usize; 6], f64),
+}
+
+impl Sky {
+    /// The WGSL part that shows it.
+    #[must_use]
+    pub fn part(&self) -> &'static str {
+        match self {
+            Self::Color(_) => "picture/sky/color",
+            Self::Equirectangular(..) => "picture/sky/equirectangular",
+            Self::Faces(..) => "picture/sky/faces",
+        }
+    }
 }
 
 /// `[output]`.

@@ -44,10 +44,13 @@ impl Optics<'_> {
         self.law.is_none_or(|law| !law.is_straight()) || self.interiors().any(Medium::bends)
     }
 
-    /// How far an arc's chords are from it, in parts of the bounding sphere's radius, where the scene does not say. A curve in closed
-    /// form is cut where something is near, and nowhere else: there little is saved by a coarser one.
-    pub fn arc_tolerance(&self) -> f64 {
-        if self.law.is_some_and(|law| law.curve().is_some()) { 1e-7 } else { 1e-4 }
+    /// How far an arc's chords are from it, scene units, where the scene does not say, in a bounding sphere of this radius. A curve in
+    /// closed form is cut where something is near, and nowhere else: there little is saved by a coarser one.
+    pub fn arc_tolerance(&self, radius: f64) -> f64 {
+        let part = if self.law.is_some_and(|law| law.curve().is_some()) { 1e-7 } else { 1e-4 };
+        // Of one between a throat and its sphere none may lead back.
+        let throat = self.law.and_then(Law::throat).map_or(f64::INFINITY, |throat| 0.1 * throat.depth);
+        throat.min(part * radius)
     }
 
     /// What it demands of a method; `ends` where paths end at a given τ.

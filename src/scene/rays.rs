@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::model::{Control, Method};
+use crate::model::{Control, Law, Method};
 
 /// `[rays]`: how rays are followed.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,6 +130,16 @@ pub struct Bound {
     pub center: DVec3,
     /// Its radius.
     pub radius: f64,
+}
+
+impl Bound {
+    /// Its centre, and where the law leads to another side that of the sphere there.
+    #[must_use]
+    pub fn centers(&self, law: Option<&dyn Law>) -> Vec<DVec3> {
+        let throat = law.and_then(Law::throat);
+        let there = throat.map(|throat| self.center + throat.mouths[1] - throat.mouths[0]);
+        std::iter::once(self.center).chain(there).collect()
+    }
 }
 
 /// Bits of the numbers that a path is followed in.

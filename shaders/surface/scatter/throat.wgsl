@@ -1,22 +1,23 @@
-// A wormhole's throat, drawn as a sphere round each of its mouths: what comes in by one goes out by the other, in the same direction from
-// it. There only the way along the radius turns round, as on a mirror.
+// A wormhole's throat. A path crosses it like any other place, and goes on to a sphere a little beyond, l = −δ; from there it is drawn
+// round the other mouth, where that is l = δ, in the same direction. Between the two no chord of an arc leads back.
 
 const THROAT: u32 = 11u;
 
-fn scatter_throat(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
-    let v = end.v - (2.0 * dot(end.v, surface.across)) * surface.across;
-    return Scattered(v, vec3f(1.0), false, true);
+// How far R is stretched from one drawing to the other.
+fn other_drawing(x: Real3) -> Real {
+    return 2.0 * law.radius / length(mouth_offset(x)) - 1.0;
 }
 
-// To the other mouth: just outside of it, or rounding would have it met again.
+fn scatter_throat(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
+    let inwards = dot(end.v, surface.across) * surface.across;
+    return Scattered(other_drawing(end.x) * (end.v - inwards) - inwards, vec3f(1.0), false, true);
+}
+
+// To the other mouth.
 fn pass_throat(kind: u32, end: ptr<function, PathPoint>) {
     if kind == THROAT {
         let x = (*end).x;
-        let here = x - law.center;
-        let there = x - law.other;
-        let is_here = dot(here, here) < dot(there, there);
-        let margin = 8.0 * LAST_PART * (law.radius + max(length(law.center), length(law.other)));
-        let n = normalize(select(there, here, is_here));
-        (*end).x = select(law.center, law.other, is_here) + (law.radius + margin) * n;
+        let is_here = distance(x, law.center) < distance(x, law.other);
+        (*end).x = select(law.center, law.other, is_here) + other_drawing(x) * mouth_offset(x);
     }
 }

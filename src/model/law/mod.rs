@@ -233,8 +233,9 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
-    /// Why rays cannot be followed within a bounding sphere of this radius: the mistake, and what to do.
-    fn refuses_bound(&self, radius: f64) -> Option<[String; 2]> {
+    /// Why rays cannot be followed within a bounding sphere of this radius: the law's key that is wrong beside it, the mistake, and
+    /// what to do.
+    fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
         let _ = radius;
         None
     }
@@ -315,6 +316,8 @@ pub struct Throat {
     pub mouths: [DVec3; 2],
     /// Their radius.
     pub radius: f64,
+    /// How far that is beyond the place from which rays are drawn round the other mouth.
+    pub depth: f64,
 }
 
 /// A quantity that a law keeps.

@@ -4,8 +4,8 @@
 //! side to ∞ on this one. Time goes on everywhere as far away: light takes the shortest way of space alone.
 //!
 //! *Practice.* Each side is drawn round a mouth of its own, as x = R n̂ with R = ρ₀ + |l|: so both are in the same coordinates, objects on either
-//! side are objects like any other, and no ray has to know where it is. The throat itself is a surface that rays go on from, which
-//! [`Law::throat`] has the scene put round each mouth; and there is a bounding sphere round each.
+//! side are objects like any other, and no ray has to know where it is. A little beyond the throat is a surface that rays go on from,
+//! which [`Law::throat`] has the scene put round each mouth; and there is a bounding sphere round each.
 
 use std::sync::Arc;
 
@@ -16,6 +16,9 @@ use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order, Throat};
 use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
 use crate::model::{Binding, Wgsl, row};
+
+/// δ over ρ₀: how far beyond the throat paths are followed before they are drawn on its other side.
+const DEPTH: f64 = 0.01;
 
 pub static KIND: Kind = Kind {
     name: "wormhole",
@@ -106,7 +109,8 @@ impl Law for Wormhole {
     }
 
     fn throat(&self) -> Option<Throat> {
-        Some(Throat { mouths: [self.center, self.other], radius: self.radius })
+        let depth = DEPTH * self.radius;
+        Some(Throat { mouths: [self.center, self.other], radius: self.radius - depth, depth })
     }
 
     /// The speed of light, and L/E = r v⊥ r/R.
@@ -161,11 +165,10 @@ impl Law for Wormhole {
         (away <= self.radius).then(|| [problem(), "move it out: the throat is that sphere".to_owned()])
     }
 
-    fn refuses_bound(&self, radius: f64) -> Option<[String; 2]> {
-        let apart = self.center.distance(self.other);
+    fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
+        let (apart, enough) = (self.center.distance(self.other), 2.0 * radius);
         let problem = || format!("the bounding spheres round the two mouths overlap: they are {apart} apart");
-        (apart <= 2.0 * radius)
-            .then(|| [problem(), format!("move law.other to more than {} from law.center", 2.0 * radius)])
+        (apart <= enough).then(|| ("other", [problem(), format!("move it to more than {enough} from law.center")]))
     }
 
     fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {

@@ -9,14 +9,14 @@ use crate::document::values::{Read, direction, extents, positive, suggest, text,
 use crate::document::{Node, Place, Value};
 use crate::model::medium::{self, Interior, Surroundings};
 
-/// The bounding sphere: centre and radius.
-type Ball = (DVec3, f64);
+/// The bounding spheres: their centres, which is one but where light goes to another side, and their radius.
+type Balls<'a> = (&'a [DVec3], f64);
 
 /// All objects that can be used, each with its place, in the order of the file; `materials` are the names of the materials.
 pub(crate) fn read(
     root: &TableReader,
     materials: &[&str],
-    bound: Option<Ball>,
+    bound: Option<Balls>,
     files: &mut Files,
 ) -> Vec<(Place, Object)> {
     let tables = root.subtables("objects", "objects").into_iter();
@@ -30,7 +30,7 @@ pub(crate) fn read(
         .collect()
 }
 
-fn object(table: &TableReader, materials: &[&str], bound: Option<Ball>, files: &mut Files) -> Option<Object> {
+fn object(table: &TableReader, materials: &[&str], bound: Option<Balls>, files: &mut Files) -> Option<Object> {
     let across = 2.0 * bound.map_or(1.0, |(_, radius)| radius);
     let shape = KINDS.chosen(table).and_then(|read| read(table, across, files));
     let translate = table.or("translate", DVec3::ZERO, vector);
@@ -84,8 +84,9 @@ pub(super) fn upright(table: &TableReader, key: &'static str) -> DAffine3 {
     DAffine3::from_rotation_translation(rotation, center)
 }
 
-fn check_inside(table: &TableReader, shape: &dyn Shape, transform: Transform, (center, radius): Ball) {
-    let Some(reach) = shape.reach(transform.0, center) else {
+fn check_inside(table: &TableReader, shape: &dyn Shape, transform: Transform, (centers, radius): Balls) {
+    let reaches = centers.iter().filter_map(|center| shape.reach(transform.0, *center));
+    let Some(reach) = reaches.min_by(f64::total_cmp) else {
         return;
     };
     if reach > radius * (1.0 + 1e-9) {

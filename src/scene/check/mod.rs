@@ -81,16 +81,18 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let image = image::read(&root, paths.is_some());
     let camera = camera::read(&root, law.as_deref(), image.size);
     let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
-    let sky = sky::read(&root, files);
+    let (sky, beyond) = sky::read(&root, files, law.as_deref(), paths.is_some());
     let output = output(&root, paths.is_some());
     let (names, mut materials) = material::read(&root, files, paths.is_some());
-    let placed = shape::read(&root, &names, bound.map(|bound| (bound.center, bound.radius)), files);
+    let centers = bound.map(|bound| bound.centers(law.as_deref()));
+    let balls = centers.as_deref().zip(bound.map(|bound| bound.radius));
+    let placed = shape::read(&root, &names, balls, files);
     regions::check(reader, &placed, &materials);
     let mut objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
     if let Some(law) = &law {
         add_throat(&**law, &mut materials, &mut objects);
-        if let Some([problem, help]) = bound.and_then(|bound| law.refuses_bound(bound.radius)) {
-            root.fault(&["law"], problem, help);
+        if let Some((key, [problem, help])) = bound.and_then(|bound| law.refuses_bound(bound.radius)) {
+            root.fault_within("law", key, problem, help);
         }
     }
     let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials, paths };
@@ -122,6 +124,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         filter,
         rays: rays?,
         sky,
+        beyond,
         output,
         materials,
         objects,

@@ -42,7 +42,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let length = table.optional("length", positive);
     let own = optics.law.and_then(Law::length);
     let length = length.into_iter().chain(own).reduce(f64::min);
-    let segment = segment(&table, optics.arc_tolerance() * bound.map_or(1.0, |bound| bound.radius), is_polygon(&table));
+    let segment = segment(&table, optics.arc_tolerance(bound.map_or(1.0, |bound| bound.radius)), is_polygon(&table));
     let demands = optics.demands(length.is_some(), segment.has_chords());
     let (named, auto) = method(&table, optics, demands);
     let (method, control) = match named {

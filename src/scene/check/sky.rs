@@ -6,14 +6,35 @@ use crate::assets::Files;
 use crate::document::reader::TableReader;
 use crate::document::values::{color, not_negative};
 use crate::document::{Node, Value};
+use crate::model::Law;
 use crate::scene::Sky;
 
-/// Black unless the scene says otherwise.
-pub fn read(root: &TableReader, files: &mut Files) -> Sky {
-    let black = Sky::Color(DVec3::ZERO);
+/// Black unless the scene says otherwise; and the other side's, where it has one of its own.
+pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths: bool) -> (Sky, Option<Sky>) {
     let Some(table) = root.subtable("sky", "sky") else {
-        return black;
+        return (BLACK, None);
     };
+    let sky = one(&table, files);
+    let beyond = table.subtable("beyond", "sky.beyond").map(|beyond| {
+        if law.is_some_and(|law| law.throat().is_none()) {
+            let problem = "only a wormhole has another side";
+            table.fault(&["beyond"], problem, "leave it out, or use law.kind = \"wormhole\"");
+        }
+        if paths {
+            let problem = "paths know one sky, that of both sides";
+            table.fault(&["beyond"], problem, "leave it out, or use transport = \"lights\"");
+        }
+        let sky = one(&beyond, files);
+        beyond.finish();
+        sky
+    });
+    table.finish();
+    (sky, beyond)
+}
+
+const BLACK: Sky = Sky::Color(DVec3::ZERO);
+
+fn one(table: &TableReader, files: &mut Files) -> Sky {
     let reader = table.reader;
     let sky = match table.one_of(&["color", "image", "faces"]) {
         Some(("color", node)) => reader.accept(color(node).map(Sky::Color)),
@@ -23,13 +44,12 @@ pub fn read(root: &TableReader, files: &mut Files) -> Sky {
                 let picture = files.picture(reader, node);
                 picture.map(|picture| Sky::Equirectangular(picture, intensity))
             } else {
-                faces(&table, node, files).map(|faces| Sky::Faces(faces, intensity))
+                faces(table, node, files).map(|faces| Sky::Faces(faces, intensity))
             }
         }
         None => None,
     };
-    table.finish();
-    sky.unwrap_or(black)
+    sky.unwrap_or(BLACK)
 }
 
 fn faces(table: &TableReader, node: &Node, files: &mut Files) -> Option<[usize; 6]> {

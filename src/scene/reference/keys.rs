@@ -136,6 +136,14 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             faces if "no color and no image": "six files" = "none",
                 "the faces +x, -x, +y, -y, +z, -z of a cube, seen from inside";
             intensity if "image or faces": "number, 0 or above" = "1", "factor on the picture's radiance";
+            beyond if r#"law.kind = "wormhole""#: "table" = "the same sky", "what a ray that escapes on the other side sees";
+        }
+        "sky.beyond" {
+            color if "no image and no faces": "[red, green, blue]" = "[0, 0, 0]", "one colour, linear";
+            image if "no color and no faces": "file" = "none", "an equirectangular picture: PNG, EXR or HDR";
+            faces if "no color and no image": "six files" = "none",
+                "the faces +x, -x, +y, -y, +z, -z of a cube, seen from inside";
+            intensity if "image or faces": "number, 0 or above" = "1", "factor on the picture's radiance";
         }
         "output" {
             exposure: "number, -64 to 64" = "0", "stops; PNG only";

@@ -35,6 +35,8 @@ const KINDS: &[&str] = &[
     "[law]\nkind = \"metric\"\nline_element = \"-dt^2 + a*dx^2 + dy^2 + dz^2\"\nscale = \"1\"\ncaptured = \"r < 1\"\ntime = 2\n\
      rotate = [0, 0, 90]\ncenter = [1, 2, 3]\n[law.parameters]\na = 1\n[law.terms]\nb = \"2*a\"\n[rays]\nbound = { radius = 20 }\n",
     "[law]\nkind = \"reissner-nordstrom\"\nmass = 2\n[rays]\nbound = { radius = 20 }\n",
+    "[camera]\nposition = [9, 0, 0]\n[law]\nkind = \"wormhole\"\nradius = 2\nlength = 0.5\nmass = 0.3\ncenter = [0, 0, 0]\nother = [99, 0, 0]\n\
+     [rays]\nbound = { radius = 20 }\n[sky]\n[sky.beyond]\nimage = \"sky.png\"\n",
     "[camera]\nposition = [9, 0, 0]\nframe = \"moving\"\nvelocity = [0, 0.5, 0]\n[law]\nkind = \"kerr-newman\"\nspin = 0.5\n[rays]\nbound = { radius = 20 }\n\
      [materials.a]\nkind = \"blackbody\"\ntemperature = 3000\n[materials.b]\nkind = \"accretion\"\ntemperature = 3000\n",
     "[rays]\nbound = { radius = 10 }\n[sky]\nimage = \"sky.png\"\n[materials.a]\ndiffuse = { image = \"sky.png\" }\n\
