@@ -192,3 +192,31 @@ fn the_sky_is_as_bright_as_its_shift() {
         }
     }
 }
+
+/// Between places at rest light shifts as their clocks go, and to an observer who moves as Doppler says.
+#[test]
+fn light_is_shifted_as_clocks_and_speeds_say() {
+    let clock = |r: f64| (1.0 - 2.0 / r).sqrt();
+    let hole = "kind = \"schwarzschild\"";
+    let geodesic = "kind = \"schwarzschild\"\nform = \"geodesic\"";
+    let wormhole = "kind = \"wormhole\"\nother = [90, 0, 0]";
+    let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 0, 12]\nradius = 0.5\nmaterial = \"a\"\n";
+    let rest = "frame = \"static\"";
+    for (law, frame, objects, expected) in [
+        (hole, rest, "", 1.0 / clock(6.0)),
+        (geodesic, rest, "", 1.0 / clock(6.0)),
+        (hole, rest, ball, clock(11.5) / clock(6.0)),
+        (wormhole, rest, "", 1.0),
+        (wormhole, rest, ball, 1.0),
+        (wormhole, "frame = \"moving\"\nvelocity = [0, 0, 0.6]", "", 2.0),
+        (wormhole, "frame = \"moving\"\nvelocity = [0, 0, -0.6]", ball, 0.5),
+    ] {
+        let scene = scene(&format!(
+            "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 6]\nlook_at = [0, 0, 20]\nfov = 1\n{frame}\n[law]\n{law}\n\
+             [rays]\nbound = {{ radius = 40 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-6\n\
+             [materials.a]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n{objects}"
+        ));
+        let shift = f64::from(shifts(&rendered(&scene))[0]);
+        assert!((shift / expected - 1.0).abs() < 1e-5, "{law} {frame} {objects}: {shift} for {expected}");
+    }
+}

@@ -221,9 +221,12 @@ pub(super) fn materials(answers: &Answers) -> Unit {
     text += "\n";
     text += &switch("fn pattern_color(material: Material, uv: vec2f) -> vec3f", "material.pattern", &colors);
     if shift {
-        let matter = each(&|part, kind| {
+        let mut matter = each(&|part, kind| {
             if orbiting.contains(&part) { format!("matter_{kind}(x)") } else { "matter_at_rest(x)".to_owned() }
         });
+        if matter.is_empty() {
+            matter.push((String::new(), "matter_at_rest(x)".to_owned()));
+        }
         text += "\n";
         text += &switch("fn surface_matter(material: Material, x: Real3) -> Real4", "material.kind", &matter);
     }

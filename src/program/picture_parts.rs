@@ -12,7 +12,7 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     let eye = scene.camera.as_ref().filter(|_| !is_anywhere).map(|camera| camera.position);
     if let Some(part) = scene.law.below_part(eye) {
         names.all(&[part]);
-        names.all(&scene.law.momentum_part().into_iter().collect::<Vec<_>>());
+        names.all(scene.law.momentum_parts());
     }
     names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
     if choice.purpose.is_given() {
@@ -73,7 +73,7 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
     }
     if choice.knows_shift(scene) {
         names.add("picture/shift");
-        names.all(&scene.law.momentum_part().into_iter().collect::<Vec<_>>());
+        names.all(scene.law.momentum_parts());
     } else if choice.layers.contains(&Layer::Shift) {
         names.add("picture/shift_unknown");
     }

@@ -117,8 +117,9 @@ impl Scene {
     /// Has light a frequency to whoever is at the camera?
     #[must_use]
     pub fn has_frequencies(&self) -> bool {
-        let is_seen = self.camera.as_ref().is_some_and(|camera| camera.frame != CameraFrame::Coordinate);
-        is_seen && self.law.momentum_part().is_some() && self.rays.paths.is_none()
+        let knows = |camera: &Camera| camera.frame != CameraFrame::Coordinate && camera.is_at_one_place();
+        let is_seen = self.camera.as_ref().is_some_and(knows);
+        is_seen && !self.law.momentum_parts().is_empty() && self.rays.paths.is_none()
     }
 
     /// The accuracy that the scene asks for, in radians; none if it names a method. A plane camera's pixels have no angle:

@@ -146,6 +146,12 @@ impl Camera {
         }
     }
 
+    /// Do all of its rays start at one place?
+    #[must_use]
+    pub fn is_at_one_place(&self) -> bool {
+        self.projection.is_from_a_point() && self.stereo.is_none()
+    }
+
     /// The angle of a pixel at the middle of a picture of so many, in radians; none where pixels have no angle.
     #[must_use]
     pub fn pixel_angle(&self, size: [u32; 2]) -> Option<f64> {

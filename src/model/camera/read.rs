@@ -6,6 +6,7 @@ use super::{Camera, KINDS, Stereo, StereoLayout};
 use crate::document::Node;
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, boolean, direction, positive, vector, word};
+use crate::model::law::OBSERVER_PART;
 use crate::model::{CameraFrame, Law, Order};
 
 /// None if there is no camera, or one that cannot be used. `size` is the picture's.
@@ -32,10 +33,9 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
         table.fault(&["frame"], problem, help);
     }
     let shift = table.or("shift", false, boolean);
-    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_part().is_none()) {
+    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_parts().is_empty()) {
         let problem = "light has a frequency only for an observer, and by a law that says it";
-        let help =
-            "choose a `frame`, with law.kind = \"kerr-newman\", \"reissner-nordstrom\" or a \"metric\" without t";
+        let help = "choose a `frame`, with a law of a hole or a wormhole, or a \"metric\" without t";
         table.fault(&["shift"], problem, help);
     }
     let stereo = stereo(&table, size);
@@ -94,9 +94,8 @@ fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Opti
 }
 
 fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
-    let is_one = camera.projection.is_from_a_point() && camera.stereo.is_none();
-    if !is_one && law.observer(camera.frame, camera.position).is_some() {
-        let help = "leave `frame` out, or use a camera of one eye";
+    if !camera.is_at_one_place() && (camera.shift || law.frame_part(camera.frame) == Some(OBSERVER_PART)) {
+        let help = "leave `frame` and `shift` out, or use a camera of one eye";
         table.fault(&["frame"], "an observer is at one place, and rays start at more", help);
     }
     let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };

@@ -7,9 +7,9 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DMat4, DVec3, DVec4};
+use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{moving, normalised};
+use super::observer::{OBSERVER_PART, moving, normalised, round};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{number, positive, vector};
@@ -142,16 +142,12 @@ impl Law for ChargedHole {
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        matches!(frame, CameraFrame::Static | CameraFrame::Moving(_)).then_some("camera/frame_observer")
+        matches!(frame, CameraFrame::Static | CameraFrame::Moving(_)).then_some(OBSERVER_PART)
     }
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
         let d = x - self.center;
-        let (n, clock) = (d.normalize(), self.clock(d.length()));
-        let across = DMat3::from_cols(n.x * n, n.y * n, n.z * n);
-        let mut metric = DMat4::from_mat3(DMat3::IDENTITY + across * (1.0 / clock - 1.0));
-        metric.w_axis = DVec4::new(0.0, 0.0, 0.0, -clock);
-        Some(metric)
+        Some(round(d.normalize(), self.clock(d.length())))
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
@@ -165,8 +161,8 @@ impl Law for ChargedHole {
         Some(found.ok_or_else(none))
     }
 
-    fn momentum_part(&self) -> Option<&'static str> {
-        Some("law/momentum/charged")
+    fn momentum_parts(&self) -> &'static [&'static str] {
+        &["law/momentum/round", "law/clock/charged"]
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {

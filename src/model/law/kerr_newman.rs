@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{light_speed, moving, normal, normalised};
+use super::observer::{OBSERVER_PART, light_speed, moving, normal, normalised};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
@@ -243,7 +243,7 @@ impl Law for KerrNewman {
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        (frame != CameraFrame::Coordinate).then_some("camera/frame_observer")
+        (frame != CameraFrame::Coordinate).then_some(OBSERVER_PART)
     }
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
@@ -281,8 +281,8 @@ impl Law for KerrNewman {
         eye.is_none_or(|eye| self.at(eye).r < horizon).then_some("law/below_kerr_newman")
     }
 
-    fn momentum_part(&self) -> Option<&'static str> {
-        Some("law/momentum/kerr_newman")
+    fn momentum_parts(&self) -> &'static [&'static str] {
+        &["law/momentum/kerr_newman"]
     }
 
     fn equator(&self) -> Option<[DVec3; 2]> {

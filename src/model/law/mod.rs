@@ -14,6 +14,7 @@ mod lorenz;
 mod medium;
 mod metric;
 mod observer;
+mod orbit;
 pub mod own;
 mod parametric;
 mod rossler;
@@ -41,7 +42,8 @@ pub use kerr_newman::{KerrNewman, KerrSchild};
 pub use lorenz::Lorenz;
 pub use medium::{InMedium, SOLVED_PARTS};
 pub use metric::Metric;
-pub use observer::CameraFrame;
+pub use observer::{CameraFrame, OBSERVER_PART};
+pub use orbit::{Orbit, OrbitForm, Throat};
 pub use own::{Depends, OwnLaw};
 pub use parametric::Parametric;
 pub use rossler::Rossler;
@@ -218,9 +220,9 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
-    /// The part that gives the momentum of light, if light has a frequency under this law.
-    fn momentum_part(&self) -> Option<&'static str> {
-        None
+    /// The parts that give the momentum of light, if light has a frequency under this law; else none.
+    fn momentum_parts(&self) -> &'static [&'static str] {
+        &[]
     }
 
     /// The centre and the axis about which matter goes round, if it does: on the orbits of [`CameraFrame::Orbiting`].
@@ -270,54 +272,6 @@ pub enum Order {
     Place,
     /// Second order, by place and velocity, or with time.
     General,
-}
-
-/// The orbit about a law's only centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Orbit {
-    /// The centre.
-    pub center: DVec3,
-    /// What else a place on it needs.
-    pub form: OrbitForm,
-    /// Does the pull fall by an inverse power, so that an orbit has an asymptote in closed form?
-    pub is_free_far_away: bool,
-}
-
-/// What an orbit is besides its r.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum OrbitForm {
-    /// An angle in the plane through the centre in which a ray stays; and the WGSL part that has its pull.
-    Plane(&'static str),
-    /// Angles that turn about the axis of a spin.
-    Separated,
-}
-
-impl Orbit {
-    /// The WGSL parts of its steps.
-    #[must_use]
-    pub fn parts(&self) -> Vec<&'static str> {
-        match self.form {
-            OrbitForm::Plane(pull) => vec!["law/orbit", pull],
-            OrbitForm::Separated => vec!["law/separated"],
-        }
-    }
-
-    /// Does a ray stay in a plane through the centre?
-    #[must_use]
-    pub fn is_plane(&self) -> bool {
-        self.form != OrbitForm::Separated
-    }
-}
-
-/// What joins two places of a law's space: a sphere round each, into which rays go at one to come out at the other.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Throat {
-    /// The spheres' centres, on this side and on the other.
-    pub mouths: [DVec3; 2],
-    /// Their radius.
-    pub radius: f64,
-    /// How far that is beyond the place from which rays are drawn round the other mouth.
-    pub depth: f64,
 }
 
 /// A quantity that a law keeps.

@@ -2,7 +2,10 @@
 //!
 //! Four-vectors have the place's three components first, and then the time's.
 
-use glam::{DMat4, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+/// The part that has the directions of an observer at the camera's one place.
+pub const OBSERVER_PART: &str = "camera/frame_observer";
 
 /// Whose unit directions the camera's are, under laws for which that differs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,4 +70,12 @@ pub(super) fn light_speed(a: f64, b: f64, c: f64) -> f64 {
     let is_slow = a < 0.0 && (slower - 1.0).abs() < (faster - 1.0).abs();
     let kappa = if is_slow { slower } else { faster };
     if kappa > 0.0 { kappa } else { 0.0 }
+}
+
+/// ds² = −A dt² + dr²/A + r² dΩ², with A = `clock`, along the unit vector n from its centre.
+pub(super) fn round(n: DVec3, clock: f64) -> DMat4 {
+    let along = DMat3::from_cols(n.x * n, n.y * n, n.z * n);
+    let mut metric = DMat4::from_mat3(DMat3::IDENTITY + along * (1.0 / clock - 1.0));
+    metric.w_axis = DVec4::new(0.0, 0.0, 0.0, -clock);
+    metric
 }

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat4, DVec3, DVec4};
 
+use super::observer::{normalised, round};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{positive, vector, word};
@@ -102,6 +103,21 @@ impl Law for Schwarzschild {
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
         (frame == CameraFrame::Static).then_some("camera/frame_static")
+    }
+
+    fn metric(&self, x: DVec3) -> Option<DMat4> {
+        let d = x - self.center;
+        Some(round(d.normalize(), 1.0 - 2.0 * self.mass / d.length()))
+    }
+
+    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        let metric = self.metric(at)?;
+        let none = || ["is where nothing is at rest".to_owned(), "move it".to_owned()];
+        (frame == CameraFrame::Static).then(|| normalised(&metric, DVec4::W).ok_or_else(none))
+    }
+
+    fn momentum_parts(&self) -> &'static [&'static str] {
+        &["law/momentum/round", "law/clock/schwarzschild"]
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {

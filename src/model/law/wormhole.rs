@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-use super::observer::{moving, normalised};
+use super::observer::{OBSERVER_PART, moving, normalised};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order, Throat};
 use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
@@ -137,7 +137,7 @@ impl Law for Wormhole {
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        matches!(frame, CameraFrame::Static | CameraFrame::Moving(_)).then_some("camera/frame_observer")
+        matches!(frame, CameraFrame::Static | CameraFrame::Moving(_)).then_some(OBSERVER_PART)
     }
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
@@ -157,6 +157,10 @@ impl Law for Wormhole {
             _ => return None,
         };
         Some(found.ok_or_else(|| ["is nowhere".to_owned(), "move it".to_owned()]))
+    }
+
+    fn momentum_parts(&self) -> &'static [&'static str] {
+        &["law/momentum/wormhole"]
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-use super::observer::{light_speed, moving, normal, normalised};
+use super::observer::{OBSERVER_PART, light_speed, moving, normal, normalised};
 use super::{CameraFrame, Invariant, Kind, Law, Order};
 use crate::assets::LineElement;
 use crate::document::keys;
@@ -177,7 +177,7 @@ impl Law for Metric {
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        (frame != CameraFrame::Coordinate).then_some("camera/frame_observer")
+        (frame != CameraFrame::Coordinate).then_some(OBSERVER_PART)
     }
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
@@ -219,8 +219,8 @@ impl Law for Metric {
         })
     }
 
-    fn momentum_part(&self) -> Option<&'static str> {
-        (!self.carries_time()).then_some("law/momentum/metric")
+    fn momentum_parts(&self) -> &'static [&'static str] {
+        if self.carries_time() { &[] } else { &["law/momentum/metric"] }
     }
 
     fn equator(&self) -> Option<[DVec3; 2]> {

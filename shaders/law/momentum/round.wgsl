@@ -1,11 +1,4 @@
-// Round a charged hole. v is K's part in space, but for a factor, and K_t follows from K's being light.
-
-// −g_tt.
-fn law_clock(x: Real3) -> Real {
-    let d = x - law.center;
-    let r2 = dot(d, d);
-    return 1.0 - 2.0 * law.mass * inverseSqrt(r2) + law.charge_squared / r2 - law.third * r2;
-}
+// Round a hole without spin: g_rr is −1/g_tt. v is K's part in space, but for a factor, and K_t follows from K's being light.
 
 // Of light that goes into the past from x along d, but for a factor.
 fn law_momentum(x: Real3, d: Real3) -> Real4 {
