@@ -1,6 +1,6 @@
-// Separated orbits with nothing to hit, in a bounding sphere about the hole: a path is one segment, or one for as many steps as this
-// many. The step that would leave, or be captured, is tried again until it ends where the path does, by Newton's method; so that no
-// step has to be taken again to find the place. Every iteration does the same work: what some rays skip, others do beside them.
+// Separated orbits with nothing to hit, in a bounding sphere about the hole: a segment is a whole path, or STEPS of its steps. The step
+// that would leave, or be captured, is tried again until it ends where the path does, by Newton's method; so that none has to be taken
+// again to find the place. Every iteration does the same work: what some rays skip, others do beside them.
 
 const STEPS: u32 = 256u;
 const CUTS: u32 = 3u;
