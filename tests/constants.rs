@@ -13,8 +13,8 @@ const COMPUTED: [(&str, &[(&str, &str)]); 11] = [
         "part, \"MAX_TRIES\"",
         &[("method/control/embedded", "MAX_TRIES"), ("method/control/doubling_rejecting", "MAX_TRIES")],
     ),
-    ("part, \"STEPS\"", &[("motion/orbit_open", "STEPS"), ("motion/separated_open", "STEPS")]),
-    ("part, \"CUTS\"", &[("motion/orbit_open", "CUTS"), ("motion/separated_open", "CUTS")]),
+    ("steps, \"STEPS\"", &[("motion/orbit_open", "STEPS"), ("motion/separated_open", "STEPS")]),
+    ("cuts, \"CUTS\"", &[("motion/edge_bound", "CUTS"), ("motion/separated_open", "CUTS")]),
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[

@@ -2,7 +2,7 @@
 
 use bentray::measure::drift;
 use bentray::model::law::Wormhole;
-use bentray::render::{RenderSettings, Status, trace};
+use bentray::render::{RenderSettings, Renderer, Status, trace};
 use glam::DVec3;
 
 use crate::oracle::{rows, traced, vector};
@@ -133,5 +133,29 @@ fn every_ray_comes_out_on_the_right_side() {
             println!("{mass}{method}: {escaped} of {} escaped, {wrong} wrong", ends.len());
             assert_eq!((escaped, wrong), (rays.len(), 0), "{mass}{method}");
         }
+    }
+}
+
+/// A pixel that looks away from the mouth sees this side's sky, one that looks through it the other's, or what stands there: by paths too.
+#[test]
+fn each_side_has_its_own_sky_and_objects() {
+    let gpu = gpu();
+    let lamp = "[materials.a]\nkind = \"emissive\"\ncolor = [0, 0.5, 0]\n[[objects]]\nshape = \"sphere\"\ncenter = [90, 0, 4]\nmaterial = \"a\"\n";
+    let (near, beyond) = ("[sky]\ncolor = [1, 0, 0]\n", "[sky.beyond]\ncolor = [0, 0, 1]\n");
+    for (ahead, rest, transport, expected) in [
+        (9, format!("{near}{beyond}"), "lights", [1.0, 0.0, 0.0]),
+        (0, format!("{near}{beyond}"), "lights", [0.0, 0.0, 1.0]),
+        (0, near.to_owned(), "lights", [1.0, 0.0, 0.0]),
+        (0, format!("{near}{beyond}{lamp}"), "lights", [0.0, 0.5, 0.0]),
+        (9, format!("{near}{lamp}"), "paths", [1.0, 0.0, 0.0]),
+        (0, format!("{near}{lamp}"), "paths", [0.0, 0.5, 0.0]),
+    ] {
+        let scene = scene(&format!(
+            "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 6]\nlook_at = [0, 0, {ahead}]\nfov = 1\n[law]\nkind = \"wormhole\"\n\
+             other = [90, 0, 0]\n[rays]\nbound = {{ radius = 30 }}\nmethod = \"dormand-prince\"\ntransport = \"{transport}\"\n{rest}"
+        ));
+        let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
+        let color = DVec3::from_array([0, 1, 2].map(|channel| f64::from(picture.band.color[channel][0])));
+        assert_eq!(color, DVec3::from_array(expected), "towards z = {ahead} by {transport}, {rest}");
     }
 }

@@ -59,14 +59,18 @@ fn across_spin(y: Real3) -> Real3 {
     return Real3(-y.y, y.x, 0.0);
 }
 
+// Δ u², which is 0 at a horizon.
+fn orbit_delta(u: Real) -> Real {
+    return 1.0 - u * (2.0 * law.mass - (dot(law.spin, law.spin) + law.charge_squared) * u);
+}
+
 // W = (P − r′)/Δ for what moves inwards, and K/(P + r′), which is the same, for what moves outwards: neither is 0/0 on its way.
 fn orbit_gap(o: Orbit, u: Real, w: Real) -> Real {
     let u2 = u * u;
     let p = o.energy + o.lift * u2;
-    let delta = 1.0 - 2.0 * law.mass * u + (dot(law.spin, law.spin) + law.charge_squared) * u2;
     let inwards = w > 0.0;
     // A step may end inside the horizon: there it is captured.
-    return select(o.carter * u2, p + w, inwards) / select(p - w, max(delta, 1e-6), inwards);
+    return select(o.carter * u2, p + w, inwards) / select(p - w, max(orbit_delta(u), 1e-6), inwards);
 }
 
 fn orbit_of(place: Real3, v: Real3) -> Orbit {
@@ -176,11 +180,14 @@ fn orbit_step(o: Orbit, s: Real) -> Orbit {
 }
 
 // The step by which n turns through eta at most, and u no further by its own rate, which near the hole is the greater; and u changes by
-// thrice that fraction of `size` or less.
+// thrice that fraction of `size` or less, and on the way in Δ by half of itself, for towards the horizon τ goes on for ever.
 fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
     let own = abs(o.twist - o.total + o.u * (2.0 * o.pull.x + 3.0 * o.pull.y * o.u));
     let turn = inverseSqrt(max(max(o.total + o.twist, own), 1e-30));
-    return min(eta * turn, min(3.0 * eta, 0.5) * size / abs(o.w));
+    let closing = o.w * (law.mass - (dot(law.spin, law.spin) + law.charge_squared) * o.u);
+    let delta = orbit_delta(o.u);
+    let half = select(Real(1e30), 0.25 * delta / closing, min(delta, closing) > 0.0);
+    return min(min(eta * turn, half), min(3.0 * eta, 0.5) * size / abs(o.w));
 }
 
 // The orbit that comes in along the line through x with velocity v. There W = 2E, and in axes that turn by −aE n′ is E times the way

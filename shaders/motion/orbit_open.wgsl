@@ -1,8 +1,7 @@
 // Orbits with nothing to hit: as many steps in one segment as lie well within the bounding sphere and outside of what captures,
-// in the plane all the while. The step that would leave is a segment of its own, cut so that it ends just outside.
+// in the plane all the while. The step that would leave is a segment of its own.
 
 const STEPS: u32 = 64u;
-const CUTS: u32 = 4u;
 
 // Inside this distance from the centre a ray is inside the bounding sphere, wherever that is: as u; beyond all u if there is none.
 fn orbit_edge() -> Real {
@@ -10,41 +9,17 @@ fn orbit_edge() -> Real {
     return select(1e30, 1.0 / inside, inside > 0.0);
 }
 
-// The size of the step by which u falls to the edge, from one by which it falls below: Newton's method, on a curve that is
-// concave there, from the far side.
-fn orbit_cut(o: Orbit, size: Real, edge: Real) -> Real {
-    var s = size;
-    for (var i = 0u; i < CUTS; i++) {
-        work += 1u;
-        let end = orbit_step(o, s);
-        s = clamp(s - (end.u - edge) / min(end.w, -1e-30), 0.0, size);
-    }
-    return s;
-}
-
 // Where the bounding sphere lies off the centre a ray beyond the edge may still be inside: short steps, until it leaves.
 fn orbit_size(o: Orbit, edge: Real, calm: Real) -> Real {
     return orbit_stride(o, control.eta, select(o.u + calm, o.u, o.u <= edge));
 }
 
-// The size of the step that leaves, cut to end just outside.
+// The size of the step that leaves.
 fn own_size(ray: Ray, next: Ray) -> Real {
     let edge = orbit_edge();
     let o = orbit_of(ray.phase[0], ray.phase[1]);
     let s = orbit_size(o, edge, orbit_calm());
-    let over = orbit_step(o, s);
-    return select(s, orbit_cut(o, s, 0.999 * edge), o.u > edge && over.u < edge);
-}
-
-// Roughly where a step that leaves crosses the edge, by the chord of u: whether it left is known, and exactly where is found
-// once, when the path has ended.
-fn orbit_left(o: Orbit, over: Orbit, edge: Real) -> Orbit {
-    let f = (o.u - edge) / max(o.u - over.u, 1e-30);
-    var end = over;
-    end.u = 0.999 * edge;
-    end.w = min(over.w, -1e-30);
-    end.angle = mix(o.angle, over.angle, f);
-    return end;
+    return left_size(o, s, edge);
 }
 
 fn accepted_step(ray: Ray) -> Ray {

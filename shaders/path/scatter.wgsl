@@ -69,6 +69,9 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
     }
     var leg = Leg(end.x, scattered.v, end.tau, (*met).primitive, select(ALIVE, CUT, cut));
     leave_aside(surface, end, &leg);
+    var x = leg.x;
+    pass_throat(material.kind, &x);
+    leg.x = x;
     return leg;
 }
 

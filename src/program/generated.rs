@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::regions::Regions;
 use super::unit::Unit;
-use super::{Analysis, PARTS, ProgramError, part};
+use super::{Analysis, PARTS};
 use crate::model::shape::{SOLIDS, Solid};
 use crate::model::source;
 use crate::scene::{Object, Scene};
@@ -150,20 +150,6 @@ pub fn shots(scene: &Scene) -> usize {
 fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usize {
     let is = |(i, object): &(usize, &Object)| object.solid() == solid && regions.bit(*i).is_some() == sided;
     scene.objects.iter().enumerate().filter(is).count()
-}
-
-/// Two skies: the parts of each under names of their own.
-pub(super) fn two_skies(near: &str, beyond: &str) -> Result<[Unit; 2], ProgramError> {
-    let text = |name: &str| part(name).map(|part| part.text).ok_or_else(|| ProgramError::NoPart(name.to_owned()));
-    let near = text(near)?.replace("fn sky_radiance(", "fn near_sky_radiance(");
-    let renamed = [
-        ("fn sky_radiance(", "fn beyond_sky_radiance("),
-        ("struct Sky {", "struct BeyondSky {"),
-        ("@binding(163) var<uniform> sky: Sky;", "@binding(170) var<uniform> beyond_sky: BeyondSky;"),
-        ("sky.", "beyond_sky."),
-    ];
-    let beyond = renamed.iter().fold(text(beyond)?.to_owned(), |text, (from, to)| text.replace(from, to));
-    Ok([unit("generated/near_sky.wgsl", near), unit("generated/beyond_sky.wgsl", beyond)])
 }
 
 /// The way to a place from what a force comes from.

@@ -30,6 +30,7 @@ mod scopes;
 mod selections;
 mod short_lists;
 mod signature;
+mod skies;
 mod spacetime;
 mod structure;
 mod tokens;

@@ -1,6 +1,7 @@
 //! The parts of pictures: where samples lie, the camera, what is seen, and what is made of it.
 
 use super::names::Names;
+use super::skies::two_skies;
 use super::{Choice, Layer, ProgramError, Purpose, generated};
 use crate::model::{Pattern, Projection, Stereo, StereoLayout, Surface};
 use crate::scene::{Animation, Light, SamplePattern, Scene, Shadows, Tonemap};
@@ -56,7 +57,7 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
     match &scene.beyond {
         Some(beyond) => {
             names.add("picture/sky/both");
-            for unit in generated::two_skies(scene.sky.part(), beyond.part())? {
+            for unit in two_skies(scene.sky.part(), beyond.part())? {
                 names.make(unit);
             }
         }

@@ -119,26 +119,31 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
     Ok(())
 }
 
-/// Does the last step of a path end where the path does? So where the bounding sphere is about a hole whose orbits separate, in every
-/// frame, and there is nothing to hit.
+/// Does the last step of a path end where the path does? So where orbits separate and there is nothing to hit.
 pub(super) fn ends_with_steps(scene: &Scene) -> bool {
+    let separates = scene.law.orbit().is_some_and(|orbit| orbit.form == OrbitForm::Separated);
+    let on_orbit = scene.rays.method.kind.path == Path::Orbit;
+    on_orbit && separates && !scene.needs_arcs() && is_about_center(scene)
+}
+
+/// Is the bounding sphere about the orbits' centre, in every frame?
+fn is_about_center(scene: &Scene) -> bool {
     let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bound");
     let is_still = scene.animation.as_ref().is_none_or(|animation| !animation.keys.iter().any(moves));
-    let is_about = |orbit: Orbit| orbit.form == OrbitForm::Separated && orbit.center == scene.rays.bound.center;
-    scene.rays.method.kind.path == Path::Orbit
-        && !scene.needs_arcs()
-        && is_still
-        && scene.law.orbit().is_some_and(is_about)
+    is_still && scene.law.orbit().is_some_and(|orbit| orbit.center == scene.rays.bound.center)
 }
 
 /// τ is integrated only where something asks for it: arcs, and the numbers of a trace.
 fn orbit_parts(scene: &Scene, orbit: &Orbit, purpose: Purpose, names: &mut Names) {
     let open = !scene.needs_arcs();
-    names.add(match open {
-        _ if ends_with_steps(scene) => "motion/separated_open",
-        true => "motion/orbit_open",
-        false => "motion/orbit_arcs",
-    });
+    if ends_with_steps(scene) {
+        names.add("motion/separated_open");
+    } else if open {
+        names.add("motion/orbit_open");
+        names.add(if is_about_center(scene) { "motion/edge_bound" } else { "motion/edge_within" });
+    } else {
+        names.add("motion/orbit_arcs");
+    }
     let asked = !open || !matches!(purpose, Purpose::Picture | Purpose::Bare);
     names.add(match orbit.form {
         _ if !asked => "motion/time_none",

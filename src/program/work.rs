@@ -145,8 +145,9 @@ fn asymptote_loops(precision: Precision) -> u64 {
 fn step_loops(scene: &Scene, Loops { derivative, scale }: Loops) -> u64 {
     let (method, control) = (scene.rays.method.kind, scene.rays.control.kind);
     if method.path == Path::Orbit {
-        let part = if ends_with_steps(scene) { "motion/separated_open" } else { "motion/orbit_open" };
-        return if scene.needs_arcs() { 0 } else { (constant(part, "STEPS") + constant(part, "CUTS")) as u64 };
+        let separated = ["motion/separated_open"; 2];
+        let [steps, cuts] = if ends_with_steps(scene) { separated } else { ["motion/orbit_open", "motion/edge_bound"] };
+        return if scene.needs_arcs() { 0 } else { (constant(steps, "STEPS") + constant(cuts, "CUTS")) as u64 };
     }
     let tries = control.tries.map_or(1, |part| constant(part, "MAX_TRIES") as u64);
     (control.loops)(&StepLoops { evaluations: method.evaluations.into(), derivative, scale, tries })

@@ -7,7 +7,7 @@ fn may_scatter(code: u32) -> bool {
 // ray: at the start of the segment that met the surface. It comes back under way from there, or with the status that ends it; HIT
 // where the surface is opaque, which `met` then names.
 fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
-    var end = path_end(ray, *met);
+    let end = path_end(ray, *met);
     let surface = met_surface(met, end.x);
     // A ray that ends here stays on the side that it came from.
     let side = region_bits();
@@ -30,8 +30,9 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         enter_set(side);
         return next;
     }
-    pass_throat(materials[surface.material].kind, &end);
-    next.phase = opaque_phase(law_start(end.x, scattered.v));
+    var x = end.x;
+    pass_throat(materials[surface.material].kind, &x);
+    next.phase = opaque_phase(law_start(x, scattered.v));
     next.tau = opaque(end.tau);
     next.rest = 0.0;
     next.memory = first_memory(next.phase);

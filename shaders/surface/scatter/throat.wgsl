@@ -14,10 +14,9 @@ fn scatter_throat(material: Material, surface: Surface, end: PathPoint, index: u
 }
 
 // To the other mouth.
-fn pass_throat(kind: u32, end: ptr<function, PathPoint>) {
+fn pass_throat(kind: u32, x: ptr<function, Real3>) {
     if kind == THROAT {
-        let x = (*end).x;
-        let is_here = distance(x, law.center) < distance(x, law.other);
-        (*end).x = select(law.center, law.other, is_here) + other_drawing(x) * mouth_offset(x);
+        let is_here = distance(*x, law.center) < distance(*x, law.other);
+        *x = select(law.center, law.other, is_here) + other_drawing(*x) * mouth_offset(*x);
     }
 }

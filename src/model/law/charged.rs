@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{OBSERVER_PART, moving, normalised, round};
+use super::observer::{OBSERVER_PART, moving, normalised, spherical};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{number, positive, vector};
@@ -147,7 +147,8 @@ impl Law for ChargedHole {
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
         let d = x - self.center;
-        Some(round(d.normalize(), self.clock(d.length())))
+        let clock = self.clock(d.length());
+        Some(spherical(d.normalize(), 1.0 / clock, 1.0, clock))
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {

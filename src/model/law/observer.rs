@@ -72,10 +72,10 @@ pub(super) fn light_speed(a: f64, b: f64, c: f64) -> f64 {
     if kappa > 0.0 { kappa } else { 0.0 }
 }
 
-/// ds² = −A dt² + dr²/A + r² dΩ², with A = `clock`, along the unit vector n from its centre.
-pub(super) fn round(n: DVec3, clock: f64) -> DMat4 {
-    let along = DMat3::from_cols(n.x * n, n.y * n, n.z * n);
-    let mut metric = DMat4::from_mat3(DMat3::IDENTITY + along * (1.0 / clock - 1.0));
+/// −A dt² with A = `clock`, and in space lengths squared along the unit vector n and across it, by these factors.
+pub(super) fn spherical(n: DVec3, along: f64, across: f64, clock: f64) -> DMat4 {
+    let radial = DMat3::from_cols(n.x * n, n.y * n, n.z * n);
+    let mut metric = DMat4::from_mat3(across * DMat3::IDENTITY + (along - across) * radial);
     metric.w_axis = DVec4::new(0.0, 0.0, 0.0, -clock);
     metric
 }

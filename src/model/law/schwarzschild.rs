@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{normalised, round};
+use super::observer::{normalised, spherical};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{positive, vector, word};
@@ -107,7 +107,8 @@ impl Law for Schwarzschild {
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
         let d = x - self.center;
-        Some(round(d.normalize(), 1.0 - 2.0 * self.mass / d.length()))
+        let clock = 1.0 - 2.0 * self.mass / d.length();
+        Some(spherical(d.normalize(), 1.0 / clock, 1.0, clock))
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {

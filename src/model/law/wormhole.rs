@@ -9,9 +9,9 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DMat4, DVec3, DVec4};
+use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{OBSERVER_PART, moving, normalised};
+use super::observer::{OBSERVER_PART, moving, normalised, spherical};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order, Throat};
 use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
@@ -142,11 +142,7 @@ impl Law for Wormhole {
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
         let (n, wider) = self.drawn(x);
-        let along = DMat3::from_cols(n.x * n, n.y * n, n.z * n);
-        let space = along + (DMat3::IDENTITY - along) * (wider * wider);
-        let mut metric = DMat4::from_mat3(space);
-        metric.w_axis = DVec4::new(0.0, 0.0, 0.0, -1.0);
-        Some(metric)
+        Some(spherical(n, 1.0, wider * wider, 1.0))
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {

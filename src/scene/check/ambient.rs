@@ -12,6 +12,9 @@ fn check_law(table: &TableReader, optics: &Optics, chords: bool) {
     if let Some(why) = optics.law.and_then(Law::ignores_direction) {
         table.fault(&["rays"], format!("ambient light cannot be followed under this law: {why}"), help);
     }
+    if optics.law.is_some_and(|law| law.throat().is_some()) {
+        table.fault(&["rays"], "ambient light is not followed through a wormhole", help);
+    }
     if chords {
         table.fault(&["rays"], "ambient light follows arcs, and these rays are chords", help);
     }

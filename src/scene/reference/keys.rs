@@ -51,7 +51,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             look_at: "[x, y, z]" = "[0, 0, 0]", "the point in the middle of the picture; differs from position";
             up: "[x, y, z]" = "[0, 1, 0]", "what is up in the picture; not parallel to the view";
             frame: "coordinate | static | normal | zamo | orbiting | counter-orbiting | falling | moving" = "coordinate",
-                "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, and moving under reissner-nordstrom; all under kerr-newman, all but `falling` under metric";
+                "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, and moving under reissner-nordstrom and wormhole; all under kerr-newman, all but `falling` under metric";
             velocity if r#"frame = "moving""#: "[x, y, z], below 1 long" = "required",
                 "of the observer, in parts of light's speed, past one who is normal";
             shift: "true | false" = "false",
@@ -137,13 +137,6 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "the faces +x, -x, +y, -y, +z, -z of a cube, seen from inside";
             intensity if "image or faces": "number, 0 or above" = "1", "factor on the picture's radiance";
             beyond if r#"law.kind = "wormhole""#: "table" = "the same sky", "what a ray that escapes on the other side sees";
-        }
-        "sky.beyond" {
-            color if "no image and no faces": "[red, green, blue]" = "[0, 0, 0]", "one colour, linear";
-            image if "no color and no faces": "file" = "none", "an equirectangular picture: PNG, EXR or HDR";
-            faces if "no color and no image": "six files" = "none",
-                "the faces +x, -x, +y, -y, +z, -z of a cube, seen from inside";
-            intensity if "image or faces": "number, 0 or above" = "1", "factor on the picture's radiance";
         }
         "output" {
             exposure: "number, -64 to 64" = "0", "stops; PNG only";

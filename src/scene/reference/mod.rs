@@ -28,6 +28,7 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     ]
     .concat();
     let mut all = keys::fixed();
+    other_sky(&mut all);
     for table in kinds.chunk_by(|a, b| a.table == b.table) {
         // The kinds of a table stand where the table does, or behind the table before it.
         let after = |row: &KeyReference| row.table == table[0].table || AFTER.contains(&(table[0].table, row.table));
@@ -37,6 +38,14 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     }
     all
 });
+
+/// The other side's sky has the keys of this side's.
+fn other_sky(all: &mut Vec<KeyReference>) {
+    let own = all.iter().filter(|row| row.table == "sky" && row.key != "beyond");
+    let other: Vec<_> = own.map(|row| KeyReference { table: "sky.beyond", ..row.clone() }).collect();
+    let at = all.iter().rposition(|row| row.table == "sky").map_or(all.len(), |last| last + 1);
+    all.splice(at..at, other);
+}
 
 /// Tables that are read by their kinds alone, each with the one that it stands behind.
 const AFTER: [(&str, &str); 5] = [

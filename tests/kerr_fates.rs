@@ -1,0 +1,219 @@
+//! What becomes of light round holes with spin and charge: shadows and their edges, and what nobody may say wrong in silence.
+
+use bentray::model::camera::observer;
+use bentray::model::law::KerrNewman;
+use bentray::model::source::spheroid;
+use bentray::model::{Camera, Law, Value};
+use bentray::render::{RenderSettings, Status, trace};
+use glam::DVec3;
+
+use crate::oracle::{rows, traced, vector};
+use crate::shaders::Random;
+use crate::spacetimes::typed;
+use crate::support::{gpu, scene};
+
+/// Rays on either side of the edge of a shadow, 2e-3 rad from it, with nothing near the hole: what is taken in at the orbit of light
+/// is what never comes back.
+#[test]
+fn shadows_end_where_spherical_orbits_of_light_say() {
+    let rows = rows(include_str!("tables/kerr_shadows.tsv"));
+    let gpu = gpu();
+    let scene_of = |row: &[&str]| format!("[law]\n{}\nmax_segments = 20000\nbound = {{ radius = 60 }}\n", row[1]);
+    let by = |method: &str| format!("\n[rays]\nmethod = \"{method}\"");
+    let general = by("dormand-prince") + "\ntolerance = 1e-6";
+    let laws = |law: &str| {
+        let own = law.replace(';', "\n");
+        [own.clone() + &general, own + &by("separated"), typed(law) + &general]
+    };
+    for (column, fate, kind) in [(3, "captured"), (4, "escaped")]
+        .into_iter()
+        .flat_map(|(column, fate)| (0..3).map(move |kind| (column, fate, kind)))
+    {
+        for row in &rows {
+            let directions: Vec<&str> = row[column].split("; ").collect();
+            let law = &laws(row[1])[kind];
+            let rays: Vec<Vec<&str>> = directions.iter().map(|way| vec![row[0], law, row[2], *way]).collect();
+            let ends = traced(&gpu, &rays, scene_of, |ray| (vector(ray[2]), vector(ray[3])));
+            assert!(ends.len() >= 16);
+            for (ray, end) in rays.iter().zip(ends) {
+                assert_eq!(end.status.name(), fate, "{} towards {}", ray[0], ray[3]);
+            }
+        }
+    }
+}
+
+/// What becomes of light by its radial potential R = (r² + a² − aξ)² − Δ(η + (ξ−a)²): what moves inwards falls in if R has no root on
+/// its way, what moves outwards escapes if it has none there, and what has no energy left comes from the hole. None within 10⁻⁴ of the
+/// critical curve, which is some 5 M wide: R over twice its slope by ξ and √η says how far off that is.
+pub fn fate(hole: &KerrNewman, x: DVec3, v: DVec3) -> Option<Status> {
+    let (kept, here) = (hole.invariants(x, v), hole.at(x).r);
+    let [_, momentum, carter] = kept[..] else { return Some(Status::Captured) };
+    let (a2, horizon) = (hole.spin * hole.spin, hole.horizon().unwrap());
+    let chi = carter.value + (momentum.value - hole.spin).powi(2);
+    let potential = |r: f64| {
+        let first = r * r + a2 - hole.spin * momentum.value;
+        let delta = r * r - 2.0 * hole.mass * r + a2 + hole.charge * hole.charge;
+        let slope =
+            hole.spin * first.abs() + delta.abs() * (carter.value.max(0.0).sqrt() + (momentum.value - hole.spin).abs());
+        (first * first - delta * chi) / (2.0 * slope)
+    };
+    // Light from below the horizon.
+    let leaving = horizon * horizon + a2 - hole.spin * momentum.value;
+    if here < horizon {
+        let crosses = (leaving.abs() > 1e-2).then_some(leaving > 0.0)?;
+        if !crosses {
+            return Some(Status::Captured);
+        }
+    }
+    let is_outwards = spheroid::of(x - hole.center, hole.spin * hole.axis).1.dot(v) > 0.0;
+    let end = if is_outwards { 1e6 } else { horizon + 0.01 * hole.mass };
+    let least =
+        (0..=4000).map(|i| potential(here * (end / here).powf(f64::from(i) / 4000.0))).fold(f64::INFINITY, f64::min);
+    let through = if is_outwards { Status::Escaped } else { Status::Captured };
+    let back = if is_outwards { Status::Captured } else { Status::Escaped };
+    (least.abs() > 5e-4 * hole.mass).then_some(if least > 0.0 { through } else { back })
+}
+
+/// The velocity of the light that a camera sees from a direction of the scene.
+fn seen_light(law: &dyn Law, camera: &Camera, d: DVec3) -> DVec3 {
+    let fed = observer(law, camera).unwrap();
+    let column = |name: &str| match fed.iter().find(|(member, _)| member == name) {
+        Some((_, Value::Vec4(v))) => *v,
+        _ => panic!("no {name}"),
+    };
+    let light = column("rest") + d.x * column("x") + d.y * column("y") + d.z * column("z");
+    light.truncate() / -light.w
+}
+
+/// In an ergosphere some of the light that is seen has no energy left far away: it can only come from the horizon.
+#[test]
+fn light_without_energy_comes_from_the_horizon() {
+    let rows = rows(include_str!("tables/kerr_ergosphere.tsv"));
+    let base = "[camera]\nposition = [1.3, 0.9, 0.2]\nlook_at = [0.3, 0.9, 0.2]\nup = [0, 0, 1]\nframe = \"zamo\"\n\
+                [law]\nkind = \"kerr-newman\"\nspin = 0.998\n[rays]\nbound = { radius = 60 }\nmax_segments = 20000\n";
+    let seen = scene(base);
+    let camera = seen.camera.as_ref().unwrap();
+    let x = camera.position;
+    let rays = rows.iter().map(|row| {
+        let d = vector(row[0]).normalize();
+        let v = seen_light(&*seen.law, camera, d.x * camera.right + d.y * camera.up + d.z * camera.forward);
+        [x.x, x.y, x.z, v.x, v.y, v.z]
+    });
+    let rays: Vec<_> = rays.collect();
+    for method in ["separated", "dormand-prince", "rk4"] {
+        let scene = scene(&format!("{base}method = \"{method}\"\n"));
+        let (ends, _) = trace(&gpu(), &scene, &RenderSettings::default(), &rays).unwrap();
+        for (row, end) in rows.iter().zip(ends) {
+            assert_eq!(end.status.name(), row[2], "{method}: {}, of energy {}", row[0], row[1]);
+        }
+    }
+}
+
+/// Does light from below r₊, or none, come along this inward ray? The least value of its radial potential R = (r² + a² − aξ)² − Δχ between
+/// it and the horizon is above 0: where that is 0 a spherical orbit of light is, and the closed curve of the shadow.
+fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
+    let (kept, here) = (hole.invariants(x, v), hole.at(x).r);
+    let [_, momentum, carter] = kept[..] else { return true };
+    let (a2, horizon) = (hole.spin * hole.spin, hole.horizon().unwrap());
+    let chi = carter.value + (momentum.value - hole.spin).powi(2);
+    let (shift, own) = (a2 - hole.spin * momentum.value, a2 + hole.charge * hole.charge);
+    let potential = |r: f64| (r * r + shift).powi(2) - (r * r - 2.0 * hole.mass * r + own) * chi;
+    let least = (0..=400).map(|i| here * (horizon / here).powf(f64::from(i) / 400.0));
+    let mut least = least.min_by(|a, b| potential(*a).total_cmp(&potential(*b))).unwrap();
+    for _ in 0..20 {
+        let slope = 4.0 * least * (least * least + shift) - 2.0 * (least - hole.mass) * chi;
+        let bend = 12.0 * least * least + 4.0 * shift - 2.0 * chi;
+        let next = least - slope / bend;
+        least = if bend > 0.0 && next > horizon && next < here { next } else { least };
+    }
+    potential(least) > 0.0
+}
+
+/// The edges of shadows at 100 points each for five observers: 10⁻⁵ rad further in is dark, and 10⁻⁵ further out is sky. From a = 0.9987 on the
+/// orbit of light is so near to the horizon that the edge is off by more there.
+#[test]
+fn shadows_have_sharp_edges_where_closed_curves_say() {
+    let gpu = gpu();
+    for (spin, charge, at, frame) in [
+        (0.5, 0.0, [0.0, -19.7, 3.5], "static"),
+        (0.9, 0.0, [19.7, 0.0, 3.5], "static"),
+        (0.998, 0.0, [5.0, 5.0, 4.0], "zamo"),
+        (0.95, 0.0, [0.0, 9.0, -1.0], "falling"),
+        (0.6, 0.6, [2.0, -7.0, 0.0], "static"),
+    ] {
+        let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
+        let x = DVec3::from_array(at);
+        let base = format!(
+            "[camera]\nposition = {at:?}\nlook_at = [0, 0, 0]\nup = [0, 0, 1]\nframe = \"{frame}\"\n\
+             [law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbound = {{ radius = 60 }}\nmax_segments = 20000\n"
+        );
+        let seen = scene(&base);
+        let camera = seen.camera.as_ref().unwrap();
+        let velocity = |d: DVec3| seen_light(&hole, camera, d);
+        let mut rays = Vec::new();
+        for point in 0..100 {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(point) / 100.0).sin_cos();
+            let aside = cos * camera.right + sin * camera.up;
+            let towards = |angle: f64| velocity(angle.cos() * camera.forward + angle.sin() * aside);
+            let (mut dark, mut bright) = (0.0, 1.4);
+            assert!(is_dark(&hole, x, towards(dark)) && !is_dark(&hole, x, towards(bright)), "{spin} {frame}");
+            for _ in 0..60 {
+                let middle = 0.5 * (dark + bright);
+                *(if is_dark(&hole, x, towards(middle)) { &mut dark } else { &mut bright }) = middle;
+            }
+            rays.extend([dark - 1e-5, bright + 1e-5].map(|angle| {
+                let v = towards(angle);
+                [x.x, x.y, x.z, v.x, v.y, v.z]
+            }));
+        }
+        for method in ["method = \"separated\"\nscaled_step = 0.05", "method = \"dormand-prince\"\ntolerance = 1e-7"] {
+            let (ends, _) =
+                trace(&gpu, &scene(&format!("{base}{method}\n")), &RenderSettings::default(), &rays).unwrap();
+            for (i, pair) in ends.chunks(2).enumerate() {
+                let fates = [pair[0].status, pair[1].status];
+                assert_eq!(fates, [Status::Captured, Status::Escaped], "{spin} {frame} {method}: point {i}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_fate_is_right_round_spinning_holes() {
+    let gpu = gpu();
+    let mut random = Random::new(82);
+    for (spin, charge) in [(0.0, 0.0), (0.5, 0.0), (0.9, 0.0), (0.998, 0.0), (1.0, 0.0), (0.6, 0.6)] {
+        let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
+        let horizon = hole.horizon().unwrap();
+        // Just above the horizon light takes for ever; below it, it leaves or has come from below.
+        let far = horizon + 0.05;
+        let near = hole.inner_horizon().unwrap() + 0.1..horizon - 0.05;
+        let (mut rays, mut fates) = (Vec::new(), Vec::new());
+        while rays.len() < 10_000 {
+            let x = random.direction() * random.log(0.1, 1000.0);
+            let aimed = -x.normalize() + random.direction() * random.log(1e-3, 1.0);
+            let d = if random.unit() < 0.7 { aimed.normalize() } else { random.direction() };
+            let v = hole.starting_velocity(x, d);
+            let r = hole.at(x).r;
+            if r < far && !near.contains(&r) || !v.is_finite() {
+                continue;
+            }
+            if let Some(fate) = fate(&hole, x, v) {
+                rays.push([x.x, x.y, x.z, v.x, v.y, v.z]);
+                fates.push(fate);
+            }
+        }
+        for method in ["rk4", "dormand-prince", "bogacki-shampine", "separated"] {
+            let scene = scene(&format!(
+                "[law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbound = {{ radius = 1001 }}\n\
+                 max_segments = 20000\nmethod = \"{method}\"\n"
+            ));
+            let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
+            let wrong: Vec<_> =
+                ends.iter().zip(&fates).zip(&rays).filter(|((end, fate), _)| end.status != **fate).collect();
+            let flagged = |s: Status| !matches!(s, Status::Escaped | Status::Captured);
+            let silent = wrong.iter().filter(|((end, _), _)| !flagged(end.status)).count();
+            println!("{spin} {charge} {method}: {} wrong, {silent} in silence; {:?}", wrong.len(), wrong.first());
+            assert_eq!(silent, 0, "a = {spin}, Q = {charge}, {method}");
+        }
+    }
+}
