@@ -42,6 +42,76 @@ fn shadows_end_where_spherical_orbits_of_light_say() {
     }
 }
 
+/// The light that a far camera at this inclination would see at the height β and α to the side, traced from 30 M on. Light comes in along
+/// that with L/E = ξ = −α sin i and Carter's Q/E² = η, to which it is aimed by Newton's method.
+fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -> [f64; 6] {
+    let (sin, cos) = inclination.to_radians().sin_cos();
+    let (n, side, up) = (DVec3::new(sin, 0.0, cos), DVec3::Y, DVec3::new(-cos, 0.0, sin));
+    let x = 30.0 * n;
+    let velocity = |p: [f64; 2]| hole.starting_velocity(x, (p[0] * side + p[1] * up - x).normalize());
+    let (xi, a2) = (-alpha * sin, hole.spin * hole.spin);
+    let eta = beta * beta + cos * cos * (alpha * alpha - a2);
+    let off = |p: [f64; 2]| match &hole.invariants(x, velocity(p))[..] {
+        [_, momentum, carter] => [momentum.value - xi, carter.value - eta],
+        _ => panic!("no energy at {x}"),
+    };
+    let mut p = [alpha, beta];
+    for _ in 0..20 {
+        let (here, step) = (off(p), 1e-6);
+        let by = |q: [f64; 2]| off(q).iter().zip(here).map(|(there, here)| (there - here) / step).collect::<Vec<_>>();
+        let (first, second) = (by([p[0] + step, p[1]]), by([p[0], p[1] + step]));
+        // In the equator's plane nothing depends on a small height.
+        if beta == 0.0 {
+            p[0] -= here[0] / first[0];
+        } else {
+            let area = first[0] * second[1] - first[1] * second[0];
+            p[0] -= (here[0] * second[1] - here[1] * second[0]) / area;
+            p[1] -= (here[1] * first[0] - here[0] * first[1]) / area;
+        }
+    }
+    let [l, q] = off(p);
+    assert!(l.abs().max(q.abs()) < 1e-8, "L is off by {l}, Q by {q} for {alpha} {beta} at {inclination}");
+    let v = velocity(p);
+    [x.x, x.y, x.z, v.x, v.y, v.z]
+}
+
+/// Critical curves as they are seen from infinity: 10⁻⁴ M further in is dark, and as much further out is sky.
+#[test]
+fn critical_curves_are_where_closed_forms_say() {
+    let gpu = gpu();
+    for row in rows(include_str!("tables/critical_curves.tsv")) {
+        let law = row[1].replace(';', "\n");
+        let given = |key: &str| law.lines().find_map(|line| line.strip_prefix(key)?.parse().ok()).unwrap_or(0.0);
+        let (spin, charge) = (given("spin="), given("charge="));
+        let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
+        let inclination: f64 = row[2].parse().unwrap();
+        let points = row[3].split("; ").map(|point| point.split(' ').map(|n| n.parse().unwrap()).collect::<Vec<f64>>());
+        // The ends of a curve off the equator turn at the pole of their sphere: its other points stand for them.
+        let points: Vec<_> = points.filter(|point| inclination == 90.0 || point[1] > 0.0).collect();
+        let middle = 0.5 * (points[0][0] + points.last().unwrap()[0]);
+        let rays = points.iter().flat_map(|point| {
+            let out = 1e-4 / (point[0] - middle).hypot(point[1]);
+            [1.0 - out, 1.0 + out].map(|k| [middle + k * (point[0] - middle), k * point[1]])
+        });
+        let rays: Vec<_> = rays.map(|seen| light_seen_at(&hole, inclination, seen)).collect();
+        let base = "[rays]\nbound = { radius = 60 }\nmax_segments = 20000\n";
+        let mut laws = vec![
+            format!("[law]\n{law}\n{base}method = \"separated\"\n"),
+            format!("[law]\n{law}\n{base}method = \"dormand-prince\"\ntolerance = 1e-6\n"),
+        ];
+        if spin == 0.0 {
+            laws.push(format!("[law]\nkind = \"reissner-nordstrom\"\ncharge = {charge}\n{base}method = \"planar\"\n"));
+        }
+        for text in laws {
+            let (ends, _) = trace(&gpu, &scene(&text), &RenderSettings::default(), &rays).unwrap();
+            for (pair, point) in ends.chunks(2).zip(&points) {
+                let fates = [pair[0].status, pair[1].status];
+                assert_eq!(fates, [Status::Captured, Status::Escaped], "{} at {point:?} by {text}", row[0]);
+            }
+        }
+    }
+}
+
 /// What becomes of light by its radial potential R = (r² + a² − aξ)² − Δ(η + (ξ−a)²): what moves inwards falls in if R has no root on
 /// its way, what moves outwards escapes if it has none there, and what has no energy left comes from the hole. None within 10⁻⁴ of the
 /// critical curve, which is some 5 M wide: R over twice its slope by ξ and √η says how far off that is.

@@ -76,8 +76,10 @@ fn rays_round_spinning_holes_end_where_series_say() {
                         factor * number(9) / radius,
                     ),
                     ("direction", DVec3::from(end.v).normalize().distance(turn * vector(row[7])), direction),
-                    ("time", (end.tau - number(8)).abs() / radius, factor * number(9) / radius),
                 ];
+                if !row[8].is_empty() {
+                    errors.push(("time", (end.tau - number(8)).abs() / radius, factor * number(9) / radius));
+                }
                 let law = scene(&scene_of(row)).law;
                 let (x, v) = start(row);
                 let kept = drift(&*law, [([x, law.starting_velocity(x, v)], &end)].into_iter());
