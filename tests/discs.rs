@@ -1,7 +1,7 @@
 //! How light shifts on its way, and matter that goes round in thin discs, against closed forms and answers to 15 digits.
 
 use bentray::model::{black_body, matter};
-use bentray::program::{Choice, Layer};
+use bentray::program::{Choice, Layer, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering};
 use bentray::scene::Scene;
 use glam::DVec3;
@@ -166,6 +166,60 @@ fn light_of_discs_is_shifted_as_series_say() {
                 assert!(found.distance(told) < 2e-3 * told.length(), "{} crossing {k}: {found}, not {told}", row[0]);
             }
         }
+    }
+}
+
+/// Through a translucent disc light is seen from where it crossed it again and again: what is left of each crossing is by those before it,
+/// each with its own shift. The light is the same in all schedules, by branches that are followed one after the other.
+#[test]
+fn light_of_translucent_discs_adds_up() {
+    const OPACITY: f64 = 0.3;
+    for row in rows(include_str!("tables/disc_crossings.tsv")) {
+        let (spin, origin, way): (f64, _, _) = (row[1].parse().unwrap(), vector(row[2]), vector(row[3]));
+        let crossings: Vec<Vec<Option<f64>>> =
+            row[4].split("; ").map(|crossing| crossing.split(' ').map(|word| word.parse().ok()).collect()).collect();
+        let rho = |crossing: &Vec<Option<f64>>| crossing[0].unwrap().hypot(crossing[1].unwrap());
+        let most = crossings.iter().map(rho).fold(0.0, f64::max);
+        let text = format!(
+            "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nframe = \"static\"\n\
+             shift = true\n[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbound = {{ radius = 200 }}\nmethod = \"separated\"\n\
+             scaled_step = 0.05\nmax_segments = 1000\n[materials.m]\nkind = \"accretion\"\n\
+             temperature = 9000\nopacity = {OPACITY}\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\nnormal = [0, 0, 1]\n\
+             radius = {}\nhole = 0.5\n",
+            origin.to_array(),
+            (origin + way).to_array(),
+            1.01 * most
+        );
+        let scene = scene(&text);
+        let (_, orbits) = matter::orbits(&*scene.law, 200.0, 4096).unwrap();
+        let hottest = orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max);
+        let (mut left, mut told, mut orders) = (OPACITY, DVec3::ZERO, Vec::new());
+        for crossing in &crossings {
+            if let (Some(g), Some(flux)) = (crossing[3], crossing[4]) {
+                let (color, luminance) = black_body::color(9000.0 * g * (flux / hottest).powf(0.25));
+                orders.push(left * (luminance - black_body::color(9000.0).1).exp());
+                told += orders[orders.len() - 1] * color;
+            } else {
+                orders.push(0.0);
+            }
+            left *= 1.0 - OPACITY;
+        }
+        let seen = [Schedule::Whole, Schedule::Segment].map(|schedule| {
+            let choice = Choice { schedule, layers: vec![Layer::Orders], ..Choice::default() };
+            let settings = RenderSettings { choice, ..RenderSettings::default() };
+            let picture = Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap();
+            let Some(Plane::Vector(seen)) = picture.band.layer(Layer::Orders) else { panic!("no orders") };
+            orders.resize(3, 0.0);
+            // The third time some cross so far out and grazing that 32 bits tell.
+            for ((seen, told), bound) in seen.iter().zip(&orders).zip([2e-3, 2e-3, 2e-2]) {
+                let off = (f64::from(seen[0]) - told).abs();
+                assert!(off <= bound * told, "{} {schedule:?}: {seen:?} for {orders:?}", row[0]);
+            }
+            DVec3::from_array([0, 1, 2].map(|channel| f64::from(picture.band.color[channel][0])))
+        });
+        println!("{}, {} crossings: {} for {told}", row[0], crossings.len(), seen[0]);
+        assert!(seen[0].distance(told) < 2e-3 * told.length(), "{}: {}, not {told}", row[0], seen[0]);
+        assert!(seen[0] == seen[1], "{}", row[0]);
     }
 }
 

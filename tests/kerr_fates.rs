@@ -46,8 +46,8 @@ fn shadows_end_where_spherical_orbits_of_light_say() {
 /// that with L/E = ξ = −α sin i and Carter's Q/E² = η, to which it is aimed by Newton's method.
 fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -> [f64; 6] {
     let (sin, cos) = inclination.to_radians().sin_cos();
-    let (n, side, up) = (DVec3::new(sin, 0.0, cos), DVec3::Y, DVec3::new(-cos, 0.0, sin));
-    let x = 30.0 * n;
+    let (side, up) = (DVec3::Y, DVec3::new(-cos, 0.0, sin));
+    let x = 30.0 * DVec3::new(sin, 0.0, cos);
     let velocity = |p: [f64; 2]| hole.starting_velocity(x, (p[0] * side + p[1] * up - x).normalize());
     let (xi, a2) = (-alpha * sin, hole.spin * hole.spin);
     let eta = beta * beta + cos * cos * (alpha * alpha - a2);
@@ -58,7 +58,9 @@ fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -
     let mut p = [alpha, beta];
     for _ in 0..20 {
         let (here, step) = (off(p), 1e-6);
-        let by = |q: [f64; 2]| off(q).iter().zip(here).map(|(there, here)| (there - here) / step).collect::<Vec<_>>();
+        let by = |there: [f64; 2]| {
+            off(there).iter().zip(here).map(|(there, here)| (there - here) / step).collect::<Vec<_>>()
+        };
         let (first, second) = (by([p[0] + step, p[1]]), by([p[0], p[1] + step]));
         // In the equator's plane nothing depends on a small height.
         if beta == 0.0 {
@@ -69,8 +71,11 @@ fn light_seen_at(hole: &KerrNewman, inclination: f64, [alpha, beta]: [f64; 2]) -
             p[1] -= (here[1] * first[0] - here[0] * first[1]) / area;
         }
     }
-    let [l, q] = off(p);
-    assert!(l.abs().max(q.abs()) < 1e-8, "L is off by {l}, Q by {q} for {alpha} {beta} at {inclination}");
+    let [momentum, carter] = off(p);
+    assert!(
+        momentum.abs().max(carter.abs()) < 1e-8,
+        "L is off by {momentum}, Q by {carter} for {alpha} {beta} at {inclination}"
+    );
     let v = velocity(p);
     [x.x, x.y, x.z, v.x, v.y, v.z]
 }
@@ -87,7 +92,7 @@ fn critical_curves_are_where_closed_forms_say() {
         let inclination: f64 = row[2].parse().unwrap();
         let points = row[3].split("; ").map(|point| point.split(' ').map(|n| n.parse().unwrap()).collect::<Vec<f64>>());
         // The ends of a curve off the equator turn at the pole of their sphere: its other points stand for them.
-        let points: Vec<_> = points.filter(|point| inclination == 90.0 || point[1] > 0.0).collect();
+        let points: Vec<_> = points.filter(|point| inclination > 89.0 || point[1] > 0.0).collect();
         let middle = 0.5 * (points[0][0] + points.last().unwrap()[0]);
         let rays = points.iter().flat_map(|point| {
             let out = 1e-4 / (point[0] - middle).hypot(point[1]);

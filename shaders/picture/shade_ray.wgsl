@@ -14,7 +14,9 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
         color = sky_radiance(vec3f(normalize(seen.end.v)));
         beam_sky(&color);
     }
-    add_color(pixel, color * end_weight(seen.end.x));
+    let light = color * end_weight(seen.end.x);
+    add_color(pixel, light);
+    add_order(pixel, light);
     add_coverage(pixel, code);
     keep_layers(pixel, ray, seen);
     keep_corner(pixel, ray, seen);

@@ -122,8 +122,13 @@ impl Arguments {
             return Err(Error::Usage(problem.to_owned()));
         }
         if asked(Layer::Shift) && !scene.has_frequencies() {
-            let problem = "the layer `shift` is of pictures without paths that an observer sees: with camera.frame, and \
-                           law.kind = \"kerr-newman\" or a \"metric\" without t";
+            let problem = "the layer `shift` is of pictures without paths that an observer sees: with camera.frame, and a law of \
+                           spacetime without t";
+            return Err(Error::Usage(problem.to_owned()));
+        }
+        if asked(Layer::Orders) && !scene.has_orders() {
+            let problem = "the layer `orders` is of surfaces with `opacity` below 1, without clear objects, fans, image.adaptive and \
+                           random rays.branches";
             return Err(Error::Usage(problem.to_owned()));
         }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {

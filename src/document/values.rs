@@ -68,6 +68,11 @@ pub fn positive(node: &Node) -> Read<f64> {
     number_where("a number above 0", |x| x > 0.0)(node)
 }
 
+/// A part of something, but not none of it.
+pub fn positive_part(node: &Node) -> Read<f64> {
+    number_where("a number above 0, at most 1", |x| x > 0.0 && x <= 1.0)(node)
+}
+
 /// A number that is not zero.
 pub fn not_zero(node: &Node) -> Read<f64> {
     number_where("a number other than 0", |x| x != 0.0)(node)

@@ -48,6 +48,10 @@ impl Source<'_> {
         if scene.used_materials().any(|material| material.surface.orbits()) {
             bindings.extend(orbits(&*scene.law, scene.rays.bound.radius).into_iter().flatten());
         }
+        if scene.has_translucent() {
+            let row = |material: &Material| row! { opacity: Float(material.surface.opacity()) };
+            bindings.push(Binding::list("endings", scene.materials.iter().map(row).collect()));
+        }
         bindings
     }
 

@@ -21,6 +21,7 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Error => &["error"],
         Layer::Sums => &["sums.R", "sums.G", "sums.B"],
         Layer::Spread => &["spread"],
+        Layer::Orders => &["orders.0", "orders.1", "orders.2"],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
 }
@@ -43,7 +44,7 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
 fn suits(plane: &Plane, layer: Layer) -> bool {
     match plane {
         Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error | Layer::Shift | Layer::Spread),
-        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way | Layer::Sums),
+        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way | Layer::Sums | Layer::Orders),
         Plane::Id(_) => is_id(layer),
     }
 }

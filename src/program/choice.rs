@@ -180,13 +180,15 @@ pub enum Layer {
     Sums,
     /// The sum of the squared distances of its samples' luminance from their mean.
     Spread,
+    /// The luminance of the light from the ray's first, second and third crossing of a translucent surface.
+    Orders,
     /// Where the ray was going at its end, as long as its way there: not for files, but for what is measured on a picture.
     Way,
 }
 
 impl Layer {
     /// Every layer that files hold.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
@@ -198,12 +200,13 @@ impl Layer {
         Self::Error,
         Self::Sums,
         Self::Spread,
+        Self::Orders,
     ];
 
     /// Is it of a pixel's first ray, kept when that is shaded? The others are of all of a pixel's rays.
     #[must_use]
     pub fn is_of_a_ray(self) -> bool {
-        !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread)
+        !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread | Self::Orders)
     }
 
     /// The name of its file in `shaders/picture/layer/`, if it is of a ray; its texture is `layer_` and this.
@@ -221,6 +224,7 @@ impl Layer {
             Self::Error => "error",
             Self::Sums => "sums",
             Self::Spread => "spread",
+            Self::Orders => "orders",
             Self::Way => "way",
         }
     }
@@ -240,6 +244,9 @@ impl Layer {
             Self::Error => "The standard error of the pixel's mean luminance, with paths or adaptive sampling",
             Self::Sums => "The sums of the samples of a picture of paths, which it is continued from",
             Self::Spread => "How far its samples are apart, for the same",
+            Self::Orders => {
+                "The luminance of light from a ray's first, second and third crossing of a translucent surface"
+            }
             Self::Way => "Where the ray was going at its end",
         }
     }
@@ -343,6 +350,12 @@ impl Choice {
     #[must_use]
     pub fn knows_shift(&self, scene: &Scene) -> bool {
         self.beams(scene) || self.layers.contains(&Layer::Shift) && scene.has_frequencies()
+    }
+
+    /// Is it asked what light is of which crossing, and is there an answer?
+    #[must_use]
+    pub fn keeps_orders(&self, scene: &Scene) -> bool {
+        self.purpose == Purpose::Picture && self.layers.contains(&Layer::Orders) && scene.has_orders()
     }
 
     /// Do pixels take as many samples as they need?

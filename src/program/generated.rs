@@ -309,15 +309,18 @@ pub(super) fn layers(names: &[&str]) -> Unit {
     unit("generated/layers.wgsl", text)
 }
 
-/// What becomes of a ray at a surface, by the kinds of material that it goes on from; on some others it `ends`.
-pub(super) fn scatter(kinds: &[&str], ends: bool) -> Unit {
+/// What becomes of a ray at a surface, by the kinds of material that it goes on from. If there are others it `ends` on them, and may show
+/// through some.
+pub(super) fn scatter(kinds: &[&str], ends: Option<bool>) -> Unit {
     let arguments = "material, surface, end, index, pixel";
     let mut calls: Vec<_> = kinds
         .iter()
         .map(|part| own_name(part))
         .map(|kind| (kind.to_uppercase(), format!("scatter_{kind}({arguments})")))
         .collect();
-    if ends || calls.is_empty() {
+    if ends == Some(true) {
+        calls.push((String::new(), "scatter_ending(surface, end, index, pixel)".to_owned()));
+    } else if ends.is_some() || calls.is_empty() {
         calls.push((String::new(), "Scattered(end.v, vec3f(1.0), false, false)".to_owned()));
     }
     let signature = "fn scattered_at(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) \

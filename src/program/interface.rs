@@ -158,7 +158,7 @@ const ROLES: [(&str, Role); 30] = [
 ];
 
 /// What passes keep for each pixel.
-const KEPT: [&str; 19] = [
+const KEPT: [&str; 22] = [
     "status",
     "taken",
     "hit_primitive",
@@ -178,6 +178,9 @@ const KEPT: [&str; 19] = [
     "spread",
     "clamped_samples",
     "clamped_light",
+    "order_first",
+    "order_second",
+    "order_third",
 ];
 
 /// Bindings of the state are named by a part and a slot, such as `x_in`.

@@ -47,7 +47,8 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
     }
     let paths = choice.follows_paths(scene);
     let continuing = || scene.objects.iter().enumerate().filter(|(_, object)| scene.continues_from(object));
-    let flat = continuing().any(|(i, _)| regions.bit(i).is_none());
+    let translucent = scene.has_translucent();
+    let flat = translucent || continuing().any(|(i, _)| regions.bit(i).is_none());
     let sided_mesh = regions.regions.iter().any(|region| scene.objects[region.object].shape.mesh().is_some());
     names.add("surface/scatter/scattered");
     if paths {
@@ -100,7 +101,12 @@ pub(super) fn scatter_parts(scene: &Scene, choice: &Choice, regions: &Regions, n
     parts.sort_unstable();
     names.all(&parts);
     let ends = scene.objects.iter().any(|object| object.interior().is_none() && !scene.continues_from(object));
-    names.make(generated::scatter(&kinds, ends));
+    if translucent {
+        let enumerated = choice.purpose == Purpose::Picture && matches!(scene.rays.branches, Branches::Enumerated(_));
+        names.add("surface/scatter/translucent");
+        names.add(if enumerated { "surface/branch/settled_kept" } else { "surface/branch/settled_again" });
+    }
+    names.make(generated::scatter(&kinds, ends.then_some(translucent)));
     names.make(generated::regions(regions));
 }
 

@@ -81,6 +81,9 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
     if choice.beams(scene) {
         names.add("picture/beaming");
     }
+    if choice.keeps_orders(scene) {
+        names.add("picture/orders_kept");
+    }
     let layers: Vec<_> = choice.layers.iter().filter(|layer| layer.is_of_a_ray()).map(|layer| layer.name()).collect();
     if layers.is_empty() {
         names.add("picture/layers_none");

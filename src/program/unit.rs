@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 24] = [
+const OPTIONAL: [&str; 25] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -87,6 +87,7 @@ const OPTIONAL: [&str; 24] = [
     "note_frequency",
     "note_matter",
     "beam_sky",
+    "add_order",
 ];
 
 impl Parts {

@@ -104,7 +104,7 @@ impl TilePlace {
 fn empty_plane(layer: Layer, pixels: usize) -> Plane {
     match layer {
         Layer::Depth | Layer::Error | Layer::Shift | Layer::Spread => Plane::Scalar(vec![0.0; pixels]),
-        Layer::Position | Layer::Normal | Layer::Way | Layer::Sums => {
+        Layer::Position | Layer::Normal | Layer::Way | Layer::Sums | Layer::Orders => {
             Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]])
         }
         Layer::Object | Layer::Status | Layer::Steps | Layer::Samples => Plane::Id(vec![0; pixels]),

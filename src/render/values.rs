@@ -42,7 +42,8 @@ impl Renderer<'_> {
                 },
                 (Layer::Samples, Some(moments), _) => moments.iter().map(|moments| moments.rays).collect(),
                 (Layer::Samples, None, _) => vec![samples; tile.size.map(|n| n as usize).iter().product()],
-                (Layer::Sums, None, _) => self.read_sums(tile)?,
+                (Layer::Sums, None, _) => self.read_three(tile, &COLORS.map(Role::Color), 1.0)?,
+                (Layer::Orders, ..) => self.read_three(tile, &ORDERS.map(Role::Kept), weight)?,
                 (Layer::Spread, None, _) => match tile.texture(&Role::Kept("spread")) {
                     Some(texture) => read_texture(self.gpu, texture)?,
                     None => continue,
@@ -80,7 +81,7 @@ impl Renderer<'_> {
             sums.left += moments.iter().map(|moments| light(moments) * f64::from(moments.rays)).sum::<f64>();
             return Ok(());
         }
-        for channel in [Channel::Red, Channel::Green, Channel::Blue] {
+        for channel in COLORS {
             if let Some(texture) = tile.texture(&Role::Color(channel)) {
                 sums.left += floats(&read_texture(self.gpu, texture)?).sum::<f64>() / 3.0;
             }
@@ -88,19 +89,23 @@ impl Renderer<'_> {
         Ok(())
     }
 
-    /// The sums of a tile's colours, in fours as the texels of a layer are.
-    fn read_sums(&self, tile: &Tile) -> Result<Vec<u32>, RenderError> {
+    /// Sums of a tile, each times a weight, in fours as the texels of a layer are.
+    fn read_three(&self, tile: &Tile, roles: &[Role; 3], weight: f32) -> Result<Vec<u32>, RenderError> {
         let texels = tile.size.map(|n| n as usize).iter().product::<usize>();
         let mut words = vec![0; 4 * texels];
-        for (k, channel) in [Channel::Red, Channel::Green, Channel::Blue].into_iter().enumerate() {
-            if let Some(texture) = tile.texture(&Role::Color(channel)) {
+        for (k, role) in roles.iter().enumerate() {
+            if let Some(texture) = tile.texture(role) {
                 let sums = read_texture(self.gpu, texture)?;
-                words.iter_mut().skip(k).step_by(4).zip(sums).for_each(|(word, sum)| *word = sum);
+                let weighed = sums.into_iter().map(|bits| (f32::from_bits(bits) * weight).to_bits());
+                words.iter_mut().skip(k).step_by(4).zip(weighed).for_each(|(word, sum)| *word = sum);
             }
         }
         Ok(words)
     }
 }
+
+const COLORS: [Channel; 3] = [Channel::Red, Channel::Green, Channel::Blue];
+const ORDERS: [&str; 3] = ["order_first", "order_second", "order_third"];
 
 fn floats(words: &[u32]) -> impl Iterator<Item = f64> {
     words.iter().map(|bits| f64::from(f32::from_bits(*bits)))

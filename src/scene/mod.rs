@@ -175,6 +175,25 @@ impl Scene {
         self.material_of(object).is_some_and(|material| material.surface.continues())
     }
 
+    /// Does a ray end on the surface of an object, and go on behind it as well?
+    #[must_use]
+    pub fn shows_through(&self, object: &Object) -> bool {
+        self.material_of(object).is_some_and(|material| material.surface.opacity() < 1.0)
+    }
+
+    /// Is there such a surface?
+    #[must_use]
+    pub fn has_translucent(&self) -> bool {
+        self.objects.iter().any(|object| self.shows_through(object))
+    }
+
+    /// Is all its light that comes through surfaces of crossings that can be counted?
+    #[must_use]
+    pub fn has_orders(&self) -> bool {
+        let counts = matches!(self.rays.branches, Branches::Enumerated(_)) && self.image.adaptive.is_none();
+        self.has_translucent() && counts && !self.splits() && self.fans().is_empty()
+    }
+
     /// The materials of its objects, each as often as it is used.
     pub fn used_materials(&self) -> impl Iterator<Item = &Material> {
         self.objects.iter().filter_map(|object| self.material_of(object))
@@ -183,7 +202,8 @@ impl Scene {
     /// Does a ray continue from some surface?
     #[must_use]
     pub fn scatters(&self) -> bool {
-        self.rays.paths.is_some() || self.splits() || self.objects.iter().any(|object| self.continues_from(object))
+        let goes_on = |object: &Object| self.continues_from(object) || self.shows_through(object);
+        self.rays.paths.is_some() || self.splits() || self.objects.iter().any(goes_on)
     }
 
     /// What surfaces send rays on in several directions by a law of the user's own, by their materials' places.
@@ -197,7 +217,7 @@ impl Scene {
     /// Is there a surface from which a ray goes on in more than one way?
     #[must_use]
     pub fn branches(&self) -> bool {
-        self.splits() || self.fans().iter().any(|(_, rays)| rays.len() > 1)
+        self.splits() || self.has_translucent() || self.fans().iter().any(|(_, rays)| rays.len() > 1)
     }
 
     /// Is there a surface from which a ray goes on in a direction that is drawn from a lobe?

@@ -29,7 +29,9 @@ impl Optics<'_> {
         if self.paths.is_some() {
             return !self.objects.is_empty();
         }
-        let continues = |material: usize| self.materials.get(material).is_some_and(|m| m.surface.continues());
+        let continues = |material: usize| {
+            self.materials.get(material).is_some_and(|m| m.surface.continues() || m.surface.opacity() < 1.0)
+        };
         self.objects.iter().filter_map(Object::material).any(continues)
     }
 

@@ -9,10 +9,12 @@ struct Branching {
 }
 
 @group(0) @binding(130) var<uniform> branching: Branching;
-// The code, and above MET how many branchings the path has met.
+// The code, and above MET how many branchings the path has met; the highest bit is for whoever ends paths by a branching.
 @group(0) @binding(131) var branches: texture_storage_2d<r32uint, read_write>;
 
 const MET: u32 = 24u;
+
+const MET_BITS: u32 = 5u;
 
 var<private> branch_code: u32;
 
@@ -28,9 +30,13 @@ fn low_bits(n: u32) -> u32 {
     return (1u << n) - 1u;
 }
 
+fn branches_met() -> u32 {
+    return extractBits(branch_code, MET, MET_BITS);
+}
+
 // The branchings of the last path whose reflected rays have not been followed.
 fn open_branches() -> u32 {
-    return ~branch_code & low_bits(branch_code >> MET);
+    return ~branch_code & low_bits(branches_met());
 }
 
 fn branches_left(pixel: vec2u) -> bool {
@@ -55,7 +61,7 @@ fn begin_branches(pixel: vec2u) -> bool {
 }
 
 fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
-    let met = branch_code >> MET;
+    let met = branches_met();
     if met >= branching.depth {
         return Branch(false, 0.0, true);
     }
@@ -66,5 +72,5 @@ fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
 
 // The first of all paths that share this stretch takes what media add on it: that whose later branches all transmit.
 fn glow_is_new() -> bool {
-    return ((branch_code & low_bits(MET)) >> (branch_code >> MET)) == 0u;
+    return ((branch_code & low_bits(MET)) >> branches_met()) == 0u;
 }

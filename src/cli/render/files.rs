@@ -81,6 +81,7 @@ impl Arguments {
         }
         let usual = |layer: Layer| match layer {
             Layer::Shift => scene.has_frequencies(),
+            Layer::Orders => scene.has_orders(),
             Layer::Samples => scene.image.adaptive.is_some(),
             Layer::Error => scene.rays.paths.is_some(),
             Layer::Sums | Layer::Spread => is_continuable(scene),

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{Kind, Surface, pattern};
 use crate::document::keys;
-use crate::document::values::positive;
+use crate::document::values::{positive, positive_part};
 use crate::model::{Row, row};
 
 pub static KIND: Kind = Kind {
@@ -15,13 +15,16 @@ pub static KIND: Kind = Kind {
         temperature: "number above 0" = "none: white",
             "of the hottest ring, kelvins; without it all frequencies are shown together. The others' follow from the law's circular orbits (Page and Thorne 1974), on which matter goes round";
         brightness: "number above 0" = "1", "the luminance of the hottest ring, at rest";
+        opacity: "number above 0, at most 1" = "1",
+            "the part of light from behind that it holds back, and of a black body's light that it sends: below 1 light is seen that crosses it again and again, each time with its own shift; for lights it is opaque";
         color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]", "its light times this";
     },
     read: |table, files| {
         let temperature = table.optional("temperature", positive);
         let brightness = table.or("brightness", 1.0, positive);
+        let opacity = table.or("opacity", 1.0, positive_part);
         let color = pattern::read(table, "color", Some(DVec3::ONE), files)?;
-        Some((color, Arc::new(Accretion { temperature, brightness })))
+        Some((color, Arc::new(Accretion { temperature, brightness, opacity })))
     },
 };
 
@@ -32,6 +35,8 @@ pub struct Accretion {
     pub temperature: Option<f64>,
     /// The luminance of the hottest ring, at rest.
     pub brightness: f64,
+    /// The part of light that it holds back, and of a black body's that it sends.
+    pub opacity: f64,
 }
 
 impl Surface for Accretion {
@@ -49,6 +54,10 @@ impl Surface for Accretion {
 
     fn orbits(&self) -> bool {
         true
+    }
+
+    fn opacity(&self) -> f64 {
+        self.opacity
     }
 
     fn albedo(&self, _color: DVec3) -> DVec3 {

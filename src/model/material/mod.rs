@@ -86,6 +86,11 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
         false
     }
 
+    /// The part of a ray's light that is its own, where rays end on it; the rest comes straight from behind.
+    fn opacity(&self) -> f64 {
+        1.0
+    }
+
     /// Where rays go on from it, if the user says so.
     fn fan(&self) -> Option<&[FanRay]> {
         None

@@ -46,6 +46,7 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
                 (Layer::Error, Plane::Scalar(plane(12))),
                 (Layer::Sums, Plane::Vector([13, 14, 15].map(plane))),
                 (Layer::Spread, Plane::Scalar(plane(16))),
+                (Layer::Orders, Plane::Vector([19, 20, 21].map(plane))),
             ],
         });
         first_row += rows;

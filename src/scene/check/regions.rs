@@ -22,6 +22,14 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
         Substance::Clear(_) => true,
         Substance::Opaque(material) => continues(material) && object.shape.opening().is_none(),
     };
+    for (place, object) in objects {
+        let is_translucent = |i: usize| materials.get(i).is_some_and(|material| material.surface.opacity() < 1.0);
+        if object.material().is_some_and(is_translucent) && object.shape.opening().is_none() {
+            let problem = "light is not seen through the near side of a closed surface and its far side".to_owned();
+            let help = "use a disk or an open mesh, or give its material opacity = 1".to_owned();
+            reader.fault(Fault { place: *place, problem, help });
+        }
+    }
     let sided: Vec<_> = objects.iter().filter(is_sided).collect();
     let clear: Vec<_> = objects.iter().filter(|(_, object)| object.interior().is_some()).collect();
     if let Some((place, _)) = sided.get(MOST) {
