@@ -111,6 +111,13 @@ fn shifts(picture: &Rendering) -> &[f32] {
     }
 }
 
+/// The light of the hottest ring round a hole that spins so.
+fn hottest(spin: f64) -> f64 {
+    let law = scene(&format!("[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbound = {{ radius = 200 }}\n")).law;
+    let (_, orbits) = matter::orbits(&*law, 200.0, 4096).unwrap();
+    orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max)
+}
+
 /// Rays as they cross a disc, in the order of tracing: where, by how much their light is shifted and what colour it has. The third time
 /// some cross far out and at a grazing angle, of which the sensitivity does not know: that is for 64 bits.
 #[test]
@@ -118,6 +125,7 @@ fn light_of_discs_is_shifted_as_series_say() {
     for row in rows(include_str!("tables/disc_crossings.tsv")) {
         let (spin, origin, way): (f64, _, _) = (row[1].parse().unwrap(), vector(row[2]), vector(row[3]));
         let kerr = format!("kind=\"kerr-newman\";spin={spin}");
+        let most = hottest(spin);
         for (k, crossing) in row[4].split("; ").enumerate() {
             let words: Vec<&str> = crossing.split(' ').collect();
             let number = |i: usize| words[i].parse::<f64>().unwrap();
@@ -155,8 +163,6 @@ fn light_of_discs_is_shifted_as_series_say() {
                     continue;
                 }
                 let g = f64::from(shifts(&picture)[0]);
-                let (_, orbits) = matter::orbits(&*scene.law, 200.0, 4096).unwrap();
-                let most = orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max);
                 let kelvin = 9000.0 * number(3) * (number(4) / most).powf(0.25);
                 let (color, luminance) = black_body::color(kelvin);
                 let told = color * (luminance - black_body::color(9000.0).1).exp();
@@ -179,7 +185,7 @@ fn light_of_translucent_discs_adds_up() {
         let crossings: Vec<Vec<Option<f64>>> =
             row[4].split("; ").map(|crossing| crossing.split(' ').map(|word| word.parse().ok()).collect()).collect();
         let rho = |crossing: &Vec<Option<f64>>| crossing[0].unwrap().hypot(crossing[1].unwrap());
-        let most = crossings.iter().map(rho).fold(0.0, f64::max);
+        let outer = crossings.iter().map(rho).fold(0.0, f64::max);
         let text = format!(
             "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nframe = \"static\"\n\
              shift = true\n[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbound = {{ radius = 200 }}\nmethod = \"separated\"\n\
@@ -188,15 +194,14 @@ fn light_of_translucent_discs_adds_up() {
              radius = {}\nhole = 0.5\n",
             origin.to_array(),
             (origin + way).to_array(),
-            1.01 * most
+            1.01 * outer
         );
         let scene = scene(&text);
-        let (_, orbits) = matter::orbits(&*scene.law, 200.0, 4096).unwrap();
-        let hottest = orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max);
+        let most = hottest(spin);
         let (mut left, mut told, mut orders) = (OPACITY, DVec3::ZERO, Vec::new());
         for crossing in &crossings {
             if let (Some(g), Some(flux)) = (crossing[3], crossing[4]) {
-                let (color, luminance) = black_body::color(9000.0 * g * (flux / hottest).powf(0.25));
+                let (color, luminance) = black_body::color(9000.0 * g * (flux / most).powf(0.25));
                 orders.push(left * (luminance - black_body::color(9000.0).1).exp());
                 told += orders[orders.len() - 1] * color;
             } else {

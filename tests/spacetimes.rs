@@ -4,7 +4,7 @@ use bentray::assets::Transform;
 use bentray::measure::drift;
 use bentray::model::Value;
 use bentray::model::camera::observer;
-use bentray::render::{RenderSettings, Status, trace};
+use bentray::render::{PathPoint, RenderSettings, Status, trace, trace_paths};
 use glam::{DVec3, DVec4};
 
 use crate::oracle::{rows, traced, vector};
@@ -202,5 +202,40 @@ fn separated_orbits_end_where_others_do() {
             "{off} apart, {most} at most, in {bound} with {objects}"
         );
         assert_eq!(hits > 20.0, !objects.is_empty(), "{hits} hit");
+    }
+}
+
+/// Where nothing is to be hit one segment leads through many steps; but paths that are to be drawn are arcs throughout, also where they are
+/// dragged round near a horizon, and end where their rays do.
+#[test]
+fn paths_to_be_drawn_are_arcs() {
+    let gpu = gpu();
+    let mut random = Random::new(91);
+    let rays: Vec<[f64; 6]> = (0..200)
+        .map(|_| {
+            let x = 12.0 * random.direction();
+            let v = (0.6 * random.direction() - x.normalize()).normalize();
+            [x.x, x.y, x.z, v.x, v.y, v.z]
+        })
+        .collect();
+    for law in [
+        "kind = \"schwarzschild\"\n[rays]\nmethod = \"planar\"",
+        "kind = \"kerr-newman\"\nspin = 0.95\n[rays]\nmethod = \"separated\"",
+    ] {
+        let scene = scene(&format!("[law]\n{law}\nscaled_step = 0.1\nbound = {{ radius = 25 }}\n"));
+        let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
+        let paths = trace_paths(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
+        for (end, (status, path)) in ends.iter().zip(&paths) {
+            assert_eq!(end.status, *status);
+            let way = |point: &PathPoint| DVec3::from(point.v).normalize();
+            let turn = path.windows(2).map(|pair| way(&pair[0]).angle_between(way(&pair[1]))).fold(0.0, f64::max);
+            assert!(path.len() > 5 && turn < 0.5, "{law}: {turn} rad in one of {} arcs", path.len());
+            let last = path.last().unwrap();
+            if end.status == Status::Escaped {
+                let off = DVec3::from(end.x).distance(DVec3::from(last.x)) / 25.0;
+                assert!(off < 2e-3, "{law}: off by {off} from {end:?}");
+            }
+        }
+        assert!(ends.iter().any(|end| end.status == Status::Captured), "{law}");
     }
 }

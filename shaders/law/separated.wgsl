@@ -180,14 +180,11 @@ fn orbit_step(o: Orbit, s: Real) -> Orbit {
 }
 
 // The step by which n turns through eta at most, and u no further by its own rate, which near the hole is the greater; and u changes by
-// thrice that fraction of `size` or less, and on the way in Δ by half of itself, for towards the horizon τ goes on for ever.
+// thrice that fraction of `size` or less.
 fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
     let own = abs(o.twist - o.total + o.u * (2.0 * o.pull.x + 3.0 * o.pull.y * o.u));
     let turn = inverseSqrt(max(max(o.total + o.twist, own), 1e-30));
-    let closing = o.w * (law.mass - (dot(law.spin, law.spin) + law.charge_squared) * o.u);
-    let delta = orbit_delta(o.u);
-    let half = select(Real(1e30), 0.25 * delta / closing, min(delta, closing) > 0.0);
-    return min(min(eta * turn, half), min(3.0 * eta, 0.5) * size / abs(o.w));
+    return min(eta * turn, min(3.0 * eta, 0.5) * size / abs(o.w));
 }
 
 // The orbit that comes in along the line through x with velocity v. There W = 2E, and in axes that turn by −aE n′ is E times the way

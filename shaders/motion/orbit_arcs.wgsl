@@ -7,7 +7,7 @@ fn own_size(ray: Ray, next: Ray) -> Real {
 
 fn accepted_step(ray: Ray) -> Ray {
     let start = orbit_of(ray.phase[0], ray.phase[1]);
-    let s = orbit_stride(start, control.eta, start.u);
+    let s = orbit_arc_stride(start, control.eta, start.u);
     let end = orbit_step(start, s);
     let passed = orbit_time(start, end, s);
     var next = after_step(ray, orbit_point(end), passed);

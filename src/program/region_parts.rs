@@ -143,6 +143,7 @@ fn orbit_parts(scene: &Scene, orbit: &Orbit, purpose: Purpose, names: &mut Names
         names.add(if is_about_center(scene) { "motion/edge_bound" } else { "motion/edge_within" });
     } else {
         names.add("motion/orbit_arcs");
+        names.add(if orbit.is_plane() { "motion/arcs_plane" } else { "motion/arcs_dragged" });
     }
     let asked = !open || !matches!(purpose, Purpose::Picture | Purpose::Bare);
     names.add(match orbit.form {

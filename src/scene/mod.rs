@@ -149,10 +149,10 @@ impl Scene {
         self.objects.iter().filter_map(|object| object.interior()?.filter.as_deref()).chain(&self.filter)
     }
 
-    /// Does something ask where a path is between its ends: what it may hit, or what filters its light?
+    /// Does something ask where a path is between its ends: what it may hit, what filters its light, or who draws it?
     #[must_use]
     pub fn needs_arcs(&self) -> bool {
-        !self.objects.is_empty() || self.filter.is_some()
+        !self.objects.is_empty() || self.filter.is_some() || !self.rays.leaps
     }
 
     /// Where rays that move inwards end: as far out as `clearance` allows, the distance from a place to the nearest object; none

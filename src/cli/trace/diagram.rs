@@ -10,7 +10,6 @@ use super::pairs::{Pairs, numbers, vector};
 use crate::error::Error;
 use crate::measure::{Curve, Focus, focus, windings};
 use crate::model::Landmark;
-use crate::model::cut::sphere_in_plane;
 use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKind, plot_paths};
 use crate::render::{PathPoint, Status};
 use crate::scene::{CutPlane, Scene};
@@ -216,7 +215,7 @@ fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<CrossSection> {
         CrossSection { kind, outlines: object.cut(plane) }
     });
     let landmark = |landmark: Landmark| {
-        let outline = sphere_in_plane(landmark.center, landmark.radius, plane)?;
+        let outline = landmark.cut(plane)?;
         let kind = if landmark.captures { SurfaceKind::Capture } else { SurfaceKind::Limit };
         Some(CrossSection { kind: kind(landmark.name), outlines: vec![outline] })
     };

@@ -60,6 +60,29 @@ pub fn circle(center: DVec3, normal: DVec3, radius: f64) -> Outline {
     Outline { points: (0..CORNERS).map(corner).collect(), closed: true }
 }
 
+/// Where the surface of what is inside crosses a plane; none if the point of the plane that is nearest to the centre is outside. All of it
+/// lies within `radius` of the centre.
+#[must_use]
+pub fn star_in_plane(center: DVec3, radius: f64, inside: &dyn Fn(DVec3) -> bool, plane: &CutPlane) -> Option<Outline> {
+    const LOOKS: u32 = 64;
+    const HALVINGS: u32 = 40;
+    let foot = center - plane.height(center) * plane.normal();
+    let corner = |i: u32| {
+        let (sin, cos) = (TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
+        let way = cos * plane.right + sin * plane.up;
+        let at = |k: u32| radius * f64::from(k) / f64::from(LOOKS);
+        let is_inside = |distance: f64| inside(foot + distance * way);
+        let last = (0..LOOKS).rev().find(|k| is_inside(at(*k))).unwrap_or(0);
+        let (mut near, mut far) = (at(last), at(last + 1));
+        for _ in 0..HALVINGS {
+            let middle = near.midpoint(far);
+            *(if is_inside(middle) { &mut near } else { &mut far }) = middle;
+        }
+        foot + near * way
+    };
+    inside(foot).then(|| Outline { points: (0..CORNERS).map(corner).collect(), closed: true })
+}
+
 /// Where a sphere crosses a plane; none if it does not.
 #[must_use]
 pub fn sphere_in_plane(center: DVec3, radius: f64, plane: &CutPlane) -> Option<Outline> {

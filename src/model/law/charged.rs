@@ -132,7 +132,7 @@ impl Law for ChargedHole {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        let horizon = |radius| Landmark { name: "horizon", center: self.center, radius, captures: true };
+        let horizon = |radius| Landmark::sphere("horizon", self.center, radius, true);
         self.horizon().map(horizon).into_iter().collect()
     }
 

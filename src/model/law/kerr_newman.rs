@@ -222,11 +222,31 @@ impl Law for KerrNewman {
         ]
     }
 
-    /// The horizon's circle in the plane across the axis: the spheroid is flatter.
+    /// The horizon, and the ergosphere about it, r = M + √(M² − Q² − a² cos²θ), where nothing rests.
     fn landmarks(&self) -> Vec<Landmark> {
-        let horizon =
-            |r: f64| Landmark { name: "horizon", center: self.center, radius: r.hypot(self.spin), captures: true };
-        self.horizon().map(horizon).into_iter().collect()
+        let Some(horizon) = self.horizon() else { return Vec::new() };
+        if self.spin == 0.0 {
+            return vec![Landmark::sphere("horizon", self.center, horizon, true)];
+        }
+        let Self { mass, spin, axis, charge, center } = *self;
+        let within = move |x: DVec3, edge: &dyn Fn(f64) -> f64| {
+            let d = x - center;
+            let r = spheroid::of(d, spin * axis).0;
+            r < horizon || r < edge((axis.dot(d) / r).powi(2))
+        };
+        let left = mass * mass - charge * charge;
+        let ergosphere = move |cos2: f64| mass + (left - spin * spin * cos2).max(0.0).sqrt();
+        let landmark = |name, r: f64, captures, inside| Landmark {
+            name,
+            center,
+            radius: r.hypot(spin),
+            captures,
+            inside: Some(inside),
+        };
+        vec![
+            landmark("ergosphere", ergosphere(0.0), false, Arc::new(move |x| within(x, &ergosphere))),
+            landmark("horizon", horizon, true, Arc::new(move |x| within(x, &|_| horizon))),
+        ]
     }
 
     fn remark(&self, _: DVec3, _: f64) -> Option<String> {

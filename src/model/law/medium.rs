@@ -59,7 +59,7 @@ impl Law for InMedium {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        let edge = |(center, radius)| Landmark { name: "r = R", center, radius, captures: false };
+        let edge = |(center, radius)| Landmark::sphere("r = R", center, radius, false);
         self.0.edge().map(edge).into_iter().collect()
     }
 

@@ -10,6 +10,7 @@
 mod charged;
 mod flow;
 mod kerr_newman;
+mod landmark;
 mod lorenz;
 mod medium;
 mod metric;
@@ -39,6 +40,7 @@ use crate::document::{self, Kinds};
 pub use charged::ChargedHole;
 pub use flow::FlowOrder;
 pub use kerr_newman::{KerrNewman, KerrSchild};
+pub use landmark::Landmark;
 pub use lorenz::Lorenz;
 pub use medium::{InMedium, SOLVED_PARTS};
 pub use metric::Metric;
@@ -283,19 +285,6 @@ pub struct Invariant {
     pub value: f64,
     /// The size of what it is made of.
     pub size: f64,
-}
-
-/// A sphere that a law has without an object.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Landmark {
-    /// Its name in a legend.
-    pub name: &'static str,
-    /// Its centre.
-    pub center: DVec3,
-    /// Its radius; 0 for none.
-    pub radius: f64,
-    /// Do rays end there?
-    pub captures: bool,
 }
 
 /// None if the law cannot be used; straight lines if there is none. And what is left of light on its way through space.

@@ -226,12 +226,7 @@ impl Law for OwnLaw {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        let sphere = |capture: &Capture| Landmark {
-            name: "capture",
-            center: capture.anchor.position,
-            radius: capture.radius,
-            captures: true,
-        };
+        let sphere = |capture: &Capture| Landmark::sphere("capture", capture.anchor.position, capture.radius, true);
         self.captures.iter().map(sphere).collect()
     }
 

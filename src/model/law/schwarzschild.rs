@@ -98,7 +98,7 @@ impl Law for Schwarzschild {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        vec![Landmark { name: "horizon", center: self.center, radius: 2.0 * self.mass, captures: true }]
+        vec![Landmark::sphere("horizon", self.center, 2.0 * self.mass, true)]
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {

@@ -126,7 +126,7 @@ impl Law for Wormhole {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        let mouth = |center| Landmark { name: "throat", center, radius: self.radius, captures: false };
+        let mouth = |center| Landmark::sphere("throat", center, self.radius, false);
         [self.center, self.other].map(mouth).into()
     }
 

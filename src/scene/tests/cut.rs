@@ -6,8 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::model::Law;
-use crate::model::cut::sphere_in_plane;
-use crate::model::law::{Schwarzschild, SchwarzschildForm};
+use crate::model::law::{KerrNewman, Schwarzschild, SchwarzschildForm};
 use crate::model::shape::{Cuboid, Plane, Sphere, Triangles};
 use crate::scene::{CutPlane, Mesh, Object, Outline, Shape, Substance, Transform};
 
@@ -170,10 +169,41 @@ fn a_horizon_is_cut_like_a_sphere() {
     let hole = Schwarzschild { mass: 1.5, center: DVec3::X, form: SchwarzschildForm::Path };
     let [horizon] = &hole.landmarks()[..] else { panic!() };
     assert_eq!(horizon.name, "horizon");
-    let cut =
-        |height: f64| sphere_in_plane(horizon.center, horizon.radius, &plane([0.0, 0.0, height], [0.0, 0.0, 1.0]));
+    let cut = |height: f64| horizon.cut(&plane([0.0, 0.0, height], [0.0, 0.0, 1.0]));
     let outline = cut(1.8).expect("an outline");
     let center = DVec3::new(1.0, 0.0, 1.8);
     assert!(outline.points.iter().all(|p| (p.distance(center) - 2.4).abs() < 1e-12));
     assert!(cut(3.1).is_none());
+}
+
+/// A hole that spins has a horizon that is a spheroid, and about it the ergosphere, which meets it at the poles alone.
+#[test]
+fn horizons_and_ergospheres_are_cut_as_they_are() {
+    let (mass, spin, center) = (2.0, 1.5, DVec3::new(1.0, -2.0, 0.5));
+    let axis = DVec3::new(1.0, 2.0, -2.0) / 3.0;
+    let hole = KerrNewman { mass, spin, axis, charge: 0.5, center };
+    let [ergosphere, horizon] = &hole.landmarks()[..] else { panic!() };
+    assert_eq!([ergosphere.name, horizon.name], ["ergosphere", "horizon"]);
+    let left = mass * mass - 0.25;
+    for (height, normal) in [(0.0, axis.any_orthonormal_vector()), (0.0, axis), (0.8, DVec3::Y)] {
+        let plane = CutPlane::new(center + height * normal, normal).unwrap();
+        for (landmark, edge) in [
+            (horizon, &(|_: f64| mass + (left - spin * spin).sqrt()) as &dyn Fn(f64) -> f64),
+            (ergosphere, &|cos2: f64| mass + (left - spin * spin * cos2).sqrt()),
+        ] {
+            let outline = landmark.cut(&plane).expect("an outline");
+            assert_eq!(outline.points.len(), 180);
+            for p in outline.points {
+                let d = p - center;
+                let (up, aside) = (d.dot(axis), d.reject_from_normalized(axis).length());
+                // r² from ρ²/(r² + a²) + z²/r² = 1.
+                let excess = d.length_squared() - spin * spin;
+                let r2 = 0.5 * (excess + (excess * excess + 4.0 * spin * spin * up * up).sqrt());
+                assert!((aside * aside / (r2 + spin * spin) + up * up / r2 - 1.0).abs() < 1e-9);
+                let off = r2.sqrt() - edge(up * up / r2);
+                assert!(off.abs() < 1e-9 && plane.height(p).abs() < 1e-12, "{} at {p}: {off:e}", landmark.name);
+            }
+        }
+    }
+    assert!(horizon.cut(&CutPlane::new(center + 9.0 * DVec3::X, DVec3::X).unwrap()).is_none());
 }
