@@ -187,7 +187,7 @@ impl Scene {
         self.objects.iter().any(|object| self.shows_through(object))
     }
 
-    /// Is all its light that comes through surfaces of crossings that can be counted?
+    /// Can it be told of which crossing of a translucent surface light is? So where rays branch nowhere else, and not at random.
     #[must_use]
     pub fn has_orders(&self) -> bool {
         let counts = matches!(self.rays.branches, Branches::Enumerated(_)) && self.image.adaptive.is_none();

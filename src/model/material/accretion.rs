@@ -16,7 +16,7 @@ pub static KIND: Kind = Kind {
             "of the hottest ring, kelvins; without it all frequencies are shown together. The others' follow from the law's circular orbits (Page and Thorne 1974), on which matter goes round";
         brightness: "number above 0" = "1", "the luminance of the hottest ring, at rest";
         opacity: "number above 0, at most 1" = "1",
-            "the part of light from behind that it holds back, and of a black body's light that it sends: below 1 light is seen that crosses it again and again, each time with its own shift; for lights it is opaque";
+            "the part of the light from behind that it holds back, and the part of a black body's light that it sends; below 1 rays see it wherever they cross it, each time with its own shift. Shadows take it as opaque";
         color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]", "its light times this";
     },
     read: |table, files| {
