@@ -3,7 +3,7 @@
 use bentray::model::{black_body, matter};
 use bentray::program::{Choice, Layer, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering};
-use bentray::scene::Scene;
+use bentray::scene::{CameraFrame, Scene};
 use glam::DVec3;
 
 use crate::oracle::{rows, vector};
@@ -50,6 +50,67 @@ fn matter_moves_and_shines_as_closed_forms_say() {
                 }
             }
         }
+    }
+}
+
+/// Without spin the holes of three laws have the same matter, and a disc of it looks the same by each.
+#[test]
+fn discs_of_holes_without_spin_are_alike() {
+    for (charge, others) in [
+        (0.0, vec!["kind = \"schwarzschild\"", "kind = \"schwarzschild\"\nform = \"geodesic\""]),
+        (0.6, vec!["kind = \"reissner-nordstrom\"\ncharge = 0.6"]),
+    ] {
+        let kerr = format!("kind = \"kerr-newman\"\ncharge = {charge}");
+        let seen = |law: &str| {
+            scene(&format!(
+                "[image]\nsize = [24, 16]\n[camera]\nposition = [14, 2, 3]\nup = [0, 1, 0]\nfov = 60\nframe = \"static\"\nshift = true\n\
+                 [law]\n{law}\naxis = [0, 1, 0]\n[rays]\nbound = {{ radius = 60 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-6\n\
+                 [materials.m]\nkind = \"accretion\"\ntemperature = 7000\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\n\
+                 radius = 20\nhole = 3\n"
+            ))
+        };
+        let told = seen(&kerr);
+        let (edge, orbits) = matter::orbits(&*told.law, 60.0, 512).unwrap();
+        for law in others {
+            let own = seen(law);
+            let (own_edge, own_orbits) = matter::orbits(&*own.law, 60.0, 512).unwrap();
+            assert_eq!(edge, own_edge, "{law}");
+            for (a, b) in orbits.iter().zip(&own_orbits).skip(edge) {
+                let pairs = [(a.energy, b.energy), (a.momentum, b.momentum), (a.u.z, b.u.z), (a.turning(), b.turning())];
+                let off = pairs.iter().map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-9 && (a.flux - b.flux).abs() <= 1e-6 * a.flux.abs() + 1e-12, "{law} at {}: {off:e}", a.rho);
+            }
+            let pictures = [&told, &own].map(rendered);
+            let off = shifts(&pictures[0]).iter().zip(shifts(&pictures[1])).map(|(a, b)| (a - b).abs());
+            // Pixels on edges may be of another crossing.
+            let wrong = off.filter(|off| *off > 1e-4).count();
+            assert!(wrong <= 2, "{law}: {wrong} pixels are off");
+        }
+    }
+}
+
+/// Observers on circular orbits and falling ones, by closed forms.
+#[test]
+fn observers_round_holes_without_spin_move_as_they_should() {
+    for law in ["kind = \"schwarzschild\"", "kind = \"reissner-nordstrom\"\ncharge = 0.5\ncosmological = 0.0003"] {
+        let law = scene(&format!("[law]\n{law}\nmass = 1.5\ncenter = [1, 2, 3]\naxis = [0, 3, 4]\n[rays]\nbound = {{ radius = 60 }}\n")).law;
+        let axis = DVec3::new(0.0, 0.6, 0.8);
+        let x = 11.0 * DVec3::new(0.0, 0.8, -0.6);
+        let metric = law.metric(DVec3::new(1.0, 2.0, 3.0) + x).unwrap();
+        let of = |frame: CameraFrame| law.observer(frame, DVec3::new(1.0, 2.0, 3.0) + x).unwrap().unwrap();
+        for frame in [CameraFrame::Orbiting, CameraFrame::CounterOrbiting, CameraFrame::Falling, CameraFrame::Zamo] {
+            let u = of(frame);
+            assert!((u.dot(metric * u) + 1.0).abs() < 1e-13 && u.w > 0.0, "{frame:?}: {u}");
+        }
+        let orbit = of(CameraFrame::Orbiting);
+        assert!(orbit.truncate().dot(axis.cross(x)) > 0.0);
+        // Of a geodesic: ∂g_tt/∂r + Ω² ∂g_φφ/∂r = 0.
+        let clock = |r: f64| -law.metric(DVec3::new(1.0, 2.0, 3.0) + r / 11.0 * x).unwrap().w_axis.w;
+        let slope = (clock(11.001) - clock(10.999)) / 0.002;
+        let turning = orbit.truncate().length() / (11.0 * orbit.w);
+        assert!((turning * turning / (0.5 * slope / 11.0) - 1.0).abs() < 1e-6, "{turning}");
+        let falling = of(CameraFrame::Falling);
+        assert!(((metric * falling).w + 1.0).abs() < 1e-13 && falling.truncate().dot(x) < 0.0);
     }
 }
 

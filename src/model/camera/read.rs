@@ -28,7 +28,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
                 "the static frame needs a law of a hole or a spacetime",
                 "leave `frame` out: under other laws both frames are the same",
             ),
-            _ => ("such an observer needs law.kind = \"kerr-newman\" or \"metric\"", "leave `frame` out"),
+            _ => ("such an observer needs a law of a hole, or a \"metric\"", "leave `frame` out"),
         };
         table.fault(&["frame"], problem, help);
     }

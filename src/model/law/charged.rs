@@ -9,10 +9,10 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{OBSERVER_PART, moving, normalised, spherical};
+use super::observer::{OBSERVER_PART, RoundHole};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
-use crate::document::values::{number, positive, vector};
+use crate::document::values::{direction, number, positive, vector};
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
 
 pub static KIND: Kind = Kind {
@@ -22,6 +22,7 @@ pub static KIND: Kind = Kind {
         charge: "number" = "0", "Q, scene units: above M there is no horizon, and nothing is captured";
         cosmological: "number" = "0", "Λ, in one over scene units squared: it changes what observers see, and no path";
         center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
+        axis: "[x, y, z]" = "[0, 0, 1]", "what matter and observers on orbits go round, anticlockwise seen from its tip";
     },
     read: |table, _| {
         let hole = ChargedHole {
@@ -29,6 +30,7 @@ pub static KIND: Kind = Kind {
             charge: table.or("charge", 0.0, number),
             cosmological: table.or("cosmological", 0.0, number),
             center: table.or("center", DVec3::ZERO, vector),
+            axis: table.or("axis", DVec3::Z, direction),
         };
         if hole.photon_sphere().is_some_and(|r| hole.clock(r) <= 0.0) {
             let most = hole.cosmological_most();
@@ -53,6 +55,8 @@ pub struct ChargedHole {
     pub cosmological: f64,
     /// The hole's place.
     pub center: DVec3,
+    /// The unit vector that matter and observers on orbits go round.
+    pub axis: DVec3,
 }
 
 impl ChargedHole {
@@ -60,6 +64,14 @@ impl ChargedHole {
     #[must_use]
     pub fn clock(&self, r: f64) -> f64 {
         1.0 - 2.0 * self.mass / r + (self.charge / r).powi(2) - self.cosmological * r * r / 3.0
+    }
+
+    fn round(&self, x: DVec3) -> RoundHole {
+        let offset = x - self.center;
+        let r = offset.length();
+        let slope = 2.0 * (self.mass - self.charge * self.charge / r) / (r * r) - 2.0 * self.cosmological * r / 3.0;
+        let photon_sphere = self.photon_sphere().unwrap_or(0.0);
+        RoundHole { offset, axis: self.axis, clock: self.clock(r), slope, photon_sphere }
     }
 
     /// r where light goes round in circles, and what moves inwards below it never comes back; none without a horizon.
@@ -142,24 +154,19 @@ impl Law for ChargedHole {
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        matches!(frame, CameraFrame::Static | CameraFrame::Moving(_)).then_some(OBSERVER_PART)
+        RoundHole::knows(frame).then_some(OBSERVER_PART)
     }
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
-        let d = x - self.center;
-        let clock = self.clock(d.length());
-        Some(spherical(d.normalize(), 1.0 / clock, 1.0, clock))
+        Some(self.round(x).metric())
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
-        let metric = self.metric(at)?;
-        let found = match frame {
-            CameraFrame::Static => normalised(&metric, DVec4::W),
-            CameraFrame::Moving(velocity) => moving(&metric, velocity),
-            _ => return None,
-        };
-        let none = || ["is where nothing is at rest".to_owned(), "move it".to_owned()];
-        Some(found.ok_or_else(none))
+        self.round(at).observer(frame)
+    }
+
+    fn equator(&self) -> Option<[DVec3; 2]> {
+        Some([self.center, self.axis])
     }
 
     fn momentum_parts(&self) -> &'static [&'static str] {

@@ -79,3 +79,63 @@ pub(super) fn spherical(n: DVec3, along: f64, across: f64, clock: f64) -> DMat4 
     metric.w_axis = DVec4::new(0.0, 0.0, 0.0, -clock);
     metric
 }
+
+/// A hole that is the same all round, −A dt² + dr²/A + r² dΩ², as observers at a place know it.
+pub(super) struct RoundHole {
+    /// From the centre.
+    pub offset: DVec3,
+    /// What orbits go round.
+    pub axis: DVec3,
+    /// A there.
+    pub clock: f64,
+    /// A′ there.
+    pub slope: f64,
+    /// r of the circular orbits of light, within which matter has none.
+    pub photon_sphere: f64,
+}
+
+impl RoundHole {
+    /// The frames of [`Self::observer`].
+    pub fn knows(frame: CameraFrame) -> bool {
+        frame != CameraFrame::Coordinate
+    }
+
+    pub fn metric(&self) -> DMat4 {
+        spherical(self.offset.normalize(), 1.0 / self.clock, 1.0, self.clock)
+    }
+
+    /// As [`Law::observer`](super::Law::observer). Without spin who rests has no angular momentum, and is at rest in the slices of equal time.
+    pub fn observer(&self, frame: CameraFrame) -> Option<Result<DVec4, [String; 2]>> {
+        let metric = self.metric();
+        let found = match frame {
+            CameraFrame::Coordinate => return None,
+            CameraFrame::Static | CameraFrame::Normal | CameraFrame::Zamo => normalised(&metric, DVec4::W),
+            CameraFrame::Moving(velocity) => moving(&metric, velocity),
+            CameraFrame::Orbiting => return Some(self.orbiting(1.0)),
+            CameraFrame::CounterOrbiting => return Some(self.orbiting(-1.0)),
+            CameraFrame::Falling => return Some(self.falling()),
+        };
+        Some(found.ok_or_else(|| ["is where nothing is at rest".to_owned(), "move it".to_owned()]))
+    }
+
+    /// Ω² = A′/2r, in the plane across the axis.
+    fn orbiting(&self, sense: f64) -> Result<DVec4, [String; 2]> {
+        let r = self.offset.length();
+        let turning = sense * (0.5 * self.slope / r).sqrt();
+        let is_level = self.offset.dot(self.axis).abs() <= 1e-9 * r;
+        let way = (turning * self.axis.cross(self.offset)).extend(1.0);
+        let found = if is_level && turning.is_finite() { normalised(&self.metric(), way) } else { None };
+        found.ok_or_else(|| {
+            let help = "those are in the plane through the hole across law.axis";
+            ["is on no circular orbit".to_owned(), format!("{help}, beyond r = {:.4}", self.photon_sphere)]
+        })
+    }
+
+    /// With E = 1 and L = 0.
+    fn falling(&self) -> Result<DVec4, [String; 2]> {
+        let inwards = (1.0 - self.clock).sqrt();
+        let u = (-inwards * self.offset.normalize()).extend(1.0 / self.clock);
+        let help = "there charge or Λ has turned it round: use frame = \"moving\" and camera.velocity";
+        if inwards.is_finite() { Ok(u) } else { Err(["is where nothing has fallen from rest".to_owned(), help.to_owned()]) }
+    }
+}

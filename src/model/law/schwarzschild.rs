@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{normalised, spherical};
+use super::observer::{OBSERVER_PART, RoundHole};
 use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
-use crate::document::values::{positive, vector, word};
+use crate::document::values::{direction, positive, vector, word};
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
 
 pub static KIND: Kind = Kind {
@@ -17,6 +17,7 @@ pub static KIND: Kind = Kind {
         center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
         form: "path | geodesic" = "path",
             "the equation that is integrated: of the path alone, or the full geodesic with its time";
+        axis: "[x, y, z]" = "[0, 0, 1]", "what matter and observers on orbits go round, anticlockwise seen from its tip";
     },
     read: |table, _| {
         let forms = &[("path", SchwarzschildForm::Path), ("geodesic", SchwarzschildForm::Geodesic)];
@@ -24,6 +25,7 @@ pub static KIND: Kind = Kind {
             mass: table.or("mass", 1.0, positive),
             center: table.or("center", DVec3::ZERO, vector),
             form: table.or("form", SchwarzschildForm::Path, word(forms)),
+            axis: table.or("axis", DVec3::Z, direction),
         }))
     },
 };
@@ -37,6 +39,23 @@ pub struct Schwarzschild {
     pub center: DVec3,
     /// Which equation is integrated.
     pub form: SchwarzschildForm,
+    /// The unit vector that matter and observers on orbits go round.
+    pub axis: DVec3,
+}
+
+impl Schwarzschild {
+    /// A hole in this place, of which paths are integrated.
+    #[must_use]
+    pub fn new(mass: f64, center: DVec3) -> Self {
+        Self { mass, center, form: SchwarzschildForm::Path, axis: DVec3::Z }
+    }
+
+    fn round(&self, x: DVec3) -> RoundHole {
+        let offset = x - self.center;
+        let r = offset.length();
+        let (clock, slope) = (1.0 - 2.0 * self.mass / r, 2.0 * self.mass / (r * r));
+        RoundHole { offset, axis: self.axis, clock, slope, photon_sphere: 3.0 * self.mass }
+    }
 }
 
 /// The two equations of light round the hole.
@@ -102,19 +121,22 @@ impl Law for Schwarzschild {
     }
 
     fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        (frame == CameraFrame::Static).then_some("camera/frame_static")
+        match frame {
+            CameraFrame::Static => Some("camera/frame_static"),
+            frame => RoundHole::knows(frame).then_some(OBSERVER_PART),
+        }
     }
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
-        let d = x - self.center;
-        let clock = 1.0 - 2.0 * self.mass / d.length();
-        Some(spherical(d.normalize(), 1.0 / clock, 1.0, clock))
+        Some(self.round(x).metric())
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
-        let metric = self.metric(at)?;
-        let none = || ["is where nothing is at rest".to_owned(), "move it".to_owned()];
-        (frame == CameraFrame::Static).then(|| normalised(&metric, DVec4::W).ok_or_else(none))
+        self.round(at).observer(frame)
+    }
+
+    fn equator(&self) -> Option<[DVec3; 2]> {
+        Some([self.center, self.axis])
     }
 
     fn momentum_parts(&self) -> &'static [&'static str] {

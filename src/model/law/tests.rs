@@ -14,7 +14,7 @@ fn invariants_are_kept() {
     };
     let laws: [Arc<dyn Law>; 6] = [
         Arc::new(Straight),
-        Arc::new(Schwarzschild { mass: 1.3, center: DVec3::X, form: SchwarzschildForm::Path }),
+        Arc::new(Schwarzschild::new(1.3, DVec3::X)),
         Arc::new(Sources(vec![source(DVec3::Y, 2.0, Falloff::named("yukawa", 0.7))])),
         Arc::new(Sources(vec![
             source(DVec3::Y, -2.0, Some(Falloff::INVERSE_SQUARE)),

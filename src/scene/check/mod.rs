@@ -88,6 +88,9 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let balls = centers.as_deref().zip(bound.map(|bound| bound.radius));
     let placed = shape::read(&root, &names, balls, files);
     regions::check(reader, &placed, &materials);
+    if let Some(law) = &law {
+        shift::check_discs(reader, &placed, &materials, &**law);
+    }
     let mut objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
     if let Some(law) = &law {
         add_throat(&**law, &mut materials, &mut objects);

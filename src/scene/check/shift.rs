@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use crate::document::reader::TableReader;
-use crate::model::{Camera, Filter, Law, Material, matter};
+use crate::document::reader::{Reader, TableReader};
+use crate::document::{Fault, Place};
+use crate::model::{Camera, Filter, Law, Material, Object, matter};
 
 /// What else than the camera stands in light's way, and matter's.
 pub struct Rest<'a> {
@@ -32,5 +33,26 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
     } else if rest.law.is_some_and(|law| matter::innermost_stable(law, rest.reach).is_none()) {
         let problem = format!("`{name}` orbits, and this law has no innermost stable orbit within rays.bound");
         root.fault(&["materials"], problem, "use law.kind = \"kerr-newman\", or a hole by its line element");
+    }
+}
+
+/// Matter that goes round is in the plane of its orbits.
+pub fn check_discs(reader: &Reader, placed: &[(Place, Object)], materials: &[Material], law: &dyn Law) {
+    /// The sine of the angle between the two planes, and the distance between them as a part of the disc's size, at most.
+    const OFF: f64 = 1e-3;
+    let Some([center, axis]) = law.equator() else { return };
+    for (place, object) in placed {
+        let is_flat = object.solid().lists.as_ref().is_some_and(|lists| lists.flat);
+        let Some(material) = object.material().and_then(|i| materials.get(i)).filter(|_| is_flat) else { continue };
+        let map = object.transform.0;
+        let across = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();
+        let height = (map.translation - center).dot(axis).abs();
+        if material.surface.orbits() && (across.cross(axis).length() > OFF || height > OFF * object.ball().1) {
+            reader.fault(Fault {
+                place: *place,
+                problem: format!("`{}` goes round the law's axis, and this is not across it", material.name),
+                help: format!("its plane has to go through {center}, with the normal {axis}: see law.axis"),
+            });
+        }
     }
 }
