@@ -1,12 +1,13 @@
-//! How light shifts on its way, and matter that goes round in thin discs, against closed forms and answers to 15 digits.
+//! Matter that goes round in thin discs, against closed forms and answers to 15 digits.
 
 use bentray::model::{black_body, matter};
 use bentray::program::{Choice, Layer, Schedule};
-use bentray::render::{Plane, RenderSettings, Renderer, Rendering};
-use bentray::scene::{CameraFrame, Scene};
+use bentray::render::{Plane, RenderSettings, Renderer};
+use bentray::scene::CameraFrame;
 use glam::DVec3;
 
 use crate::oracle::{rows, vector};
+use crate::shifts::{rendered, shifts};
 use crate::spacetimes::typed;
 use crate::support::{gpu, scene};
 
@@ -159,19 +160,6 @@ fn black_bodies_have_their_colours() {
     assert!((1.44e7 / slope - 600.0).abs() < 60.0, "{slope}");
 }
 
-fn rendered(scene: &Scene) -> Rendering {
-    let choice = Choice { layers: vec![Layer::Position, Layer::Shift], ..Choice::default() };
-    let settings = RenderSettings { choice, ..RenderSettings::default() };
-    Renderer::new(&gpu(), scene, settings).unwrap().picture().unwrap()
-}
-
-fn shifts(picture: &Rendering) -> &[f32] {
-    match picture.band.layer(Layer::Shift) {
-        Some(Plane::Scalar(values)) => values,
-        _ => panic!("no layer of shifts"),
-    }
-}
-
 /// The light of the hottest ring round a hole that spins so.
 fn hottest(spin: f64) -> f64 {
     let law = scene(&format!("[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbound = {{ radius = 200 }}\n")).law;
@@ -286,64 +274,5 @@ fn light_of_translucent_discs_adds_up() {
         println!("{}, {} crossings: {} for {told}", row[0], crossings.len(), seen[0]);
         assert!(seen[0].distance(told) < 2e-3 * told.length(), "{}: {}, not {told}", row[0], seen[0]);
         assert!(seen[0] == seen[1], "{}", row[0]);
-    }
-}
-
-/// The sky as who moves at 0.6 sees it in flat space, by Doppler's formula, and who rests near a hole: g⁴ as bright.
-#[test]
-fn the_sky_is_as_bright_as_its_shift() {
-    let flat = "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"";
-    let moving = "frame = \"moving\"\nvelocity = [0, 0.6, 0]";
-    let hole = "kind = \"kerr-newman\"\nspin = 0.5";
-    let charged = "kind = \"reissner-nordstrom\"\ncharge = 0.8\ncosmological = 0.003";
-    let near_charged = 1.0 / (1.0 - 0.2 + 0.0064 - 0.1_f64).sqrt();
-    let near_hole = 1.0 / (1.0 - 2.0 * 1000.0 / (10_000.0_f64)).sqrt();
-    for (law, frame, ahead, g) in [
-        (flat, moving, [10, 1, 0], 2.0),
-        (flat, moving, [10, -1, 0], 0.5),
-        (flat, moving, [11, 0, 0], 0.8),
-        (hole, "frame = \"static\"", [10, 0, 1], near_hole),
-        (charged, "frame = \"static\"", [10, 1, 1], near_charged),
-    ] {
-        // In the equator of a spinning hole Σ = r², and r = 10.
-        let x = if law == hole { (100.0_f64 + 0.25).sqrt() } else { 10.0 };
-        let picture = rendered(&scene(&format!(
-            "[image]\nsize = [1, 1]\n[camera]\nposition = [{x:?}, 0, 0]\nfov = 1\n{frame}\nlook_at = {ahead:?}\nup = [1, 1, 1]\n\
-             shift = true\n[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n[sky]\ncolor = [1, 0.5, 0.25]\n"
-        )));
-        let found = f64::from(shifts(&picture)[0]);
-        assert!((found / g - 1.0).abs() < 1e-5, "{frame} towards {ahead:?}: {found}, not {g}");
-        for (channel, color) in [1.0, 0.5, 0.25].into_iter().enumerate() {
-            let off = f64::from(picture.band.color[channel][0]) / (color * g.powi(4)) - 1.0;
-            assert!(off.abs() < 1e-4, "{frame} towards {ahead:?}: off by {off}");
-        }
-    }
-}
-
-/// Between places at rest light shifts as their clocks go, and to an observer who moves as Doppler says.
-#[test]
-fn light_is_shifted_as_clocks_and_speeds_say() {
-    let clock = |r: f64| (1.0 - 2.0 / r).sqrt();
-    let hole = "kind = \"schwarzschild\"";
-    let geodesic = "kind = \"schwarzschild\"\nform = \"geodesic\"";
-    let wormhole = "kind = \"wormhole\"\nother = [90, 0, 0]";
-    let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 0, 12]\nradius = 0.5\nmaterial = \"a\"\n";
-    let rest = "frame = \"static\"";
-    for (law, frame, objects, expected) in [
-        (hole, rest, "", 1.0 / clock(6.0)),
-        (geodesic, rest, "", 1.0 / clock(6.0)),
-        (hole, rest, ball, clock(11.5) / clock(6.0)),
-        (wormhole, rest, "", 1.0),
-        (wormhole, rest, ball, 1.0),
-        (wormhole, "frame = \"moving\"\nvelocity = [0, 0, 0.6]", "", 2.0),
-        (wormhole, "frame = \"moving\"\nvelocity = [0, 0, -0.6]", ball, 0.5),
-    ] {
-        let scene = scene(&format!(
-            "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 6]\nlook_at = [0, 0, 20]\nfov = 1\n{frame}\n[law]\n{law}\n\
-             [rays]\nbound = {{ radius = 40 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-6\n\
-             [materials.a]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n{objects}"
-        ));
-        let shift = f64::from(shifts(&rendered(&scene))[0]);
-        assert!((shift / expected - 1.0).abs() < 1e-5, "{law} {frame} {objects}: {shift} for {expected}");
     }
 }

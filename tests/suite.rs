@@ -36,6 +36,7 @@ mod pictures;
 mod sampling;
 mod schedules;
 mod shaders;
+mod shifts;
 mod sky_light;
 mod spacetimes;
 mod structure;

@@ -45,14 +45,19 @@ fn metric_raised(f: Factor, a: Real3) -> Real3 {
     return Real3((x - f.below.x * b - f.below.y * c) * f.inverse.x, b, c);
 }
 
-fn metric_pull(bend: MetricBend, v: Real3) -> Real3 {
+// dv/dτ; and d ln k/dτ, where kU is light's momentum.
+fn metric_stretch(bend: MetricBend, v: Real3) -> Real4 {
     let m = bend.metric;
     let factor = metric_factor(m);
     let force = metric_raised(factor, bend.force);
     let shift = metric_raised(factor, m.shift);
     let lapse2 = dot(m.shift, shift) - m.clock;
     let kappa = (dot(m.shift, force) - bend.power) / select(not_a_number(), lapse2, lapse2 > 0.0);
-    return force + kappa * (v - shift);
+    return Real4(force + kappa * (v - shift), -kappa);
+}
+
+fn metric_pull(bend: MetricBend, v: Real3) -> Real3 {
+    return metric_stretch(bend, v).xyz;
 }
 
 fn as_light(m: Metric, v: Real3) -> Real3 {

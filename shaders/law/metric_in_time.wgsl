@@ -12,6 +12,10 @@ fn law_pull_at(at: Real3, v: Real3, tau: Real) -> Real3 {
     return metric_pull(metric_bend(at - law.center, v, law.time - tau), v);
 }
 
+fn law_stretch_at(at: Real3, v: Real3, tau: Real) -> Real4 {
+    return metric_stretch(metric_bend(at - law.center, v, law.time - tau), v);
+}
+
 fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(Real4(x, 0.0), Real4(as_light(metric_at(x - law.center, law.time), v), 0.0));
 }

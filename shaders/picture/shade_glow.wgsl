@@ -8,6 +8,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     filter_last(ray, seen.end);
     let escaped = ray.status == ESCAPED || ray.status == MISSED;
     note_side(seen.end.x);
+    note_sky(ray, seen.end);
     gather(select(seen.color, sky_radiance(vec3f(normalize(seen.end.v))), escaped), seen.end.x);
     add_color(pixel, carried.gathered);
     add_coverage(pixel, ray.status);

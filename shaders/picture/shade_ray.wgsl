@@ -11,6 +11,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     var color = seen.color;
     if code == ESCAPED || code == MISSED {
         note_side(seen.end.x);
+        note_sky(ray, seen.end);
         color = sky_radiance(vec3f(normalize(seen.end.v)));
         beam_sky(&color);
     }

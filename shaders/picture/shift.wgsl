@@ -25,7 +25,7 @@ fn note_matter(material: Material, end: PathPoint) {
     seen_shift = momentum.w / (ray_energy * dot(surface_matter(material, end.x), momentum));
 }
 
-// u of what is at rest.
+// u of what is at rest; where nothing can be no light comes from there.
 fn matter_at_rest(x: Real3) -> Real4 {
-    return Real4(0.0, 0.0, 0.0, inverseSqrt(law_clock(x)));
+    return Real4(0.0, 0.0, 0.0, inverseSqrt(max(law_clock(x), 1e-30)));
 }

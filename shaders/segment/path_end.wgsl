@@ -30,6 +30,7 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         // Straight lines and leaps are there at once.
         there = abs(correction) <= LAST_PART * step.h;
     }
+    note_end(p);
     let tau = step.tau + own_tau(step.phase, p, h);
     let far = departed(code, p[0].xyz, p[1].xyz);
     return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
@@ -65,6 +66,7 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
     let nowhere = unfollowed || (ray.status == CAPTURED && law_captured(x, v));
     if nowhere {
+        note_end(ray.phase);
         let far = departed(ray.status, x, v);
         return PathPoint(far[0], far[1], ray.tau, 0.0);
     }
@@ -72,5 +74,6 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     if stops_inside(ray.status) {
         return stop_point(ray.status, hit, step);
     }
+    note_end(step.end);
     return segment_end(ray, hit, step);
 }

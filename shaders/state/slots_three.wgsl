@@ -20,3 +20,8 @@ fn slot_rest(slot: u32, pixel: vec2u) -> Real {
     let first = select(rest_at_0(pixel), rest_at_1(pixel), slot == 1u);
     return select(first, rest_at_2(pixel), slot == 2u);
 }
+
+fn slot_stretch(slot: u32, pixel: vec2u) -> Real {
+    let first = select(stretch_at_0(pixel), stretch_at_1(pixel), slot == 1u);
+    return select(first, stretch_at_2(pixel), slot == 2u);
+}

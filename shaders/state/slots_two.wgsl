@@ -15,3 +15,7 @@ fn slot_error(slot: u32, pixel: vec2u) -> Real {
 fn slot_rest(slot: u32, pixel: vec2u) -> Real {
     return select(rest_at_0(pixel), rest_at_1(pixel), slot == 1u);
 }
+
+fn slot_stretch(slot: u32, pixel: vec2u) -> Real {
+    return select(stretch_at_0(pixel), stretch_at_1(pixel), slot == 1u);
+}

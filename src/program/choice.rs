@@ -352,6 +352,12 @@ impl Choice {
         self.beams(scene) || self.layers.contains(&Layer::Shift) && scene.has_frequencies()
     }
 
+    /// Does its shift have to be followed along each path, for nothing keeps it?
+    #[must_use]
+    pub fn follows_shift(&self, scene: &Scene) -> bool {
+        self.knows_shift(scene) && !scene.law.is_stationary()
+    }
+
     /// Is it asked what light is of which crossing, and is there an answer?
     #[must_use]
     pub fn keeps_orders(&self, scene: &Scene) -> bool {

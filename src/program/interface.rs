@@ -87,6 +87,8 @@ pub enum StatePart {
     Error,
     /// What the path's parameter is more than its sum says.
     Rest,
+    /// By how much light's momentum has grown, beside its velocity.
+    Stretch,
 }
 
 /// The slot of the state that a binding is.
@@ -184,12 +186,13 @@ const KEPT: [&str; 22] = [
 ];
 
 /// Bindings of the state are named by a part and a slot, such as `x_in`.
-const STATE: [(&str, StatePart); 5] = [
+const STATE: [(&str, StatePart); 6] = [
     ("x", StatePart::X),
     ("v", StatePart::V),
     ("clock", StatePart::Clock),
     ("error", StatePart::Error),
     ("rest", StatePart::Rest),
+    ("stretch", StatePart::Stretch),
 ];
 const SLOTS: [(&str, Slot); 7] = [
     ("in", Slot::Input),

@@ -4,7 +4,7 @@ use super::names::Names;
 use super::skies::two_skies;
 use super::{Choice, Layer, ProgramError, Purpose, generated};
 use crate::model::{Pattern, Projection, Stereo, StereoLayout, Surface};
-use crate::scene::{Animation, Light, SamplePattern, Scene, Shadows, Tonemap};
+use crate::scene::{Animation, Light, Precision, SamplePattern, Scene, Shadows, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     // A film has one program for all places that its camera comes to.
@@ -73,7 +73,7 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
         names.all(&["picture/samples_all"]);
     }
     if choice.knows_shift(scene) {
-        names.add("picture/shift");
+        shift_parts(scene, choice, names);
         names.all(scene.law.momentum_parts());
     } else if choice.layers.contains(&Layer::Shift) {
         names.add("picture/shift_unknown");
@@ -93,6 +93,19 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
         names.make(generated::layers(&layers));
     }
     Ok(())
+}
+
+/// By how much light has shifted.
+fn shift_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    if !choice.follows_shift(scene) {
+        names.add("picture/shift");
+        return;
+    }
+    names.add("picture/shift_in_time");
+    names.add(match scene.rays.precision {
+        Precision::Double => "picture/stretch_buffer",
+        Precision::Single | Precision::Half => "picture/stretch_texture",
+    });
 }
 
 pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
@@ -138,7 +151,7 @@ pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) 
         patterns: &patterns,
         lights: &lights,
         paths: choice.follows_paths(scene),
-        shift: choice.knows_shift(scene),
+        shift: choice.knows_shift(scene) && !choice.follows_shift(scene),
         beaming,
     }));
 }

@@ -45,7 +45,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     let regions = &analysis.regions;
     names.make(generated::counts(scene, regions));
     names.add(if scene.law.throat().is_some() { "law/bound_mouths" } else { "law/bound" });
-    phase_parts(scene, &mut names);
+    phase_parts(scene, choice, &mut names);
     scatter_parts(scene, choice, regions, &mut names);
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
     schedule_parts(scene, choice, regions, &mut names);
@@ -175,8 +175,12 @@ fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
 }
 
 /// What a state is, and what the control remembers of it.
-fn phase_parts(scene: &Scene, names: &mut Names) {
-    names.add(if scene.law.carries_time() { "law/phase_spacetime" } else { "law/phase_space" });
+fn phase_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
+    names.add(match scene.law.carries_time() {
+        true if choice.follows_shift(scene) => "law/phase_stretched",
+        true => "law/phase_spacetime",
+        false => "law/phase_space",
+    });
     names.add(scene.rays.control.kind.memory);
 }
 

@@ -6,7 +6,7 @@ use super::unit::Unit;
 use super::{Choice, ProgramError, Purpose, formula, generated, spacetime};
 use crate::model::law::{Orbit, OrbitForm, SOLVED_PARTS};
 use crate::model::method::Path;
-use crate::model::{ClosedForm, Start};
+use crate::model::{ClosedForm, Start, Wgsl};
 use crate::scene::{Scene, Shadows};
 
 /// The parts of one kind of region.
@@ -16,7 +16,6 @@ pub(super) fn region_parts(
     regions: &Regions,
     kind: &RegionKind,
 ) -> Result<Vec<Unit>, ProgramError> {
-    let purpose = choice.purpose;
     let mut names = Names::default();
     names.add(if kind.leaps { "motion/leap_sphere" } else { "motion/leap_none" });
     if let Some(index) = &kind.index {
@@ -40,7 +39,7 @@ pub(super) fn region_parts(
     let orbit = kind.motion == Motion::Law && scene.rays.method.kind.path == Path::Orbit;
     names.add(if orbit { "motion/orbit" } else { "motion/bare_steps" });
     match kind.motion {
-        Motion::Law => law_motion(scene, purpose, &mut names)?,
+        Motion::Law => law_motion(scene, choice, &mut names)?,
         Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names)?,
         Motion::Solved => {
             names.all(&SOLVED_PARTS);
@@ -86,7 +85,7 @@ fn closed_motion(
 }
 
 /// The scene's own law, by the scene's own method.
-fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), ProgramError> {
+fn law_motion(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), ProgramError> {
     let on_orbit = scene.rays.method.kind.path == Path::Orbit;
     let [path, pace] = scene.law.pace();
     let orbit = scene.law.orbit();
@@ -97,11 +96,15 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
         }
         None => names.all(&[path, pace]),
     }
-    let shoots = purpose == Purpose::Lit || scene.has_shadows(Shadows::Shooting);
+    let shoots = choice.purpose == Purpose::Lit || scene.has_shadows(Shadows::Shooting);
     if let Some(orbit) = orbit.filter(|_| on_orbit || scene.rays.asymptotic || shoots) {
         names.all(&orbit.parts());
     }
-    names.wgsl(scene.law.parts())?;
+    let stretched = |part: Wgsl| {
+        let follows = part == Wgsl::Part("law/by_time".into()) && choice.follows_shift(scene);
+        if follows { Wgsl::Part("law/by_time_stretched".into()) } else { part }
+    };
+    names.wgsl(scene.law.parts().into_iter().map(stretched))?;
     if let Some(curve) = scene.law.curve() {
         names.make(formula::curve(&curve.curve));
     }
@@ -110,7 +113,7 @@ fn law_motion(scene: &Scene, purpose: Purpose, names: &mut Names) -> Result<(), 
     }
     if let Some(orbit) = orbit.filter(|_| on_orbit) {
         names.add("motion/closed");
-        orbit_parts(scene, &orbit, purpose, names);
+        orbit_parts(scene, &orbit, choice.purpose, names);
         return Ok(());
     }
     names.add("method/first_derivative");

@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 25] = [
+const OPTIONAL: [&str; 27] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -86,6 +86,8 @@ const OPTIONAL: [&str; 25] = [
     "pass_throat",
     "note_frequency",
     "note_matter",
+    "note_sky",
+    "note_end",
     "beam_sky",
     "add_order",
 ];

@@ -26,10 +26,11 @@ fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
     [found[2], found[1], found[0]]
 }
 
-/// What the shader is fed of light's frequency: K's part in time, which is linear in the direction that it is seen in.
+/// What the shader is fed of light's frequency: K's part in time, which is linear in the direction that it is seen in. It is the lowered one,
+/// which is kept; under a law that changes with t the other, which says how much of K's place in space is by the way.
 pub fn frequency(law: &dyn Law, camera: &Camera) -> Option<Row> {
     let metric = law.metric(camera.position)?;
-    let of = |k: DVec4| metric.w_axis.dot(k);
+    let of = |k: DVec4| if law.is_stationary() { metric.w_axis.dot(k) } else { -k.w };
     let [along_x, along_y, along_z, rest] = axes(law, camera)?.map(of);
     Some(row! { along: Vec3(DVec3::new(along_x, along_y, along_z)), rest: Float(rest) })
 }

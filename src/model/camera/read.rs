@@ -35,7 +35,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let shift = table.or("shift", false, boolean);
     if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_parts().is_empty()) {
         let problem = "light has a frequency only for an observer, and by a law that says it";
-        let help = "choose a `frame`, with a law of a hole or a wormhole, or a \"metric\" without t";
+        let help = "choose a `frame`, with a law of a hole, of a wormhole or by a line element";
         table.fault(&["shift"], problem, help);
     }
     let stereo = stereo(&table, size);

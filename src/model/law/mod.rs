@@ -102,6 +102,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         false
     }
 
+    /// Is it the same at all times?
+    fn is_stationary(&self) -> bool {
+        true
+    }
+
     /// How long its loops are.
     fn loops(&self) -> Loops {
         Loops::default()

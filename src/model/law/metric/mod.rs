@@ -149,6 +149,10 @@ impl Law for Metric {
         self.element.depends_on_time()
     }
 
+    fn is_stationary(&self) -> bool {
+        !self.element.depends_on_time()
+    }
+
     fn line_element(&self) -> Option<&LineElement> {
         Some(&self.element)
     }
@@ -220,11 +224,11 @@ impl Law for Metric {
     }
 
     fn momentum_parts(&self) -> &'static [&'static str] {
-        if self.carries_time() { &[] } else { &["law/momentum/metric"] }
+        if self.is_stationary() { &["law/momentum/metric"] } else { &["law/momentum/metric_in_time"] }
     }
 
     fn equator(&self) -> Option<[DVec3; 2]> {
-        self.is_axisymmetric().then(|| [self.center, self.axis()])
+        (self.is_stationary() && self.is_axisymmetric()).then(|| [self.center, self.axis()])
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {

@@ -1,0 +1,13 @@
+// By a line element that changes with t. With U = (v, −1) it is gU.
+
+// Of light that goes into the past from x along d, but for a factor; tau before the picture was taken.
+fn law_momentum_at(x: Real3, d: Real3, tau: Real) -> Real4 {
+    let m = metric_at(x - law.center, law.time - tau);
+    let v = as_light(m, d);
+    return Real4(metric_lowered(m, v) - m.shift, dot(m.shift, v) - m.clock);
+}
+
+// −g_tt.
+fn law_clock_at(x: Real3, tau: Real) -> Real {
+    return -metric_at(x - law.center, law.time - tau).clock;
+}

@@ -1,0 +1,47 @@
+// By how much light has shifted on its way, g, under a law that changes with t: its frequency as the observer at the camera sees it over
+// what its source gave it. Nothing is the same all along its way, so that its momentum kU is followed: light of frequency 1 at the camera
+// has k = −K^t there. Where matter of four-velocity u sent it, its frequency is u·kU.
+
+struct Frequency {
+    // −K^t is linear in the camera's direction.
+    along: Real3,
+    rest: Real,
+}
+
+@group(0) @binding(168) var<uniform> frequency: Frequency;
+
+// k at the camera, and ln of its growth up to the path's end.
+var<private> ray_scale: Real;
+var<private> ray_stretch: Real;
+// Of what the ray saw, if it saw anything.
+var<private> seen_shift: Real;
+
+fn note_end(p: Phase) {
+    ray_stretch = p[0].w;
+}
+
+fn note_frequency(pixel: vec2u, ray: Ray) {
+    ray_scale = frequency.rest + dot(frequency.along, picture_ray(pixel).d);
+    seen_shift = 0.0;
+}
+
+// What sends the sky's light rests in these coordinates.
+fn note_sky(ray: Ray, end: PathPoint) {
+    if ray.status == ESCAPED || ray.status == MISSED {
+        note_shift(end, rest_at(end.x, end.tau));
+    }
+}
+
+fn note_matter(material: Material, end: PathPoint) {
+    note_shift(end, rest_at(end.x, end.tau));
+}
+
+fn note_shift(end: PathPoint, u: Real4) {
+    let momentum = law_momentum_at(end.x, normalize(end.v), end.tau);
+    seen_shift = real_exp(-ray_stretch) / (ray_scale * dot(u, momentum));
+}
+
+// u of what is at rest; where nothing can be no light comes from there.
+fn rest_at(x: Real3, tau: Real) -> Real4 {
+    return Real4(0.0, 0.0, 0.0, inverseSqrt(max(law_clock_at(x, tau), 1e-30)));
+}
