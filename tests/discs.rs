@@ -77,9 +77,14 @@ fn discs_of_holes_without_spin_are_alike() {
             let (own_edge, own_orbits) = matter::orbits(&*own.law, 60.0, 512).unwrap();
             assert_eq!(edge, own_edge, "{law}");
             for (a, b) in orbits.iter().zip(&own_orbits).skip(edge) {
-                let pairs = [(a.energy, b.energy), (a.momentum, b.momentum), (a.u.z, b.u.z), (a.turning(), b.turning())];
+                let pairs =
+                    [(a.energy, b.energy), (a.momentum, b.momentum), (a.u.z, b.u.z), (a.turning(), b.turning())];
                 let off = pairs.iter().map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max);
-                assert!(off < 1e-9 && (a.flux - b.flux).abs() <= 1e-6 * a.flux.abs() + 1e-12, "{law} at {}: {off:e}", a.rho);
+                assert!(
+                    off < 1e-9 && (a.flux - b.flux).abs() <= 1e-6 * a.flux.abs() + 1e-12,
+                    "{law} at {}: {off:e}",
+                    a.rho
+                );
             }
             let pictures = [&told, &own].map(rendered);
             let off = shifts(&pictures[0]).iter().zip(shifts(&pictures[1])).map(|(a, b)| (a - b).abs());
@@ -94,7 +99,10 @@ fn discs_of_holes_without_spin_are_alike() {
 #[test]
 fn observers_round_holes_without_spin_move_as_they_should() {
     for law in ["kind = \"schwarzschild\"", "kind = \"reissner-nordstrom\"\ncharge = 0.5\ncosmological = 0.0003"] {
-        let law = scene(&format!("[law]\n{law}\nmass = 1.5\ncenter = [1, 2, 3]\naxis = [0, 3, 4]\n[rays]\nbound = {{ radius = 60 }}\n")).law;
+        let law = scene(&format!(
+            "[law]\n{law}\nmass = 1.5\ncenter = [1, 2, 3]\naxis = [0, 3, 4]\n[rays]\nbound = {{ radius = 60 }}\n"
+        ))
+        .law;
         let axis = DVec3::new(0.0, 0.6, 0.8);
         let x = 11.0 * DVec3::new(0.0, 0.8, -0.6);
         let metric = law.metric(DVec3::new(1.0, 2.0, 3.0) + x).unwrap();

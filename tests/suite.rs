@@ -40,6 +40,7 @@ mod shifts;
 mod sky_light;
 mod spacetimes;
 mod structure;
+mod travels;
 mod tree;
 mod wormholes;
 mod written_media;

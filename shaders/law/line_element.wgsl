@@ -20,6 +20,11 @@ fn metric_lowered(m: Metric, a: Real3) -> Real3 {
     return m.own * a + m.mixed.zzy * a.yxx + Real3(m.mixed.y * a.z, m.mixed.x * a.z, m.mixed.x * a.y);
 }
 
+// g(k, k).
+fn metric_square(m: Metric, k: Real4) -> Real {
+    return dot(k.xyz, metric_lowered(m, k.xyz) + (2.0 * k.w) * m.shift) + m.clock * k.w * k.w;
+}
+
 // γ by its Cholesky factor: 1/ of its diagonal, and what is below that, yx, zx, zy.
 struct Factor {
     inverse: Real3,

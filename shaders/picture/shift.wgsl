@@ -25,7 +25,9 @@ fn note_matter(material: Material, end: PathPoint) {
     seen_shift = momentum.w / (ray_energy * dot(surface_matter(material, end.x), momentum));
 }
 
-// u of what is at rest; where nothing can be no light comes from there.
+// u of what is at rest, or moves as it is said of an object; where nothing can move so no light comes from there.
 fn matter_at_rest(x: Real3) -> Real4 {
-    return Real4(0.0, 0.0, 0.0, inverseSqrt(max(law_clock(x), 1e-30)));
+    var k = Real4(0.0, 0.0, 0.0, 1.0);
+    add_travel(&k);
+    return k * inverseSqrt(max(-law_square(x, k), 1e-30));
 }

@@ -28,20 +28,20 @@ fn note_frequency(pixel: vec2u, ray: Ray) {
 // What sends the sky's light rests in these coordinates.
 fn note_sky(ray: Ray, end: PathPoint) {
     if ray.status == ESCAPED || ray.status == MISSED {
-        note_shift(end, rest_at(end.x, end.tau));
+        note_shift(end, Real4(0.0, 0.0, 0.0, 1.0));
     }
 }
 
+// What is seen rests, or moves as it is said of an object.
 fn note_matter(material: Material, end: PathPoint) {
-    note_shift(end, rest_at(end.x, end.tau));
+    var k = Real4(0.0, 0.0, 0.0, 1.0);
+    add_travel(&k);
+    note_shift(end, k);
 }
 
-fn note_shift(end: PathPoint, u: Real4) {
+// k: four-velocity of the source, but for its length; where nothing can move so no light comes from there.
+fn note_shift(end: PathPoint, k: Real4) {
+    let u = k * inverseSqrt(max(-law_square_at(end.x, k, end.tau), 1e-30));
     let momentum = law_momentum_at(end.x, normalize(end.v), end.tau);
     seen_shift = real_exp(-ray_stretch) / (ray_scale * dot(u, momentum));
-}
-
-// u of what is at rest; where nothing can be no light comes from there.
-fn rest_at(x: Real3, tau: Real) -> Real4 {
-    return Real4(0.0, 0.0, 0.0, inverseSqrt(max(law_clock_at(x, tau), 1e-30)));
 }

@@ -19,6 +19,7 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     for (var i = 0u; i <= STOP_STEPS; i++) {
         work += 1u;
         p = retaken_step(step.phase, h);
+        note_passage(p, step.tau + own_tau(step.phase, p, h));
         if there {
             break;
         }

@@ -48,6 +48,7 @@ fn store_ray(pixel: vec2u, ray: Ray) {
 fn load_segment(pixel: vec2u) -> Segment {
     let start = start_state(pixel);
     let end = end_state(pixel);
+    note_segment(start[0].w);
     let before = path_velocity(start[1].xyz);
     let after = path_velocity(end[1].xyz);
     return Segment(start[0].xyz, before, end[0].xyz, after, taken_step(pixel));

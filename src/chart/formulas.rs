@@ -139,7 +139,7 @@ pub fn spiral_plot<'n>(ratio: f64, psis: &[f64], names: &'n [String]) -> PathPlo
     let plane = CutPlane { point: DVec3::ZERO, right: DVec3::X, up: DVec3::Y };
     let line = |(psi, name): (&f64, &'n String)| PathLine { curve: spiral(ratio, *psi), status: name };
     let place = Transform::new(DVec3::ONE, DVec3::ZERO, DVec3::ZERO);
-    let sphere = Object { shape: Arc::new(Sphere), transform: place, substance: Substance::Opaque(0) };
+    let sphere = Object::new(Arc::new(Sphere), place, Substance::Opaque(0));
     let surfaces = vec![CrossSection { kind: SurfaceKind::Medium, outlines: sphere.cut(&plane) }];
     PathPlot { surfaces, range: PlotRange::Objects, ..PathPlot::new(plane, psis.iter().zip(names).map(line).collect()) }
 }

@@ -227,6 +227,10 @@ impl Source<'_> {
                 }
                 Segment::Chord { .. } => Ok(None),
             },
+            "moving_arcs" => match self.scene.rays.segment {
+                Segment::Arc { tolerance } => one(&[("tolerance", Float(tolerance))]),
+                Segment::Chord { .. } => Ok(None),
+            },
             "sky" => one(&sky_values(&self.scene.sky)),
             "beyond_sky" => self.scene.beyond.as_ref().map_or(Ok(None), |sky| one(&sky_values(sky))),
             "grid_space" => match &self.geometry.structure.grid {

@@ -21,6 +21,8 @@ pub struct PlacedShape {
     pub bit: Option<u32>,
     /// Index into the scene's objects.
     pub object: u32,
+    /// Does it move?
+    pub moves: bool,
 }
 
 /// A solid in the upper bits of a primitive.
@@ -72,10 +74,11 @@ impl Geometry {
                 Some(mesh) => geometry.add_mesh(object, mesh, i as u32),
                 None => geometry.add_placed(object, i as u32),
             }
-            geometry.boxes.push(object.bounds());
+            geometry.boxes.push(scene.swept(object));
         }
         for shapes in geometry.placed.values_mut() {
-            shapes.sort_by_key(|shape| shape.bit.is_some());
+            // In lists are those on which rays end, then those with sides; those that move are behind both.
+            shapes.sort_by_key(|shape| (shape.moves, shape.bit.is_some()));
         }
         let structure = geometry.analysis.structure.clone();
         geometry.build(&structure, before);
@@ -116,6 +119,7 @@ impl Geometry {
             material: self.materials[index as usize],
             object: index,
             bit: self.analysis.regions.bit(index as usize).map(|bit| bit as u32),
+            moves: object.travel.is_some(),
         });
     }
 
@@ -152,7 +156,7 @@ impl Geometry {
         let mut items = Vec::new();
         for (kind, shapes) in self.placed.iter().filter(|(kind, _)| holds(structure, kind)) {
             let code = code(kind);
-            for (i, shape) in shapes.iter().enumerate().filter(|(_, shape)| shape.bit.is_none()) {
+            for (i, shape) in shapes.iter().enumerate().filter(|(_, shape)| shape.bit.is_none() && !shape.moves) {
                 let (lo, hi) = self.boxes[shape.object as usize];
                 items.push(Item { primitive: code | i as u32, lo: lo.as_vec3(), hi: hi.as_vec3() });
             }

@@ -13,7 +13,7 @@ use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint4, Vec3};
 use crate::model::camera::{frequency, observer};
 use crate::model::shape::{SOLIDS, Solid};
-use crate::model::{Binding, Capture, Material, Row, row};
+use crate::model::{Binding, Capture, Material, Object, Row, Travel, row};
 use crate::program::{Layout, Obstacle, constant};
 use crate::scene::{Clear, Lamp, Light, LightSource, Segment, Shadows};
 
@@ -64,7 +64,7 @@ impl Source<'_> {
             let side = |shape: &PlacedShape| {
                 shape.bit.map(|bit| [(lists.row)(&shape.placed), row! { bit: Uint(bit) }].concat())
             };
-            let opaque = all.iter().filter(|shape| shape.bit.is_none()).map(test).collect();
+            let opaque = all.iter().filter(|shape| shape.bit.is_none() && !shape.moves).map(test).collect();
             let two_sided = all.iter().filter_map(side).collect();
             let placed = all.iter().map(placed_row).collect();
             Some([
@@ -103,6 +103,7 @@ impl Source<'_> {
                 let rows = positions.take(anchors.len().max(1)).map(|position| [("position", Vec3(position))]);
                 pack(name, layout, rows).map(Some)
             }
+            "travels" => pack(name, layout, self.travels()).map(Some),
             "obstacles" => pack(name, layout, g.analysis.regions.obstacles.iter().map(obstacle)).map(Some),
             "touching" => pack(name, layout, self.touching()).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
@@ -262,6 +263,15 @@ impl Source<'_> {
         lights.chain(guide).zip(self.fields).map(row).collect()
     }
 
+    /// How objects move, and what primitives they are.
+    fn travels(&self) -> Vec<Row> {
+        let time = self.scene.camera.as_ref().map_or(0.0, |camera| camera.time);
+        let row = |(i, object, travel): (usize, &Object, &Travel)| -> Row {
+            [travel.values(object.ball(), time), row! { item: Uint(self.geometry.primitive(i)) }].concat()
+        };
+        self.scene.travels().map(row).collect()
+    }
+
     /// What segments may be near: of each list the shapes on which rays end, then those that they cross, then the
     /// parts of the structure.
     fn surroundings(&self) -> Vec<Row> {
@@ -281,7 +291,7 @@ impl Source<'_> {
         let held = |name: &str| g.analysis.structure.solids.iter().any(|solid| solid.name == name);
         let opaque = g.placed.iter().filter(|(name, _)| !held(name)).flat_map(|(_, shapes)| shapes);
         let sided = g.placed.values().flatten().filter(|shape| shape.bit.is_some());
-        let listed = opaque.filter(|shape| shape.bit.is_none()).chain(sided).map(shape);
+        let listed = opaque.filter(|shape| shape.bit.is_none() && !shape.moves).chain(sided).map(shape);
         let part = |[lo, hi]: [DVec3; 2]| row((0.5 * (lo + hi), 0.5 * lo.distance(hi)), DVec3::ZERO);
         listed.chain(g.structure.parts().map(part)).collect()
     }

@@ -38,7 +38,7 @@ pub use method::Method;
 pub use motion::{CIRCLE, ClosedForm, HARMONIC, PARABOLA, SPIRAL, STRAIGHT, Start};
 pub use part::{Loops, OwnWgsl, Promise, Wgsl};
 pub use same::Same;
-pub use shape::{Object, Shape, Substance};
+pub use shape::{Object, Shape, Substance, Travel};
 pub use source::{Anchor, Capture, Source};
 pub use value::{Binding, Row, Value};
 

@@ -32,12 +32,14 @@ pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]
     text
 }
 
-/// Where a piece meets an item of the structure, and the surface of a primitive.
-pub(super) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid]) -> Unit {
+/// Where a piece meets an item of the structure, or one that moves, and the surface of a primitive; of one that moves, at rest.
+pub(super) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid], moving: &[&Solid]) -> Unit {
     let case = |solid: &&Solid, call: String| (solid.name.to_uppercase(), call);
     let surface = |solid: &&Solid| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
     let fraction = |solid: &&Solid| format!("{}_fraction(item & PRIMITIVE_INDEX, a, d)", solid.name);
     let surfaces: Vec<_> = all.iter().map(|solid| case(solid, surface(solid))).collect();
+    let travelling: Vec<_> =
+        all.iter().filter(|solid| moving.contains(solid)).map(|solid| case(solid, fraction(solid))).collect();
     let fractions: Vec<_> = structure.solids.iter().map(|solid| case(solid, fraction(solid))).collect();
     let mut text = String::new();
     if let Some((first, _)) = fractions.first() {
@@ -45,7 +47,14 @@ pub(super) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid]) -> U
         text += &switch(signature, "item & ~PRIMITIVE_INDEX", &fractions);
         let _ = writeln!(text, "\nconst ITEM_KIND: u32 = {first};\n");
     }
-    text += &switch("fn hit_surface(primitive: u32, x: Real3) -> Surface", "primitive & ~PRIMITIVE_INDEX", &surfaces);
+    if !travelling.is_empty() {
+        let signature = "fn moving_fraction(item: u32, a: Real3, d: Real3) -> Real";
+        text += &switch(signature, "item & ~PRIMITIVE_INDEX", &travelling);
+        text += "\n";
+    }
+    let name = if moving.is_empty() { "hit_surface" } else { "resting_surface" };
+    let signature = format!("fn {name}(primitive: u32, x: Real3) -> Surface");
+    text += &switch(&signature, "primitive & ~PRIMITIVE_INDEX", &surfaces);
     unit("generated/shapes.wgsl", text)
 }
 
@@ -146,9 +155,11 @@ pub fn shots(scene: &Scene) -> usize {
     }
 }
 
-/// How many shapes of a solid rays go on from, or end on.
+/// How many shapes of a solid at rest rays go on from, or end on.
 fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usize {
-    let is = |(i, object): &(usize, &Object)| object.solid() == solid && regions.bit(*i).is_some() == sided;
+    let is = |(i, object): &(usize, &Object)| {
+        object.solid() == solid && regions.bit(*i).is_some() == sided && object.travel.is_none()
+    };
     scene.objects.iter().enumerate().filter(is).count()
 }
 
@@ -375,6 +386,7 @@ pub(super) fn counts(scene: &Scene, regions: &Regions) -> Unit {
         count(&format!("SIDED_{code}"), count_of(scene, regions, solid, true));
     }
     count("CAPTURE", scene.captures(None).len());
+    count("TRAVEL", scene.travels().count());
     let aims = scene.law.anchors().len();
     count("AIM", aims.max(1));
     let _ = writeln!(text, "const HAS_AIMS: bool = {};\nconst SHOTS: u32 = {}u;", aims > 0, shots(scene));

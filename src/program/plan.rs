@@ -211,7 +211,11 @@ fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), Pr
             names.all(&["segment/follow_step", "segment/quick_same"]);
             let kept = stepped && choice.schedule == Schedule::Whole;
             names.add(if kept { "segment/last_kept" } else { "segment/last_retaken" });
-            names.all(if hits { &["segment/end_on_arc"] } else { &["segment/end_open", "segment/stop_open"] });
+            names.all(match hits {
+                true if scene.travels().next().is_some() => &["segment/end_on_moving"],
+                true => &["segment/end_on_arc"],
+                false => &["segment/end_open", "segment/stop_open"],
+            });
         }
         Segment::Chord { steps } => {
             let planned = scene.rays.control.kind.tries.is_none() && scene.rays.method.kind.path == Path::Steps;
@@ -242,10 +246,19 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysi
         (true, _) => &["segment/walk_resumed"],
     });
     let leaps = regions.kinds.iter().any(|kind| kind.leaps);
-    names.add(if leaps { "segment/hit_leaping" } else { "segment/hit_direct" });
+    let moving = solids(scene.travels().map(|(_, object, _)| object));
+    names.add(match leaps {
+        _ if !moving.is_empty() => "segment/hit_moving",
+        true => "segment/hit_leaping",
+        false => "segment/hit_direct",
+    });
+    if !moving.is_empty() {
+        names.add("shape/moving");
+    }
     names.each("shape", all.iter().map(|solid| solid.name));
     let with_side = |side: bool| {
-        let objects = scene.objects.iter().enumerate().filter(move |(i, _)| regions.bit(*i).is_some() == side);
+        let still = scene.objects.iter().enumerate().filter(|(_, object)| object.travel.is_none());
+        let objects = still.filter(move |(i, _)| regions.bit(*i).is_some() == side);
         solids(objects.map(|(_, object)| object))
     };
     let (mut listed, mut sided) = (with_side(false), with_side(true));
@@ -265,7 +278,7 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysi
         names.add(if structure.in_order() { "segment/order_same" } else { "segment/order_listed" });
         names.each("segment/structure", [structure.search.name()]);
     }
-    names.make(generated::shapes(analysis, &all));
+    names.make(generated::shapes(analysis, &all, &moving));
     names.make(if structure.near {
         generated::near(scene, analysis, &listed, &sided)
     } else {

@@ -66,7 +66,7 @@ impl Structure {
     pub(super) fn of(scene: &Scene, regions: &Regions) -> Self {
         let listed = || {
             let opaque = scene.objects.iter().enumerate().filter(|(i, _)| regions.bit(*i).is_none());
-            opaque.map(|(_, object)| object)
+            opaque.map(|(_, object)| object).filter(|object| object.travel.is_none())
         };
         let count = |solid: &Solid| listed().filter(|object| object.solid() == solid).count();
         let shapes = listed().filter(|object| object.shape.mesh().is_none()).count();

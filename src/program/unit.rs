@@ -62,7 +62,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 27] = [
+const OPTIONAL: [&str; 30] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -88,6 +88,9 @@ const OPTIONAL: [&str; 27] = [
     "note_matter",
     "note_sky",
     "note_end",
+    "note_segment",
+    "note_passage",
+    "add_travel",
     "beam_sky",
     "add_order",
 ];

@@ -55,7 +55,9 @@ impl Work {
             Segment::Arc { .. } if regions.kinds.iter().all(RegionKind::is_line) => (1, 1),
             Segment::Arc { .. } => (1, constant("segment/curve_arc", "MAX_PIECES") as u64),
         };
-        let is_listed = |(i, object): &(usize, &Object)| regions.bit(*i).is_some() || !structure.holds(object.solid());
+        let is_listed = |(i, object): &(usize, &Object)| {
+            object.travel.is_none() && (regions.bit(*i).is_some() || !structure.holds(object.solid()))
+        };
         let listed = scene.objects.iter().enumerate().filter(is_listed).count() as u64;
         // Where a ray goes on from a surface its last step is taken again, a few times over.
         let touching = regions.touching.count() as u64;
@@ -67,13 +69,20 @@ impl Work {
         let retaken =
             u64::from(scene.rays.method.kind.evaluations) * loops.derivative + loops.scale + closed_loops(regions);
         let (filter_pieces, filter) = filtering(scene, retaken);
+        // Asked for once, met in pieces, and asked for again at a path's end.
+        let travels = scene.travels().count() as u64;
+        let moving = travels
+            * (4 + constant("segment/hit_moving", "MOVING_PIECES") as u64
+                + constant("segment/path_end", "STOP_STEPS") as u64);
         // A grid is walked piece by piece.
         let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 1);
-        let segment = steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter + filter;
+        let segment =
+            steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter + filter + moving;
         if segment > LARGEST {
             let what = [
                 (steps * step, "force centres"),
                 (pieces * listed, "shapes in lists"),
+                (moving, "objects that move"),
                 (place, "triangles in the same place, or `accelerate = \"bvh\"`"),
             ];
             let (_, what) = what.into_iter().max_by_key(|(work, _)| *work).unwrap_or_default();

@@ -55,14 +55,14 @@ impl Scene {
     /// Where there is no such material.
     pub fn add(&mut self, shape: impl Shape, transform: Transform, material: usize) {
         assert!(material < self.materials.len(), "there is no material {material}");
-        self.objects.push(Object { shape: Arc::new(shape), transform, substance: Substance::Opaque(material) });
+        self.objects.push(Object::new(Arc::new(shape), transform, Substance::Opaque(material)));
     }
 
     /// Adds a shape in a place, filled with a medium that light goes through. Of interiors that overlap, the one of the higher
     /// priority is there.
     pub fn add_interior(&mut self, shape: impl Shape, transform: Transform, medium: impl Medium, priority: u32) {
         let substance = Substance::Clear(Interior { priority, ..Interior::new(Arc::new(medium)) });
-        self.objects.push(Object { shape: Arc::new(shape), transform, substance });
+        self.objects.push(Object::new(Arc::new(shape), transform, substance));
     }
 }
 

@@ -31,7 +31,7 @@ pub use crate::model::cut::{CORNERS, CutPlane, Outline};
 pub use crate::model::filter::{Density, Look, Texture};
 pub use crate::model::{
     Camera, CameraFrame, Control, Filter, Gloss, Interior, Law, Material, Medium, Method, Object, Pattern, Shape,
-    Stereo, StereoLayout, Substance, Surface,
+    Stereo, StereoLayout, Substance, Surface, Travel,
 };
 pub use followed::follow_as;
 pub use guide::Beam;
@@ -129,6 +129,27 @@ impl Scene {
         Some(match self.rays.auto?.accuracy {
             Accuracy::Radians(angle) => angle,
             Accuracy::Pixels(part) => part * self.pixel_angle().unwrap_or(1e-3),
+        })
+    }
+
+    /// The objects that move, by their places in the file.
+    pub fn travels(&self) -> impl Iterator<Item = (usize, &Object, &Travel)> {
+        let own = |(i, object): (usize, _)| -> Option<(usize, &Object, &Travel)> {
+            let object: &Object = object;
+            Some((i, object, object.travel.as_ref()?))
+        };
+        self.objects.iter().enumerate().filter_map(own)
+    }
+
+    /// A box about all places that an object comes to: lower and upper corner.
+    #[must_use]
+    pub fn swept(&self, object: &Object) -> (DVec3, DVec3) {
+        let Some(travel) = &object.travel else { return object.bounds() };
+        travel.swept(object.ball()).unwrap_or_else(|| {
+            let Bound { radius, .. } = self.rays.bound;
+            let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+            let spheres = self.rays.bound.centers(Some(&*self.law));
+            spheres.iter().fold(nothing, |(lo, hi), center| (lo.min(center - radius), hi.max(center + radius)))
         })
     }
 

@@ -17,6 +17,6 @@ pub fn add_throat(law: &dyn Law, materials: &mut Vec<Material>, objects: &mut Ve
     let substance = Substance::Opaque(materials.len() - 1);
     for mouth in throat.mouths {
         let transform = Transform::new(DVec3::splat(throat.radius), DVec3::ZERO, mouth);
-        objects.push(Object { shape: Arc::new(Sphere), transform, substance: substance.clone() });
+        objects.push(Object::new(Arc::new(Sphere), transform, substance.clone()));
     }
 }

@@ -8,7 +8,9 @@ fn law_momentum(x: Real3, d: Real3) -> Real4 {
     return Real4(v + dragged * g.l, 1.0 + dragged);
 }
 
-// −g_tt.
-fn law_clock(x: Real3) -> Real {
-    return 1.0 - kerr_schild(x - law.center).f;
+// g(k, k).
+fn law_square(x: Real3, k: Real4) -> Real {
+    let g = kerr_schild(x - law.center);
+    let along = dot(g.l, k.xyz) + k.w;
+    return dot(k.xyz, k.xyz) - k.w * k.w + g.f * along * along;
 }

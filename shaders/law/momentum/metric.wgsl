@@ -7,7 +7,7 @@ fn law_momentum(x: Real3, d: Real3) -> Real4 {
     return Real4(metric_lowered(m, v) - m.shift, dot(m.shift, v) - m.clock);
 }
 
-// −g_tt.
-fn law_clock(x: Real3) -> Real {
-    return -metric_at(x - law.center, 0.0).clock;
+// g(k, k).
+fn law_square(x: Real3, k: Real4) -> Real {
+    return metric_square(metric_at(x - law.center, 0.0), k);
 }

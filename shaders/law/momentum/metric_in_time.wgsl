@@ -7,7 +7,7 @@ fn law_momentum_at(x: Real3, d: Real3, tau: Real) -> Real4 {
     return Real4(metric_lowered(m, v) - m.shift, dot(m.shift, v) - m.clock);
 }
 
-// −g_tt.
-fn law_clock_at(x: Real3, tau: Real) -> Real {
-    return -metric_at(x - law.center, law.time - tau).clock;
+// g(k, k) then.
+fn law_square_at(x: Real3, k: Real4, tau: Real) -> Real {
+    return metric_square(metric_at(x - law.center, law.time - tau), k);
 }

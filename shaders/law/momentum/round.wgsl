@@ -8,3 +8,12 @@ fn law_momentum(x: Real3, d: Real3) -> Real4 {
     let across = d - radial * n;
     return Real4(across + (radial / clock) * n, sqrt(radial * radial + clock * dot(across, across)));
 }
+
+// g(k, k).
+fn law_square(x: Real3, k: Real4) -> Real {
+    let n = normalize(x - law.center);
+    let clock = law_clock(x);
+    let radial = dot(k.xyz, n);
+    let across = k.xyz - radial * n;
+    return radial * radial / clock + dot(across, across) - clock * k.w * k.w;
+}

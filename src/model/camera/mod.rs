@@ -91,6 +91,8 @@ pub struct Camera {
     pub projection: Arc<dyn Projection>,
     /// Whose directions the camera's are.
     pub frame: CameraFrame,
+    /// t when the picture is taken.
+    pub time: f64,
     /// Is light as bright and as coloured as its shift makes it?
     pub shift: bool,
     /// Two eyes, if the picture is a pair of views.
@@ -124,7 +126,17 @@ impl Camera {
         let forward = (at - position).try_normalize()?;
         let right = forward.cross(up).try_normalize()?;
         let frame = CameraFrame::Coordinate;
-        Some(Self { position, forward, right, up: right.cross(forward), projection, frame, shift: false, stereo: None })
+        Some(Self {
+            position,
+            forward,
+            right,
+            up: right.cross(forward),
+            projection,
+            frame,
+            time: 0.0,
+            shift: false,
+            stereo: None,
+        })
     }
 
     /// Where rays start: one place, or two.

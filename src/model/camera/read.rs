@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Camera, KINDS, Stereo, StereoLayout};
 use crate::document::Node;
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, boolean, direction, positive, vector, word};
+use crate::document::values::{Read, boolean, direction, number, positive, vector, word};
 use crate::model::law::OBSERVER_PART;
 use crate::model::{CameraFrame, Law, Order};
 
@@ -32,6 +32,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
         };
         table.fault(&["frame"], problem, help);
     }
+    let time = table.or("time", 0.0, number);
     let shift = table.or("shift", false, boolean);
     if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_parts().is_empty()) {
         let problem = "light has a frequency only for an observer, and by a law that says it";
@@ -41,10 +42,11 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let stereo = stereo(&table, size);
     let camera = position.and_then(|position| {
         let [forward, right, up] = axes(&table, position, look_at, up)?;
-        Some(Camera { position, forward, right, up, projection: projection?, frame, shift, stereo })
+        Some(Camera { position, forward, right, up, projection: projection?, frame, time, shift, stereo })
     });
     if let (Some(camera), Some(law)) = (&camera, law) {
-        check_against_law(&table, camera, law);
+        let then = law.later(time);
+        check_against_law(&table, camera, then.as_deref().unwrap_or(law));
     }
     table.finish();
     camera

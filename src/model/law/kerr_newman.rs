@@ -172,6 +172,10 @@ impl Law for KerrNewman {
         Order::General
     }
 
+    fn keeps_time(&self) -> bool {
+        true
+    }
+
     /// At the orbit of light that is nearest to the hole, or where something lies further in just outside the horizon.
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let near = NEAR * self.mass;

@@ -107,6 +107,17 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         true
     }
 
+    /// The law at a time so much later, where that is another.
+    fn later(&self, time: f64) -> Option<Arc<dyn Law>> {
+        let _ = time;
+        None
+    }
+
+    /// Is its τ the time that light takes, in the scene's units?
+    fn keeps_time(&self) -> bool {
+        false
+    }
+
     /// How long its loops are.
     fn loops(&self) -> Loops {
         Loops::default()
@@ -212,6 +223,12 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
     fn metric(&self, x: DVec3) -> Option<DMat4> {
         let _ = x;
         None
+    }
+
+    /// That at a time so much later.
+    fn metric_later(&self, x: DVec3, time: f64) -> Option<DMat4> {
+        let _ = time;
+        self.metric(x)
     }
 
     /// The four-velocity of an observer there, under laws that have a metric; or why there can be none, as what follows the camera's

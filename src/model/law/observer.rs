@@ -136,6 +136,10 @@ impl RoundHole {
         let inwards = (1.0 - self.clock).sqrt();
         let u = (-inwards * self.offset.normalize()).extend(1.0 / self.clock);
         let help = "there charge or Λ has turned it round: use frame = \"moving\" and camera.velocity";
-        if inwards.is_finite() { Ok(u) } else { Err(["is where nothing has fallen from rest".to_owned(), help.to_owned()]) }
+        if inwards.is_finite() {
+            Ok(u)
+        } else {
+            Err(["is where nothing has fallen from rest".to_owned(), help.to_owned()])
+        }
     }
 }

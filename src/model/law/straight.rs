@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat4, DVec3, DVec4};
 
-use super::{Invariant, Kind, Law, Order, USUAL_PARTS};
+use super::observer::{OBSERVER_PART, moving, normalised};
+use super::{CameraFrame, Invariant, Kind, Law, Order, USUAL_PARTS};
 use crate::model::{ClosedForm, STRAIGHT, Wgsl};
 
 pub static KIND: Kind = Kind { name: "straight", keys: &[], read: |_, _| Some(Arc::new(Straight)) };
@@ -28,6 +29,33 @@ impl Law for Straight {
 
     fn is_straight(&self) -> bool {
         true
+    }
+
+    fn keeps_time(&self) -> bool {
+        true
+    }
+
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        self.observer(frame, DVec3::ZERO).map(|_| OBSERVER_PART)
+    }
+
+    /// Flat.
+    fn metric(&self, _: DVec3) -> Option<DMat4> {
+        Some(DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0)))
+    }
+
+    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        let metric = self.metric(at)?;
+        let found = match frame {
+            CameraFrame::Static | CameraFrame::Normal => normalised(&metric, DVec4::W),
+            CameraFrame::Moving(velocity) => moving(&metric, velocity),
+            _ => return None,
+        };
+        Some(found.ok_or_else(|| ["is nowhere".to_owned(), "move it".to_owned()]))
+    }
+
+    fn momentum_parts(&self) -> &'static [&'static str] {
+        &["law/momentum/flat"]
     }
 
     fn invariants(&self, _: DVec3, v: DVec3) -> Vec<Invariant> {

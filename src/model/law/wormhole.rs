@@ -108,6 +108,10 @@ impl Law for Wormhole {
         Order::General
     }
 
+    fn keeps_time(&self) -> bool {
+        true
+    }
+
     fn throat(&self) -> Option<Throat> {
         let depth = DEPTH * self.radius;
         Some(Throat { mouths: [self.center, self.other], radius: self.radius - depth, depth })

@@ -17,6 +17,7 @@ mod plane;
 mod read;
 mod solid;
 mod sphere;
+mod travel;
 
 use std::fmt;
 use std::sync::Arc;
@@ -42,6 +43,7 @@ pub use plane::Plane;
 pub(crate) use read::read;
 pub use solid::{Placed, Solid};
 pub use sphere::Sphere;
+pub use travel::Travel;
 
 /// Reads a shape, with the map from its own space that its keys make; none if it cannot be used. `across` is twice the radius of
 /// the bounding sphere.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Shape, Solid, ball};
+use super::{Shape, Solid, Travel, ball};
 use crate::assets::Transform;
 use crate::model::cut::{CutPlane, Outline, OwnPlane};
 use crate::model::medium::Interior;
@@ -22,11 +22,16 @@ pub struct Object {
     pub transform: Transform,
     /// What it is made of.
     pub substance: Substance,
+    /// How it moves, if it does.
+    pub travel: Option<Travel>,
 }
 
 impl PartialEq for Object {
     fn eq(&self, other: &Self) -> bool {
-        *self.shape == *other.shape && self.transform == other.transform && self.substance == other.substance
+        *self.shape == *other.shape
+            && self.transform == other.transform
+            && self.substance == other.substance
+            && self.travel == other.travel
     }
 }
 
@@ -40,6 +45,12 @@ pub enum Substance {
 }
 
 impl Object {
+    /// At rest.
+    #[must_use]
+    pub fn new(shape: Arc<dyn Shape>, transform: Transform, substance: Substance) -> Self {
+        Self { shape, transform, substance, travel: None }
+    }
+
     /// The index of its material, if it has one.
     #[must_use]
     pub fn material(&self) -> Option<usize> {

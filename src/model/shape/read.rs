@@ -2,11 +2,12 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 
-use super::{KINDS, Object, Shape, Substance, round_up};
+use super::{KINDS, Object, Shape, Substance, ball, round_up, travel};
 use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, direction, extents, positive, suggest, text, vector, whole};
 use crate::document::{Node, Place, Value};
+use crate::model::Law;
 use crate::model::medium::{self, Interior, Surroundings};
 
 /// The bounding spheres: their centres, which is one but where light goes to another side, and their radius.
@@ -17,12 +18,13 @@ pub(crate) fn read(
     root: &TableReader,
     materials: &[&str],
     bound: Option<Balls>,
+    law: Option<&dyn Law>,
     files: &mut Files,
 ) -> Vec<(Place, Object)> {
     let tables = root.subtables("objects", "objects").into_iter();
     tables
         .filter_map(|table| {
-            let object = object(&table, materials, bound, files);
+            let object = object(&table, materials, bound, law, files);
             let place = table.place;
             table.finish();
             Some((place, object?))
@@ -30,7 +32,13 @@ pub(crate) fn read(
         .collect()
 }
 
-fn object(table: &TableReader, materials: &[&str], bound: Option<Balls>, files: &mut Files) -> Option<Object> {
+fn object(
+    table: &TableReader,
+    materials: &[&str],
+    bound: Option<Balls>,
+    law: Option<&dyn Law>,
+    files: &mut Files,
+) -> Option<Object> {
     let across = 2.0 * bound.map_or(1.0, |(_, radius)| radius);
     let shape = KINDS.chosen(table).and_then(|read| read(table, across, files));
     let translate = table.or("translate", DVec3::ZERO, vector);
@@ -43,10 +51,22 @@ fn object(table: &TableReader, materials: &[&str], bound: Option<Balls>, files: 
     let substance = substance(table, shape.as_ref().map(|(shape, _)| &**shape).zip(place), materials, files);
     let (shape, _) = shape?;
     let transform = place?;
-    if let Some(bound) = bound {
-        check_inside(table, &*shape, transform, bound);
+    let travel = travel::read(table, law, Some(ball(shape.radius(), &transform).0));
+    if travel.is_some() && shape.mesh().is_some() {
+        table.fault(
+            &["orbit", "velocity"],
+            "meshes stand still",
+            "move a sphere, a box, a cylinder, a disk or a plane",
+        );
     }
-    Some(Object { shape, transform, substance: substance? })
+    if let Some((centers, radius)) = bound {
+        let reach = |center: &DVec3| match travel {
+            Some(travel) => travel.farthest(ball(shape.radius(), &transform), *center),
+            None => shape.reach(transform.0, *center),
+        };
+        check_inside(table, centers.iter().filter_map(reach), radius);
+    }
+    Some(Object { shape, transform, substance: substance?, travel })
 }
 
 /// A material by name, or a medium inside.
@@ -84,8 +104,8 @@ pub(super) fn upright(table: &TableReader, key: &'static str) -> DAffine3 {
     DAffine3::from_rotation_translation(rotation, center)
 }
 
-fn check_inside(table: &TableReader, shape: &dyn Shape, transform: Transform, (centers, radius): Balls) {
-    let reaches = centers.iter().filter_map(|center| shape.reach(transform.0, *center));
+/// By how far it reaches from the centre of each bounding sphere.
+fn check_inside(table: &TableReader, reaches: impl Iterator<Item = f64>, radius: f64) {
     let Some(reach) = reaches.min_by(f64::total_cmp) else {
         return;
     };

@@ -36,7 +36,7 @@ pub(super) fn all(lines: Vec<PathLine<'static>>) -> PathPlot<'static> {
 /// A ball of this radius.
 fn ball(center: DVec3, radius: f64, kind: SurfaceKind) -> CrossSection {
     let transform = Transform::new(DVec3::splat(radius), DVec3::ZERO, center);
-    let object = Object { shape: Arc::new(Sphere), transform, substance: Substance::Opaque(0) };
+    let object = Object::new(Arc::new(Sphere), transform, Substance::Opaque(0));
     CrossSection { kind, outlines: object.cut(&plane()) }
 }
 

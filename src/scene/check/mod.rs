@@ -12,6 +12,7 @@ mod rays;
 mod regions;
 mod shift;
 mod sky;
+mod travel;
 
 use super::lights::PATHS;
 use super::optics::Optics;
@@ -81,12 +82,14 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let image = image::read(&root, paths.is_some());
     let camera = camera::read(&root, law.as_deref(), image.size);
     let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
+    let time = camera.as_ref().map_or(0.0, |camera| camera.time);
+    let law = law.map(|law| law.later(time).unwrap_or(law));
     let (sky, beyond) = sky::read(&root, files, law.as_deref(), paths.is_some());
     let output = output(&root, paths.is_some());
     let (names, mut materials) = material::read(&root, files, paths.is_some());
     let centers = bound.map(|bound| bound.centers(law.as_deref()));
     let balls = centers.as_deref().zip(bound.map(|bound| bound.radius));
-    let placed = shape::read(&root, &names, balls, files);
+    let placed = shape::read(&root, &names, balls, law.as_deref(), files);
     regions::check(reader, &placed, &materials);
     if let Some(law) = &law {
         shift::check_discs(reader, &placed, &materials, &**law);
@@ -118,6 +121,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let (law_now, filter_now) = (law.as_deref(), filter.as_ref());
     let rest = shift::Rest { law: law_now, materials: &materials, filter: filter_now, paths: paths.is_some(), reach };
     shift::check(&root, camera.as_ref(), &rest);
+    travel::check(&root, camera.as_ref(), bound, chords, &optics);
     let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
     root.finish();
     let mut scene = Scene {

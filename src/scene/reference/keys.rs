@@ -54,6 +54,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, and moving under reissner-nordstrom and wormhole; all under kerr-newman, all but `falling` under metric";
             velocity if r#"frame = "moving""#: "[x, y, z], below 1 long" = "required",
                 "of the observer, in parts of light's speed, past one who is normal";
+            time: "number" = "0", "t when the picture is taken: after law.time, and for objects that move";
             shift: "true | false" = "false",
                 "whether light is as the observer sees it: brighter and bluer from what comes near or lies higher, by the fourth power of its frequency's ratio; needs a `frame`";
             stereo: "{ separation, layout, convergence }" = "none",
@@ -161,6 +162,9 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             material if "no interior": "name" = "required", "what its surface is made of: one of [materials]";
             interior if "no material": "number, name or { kind, .. }" = "none", "the medium that fills it: see medium";
             priority if "interior": "whole number, 0 to 1000" = "0", "where interiors overlap, the higher one is there";
+            orbit if "no velocity": "prograde, retrograde or a number" = "none",
+                "it goes round the law's axis, on a circular orbit of matter or through so many radians in a unit of time, and is seen where it was when its light left it; at t = 0 it is in its place";
+            velocity if "no orbit": "[x, y, z]" = "none", "it moves straight on, scene units in a unit of time, and is seen where it was when its light left it";
             scale: "number or [x, y, z], above 0" = "1", "done first, about the origin";
             rotate: "[x, y, z]" = "[0, 0, 0]", "degrees about the x, then y, then z axis, about the origin";
             translate: "[x, y, z]" = "[0, 0, 0]", "done last, scene units";

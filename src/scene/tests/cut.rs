@@ -16,7 +16,7 @@ fn plane(point: [f64; 3], normal: [f64; 3]) -> CutPlane {
 
 fn object(shape: impl Shape, scale: [f64; 3], rotate: [f64; 3], translate: [f64; 3]) -> Object {
     let transform = Transform::new(scale.into(), rotate.into(), translate.into());
-    Object { shape: Arc::new(shape), transform, substance: Substance::Opaque(0) }
+    Object::new(Arc::new(shape), transform, Substance::Opaque(0))
 }
 
 /// The only outline, all of whose points are in the plane.

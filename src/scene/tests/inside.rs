@@ -27,7 +27,7 @@ pub fn object(shape: impl Shape, transform: Transform) -> Object {
 
 fn placed(shape: Arc<dyn Shape>, transform: Transform) -> Object {
     let medium = Arc::new(Constant { n: 1.5 });
-    Object { shape, transform, substance: Substance::Clear(Interior::new(medium)) }
+    Object::new(shape, transform, Substance::Clear(Interior::new(medium)))
 }
 
 #[test]

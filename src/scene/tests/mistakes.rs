@@ -45,7 +45,7 @@ fn a_mistake_shows_its_line() {
     assert_eq!(
         SceneError::Mistakes(mistakes_of(parse(&text))).to_string(),
         "scene.toml:7:3: unknown key `raduis`\n    raduis = 3\n    ^^^^^^\n    help: did you mean `radius`? keys here: \
-         shape, center, radius, translate, rotate, scale, material, interior\n\n1 mistake found"
+         shape, center, radius, translate, rotate, scale, material, interior, orbit, velocity\n\n1 mistake found"
     );
 }
 

@@ -153,6 +153,14 @@ impl Law for Metric {
         !self.element.depends_on_time()
     }
 
+    fn later(&self, time: f64) -> Option<Arc<dyn Law>> {
+        Some(Arc::new(Self { time: self.time + time, ..self.clone() }))
+    }
+
+    fn keeps_time(&self) -> bool {
+        true
+    }
+
     fn line_element(&self) -> Option<&LineElement> {
         Some(&self.element)
     }
@@ -186,6 +194,10 @@ impl Law for Metric {
 
     fn metric(&self, x: DVec3) -> Option<DMat4> {
         Some(self.at(x))
+    }
+
+    fn metric_later(&self, x: DVec3, time: f64) -> Option<DMat4> {
+        Some(self.element.metric(x - self.center, self.time + time))
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {

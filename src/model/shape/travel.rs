@@ -1,0 +1,142 @@
+//! Objects that move: round an axis at an even rate, or straight on.
+//!
+//! *Theory.* Light that is seen has been on its way: a ray that has been followed back for τ meets an object where it was at t − τ. Held
+//! against the ray in the object's own rest, which undoes its way, a moving object is tested as one at rest is.
+//!
+//! *Practice.* The shape is what it is at one t in the scene's coordinates, and keeps it: who wants it shortened along its way makes it short.
+
+use glam::{DMat3, DVec3};
+
+use crate::document::reader::TableReader;
+use crate::document::values::{number, vector};
+use crate::document::{Node, Value};
+use crate::model::{CameraFrame, Law, Row, row};
+
+/// How an object moves; at t = 0 it is where it is placed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Travel {
+    /// A point of the axis.
+    pub center: DVec3,
+    /// The unit vector that it turns about.
+    pub axis: DVec3,
+    /// dφ/dt about the axis.
+    pub turning: f64,
+    /// And its velocity besides.
+    pub velocity: DVec3,
+}
+
+impl Travel {
+    /// Round an axis.
+    #[must_use]
+    pub fn round(center: DVec3, axis: DVec3, turning: f64) -> Self {
+        Self { center, axis, turning, velocity: DVec3::ZERO }
+    }
+
+    /// Straight on.
+    #[must_use]
+    pub fn straight(velocity: DVec3) -> Self {
+        Self { center: DVec3::ZERO, axis: DVec3::Z, turning: 0.0, velocity }
+    }
+
+    /// Where at t is what is at `x` at t = 0.
+    #[must_use]
+    pub fn place(&self, x: DVec3, t: f64) -> DVec3 {
+        let turn = DMat3::from_axis_angle(self.axis, self.turning * t);
+        self.center + turn * (x - self.center) + t * self.velocity
+    }
+
+    /// How fast it moves at t = 0 what is at `x` then.
+    #[must_use]
+    pub fn velocity_at(&self, x: DVec3) -> DVec3 {
+        self.velocity + self.turning * self.axis.cross(x - self.center)
+    }
+
+    /// A box about all places that a ball comes to, at any t; none if that has no end.
+    #[must_use]
+    pub fn swept(&self, (middle, radius): (DVec3, f64)) -> Option<(DVec3, DVec3)> {
+        if self.velocity != DVec3::ZERO {
+            return None;
+        }
+        let d = middle - self.center;
+        let along = d.dot(self.axis) * self.axis;
+        let across = (DVec3::ONE - self.axis * self.axis).max(DVec3::ZERO).map(f64::sqrt);
+        let half = (d - along).length() * across + radius;
+        Some((self.center + along - half, self.center + along + half))
+    }
+
+    /// How far from a place a ball comes, at any t; none if that has no end.
+    #[must_use]
+    pub fn farthest(&self, (middle, radius): (DVec3, f64), from: DVec3) -> Option<f64> {
+        if self.velocity != DVec3::ZERO {
+            return None;
+        }
+        let height = |x: DVec3| (x - self.center).dot(self.axis);
+        let arm = |x: DVec3| (x - self.center - height(x) * self.axis).length();
+        Some((arm(middle) + arm(from)).hypot(height(middle) - height(from)) + radius)
+    }
+
+    /// What shaders are told of it when a picture is taken at `time`, but for what moves so.
+    #[must_use]
+    pub fn values(&self, (middle, radius): (DVec3, f64), time: f64) -> Row {
+        let angle = (self.turning * time).rem_euclid(std::f64::consts::TAU);
+        row! {
+            center: Vec3(self.center),
+            turning: Float(self.turning),
+            axis: Vec3(self.axis),
+            angle: Float(angle),
+            velocity: Vec3(self.velocity),
+            offset: Vec3(time * self.velocity),
+            reach: Float(middle.distance(self.center) + radius),
+            middle: Vec3(middle),
+            radius: Float(radius),
+        }
+    }
+}
+
+/// How an object in this place moves, if it does; what is wrong with that is left with the table.
+pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DVec3>) -> Option<Travel> {
+    let (key, node) = table.one_of(&["orbit", "velocity"])?;
+    let (law, middle) = (law?, middle?);
+    let travel = if key == "orbit" {
+        orbit(table, node, law, middle)?
+    } else {
+        Travel::straight(table.reader.accept(vector(node))?)
+    };
+    let k = travel.velocity_at(middle).extend(1.0);
+    if law.metric(middle).is_some_and(|metric| k.dot(metric * k) >= 0.0) {
+        let help = "move it more slowly, or elsewhere";
+        table.fault(&[key], "the object would move as fast as light, or faster", help);
+    }
+    Some(travel)
+}
+
+/// On a circular orbit of the law, one way or the other, or at a rate that is given.
+fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Option<Travel> {
+    let Some([center, axis]) = law.equator() else {
+        let help = "use `velocity`, or law.kind = \"kerr-newman\"";
+        table.fault(&["orbit"], "there is nothing to go round under this law", help);
+        return None;
+    };
+    let frame = match &node.value {
+        Value::Text(word) if word == "prograde" => CameraFrame::Orbiting,
+        Value::Text(word) if word == "retrograde" => CameraFrame::CounterOrbiting,
+        Value::Integer(_) | Value::Float(_) => {
+            return Some(Travel::round(center, axis, table.reader.accept(number(node))?));
+        }
+        _ => {
+            table.reader.fault(node.expected("\"prograde\", \"retrograde\" or a rate of turning"));
+            return None;
+        }
+    };
+    match law.observer(frame, middle)? {
+        Ok(u) => {
+            let arm = middle - center;
+            let around = axis.cross(arm);
+            Some(Travel::round(center, axis, u.truncate().dot(around) / (u.w * around.length_squared())))
+        }
+        Err([problem, help]) => {
+            table.fault(&["orbit"], format!("the object {problem}"), help);
+            None
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Objects that move: what a scene needs for them.
+
+use glam::DVec3;
+
+use crate::document::reader::TableReader;
+use crate::model::{Camera, Object};
+use crate::scene::Bound;
+use crate::scene::optics::Optics;
+
+pub fn check(root: &TableReader, camera: Option<&Camera>, bound: Option<Bound>, chords: bool, optics: &Optics) {
+    if !optics.objects.iter().any(|object| object.travel.is_some()) {
+        return;
+    }
+    let fault = |problem: &str, help: &str| root.fault(&["objects"], format!("an object moves, and {problem}"), help);
+    if optics.law.is_some_and(|law| !law.keeps_time()) {
+        let help = "use law.kind = \"straight\", \"kerr-newman\", \"wormhole\" or \"metric\"; a Schwarzschild hole is kerr-newman without spin";
+        fault("this law does not say how long light takes", help);
+    }
+    if optics.paths.is_some() {
+        fault("paths see nothing that does", "leave transport out");
+    }
+    if optics.objects.iter().any(|object| object.interior().is_some()) {
+        fault(
+            "light takes times of its own through what objects are filled with",
+            "take the interiors out of the scene",
+        );
+    }
+    if chords {
+        fault("these rays are chords, which know no time", "use segment = \"arc\"");
+    }
+    let goes_on = |object: &Object| {
+        let material = object.material().and_then(|i| optics.materials.get(i));
+        object.travel.is_some() && material.is_some_and(|material| material.surface.continues())
+    };
+    if optics.objects.iter().any(goes_on) {
+        fault("rays go on from it, which would be reflected as from one at rest", "give it another material");
+    }
+    let centers = bound.map(|bound| (bound.centers(optics.law), bound.radius));
+    let is_outside = |camera: &Camera, (centers, radius): (Vec<DVec3>, f64)| {
+        centers.iter().all(|center| center.distance(camera.position) > radius)
+    };
+    if camera.zip(centers).is_some_and(|(camera, balls)| is_outside(camera, balls)) {
+        fault(
+            "the camera is outside of the bounding sphere, from which on light's time is counted",
+            "use a larger rays.bound.radius",
+        );
+    }
+}
