@@ -42,5 +42,6 @@ mod spacetimes;
 mod structure;
 mod travels;
 mod tree;
+mod worldlines;
 mod wormholes;
 mod written_media;

@@ -8,7 +8,9 @@ use crate::scene::{Animation, Light, Precision, SamplePattern, Scene, Shadows, T
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     // A film has one program for all places that its camera comes to.
-    let moves = |animation: &Animation| animation.keys.iter().any(|key| key == "camera.position");
+    let moves = |animation: &Animation| {
+        animation.keys.iter().any(|key| ["camera.position", "camera.proper_time"].contains(&&**key))
+    };
     let is_anywhere = choice.purpose.is_given() || scene.animation.as_ref().is_some_and(moves);
     let eye = scene.camera.as_ref().filter(|_| !is_anywhere).map(|camera| camera.position);
     if let Some(part) = scene.law.below_part(eye) {

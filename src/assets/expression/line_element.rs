@@ -145,6 +145,13 @@ impl LineElement {
         DMat4::from_cols_array_2d(&PLACES.map(|row| row.map(|k| values[self.metric[k].index()])))
     }
 
+    /// The length over which it changes at a place and a time.
+    #[must_use]
+    pub fn scale(&self, x: DVec3, t: f64) -> f64 {
+        let values = self.graph.evaluate(&[x.x, x.y, x.z, f64::NAN, f64::NAN, f64::NAN, f64::NAN, t]);
+        values[self.scale.index()].abs()
+    }
+
     /// g U′ at a place, but for the parameter.
     #[must_use]
     pub fn force(&self, x: DVec3, t: f64, u: DVec4) -> DVec4 {

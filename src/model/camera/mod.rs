@@ -9,6 +9,7 @@ mod panorama;
 mod pinhole;
 mod plane;
 mod read;
+mod worldline;
 
 use std::fmt;
 use std::sync::Arc;
@@ -26,6 +27,7 @@ pub use panorama::Panorama;
 pub use pinhole::Pinhole;
 pub use plane::Plane;
 pub(crate) use read::read;
+pub use worldline::{Event, NoPath, Path, fall};
 
 /// Reads a camera; none if it cannot be used.
 type Read = fn(&TableReader) -> Option<Arc<dyn Projection>>;

@@ -1,11 +1,11 @@
 //! `[camera]`: where rays start.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
-use super::{Camera, KINDS, Stereo, StereoLayout};
-use crate::document::Node;
+use super::{Camera, Event, KINDS, NoPath, Path, Stereo, StereoLayout, fall};
 use crate::document::reader::TableReader;
-use crate::document::values::{Read, boolean, direction, number, positive, vector, word};
+use crate::document::values::{Read, boolean, direction, not_negative, number, positive, vector, word};
+use crate::document::{Fault, Node, Value};
 use crate::model::law::OBSERVER_PART;
 use crate::model::{CameraFrame, Law, Order};
 
@@ -13,9 +13,52 @@ use crate::model::{CameraFrame, Law, Order};
 pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) -> Option<Camera> {
     let table = root.subtable("camera", "camera")?;
     let projection = KINDS.chosen(&table).and_then(|read| read(&table));
-    let position = table.required("position", "[0, 2, 15]", vector);
+    let seat = seat(&table, law);
+    let frame = seat.as_ref().map_or(CameraFrame::Coordinate, |seat| seat.frame);
     let look_at = table.or("look_at", DVec3::ZERO, vector);
     let up = table.or("up", DVec3::Y, direction);
+    let shift = table.or("shift", false, boolean);
+    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_parts().is_empty()) {
+        let problem = "light has a frequency only for an observer, and by a law that says it";
+        let help = "choose a `frame`, with a law of a hole, of a wormhole or by a line element";
+        table.fault(&["shift"], problem, help);
+    }
+    let stereo = stereo(&table, size);
+    let camera = seat.and_then(|Seat { position, frame, time }| {
+        let [forward, right, up] = axes(&table, position, look_at, up)?;
+        Some(Camera { position, forward, right, up, projection: projection?, frame, time, shift, stereo })
+    });
+    if let (Some(camera), Some(law)) = (&camera, law) {
+        let then = law.later(camera.time);
+        check_against_law(&table, camera, then.as_deref().unwrap_or(law));
+    }
+    table.finish();
+    camera
+}
+
+/// Who looks: where, as whom and when.
+struct Seat {
+    position: DVec3,
+    frame: CameraFrame,
+    time: f64,
+}
+
+fn seat(table: &TableReader, law: Option<&dyn Law>) -> Option<Seat> {
+    if let Some(node) = table.node("worldline") {
+        return on_worldline(table, node, law);
+    }
+    let position = table.required("position", "[0, 2, 15]", vector);
+    let frame = frame(table, law);
+    let time = table.or("time", 0.0, number);
+    let proper = table.optional("proper_time", not_negative);
+    let seat = Seat { position: position?, frame, time };
+    match proper {
+        Some(proper) => after_fall(table, seat, law?, proper),
+        None => Some(seat),
+    }
+}
+
+fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
     let frame = match table.or("frame", CameraFrame::Coordinate, word(&CameraFrame::WORDS)) {
         CameraFrame::Moving(_) => {
             CameraFrame::Moving(table.required("velocity", "[0.5, 0, 0]", slower_than_light).unwrap_or_default())
@@ -32,24 +75,77 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
         };
         table.fault(&["frame"], problem, help);
     }
-    let time = table.or("time", 0.0, number);
-    let shift = table.or("shift", false, boolean);
-    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_parts().is_empty()) {
-        let problem = "light has a frequency only for an observer, and by a law that says it";
-        let help = "choose a `frame`, with a law of a hole, of a wormhole or by a line element";
-        table.fault(&["shift"], problem, help);
+    frame
+}
+
+/// Where an observer comes to who begins there and is left to himself for so long.
+fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Option<Seat> {
+    if seat.frame == CameraFrame::Coordinate {
+        let help = "choose a `frame`: how he moves to begin with";
+        table.fault(&["proper_time"], "time goes by for an observer, and there is none", help);
+        return None;
     }
-    let stereo = stereo(&table, size);
-    let camera = position.and_then(|position| {
-        let [forward, right, up] = axes(&table, position, look_at, up)?;
-        Some(Camera { position, forward, right, up, projection: projection?, frame, time, shift, stereo })
-    });
-    if let (Some(camera), Some(law)) = (&camera, law) {
-        let then = law.later(time);
-        check_against_law(&table, camera, then.as_deref().unwrap_or(law));
+    let then = law.later(seat.time);
+    let law = then.as_deref().unwrap_or(law);
+    // What is wrong with where he begins is for others to say.
+    let Some(Ok(u)) = law.observer(seat.frame, seat.position) else { return Some(seat) };
+    match fall(law, Event { x: seat.position, t: 0.0, u }, proper) {
+        Ok(event) => {
+            let frame = CameraFrame::Moving(event.velocity(law)?);
+            Some(Seat { position: event.x, frame, time: seat.time + event.t })
+        }
+        Err(end) => {
+            let problem = format!("the observer's path can be followed for {end:.4} of his time, and no further");
+            table.fault(&["proper_time"], problem, "use less");
+            None
+        }
     }
-    table.finish();
-    camera
+}
+
+/// `worldline`: rows of t, x, y and z.
+fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Option<Seat> {
+    let proper = table.or("proper_time", 0.0, not_negative);
+    let Value::Array(items) = &node.value else {
+        table.reader.fault(node.expected("an array of [t, x, y, z]"));
+        return None;
+    };
+    let points: Option<Vec<DVec4>> = items.iter().map(|item| table.reader.accept(event(item))).collect();
+    if items.len() < 2 {
+        table
+            .reader
+            .fault(node.fault("a worldline has two events at least", "for example [[0, 9, 0, 0], [20, 5, 0, 0]]"));
+        return None;
+    }
+    let (points, law) = (points?, law?);
+    if law.metric(points[0].truncate()).is_none() {
+        let help = "use a law of a hole, of a wormhole or by a line element, or straight lines";
+        table.fault(&["worldline"], "this law knows no observers", help);
+        return None;
+    }
+    let (fault, help) = match Path::through(points).and_then(|path| path.after(law, proper)) {
+        Ok(event) => {
+            let frame = CameraFrame::Moving(event.velocity(law)?);
+            return Some(Seat { position: event.x, frame, time: event.t });
+        }
+        Err(NoPath::NotLater(i)) => (items[i].fault("this event is not later than the one before", ""), ""),
+        Err(NoPath::TooFast(i)) => {
+            (items[i].fault("the way to this event is as fast as light, or faster", ""), "give it more time")
+        }
+        Err(NoPath::Ends(end)) => {
+            let node = table.node("proper_time").unwrap_or(node);
+            (node.fault(format!("the worldline ends after {end:.6} of its own time"), ""), "use less, or more events")
+        }
+    };
+    table.reader.fault(Fault { help: help.to_owned(), ..fault });
+    None
+}
+
+/// t, x, y and z; as x, y, z and t.
+fn event(node: &Node) -> Read<DVec4> {
+    let expected = || node.expected("[t, x, y, z]");
+    let Value::Array(items) = &node.value else { return Err(expected()) };
+    let [t, x, y, z] = &items[..] else { return Err(expected()) };
+    Ok(DVec4::new(number(x)?, number(y)?, number(z)?, number(t)?))
 }
 
 fn slower_than_light(node: &Node) -> Read<DVec3> {

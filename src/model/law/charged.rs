@@ -161,6 +161,10 @@ impl Law for ChargedHole {
         Some(self.round(x).metric())
     }
 
+    fn length_scale(&self, x: DVec3) -> f64 {
+        x.distance(self.center)
+    }
+
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         self.round(at).observer(frame)
     }

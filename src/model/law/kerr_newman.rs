@@ -277,6 +277,10 @@ impl Law for KerrNewman {
         Some(flat + f * DMat4::from_cols(l.x * l, l.y * l, l.z * l, l.w * l))
     }
 
+    fn length_scale(&self, x: DVec3) -> f64 {
+        self.at(x).r
+    }
+
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let metric = self.metric(at)?;
         let around = self.axis.cross(at - self.center);

@@ -231,6 +231,12 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         self.metric(x)
     }
 
+    /// The length over which its metric changes at a place.
+    fn length_scale(&self, x: DVec3) -> f64 {
+        let _ = x;
+        1.0
+    }
+
     /// The four-velocity of an observer there, under laws that have a metric; or why there can be none, as what follows the camera's
     /// name in the message, and what to do.
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {

@@ -149,6 +149,10 @@ impl Law for Wormhole {
         Some(spherical(n, 1.0, wider * wider, 1.0))
     }
 
+    fn length_scale(&self, _: DVec3) -> f64 {
+        self.mass.unwrap_or(self.radius).min(self.radius)
+    }
+
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let metric = self.metric(at)?;
         let found = match frame {

@@ -47,14 +47,18 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "more rays only where the picture needs them: a pixel whose corners end and look alike is done with those, any other takes 16, 32, … until the standard error of its mean, in what a screen shows, is below this";
         }
         "camera" {
-            position: "[x, y, z]" = "required", "the point, or the centre of the plane; scene units";
+            position if "no worldline": "[x, y, z]" = "required", "the point, or the centre of the plane; scene units";
             look_at: "[x, y, z]" = "[0, 0, 0]", "the point in the middle of the picture; differs from position";
             up: "[x, y, z]" = "[0, 1, 0]", "what is up in the picture; not parallel to the view";
-            frame: "coordinate | static | normal | zamo | orbiting | counter-orbiting | falling | moving" = "coordinate",
-                "whose directions the camera sees: the coordinates', or those of an observer: static under schwarzschild, and moving under reissner-nordstrom and wormhole; all under kerr-newman, all but `falling` under metric";
+            frame if "no worldline": "coordinate | static | normal | zamo | orbiting | counter-orbiting | falling | moving" = "coordinate",
+                "whose directions the camera sees: the coordinates', or those of an observer: all under laws of holes, all but `falling` under metric; static, normal and moving under wormhole and straight";
             velocity if r#"frame = "moving""#: "[x, y, z], below 1 long" = "required",
                 "of the observer, in parts of light's speed, past one who is normal";
-            time: "number" = "0", "t when the picture is taken: after law.time, and for objects that move";
+            time if "no worldline": "number" = "0", "t when the picture is taken: after law.time, and for objects that move";
+            proper_time if "frame or worldline": "number, 0 or above" = "none",
+                "the picture is taken so much later by the observer's own clock: left to himself he has fallen freely from `position` meanwhile, moving as `frame` says to begin with; or he has come so far along the worldline";
+            worldline if "no position": "array of [t, x, y, z], t ascending" = "none",
+                "the observer's way through spacetime, smooth between these events: where, when and how fast he is follows from proper_time";
             shift: "true | false" = "false",
                 "whether light is as the observer sees it: brighter and bluer from what comes near or lies higher, by the fourth power of its frequency's ratio; needs a `frame`";
             stereo: "{ separation, layout, convergence }" = "none",

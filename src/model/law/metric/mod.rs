@@ -200,6 +200,10 @@ impl Law for Metric {
         Some(self.element.metric(x - self.center, self.time + time))
     }
 
+    fn length_scale(&self, x: DVec3) -> f64 {
+        self.element.scale(x - self.center, self.time)
+    }
+
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let metric = self.at(at);
         let around = self.axis().cross(at - self.center);
