@@ -6,6 +6,10 @@ struct Law {
 
 @group(0) @binding(67) var<uniform> law: Law;
 
+fn metric_place(x: Real3) -> Real3 {
+    return x - law.center;
+}
+
 fn law_pull(at: Real3, v: Real3) -> Real3 {
     return metric_pull(metric_bend(at - law.center, v, 0.0), v);
 }

@@ -8,6 +8,10 @@ struct Law {
 
 @group(0) @binding(67) var<uniform> law: Law;
 
+fn metric_place(x: Real3) -> Real3 {
+    return x - law.center;
+}
+
 fn law_pull_at(at: Real3, v: Real3, tau: Real) -> Real3 {
     return metric_pull(metric_bend(at - law.center, v, law.time - tau), v);
 }

@@ -12,7 +12,8 @@ mod transform;
 mod winding;
 
 pub use expression::{
-    Curve, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement, Node, Spacetime, Variable,
+    Curve, FanRay, Field, Formula, FormulaError, Function, Graph, Id, Interval, LineElement, Node, Spacetime, Spot,
+    Variable,
 };
 pub use files::Files;
 pub use grid::{Bare, IndexGrid, Stored, Use};

@@ -9,7 +9,7 @@ use crate::scene::{Id, LineElement};
 
 /// `metric_at(q, t)` and `metric_bend(q, v, t)`, `metric_scale(q, t)` and, where rays end of themselves, `metric_gap(q)`.
 pub(super) fn line_element(element: &LineElement) -> Unit {
-    const NAMES: [&str; 8] = ["q.x", "q.y", "q.z", "v.x", "v.y", "v.z", "dt", "t"];
+    const NAMES: [&str; 9] = ["q.x", "q.y", "q.z", "v.x", "v.y", "v.z", "dt", "t", "metric_side"];
     let (graph, metric, force, scale, gap) = element.graph();
     let join =
         |values: &[String], order: &[usize]| order.iter().map(|k| values[*k].clone()).collect::<Vec<_>>().join(", ");

@@ -27,6 +27,24 @@ pub struct LineElement {
     gap: Option<[Id; 4]>,
 }
 
+/// Where a line element is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spot {
+    /// x, y and z.
+    pub x: DVec3,
+    /// t.
+    pub t: f64,
+    /// 1, or −1 on the other side of a throat.
+    pub side: f64,
+}
+
+impl Spot {
+    /// With differentials.
+    fn values(self, u: DVec4) -> [f64; 9] {
+        [self.x.x, self.x.y, self.x.z, u.x, u.y, u.z, u.w, self.t, self.side]
+    }
+}
+
 /// Where g's components stand among the ten.
 const PLACES: [[usize; 4]; 4] = [[0, 1, 2, 6], [1, 3, 4, 7], [2, 4, 5, 8], [6, 7, 8, 9]];
 
@@ -92,7 +110,8 @@ impl LineElement {
         let mut left = curved.iter().any(is_differential);
         for place in [[1.3, -0.7, 2.1], [-4.2, 3.1, 0.9], [11.0, 7.0, -13.0]] {
             let [x, y, z] = place;
-            let values = self.graph.evaluate(&[x, y, z, 0.0, 0.0, 0.0, 0.0, 0.37]);
+            let spot = Spot { x: DVec3::new(x, y, z), t: 0.37, side: 1.0 };
+            let values = self.graph.evaluate(&spot.values(DVec4::ZERO));
             left |= lowered.iter().chain([&q]).any(|id| values[id.index()].abs() > 0.0);
         }
         let help = "for example -dt^2 + dx^2 + dy^2 + dz^2";
@@ -140,29 +159,28 @@ impl LineElement {
 
     /// g at a place and a time; of vectors of the place's components, then the time's.
     #[must_use]
-    pub fn metric(&self, x: DVec3, t: f64) -> DMat4 {
-        let values = self.graph.evaluate(&[x.x, x.y, x.z, f64::NAN, f64::NAN, f64::NAN, f64::NAN, t]);
+    pub fn metric(&self, spot: Spot) -> DMat4 {
+        let values = self.graph.evaluate(&spot.values(DVec4::NAN));
         DMat4::from_cols_array_2d(&PLACES.map(|row| row.map(|k| values[self.metric[k].index()])))
     }
 
     /// The length over which it changes at a place and a time.
     #[must_use]
-    pub fn scale(&self, x: DVec3, t: f64) -> f64 {
-        let values = self.graph.evaluate(&[x.x, x.y, x.z, f64::NAN, f64::NAN, f64::NAN, f64::NAN, t]);
-        values[self.scale.index()].abs()
+    pub fn scale(&self, spot: Spot) -> f64 {
+        self.graph.evaluate(&spot.values(DVec4::NAN))[self.scale.index()].abs()
     }
 
     /// g U′ at a place, but for the parameter.
     #[must_use]
-    pub fn force(&self, x: DVec3, t: f64, u: DVec4) -> DVec4 {
-        let values = self.graph.evaluate(&[x.x, x.y, x.z, u.x, u.y, u.z, u.w, t]);
+    pub fn force(&self, spot: Spot, u: DVec4) -> DVec4 {
+        let values = self.graph.evaluate(&spot.values(u));
         DVec4::from_array(self.force.map(|id| values[id.index()]))
     }
 
     /// The gradient and the value of what is below 0 where rays that go further in end.
     #[must_use]
-    pub fn gap(&self, x: DVec3) -> Option<DVec4> {
-        let values = self.graph.evaluate(&[x.x, x.y, x.z]);
+    pub fn gap(&self, spot: Spot) -> Option<DVec4> {
+        let values = self.graph.evaluate(&spot.values(DVec4::NAN));
         Some(DVec4::from_array(self.gap?.map(|id| values[id.index()])))
     }
 

@@ -29,7 +29,7 @@ pub use fan::FanRay;
 pub use functions::Function;
 pub use graph::{Graph, Id, Node};
 pub use interval::{Enclosure, Interval};
-pub use line_element::LineElement;
+pub use line_element::{LineElement, Spot};
 pub use spacetime::{Field, Spacetime};
 pub use variable::Variable;
 

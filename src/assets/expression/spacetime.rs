@@ -57,6 +57,8 @@ pub struct Spacetime {
     pub scale: String,
     /// Where rays that go further in end: `a < b` or `a > b`.
     pub captured: Option<String>,
+    /// The radius of the sphere that a throat is drawn as, if it has one.
+    pub throat: Option<f64>,
     /// The axes of x, y and z, in columns.
     pub axes: DMat3,
 }
@@ -136,6 +138,9 @@ impl Reader {
             };
             self.define(name, value, sines);
         }
+        if let Some(throat) = written.throat {
+            self.define_distance(throat).map_err(|error| (Field::LineElement, error))?;
+        }
         for (k, (name, value)) in written.parameters.iter().enumerate() {
             self.is_new(name).map_err(|error| (Field::Parameter(k), error))?;
             let value = self.graph.constant(*value);
@@ -147,6 +152,21 @@ impl Reader {
             let value = self.graph.of_tree(&tree);
             self.define(name, value, None);
         }
+        Ok(())
+    }
+
+    /// `l` and `dl`: how far a place is from a throat, below 0 on its other side. On each side r is the throat's radius and so much more.
+    fn define_distance(&mut self, throat: f64) -> Result<(), FormulaError> {
+        let graph = &mut self.graph;
+        let [side, radius] = [graph.make(Node::Variable(Variable::SIDE)), graph.constant(throat)];
+        let away = graph.make(Node::Distance);
+        let beyond = graph.difference(away, radius);
+        let distance = graph.product(side, beyond);
+        self.define("l", distance, None);
+        let tree = self.tree("dr", &ALL)?;
+        let rising = self.graph.of_tree(&tree);
+        let rising = self.graph.product(side, rising);
+        self.define("dl", rising, None);
         Ok(())
     }
 

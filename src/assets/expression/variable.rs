@@ -12,6 +12,8 @@ impl Variable {
     pub const DIFFERENTIALS: [Self; 4] = [Self(3), Self(4), Self(5), Self(6)];
     /// t of a place in spacetime.
     pub const TIME: Self = Self(7);
+    /// Which side of a throat a place is on: 1 on this one, −1 on the other.
+    pub const SIDE: Self = Self(8);
     /// The parameter of a curve.
     pub const PARAMETER: Self = Self(0);
 }

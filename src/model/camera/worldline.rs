@@ -148,6 +148,7 @@ impl Path {
     }
 
     /// Place and velocity, dx/dt, at a time between the points i and i + 1.
+    #[allow(clippy::many_single_char_names)] // the formulas' own letters
     fn at(&self, i: usize, t: f64) -> (DVec3, DVec3) {
         let points = &self.0;
         let [from, to] = [i, i + 1].map(|k| points[k]);
@@ -165,9 +166,9 @@ impl Path {
 
     /// ds/dt at a time between two points; none where it is no way of an observer.
     fn pace(&self, law: &dyn Law, i: usize, t: f64) -> Option<f64> {
-        let (x, v) = self.at(i, t);
-        let k = v.extend(1.0);
-        let square = -k.dot(law.metric_later(x, t)? * k);
+        let (place, velocity) = self.at(i, t);
+        let way = velocity.extend(1.0);
+        let square = -way.dot(law.metric_later(place, t)? * way);
         (square > 0.0).then(|| square.sqrt())
     }
 

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use super::Landmark;
+
 /// The orbit about a law's only centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orbit {
@@ -48,4 +50,47 @@ pub struct Throat {
     pub radius: f64,
     /// How far that is beyond the place from which rays are drawn round the other mouth.
     pub depth: f64,
+}
+
+impl Throat {
+    /// Of a throat that is drawn as spheres of this radius about its mouths.
+    #[must_use]
+    pub fn new(mouths: [DVec3; 2], radius: f64) -> Self {
+        /// δ over ρ₀: how far beyond the throat paths are followed before they are drawn on its other side.
+        const DEPTH: f64 = 0.01;
+        let depth = DEPTH * radius;
+        Self { mouths, radius: radius - depth, depth }
+    }
+
+    /// ρ₀, the radius of the throat's own sphere.
+    #[must_use]
+    pub fn rim(&self) -> f64 {
+        self.radius + self.depth
+    }
+
+    /// From the nearer mouth; and 1, or −1 if that is the other side's.
+    #[must_use]
+    pub fn offset(&self, x: DVec3) -> (DVec3, f64) {
+        let [here, there] = self.mouths.map(|mouth| x - mouth);
+        if there.length_squared() < here.length_squared() { (there, -1.0) } else { (here, 1.0) }
+    }
+
+    /// As [`Law::refuses_bound`](super::Law::refuses_bound).
+    pub(super) fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
+        let (apart, enough) = (self.mouths[0].distance(self.mouths[1]), 2.0 * radius);
+        let problem = || format!("the bounding spheres round the two mouths overlap: they are {apart} apart");
+        (apart <= enough).then(|| ("other", [problem(), format!("move it to more than {enough} from law.center")]))
+    }
+
+    /// As [`Law::refuses_eye`](super::Law::refuses_eye).
+    pub(super) fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let (away, rim) = (self.offset(at).0.length(), self.rim());
+        let problem = || format!("is inside the mouth's sphere: {away:.4} ≤ {rim:.4}");
+        (away <= rim).then(|| [problem(), "move it out: the throat is that sphere".to_owned()])
+    }
+
+    /// A drawing's spheres.
+    pub(super) fn landmarks(&self) -> Vec<Landmark> {
+        self.mouths.map(|center| Landmark::sphere("throat", center, self.rim(), false)).into()
+    }
 }

@@ -17,9 +17,6 @@ use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
 use crate::model::{Binding, Wgsl, row};
 
-/// δ over ρ₀: how far beyond the throat paths are followed before they are drawn on its other side.
-const DEPTH: f64 = 0.01;
-
 pub static KIND: Kind = Kind {
     name: "wormhole",
     keys: keys! {
@@ -73,15 +70,13 @@ impl Wormhole {
         self.radius + mass * (y * y.atan() - 0.5 * y.mul_add(y, 1.0).ln())
     }
 
-    /// From the nearer mouth.
-    fn offset(&self, x: DVec3) -> DVec3 {
-        let [here, there] = [x - self.center, x - self.other];
-        if there.length_squared() < here.length_squared() { there } else { here }
+    fn joint(&self) -> Throat {
+        Throat::new([self.center, self.other], self.radius)
     }
 
     /// The direction outwards, and r over the distance at which it is drawn.
     fn drawn(&self, x: DVec3) -> (DVec3, f64) {
-        let d = self.offset(x);
+        let d = self.joint().offset(x).0;
         let away = d.length();
         (d / away, self.width(away - self.radius) / away)
     }
@@ -113,14 +108,13 @@ impl Law for Wormhole {
     }
 
     fn throat(&self) -> Option<Throat> {
-        let depth = DEPTH * self.radius;
-        Some(Throat { mouths: [self.center, self.other], radius: self.radius - depth, depth })
+        Some(self.joint())
     }
 
     /// The speed of light, and L/E = r v⊥ r/R.
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
         let (n, wider) = self.drawn(x);
-        let away = self.offset(x).length();
+        let away = self.joint().offset(x).0.length();
         let rising = n.dot(v);
         let across = (v - rising * n) * wider;
         vec![
@@ -130,8 +124,7 @@ impl Law for Wormhole {
     }
 
     fn landmarks(&self) -> Vec<Landmark> {
-        let mouth = |center| Landmark::sphere("throat", center, self.radius, false);
-        [self.center, self.other].map(mouth).into()
+        self.joint().landmarks()
     }
 
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
@@ -168,15 +161,11 @@ impl Law for Wormhole {
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
-        let away = self.offset(at).length();
-        let problem = || format!("is inside the mouth's sphere: {away:.4} ≤ {:.4}", self.radius);
-        (away <= self.radius).then(|| [problem(), "move it out: the throat is that sphere".to_owned()])
+        self.joint().refuses_eye(at)
     }
 
     fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
-        let (apart, enough) = (self.center.distance(self.other), 2.0 * radius);
-        let problem = || format!("the bounding spheres round the two mouths overlap: they are {apart} apart");
-        (apart <= enough).then(|| ("other", [problem(), format!("move it to more than {enough} from law.center")]))
+        self.joint().refuses_bound(radius)
     }
 
     fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {

@@ -18,7 +18,7 @@ pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths:
     let beyond = table.subtable("beyond", "sky.beyond").map(|beyond| {
         if law.is_some_and(|law| law.throat().is_none()) {
             let problem = "only a wormhole has another side";
-            table.fault(&["beyond"], problem, "leave it out, or use law.kind = \"wormhole\"");
+            table.fault(&["beyond"], problem, "leave it out, or use law.kind = \"wormhole\" or law.throat");
         }
         if paths {
             let problem = "paths know one sky, that of both sides";

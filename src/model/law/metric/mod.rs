@@ -12,8 +12,8 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::observer::{OBSERVER_PART, light_speed, moving, normal, normalised};
-use super::{CameraFrame, Invariant, Kind, Law, Order};
-use crate::assets::LineElement;
+use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order, Throat};
+use crate::assets::{LineElement, Spot};
 use crate::document::keys;
 use crate::model::{Binding, Wgsl, row};
 
@@ -25,6 +25,8 @@ pub static KIND: Kind = Kind {
         scale: "formula" = "required", "the length over which it changes, scene units, as a function of place and t: steps are a fraction of it";
         parameters: "table of numbers" = "{}", "names for numbers";
         terms: "table of formulas" = "{}", "names for formulas, each of those before it";
+        throat: "number above 0" = "none", "ρ₀ where space has two sides that a throat joins: each is drawn round a mouth of its own, r = ρ₀ + |l|, and `l` and `dl` are names for how far it is from the throat, below 0 on the other side";
+        other ("throat"): "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
         captured: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "where rays that go further in end";
         time: "number" = "0", "t when the picture is taken";
         center: "[x, y, z]" = "[0, 0, 0]", "where x, y and z are 0";
@@ -42,11 +44,24 @@ pub struct Metric {
     pub time: f64,
     /// Where x, y and z are 0.
     pub center: DVec3,
+    /// What joins its two sides, if it has two.
+    pub throat: Option<Throat>,
 }
 
 impl Metric {
     fn at(&self, x: DVec3) -> DMat4 {
-        self.element.metric(x - self.center, self.time)
+        self.element.metric(self.spot(x, 0.0))
+    }
+
+    /// From its middle, or from the nearer mouth.
+    fn arm(&self, x: DVec3) -> DVec3 {
+        self.spot(x, 0.0).x
+    }
+
+    /// A place of the scene at a time so much later.
+    fn spot(&self, x: DVec3, time: f64) -> Spot {
+        let (arm, side) = self.throat.map_or((x - self.center, 1.0), |throat| throat.offset(x));
+        Spot { x: arm, t: self.time + time, side }
     }
 
     /// The direction of its z.
@@ -60,7 +75,7 @@ impl Metric {
         let places = [DVec3::new(1.3, -0.7, 2.1), DVec3::new(-4.2, 3.1, 0.9), DVec3::new(11.0, 7.0, -13.0)];
         let velocities = [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(0.48, 0.6, -0.64)];
         places.into_iter().all(|x| {
-            let [here, there] = [x, turn * x].map(|x| self.element.metric(x, self.time));
+            let [here, there] = [x, turn * x].map(|x| self.element.metric(Spot { x, t: self.time, side: 1.0 }));
             velocities.into_iter().all(|v| {
                 let (u, turned) = (v.extend(-1.0), (turn * v).extend(-1.0));
                 let (one, other) = (u.dot(here * u), turned.dot(there * turned));
@@ -72,14 +87,14 @@ impl Metric {
 
     /// dφ/dt of the circular orbits through a place, with φ and against it: where the line element's slope across the axis vanishes.
     fn orbiting(&self, at: DVec3, sense: f64) -> Option<f64> {
-        let (x, axis) = (at - self.center, self.axis());
+        let (x, axis) = (self.arm(at), self.axis());
         let out = x - x.dot(axis) * axis;
         let rho = out.length();
         let is_level = x.dot(axis).abs() <= 1e-6 * rho;
         let (out, around) = (out / rho, axis.cross(x).extend(0.0));
         // ∂Q/∂ρ for U that turn with their place.
         let slope = |u: DVec4, v: DVec4, turning: f64| {
-            let change = |u: DVec4| self.slope(x, u, out);
+            let change = |u: DVec4| self.slope(self.spot(at, 0.0), u, out);
             0.5 * (change(u + v) - change(u) - change(v)) + turning * u.dot(self.at(at) * v) / rho
         };
         let clock = DVec4::W;
@@ -90,9 +105,9 @@ impl Metric {
     }
 
     /// ∂Q/∂s along a direction, U held: by central differences of four points, some 1e-12 of it.
-    fn slope(&self, x: DVec3, u: DVec4, along: DVec3) -> f64 {
-        let q = |s: f64| u.dot(self.element.metric(x + s * along, self.time) * u);
-        let h = 1e-3 * x.length();
+    fn slope(&self, at: Spot, u: DVec4, along: DVec3) -> f64 {
+        let q = |s: f64| u.dot(self.element.metric(Spot { x: at.x + s * along, ..at }) * u);
+        let h = 1e-3 * at.x.length();
         let first = |h: f64| (q(h) - q(-h)) / (2.0 * h);
         let second = |h: f64| (4.0 * first(0.5 * h) - first(h)) / 3.0;
         (16.0 * second(0.5 * h) - second(h)) / 15.0
@@ -106,15 +121,15 @@ fn has_space(metric: &DMat4) -> bool {
     leading.min(gamma.determinant()) > 0.0 && metric.determinant() < 0.0
 }
 
-/// A place and a time from what is uniform in 0 to 1: places near the centre of a ball are the denser, times go as far back as it is wide.
-fn sample(k: u32, center: DVec3, radius: f64, time: f64) -> (DVec3, f64) {
+/// A place and how long ago, from what is uniform in 0 to 1: places near the centre of a ball are the denser, times go as far back as it is wide.
+fn sample(k: u32, center: DVec3, radius: f64) -> (DVec3, f64) {
     let part = |step: f64| (f64::from(k) * step).fract();
     // Powers of the inverse of 1.1673…, the root of x⁵ = x + 1: as even as four numbers get.
     let [height, around, out, ago] = [0.856_674_883_9, 0.733_891_856_6, 0.628_706_721_0, 0.538_596_253_1].map(part);
     let (cosine, angle) = (2.0 * height - 1.0, std::f64::consts::TAU * around);
     let across = (1.0 - cosine * cosine).sqrt();
     let way = DVec3::new(across * angle.cos(), across * angle.sin(), cosine);
-    (center + radius * out * way, time - 2.0 * radius * ago)
+    (center + radius * out * way, 2.0 * radius * ago)
 }
 
 fn says_none(why: &str, help: &str) -> [String; 2] {
@@ -123,20 +138,22 @@ fn says_none(why: &str, help: &str) -> [String; 2] {
 
 impl Law for Metric {
     fn parts(&self) -> Vec<Wgsl> {
-        let shared: &[&'static str] = if self.carries_time() {
-            &["law/by_time", "law/metric_in_time"]
-        } else {
-            &["law/by_velocity", "law/metric"]
+        let shared: &[&'static str] = match (self.carries_time(), self.throat) {
+            (true, _) => &["law/by_time", "law/metric_in_time"],
+            (false, Some(_)) => &["law/by_velocity", "law/metric_two_sided"],
+            (false, None) => &["law/by_velocity", "law/metric"],
         };
         let all = [shared, &["law/light_speed", "law/line_element", "law/projected_as_is", "medium/formula"]].concat();
         Wgsl::parts(&all)
     }
 
     fn values(&self) -> Vec<Binding> {
-        let row = if self.carries_time() {
-            row! { center: Vec3(self.center), time: Float(self.time) }
-        } else {
-            row! { center: Vec3(self.center) }
+        let row = match self.throat {
+            _ if self.carries_time() => row! { center: Vec3(self.center), time: Float(self.time) },
+            Some(throat) => {
+                row! { center: Vec3(self.center), other: Vec3(throat.mouths[1]), radius: Float(throat.rim()) }
+            }
+            None => row! { center: Vec3(self.center) },
         };
         vec![Binding::one("law", row)]
     }
@@ -157,6 +174,18 @@ impl Law for Metric {
         Some(Arc::new(Self { time: self.time + time, ..self.clone() }))
     }
 
+    fn throat(&self) -> Option<Throat> {
+        self.throat
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        self.throat.map_or_else(Vec::new, |throat| throat.landmarks())
+    }
+
+    fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
+        self.throat?.refuses_bound(radius)
+    }
+
     fn keeps_time(&self) -> bool {
         true
     }
@@ -175,7 +204,7 @@ impl Law for Metric {
         let mut kept = vec![Invariant { name: "null condition", value: u.dot(lowered), size: metric.w_axis.w.abs() }];
         if self.is_axisymmetric() && lowered.w > 0.0 {
             let momentum = lowered.truncate() / lowered.w;
-            let arm = x - self.center;
+            let arm = self.arm(x);
             let about = -self.axis().dot(arm.cross(momentum));
             kept.push(Invariant { name: "L / E", value: about, size: arm.length() * momentum.length() });
         }
@@ -197,16 +226,16 @@ impl Law for Metric {
     }
 
     fn metric_later(&self, x: DVec3, time: f64) -> Option<DMat4> {
-        Some(self.element.metric(x - self.center, self.time + time))
+        Some(self.element.metric(self.spot(x, time)))
     }
 
     fn length_scale(&self, x: DVec3) -> f64 {
-        self.element.scale(x - self.center, self.time)
+        self.element.scale(self.spot(x, 0.0))
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let metric = self.at(at);
-        let around = self.axis().cross(at - self.center);
+        let around = self.axis().cross(self.arm(at));
         let way = |turning: f64| normalised(&metric, (turning * around).extend(1.0));
         let round = |found: Option<DVec4>, why: &str, help: &str| {
             if self.is_axisymmetric() {
@@ -248,7 +277,10 @@ impl Law for Metric {
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
-        if self.element.gap(at - self.center).is_some_and(|gap| gap.w <= 0.0) {
+        if let Some(refused) = self.throat.and_then(|throat| throat.refuses_eye(at)) {
+            return Some(refused);
+        }
+        if self.element.gap(self.spot(at, 0.0)).is_some_and(|gap| gap.w <= 0.0) {
             return Some(says_none("is where rays end: see law.captured", "move it away"));
         }
         let problem = "is where the line element has no space at one time: its signature is not −+++";
@@ -258,9 +290,11 @@ impl Law for Metric {
     fn remark(&self, center: DVec3, radius: f64) -> Option<String> {
         const PLACES: u32 = 4096;
         let fails = |k: u32| {
-            let (x, t) = sample(k, center - self.center, radius, self.time);
-            let ended = self.element.gap(x).is_some_and(|gap| gap.w <= 0.0);
-            (!ended && !has_space(&self.element.metric(x, t))).then_some((x + self.center, t))
+            let (x, ago) = sample(k, center, radius);
+            let spot = self.spot(x, -ago);
+            let within = self.throat.is_some_and(|throat| spot.x.length() < throat.radius);
+            let ended = within || self.element.gap(spot).is_some_and(|gap| gap.w <= 0.0);
+            (!ended && !has_space(&self.element.metric(spot))).then_some((x, spot.t))
         };
         let failed: Vec<_> = (1..=PLACES).filter_map(fails).collect();
         let (x, t) = failed.first()?;
@@ -283,6 +317,9 @@ impl Law for Metric {
     }
 
     fn refuses_sent_light(&self) -> Option<&'static str> {
+        if self.throat.is_some() {
+            return Some("it has more ways through a throat than are looked for");
+        }
         (!self.element.is_static()).then_some("it goes other ways than what is followed back from the camera")
     }
 }

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::Metric;
+use super::{Metric, Throat};
 use crate::assets::{Field, FormulaError, LineElement, Spacetime, Transform};
 use crate::document::Node;
 use crate::document::reader::TableReader;
-use crate::document::values::{number, text, vector};
+use crate::document::values::{number, positive, text, vector};
 
 pub(super) fn read(table: &TableReader) -> Option<Metric> {
     let element = table.required_node("line_element", "\"-dt^2 + dx^2 + dy^2 + dz^2\"");
@@ -15,6 +15,8 @@ pub(super) fn read(table: &TableReader) -> Option<Metric> {
     let parameters = named(table, "parameters", "law.parameters", &|node| table.reader.accept(number(node)));
     let terms = named(table, "terms", "law.terms", &|node| written(table, node));
     let rotate = table.or("rotate", DVec3::ZERO, vector);
+    let throat = table.optional("throat", positive);
+    let other = throat.map(|_| table.required("other", "[1000, 0, 0]", vector));
     let (time, center) = (table.or("time", 0.0, number), table.or("center", DVec3::ZERO, vector));
     let captured_text = match captured {
         Some(node) => Some(written(table, node)?),
@@ -27,6 +29,7 @@ pub(super) fn read(table: &TableReader) -> Option<Metric> {
         terms: terms.iter().map(|(name, _, value)| (name.clone(), value.clone())).collect(),
         scale: written(table, scale?)?,
         captured: captured_text,
+        throat,
         axes: Transform::new(DVec3::ONE, rotate, DVec3::ZERO).0.matrix3,
     };
     let node_of = |field: Field| match field {
@@ -37,7 +40,18 @@ pub(super) fn read(table: &TableReader) -> Option<Metric> {
         Field::Term(k) | Field::TermName(k) => Some(terms[k].1),
     };
     match LineElement::parse(spacetime) {
-        Ok(element) => Some(Metric { element, time, center }),
+        Ok(element) => {
+            let throat = match throat.zip(other) {
+                Some((radius, other)) => Some(Throat::new([center, other?], radius)),
+                None => None,
+            };
+            if throat.is_some() && element.depends_on_time() {
+                let problem = "a space with a throat does not change with t here";
+                table.fault(&["throat"], problem, "leave t out of law.line_element, or law.throat");
+                return None;
+            }
+            Some(Metric { element, time, center, throat })
+        }
         Err((field, FormulaError { place, problem, help })) => {
             let node = node_of(field)?;
             if matches!(field, Field::Parameter(_) | Field::TermName(_)) {
