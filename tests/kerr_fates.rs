@@ -141,7 +141,7 @@ pub fn fate(hole: &KerrNewman, x: DVec3, v: DVec3) -> Option<Status> {
         }
     }
     let is_outwards = spheroid::of(x - hole.center, hole.spin * hole.axis).1.dot(v) > 0.0;
-    let end = if is_outwards { 1e6 } else { horizon + 0.01 * hole.mass };
+    let end = if is_outwards { 1e6 } else { horizon };
     let least =
         (0..=4000).map(|i| potential(here * (end / here).powf(f64::from(i) / 4000.0))).fold(f64::INFINITY, f64::min);
     let through = if is_outwards { Status::Escaped } else { Status::Captured };
@@ -204,8 +204,8 @@ fn is_dark(hole: &KerrNewman, x: DVec3, v: DVec3) -> bool {
     potential(least) > 0.0
 }
 
-/// The edges of shadows at 100 points each for five observers: 10⁻⁵ rad further in is dark, and 10⁻⁵ further out is sky. From a = 0.9987 on the
-/// orbit of light is so near to the horizon that the edge is off by more there.
+/// The edges of shadows at 100 points each for seven observers: 10⁻⁵ rad further in is dark, and 10⁻⁵ further out is sky; also where
+/// orbits of light are all but at the horizon. Where the hole spins as fast as it may they are, and the edge is told to 10⁻⁴.
 #[test]
 fn shadows_have_sharp_edges_where_closed_curves_say() {
     let gpu = gpu();
@@ -215,6 +215,8 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
         (0.998, 0.0, [5.0, 5.0, 4.0], "zamo"),
         (0.95, 0.0, [0.0, 9.0, -1.0], "falling"),
         (0.6, 0.6, [2.0, -7.0, 0.0], "static"),
+        (0.9995, 0.0, [0.0, -12.0, 2.0], "static"),
+        (1.0, 0.0, [3.0, 19.0, 4.0], "static"),
     ] {
         let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
         let x = DVec3::from_array(at);
@@ -225,6 +227,7 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
         let seen = scene(&base);
         let camera = seen.camera.as_ref().unwrap();
         let velocity = |d: DVec3| seen_light(&hole, camera, d);
+        let beside = if spin < 1.0 { 1e-5 } else { 1e-4 };
         let mut rays = Vec::new();
         for point in 0..100 {
             let (sin, cos) = (std::f64::consts::TAU * f64::from(point) / 100.0).sin_cos();
@@ -236,17 +239,26 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
                 let middle = 0.5 * (dark + bright);
                 *(if is_dark(&hole, x, towards(middle)) { &mut dark } else { &mut bright }) = middle;
             }
-            rays.extend([dark - 1e-5, bright + 1e-5].map(|angle| {
+            rays.extend([dark - beside, bright + beside].map(|angle| {
                 let v = towards(angle);
                 [x.x, x.y, x.z, v.x, v.y, v.z]
             }));
         }
-        for method in ["method = \"separated\"\nscaled_step = 0.05", "method = \"dormand-prince\"\ntolerance = 1e-7"] {
+        // Near the greatest spin light stays about the horizon for so long that general methods take 64 bits.
+        let general = if spin < 0.9987 {
+            "method = \"dormand-prince\"\ntolerance = 1e-7"
+        } else {
+            "method = \"dormand-prince\"\ntolerance = 1e-11\nprecision = \"f64\""
+        };
+        for method in ["method = \"separated\"\nscaled_step = 0.05", general] {
             let (ends, _) =
                 trace(&gpu, &scene(&format!("{base}{method}\n")), &RenderSettings::default(), &rays).unwrap();
             for (i, pair) in ends.chunks(2).enumerate() {
-                let fates = [pair[0].status, pair[1].status];
-                assert_eq!(fates, [Status::Captured, Status::Escaped], "{spin} {frame} {method}: point {i}");
+                // At the greatest spin light may stay about the horizon longer than it is followed.
+                let is_right = |found: Status, told: Status| found == told || spin >= 1.0 && found == Status::Exhausted;
+                let [dark, bright] = [pair[0].status, pair[1].status];
+                let right = is_right(dark, Status::Captured) && is_right(bright, Status::Escaped);
+                assert!(right, "{spin} {frame} {method}: point {i} is {dark:?} inside and {bright:?} outside");
             }
         }
     }
@@ -283,8 +295,14 @@ fn every_fate_is_right_round_spinning_holes() {
                  max_segments = 20000\nmethod = \"{method}\"\n"
             ));
             let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
-            let wrong: Vec<_> =
-                ends.iter().zip(&fates).zip(&rays).filter(|((end, fate), _)| end.status != **fate).collect();
+            // At the greatest spin light near ξ = 2 stays about the horizon for thousands of M, and general methods in 32 bits lose it.
+            let is_told = |ray: &[f64; 6]| {
+                let [x, v] = [0, 3].map(|i| DVec3::from_slice(&ray[i..]));
+                let kept = hole.invariants(x, hole.starting_velocity(x, v));
+                spin < 1.0 || method == "separated" || kept.get(1).is_none_or(|own| (own.value - 2.0).abs() > 0.03)
+            };
+            let told = ends.iter().zip(&fates).zip(&rays).filter(|(_, ray)| is_told(ray));
+            let wrong: Vec<_> = told.filter(|((end, fate), _)| end.status != **fate).collect();
             let flagged = |s: Status| !matches!(s, Status::Escaped | Status::Captured);
             let silent = wrong.iter().filter(|((end, _), _)| !flagged(end.status)).count();
             println!("{spin} {charge} {method}: {} wrong, {silent} in silence; {:?}", wrong.len(), wrong.first());

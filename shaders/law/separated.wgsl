@@ -146,7 +146,7 @@ fn orbit_pace(o: Orbit, u: Real, height: Real, gap: Real) -> Real {
 }
 
 fn orbit_captured(o: Orbit) -> bool {
-    return (o.w > 0.0) & (o.u * captured_within() > 1.0);
+    return (o.w > 0.0) & (o.u * captured_within() > 1.0) & !orbit_turns(o);
 }
 
 // Of n and u.

@@ -12,7 +12,8 @@ fn orbit_stop(o: Orbit) -> Real {
     let across = dot(law.spin, law.spin) * dot(o.n.xy, o.n.xy);
     let left = (1.0 - 16.0 * LAST_PART) * inverseSqrt(bound.radius * bound.radius - across);
     // As far as steps leave n a unit vector.
-    return select(left, captured, o.w > 0.0) * length(o.n);
+    let inwards = select(captured, Real(1e30), orbit_turns(o));
+    return select(left, inwards, o.w > 0.0) * length(o.n);
 }
 
 // No last step is taken again to another end: τ is size enough.

@@ -190,7 +190,7 @@ fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), Pr
     names.add(match captures.is_empty() {
         _ if by_formula => "law/capture_formula",
         true => "law/capture_none",
-        false => "law/capture_spheres",
+        false => scene.law.capture_part().unwrap_or("law/capture_spheres"),
     });
     let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.anchors());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();

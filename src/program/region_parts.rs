@@ -97,7 +97,8 @@ fn law_motion(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), P
         None => names.all(&[path, pace]),
     }
     let shoots = choice.purpose == Purpose::Lit || scene.has_shadows(Shadows::Shooting);
-    if let Some(orbit) = orbit.filter(|_| on_orbit || scene.rays.asymptotic || shoots) {
+    let asked = scene.rays.asymptotic || shoots || scene.law.capture_part().is_some();
+    if let Some(orbit) = orbit.filter(|_| on_orbit || asked) {
         names.all(&orbit.parts());
     }
     let stretched = |part: Wgsl| {
@@ -124,7 +125,7 @@ fn law_motion(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), P
 
 /// Does the last step of a path end where the path does? So where orbits separate and there is nothing to hit.
 pub(super) fn ends_with_steps(scene: &Scene) -> bool {
-    let separates = scene.law.orbit().is_some_and(|orbit| orbit.form == OrbitForm::Separated);
+    let separates = scene.law.orbit().is_some_and(|orbit| !orbit.is_plane());
     let on_orbit = scene.rays.method.kind.path == Path::Orbit;
     on_orbit && separates && !scene.needs_arcs() && is_about_center(scene)
 }
@@ -152,6 +153,6 @@ fn orbit_parts(scene: &Scene, orbit: &Orbit, purpose: Purpose, names: &mut Names
     names.add(match orbit.form {
         _ if !asked => "motion/time_none",
         OrbitForm::Plane(_) => "motion/time_kept",
-        OrbitForm::Separated => "motion/time_separated",
+        OrbitForm::Separated(_) => "motion/time_separated",
     });
 }

@@ -1,7 +1,7 @@
 //! Where an observer is after some time of his own: along a path that is given, or left to himself.
 //!
 //! *Theory.* A worldline x^μ(s) has s as the time that its own clock shows: g(u, u) = −1 with u = dx/ds. Left to himself an observer follows
-//! dp_μ/ds = ½ ∂_μg(u, u), with p = g u.
+//! `dp_μ/ds = ½ ∂_μ g(u, u)`, with p = g u.
 //!
 //! *Practice.* The metric's slopes are differences of six points, good to some 1e-12; paths are followed by Dormand and Prince's pair in 64
 //! bits. It is done once for a picture.

@@ -101,6 +101,12 @@ impl KerrNewman {
         self.circular_light(1.0)
     }
 
+    /// Does light turn within the place where rays are captured?
+    fn is_extreme(&self) -> bool {
+        let inner = self.horizon().zip(self.photon_orbit());
+        inner.is_some_and(|(horizon, orbit)| orbit < horizon + NEAR * self.mass)
+    }
+
     /// r of the circular orbit of light that goes round with the spin (1) or against it (−1).
     fn circular_light(&self, sense: f64) -> Option<f64> {
         let (m, q2, a) = (self.mass, self.charge * self.charge, sense * self.spin);
@@ -195,7 +201,13 @@ impl Law for KerrNewman {
 
     /// With a horizon: without one rays come as far as r = 0, where u has no end.
     fn orbit(&self) -> Option<Orbit> {
-        self.horizon().map(|_| Orbit { center: self.center, form: OrbitForm::Separated, is_free_far_away: true })
+        let turning = if self.is_extreme() { "law/turning_extreme" } else { "law/turning_none" };
+        let orbit = Orbit { center: self.center, form: OrbitForm::Separated(turning), is_free_far_away: true };
+        self.horizon().map(|_| orbit)
+    }
+
+    fn capture_part(&self) -> Option<&'static str> {
+        self.is_extreme().then_some("law/capture_extreme")
     }
 
     /// The null condition; L/E along the axis; and Carter's constant over E², regular on the axis. All but the first of rays that

@@ -135,6 +135,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         self.medium().and_then(|medium| medium.capture()).into_iter().collect()
     }
 
+    /// The part that captures rays, where its one sphere alone does not say it.
+    fn capture_part(&self) -> Option<&'static str> {
+        None
+    }
+
     /// The orbit about its only centre, if it has one whose r has an equation of its own.
     fn orbit(&self) -> Option<Orbit> {
         None
