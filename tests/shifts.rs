@@ -1,8 +1,10 @@
 //! How light shifts on its way, against closed forms and answers to 15 digits.
 
+use bentray::model::black_body;
 use bentray::program::{Choice, Layer, Schedule};
 use bentray::render::{Plane, RenderSettings, Renderer, Rendering};
 use bentray::scene::Scene;
+use glam::DVec3;
 
 use crate::oracle::{rows, vector};
 use crate::support::{gpu, scene};
@@ -128,5 +130,33 @@ fn light_reddens_as_space_grows() {
         let found = f64::from(shifts(&picture)[0]);
         assert!((found / (doppler * grown) - 1.0).abs() < 1e-5, "{frame}: {found}, not {}", doppler * grown);
         assert!((f64::from(picture.band.color[0][0]) / found.powi(4) - 1.0).abs() < 1e-5);
+    }
+}
+
+/// Where colours are taken for black bodies', a sky and a surface in the colour of one look like one of g times its temperature.
+#[test]
+fn hues_shift_as_those_of_black_bodies() {
+    for (kelvin, kept) in [(3000.0, false), (5000.0, false), (9000.0, false), (5000.0, true)] {
+        let color = black_body::color(kelvin).0;
+        for (ahead, g) in [(1.0, 2.0), (-1.0, 0.5)] {
+            for (sky, surface) in [
+                (color, ""),
+                (DVec3::ZERO, "[[objects]]\nshape = \"sphere\"\ncenter = [0, 0, 0]\nmaterial = \"a\"\nradius = 20\n"),
+            ] {
+                let hues = if kept { "kept" } else { "black-body" };
+                let rgb = color.to_array();
+                let picture = rendered(&scene(&format!(
+                    "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 0]\nlook_at = [0, {ahead}, 0]\nup = [0, 0, 1]\nfov = 1\nframe = \"moving\"\n\
+                     velocity = [0, 0.6, 0]\nshift = true\nhues = \"{hues}\"\n[rays]\nbound = {{ radius = 60 }}\n[sky]\ncolor = {:?}\n\
+                     [materials.a]\nkind = \"emissive\"\ncolor = {rgb:?}\n{surface}",
+                    sky.to_array()
+                )));
+                let (shifted, luminance) = black_body::color(kelvin * g);
+                let told =
+                    if kept { color * g.powi(4) } else { shifted * (luminance - black_body::color(kelvin).1).exp() };
+                let found = DVec3::from_array([0, 1, 2].map(|channel| f64::from(picture.band.color[channel][0])));
+                assert!(found.distance(told) < 1e-2 * told.length(), "{kelvin} by {g}: {found}, not {told}");
+            }
+        }
     }
 }

@@ -5,11 +5,11 @@ fn color_shift() -> f32 {
     return f32(seen_shift);
 }
 
-fn beamed() -> f32 {
+fn beamed(color: vec3f) -> vec3f {
     let g2 = color_shift() * color_shift();
-    return g2 * g2;
+    return (g2 * g2) * color;
 }
 
 fn beam_sky(color: ptr<function, vec3f>) {
-    *color *= beamed();
+    *color = beamed(*color);
 }

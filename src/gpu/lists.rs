@@ -42,7 +42,8 @@ impl Source<'_> {
     fn glowing(&self) -> Vec<Binding> {
         let scene = self.scene;
         let mut bindings = Vec::new();
-        if scene.used_materials().any(|material| material.surface.has_temperature()) {
+        let hues = self.program.choice.shifts_hues(scene);
+        if hues || scene.used_materials().any(|material| material.surface.has_temperature()) {
             bindings.push(black_bodies());
         }
         if scene.used_materials().any(|material| material.surface.orbits()) {

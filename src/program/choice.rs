@@ -346,6 +346,12 @@ impl Choice {
         self.purpose == Purpose::Picture && scene.camera.as_ref().is_some_and(|camera| camera.shift)
     }
 
+    /// And are colours taken for those of black bodies?
+    #[must_use]
+    pub fn shifts_hues(&self, scene: &Scene) -> bool {
+        self.beams(scene) && scene.camera.as_ref().is_some_and(|camera| camera.hues)
+    }
+
     /// Is it asked how light has shifted, and is there an answer?
     #[must_use]
     pub fn knows_shift(&self, scene: &Scene) -> bool {

@@ -200,8 +200,8 @@ pub(super) fn materials(answers: &Answers) -> Unit {
         kinds.iter().map(|part| (own_name(part).to_uppercase(), call(part, own_name(part)))).collect()
     };
     let radiance = |part: &str, kind: &str| {
-        let beamed = if beaming && !tempered.contains(&part) { " * beamed()" } else { "" };
-        format!("radiance_{kind}(material, color, lit){beamed}")
+        let radiance = format!("radiance_{kind}(material, color, lit)");
+        if beaming && !tempered.contains(&part) { format!("beamed({radiance})") } else { radiance }
     };
     let radiance = if paths { Vec::new() } else { each(&radiance) };
     let colors: Vec<_> = patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();

@@ -80,7 +80,9 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
     } else if choice.layers.contains(&Layer::Shift) {
         names.add("picture/shift_unknown");
     }
-    if choice.beams(scene) {
+    if choice.shifts_hues(scene) {
+        names.all(&["picture/beaming_hues", "surface/black_body"]);
+    } else if choice.beams(scene) {
         names.add("picture/beaming");
     }
     if choice.keeps_orders(scene) {

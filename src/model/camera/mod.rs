@@ -95,8 +95,10 @@ pub struct Camera {
     pub frame: CameraFrame,
     /// t when the picture is taken.
     pub time: f64,
-    /// Is light as bright and as coloured as its shift makes it?
+    /// Is light as bright as its shift makes it?
     pub shift: bool,
+    /// And are colours taken for those of black bodies, which shift too?
+    pub hues: bool,
     /// Two eyes, if the picture is a pair of views.
     pub stereo: Option<Stereo>,
 }
@@ -137,6 +139,7 @@ impl Camera {
             frame,
             time: 0.0,
             shift: false,
+            hues: false,
             stereo: None,
         })
     }

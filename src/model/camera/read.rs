@@ -18,6 +18,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let look_at = table.or("look_at", DVec3::ZERO, vector);
     let up = table.or("up", DVec3::Y, direction);
     let shift = table.or("shift", false, boolean);
+    let hues = shift && table.or("hues", false, word(&[("kept", false), ("black-body", true)]));
     if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_parts().is_empty()) {
         let problem = "light has a frequency only for an observer, and by a law that says it";
         let help = "choose a `frame`, with a law of a hole, of a wormhole or by a line element";
@@ -26,7 +27,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let stereo = stereo(&table, size);
     let camera = seat.and_then(|Seat { position, frame, time }| {
         let [forward, right, up] = axes(&table, position, look_at, up)?;
-        Some(Camera { position, forward, right, up, projection: projection?, frame, time, shift, stereo })
+        Some(Camera { position, forward, right, up, projection: projection?, frame, time, shift, hues, stereo })
     });
     if let (Some(camera), Some(law)) = (&camera, law) {
         let then = law.later(camera.time);

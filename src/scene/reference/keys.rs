@@ -61,6 +61,8 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "the observer's way through spacetime, smooth between these events: where, when and how fast he is follows from proper_time";
             shift: "true | false" = "false",
                 "whether light is as the observer sees it: brighter and bluer from what comes near or lies higher, by the fourth power of its frequency's ratio; needs a `frame`";
+            hues if "shift": "kept | black-body" = "kept",
+                "what becomes of colours that no temperature is known of, the sky's too: they stay, or each is taken for that of a black body, which reddens and turns blue";
             stereo: "{ separation, layout, convergence }" = "none",
                 "two views in one picture, of eyes to the left and right of the position";
         }

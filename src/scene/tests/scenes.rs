@@ -58,6 +58,7 @@ const KINDS: &[&str] = &[
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"noise\", amplitude = 0.2, frequency = 2, octaves = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"luneburg\", radius = 1, c = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"constant\", n = 1.5 }\npriority = 1\n",
+    "[camera]\nposition = [1, 2, 3]\nshift = true\n[rays]\nbound = { radius = 9 }\n",
     "[camera]\nkind = \"fisheye\"\nposition = [1, 2, 3]\ncorners = \"transparent\"\n\
      stereo = { separation = 0.5, layout = \"top-bottom\", convergence = 3 }\n[rays]\nbound = { radius = 1 }\n",
     "[rays]\nbound = { radius = 9 }\n[[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"shooting\"\n\
