@@ -100,5 +100,5 @@ fn images_of_1995() {
 
 #[test]
 fn spacetimes() {
-    figures_are_as_they_were_looked_at("spacetimes", 28);
+    figures_are_as_they_were_looked_at("spacetimes", 33);
 }
