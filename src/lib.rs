@@ -43,6 +43,7 @@ pub mod cli;
 pub mod document;
 pub mod error;
 pub mod gpu;
+pub mod guide;
 pub mod measure;
 pub mod model;
 pub mod output;
