@@ -48,7 +48,6 @@ fn store_ray(pixel: vec2u, ray: Ray) {
 fn load_segment(pixel: vec2u) -> Segment {
     let start = start_state(pixel);
     let end = end_state(pixel);
-    note_segment(start[0].w);
     let before = path_velocity(start[1].xyz);
     let after = path_velocity(end[1].xyz);
     return Segment(start[0].xyz, before, end[0].xyz, after, taken_step(pixel));
@@ -56,4 +55,8 @@ fn load_segment(pixel: vec2u) -> Segment {
 
 fn load_tau(pixel: vec2u) -> Real {
     return end_state(pixel)[0].w;
+}
+
+fn load_start_tau(pixel: vec2u) -> Real {
+    return start_state(pixel)[0].w;
 }
