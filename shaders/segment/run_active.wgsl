@@ -16,6 +16,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 break;
             }
             next = *ray;
+            note_segment(next.tau);
             quick = follow_quickly(&next);
             near = nearby(quick.segment);
             if !quick.sure || near != 0u || open_status(quick.segment, next.tau, (*ray).index) != ALIVE {

@@ -10,6 +10,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             break;
         }
         var next = path;
+        note_segment(next.tau);
         let segment = follow_segment(&next);
         let hit = first_hit(segment, nearby(segment), spot.pixel);
         if walk_suspended() {
