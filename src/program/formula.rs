@@ -97,7 +97,8 @@ fn function(name: &str, formula: &Formula) -> String {
 pub(super) fn body(graph: &Graph, roots: &[Id], variables: &'static [&'static str]) -> (String, Vec<String>) {
     let reached = graph.reached(roots);
     let uses = uses(graph, &reached, roots);
-    let mut writer = Writer { graph, variables, uses, names: BTreeMap::new(), lines: String::new() };
+    let divides = divides(graph, &reached);
+    let mut writer = Writer { graph, variables, uses, divides, names: BTreeMap::new(), lines: String::new() };
     writer.common_places(&reached);
     for id in reached {
         writer.bind(id);
@@ -122,6 +123,17 @@ fn uses(graph: &Graph, reached: &[Id], roots: &[Id]) -> BTreeMap<Id, usize> {
     uses
 }
 
+/// How often each node divides others: a division takes as long as several products, and one will do for all of them.
+fn divides(graph: &Graph, reached: &[Id]) -> BTreeMap<Id, usize> {
+    let mut divides = BTreeMap::new();
+    for id in reached {
+        if let Node::Quotient(_, b) = graph.node(*id) {
+            *divides.entry(b).or_default() += 1;
+        }
+    }
+    divides
+}
+
 /// How strongly a piece of WGSL holds together.
 const SUM: u8 = 1;
 const PRODUCT: u8 = 2;
@@ -132,6 +144,7 @@ struct Writer<'a> {
     graph: &'a Graph,
     variables: &'static [&'static str],
     uses: BTreeMap<Id, usize>,
+    divides: BTreeMap<Id, usize>,
     /// Of what is bound.
     names: BTreeMap<Key, String>,
     lines: String,
@@ -144,6 +157,8 @@ enum Key {
     Power(Id, u32),
     /// Sine and cosine.
     Sines(Id),
+    /// 1 over it.
+    Inverse(Id),
 }
 
 impl Writer<'_> {
@@ -215,6 +230,9 @@ impl Writer<'_> {
             Node::Sum(a, b) => (format!("{} + {}", self.operand(a, SUM), self.operand(b, PRODUCT)), SUM),
             Node::Difference(a, b) => (format!("{} - {}", self.operand(a, SUM), self.operand(b, PRODUCT)), SUM),
             Node::Product(a, b) => (format!("{} * {}", self.operand(a, PRODUCT), self.operand(b, WHOLE)), PRODUCT),
+            Node::Quotient(a, b) if self.divides.get(&b).is_some_and(|divides| *divides > 2) => {
+                (format!("{} * {}", self.operand(a, PRODUCT), self.inverse(b)), PRODUCT)
+            }
             Node::Quotient(a, b) => (format!("{} / {}", self.operand(a, PRODUCT), self.operand(b, WHOLE)), PRODUCT),
             Node::Negative(a) => (format!("-{}", self.operand(a, WHOLE)), MINUS),
             Node::Power(a, k) => {
@@ -244,6 +262,16 @@ impl Writer<'_> {
         let (one, other) = (self.power(a, one), self.power(a, other));
         let name = self.line(&format!("{one} * {other}"));
         self.names.insert(Key::Power(a, k), name.clone());
+        name
+    }
+
+    fn inverse(&mut self, a: Id) -> String {
+        if let Some(name) = self.names.get(&Key::Inverse(a)) {
+            return name.clone();
+        }
+        let text = format!("1.0 / {}", self.operand(a, WHOLE));
+        let name = self.line(&text);
+        self.names.insert(Key::Inverse(a), name.clone());
         name
     }
 

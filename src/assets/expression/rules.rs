@@ -9,6 +9,12 @@ use super::graph::{Graph, Id, Node};
 /// Whole exponents up to this are multiplied out; others go by the logarithm.
 const LARGEST_POWER: f64 = 64.0;
 
+/// Is it a power of two, by which nothing is rounded?
+fn is_exact(factor: f64) -> bool {
+    let size = factor.abs();
+    (1e-3..=1e3).contains(&size) && size.log2().fract() == 0.0
+}
+
 impl Graph {
     pub(super) fn constant(&mut self, value: f64) -> Id {
         // 0 and −0 are one node.
@@ -120,6 +126,11 @@ impl Graph {
                 _ => self.make(Node::Product(front, a)),
             },
             Node::Negative(rest) => self.scaled(-factor, rest),
+            // Where nothing is rounded, numbers of a sum are scaled by themselves.
+            Node::Sum(b, c) if is_exact(factor) && (self.number(b).is_some() || self.number(c).is_some()) => {
+                let [b, c] = [b, c].map(|part| self.product(front, part));
+                self.sum(b, c)
+            }
             _ if self.number(front) == Some(-1.0) => self.make(Node::Negative(a)),
             _ => self.make(Node::Product(front, a)),
         }
@@ -137,7 +148,18 @@ impl Graph {
                 let quotient = self.quotient(a, b);
                 self.negative(quotient)
             }
-            _ => self.folded(Node::Quotient(a, b)),
+            (_, Node::Product(number, b)) if self.number(number).is_some_and(is_exact) => {
+                let quotient = self.quotient(a, b);
+                self.quotient(quotient, number)
+            }
+            (Node::Product(number, a), _) if self.number(number).is_some_and(is_exact) => {
+                let quotient = self.quotient(a, b);
+                self.product(number, quotient)
+            }
+            _ => match self.number(b).filter(|b| is_exact(*b)) {
+                Some(number) if self.number(a).is_none() => self.scaled(1.0 / number, a),
+                _ => self.folded(Node::Quotient(a, b)),
+            },
         }
     }
 
