@@ -127,7 +127,9 @@ fn uses(graph: &Graph, reached: &[Id], roots: &[Id]) -> BTreeMap<Id, usize> {
 fn divides(graph: &Graph, reached: &[Id]) -> BTreeMap<Id, usize> {
     let mut divides = BTreeMap::new();
     for id in reached {
-        if let Node::Quotient(_, b) = graph.node(*id) {
+        if let Node::Quotient(_, b) = graph.node(*id)
+            && graph.number(b).is_none()
+        {
             *divides.entry(b).or_default() += 1;
         }
     }
