@@ -1,5 +1,7 @@
 //! What differs from the truth.
 
+use std::fmt;
+
 use crate::render::{Status, Traced};
 
 use super::Truth;
@@ -20,15 +22,25 @@ pub struct Quantiles {
     pub max: f64,
 }
 
+impl fmt::Display for Quantiles {
+    /// Median, 99 % and maximum in columns; of nothing that there are none.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.max.is_nan() {
+            return write!(f, "{:>12}{:>12}{:>12}", "none", "none", "none");
+        }
+        write!(f, "{:>12.2e}{:>12.2e}{:>12.2e}", self.median, self.p99, self.max)
+    }
+}
+
 impl Quantiles {
-    /// Of values in any order; all 0 if there are none.
+    /// Of values in any order; no numbers if there are none.
     #[must_use]
     pub fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
         // The least value that so many of the rays do not exceed.
         let at = |q: f64| {
             let rank = (q * values.len() as f64).ceil() as usize;
-            values.get(rank.max(1) - 1).copied().unwrap_or(0.0)
+            values.get(rank.max(1) - 1).copied().unwrap_or(f64::NAN)
         };
         let spread = (0.99 * 0.01 / values.len().max(1) as f64).sqrt();
         let sure99 = at((0.99 + 2.0 * spread).min(1.0));
@@ -111,7 +123,7 @@ mod tests {
         assert_eq!((q.median, q.p95, q.p99, q.max), (100.0, 190.0, 198.0, 200.0));
         assert_eq!(Quantiles::of(vec![3.0]), Quantiles { median: 3.0, p95: 3.0, p99: 3.0, sure99: 3.0, max: 3.0 });
         assert_eq!(Quantiles::of((1..=10_000).map(f64::from).collect()).sure99, 9920.0);
-        assert_eq!(Quantiles::of(Vec::new()).max, 0.0);
+        assert!(Quantiles::of(Vec::new()).max.is_nan());
         assert_eq!(Quantiles::of(vec![1.0, f64::INFINITY]).max, f64::INFINITY);
     }
 

@@ -140,8 +140,11 @@ impl<'a> Trials<'a> {
 impl fmt::Display for Trial {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = method_words(self.method, self.control);
-        if self.error.is_infinite() {
+        if !self.error.is_finite() {
             return write!(f, "{words}: the rule where no method can be judged");
+        }
+        if self.error == 0.0 {
+            return write!(f, "{words}: 99 % end as they should, {:.0} evaluations' cost a ray", self.cost);
         }
         write!(f, "{words}: 99 % within {:.1e} rad, {:.0} evaluations' cost a ray", self.error, self.cost)
     }

@@ -36,7 +36,10 @@ impl Verification {
     #[must_use]
     pub fn metadata(&self) -> Vec<(String, String)> {
         let found = &self.found;
-        let quantiles = |q: &Quantiles| format!("median {:.2e}, 99% {:.2e}, max {:.2e}", q.median, q.p99, q.max);
+        let quantiles = |q: &Quantiles| match q.max.is_nan() {
+            true => "none: no ray could be compared".to_owned(),
+            false => format!("median {:.2e}, 99% {:.2e}, max {:.2e}", q.median, q.p99, q.max),
+        };
         let rows = [
             ("rays", found.rays.to_string()),
             ("tolerance of the truth", format!("{:.0e}", self.tolerance)),
@@ -53,6 +56,13 @@ impl Verification {
 impl fmt::Display for Verification {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let found = &self.found;
+        if found.rays == 0 {
+            return write!(
+                f,
+                "not verified: none of {} rays has an end that could be known, against f64 at tolerance {:.0e}",
+                found.unresolved, self.tolerance
+            );
+        }
         writeln!(
             f,
             "verified on {} rays against f64 at tolerance {:.0e}: {} ended wrongly ({} of them flagged), {} unresolved",
@@ -62,7 +72,7 @@ impl fmt::Display for Verification {
         let rows = [("angle (rad)", &found.angle), ("position", &found.position), ("depth (τ)", &found.depth)];
         for (i, (name, q)) in rows.into_iter().enumerate() {
             let end = if i == 2 { "" } else { "\n" };
-            write!(f, "{name:<22}{:>12.2e}{:>12.2e}{:>12.2e}{end}", q.median, q.p99, q.max)?;
+            write!(f, "{name:<22}{q}{end}")?;
         }
         Ok(())
     }
