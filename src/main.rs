@@ -9,7 +9,7 @@ fn main() -> ExitCode {
         Ok(code) => code,
         Err(Error::Closed) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            bentray::cli::tell_error(&error);
             ExitCode::FAILURE
         }
     }

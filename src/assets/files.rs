@@ -3,9 +3,9 @@
 use super::Use;
 use super::{IndexGrid, Mesh, Picture, Profile};
 use crate::document::Node;
-use crate::document::SceneError;
 use crate::document::reader::Reader;
 use crate::document::values::text;
+use crate::document::{SceneError, read_text};
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -63,8 +63,7 @@ impl Files {
     /// The text that a node names, and what errors call it.
     pub fn text(&mut self, reader: &Reader, node: &Node) -> Option<(String, Arc<str>)> {
         let (path, identity) = find(reader, node)?;
-        let read = |source| SceneError::Read { path: path.clone(), source };
-        let load = || accept(reader, node, std::fs::read_to_string(&path).map_err(read)).map(Arc::from);
+        let load = || accept(reader, node, read_text(&path)).map(Arc::from);
         let text = self.text_of.entry(identity).or_insert_with(load).clone()?;
         Some((path.display().to_string(), text))
     }

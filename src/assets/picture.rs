@@ -6,7 +6,10 @@
 //! depths of PNG without loss. 12 bytes a pixel stay in memory.
 
 use crate::document::SceneError;
-use image::{DynamicImage, ImageReader};
+use image::codecs::hdr::HdrDecoder;
+use image::{DynamicImage, ImageFormat, ImageReader, ImageResult};
+use std::fs::File;
+use std::io::BufReader;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,16 +29,20 @@ impl Picture {
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
         let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };
-        let reader = ImageReader::open(path).map_err(unreadable)?;
-        let mut reader = reader.with_guessed_format().map_err(unreadable)?;
+        let open = || ImageReader::open(path).and_then(ImageReader::with_guessed_format).map_err(unreadable);
+        let (width, height) = open()?.into_dimensions().map_err(|e| unusable(e.to_string()))?;
+        let size = [width, height];
+        let bytes = std::fs::metadata(path).map_err(unreadable)?.len();
+        if let Some(problem) = unlikely(size, bytes) {
+            return Err(unusable(problem));
+        }
+        let mut reader = open()?;
         // By default a picture over 512 MiB is refused; a sky may well be larger.
         reader.no_limits();
+        let exposure = exposure(path, reader.format()).map_err(|e| unusable(e.to_string()))?;
         let image = reader.decode().map_err(|e| unusable(e.to_string()))?;
-        let size = [image.width(), image.height()];
-        if size.contains(&0) {
-            return Err(unusable("it has no pixels".to_owned()));
-        }
-        let pixels = linear(image);
+        let mut pixels = linear(image);
+        pixels.iter_mut().flatten().for_each(|value| *value /= exposure);
         let broken = |pixel: &[f32; 3]| pixel.iter().any(|x| !x.is_finite());
         if let Some(index) = pixels.iter().position(broken) {
             let (x, y) = (index % size[0] as usize, index / size[0] as usize);
@@ -43,6 +50,34 @@ impl Picture {
         }
         Ok(Self { size, pixels: Arc::new(pixels), name: path.display().to_string() })
     }
+}
+
+/// Pixels that a picture may have: 3 GiB of memory.
+const MOST_PIXELS: u64 = 1 << 28;
+/// Pixels that a byte of a file stands for at most, by any of the formats: their best compression is near 1000.
+const DENSEST: u64 = 4096;
+
+/// Why nothing should be read of a picture of this size from so many bytes.
+fn unlikely([width, height]: [u32; 2], bytes: u64) -> Option<String> {
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels == 0 {
+        Some("it has no pixels".to_owned())
+    } else if pixels / DENSEST > bytes {
+        Some(format!("its header says {width}×{height} pixels, which its {bytes} bytes cannot hold"))
+    } else if pixels > MOST_PIXELS {
+        Some(format!("it has {width}×{height} pixels, {pixels}, and at most {MOST_PIXELS} are read: make it smaller"))
+    } else {
+        None
+    }
+}
+
+/// What an HDR file's numbers are to be divided by to be radiance; 1 for others.
+fn exposure(path: &Path, format: Option<ImageFormat>) -> ImageResult<f32> {
+    if format != Some(ImageFormat::Hdr) {
+        return Ok(1.0);
+    }
+    let header = HdrDecoder::new(BufReader::new(File::open(path)?))?.metadata();
+    Ok(header.exposure.filter(|exposure| exposure.is_normal() && *exposure > 0.0).unwrap_or(1.0))
 }
 
 fn linear(image: DynamicImage) -> Vec<[f32; 3]> {

@@ -7,7 +7,7 @@
 //!
 //! *Practice.* CSV by hand: the header `height,n`, then a line for each point; spaces and empty lines are passed over.
 
-use crate::document::{Mistake, SceneError};
+use crate::document::{Mistake, SceneError, read_text};
 use std::path::Path;
 
 /// n by height.
@@ -94,9 +94,7 @@ impl Profile {
 
     /// Reads a CSV file.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
-        let text = std::fs::read_to_string(path).map_err(unreadable)?;
-        Self::parse(&text, path)
+        Self::parse(&read_text(path)?, path)
     }
 
     /// Reads the text of a CSV file; `path` names it in mistakes.

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use super::paths;
 use crate::error::Error;
 use crate::output::assemble;
 
@@ -26,6 +27,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             arguments.output.display()
         )));
     }
+    let parts: Vec<_> = arguments.parts.iter().map(|part| (part.clone(), "one of the parts")).collect();
+    paths::check([arguments.output.as_path()], &parts)?;
     assemble(&arguments.parts, &arguments.output)?;
     Ok(ExitCode::SUCCESS)
 }

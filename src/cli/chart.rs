@@ -84,8 +84,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         if scene.camera.is_none() {
             return Err(crate::render::RenderError::NoCamera.into());
         }
-        let chart =
-            sweep.scene(name, scene, &|method| wanted(arguments, method), &|what| eprintln!("{name}: {what}"))?;
+        let chart = sweep.scene(name, scene, &|method| wanted(arguments, method), &|what| tell!("{name}: {what}"))?;
         print(&chart)?;
         sections.push(write_chart(&arguments.output, &chart)?);
     }
@@ -96,7 +95,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 fn open(arguments: &Arguments) -> Result<(Gpu, String), Error> {
     let gpu = Gpu::open(arguments.device.as_deref())?;
     let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
-    eprintln!("device: {device}");
+    tell!("device: {device}");
     Ok((gpu, device))
 }
 
@@ -111,7 +110,7 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
     let mut rows = Vec::new();
     let mut silent = 0;
     for (name, scene, rays) in &places {
-        eprintln!("{name}");
+        tell!("{name}");
         let place = Place::new(&gpu, name, scene, rays)?;
         for candidate in all_methods(scene).iter().filter(|candidate| wanted(arguments, candidate)) {
             let mut outcome = place.outcome(candidate, default_settings(candidate))?;
@@ -140,7 +139,7 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
     let section = Section { title: "Where methods fail".to_owned(), intro, images: Vec::new(), tables: vec![table] };
     write_report(&arguments.output.join("stability.html"), "Bentray: stability", &[section])?;
     if silent > 0 {
-        eprintln!("{silent} rays are wrong without a sign of it");
+        tell!("{silent} rays are wrong without a sign of it");
         return Ok(ExitCode::FAILURE);
     }
     Ok(ExitCode::SUCCESS)

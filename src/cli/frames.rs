@@ -126,6 +126,12 @@ impl<'a> Film<'a> {
         Some(format!("{:032x}", hasher.finish128().as_u128()))
     }
 
+    /// Its file, and those that were loaded for it, with what they are.
+    pub(super) fn inputs(&self) -> Vec<(PathBuf, &'static str)> {
+        let own = self.files.borrow().paths().into_iter().map(|path| (path, "a file of the scene"));
+        std::iter::once((self.path.to_owned(), "the scene's own file")).chain(own).collect()
+    }
+
     /// The program of a frame.
     pub(super) fn program(&self, choice: &Choice, frame_of: &dyn Fn(&str) -> u32) -> Result<Program, Error> {
         let scene = self.load(Some(frame_of))?;

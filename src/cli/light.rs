@@ -8,6 +8,7 @@ use glam::{DVec3, Vec4};
 use super::decisions::Rays;
 use super::frames::Film;
 use super::options::{DeviceFlags, SceneOptions};
+use super::paths;
 use super::render::warn;
 use super::settle::settle;
 use crate::error::Error;
@@ -37,6 +38,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
     let scene = film.load(None)?;
+    let mut inputs = film.inputs();
+    inputs.push((arguments.at.clone(), "the table of places"));
+    paths::check([arguments.output.as_path()], &inputs)?;
     let lights: Vec<_> = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows.follows_the_law()).collect();
     let shot = shot_lights(&scene);
     let Some((_, first)) = lights.first() else {
@@ -69,10 +73,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         }
     }
     for (_, report) in &grids {
-        eprintln!("{report}");
+        tell!("{report}");
     }
     let found = found.iter().map(Vec::len).sum::<usize>();
-    eprintln!("{found} paths from {} lights to {} places", shot.len(), places.len());
+    tell!("{found} paths from {} lights to {} places", shot.len(), places.len());
     warn(&totals);
     table.finish()?;
     Ok(ExitCode::SUCCESS)

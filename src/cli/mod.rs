@@ -10,6 +10,13 @@ macro_rules! say {
     };
 }
 
+/// A line of messages to standard error: who has stopped reading them loses no more than those.
+macro_rules! tell {
+    ($($format:tt)*) => {
+        $crate::cli::tell_line(format_args!($($format)*))
+    };
+}
+
 mod assemble;
 mod bench;
 mod chart;
@@ -19,9 +26,11 @@ mod devices;
 mod formula;
 mod frames;
 mod go_on;
+mod interrupt;
 mod light;
 mod new;
 mod options;
+mod paths;
 mod render;
 mod settle;
 mod trace;
@@ -61,7 +70,9 @@ enum Command {
 
 /// Runs the command that the process was called with.
 pub fn run() -> Result<ExitCode, Error> {
-    match Cli::parse().command {
+    let command = Cli::parse().command;
+    interrupt::listen();
+    match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Assemble(arguments) => assemble::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
@@ -74,6 +85,16 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Formula(arguments) => formula::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
     }
+}
+
+/// Why a command failed, for whoever still reads it.
+pub fn tell_error(error: &Error) {
+    tell!("error: {error}");
+}
+
+fn tell_line(line: Arguments) {
+    // Whoever lost the messages is not told of it: there is no place to.
+    let _ = writeln!(io::stderr().lock(), "{line}");
 }
 
 fn say_line(line: Arguments) -> Result<(), Error> {

@@ -206,7 +206,7 @@ impl Opening {
         let lost = || Err(GpuError::Lost("it could not be opened".to_owned()));
         // A thread that panicked has met a fault of this code: it goes on here.
         let gpu = opened.map_or_else(lost, |opened| opened.unwrap_or_else(|e| panic::resume_unwind(e)))?;
-        eprintln!("device: {} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.backend);
+        tell!("device: {} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.backend);
         Ok(gpu)
     }
 }

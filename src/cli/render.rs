@@ -12,7 +12,9 @@ use clap::builder::TypedValueParser;
 use super::decisions::Rays;
 use super::frames::{Film, Frames, path_of};
 use super::go_on::{self, Before, SUMS, is_continuable};
+use super::interrupt;
 use super::options::{DeviceFlags, FOLLOWED, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
+use super::say_line;
 use super::settle::settle;
 use super::watch::{PreviewFile, Progress};
 use crate::error::Error;
@@ -86,11 +88,6 @@ impl Arguments {
         if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
             return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
         }
-        let files: Vec<_> = self.output.iter().chain(&self.preview).collect();
-        let twice = files.iter().enumerate().find(|(i, path)| files[..*i].contains(path));
-        if let Some((_, path)) = twice {
-            return Err(Error::Usage(format!("{} is named twice, with -o or --preview", path.display())));
-        }
         let misplaced = self.output.iter().find(|path| path_of(path, 0).is_some() != self.frames.is_some());
         match (misplaced, self.frames) {
             (Some(path), Some(_)) => Err(Error::Usage(format!(
@@ -154,6 +151,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         Some(frames) => frames.of(&still)?.map(Some).collect(),
         None => vec![None],
     };
+    arguments.check_files(&film, &frames)?;
     arguments.try_files(&still, &frames, &layers)?;
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
@@ -171,7 +169,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     launch.next();
     let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;
     if let Some(verification) = &measured {
-        say!("{verification}");
+        // Who has stopped reading wants the picture all the same.
+        match say_line(format_args!("{verification}")) {
+            Err(Error::Closed) => {}
+            other => other?,
+        }
     }
     let mut metadata = metadata(&scene, measured.as_ref());
     if frames[0].is_none() && layers.contains(&Layer::Sums) {
@@ -187,6 +189,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     launch.next();
     let mut ready = begun.elapsed();
     let mut unfollowed = 0;
+    if frames.len() > 1 {
+        interrupt::finish_first();
+    }
     for (i, &frame) in frames.iter().enumerate() {
         if i > 0 {
             let begun = Instant::now();
@@ -200,14 +205,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             writer.finish()?;
         }
         if i == 0 {
-            eprintln!("{launch}");
+            tell!("{launch}");
         }
         for light in renderer.light_reports() {
-            eprintln!("{light}");
+            tell!("{light}");
             unfollowed += light.unfollowed();
         }
         report(frame, ready, &totals);
         unfollowed += totals.unfollowed();
+        if interrupt::is_asked() {
+            return Ok(ExitCode::from(interrupt::INTERRUPTED));
+        }
     }
     Ok(if arguments.strict && unfollowed > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
@@ -231,8 +239,8 @@ fn change(
 
 fn report(frame: Option<u32>, ready: Duration, totals: &Totals) {
     match frame {
-        Some(frame) => eprintln!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
-        None => eprintln!("{totals}"),
+        Some(frame) => tell!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
+        None => tell!("{totals}"),
     }
     warn(totals);
 }
@@ -293,7 +301,7 @@ pub(super) fn warn(totals: &Totals) {
         (Status::Failed, "became infinite or undefined: take shorter steps, or give sources a capture radius"),
     ];
     if totals.unfiltered > 0 {
-        eprintln!(
+        tell!(
             "warning: on {} stretches of paths a filter could not be had to its tolerance, or is below 0 or above 1 there: raise \
              filter.tolerance, or mend the formula",
             totals.unfiltered
@@ -302,7 +310,7 @@ pub(super) fn warn(totals: &Totals) {
     for (status, what) in advice {
         let count = totals.count(status);
         if count > 0 {
-            eprintln!("warning: {count} rays {what} (black in the picture, `{}` in the status layer)", status.name());
+            tell!("warning: {count} rays {what} (black in the picture, `{}` in the status layer)", status.name());
         }
     }
 }

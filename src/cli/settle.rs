@@ -24,7 +24,7 @@ pub(super) fn settle(
     let kept = place.as_ref().and_then(Place::find);
     let known = kept.and_then(|kept| Some((film.load_as(frame, &kept.followed).ok()?, kept)));
     if let Some((scene, kept)) = known {
-        eprintln!("{}", kept.said);
+        tell!("{}", kept.said);
         if kept.compared_layers {
             settings.choice.layers = compared_layers(&settings.choice.layers);
         }
@@ -35,7 +35,7 @@ pub(super) fn settle(
         Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
     }?;
     let Some(calibration) = calibration else { return Ok((scene, settings)) };
-    eprintln!("{calibration}");
+    tell!("{calibration}");
     let scene = calibration.applied(&scene);
     if let Some(place) = place {
         let (said, followed) = (calibration.to_string(), scene.rays.followed());

@@ -15,6 +15,7 @@ use self::diagram::{DiagramOptions, Group};
 use super::decisions::Rays;
 use super::frames::Film;
 use super::options::{DeviceFlags, SceneOptions};
+use super::paths;
 use super::render::warn;
 use super::settle::settle;
 use crate::error::Error;
@@ -75,9 +76,6 @@ fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.device.check()?;
-    if arguments.plot.is_some() && arguments.plot == arguments.output {
-        return Err(Error::Usage("--plot and -o name the same file".to_owned()));
-    }
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
     let scene = film.load(None)?;
@@ -93,6 +91,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         let [width, height] = scene.image.size;
         return Err(Error::Usage(format!("pixel {x},{y} is not in the picture of {width} by {height} pixels")));
     }
+    let mut inputs = film.inputs();
+    inputs.extend(arguments.rays.clone().map(|rays| (rays, "the table of rays")));
+    paths::check(arguments.output.iter().chain(&arguments.plot).map(PathBuf::as_path), &inputs)?;
     let mut starts = Starts::of(arguments)?;
     let mut table = match &arguments.output {
         Some(output) if arguments.path => Some(Table::create::<PathRow>(output)?),
@@ -110,7 +111,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         for (i, ray) in traced.iter().enumerate() {
             table.as_mut().map_or(Ok(()), |table| table.write(&result_row(i, ray)))?;
         }
-        eprintln!("{totals}");
+        tell!("{totals}");
         warn(&totals);
         if arguments.drift {
             print_drift(&scene, rays, &traced);
@@ -198,12 +199,12 @@ fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) {
     };
     let found = drift(&*scene.law, rays.iter().map(|ray| start(*ray)).zip(traced));
     if found.is_empty() {
-        eprintln!("the law keeps nothing that could drift, or no ray came to an end");
+        tell!("the law keeps nothing that could drift, or no ray came to an end");
         return;
     }
-    eprintln!("{:<18}{:>12}{:>12}{:>12}", "relative drift", "median", "99 %", "max");
+    tell!("{:<18}{:>12}{:>12}{:>12}", "relative drift", "median", "99 %", "max");
     for (name, q) in found {
-        eprintln!("{name:<18}{q}");
+        tell!("{name:<18}{q}");
     }
 }
 

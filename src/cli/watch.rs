@@ -34,7 +34,7 @@ impl Progress {
         self.bar.set_position((done * 1000.0) as u64);
         if !std::io::stderr().is_terminal() && self.said.get().elapsed() >= QUIET {
             self.said.set(Instant::now());
-            eprintln!("{}", line(done, self.begun.elapsed()));
+            tell!("{}", line(done, self.begun.elapsed()));
         }
     }
 

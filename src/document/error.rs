@@ -3,6 +3,13 @@
 use std::fmt;
 use std::path::PathBuf;
 
+/// Mistakes that are looked for in one run, at most.
+pub(super) const ENOUGH: usize = 1000;
+/// And those that are shown.
+const SHOWN: usize = 100;
+/// Characters of a line that are shown.
+const WIDTH: usize = 160;
+
 /// Why a scene could not be loaded.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
@@ -84,10 +91,15 @@ impl fmt::Display for Mistake {
         let shown = self.context.trim_start();
         if !shown.is_empty() {
             let indent = self.context.chars().count() - shown.chars().count();
-            let pad = " ".repeat((column - 1).saturating_sub(indent));
-            let carets = "^".repeat(self.excerpt.chars().count().max(1));
-            let shown = shown.replace('\t', " ");
-            write!(f, "\n    {shown}\n    {pad}{carets}")?;
+            // Of a line that is very long the part about the mistake.
+            let skipped = (column - 1).saturating_sub(indent).saturating_sub(WIDTH / 2);
+            let (skipped, dots) = if skipped > 3 { (skipped, "…") } else { (0, "") };
+            let pad = " ".repeat((column - 1).saturating_sub(indent + skipped) + dots.chars().count());
+            let carets = "^".repeat(self.excerpt.chars().count().clamp(1, WIDTH / 2));
+            let rest: String = shown.chars().skip(skipped).take(WIDTH).collect();
+            let more = if shown.chars().nth(skipped + WIDTH).is_some() { "…" } else { "" };
+            let shown = rest.replace('\t', " ");
+            write!(f, "\n    {dots}{shown}{more}\n    {pad}{carets}")?;
         }
         if !self.help.is_empty() {
             write!(f, "\n    help: {}", self.help)?;
@@ -103,8 +115,10 @@ fn char_boundary(text: &str, at: usize) -> usize {
 }
 
 fn list(mistakes: &[Mistake]) -> String {
-    let mut parts: Vec<String> = mistakes.iter().map(Mistake::to_string).collect();
+    let mut parts: Vec<String> = mistakes.iter().take(SHOWN).map(Mistake::to_string).collect();
     let plural = if mistakes.len() == 1 { "" } else { "s" };
-    parts.push(format!("{} mistake{plural} found", mistakes.len()));
+    let least = if mistakes.len() >= ENOUGH { "at least " } else { "" };
+    let shown = if mistakes.len() > SHOWN { format!(", of which {SHOWN} are shown") } else { String::new() };
+    parts.push(format!("{least}{} mistake{plural} found{shown}", mistakes.len()));
     parts.join("\n\n")
 }

@@ -12,6 +12,7 @@ mod keys;
 mod kinds;
 mod overrides;
 pub mod reader;
+mod text;
 pub mod values;
 
 pub use error::{Mistake, SceneError};
@@ -19,6 +20,7 @@ pub(crate) use keys::keys;
 pub use keys::{Key, KeyReference};
 pub use kinds::{Kind, Kinds, kind_rows};
 pub use overrides::{Override, names};
+pub use text::read_text;
 
 use std::borrow::Cow;
 use std::ops::Range;

@@ -4,7 +4,7 @@
 //! table are those its reading asks for, and nothing else lists them but the reference, which tells the user when a
 //! key would have been asked for, and is tested against the asking.
 
-use super::error::Mistake;
+use super::error::{ENOUGH, Mistake};
 use super::values::{Read, suggest};
 use super::{Document, Fault, KeyReference, Node, Place, TOP, Table, Value};
 use std::cell::{Cell, RefCell};
@@ -40,7 +40,9 @@ impl<'a> Reader<'a> {
 
     /// Records a fault.
     pub fn fault(&self, fault: Fault) {
-        self.mistake(self.document.locate(fault));
+        if self.mistakes.borrow().len() < ENOUGH {
+            self.mistake(self.document.locate(fault));
+        }
     }
 
     /// The folder of the scene file: names of files are relative to it.
@@ -252,8 +254,11 @@ impl<'r, 'a> TableReader<'r, 'a> {
                 continue;
             }
             let (problem, help) = if elsewhere.is_empty() {
-                let keys: Vec<&str> =
+                let mut keys: Vec<&str> =
                     if self.lenient.get() { listed().map(|r| r.key).collect() } else { asked.clone() };
+                // Several kinds may have one.
+                let mut told = BTreeSet::new();
+                keys.retain(|key| told.insert(*key));
                 let help = suggest(name, &keys, "keys here");
                 (format!("unknown key `{name}`"), help)
             } else {

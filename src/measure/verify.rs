@@ -36,9 +36,11 @@ impl Verification {
     #[must_use]
     pub fn metadata(&self) -> Vec<(String, String)> {
         let found = &self.found;
-        let quantiles = |q: &Quantiles| match q.max.is_nan() {
-            true => "none: no ray could be compared".to_owned(),
-            false => format!("median {:.2e}, 99% {:.2e}, max {:.2e}", q.median, q.p99, q.max),
+        let quantiles = |q: &Quantiles| {
+            if q.max.is_nan() {
+                return "none: no ray could be compared".to_owned();
+            }
+            format!("median {:.2e}, 99% {:.2e}, max {:.2e}", q.median, q.p99, q.max)
         };
         let rows = [
             ("rays", found.rays.to_string()),

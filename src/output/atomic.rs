@@ -2,13 +2,15 @@
 //!
 //! The bytes go to a temporary file in the target's own folder, which is renamed over the target when it is finished:
 //! whoever reads the target sees the old file or the new one, never a part. Dropped unfinished, the temporary file is
-//! removed and the target is as it was. A process that is killed outright may leave the temporary file, whose name
-//! begins with a dot and ends in `.part`. The cost is one buffer of 256 KiB and, at the end, one wait for the disk.
+//! removed and the target is as it was. A process that is interrupted removes what is unfinished by [`abandon_unfinished`]; one that is
+//! killed outright may leave the temporary file, whose name begins with a dot and ends in `.part`. The cost is one buffer of 256 KiB and, at the end, one wait for the disk.
 
 use std::{
+    collections::BTreeSet,
     fs::{self, File, Permissions},
     io::{self, BufWriter, Seek, SeekFrom, Write},
     path::{Path, PathBuf},
+    sync::{Mutex, MutexGuard, PoisonError},
 };
 
 use tempfile::NamedTempFile;
@@ -17,6 +19,35 @@ use super::OutputError;
 
 const BUFFER_BYTES: usize = 1 << 18;
 
+/// Temporary files of this process.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// No thread leaves it half changed.
+fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes every file that is not finished, for a process that ends at once. No other begins or is finished while what comes back is held.
+#[must_use]
+pub fn abandon_unfinished() -> impl Sized {
+    let listed = unfinished();
+    for path in listed.iter() {
+        // What cannot be removed stays: there is nobody left to do more.
+        let _ = fs::remove_file(path);
+    }
+    listed
+}
+
+/// A place in the list of temporary files, for as long as it is held.
+#[derive(Debug)]
+struct Listed(PathBuf);
+
+impl Drop for Listed {
+    fn drop(&mut self) {
+        unfinished().remove(&self.0);
+    }
+}
+
 /// A file in the making; it appears at its path on [`finish`](Self::finish).
 #[derive(Debug)]
 pub struct AtomicFile {
@@ -24,6 +55,8 @@ pub struct AtomicFile {
     target: PathBuf,
     kept_permissions: Option<Permissions>,
     file: BufWriter<NamedTempFile<File>>,
+    /// Behind the file, which is removed while it is listed still.
+    listed: Listed,
 }
 
 impl AtomicFile {
@@ -33,8 +66,13 @@ impl AtomicFile {
     pub fn create(path: &Path) -> Result<Self, OutputError> {
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         let kept_permissions = replaceable(path)?;
+        let mut all = unfinished();
         let file = temporary_beside(&target, path)?;
-        Ok(Self { path: path.to_owned(), target, kept_permissions, file: BufWriter::with_capacity(BUFFER_BYTES, file) })
+        let temporary = file.path().to_owned();
+        all.insert(temporary.clone());
+        drop(all);
+        let file = BufWriter::with_capacity(BUFFER_BYTES, file);
+        Ok(Self { path: path.to_owned(), target, kept_permissions, file, listed: Listed(temporary) })
     }
 
     /// The path that was asked for.
@@ -53,6 +91,7 @@ impl AtomicFile {
         }
         file.as_file().sync_all().map_err(failed)?;
         file.persist(&self.target).map_err(|e| failed(e.error))?;
+        drop(self.listed);
         Ok(())
     }
 
@@ -65,7 +104,8 @@ impl AtomicFile {
 /// The permissions of the file at `path`, if there is one, after a check that it may be replaced.
 fn replaceable(path: &Path) -> Result<Option<Permissions>, OutputError> {
     let not_a_file = |what| Err(OutputError::NotAFile { path: path.to_owned(), what });
-    if path.file_name().is_none() {
+    let ends_in = path.as_os_str().as_encoded_bytes().last();
+    if path.file_name().is_none() || ends_in.is_some_and(|end| std::path::is_separator(char::from(*end))) {
         return not_a_file("a folder");
     }
     match fs::metadata(path) {

@@ -33,7 +33,13 @@ pub fn read_places(path: &Path) -> Result<Vec<[f64; 3]>, OutputError> {
 
 /// `what` is what the rows are, in messages.
 fn read_numbers<const N: usize>(path: &Path, what: &str, columns: &[&str; N]) -> Result<Vec<[f64; N]>, OutputError> {
-    let text = fs::read_to_string(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
+    let bytes = fs::read(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = before.split(|byte| *byte == b'\n').count();
+        let problem = "it is no text in UTF-8; save the file as UTF-8".to_owned();
+        OutputError::Table { path: path.to_owned(), line, problem }
+    })?;
     let parsed = parse_numbers(&text, what, columns);
     parsed.map_err(|(line, problem)| OutputError::Table { path: path.to_owned(), line, problem })
 }

@@ -28,7 +28,7 @@ mod whole;
 use std::path::Path;
 
 pub use assemble::assemble;
-pub use atomic::AtomicFile;
+pub use atomic::{AtomicFile, abandon_unfinished};
 pub use error::OutputError;
 pub use said::said;
 pub use whole::picture;

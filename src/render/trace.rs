@@ -127,6 +127,10 @@ impl Renderer<'_> {
             if self.read_tally(&tile, &mut totals, None)? == Walks::Ended {
                 traced.extend(read_records(self, &tile, part.len())?);
             }
+            if let Starts::Given(rays) = starts {
+                let ends = traced[part.start..].iter_mut().zip(&rays[part.start..]);
+                ends.filter(|(_, ray)| is_swallowed(&self.scene, ray)).for_each(|(end, ray)| *end = captured_at(ray));
+            }
         }
         self.finish_totals(&mut totals, &clock, started)?;
         // The last row of the state is filled up with pixels that have no ray.
@@ -134,6 +138,17 @@ impl Renderer<'_> {
         totals.by_status = count_by_status(&traced);
         Ok((traced, totals))
     }
+}
+
+/// Does a ray start where nothing comes out?
+fn is_swallowed(scene: &Scene, ray: &[f64; 6]) -> bool {
+    scene.law.swallows(DVec3::from_slice(&ray[..3]))
+}
+
+/// The end of a ray that starts there.
+fn captured_at(ray: &[f64; 6]) -> Traced {
+    let [x, v] = [0, 3].map(|k| [ray[k], ray[k + 1], ray[k + 2]]);
+    Traced { status: Status::Captured, x, v, tau: 0.0, depth: 0.0, steps: 0, rejected: 0, object: None }
 }
 
 fn count_by_status(traced: &[Traced]) -> Vec<(Status, u64)> {
@@ -195,7 +210,12 @@ pub fn pixel_starts(
 fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
     let plan = renderer.longest_plan();
     let (tile, sample) = ray_tile(renderer, batch)?;
-    let mut paths = vec![(Status::Alive, Vec::new()); batch.len()];
+    let begun = |ray: &[f64; 6]| {
+        let Traced { x, v, tau, .. } = captured_at(ray);
+        let swallowed = is_swallowed(&renderer.scene, ray);
+        if swallowed { (Status::Captured, vec![PathPoint { x, v, tau }]) } else { (Status::Alive, Vec::new()) }
+    };
+    let mut paths: Vec<_> = batch.iter().map(begun).collect();
     let Some((record, rest)) = plan.steps.split_last() else { return Ok(paths) };
     let iterations = rest.chunk_by(|a, b| a.iteration == b.iteration && b.pass != Pass::Setup && a.pass != Pass::Setup);
     // Setup, then segment by segment until no ray is active.

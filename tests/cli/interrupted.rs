@@ -1,7 +1,7 @@
-//! A file is written whole or not at all, also if the program is killed.
+//! A file is written whole or not at all, also if the program is killed or asked to end.
 
 use std::io::{BufRead, BufReader, Read};
-use std::process::{Child, Stdio};
+use std::process::{Child, ChildStderr, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -17,39 +17,93 @@ impl Drop for Killed {
     }
 }
 
-#[test]
-fn a_render_that_is_killed_leaves_the_old_files_whole() {
-    let folder = Folder::with(BALL);
-    folder.run("render scene.toml -o a.png -o a.exr").succeeds();
-    let old = [folder.read("a.png"), folder.read("a.exr")];
-    // Minutes of work.
-    let long = "--size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
-    let mut command = folder.command(&format!("render scene.toml -o a.png -o a.exr {long}"));
-    let mut child = Killed(command.stderr(Stdio::piped()).spawn().unwrap());
+/// Minutes of work.
+const LONG: &str =
+    "render scene.toml -o a.png -o a.exr --size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
+
+/// Starts the long render, and waits until both files are under way.
+fn begin(folder: &Folder) -> (Killed, BufReader<ChildStderr>) {
+    let mut child = Killed(folder.command(LONG).stderr(Stdio::piped()).spawn().unwrap());
     let mut lines = BufReader::new(child.0.stderr.take().unwrap());
     let mut line = String::new();
     lines.read_line(&mut line).unwrap();
     assert!(line.starts_with("device: "), "{line}");
     // The files are open by now, under other names; a little later rays are on their way.
-    let temporary = |end: &str| {
-        let names = folder.names();
-        names.iter().filter(|name| name.ends_with(end)).count()
-    };
     let until = Instant::now() + Duration::from_secs(10);
-    while temporary(".part") < 2 && Instant::now() < until {
+    while unfinished(folder) < 2 && Instant::now() < until {
         sleep(Duration::from_millis(10));
     }
-    assert_eq!(temporary(".part"), 2, "{:?}", folder.names());
-    sleep(Duration::from_secs(1));
-    let running = child.0.try_wait().unwrap().is_none();
+    assert_eq!(unfinished(folder), 2, "{:?}", folder.names());
+    sleep(Duration::from_millis(500));
+    assert!(child.0.try_wait().unwrap().is_none(), "it ended before it was stopped");
+    (child, lines)
+}
+
+fn unfinished(folder: &Folder) -> usize {
+    ending(folder, ".part").len()
+}
+
+/// The files of a folder whose names end so.
+fn ending(folder: &Folder, end: &str) -> Vec<String> {
+    folder.names().into_iter().filter(|name| name.ends_with(end)).collect()
+}
+
+#[test]
+fn a_render_that_is_killed_leaves_the_old_files_whole() {
+    let folder = Folder::with(BALL);
+    folder.run("render scene.toml -o a.png -o a.exr").succeeds();
+    let old = [folder.read("a.png"), folder.read("a.exr")];
+    let (child, _lines) = begin(&folder);
     drop(child);
-    let mut rest = String::new();
-    lines.read_to_string(&mut rest).unwrap();
-    assert!(running, "it ended before it was killed: {rest}");
     assert!(old == [folder.read("a.png"), folder.read("a.exr")]);
     // Nothing of it is in the way of the next run.
     folder.run("render scene.toml -o a.png -o a.exr --size 8x8").succeeds();
     assert!(old != [folder.read("a.png"), folder.read("a.exr")]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_render_that_is_asked_to_end_leaves_nothing_behind() {
+    let folder = Folder::with(BALL);
+    folder.write("a.png", "an old picture");
+    for signal in ["-INT", "-TERM"] {
+        let (mut child, mut lines) = begin(&folder);
+        send(signal, &child.0);
+        assert_eq!(child.0.wait().unwrap().code(), Some(130), "{signal}");
+        let mut rest = String::new();
+        lines.read_to_string(&mut rest).unwrap();
+        assert_eq!(folder.names(), ["a.png", "scene.toml"], "{signal}: {rest}");
+        assert_eq!(folder.text("a.png"), "an old picture");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_film_that_is_asked_to_end_finishes_the_frame_in_hand() {
+    let animation =
+        "[animation]\nframes = 500\n[[animation.tracks]]\nkey = \"camera.position\"\nvalues = [[0, 0, 5], [1, 0, 5]]\n";
+    let folder = Folder::with(&(BALL.to_owned() + animation));
+    let film = "render scene.toml -o {frame:3}.png --frames all --size 300x200 --samples 4";
+    let mut child = Killed(folder.command(film).stderr(Stdio::piped()).spawn().unwrap());
+    let mut lines = BufReader::new(child.0.stderr.take().unwrap()).lines().map_while(Result::ok);
+    assert!(lines.any(|line| line.starts_with("frame 1: ")));
+    send("-INT", &child.0);
+    let rest: Vec<String> = lines.collect();
+    assert_eq!(child.0.wait().unwrap().code(), Some(130));
+    assert!(rest.iter().any(|line| line == "stopping after this frame; once more to stop at once"), "{rest:?}");
+    let frames = ending(&folder, ".png");
+    assert!((2..400).contains(&frames.len()), "{frames:?}");
+    assert_eq!(frames.len() + 1, folder.names().len(), "{:?}", folder.names());
+    // Each is a picture.
+    for name in frames {
+        assert!(image::load_from_memory(&folder.read(&name)).is_ok(), "{name}");
+    }
+}
+
+#[cfg(unix)]
+fn send(signal: &str, child: &Child) {
+    let status = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+    assert!(status.success());
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 #![allow(clippy::float_cmp)] // numbers that are exact by design are compared as such
 
+mod attacks;
 mod bad_files;
 mod bad_options;
 mod bad_scenes;
@@ -11,10 +12,12 @@ mod diagrams;
 mod frames;
 mod interrupted;
 mod light;
+mod lost_words;
 mod measures;
 mod parts;
 mod paths;
 mod pictures;
+mod same_files;
 mod tables;
 mod traces;
 mod unwritable;

@@ -237,3 +237,33 @@ fn an_attractor_is_drawn_behind_the_orbits() {
     let straight = "trace scene.toml --pixel 10,10 --plot no.svg --attractor --set law.kind=straight";
     folder.run(straight).fails(1, &["--attractor is of flows"]);
 }
+
+#[test]
+fn nothing_comes_out_of_a_horizon() {
+    let folder = Folder::with("[rays]\nbound = { radius = 30 }\n");
+    // Outwards and across, from 0.4 to 0.95 of the inner horizon's radius.
+    for (law, inside) in [
+        ("--set law.kind=schwarzschild", 2.0),
+        ("--set law.kind=schwarzschild --set law.form=geodesic", 2.0),
+        ("--set law.kind=reissner-nordstrom --set law.charge=0.6", 1.8),
+        ("--set law.kind=kerr-newman --set law.spin=0.8", 0.4),
+    ] {
+        let rays: Vec<[f64; 6]> = (0..12)
+            .map(|i| {
+                let r = inside * (0.4 + 0.05 * f64::from(i));
+                let (sin, cos) = (0.1 + 0.25 * f64::from(i)).sin_cos();
+                [0.0, r, 0.0, 0.0, sin, cos]
+            })
+            .collect();
+        folder.write("rays.csv", table(&rays));
+        let rows = trace(&folder, law);
+        for (i, ray) in rays.iter().enumerate() {
+            assert_eq!(rows.0[i][1], "captured", "{law}: ray {i}");
+            assert_eq!(rows.numbers(i).map(f64::from)[..3], ray.map(|x| f64::from(x as f32))[..3], "{law}: ray {i}");
+        }
+        let ran = folder.run(&format!("trace scene.toml --rays rays.csv -o path.csv --path {law}")).succeeds();
+        assert_eq!(ran.err.lines().filter(|line| line.starts_with("warning")).count(), 0, "{}", ran.err);
+        let paths = Rows::of(&folder.text("path.csv"), PATH_HEADER);
+        assert_eq!(paths.0.len(), rays.len(), "a path is its start");
+    }
+}

@@ -4,6 +4,6 @@
 @group(0) @binding(162) var layer_way: texture_storage_2d<rgba32float, write>;
 
 fn keep_way(pixel: vec2u, ray: Ray, seen: Seen) {
-    let way = vec3f(seen.end.tau * seen.end.v);
-    textureStore(layer_way, pixel, vec4f(select(vec3f(seen.end.v), way, seen.end.tau > 0.0), 0.0));
+    let way = select(seen.end.v, seen.end.tau * seen.end.v, seen.end.tau > 0.0);
+    textureStore(layer_way, pixel, vec4f(select(vec3f(0.0), vec3f(way), finite(way)), 0.0));
 }

@@ -12,5 +12,10 @@ fn scale_weight(factor: vec3f) -> f32 {
 
 fn end_weight(x: Real3) -> vec3f {
     let n = medium_index(x);
-    return vec3f(weight / f32(n * n));
+    return sure_weight(vec3f(weight / f32(n * n)));
+}
+
+// Where a path began or ended in the middle of an infinite index its light is none.
+fn sure_weight(weight: vec3f) -> vec3f {
+    return select(vec3f(0.0), weight, finite(Real3(weight)));
 }

@@ -76,7 +76,12 @@ impl Header {
             let Some((name, value)) = line.split_once(':') else {
                 return Err((line, "expected `field: value`".to_owned(), "an empty line ends the header".to_owned()));
             };
-            fields.push((name.trim().to_lowercase(), value.trim()));
+            let name = name.trim().to_lowercase();
+            if let Some((_, first)) = fields.iter().find(|(known, _): &&Field| *known == name) {
+                let help = format!("its first value is `{first}`");
+                return Err((line, format!("`{name}` is given twice"), help));
+            }
+            fields.push((name, value.trim()));
         }
         if let Some((_, file)) = find(&fields, &["data file", "datafile"]) {
             return Err((

@@ -96,6 +96,7 @@ fn mistakes_have_their_line() {
         (mark("endian: little", "endian: «middle»"), "unknown endian"),
         (mark("NRRD0004", "«NRRD0004»").replace("endian: little\n", ""), "the header has no `endian`"),
         (mark("NRRD0004", "«NRRD0004»").replace("sizes: 2 3 2\n", ""), "the header has no `sizes`"),
+        (mark("spacings: 0.5 1 2", "spacings: 0.5 1 2\n«Sizes: 2 3 2»"), "`sizes` is given twice"),
         (mark("spacings: 0.5 1 2", "spacings: «0.5 nan 2»"), "expected three spacings"),
         (mark("spacings: 0.5 1 2", "spacings: «0.5 0 2»"), "expected three spacings"),
         (

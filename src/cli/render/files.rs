@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::{Arguments, is_exr};
-use crate::cli::frames::path_of;
+use crate::cli::frames::{Film, path_of};
 use crate::cli::go_on::{self, Before, is_continuable};
+use crate::cli::paths;
 use crate::cli::watch::PreviewFile;
 use crate::error::Error;
 use crate::output::{FileSettings, ImageWriter, open};
@@ -24,6 +25,16 @@ impl Arguments {
         let path = |path: &PathBuf| frame.and_then(|frame| path_of(path, frame)).unwrap_or(path.clone());
         let paths = self.output.iter().map(path);
         paths.map(|path| Ok(open(&path, &self.file_settings(scene, &path, layers, metadata))?)).collect()
+    }
+
+    /// Refuses to write over the scene's own files, or two things to one file.
+    pub(super) fn check_files(&self, film: &Film, frames: &[Option<u32>]) -> Result<(), Error> {
+        let of_frame = |frame: &Option<u32>| {
+            let frame = *frame;
+            self.output.iter().map(move |path| frame.and_then(|frame| path_of(path, frame)).unwrap_or(path.clone()))
+        };
+        let outputs: Vec<PathBuf> = frames.iter().flat_map(of_frame).chain(self.preview.clone()).collect();
+        paths::check(outputs.iter().map(PathBuf::as_path), &film.inputs())
     }
 
     /// Opens all files and drops them again: a path that cannot be written is found before the work.

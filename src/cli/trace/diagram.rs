@@ -164,13 +164,13 @@ impl Diagram<'_> {
             let through = lines.iter().filter(|line| !lost.contains(&line.status));
             let curves: Vec<Curve> = through.map(|line| line.curve.clone()).collect();
             let Some(found) = focus(&curves) else {
-                eprintln!("no focus of {}: fewer than two rays come through, or all stay parallel", group.name);
+                tell!("no focus of {}: fewer than two rays come through, or all stay parallel", group.name);
                 continue;
             };
             let [x, y, z] = (found.place + DVec3::ZERO).to_array();
             let how = if found.real { "" } else { ", where straight lines that continue them meet" };
             let (count, spread) = (curves.len(), found.spread);
-            eprintln!("focus of {}: [{x:.6}, {y:.6}, {z:.6}], spread {spread:.3e} of {count} rays{how}", group.name);
+            tell!("focus of {}: [{x:.6}, {y:.6}, {z:.6}], spread {spread:.3e} of {count} rays{how}", group.name);
             foci.push(found);
         }
         foci
@@ -179,9 +179,9 @@ impl Diagram<'_> {
     fn turns(&self, about: DVec3) -> Vec<f64> {
         let turns: Vec<f64> = self.lines.iter().map(|line| windings(&line.curve, about, &self.plane)).collect();
         let [x, y, z] = about.to_array();
-        eprintln!("{:>8}{:>18}  about [{x}, {y}, {z}]", "ray", "turns");
+        tell!("{:>8}{:>18}  about [{x}, {y}, {z}]", "ray", "turns");
         for (i, (turns, line)) in turns.iter().zip(&self.lines).enumerate() {
-            eprintln!("{i:>8}{turns:>18.9}  {}", line.status);
+            tell!("{i:>8}{turns:>18.9}  {}", line.status);
         }
         turns
     }

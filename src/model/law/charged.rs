@@ -177,6 +177,10 @@ impl Law for ChargedHole {
         &["law/momentum/round", "law/clock/charged"]
     }
 
+    fn swallows(&self, x: DVec3) -> bool {
+        self.horizon().is_some_and(|horizon| x.distance(self.center) < horizon)
+    }
+
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (r, horizon) = (at.distance(self.center), self.horizon()?);
         let problem = || format!("is inside the horizon: r = {r:.4} ≤ {horizon:.4}");

@@ -329,6 +329,10 @@ impl Law for KerrNewman {
         Some([self.center, self.axis])
     }
 
+    fn swallows(&self, x: DVec3) -> bool {
+        self.inner_horizon().is_some_and(|inner| self.at(x).r < inner)
+    }
+
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (r, inner) = (self.at(at).r, self.inner_horizon()?.max(NEAR * self.mass));
         let problem = || format!("is inside the inner horizon: r = {r:.4} ≤ {inner:.4}");

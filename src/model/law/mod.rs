@@ -277,6 +277,12 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         None
     }
 
+    /// Is it a place that nothing comes out of, and where rays are not followed?
+    fn swallows(&self, x: DVec3) -> bool {
+        let _ = x;
+        false
+    }
+
     /// Why no eye can be at a place: what follows the eye's name in the message, and what to do.
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let _ = at;

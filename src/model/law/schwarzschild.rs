@@ -147,6 +147,10 @@ impl Law for Schwarzschild {
         &["law/momentum/round", "law/clock/schwarzschild"]
     }
 
+    fn swallows(&self, x: DVec3) -> bool {
+        x.distance(self.center) < 2.0 * self.mass
+    }
+
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (r, horizon) = (at.distance(self.center), 2.0 * self.mass);
         let problem = || format!("is inside the horizon: r = {r:.4} ≤ 2M = {horizon}");

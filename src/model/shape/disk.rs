@@ -59,6 +59,11 @@ impl Shape for Disk {
         self.hole
     }
 
+    fn near_surface(&self, p: DVec3, slack: f64) -> bool {
+        let rho = p.x.hypot(p.z);
+        p.y.abs() <= slack && rho <= 1.0 && rho >= self.hole
+    }
+
     fn opening(&self) -> Option<String> {
         Some("a disk has no inside".to_owned())
     }

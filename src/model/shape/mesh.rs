@@ -43,6 +43,17 @@ impl Shape for Triangles {
         self.0.hole().is_none() && self.0.winding(p).abs() > 0.5
     }
 
+    fn near_surface(&self, p: DVec3, slack: f64) -> bool {
+        let corner = |i: u32| self.0.vertices[i as usize].position.as_dvec3() - p;
+        self.0.triangles.iter().any(|triangle| {
+            let [a, b, c] = triangle.map(corner);
+            let normal = (b - a).cross(c - a).normalize_or_zero();
+            // Above the triangle the three edges are passed on one side.
+            let sides = [a.cross(b), b.cross(c), c.cross(a)].map(|side| side.dot(normal));
+            a.dot(normal).abs() <= slack && sides.iter().all(|side| *side >= 0.0)
+        })
+    }
+
     fn opening(&self) -> Option<String> {
         let place = |[a, b, c]: [f32; 3]| {
             format!("the mesh is not closed: an edge at [{a:.4}, {b:.4}, {c:.4}] has not two triangles of one sense")

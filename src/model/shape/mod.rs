@@ -91,6 +91,11 @@ pub trait Shape: fmt::Debug + Send + Sync + Same {
         !faces.is_empty() && faces.iter().all(|(value, _)| *value < 0.0)
     }
 
+    /// Is this point of its space no farther than `slack` from the surface?
+    fn near_surface(&self, p: DVec3, slack: f64) -> bool {
+        self.faces(p).into_iter().map(|(value, _)| value).reduce(f64::max).is_some_and(|value| value.abs() <= slack)
+    }
+
     /// Why it has no inside; none if it has one.
     fn opening(&self) -> Option<String>;
 

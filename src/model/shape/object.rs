@@ -93,6 +93,15 @@ impl Object {
         self.shape.contains(self.transform.0.inverse().transform_point3(x))
     }
 
+    /// Is this point of the scene no farther than `slack` from the surface, about?
+    #[must_use]
+    pub fn near_surface(&self, x: DVec3, slack: f64) -> bool {
+        let inverse = self.transform.0.inverse();
+        let m = inverse.matrix3;
+        let most = [m.x_axis, m.y_axis, m.z_axis].map(DVec3::length).into_iter().fold(0.0, f64::max);
+        self.shape.near_surface(inverse.transform_point3(x), slack * most)
+    }
+
     /// The signed distance of this point of the scene from the surface, in scene units, to first order: negative inside. None where
     /// there is no inside, and for meshes. It is exact for spheres, inside boxes, and inside cylinders that are round.
     #[must_use]

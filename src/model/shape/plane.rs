@@ -47,6 +47,10 @@ impl Shape for Plane {
         &SOLID
     }
 
+    fn near_surface(&self, p: DVec3, slack: f64) -> bool {
+        p.y.abs() <= slack && p.x.abs().max(p.z.abs()) <= 1.0
+    }
+
     fn opening(&self) -> Option<String> {
         Some("a plane has no inside".to_owned())
     }

@@ -6,6 +6,7 @@
 
 mod ambient;
 mod animation;
+mod eyes;
 mod image;
 mod paths;
 mod rays;
@@ -17,12 +18,14 @@ mod travel;
 use super::lights::PATHS;
 use super::optics::Optics;
 use super::throat::add_throat;
-use super::{Animation, Clear, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap};
+use super::{
+    Animation, Bound, Clear, Light, LightGrid, LightSource, Output, REFERENCE, Scene, SceneError, Shadows, Tonemap,
+};
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{color, direction, number_where, positive, vector, whole, word};
-use crate::document::{Document, Override};
-use crate::model::{Camera, Law, camera, law, material, shape};
+use crate::document::{Document, Override, read_text};
+use crate::model::{Camera, Capture, Law, camera, law, material, shape};
 use glam::{DMat3, DVec3};
 use std::path::Path;
 use std::sync::Arc;
@@ -42,7 +45,7 @@ impl Scene {
         overrides: &[Override],
         frame_of: Option<&dyn Fn(&str) -> u32>,
     ) -> Result<Self, SceneError> {
-        let mut document = Document::parse(&read(path)?, path, overrides)?;
+        let mut document = Document::parse(&read_text(path)?, path, overrides)?;
         if let Some(frame_of) = frame_of {
             animation::apply(&mut document, frame_of);
         }
@@ -66,10 +69,6 @@ impl Scene {
             _ => Err(SceneError::Mistakes(mistakes)),
         }
     }
-}
-
-fn read(path: &Path) -> Result<String, SceneError> {
-    std::fs::read_to_string(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
 }
 
 /// The scene, as far as it can be made; faults are left with the reader.
@@ -100,6 +99,12 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         if let Some((key, [problem, help])) = bound.and_then(|bound| law.refuses_bound(bound.radius)) {
             root.fault_within("law", key, problem, help);
         }
+    }
+    if let Some(camera) = &camera {
+        eyes::check(&root, camera, &objects);
+    }
+    if let (Some(law), Some(bound)) = (&law, bound) {
+        check_bound(&root, &**law, bound);
     }
     let optics = Optics { law: law.as_deref(), objects: &objects, materials: &materials, paths };
     let rays = table.and_then(|table| rays::read(table, bound, &optics));
@@ -144,6 +149,17 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         scene.lights[light].color = DVec3::ZERO;
     }
     Some(scene)
+}
+
+/// A bounding sphere inside of what captures rays shows nothing.
+fn check_bound(root: &TableReader, law: &dyn Law, bound: Bound) {
+    let swallows = |capture: &Capture| {
+        capture.anchor.offset(bound.center).length() + bound.radius <= capture.radius && capture.radius > 0.0
+    };
+    if let Some(capture) = law.captures(None).iter().find(|capture| swallows(capture)) {
+        let problem = format!("all of it is inside of what captures rays, r = {:.4}", capture.radius);
+        root.fault_within("rays", "bound", problem, "use a larger radius".to_owned());
+    }
 }
 
 /// The law with the camera's axes, where it has those.

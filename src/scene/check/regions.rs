@@ -1,7 +1,7 @@
 //! Interiors that overlap: which of them is there has to be said; and how many objects have an inside.
 //!
-//! One object inside of another needs no word: the inner one is there. Where two of the same priority overlap in part, nothing
-//! says which; that is found by points of each one's surface, so that an overlap smaller than their spacing may pass.
+//! One object inside of another needs no word: the inner one is there. Where two of the same priority overlap in part, or lie
+//! in one place, nothing says which; that is found by points of each one's surface, so that an overlap smaller than their spacing may pass.
 
 use crate::document::reader::Reader;
 use crate::document::{Fault, Place};
@@ -45,8 +45,7 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
     for (i, (place, second)) in clear.iter().enumerate() {
         let partly = |(_, first): &&&(Place, Object)| same_priority(first, second) && overlap_in_part(first, second);
         if let Some((first, _)) = clear[..i].iter().find(partly) {
-            let problem =
-                "this interior and another of the same priority overlap in part, and nothing says which is there";
+            let problem = "this interior and another of the same priority overlap, and nothing says which is there";
             let help = format!(
                 "the other is the object at line {}: give one of them a higher `priority`",
                 reader.line(*first)
@@ -70,6 +69,11 @@ fn overlap_in_part(first: &Object, second: &Object) -> bool {
         (within.len(), without.len())
     };
     let ((a_in, a_out), (b_in, b_out)) = (inside(first, second), inside(second, first));
+    if a_in + a_out + b_in + b_out == 0 {
+        // All of each lies on the other: they are in one place, unless they lie back to back.
+        let middle = first.transform.0.translation;
+        return first.contains(middle) && second.contains(middle);
+    }
     let apart = a_in == 0 && b_in == 0;
     let nested = a_out == 0 || b_out == 0;
     !apart && !nested

@@ -1,0 +1,26 @@
+//! Where eyes are among objects.
+
+use crate::document::reader::TableReader;
+use crate::model::{Camera, Object};
+
+/// What float32 can tell apart, of the numbers that a place is made of.
+const TOLD_APART: f64 = 1e-6;
+
+/// On a surface nobody can say which side an eye is on.
+pub fn check(root: &TableReader, camera: &Camera, objects: &[Object]) {
+    if !camera.projection.is_from_a_point() {
+        return;
+    }
+    for eye in camera.eyes() {
+        let on = |object: &Object| {
+            let slack = TOLD_APART * (eye.length() + object.transform.0.translation.length());
+            object.travel.is_none() && object.near_surface(eye, slack)
+        };
+        if let Some(i) = objects.iter().position(on) {
+            let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
+            let problem = format!("{who} is on the surface of object {i} (from 0), and on neither side of it");
+            root.fault_within("camera", "position", problem, "move it off".to_owned());
+            return;
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Nothing is written over what is read, nor two things to one file: whatever the names look like.
+
+use super::{BALL, Folder};
+
+const MESH: &str = "[[objects]]\nshape = \"mesh\"\nfile = \"mesh.obj\"\nmaterial = \"red\"\n";
+
+/// A command, and what its error says.
+type Case = (&'static str, &'static str);
+
+/// Each is refused before a device is opened for it, and the folder stays as it is.
+#[track_caller]
+fn refused(folder: &Folder, cases: &[Case]) {
+    let before: Vec<_> = folder.names().into_iter().map(|name| (folder.read(&name), name)).collect();
+    for (arguments, text) in cases {
+        folder.run(arguments).fails(1, &[text]);
+    }
+    let after: Vec<_> = folder.names().into_iter().map(|name| (folder.read(&name), name)).collect();
+    assert!(before == after, "{:?}", folder.names());
+}
+
+#[test]
+fn the_files_of_a_scene_are_not_written_over() {
+    let folder = Folder::with(&(BALL.to_owned() + MESH).replace("color = [0.2, 0.3, 0.4]", "image = \"sky.png\""));
+    folder.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    folder.write("rays.csv", "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n");
+    folder.write("scene.png", BALL);
+    image::RgbImage::new(4, 2).save(folder.path("sky.png")).unwrap();
+    refused(
+        &folder,
+        &[
+            ("render scene.png -o scene.png", "scene.png: this is the scene's own file, which would be lost"),
+            ("render scene.toml -o sky.png", "sky.png: this is a file of the scene"),
+            ("render scene.toml -o ./sky.png", "./sky.png: this is a file of the scene"),
+            ("render scene.toml -o a.png --preview sky.png", "sky.png: this is a file of the scene"),
+            ("trace scene.toml --rays rays.csv -o rays.csv", "rays.csv: this is the table of rays"),
+            ("trace scene.toml --rays rays.csv --plot mesh.obj", "mesh.obj"),
+            ("trace scene.toml --rays rays.csv -o scene.toml", "scene.toml: this is the scene's own file"),
+        ],
+    );
+}
+
+#[test]
+fn a_file_holds_one_thing() {
+    let folder = Folder::with(BALL);
+    folder.write("rays.csv", "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n");
+    refused(
+        &folder,
+        &[
+            ("render scene.toml -o a.png -o ./a.png", "./a.png is named twice as a.png"),
+            ("render scene.toml -o a.png -o a.png", "a.png is named twice: a file holds one thing"),
+            ("trace scene.toml --rays rays.csv -o a.csv --plot ./a.csv", "named twice"),
+            ("render scene.toml -o a.png/", "a.png/: this is a folder"),
+        ],
+    );
+}
+
+#[test]
+fn parts_are_not_written_over_by_their_whole() {
+    let folder = Folder::with(BALL);
+    folder.run("render scene.toml -o top.exr --crop 0,0,16x6").succeeds();
+    folder.run("render scene.toml -o low.exr --crop 0,6,16x6").succeeds();
+    refused(
+        &folder,
+        &[("assemble top.exr low.exr -o ./low.exr", "./low.exr: this is one of the parts, which would be lost")],
+    );
+}
