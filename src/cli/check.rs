@@ -159,7 +159,7 @@ fn structure_words(geometry: &Geometry) -> Option<String> {
 }
 
 /// Frames that are looked at, at most: of longer films evenly, with the last.
-const FRAMES: u32 = 1000;
+const FRAMES: u32 = 256;
 
 /// All frames are right, and run the first one's program.
 fn check_frames(path: &Path, arguments: &Arguments, choice: &Choice, scene: &Scene) -> Result<(), Error> {

@@ -1,5 +1,8 @@
 //! The WGSL parts, embedded in the binary.
 
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
 use include_dir::{Dir, File, include_dir};
 
 use super::declarations::declarations;
@@ -15,25 +18,26 @@ pub struct Part {
     pub text: &'static str,
 }
 
+/// By path.
+static PARTS: LazyLock<BTreeMap<&str, Part>> =
+    LazyLock::new(|| parts_in(&SHADERS).map(|part| (part.file.trim_end_matches(".wgsl"), part)).collect());
+
 /// The part `name`, a path below `shaders/` without its extension.
 #[must_use]
 pub fn part(name: &str) -> Option<Part> {
-    let file = SHADERS.get_file(format!("{name}.wgsl"))?;
-    Some(Part { file: file.path().to_str()?, text: file.contents_utf8()? })
+    PARTS.get(name).copied()
 }
 
 /// Every part, by path.
 #[must_use]
 pub fn all_parts() -> Vec<Part> {
-    let mut parts = parts_in(&SHADERS);
-    parts.sort_by_key(|part| part.file);
-    parts
+    PARTS.values().copied().collect()
 }
 
-fn parts_in(folder: &'static Dir) -> Vec<Part> {
+fn parts_in(folder: &'static Dir) -> Box<dyn Iterator<Item = Part>> {
     let part = |file: &'static File| Some(Part { file: file.path().to_str()?, text: file.contents_utf8()? });
     let wgsl = folder.files().filter(|file| file.path().extension().is_some_and(|extension| extension == "wgsl"));
-    wgsl.filter_map(part).chain(folder.dirs().flat_map(parts_in)).collect()
+    Box::new(wgsl.filter_map(part).chain(folder.dirs().flat_map(parts_in)))
 }
 
 /// The number that the constant `name` of a part is set to, or that one has which the host may override: WGSL is the one place
