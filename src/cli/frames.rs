@@ -1,12 +1,11 @@
 //! Frames of an animation: which are rendered, into what files, and whether one program runs them all.
 
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-
-use siphasher::sip128::{Hasher128, SipHasher24};
 
 use crate::error::Error;
 use crate::gpu::Geometry;
@@ -63,14 +62,16 @@ pub(super) fn path_of(path: &Path, frame: u32) -> Option<PathBuf> {
 
 /// A scene file whose frames are loaded one after the other.
 pub(super) struct Film<'a> {
-    path: &'a Path,
-    overrides: Vec<Override>,
-    files: RefCell<Files>,
+    pub(super) path: &'a Path,
+    pub(super) overrides: Vec<Override>,
+    pub(super) files: RefCell<Files>,
+    /// Of the files' bytes.
+    pub(super) hashes: RefCell<HashMap<PathBuf, String>>,
 }
 
 impl<'a> Film<'a> {
     pub(super) fn new(path: &'a Path, overrides: Vec<Override>) -> Self {
-        Self { path, overrides, files: RefCell::default() }
+        Self { path, overrides, files: RefCell::default(), hashes: RefCell::default() }
     }
 
     /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.
@@ -98,32 +99,6 @@ impl<'a> Film<'a> {
             std::fs::read(&path).ok()?.hash(hasher);
         }
         Some(())
-    }
-
-    /// What says whether two pictures are of the same scene: a hash of its file, the changes to it and the files that were loaded for it,
-    /// whatever they are called and however it is laid out. How many samples there are and how a PNG is written is no part of it. None
-    /// where a file is not there any more.
-    pub(super) fn fingerprint(&self) -> Option<String> {
-        let mut hasher = SipHasher24::new();
-        env!("CARGO_PKG_VERSION").hash(&mut hasher);
-        let mut table: toml::Table = std::fs::read_to_string(self.path).ok()?.parse().ok()?;
-        if let Some(output) = table.get_mut("output").and_then(toml::Value::as_table_mut) {
-            output.retain(|key, _| key == "clamp");
-        }
-        if let Some(image) = table.get_mut("image").and_then(toml::Value::as_table_mut) {
-            image.remove("samples");
-        }
-        table.to_string().hash(&mut hasher);
-        let key = |text: &str| text.split('=').next().unwrap_or_default().trim().to_owned();
-        let of_file = |key: &str| key.starts_with("output.") && key != "output.clamp";
-        let is_free = |text: &str| key(text) == "image.samples" || of_file(&key(text));
-        for text in self.overrides.iter().map(Override::text).filter(|text| !is_free(text)) {
-            text.hash(&mut hasher);
-        }
-        for path in self.files.borrow().paths() {
-            std::fs::read(&path).ok()?.hash(&mut hasher);
-        }
-        Some(format!("{:032x}", hasher.finish128().as_u128()))
     }
 
     /// Its file, and those that were loaded for it, with what they are.

@@ -7,17 +7,17 @@
 use std::path::{Path, PathBuf};
 
 use super::frames::Film;
-use super::options::FOLLOWED;
+use super::origin::origin;
 use crate::error::Error;
+use crate::gpu::Gpu;
+use crate::output::origin::{FOLLOWED, SAMPLES, difference};
 use crate::output::{FileSettings, OutputError, picture};
 use crate::program::Layer;
 use crate::render::{Band, Earlier, Window};
 use crate::scene::{SamplePattern, Scene};
 
-/// What a picture says of the scene that it is of.
-const SCENE: &str = "scene";
-/// How many samples its pixels have.
-const SAMPLES: &str = "samples";
+/// What a picture says of itself that may be otherwise afterwards.
+const MAY_DIFFER: [&str; 1] = [SAMPLES];
 
 /// Layers that hold what a picture is continued from.
 pub(super) const SUMS: [Layer; 2] = [Layer::Sums, Layer::Spread];
@@ -25,12 +25,6 @@ pub(super) const SUMS: [Layer; 2] = [Layer::Sums, Layer::Spread];
 /// Can a picture of this scene be continued, if its file keeps the sums?
 pub(super) fn is_continuable(scene: &Scene) -> bool {
     scene.rays.paths.is_some() && scene.image.adaptive.is_none()
-}
-
-/// What a picture says of itself so that it can be continued.
-pub(super) fn metadata(film: &Film, samples: u32) -> Vec<(String, String)> {
-    let scene = film.fingerprint().map(|scene| (SCENE.to_owned(), scene));
-    scene.into_iter().chain([(SAMPLES.to_owned(), samples.to_string())]).collect()
 }
 
 /// How a picture that has so many samples so far is written, where `settings` are those of the finished one.
@@ -69,21 +63,36 @@ impl Before {
         Ok(film.load_as(None, &self.followed)?)
     }
 
+    fn wrong(&self, problem: &str) -> Result<(), Error> {
+        Err(Error::Usage(format!("--continue {}: {problem}", self.path.display())))
+    }
+
+    /// Refuses a picture that another scene, method or device made, or another version.
+    pub(super) fn check_origin(&self, film: &Film, gpu: &Gpu, scene: &Scene) -> Result<(), Error> {
+        let own = film.load(None)?.rays;
+        if own.auto.is_none() && own.followed() != self.followed {
+            let [followed, own] = [&self.followed, &own.followed()];
+            return self.wrong(&format!(
+                "its rays are followed by {followed}, and this render's by {own}: leave the scene's method out, or render \
+                 anew"
+            ));
+        }
+        let made = origin(film, None, gpu, scene)?;
+        if let Some(found) = difference([&self.settings.metadata, &made], &MAY_DIFFER) {
+            return self.wrong(&format!("{found}: only `samples` and [output] may differ"));
+        }
+        Ok(())
+    }
+
     /// Refuses a picture that a longer render of the scene, with these layers of this part, would not have begun with.
-    pub(super) fn check(&self, film: &Film, scene: &Scene, layers: &[Layer], window: Window) -> Result<(), Error> {
-        let wrong = |problem: String| Err(Error::Usage(format!("--continue {}: {problem}", self.path.display())));
+    pub(super) fn check(&self, scene: &Scene, layers: &[Layer], window: Window) -> Result<(), Error> {
+        let wrong = |problem: String| self.wrong(&problem);
         if self.samples == 1 {
             return wrong("it has one sample a pixel, in the middle, where others do not begin".to_owned());
         }
         if scene.image.pattern == SamplePattern::MultiJittered {
             return wrong(
                 "multi-jittered samples are made for a number that is known beforehand: leave `pattern` out".to_owned(),
-            );
-        }
-        if film.fingerprint().is_none_or(|own| self.settings.said(SCENE) != Some(&own)) {
-            return wrong(
-                "it is of another scene, or of this one before it was changed: only `samples` and [output] may differ"
-                    .to_owned(),
             );
         }
         if self.settings.window != window {

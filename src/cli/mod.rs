@@ -30,6 +30,7 @@ mod interrupt;
 mod light;
 mod new;
 mod options;
+mod origin;
 mod paths;
 mod render;
 mod settle;

@@ -10,6 +10,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
+use crate::output::origin::FOLLOWED;
 use crate::output::said;
 use crate::program::{Choice, Layer, Masks, Purpose, Schedule};
 use crate::render::{RenderSettings, Window};
@@ -34,9 +35,6 @@ pub(super) struct SceneOptions {
     #[arg(long, value_name = "PICTURE")]
     method_of: Option<PathBuf>,
 }
-
-/// Under what pictures say how their rays were followed.
-pub(super) const FOLLOWED: &str = "rays";
 
 /// A precision, or none where that is left to the search for a method.
 #[derive(Debug, Clone, Copy)]

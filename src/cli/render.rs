@@ -1,28 +1,27 @@
 //! `bentray render`: a scene to pictures.
 
+mod again;
 mod files;
+mod work;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::Args;
 use clap::builder::TypedValueParser;
 
-use super::decisions::Rays;
 use super::frames::{Film, Frames, path_of};
-use super::go_on::{self, Before, SUMS, is_continuable};
+use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
-use super::options::{DeviceFlags, FOLLOWED, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
+use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::say_line;
-use super::settle::settle;
-use super::watch::{PreviewFile, Progress};
 use crate::error::Error;
-use crate::measure::{Verification, method_words, verify};
-use crate::output::ImageWriter;
+use crate::measure::verify;
 use crate::program::Layer;
-use crate::render::{Earlier, Preview, RenderError, RenderSettings, Renderer, StartUp, Status, Totals, Watch, Window};
+use crate::render::{RenderError, RenderSettings, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
+use work::Work;
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
 #[derive(Debug, Args)]
@@ -144,8 +143,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let still = arguments.load(&film, None, before.as_ref())?;
     let layers = arguments.layers(&still, before.as_ref());
     if let Some(before) = &before {
-        let window = arguments.crop.unwrap_or(Window::whole(still.image.size));
-        before.check(&film, &still, &layers, window)?;
+        before.check(&still, &layers, arguments.crop.unwrap_or(Window::whole(still.image.size)))?;
     }
     let frames: Vec<Option<u32>> = match arguments.frames {
         Some(frames) => frames.of(&still)?.map(Some).collect(),
@@ -156,18 +154,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
     }
-    let begun = Instant::now();
-    let scene = if frames[0].is_some() { arguments.load(&film, frames[0], None)? } else { still };
     launch.next();
     let gpu = opening.finish()?;
+    if let Some(before) = &before {
+        before.check_origin(&film, &gpu, &still)?;
+    }
     launch.next();
-    let settings = arguments.device.settings(layers.clone());
-    let settings = RenderSettings { memory: arguments.memory, window: arguments.crop, ..settings };
-    let [width, height] = arguments.crop.unwrap_or(Window::whole(scene.image.size)).size;
-    let rays = frames.len() as u64 * u64::from(scene.image.samples) * u64::from(width) * u64::from(height);
-    let (scene, settings) = settle(&gpu, (&film, frames[0]), scene, settings, Rays::Camera(rays))?;
+    let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(layers.clone()) };
+    let again = arguments.again(still.rays.auto.is_some() || before.is_some(), frames[0]);
+    let (leading, settings) = arguments.lead(&gpu, &film, still, settings)?;
     launch.next();
-    let measured = arguments.verify.map(|count| verify(&gpu, &scene, &settings, count as usize)).transpose()?;
+    let measured = arguments.verify.map(|count| verify(&gpu, &leading, &settings, count as usize)).transpose()?;
     if let Some(verification) = &measured {
         // Who has stopped reading wants the picture all the same.
         match say_line(format_args!("{verification}")) {
@@ -175,121 +172,27 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             other => other?,
         }
     }
-    let mut metadata = metadata(&scene, measured.as_ref());
-    if frames[0].is_none() && layers.contains(&Layer::Sums) {
-        metadata.extend(go_on::metadata(&film, scene.image.samples));
-    }
-    let mut writers = arguments.open(&scene, frames[0], &layers, &metadata)?;
-    let preview = arguments.preview(&scene, &layers, &metadata);
-    let earlier = before.map(Before::earlier);
-    let mut renderer = Renderer::new(&gpu, &scene, settings)?;
-    if arguments.device.chooses_segments() {
-        renderer.choose_segments()?;
-    }
-    launch.next();
-    let mut ready = begun.elapsed();
-    let mut unfollowed = 0;
+    let settings = RenderSettings { window: arguments.crop, ..settings };
     if frames.len() > 1 {
         interrupt::finish_first();
     }
-    for (i, &frame) in frames.iter().enumerate() {
-        if i > 0 {
-            let begun = Instant::now();
-            let next = settled(arguments.load(&film, frame, None)?, &scene);
-            writers = arguments.open(&next, frame, &layers, &self::metadata(&next, None))?;
-            change(&mut renderer, &film, &scene, next, [frames[0], frame])?;
-            ready = begun.elapsed();
-        }
-        let totals = render(&renderer, &mut writers, &mut launch, (earlier.as_ref(), preview.as_ref()))?;
-        for writer in writers.drain(..) {
-            writer.finish()?;
-        }
-        if i == 0 {
-            tell!("{launch}");
-        }
-        for light in renderer.light_reports() {
-            tell!("{light}");
-            unfollowed += light.unfollowed();
-        }
-        report(frame, ready, &totals);
-        unfollowed += totals.unfollowed();
-        if interrupt::is_asked() {
-            return Ok(ExitCode::from(interrupt::INTERRUPTED));
-        }
+    let mut work = Work {
+        arguments,
+        again,
+        film,
+        gpu: &gpu,
+        leading,
+        settings,
+        layers,
+        verification: measured,
+        launch,
+        renderer: None,
+    };
+    let unfollowed = work.render_all(&frames, before.map(Before::earlier).as_ref())?;
+    if interrupt::is_asked() {
+        return Ok(ExitCode::from(interrupt::INTERRUPTED));
     }
     Ok(if arguments.strict && unfollowed > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
-}
-
-/// The next frame's scene, by the first one's programs.
-fn change(
-    renderer: &mut Renderer,
-    film: &Film,
-    first: &Scene,
-    next: Scene,
-    frames: [Option<u32>; 2],
-) -> Result<(), Error> {
-    match (renderer.set_scene(next), frames) {
-        (Err(RenderError::OtherProgram), [Some(a), Some(b)]) => {
-            let keys = first.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
-            Err(film.other_program(keys, [a, b]))
-        }
-        (result, _) => Ok(result?),
-    }
-}
-
-fn report(frame: Option<u32>, ready: Duration, totals: &Totals) {
-    match frame {
-        Some(frame) => tell!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
-        None => tell!("{totals}"),
-    }
-    warn(totals);
-}
-
-/// Where a scene leaves its method open, the first frame's is every frame's.
-fn settled(mut scene: Scene, first: &Scene) -> Scene {
-    if scene.rays.auto.take().is_some() {
-        scene.rays.method = first.rays.method;
-        scene.rays.control = first.rays.control;
-        scene.rays.max_segments = first.rays.max_segments;
-        scene.rays.precision = first.rays.precision;
-        scene.rays.closed_forms = first.rays.closed_forms;
-    }
-    scene
-}
-
-/// What the picture says of itself.
-fn metadata(scene: &Scene, verification: Option<&Verification>) -> Vec<(String, String)> {
-    let mut all = vec![("Software".to_owned(), concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned())];
-    all.push(("method".to_owned(), method_words(scene.rays.method, scene.rays.control)));
-    all.push(("max_segments".to_owned(), scene.rays.max_segments.to_string()));
-    all.push((FOLLOWED.to_owned(), scene.rays.followed()));
-    if let Some(verification) = verification {
-        all.extend(verification.metadata());
-    }
-    all
-}
-
-fn render(
-    renderer: &Renderer,
-    writers: &mut [Box<dyn ImageWriter>],
-    launch: &mut StartUp,
-    (earlier, preview): (Option<&Earlier>, Option<&PreviewFile>),
-) -> Result<Totals, RenderError> {
-    let progress = Progress::new();
-    let tell = |done| progress.tell(done);
-    let preview = preview.map(|preview| -> &dyn Preview { preview });
-    let totals = renderer.render_watched(
-        &mut |band| {
-            if !launch.is_complete() {
-                launch.next();
-            }
-            let failed = |error| RenderError::Output(Box::new(error));
-            writers.iter_mut().try_for_each(|writer| writer.write_band(&band)).map_err(failed)
-        },
-        &Watch { progress: &tell, earlier, preview },
-    );
-    progress.finish();
-    totals
 }
 
 /// Rays that were lost are named, whatever the exit code.

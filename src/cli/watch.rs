@@ -43,6 +43,28 @@ impl Progress {
     }
 }
 
+/// How far a film is: a line now and then.
+pub(super) struct FilmProgress {
+    frames: usize,
+    begun: Instant,
+    said: Cell<Instant>,
+}
+
+impl FilmProgress {
+    pub(super) fn new(frames: usize) -> Self {
+        Self { frames, begun: Instant::now(), said: Cell::new(Instant::now()) }
+    }
+
+    /// So many frames are done.
+    pub(super) fn tell(&self, done: usize) {
+        if done < self.frames && self.said.get().elapsed() >= QUIET {
+            self.said.set(Instant::now());
+            let part = done as f64 / self.frames as f64;
+            tell!("{done} of {} frames: {}", self.frames, line(part, self.begun.elapsed()));
+        }
+    }
+}
+
 /// How far a render is that has taken so long.
 fn line(done: f64, taken: Duration) -> String {
     let left = Duration::try_from_secs_f64(taken.as_secs_f64() * (1.0 - done) / done);

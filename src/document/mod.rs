@@ -10,6 +10,7 @@
 mod error;
 mod keys;
 mod kinds;
+mod listing;
 mod overrides;
 pub mod reader;
 mod text;

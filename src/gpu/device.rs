@@ -105,6 +105,13 @@ pub fn adapters() -> Vec<AdapterReport> {
 }
 
 impl Gpu {
+    /// The device, with the driver and its version: on another one bits may differ.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let AdapterInfo { name, device_type, backend, driver, driver_info, .. } = &self.info;
+        format!("{name} ({device_type:?}, {backend}), {driver} {driver_info}")
+    }
+
     /// The best device, or the first whose name contains `name` (in any case).
     pub fn open(name: Option<&str>) -> Result<Self, GpuError> {
         let all = found();

@@ -6,6 +6,7 @@
 use std::path::{Path, PathBuf};
 
 use super::exr::ExrWriter;
+use super::origin::{SHOWN, difference, shown_words};
 use super::part::Part;
 use super::{FileSettings, ImageWriter, OutputError};
 use crate::render::Window;
@@ -75,14 +76,11 @@ fn alike(first: &Part, part: &Part) -> Result<(), OutputError> {
     if (whole.alpha, &whole.layers) != (own.alpha, &own.layers) {
         return differ(format!("it has other layers than {other}; render all parts with the same --layers"));
     }
-    let pairs = [own, whole].map(|settings| settings.metadata.iter());
-    let Some((key, _)) = pairs.into_iter().flatten().find(|(key, _)| own.said(key) != whole.said(key)) else {
-        return Ok(());
-    };
-    let [this, that] = [own, whole].map(|settings| settings.said(key).unwrap_or("nothing"));
-    differ(format!(
-        "its `{key}` is `{this}`, and that of {other} `{that}`; render all parts alike, by a method that is named"
-    ))
+    let shown = [own, whole].map(|settings| vec![(SHOWN.to_owned(), shown_words(settings))]);
+    let found = difference([&own.metadata, &whole.metadata], &[]);
+    let Some(found) = found.or_else(|| difference([&shown[0], &shown[1]], &[])) else { return Ok(()) };
+    let (key, [this, that]) = (&found.key, [0, 1].map(|which| found.value(which)));
+    differ(format!("its `{key}` is {this}, and that of {other} {that}; render all parts alike"))
 }
 
 /// A part of the picture that no window covers, if there is one.

@@ -28,6 +28,7 @@ use ::exr::{
 use rayon::prelude::*;
 
 use super::band::{Rows, channels as channels_of, components, is_id};
+use super::origin::{SHOWN, shown_words};
 use super::{AtomicFile, FileSettings, ImageWriter, OutputError};
 use crate::program::Layer;
 use crate::render::Band;
@@ -163,7 +164,9 @@ pub(super) fn header(settings: &FileSettings) -> Header {
     names.sort_unstable_by_key(|(name, _)| *name);
     let channels: SmallVec<_> =
         names.into_iter().map(|(name, kind)| ChannelDescription::new(name, kind, false)).collect();
-    let other = settings.metadata.iter().map(|(key, text)| (utf8(key), AttributeValue::Text(utf8(text)))).collect();
+    let said = settings.metadata.iter().map(|(key, text)| (key.as_str(), text.clone()));
+    let said = said.chain([(SHOWN, shown_words(settings))]);
+    let other = said.map(|(key, text)| (utf8(key), AttributeValue::Text(utf8(&text)))).collect();
     let [left, top] = settings.window.origin.map(u32::cast_signed);
     Header::new(Text::from(""), size(settings.window.size), channels)
         .with_encoding(Compression::ZIP16, BlockDescription::ScanLines, LineOrder::Increasing)

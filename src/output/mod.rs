@@ -16,6 +16,7 @@ pub mod color;
 pub mod csv;
 pub mod error;
 pub mod exr;
+pub mod origin;
 mod part;
 pub mod plot;
 pub mod png;
@@ -30,7 +31,7 @@ use std::path::Path;
 pub use assemble::assemble;
 pub use atomic::{AtomicFile, abandon_unfinished};
 pub use error::OutputError;
-pub use said::said;
+pub use said::{said, settings_of};
 pub use whole::picture;
 
 use crate::program::Layer;

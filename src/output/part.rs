@@ -24,6 +24,7 @@ use ::exr::{
 
 use super::band::channels as channels_of;
 use super::exr::{header as header_of, row_bytes};
+use super::origin::{SHOWN, with_shown};
 use super::{FileSettings, OutputError};
 use crate::program::Layer;
 use crate::render::Window;
@@ -130,14 +131,19 @@ fn settings(header: &Header) -> Option<FileSettings> {
         metadata.push((utf8(key.as_slice())?, utf8(text.as_slice())?));
     }
     metadata.sort();
+    let (shown, metadata): (Vec<_>, _) = metadata.into_iter().partition(|(key, _)| key == SHOWN);
     (position.0 == 0 && position.1 == 0).then_some(())?;
-    Some(FileSettings {
+    let settings = FileSettings {
         window: Window { origin, size: whole(header.layer_size)? },
         alpha: has(&"A"),
         layers: Layer::ALL.into_iter().filter(|layer| channels_of(*layer).iter().all(has)).collect(),
         metadata,
         ..FileSettings::new(whole(size)?)
-    })
+    };
+    match shown.first() {
+        Some((_, text)) => with_shown(settings, text),
+        None => Some(settings),
+    }
 }
 
 fn utf8(bytes: &[u8]) -> Option<String> {

@@ -14,6 +14,7 @@ use ::png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, St
 use rayon::prelude::*;
 
 use super::color::{SrgbBytes, shown, srgb_from_linear};
+use super::origin::{PART, SHOWN, part_words, shown_words};
 use super::{AtomicFile, FileSettings, ImageWriter, OutputError, band::Rows};
 use crate::render::Band;
 use crate::scene::Tonemap;
@@ -149,11 +150,13 @@ fn encoder(outbox: Outbox, settings: &FileSettings) -> Result<StreamWriter<'stat
     encoder.set_color(if settings.alpha { ColorType::Rgba } else { ColorType::Rgb });
     encoder.set_depth(if settings.bits == 16 { BitDepth::Sixteen } else { BitDepth::Eight });
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-    for (key, text) in &settings.metadata {
+    let own = [(PART, part_words(settings)), (SHOWN, shown_words(settings))];
+    let said = settings.metadata.iter().map(|(key, text)| (key.as_str(), text.clone()));
+    for (key, text) in said.chain(own) {
         if text.is_ascii() {
-            encoder.add_text_chunk(key.clone(), text.clone())?;
+            encoder.add_text_chunk(key.to_owned(), text)?;
         } else {
-            encoder.add_itxt_chunk(key.clone(), text.clone())?;
+            encoder.add_itxt_chunk(key.to_owned(), text)?;
         }
     }
     encoder.write_header()?.into_stream_writer()

@@ -1,11 +1,13 @@
 //! What pictures say of themselves, read back from their files.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use super::OutputError;
-use super::part::said_by_exr;
+use super::origin::{PART, SHOWN, with_part, with_shown};
+use super::part::{Part, said_by_exr};
+use super::{FileSettings, OutputError};
 
 /// What the picture at `path`, an EXR or a PNG, says under `key`.
 ///
@@ -13,21 +15,54 @@ use super::part::said_by_exr;
 ///
 /// Where it cannot be read, is neither, or does not say it.
 pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
-    let is = |name: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(name));
     let text = match () {
-        () if is("exr") => said_by_exr(path, key)?,
-        () if is("png") => said_by_png(path, key)?,
+        () if is(path, "exr") => said_by_exr(path, key)?,
+        () if is(path, "png") => said_by_png(path, key)?,
         () => return Err(OutputError::Format { path: path.to_owned() }),
     };
     text.ok_or_else(|| unsaid(path, format!("it does not say `{key}`, as pictures of this version of `render` do")))
 }
 
+/// What the picture at `path` was written with: everything that [`FileSettings`] has, its
+/// texts sorted by key.
+///
+/// # Errors
+///
+/// Where it cannot be read, or is no picture that `render` writes.
+pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
+    if is(path, "exr") {
+        return Ok(Part::open(path)?.settings);
+    }
+    let reader = png_reader(path)?;
+    let info = reader.info();
+    let latin = info.uncompressed_latin1_text.iter().map(|chunk| (chunk.keyword.clone(), chunk.text.clone()));
+    let utf8 = info.utf8_text.iter().filter_map(|chunk| Some((chunk.keyword.clone(), chunk.get_text().ok()?)));
+    let mut said: BTreeMap<String, String> = latin.chain(utf8).collect();
+    let own = [PART, SHOWN].map(|key| said.remove(key).unwrap_or_default());
+    let settings = FileSettings {
+        alpha: info.color_type == png::ColorType::Rgba,
+        metadata: said.into_iter().collect(),
+        ..FileSettings::new([info.width, info.height])
+    };
+    let settings = with_part(settings, &own[0]).and_then(|settings| with_shown(settings, &own[1]));
+    settings.ok_or_else(|| unsaid(path, "this is no picture that `render` wrote".to_owned()))
+}
+
+fn is(path: &Path, name: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(name))
+}
+
 fn said_by_png(path: &Path, key: &str) -> Result<Option<String>, OutputError> {
-    let file = File::open(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
-    let broken = |error: png::DecodingError| unsaid(path, format!("this is not a whole PNG: {error}"));
-    let reader = png::Decoder::new(BufReader::new(file)).read_info().map_err(broken)?;
+    let reader = png_reader(path)?;
     let texts = &reader.info().uncompressed_latin1_text;
     Ok(texts.iter().find(|chunk| chunk.keyword == key).map(|chunk| chunk.text.clone()))
+}
+
+/// With everything read that stands before the pixels.
+fn png_reader(path: &Path) -> Result<png::Reader<BufReader<File>>, OutputError> {
+    let file = File::open(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
+    let broken = |error: png::DecodingError| unsaid(path, format!("this is not a whole PNG: {error}"));
+    png::Decoder::new(BufReader::new(file)).read_info().map_err(broken)
 }
 
 fn unsaid(path: &Path, problem: String) -> OutputError {

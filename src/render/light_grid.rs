@@ -40,6 +40,12 @@ impl<'a> Renderer<'a> {
         Self::of(gpu, Cow::Borrowed(scene), settings, grids)
     }
 
+    /// As [`new`](Self::new), of a scene that it keeps.
+    pub fn keeping(gpu: &'a Gpu, scene: Scene, settings: RenderSettings) -> Result<Self, RenderError> {
+        let grids = LightGrids::new(gpu, &scene, &settings)?;
+        Self::of(gpu, Cow::Owned(scene), settings, grids)
+    }
+
     /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
     /// pass is compiled again.
     ///

@@ -22,12 +22,17 @@ impl Rays {
     }
 }
 
+/// Keys of `[rays]` that say how rays are followed.
+pub fn followed_keys() -> impl Iterator<Item = &'static str> {
+    method::setting_keys().into_iter().chain(OTHERS)
+}
+
 /// What has a scene follow its rays as [`Rays::followed`] says, whatever it says itself.
 pub fn follow_as(followed: &str) -> Result<Vec<Override>, SceneError> {
     let wrong = || SceneError::Override(format!("`{followed}` does not say how rays are followed"));
     let table: toml::Table = toml::from_str(&format!("rays = {followed}")).map_err(|_| wrong())?;
     let said = table.get("rays").and_then(toml::Value::as_table).filter(|said| said.contains_key("method"));
-    let known: Vec<&str> = method::setting_keys().into_iter().chain(OTHERS).collect();
+    let known: Vec<&str> = followed_keys().collect();
     let mut all: Vec<Override> = known.iter().map(|key| Override::without("rays", key)).collect();
     for (key, value) in said.ok_or_else(wrong)? {
         if !known.contains(&key.as_str()) {

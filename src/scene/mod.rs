@@ -33,7 +33,7 @@ pub use crate::model::{
     Camera, CameraFrame, Control, Filter, Gloss, Interior, Law, Material, Medium, Method, Object, Pattern, Shape,
     Stereo, StereoLayout, Substance, Surface, Travel,
 };
-pub use followed::follow_as;
+pub use followed::{follow_as, followed_keys};
 pub use guide::Beam;
 pub use lamps::Lamp;
 pub use lights::{Clear, Light, LightGrid, LightSource, Shadows};
@@ -390,4 +390,9 @@ pub enum Tonemap {
     None,
     /// A filmic shoulder.
     Filmic,
+}
+
+impl Tonemap {
+    /// Each by its name.
+    pub const NAMES: &'static [(&'static str, Self)] = &[("none", Self::None), ("filmic", Self::Filmic)];
 }

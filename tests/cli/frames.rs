@@ -66,6 +66,40 @@ fn frames_are_the_stills_of_their_values_to_the_byte() {
     assert!(folder.read("whole.exr") == one);
 }
 
+/// A film goes on where it was stopped: frames that the same made are left as they are, all others are rendered.
+#[test]
+fn finished_frames_are_known_by_what_made_them() {
+    let folder = film();
+    let film = |more: &str| {
+        let ran =
+            folder.run(&format!("render scene.toml -o {{frame}}.exr -o {{frame}}.png --frames {more}")).succeeds();
+        let rendered = ran.err.lines().filter_map(|line| line.strip_prefix("frame ")?.split_once(": ready after "));
+        (rendered.map(|(frame, _)| frame.to_owned()).collect::<Vec<_>>(), ran)
+    };
+    assert_eq!(film("0..2").0, ["0", "1", "2"]);
+    let first = folder.read("0.exr");
+    std::fs::remove_file(folder.path("1.png")).unwrap();
+    assert_eq!(film("all").0, ["1", "3", "4"]);
+    assert!(film("all").0.is_empty() && folder.read("0.exr") == first);
+    // By another scene, method, number of samples or look.
+    for (change, why) in [
+        ("--set sky.color=[0,0,1]", "0.exr is rendered again: its `sky.color` is `[0.2, 0.3, 0.4]`, not `[0, 0, 1]`"),
+        ("--set rays.method=euler", "0.exr is rendered again: its `method` is `"),
+        ("--samples 4", "0.exr is rendered again: its `samples` is `1`, not `4`"),
+        ("--set output.bits=16", "0.exr is rendered again: its `shown` is `"),
+        ("--crop 0,0,4x4", "0.exr is rendered again: its `part` is `0,0,16x12 of 16x12`, not `0,0,4x4 of 16x12`"),
+        ("--layers depth", "0.exr is rendered again: its `layers` is `depth,position,"),
+    ] {
+        let (rendered, ran) = film(&format!("0 {change}"));
+        assert_eq!(rendered, ["0"]);
+        ran.says(&[why]);
+        film("0");
+        assert!(folder.read("0.exr") == first);
+    }
+    folder.write("0.png", "no picture");
+    film("0").1.says(&["0.png is rendered again: it is no picture of this version of bentray"]);
+}
+
 /// What was finished before a frame that cannot be rendered stays, and the key that is at fault is named.
 #[test]
 fn a_frame_of_another_program_names_the_key_and_keeps_the_frames_before() {

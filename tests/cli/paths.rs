@@ -56,7 +56,19 @@ fn pictures_go_on_where_they_were() {
     go_on("--continue few.exr --layers depth").fails(1, &["few.exr: it has no layer `depth`"]);
     go_on("--continue part.exr").succeeds();
     go_on("--samples 11 --continue part.exr").fails(1, &["has 11 samples a pixel already", "--samples 22"]);
-    go_on("--set objects.1.radius=0.2 --continue few.exr").fails(1, &["of another scene"]);
+    for (other, why) in [
+        (
+            "--set objects.1.radius=0.2",
+            "few.exr: its `objects.1.radius` is `0.3`, not `0.2`: only `samples` and [output] may",
+        ),
+        (
+            "--precision f64",
+            "few.exr: its rays are followed by { method = \"exact\", max_segments = 1000, precision = \"f32\" }",
+        ),
+    ] {
+        let ran = go_on(&format!("{other} --continue few.exr")).says(&[why]);
+        assert_eq!(ran.code, Some(1));
+    }
     go_on("--crop 0,0,4x4 --continue few.exr").fails(1, &["few.exr: it shows the part 0,0,12x12"]);
     go_on("--set image.pattern=multi-jittered --continue few.exr").fails(1, &["known beforehand"]);
     go_on("--layers error").succeeds();

@@ -8,7 +8,8 @@ use crate::cli::go_on::{self, Before, is_continuable};
 use crate::cli::paths;
 use crate::cli::watch::PreviewFile;
 use crate::error::Error;
-use crate::output::{FileSettings, ImageWriter, open};
+use crate::output::origin::file_difference;
+use crate::output::{FileSettings, ImageWriter, open, settings_of};
 use crate::program::Layer;
 use crate::render::Window;
 use crate::scene::Scene;
@@ -25,6 +26,31 @@ impl Arguments {
         let path = |path: &PathBuf| frame.and_then(|frame| path_of(path, frame)).unwrap_or(path.clone());
         let paths = self.output.iter().map(path);
         paths.map(|path| Ok(open(&path, &self.file_settings(scene, &path, layers, metadata))?)).collect()
+    }
+
+    /// Are a frame's files there, made by what would make them now? Files of something else are named.
+    pub(super) fn is_finished(
+        &self,
+        scene: &Scene,
+        frame: u32,
+        layers: &[Layer],
+        metadata: &[(String, String)],
+    ) -> bool {
+        self.output.iter().all(|path| {
+            let path = path_of(path, frame).unwrap_or_else(|| path.clone());
+            if !path.exists() {
+                return false;
+            }
+            let wanted = self.file_settings(scene, &path, layers, metadata);
+            let why = match settings_of(&path) {
+                Ok(found) => file_difference(&found, &wanted),
+                Err(_) => Some("it is no picture of this version of bentray".to_owned()),
+            };
+            if let Some(why) = &why {
+                tell!("frame {frame}: {} is rendered again: {why}", path.display());
+            }
+            why.is_none()
+        })
     }
 
     /// Refuses to write over the scene's own files, or two things to one file.

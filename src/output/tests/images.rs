@@ -11,10 +11,10 @@ use crate::output::band::{channels, components};
 use crate::output::{
     FileSettings, OutputError,
     color::{SrgbBytes, display, srgb_from_linear, tonemapped},
-    open, picture,
+    open, picture, settings_of,
 };
 use crate::program::Layer;
-use crate::render::{Band, Plane};
+use crate::render::{Band, Plane, Window};
 use crate::scene::Tonemap;
 
 /// A picture with a different value everywhere, as bands of these heights.
@@ -321,4 +321,37 @@ fn bytes_are_those_of_the_curve() {
             before = byte(x);
         }
     }
+}
+
+#[test]
+fn files_say_what_they_were_written_with() {
+    let folder = folder();
+    let metadata = vec![("a".to_owned(), "två".to_owned()), ("b".to_owned(), "x = 1\ny = 2".to_owned())];
+    let window = Window { origin: [3, 5], size: [8, 6] };
+    for (name, layers, alpha, bits) in [
+        ("a.exr", vec![], true, 8),
+        ("b.exr", vec![Layer::Depth, Layer::Normal], false, 16),
+        ("c.png", vec![], true, 8),
+        ("d.png", vec![], false, 16),
+    ] {
+        let (exposure, tonemap) = (-1.25, Tonemap::Filmic);
+        let metadata = metadata.clone();
+        let settings =
+            FileSettings { window, exposure, tonemap, bits, alpha, layers, metadata, ..FileSettings::new([16, 12]) };
+        let path = folder.path().join(name);
+        let mut writer = open(&path, &settings).unwrap();
+        writer.write_band(&plain(window.size, &settings)).unwrap();
+        writer.finish().unwrap();
+        assert_eq!(settings_of(&path).unwrap(), settings, "{name}");
+    }
+}
+
+fn plain([width, rows]: [u32; 2], settings: &FileSettings) -> Band {
+    let plane = || vec![0.5; (width * rows) as usize];
+    let layer = |layer: &Layer| match layer {
+        Layer::Normal => (*layer, Plane::Vector([plane(), plane(), plane()])),
+        _ => (*layer, Plane::Scalar(plane())),
+    };
+    let layers = settings.layers.iter().map(layer).collect();
+    Band { first_row: 0, rows, width, color: [plane(), plane(), plane()], alpha: settings.alpha.then(plane), layers }
 }

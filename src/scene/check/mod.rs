@@ -27,6 +27,7 @@ use crate::document::values::{color, direction, number_where, positive, vector, 
 use crate::document::{Document, Override, read_text};
 use crate::model::{Camera, Capture, Law, camera, law, material, shape};
 use glam::{DMat3, DVec3};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -45,11 +46,19 @@ impl Scene {
         overrides: &[Override],
         frame_of: Option<&dyn Fn(&str) -> u32>,
     ) -> Result<Self, SceneError> {
-        let mut document = Document::parse(&read_text(path)?, path, overrides)?;
-        if let Some(frame_of) = frame_of {
-            animation::apply(&mut document, frame_of);
-        }
-        Self::of(&document, path, files)
+        Self::of(&document(path, overrides, frame_of)?, path, files)
+    }
+
+    /// What a scene file says, with the overrides and the frame's values in place: every value under its key, without `[animation]`.
+    /// Files that say the same are listed alike.
+    pub fn listing(
+        path: &Path,
+        overrides: &[Override],
+        frame_of: Option<&dyn Fn(&str) -> u32>,
+    ) -> Result<BTreeMap<String, String>, SceneError> {
+        let mut lines = document(path, overrides, frame_of)?.listing();
+        lines.retain(|key, _| !key.starts_with("animation."));
+        Ok(lines)
     }
 
     /// As [`Scene::load`], with the file's text given; `path` names it, and files are found relative to its folder.
@@ -69,6 +78,19 @@ impl Scene {
             _ => Err(SceneError::Mistakes(mistakes)),
         }
     }
+}
+
+/// A scene file with its changes.
+fn document(
+    path: &Path,
+    overrides: &[Override],
+    frame_of: Option<&dyn Fn(&str) -> u32>,
+) -> Result<Document, SceneError> {
+    let mut document = Document::parse(&read_text(path)?, path, overrides)?;
+    if let Some(frame_of) = frame_of {
+        animation::apply(&mut document, frame_of);
+    }
+    Ok(document)
 }
 
 /// The scene, as far as it can be made; faults are left with the reader.
@@ -184,8 +206,7 @@ fn output(root: &TableReader, by_paths: bool) -> Output {
     if let Some(table) = root.subtable("output", "output") {
         let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
         output.exposure = table.or("exposure", 0.0, stops);
-        let tonemaps = word(&[("none", Tonemap::None), ("filmic", Tonemap::Filmic)]);
-        output.tonemap = table.or("tonemap", Tonemap::None, tonemaps);
+        output.tonemap = table.or("tonemap", Tonemap::None, word(Tonemap::NAMES));
         output.bits = table.or("bits", 8, |node| match whole(8..=16)(node)? {
             8 => Ok(8),
             16 => Ok(16),

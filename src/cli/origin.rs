@@ -1,0 +1,73 @@
+//! What a picture says of what made it.
+
+use std::fs;
+use std::hash::Hasher;
+use std::path::PathBuf;
+
+use siphasher::sip128::{Hasher128, SipHasher24};
+
+use super::frames::Film;
+use crate::error::Error;
+use crate::gpu::Gpu;
+use crate::measure::method_words;
+use crate::output::origin::{DEVICE, FOLLOWED, LINES, LISTED, SAMPLES, SCENE};
+use crate::scene::{Scene, SceneError, followed_keys};
+
+/// Of a scene, or of a frame of its film, whose method is settled.
+pub(super) fn origin(
+    film: &Film,
+    frame: Option<u32>,
+    gpu: &Gpu,
+    scene: &Scene,
+) -> Result<Vec<(String, String)>, Error> {
+    let rays = &scene.rays;
+    let said = [
+        ("Software", concat!("bentray ", env!("CARGO_PKG_VERSION")).to_owned()),
+        ("method", method_words(rays.method, rays.control)),
+        ("max_segments", rays.max_segments.to_string()),
+        (FOLLOWED, rays.followed()),
+        (SAMPLES, scene.image.samples.to_string()),
+        (DEVICE, gpu.words()),
+    ];
+    let lines = lines(film, frame)?;
+    let hash = (SCENE, hash(lines.as_bytes()));
+    let lines = (lines.len() <= LISTED).then_some((LINES, lines));
+    Ok(said.into_iter().chain([hash]).chain(lines).map(|(key, text)| (key.to_owned(), text)).collect())
+}
+
+/// Every value of the scene, and a hash of every file that was loaded for it, a line each. How rays are followed, how many samples there
+/// are and how pictures are shown is said elsewhere, and no part of it.
+fn lines(film: &Film, frame: Option<u32>) -> Result<String, Error> {
+    let frame_of = frame.map(|frame| move |_: &str| frame);
+    let frame_of = frame_of.as_ref().map(|frame_of| frame_of as &dyn Fn(&str) -> u32);
+    let mut values = Scene::listing(film.path, &film.overrides, frame_of)?;
+    for key in followed_keys() {
+        values.remove(&format!("rays.{key}"));
+    }
+    values.retain(|key, _| key != "image.samples" && (!key.starts_with("output.") || key == "output.clamp"));
+    let mut lines: Vec<String> = values.into_iter().map(|(key, value)| format!("{key} = {value}")).collect();
+    for path in film.files.borrow().paths() {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        lines.push(format!("file {name} = {}", film.hash_of(path)?));
+    }
+    Ok(lines.join("\n"))
+}
+
+impl Film<'_> {
+    /// Of a file's bytes, which are read once.
+    fn hash_of(&self, path: PathBuf) -> Result<String, SceneError> {
+        if let Some(known) = self.hashes.borrow().get(&path) {
+            return Ok(known.clone());
+        }
+        let bytes = fs::read(&path).map_err(|source| SceneError::Read { path: path.clone(), source })?;
+        let hash = hash(&bytes);
+        self.hashes.borrow_mut().insert(path, hash.clone());
+        Ok(hash)
+    }
+}
+
+fn hash(bytes: &[u8]) -> String {
+    let mut hasher = SipHasher24::new();
+    hasher.write(bytes);
+    format!("{:032x}", hasher.finish128().as_u128())
+}

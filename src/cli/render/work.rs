@@ -1,0 +1,177 @@
+//! One frame after the other, by the programs that were compiled for the first.
+
+use std::time::{Duration, Instant};
+
+use super::{Arguments, warn};
+use crate::cli::decisions::Rays;
+use crate::cli::frames::Film;
+use crate::cli::interrupt;
+use crate::cli::origin::origin;
+use crate::cli::settle::settle;
+use crate::cli::watch::{FilmProgress, PreviewFile, Progress};
+use crate::error::Error;
+use crate::gpu::Gpu;
+use crate::measure::Verification;
+use crate::output::ImageWriter;
+use crate::program::Layer;
+use crate::render::{Earlier, LightReport, Preview, RenderError, RenderSettings, Renderer, StartUp, Totals, Watch};
+use crate::scene::Scene;
+
+/// What is being rendered, and with what.
+pub(super) struct Work<'a> {
+    pub arguments: &'a Arguments,
+    /// What repeats it.
+    pub again: String,
+    pub film: Film<'a>,
+    pub gpu: &'a Gpu,
+    /// The scene whose method is every frame's.
+    pub leading: Scene,
+    pub settings: RenderSettings,
+    /// Those of the files; there may be more on the device.
+    pub layers: Vec<Layer>,
+    pub verification: Option<Verification>,
+    pub launch: StartUp,
+    /// With the number of the frame that it was made for.
+    pub renderer: Option<(Renderer<'a>, Option<u32>)>,
+}
+
+impl Arguments {
+    /// The scene with its method settled, and the settings that keep what is compiled already. A film is led by its first frame, and
+    /// decides for all of its pictures, whole: so those who render other frames or parts of it come to the same.
+    pub(super) fn lead(
+        &self,
+        gpu: &Gpu,
+        film: &Film,
+        still: Scene,
+        settings: RenderSettings,
+    ) -> Result<(Scene, RenderSettings), Error> {
+        let frame = self.frames.map(|_| 0);
+        let frames = if frame.is_some() { still.animation.as_ref().map_or(1, |animation| animation.frames) } else { 1 };
+        let scene = if frame.is_some() { self.load(film, frame, None)? } else { still };
+        let [width, height] = scene.image.size.map(u64::from);
+        let rays = u64::from(frames) * u64::from(scene.image.samples) * width * height;
+        settle(gpu, (film, frame), scene, settings, Rays::Camera(rays))
+    }
+}
+
+impl Work<'_> {
+    /// Renders the frames that are not finished yet; what comes back is how many rays could not be followed.
+    pub(super) fn render_all(&mut self, frames: &[Option<u32>], earlier: Option<&Earlier>) -> Result<u64, Error> {
+        let mut unfollowed = 0;
+        let progress = FilmProgress::new(frames.len());
+        for (i, &frame) in frames.iter().enumerate() {
+            unfollowed += self.render(frame, earlier)?;
+            if interrupt::is_asked() {
+                break;
+            }
+            progress.tell(i + 1);
+        }
+        if frames.iter().any(Option::is_some) {
+            self.tell_again();
+        }
+        Ok(unfollowed)
+    }
+
+    fn tell_again(&self) {
+        tell!("to repeat it: {}", self.again);
+    }
+
+    fn render(&mut self, frame: Option<u32>, earlier: Option<&Earlier>) -> Result<u64, Error> {
+        let begun = Instant::now();
+        let scene = match frame {
+            None => self.leading.clone(),
+            Some(_) => settled(self.arguments.load(&self.film, frame, None)?, &self.leading),
+        };
+        let mut said = origin(&self.film, frame, self.gpu, &scene)?;
+        said.extend(self.verification.iter().flat_map(Verification::metadata));
+        let layers = &self.layers;
+        if let Some(frame) = frame
+            && self.arguments.is_finished(&scene, frame, layers, &said)
+        {
+            return Ok(0);
+        }
+        let mut writers = self.arguments.open(&scene, frame, layers, &said)?;
+        let preview = self.arguments.preview(&scene, layers, &said);
+        let is_first = self.renderer.is_none();
+        self.set_up(scene, frame)?;
+        let Some((renderer, _)) = &self.renderer else { return Ok(0) };
+        let ready = begun.elapsed();
+        let totals = render(renderer, &mut writers, &mut self.launch, (earlier, preview.as_ref()))?;
+        writers.into_iter().try_for_each(ImageWriter::finish)?;
+        if is_first {
+            tell!("{}", self.launch);
+        }
+        for light in renderer.light_reports() {
+            tell!("{light}");
+        }
+        if frame.is_none() {
+            self.tell_again();
+        }
+        report(frame, ready, &totals);
+        let lights: u64 = renderer.light_reports().iter().map(LightReport::unfollowed).sum();
+        Ok(lights + totals.unfollowed())
+    }
+
+    /// Makes a renderer, or has the one that there is go on to another frame.
+    fn set_up(&mut self, scene: Scene, frame: Option<u32>) -> Result<(), Error> {
+        let Some((renderer, first)) = &mut self.renderer else {
+            let mut renderer = Renderer::keeping(self.gpu, scene, self.settings.clone())?;
+            if self.arguments.device.chooses_segments() {
+                renderer.choose_segments()?;
+            }
+            self.launch.next();
+            self.renderer = Some((renderer, frame));
+            return Ok(());
+        };
+        match (renderer.set_scene(scene), *first, frame) {
+            (Err(RenderError::OtherProgram), Some(a), Some(b)) => {
+                let keys = self.leading.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
+                Err(self.film.other_program(keys, [a, b]))
+            }
+            (result, ..) => Ok(result?),
+        }
+    }
+}
+
+fn report(frame: Option<u32>, ready: Duration, totals: &Totals) {
+    match frame {
+        Some(frame) => tell!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
+        None => tell!("{totals}"),
+    }
+    warn(totals);
+}
+
+/// Where a scene leaves its method open, the first frame's is every frame's.
+fn settled(mut scene: Scene, first: &Scene) -> Scene {
+    if scene.rays.auto.take().is_some() {
+        scene.rays.method = first.rays.method;
+        scene.rays.control = first.rays.control;
+        scene.rays.max_segments = first.rays.max_segments;
+        scene.rays.precision = first.rays.precision;
+        scene.rays.closed_forms = first.rays.closed_forms;
+    }
+    scene
+}
+
+fn render(
+    renderer: &Renderer,
+    writers: &mut [Box<dyn ImageWriter>],
+    launch: &mut StartUp,
+    (earlier, preview): (Option<&Earlier>, Option<&PreviewFile>),
+) -> Result<Totals, RenderError> {
+    let progress = Progress::new();
+    let tell = |done| progress.tell(done);
+    let preview = preview.map(|preview| -> &dyn Preview { preview });
+    let totals = renderer.render_watched(
+        &mut |band| {
+            if !launch.is_complete() {
+                launch.next();
+            }
+            let failed = |error| RenderError::Output(Box::new(error));
+            writers.iter_mut().try_for_each(|writer| writer.write_band(&band)).map_err(failed)
+        },
+        &Watch { progress: &tell, earlier, preview },
+    );
+    progress.finish();
+    totals
+}
