@@ -34,6 +34,7 @@ mod origin;
 mod paths;
 mod render;
 mod settle;
+mod share;
 mod trace;
 mod watch;
 mod wgsl;

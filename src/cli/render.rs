@@ -16,6 +16,7 @@ use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::say_line;
+use super::share::{Part, Target};
 use crate::error::Error;
 use crate::measure::verify;
 use crate::program::Layer;
@@ -46,6 +47,11 @@ pub(super) struct Arguments {
     /// number in place of {frame} in the name, or of {frame:4} for at least four digits
     #[arg(long, value_name = "FRAMES", conflicts_with = "verify")]
     frames: Option<Frames>,
+    /// Render one of so many equal parts of the picture, or with --frames of the film: 3/64 (from 1), auto as Slurm, AWS Batch or SGE
+    /// say for this job, auto/64 also under Kubernetes, PBS and GNU parallel. Parts of a picture are EXRs, which `assemble` puts
+    /// together; what is finished is not rendered again
+    #[arg(long, value_name = "K/N", conflicts_with_all = ["crop", "verify", "earlier", "preview"])]
+    part: Option<Part>,
     /// Add samples to a picture of random paths that was rendered before, up to as many as the scene now asks for: to the bit what a
     /// single longer render gives. The EXR has to keep its sums, as it does unless --layers leaves them out
     #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames")]
@@ -100,6 +106,20 @@ impl Arguments {
         }
     }
 
+    /// What is to be rendered of these frames.
+    fn targets(&self, frames: &[Option<u32>], scene: &Scene) -> Result<Vec<Target>, Error> {
+        let Some(part) = self.part else {
+            return Ok(frames.iter().map(|&frame| Target { frame, band: None }).collect());
+        };
+        let targets = part.share()?.of(frames);
+        let rows = scene.image.size[1];
+        let too_many = |target: &&Target| target.band.is_some_and(|band| band.count > rows);
+        match targets.iter().find(too_many) {
+            Some(_) => Err(Error::Usage(format!("--part: these are more parts than the {rows} rows of each picture"))),
+            None => Ok(targets),
+        }
+    }
+
     /// The scene, or a frame of it, or the one that a picture is continued from.
     fn load(&self, film: &Film, frame: Option<u32>, before: Option<&Before>) -> Result<Scene, Error> {
         let scene = match (frame, before) {
@@ -149,8 +169,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         Some(frames) => frames.of(&still)?.map(Some).collect(),
         None => vec![None],
     };
-    arguments.check_files(&film, &frames)?;
-    arguments.try_files(&still, &frames, &layers)?;
+    let targets = arguments.targets(&frames, &still)?;
+    arguments.check_files(&film, &targets)?;
+    arguments.try_files(&still, &targets, &layers)?;
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
     }
@@ -161,7 +182,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     launch.next();
     let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(layers.clone()) };
-    let again = arguments.again(still.rays.auto.is_some() || before.is_some(), frames[0]);
+    let again = arguments.again(still.rays.auto.is_some() || before.is_some(), targets[0]);
     let (leading, settings) = arguments.lead(&gpu, &film, still, settings)?;
     launch.next();
     let measured = arguments.verify.map(|count| verify(&gpu, &leading, &settings, count as usize)).transpose()?;
@@ -173,7 +194,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         }
     }
     let settings = RenderSettings { window: arguments.crop, ..settings };
-    if frames.len() > 1 {
+    if targets.len() > 1 {
         interrupt::finish_first();
     }
     let mut work = Work {
@@ -188,7 +209,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         launch,
         renderer: None,
     };
-    let unfollowed = work.render_all(&frames, before.map(Before::earlier).as_ref())?;
+    let unfollowed = work.render_all(&targets, before.map(Before::earlier).as_ref())?;
     if interrupt::is_asked() {
         return Ok(ExitCode::from(interrupt::INTERRUPTED));
     }

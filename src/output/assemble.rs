@@ -5,33 +5,34 @@
 
 use std::path::{Path, PathBuf};
 
+use super::band::channel_names;
 use super::exr::ExrWriter;
 use super::origin::{SHOWN, difference, shown_words};
 use super::part::Part;
-use super::{FileSettings, ImageWriter, OutputError};
-use crate::render::Window;
+use super::{FileSettings, ImageWriter, OutputError, open};
+use crate::render::{Band, Window};
 
 /// Rows of the whole that are written at once: enough blocks for all cores.
 const ROWS: usize = 64;
 /// Every sample is a 32 bit float or an id.
 const SAMPLE_BYTES: usize = 4;
 
-/// Puts the EXRs at `parts` together as one at `output`.
-pub fn assemble(parts: &[PathBuf], output: &Path) -> Result<(), OutputError> {
+/// Puts the EXRs at `parts` together, as one at each of `outputs`: an EXR, or a PNG as the render of the whole would have written it.
+pub fn assemble(parts: &[PathBuf], outputs: &[PathBuf]) -> Result<(), OutputError> {
     let mut parts = parts.iter().map(|path| Part::open(path)).collect::<Result<Vec<_>, _>>()?;
     let Some(first) = parts.first() else { return Ok(()) };
     parts.iter().try_for_each(|part| alike(first, part))?;
     let size = first.settings.size;
+    let settings = FileSettings { window: Window::whole(size), ..first.settings.clone() };
+    let mut wholes = outputs.iter().map(|path| Whole::create(path, &settings)).collect::<Result<Vec<_>, _>>()?;
     let windows: Vec<Window> = parts.iter().map(|part| part.settings.window).collect();
     if let Some(gap) = gap(&windows, size) {
         let [[left, top], [width, height]] = [gap.origin, gap.size];
         let problem = format!(
             "the parts leave a gap at column {left}, row {top}: render it with --crop {left},{top},{width}x{height}"
         );
-        return Err(OutputError::Part { path: output.to_owned(), problem });
+        return Err(OutputError::Part { path: outputs.first().cloned().unwrap_or_default(), problem });
     }
-    let settings = FileSettings { window: Window::whole(size), ..first.settings.clone() };
-    let mut writer = Box::new(ExrWriter::create(output, &settings)?);
     let samples = first.row_bytes / SAMPLE_BYTES / windows[0].size[0] as usize;
     let row_bytes = SAMPLE_BYTES * samples * size[0] as usize;
     let mut rows = Vec::new();
@@ -48,20 +49,64 @@ pub fn assemble(parts: &[PathBuf], output: &Path) -> Result<(), OutputError> {
                     "{this} and {other} disagree at column {x}, row {y}: render both again, from the same scene and by \
                      the same method"
                 );
-                return Err(OutputError::Part { path: output.to_owned(), problem });
+                return Err(OutputError::Part { path: outputs.first().cloned().unwrap_or_default(), problem });
             }
             if y + 1 == top + height {
                 parts[i].close();
             }
         }
         rows.extend(row.bytes);
-        if rows.len() == ROWS * row_bytes {
-            writer.write_rows(&rows)?;
+        if rows.len() == ROWS * row_bytes || y + 1 == size[1] {
+            let first_row = y + 1 - (rows.len() / row_bytes) as u32;
+            wholes.iter_mut().try_for_each(|whole| whole.write_rows(first_row, &rows))?;
             rows.clear();
         }
     }
-    writer.write_rows(&rows)?;
-    writer.finish()
+    wholes.into_iter().try_for_each(Whole::finish)
+}
+
+/// A file of the whole picture in the making.
+enum Whole {
+    Exr(Box<ExrWriter>),
+    /// With the places of its colours, and of alpha if it has that, among the parts' channels, and how many of those there are.
+    Png(Box<dyn ImageWriter>, Vec<usize>, usize, usize),
+}
+
+impl Whole {
+    fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
+        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("exr")) {
+            return Ok(Self::Exr(Box::new(ExrWriter::create(path, settings)?)));
+        }
+        let names = channel_names(settings);
+        let wanted = ["R", "G", "B"].into_iter().chain(settings.alpha.then_some("A"));
+        let places = wanted.filter_map(|name| names.iter().position(|other| *other == name)).collect();
+        let writer = open(path, &FileSettings { layers: Vec::new(), ..settings.clone() })?;
+        Ok(Self::Png(writer, places, names.len(), settings.size[0] as usize))
+    }
+
+    fn write_rows(&mut self, first_row: u32, bytes: &[u8]) -> Result<(), OutputError> {
+        let (writer, places, channels, width) = match self {
+            Self::Exr(writer) => return writer.write_rows(bytes),
+            Self::Png(writer, places, channels, width) => (writer, places, *channels, *width),
+        };
+        let row_bytes = SAMPLE_BYTES * channels * width;
+        let mut planes = places.iter().map(|place| -> Vec<f32> {
+            let of_row = |row: &[u8]| -> Vec<f32> {
+                bytemuck::pod_collect_to_vec(&row[SAMPLE_BYTES * place * width..SAMPLE_BYTES * (place + 1) * width])
+            };
+            bytes.chunks_exact(row_bytes).flat_map(of_row).collect()
+        });
+        let color = [(); 3].map(|()| planes.next().unwrap_or_default());
+        let (rows, alpha) = ((bytes.len() / row_bytes) as u32, planes.next());
+        writer.write_band(&Band { first_row, rows, width: width as u32, color, alpha, layers: Vec::new() })
+    }
+
+    fn finish(self) -> Result<(), OutputError> {
+        match self {
+            Self::Exr(writer) => writer.finish(),
+            Self::Png(writer, ..) => writer.finish(),
+        }
+    }
 }
 
 /// Refuses a part that belongs to another picture than the first.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::OutputError;
+use super::{FileSettings, OutputError};
 use crate::program::Layer;
 use crate::render::{Band, Plane};
 
@@ -24,6 +24,14 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Orders => &["orders.0", "orders.1", "orders.2"],
         Layer::Way => &["way.X", "way.Y", "way.Z"],
     }
+}
+
+/// The channels of a file, in its order.
+pub(super) fn channel_names(settings: &FileSettings) -> Vec<&'static str> {
+    let own = settings.layers.iter().flat_map(|layer| channels(*layer).iter().copied());
+    let mut names: Vec<&str> = ["R", "G", "B"].into_iter().chain(settings.alpha.then_some("A")).chain(own).collect();
+    names.sort_unstable();
+    names
 }
 
 /// Whether a layer's samples are unsigned integers rather than floats.

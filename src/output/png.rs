@@ -5,6 +5,7 @@
 //! it is dropped. Host memory: the rows of one band as integers, plus their compressed bytes.
 
 use std::{
+    collections::BTreeMap,
     io::{self, Write},
     path::Path,
     sync::mpsc::{Receiver, Sender, channel},
@@ -152,7 +153,8 @@ fn encoder(outbox: Outbox, settings: &FileSettings) -> Result<StreamWriter<'stat
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     let own = [(PART, part_words(settings)), (SHOWN, shown_words(settings))];
     let said = settings.metadata.iter().map(|(key, text)| (key.as_str(), text.clone()));
-    for (key, text) in said.chain(own) {
+    let said: BTreeMap<&str, String> = said.chain(own).collect();
+    for (key, text) in said {
         if text.is_ascii() {
             encoder.add_text_chunk(key.to_owned(), text)?;
         } else {

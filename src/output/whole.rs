@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::band::{channels as channels_of, is_id};
+use super::band::{channel_names, channels as channels_of, is_id};
 use super::part::Part;
 use super::{FileSettings, OutputError};
 use crate::render::{Band, Plane};
@@ -17,10 +17,7 @@ pub fn picture(path: &Path) -> Result<(FileSettings, Band), OutputError> {
     let mut part = Part::open(path)?;
     let [width, rows] = part.settings.window.size;
     let settings = part.settings.clone();
-    let mut names: Vec<&str> = ["R", "G", "B"].into();
-    names.extend(settings.alpha.then_some("A"));
-    names.extend(settings.layers.iter().flat_map(|layer| channels_of(*layer)));
-    names.sort_unstable();
+    let names = channel_names(&settings);
     let mut planes: BTreeMap<&str, Vec<u32>> = names.iter().map(|name| (*name, Vec::new())).collect();
     for _ in 0..rows {
         let row = part.next_row()?;

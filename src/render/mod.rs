@@ -12,6 +12,7 @@ mod band;
 mod bare;
 mod batch;
 mod clock;
+mod cuts;
 mod error;
 mod errors;
 mod grids;

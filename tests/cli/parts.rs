@@ -1,5 +1,9 @@
 //! `--crop`, `--memory` and `assemble`: a picture in parts is the picture.
 
+use bentray::output::picture;
+use bentray::program::Layer;
+use bentray::render::Plane;
+
 use super::{BALL, Folder};
 
 const HOLE: &str = "--set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 \
@@ -20,8 +24,9 @@ fn parts_by_any_schedule_make_the_whole_to_the_byte() {
     for (i, (crop, more)) in parts.iter().enumerate() {
         folder.run(&format!("render scene.toml -o part{i}.exr --crop {crop} {more} {HOLE}")).succeeds();
     }
-    folder.run("assemble part2.exr part0.exr part3.exr part1.exr -o made.exr").succeeds();
+    folder.run("assemble part2.exr part0.exr part3.exr part1.exr -o made.exr -o made.png").succeeds();
     assert!(folder.read("made.exr") == folder.read("whole.exr"));
+    assert!(folder.read("made.png") == folder.read("whole.png"));
     // A PNG is what is seen through the window.
     folder.run(&format!("render scene.toml -o part.png --crop 11,7,29x11 {HOLE}")).succeeds();
     let [whole, part] = ["whole.png", "part.png"].map(|name| image::open(folder.path(name)).unwrap().into_rgb8());
@@ -61,7 +66,7 @@ fn parts_of_other_pictures_are_refused() {
     }
     folder.run("assemble left.exr nothing.exr -o whole.exr").fails(1, &["nothing.exr: cannot read the file"]);
     folder.run("assemble left.exr scene.toml -o whole.exr").fails(1, &["scene.toml: this is not a whole EXR"]);
-    folder.run("assemble left.exr -o whole.png").fails(1, &["whole.png: a whole is an EXR"]);
+    folder.run("assemble left.exr -o whole.jpg").fails(1, &["whole.jpg: the name must end in .png"]);
     assert_eq!(folder.text("whole.exr"), "an old whole");
 }
 
@@ -83,4 +88,47 @@ fn parts_and_budgets_that_cannot_be_are_refused() {
         ran.says(&[text]);
     }
     assert_eq!(folder.names(), ["scene.toml"]);
+}
+
+/// Equal parts of a picture and of a film, each rendered on its own, make what one render makes, whoever asked for them and how often.
+#[test]
+fn equal_parts_make_the_whole_to_the_byte() {
+    let folder = Folder::with(BALL);
+    let scene = format!("{HOLE} --set rays.method=auto --set camera.fov=20");
+    folder.run(&format!("render scene.toml -o whole.exr -o whole.png {scene}")).succeeds();
+    for part in 1..=5 {
+        let ran = folder.run(&format!("render scene.toml -o made.png -o made.exr --part {part}/5 {scene}")).succeeds();
+        ran.says(&["to repeat it: bentray render scene.toml"]);
+    }
+    let names: Vec<String> = (1..=5).map(|part| format!("made.part-{part}-of-5.exr")).collect();
+    let parts = names.join(" ");
+    folder.run(&format!("assemble {parts} -o made.exr -o made.png")).succeeds();
+    assert!(folder.read("made.exr") == folder.read("whole.exr") && folder.read("made.png") == folder.read("whole.png"));
+    // Bands are of equal work, not of equal height: paths that come near the hole take more steps.
+    let far = "--set law.kind=schwarzschild --set law.mass=0.1 --set rays.method=dormand-prince --set rays.tolerance=1e-6 \
+               --set objects.0.center=[0,0,-9] --set objects.0.radius=0.1 --size 40x60";
+    let work = |part: u32| {
+        folder.run(&format!("render scene.toml -o cut.exr --part {part}/3 {far}")).succeeds();
+        let (settings, band) = picture(&folder.path(&format!("cut.part-{part}-of-3.exr"))).unwrap();
+        let Some(Plane::Id(steps)) = band.layer(Layer::Steps) else { panic!("no steps") };
+        (settings.window.size[1], steps.iter().map(|steps| f64::from(steps + 8)).sum::<f64>())
+    };
+    let [(outer, first), (inner, middle), _] = [1, 2, 3].map(work);
+    assert!(inner < outer && (first / middle - 1.0).abs() < 0.2, "{outer} {first} {inner} {middle}");
+    // What is finished is not rendered again, unless it is of something else.
+    let again = |more: &str| folder.run(&format!("render scene.toml -o made.exr --part 2/5 {scene} {more}")).succeeds();
+    assert!(!again("").err.contains(" rays, "));
+    again("--set sky.color=[1,1,1]").says(&["made.part-2-of-5.exr is rendered again: its `sky.color` is", " rays, "]);
+    for (arguments, text) in [
+        ("--part 1/31", "--part: these are more parts than the 30 rows of each picture"),
+        ("--part auto", "--part auto: none of these variables is set: SLURM_ARRAY_TASK_ID (Slurm)"),
+    ] {
+        folder.run(&format!("render scene.toml -o a.exr {scene} {arguments}")).fails(1, &[text]);
+    }
+    folder.run("render scene.toml -o a.exr --part 1/3 --crop 0,0,2x2").fails(2, &["cannot be used with"]);
+    let mut command = folder.command(&format!("render scene.toml -o queue.exr --part auto {scene}"));
+    let queue = [("ID", "3"), ("MIN", "1"), ("MAX", "5")];
+    command.envs(queue.map(|(name, value)| (format!("SLURM_ARRAY_TASK_{name}"), value)));
+    assert!(command.output().unwrap().status.success());
+    assert!(folder.read("queue.part-3-of-5.exr") == folder.read("made.part-3-of-5.exr"));
 }

@@ -3,18 +3,17 @@
 use std::env;
 
 use super::Arguments;
-use crate::cli::frames::path_of;
+use crate::cli::share::Target;
 
 /// Options that only say how a picture came about in steps.
 const STEPS: [&str; 3] = ["--continue", "--preview", "--preview-every"];
 
 impl Arguments {
     /// What to type for the same files: what was typed, without what only led to them in steps. Where the method was not named it is that
-    /// of the first file, which is frame `first` of a film.
-    pub(super) fn again(&self, is_found: bool, first: Option<u32>) -> String {
+    /// of the first file.
+    pub(super) fn again(&self, is_found: bool, first: Target) -> String {
         let typed = without_steps(env::args().skip(1));
-        let file = self.output.first().filter(|_| is_found);
-        let file = file.map(|path| first.and_then(|frame| path_of(path, frame)).unwrap_or_else(|| path.clone()));
+        let file = self.paths(first).into_iter().next().filter(|_| is_found);
         let method = file.into_iter().flat_map(|path| ["--method-of".to_owned(), path.display().to_string()]);
         let words: Vec<String> = ["bentray".to_owned()].into_iter().chain(typed).chain(method).collect();
         quoted(&words)

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::{Arguments, is_exr};
-use crate::cli::frames::{Film, path_of};
+use crate::cli::frames::Film;
 use crate::cli::go_on::{self, Before, is_continuable};
 use crate::cli::paths;
+use crate::cli::share::Target;
 use crate::cli::watch::PreviewFile;
 use crate::error::Error;
 use crate::output::origin::file_difference;
@@ -15,79 +16,95 @@ use crate::render::Window;
 use crate::scene::Scene;
 
 impl Arguments {
-    /// Begins the files of a frame.
+    /// The files of a target. A band has one alone, an EXR, from which files of any format are made when all bands are there.
+    pub(crate) fn paths(&self, target: Target) -> Vec<PathBuf> {
+        let all = || self.output.iter();
+        match target.band {
+            Some(_) => {
+                let main = all().find(|path| is_exr(path)).or_else(|| all().next());
+                main.map(|path| target.path(path)).into_iter().collect()
+            }
+            None => all().map(|path| target.path(path)).collect(),
+        }
+    }
+
+    /// Begins the files of a target, which show this window.
     pub(super) fn open(
         &self,
         scene: &Scene,
-        frame: Option<u32>,
+        (target, window): (Target, Window),
         layers: &[Layer],
         metadata: &[(String, String)],
     ) -> Result<Vec<Box<dyn ImageWriter>>, Error> {
-        let path = |path: &PathBuf| frame.and_then(|frame| path_of(path, frame)).unwrap_or(path.clone());
-        let paths = self.output.iter().map(path);
-        paths.map(|path| Ok(open(&path, &self.file_settings(scene, &path, layers, metadata))?)).collect()
+        let settings = |path: &Path| self.file_settings(scene, (path, window), layers, metadata);
+        self.paths(target).into_iter().map(|path| Ok(open(&path, &settings(&path))?)).collect()
     }
 
-    /// Are a frame's files there, made by what would make them now? Files of something else are named.
+    /// Are a target's files there, made by what would make them now? Files of something else are named.
     pub(super) fn is_finished(
         &self,
         scene: &Scene,
-        frame: u32,
+        target: Target,
         layers: &[Layer],
         metadata: &[(String, String)],
     ) -> bool {
-        self.output.iter().all(|path| {
-            let path = path_of(path, frame).unwrap_or_else(|| path.clone());
+        self.paths(target).into_iter().all(|path| {
             if !path.exists() {
                 return false;
             }
-            let wanted = self.file_settings(scene, &path, layers, metadata);
             let why = match settings_of(&path) {
-                Ok(found) => file_difference(&found, &wanted),
+                Ok(found) => {
+                    // Where bands are cut follows from what is compared.
+                    let window = if target.band.is_some() { found.window } else { self.window(scene) };
+                    file_difference(&found, &self.file_settings(scene, (&path, window), layers, metadata))
+                }
                 Err(_) => Some("it is no picture of this version of bentray".to_owned()),
             };
             if let Some(why) = &why {
-                tell!("frame {frame}: {} is rendered again: {why}", path.display());
+                tell!("{} is rendered again: {why}", path.display());
             }
             why.is_none()
         })
     }
 
+    /// What is rendered of a picture that is not cut into bands.
+    pub(super) fn window(&self, scene: &Scene) -> Window {
+        self.crop.unwrap_or(Window::whole(scene.image.size))
+    }
+
     /// Refuses to write over the scene's own files, or two things to one file.
-    pub(super) fn check_files(&self, film: &Film, frames: &[Option<u32>]) -> Result<(), Error> {
-        let of_frame = |frame: &Option<u32>| {
-            let frame = *frame;
-            self.output.iter().map(move |path| frame.and_then(|frame| path_of(path, frame)).unwrap_or(path.clone()))
-        };
-        let outputs: Vec<PathBuf> = frames.iter().flat_map(of_frame).chain(self.preview.clone()).collect();
+    pub(super) fn check_files(&self, film: &Film, targets: &[Target]) -> Result<(), Error> {
+        let outputs = targets.iter().flat_map(|target| self.paths(*target)).chain(self.preview.clone());
+        let outputs: Vec<PathBuf> = outputs.collect();
         paths::check(outputs.iter().map(PathBuf::as_path), &film.inputs())
     }
 
     /// Opens all files and drops them again: a path that cannot be written is found before the work.
-    pub(super) fn try_files(&self, still: &Scene, frames: &[Option<u32>], layers: &[Layer]) -> Result<(), Error> {
-        for &frame in frames {
-            drop(self.open(still, frame, layers, &[])?);
+    pub(super) fn try_files(&self, still: &Scene, targets: &[Target], layers: &[Layer]) -> Result<(), Error> {
+        let window = self.window(still);
+        for &target in targets {
+            drop(self.open(still, (target, window), layers, &[])?);
         }
         let Some(path) = &self.preview else { return Ok(()) };
         if still.image.adaptive.is_some() {
             let problem = "--preview: an adaptive picture has none, for its pixels do not take their samples together";
             return Err(Error::Usage(problem.to_owned()));
         }
-        drop(open(path, &self.file_settings(still, path, layers, &[]))?);
+        drop(open(path, &self.file_settings(still, (path, window), layers, &[]))?);
         Ok(())
     }
 
-    /// How the file at `path` is to be written; `metadata` is what it says of itself.
+    /// How the file at `path` is to be written, which shows this window; `metadata` is what it says of itself.
     pub(super) fn file_settings(
         &self,
         scene: &Scene,
-        path: &Path,
+        (path, window): (&Path, Window),
         layers: &[Layer],
         metadata: &[(String, String)],
     ) -> FileSettings {
         FileSettings {
             size: scene.image.size,
-            window: self.crop.unwrap_or(Window::whole(scene.image.size)),
+            window,
             exposure: scene.output.exposure,
             tonemap: scene.output.tonemap,
             bits: scene.output.bits,
@@ -105,7 +122,7 @@ impl Arguments {
         metadata: &[(String, String)],
     ) -> Option<PreviewFile> {
         let path = self.preview.clone()?;
-        let settings = self.file_settings(scene, &path, layers, metadata);
+        let settings = self.file_settings(scene, (&path, self.window(scene)), layers, metadata);
         let settings = move |samples| go_on::after(settings.clone(), samples);
         Some(PreviewFile::new(path, self.preview_every, Box::new(settings)))
     }

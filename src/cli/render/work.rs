@@ -8,13 +8,16 @@ use crate::cli::frames::Film;
 use crate::cli::interrupt;
 use crate::cli::origin::origin;
 use crate::cli::settle::settle;
+use crate::cli::share::{Band, Target};
 use crate::cli::watch::{FilmProgress, PreviewFile, Progress};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::Verification;
 use crate::output::ImageWriter;
 use crate::program::Layer;
-use crate::render::{Earlier, LightReport, Preview, RenderError, RenderSettings, Renderer, StartUp, Totals, Watch};
+use crate::render::{
+    Earlier, LightReport, Preview, RenderError, RenderSettings, Renderer, StartUp, Totals, Watch, Window,
+};
 use crate::scene::Scene;
 
 /// What is being rendered, and with what.
@@ -55,18 +58,18 @@ impl Arguments {
 }
 
 impl Work<'_> {
-    /// Renders the frames that are not finished yet; what comes back is how many rays could not be followed.
-    pub(super) fn render_all(&mut self, frames: &[Option<u32>], earlier: Option<&Earlier>) -> Result<u64, Error> {
+    /// Renders what is not finished yet; what comes back is how many rays could not be followed.
+    pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&Earlier>) -> Result<u64, Error> {
         let mut unfollowed = 0;
-        let progress = FilmProgress::new(frames.len());
-        for (i, &frame) in frames.iter().enumerate() {
-            unfollowed += self.render(frame, earlier)?;
+        let progress = FilmProgress::new(targets.len());
+        for (i, &target) in targets.iter().enumerate() {
+            unfollowed += self.render(target, earlier)?;
             if interrupt::is_asked() {
                 break;
             }
             progress.tell(i + 1);
         }
-        if frames.iter().any(Option::is_some) {
+        if targets.iter().any(|target| target.frame.is_some()) {
             self.tell_again();
         }
         Ok(unfollowed)
@@ -76,25 +79,26 @@ impl Work<'_> {
         tell!("to repeat it: {}", self.again);
     }
 
-    fn render(&mut self, frame: Option<u32>, earlier: Option<&Earlier>) -> Result<u64, Error> {
+    fn render(&mut self, target: Target, earlier: Option<&Earlier>) -> Result<u64, Error> {
         let begun = Instant::now();
+        let Target { frame, band } = target;
         let scene = match frame {
             None => self.leading.clone(),
             Some(_) => settled(self.arguments.load(&self.film, frame, None)?, &self.leading),
         };
         let mut said = origin(&self.film, frame, self.gpu, &scene)?;
         said.extend(self.verification.iter().flat_map(Verification::metadata));
-        let layers = &self.layers;
-        if let Some(frame) = frame
-            && self.arguments.is_finished(&scene, frame, layers, &said)
-        {
+        let layers = self.layers.clone();
+        // A picture that is named alone is rendered whenever it is asked for.
+        if (frame.is_some() || band.is_some()) && self.arguments.is_finished(&scene, target, &layers, &said) {
             return Ok(0);
         }
-        let mut writers = self.arguments.open(&scene, frame, layers, &said)?;
-        let preview = self.arguments.preview(&scene, layers, &said);
+        let preview = self.arguments.preview(&scene, &layers, &said);
         let is_first = self.renderer.is_none();
-        self.set_up(scene, frame)?;
+        self.set_up(scene.clone(), frame)?;
+        let window = self.window(&scene, band)?;
         let Some((renderer, _)) = &self.renderer else { return Ok(0) };
+        let mut writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
         let ready = begun.elapsed();
         let totals = render(renderer, &mut writers, &mut self.launch, (earlier, preview.as_ref()))?;
         writers.into_iter().try_for_each(ImageWriter::finish)?;
@@ -110,6 +114,18 @@ impl Work<'_> {
         report(frame, ready, &totals);
         let lights: u64 = renderer.light_reports().iter().map(LightReport::unfollowed).sum();
         Ok(lights + totals.unfollowed())
+    }
+
+    /// What is rendered of the picture; where it is a band, the renderer is told.
+    fn window(&mut self, scene: &Scene, band: Option<Band>) -> Result<Window, RenderError> {
+        let (Some(band), Some((renderer, _))) = (band, &mut self.renderer) else {
+            return Ok(self.arguments.window(scene));
+        };
+        let cuts = renderer.cuts(band.count)?;
+        let [top, bottom] = [0, 1].map(|i| cuts[band.number as usize + i]);
+        let window = Window { origin: [0, top], size: [scene.image.size[0], bottom - top] };
+        renderer.set_window(Some(window));
+        Ok(window)
     }
 
     /// Makes a renderer, or has the one that there is go on to another frame.
