@@ -1,6 +1,8 @@
 //! Bentray renders scenes in which light does not travel in straight lines: around black holes, through fields of force, through
 //! lenses and air of varying index, along the flow of a chaotic system, or by a law of the user's own.
 //!
+//! *To use it*, read the [`guide`]: a page for each subject, which `bentray help TOPIC` prints too.
+//!
 //! *Theory.* Weiskopf, Schafhitzel and Ertl, *GPU-based nonlinear ray tracing* (2004): rays set up by a camera, integrated
 //! step by step, tested against the scene segment by segment, ended early, shaded once; all on the GPU, the state ping-ponging
 //! between textures. Formulas cite it as W04, and Gröller's *Nonlinear ray tracing* (1995) as G95.

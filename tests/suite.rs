@@ -17,6 +17,7 @@ mod furnaces;
 mod gallery;
 mod gloss;
 mod groeller;
+mod guide;
 mod imports;
 mod interiors;
 mod kerr_fates;

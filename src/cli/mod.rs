@@ -26,6 +26,7 @@ mod devices;
 mod formula;
 mod frames;
 mod go_on;
+mod help;
 mod interrupt;
 mod light;
 mod new;
@@ -43,13 +44,14 @@ use std::fmt::Arguments;
 use std::io::{self, ErrorKind, Write};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::error::Error;
 
 /// A renderer for light that does not travel straight.
 #[derive(Debug, Parser)]
 #[command(name = "bentray", version, about, max_term_width = 100)]
+#[command(disable_help_subcommand = true, after_help = help::topics())]
 struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -68,6 +70,7 @@ enum Command {
     Bench(bench::Arguments),
     Formula(formula::Arguments),
     New(new::Arguments),
+    Help(help::Arguments),
 }
 
 /// Runs the command that the process was called with.
@@ -86,6 +89,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Formula(arguments) => formula::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
+        Command::Help(arguments) => help::run(&arguments, &Cli::command()),
     }
 }
 

@@ -129,7 +129,7 @@ fn a_new_scene_is_right_and_replaces_nothing() {
 fn a_reader_that_goes_away_is_no_fault() {
     use std::process::Stdio;
     let folder = Folder::with(BALL);
-    for arguments in ["check scene.toml", "check --reference", "wgsl scene.toml", "devices"] {
+    for arguments in ["check scene.toml", "check --reference", "wgsl scene.toml", "devices", "help scenes", "help"] {
         let mut command = folder.command(arguments);
         let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         // As `| head` does.

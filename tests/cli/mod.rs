@@ -10,6 +10,7 @@ mod bench;
 mod commands;
 mod diagrams;
 mod frames;
+mod help;
 mod interrupted;
 mod light;
 mod lost_words;

@@ -1,34 +1,23 @@
-//! What the pictures of curved spacetimes show, and why: a page for each. Units are such that G = c = 1.
-//!
-//! | page | its scenes |
-//! |---|---|
-//! | [`shadow`] | `kerr.toml` |
-//! | [`luminet`] | `luminet.toml` |
-//! | [`accretion`] | `accretion.toml` |
-//! | [`wormhole`] | `ellis.toml`, `wormhole.toml`, `morris_thorne.toml` |
-//! | [`warp_bubble`] | `warp_bubble.toml` |
-//! | [`charged_holes`] | `two_holes.toml`, `holes_in_expanding_space.toml` |
-//! | [`fall`] | `fall.toml` |
-//! | [`ergosphere`] | `ergosphere.toml` |
-//! | [`motion`] | `passing.toml`, `hot_spot.toml` |
-
+#![doc = include_str!("physics.md")]
 #![allow(clippy::doc_markdown)]
 
-#[doc = include_str!("shadow.md")]
-pub mod shadow {}
-#[doc = include_str!("luminet.md")]
-pub mod luminet {}
-#[doc = include_str!("accretion.md")]
-pub mod accretion {}
-#[doc = include_str!("wormhole.md")]
-pub mod wormhole {}
-#[doc = include_str!("warp_bubble.md")]
-pub mod warp_bubble {}
-#[doc = include_str!("charged_holes.md")]
-pub mod charged_holes {}
-#[doc = include_str!("fall.md")]
-pub mod fall {}
-#[doc = include_str!("ergosphere.md")]
-pub mod ergosphere {}
-#[doc = include_str!("motion.md")]
-pub mod motion {}
+use super::Page;
+
+/// What there is on physics.
+pub const CONTENTS: Page = Page {
+    name: "physics",
+    about: "what pictures of curved spacetimes show, and why",
+    text: include_str!("physics.md"),
+};
+
+pages! {
+    shadow: "the shadow of a black hole",
+    luminet: "Luminet's disc",
+    accretion: "a disc in colour",
+    wormhole: "through a wormhole",
+    warp_bubble: "a warp bubble",
+    charged_holes: "two black holes at rest",
+    fall: "a fall through a horizon",
+    ergosphere: "in the ergosphere",
+    motion: "what moves is seen where it was",
+}

@@ -1,0 +1,57 @@
+//! `bentray help`: what commands there are and what each takes, and the pages of the guide.
+//!
+//! *Idea.* A topic is a command, or a page of [`guide`](crate::guide). Where one name is both, as `light` is, both are printed.
+
+use std::fmt::Write;
+use std::process::ExitCode;
+
+use clap::Args;
+
+use crate::document::values::suggest;
+use crate::error::Error;
+use crate::guide::{PAGES, Page, pages, physics};
+
+/// What the process ends with where its command line is wrong, as clap has it.
+const USAGE: u8 = 2;
+
+/// Print this message, the help of a command, or a page of the guide
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// A command, such as `render`, or a topic of the guide, such as `scenes`
+    topic: Vec<String>,
+}
+
+/// The guide's topics, to be read below the commands.
+pub(super) fn topics() -> String {
+    let mut text = "Topics of the guide, for `bentray help TOPIC`:\n".to_owned();
+    for Page { name, about, .. } in PAGES.iter().chain([&physics::CONTENTS]) {
+        // A string takes whatever is written to it.
+        let _ = writeln!(text, "  {name:<11}  {about}");
+    }
+    let names: Vec<&str> = physics::PAGES.iter().map(|page| page.name).collect();
+    text + "  and on physics: " + &names.join(", ")
+}
+
+/// Prints what is known of a topic; `cli` is the whole command line.
+pub(super) fn run(arguments: &Arguments, cli: &clap::Command) -> Result<ExitCode, Error> {
+    let topic = arguments.topic.join(" ");
+    let page = pages().find(|page| page.name == topic.replace('-', "_")).map(|page| page.text);
+    let help = help_of(cli, &arguments.topic);
+    let found: Vec<&str> = help.as_deref().into_iter().chain(page).map(str::trim_end).collect();
+    if found.is_empty() {
+        let commands = cli.get_subcommands().map(clap::Command::get_name);
+        let names: Vec<&str> = commands.chain(pages().map(|page| page.name)).collect();
+        tell!("error: there is no command or topic `{topic}`; {}", suggest(&topic, &names, "there are"));
+        return Ok(ExitCode::from(USAGE));
+    }
+    say!("{}", found.join("\n\n"));
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What `--help` behind these words prints, if they are a command.
+fn help_of(cli: &clap::Command, words: &[String]) -> Option<String> {
+    let find = |command: Option<_>, word| command.and_then(|command: &clap::Command| command.find_subcommand(word));
+    words.iter().fold(Some(cli), find)?;
+    let line = [cli.get_name()].into_iter().chain(words.iter().map(String::as_str)).chain(["--help"]);
+    cli.clone().try_get_matches_from(line).err().map(|help| help.to_string())
+}

@@ -1,0 +1,44 @@
+//! `bentray help`: commands and topics of the guide.
+
+use bentray::guide::pages;
+
+use super::Folder;
+
+#[test]
+fn help_lists_commands_and_topics() {
+    let folder = Folder::new();
+    let help = folder.run("help").succeeds();
+    assert_eq!((help.err.as_str(), help.out.trim_end()), ("", folder.run("--help").succeeds().out.trim_end()));
+    for page in pages() {
+        assert!(help.out.contains(page.name), "{}", page.name);
+    }
+    for command in ["render", "check", "help"] {
+        assert!(help.out.contains(&format!("\n  {command} ")), "{command}");
+    }
+}
+
+#[test]
+fn help_prints_every_page_and_the_help_of_every_command() {
+    let folder = Folder::new();
+    for page in pages() {
+        let help = folder.run(&format!("help {}", page.name)).succeeds();
+        assert!(help.out.ends_with(page.text), "{}", page.name);
+        // One that is a command too has that one's help before it.
+        assert_eq!(help.out == page.text, page.name != "light", "{}", page.name);
+    }
+    assert_eq!(folder.run("help warp-bubble").succeeds().out, folder.run("help warp_bubble").succeeds().out);
+    for command in ["render", "check", "trace", "bench", "help", "formula fresnel"] {
+        let help = folder.run(&format!("help {command}")).succeeds().out;
+        assert_eq!(help.trim_end(), folder.run(&format!("{command} --help")).succeeds().out.trim_end());
+    }
+    assert!(folder.run("help light").succeeds().out.starts_with("Find the paths"));
+}
+
+#[test]
+fn a_topic_that_is_none_is_answered_with_those_that_are() {
+    let folder = Folder::new();
+    folder.run("help scens").fails(2, &["`scens`", "did you mean `scenes`?"]);
+    folder.run("help rendr").fails(2, &["did you mean `render`?"]);
+    folder.run("help everything").fails(2, &["there are: render, ", "scenes, ", "luminet"]);
+    folder.run("help render scene").fails(2, &["`render scene`"]);
+}
