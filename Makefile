@@ -6,7 +6,7 @@ SHELL := /bin/bash
 # Mesa's device-select layer complains where there is no desktop session.
 export NODEVICE_SELECT := 1
 
-.PHONY: render gallery test device clean
+.PHONY: render gallery test device queue clean
 
 render: device
 	cargo build --release
@@ -28,7 +28,7 @@ gallery: device
 	    done; \
 	done
 
-test: device
+test: device queue
 	cargo fmt --check
 	cargo clippy --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
@@ -57,6 +57,14 @@ device:
 	echo "installing $${missing[*]}"; \
 	$$root apt-get update -q; \
 	DEBIAN_FRONTEND=noninteractive $$root apt-get install -q -y --no-install-recommends "$${missing[@]}"
+
+# Slurm, for the test of a farm: installed where that can be done in silence, and else that test says that it is skipped.
+queue:
+	@if command -v slurmctld >/dev/null || ! command -v apt-get >/dev/null || [ "$$(id -u)" -ne 0 ]; then exit 0; fi; \
+	echo "installing Slurm and GNU parallel, for the tests"; \
+	apt-get update -q >/dev/null 2>&1 || true; \
+	DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends slurmctld slurmd slurm-client munge parallel \
+	    >/dev/null 2>&1 || true
 
 clean:
 	cargo clean

@@ -23,6 +23,7 @@ mod chart;
 mod check;
 mod decisions;
 mod devices;
+mod farm;
 mod formula;
 mod frames;
 mod go_on;
@@ -39,6 +40,7 @@ mod share;
 mod trace;
 mod watch;
 mod wgsl;
+mod words;
 
 use std::fmt::Arguments;
 use std::io::{self, ErrorKind, Write};
@@ -61,6 +63,7 @@ struct Cli {
 enum Command {
     Render(render::Arguments),
     Assemble(assemble::Arguments),
+    Farm(farm::Arguments),
     Check(check::Arguments),
     Trace(trace::Arguments),
     Light(light::Arguments),
@@ -80,6 +83,7 @@ pub fn run() -> Result<ExitCode, Error> {
     match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Assemble(arguments) => assemble::run(&arguments),
+        Command::Farm(arguments) => farm::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Light(arguments) => light::run(&arguments),

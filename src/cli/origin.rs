@@ -35,6 +35,15 @@ pub(super) fn origin(
     Ok(said.into_iter().chain([hash]).chain(lines).map(|(key, text)| (key.to_owned(), text)).collect())
 }
 
+/// Of all that [`origin`] says, what is known without a device: of which scene the picture is, and how many samples it has.
+pub(super) fn scene_origin(
+    film: &Film,
+    frame: Option<u32>,
+    scene: &Scene,
+) -> Result<[(&'static str, String); 2], Error> {
+    Ok([(SCENE, hash(lines(film, frame)?.as_bytes())), (SAMPLES, scene.image.samples.to_string())])
+}
+
 /// Every value of the scene, and a hash of every file that was loaded for it, a line each. How rays are followed, how many samples there
 /// are and how pictures are shown is said elsewhere, and no part of it.
 fn lines(film: &Film, frame: Option<u32>) -> Result<String, Error> {

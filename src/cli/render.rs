@@ -16,7 +16,7 @@ use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::say_line;
-use super::share::{Part, Target};
+use super::share::{Part, Share, Target};
 use crate::error::Error;
 use crate::measure::verify;
 use crate::program::Layer;
@@ -28,7 +28,7 @@ use work::Work;
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene file
-    scene: PathBuf,
+    pub(super) scene: PathBuf,
     /// Where to write: .png or .exr (repeatable)
     #[arg(short, long, required = true, value_name = "FILE")]
     output: Vec<PathBuf>,
@@ -36,7 +36,7 @@ pub(super) struct Arguments {
     #[arg(long, value_parser = layers(), value_delimiter = ',', value_name = "LAYER")]
     layers: Option<Vec<Option<Layer>>>,
     #[command(flatten)]
-    changes: SceneOptions,
+    pub(super) changes: SceneOptions,
     #[command(flatten)]
     device: DeviceFlags,
     /// Render only this part of the picture: its left column, top row and size. An EXR keeps its place in the whole, so that
@@ -106,17 +106,37 @@ impl Arguments {
         }
     }
 
+    /// The frames that are asked for; without any, the picture.
+    pub(super) fn frames_of(&self, scene: &Scene) -> Result<Vec<Option<u32>>, Error> {
+        match self.frames {
+            Some(frames) => Ok(frames.of(scene)?.map(Some).collect()),
+            None => Ok(vec![None]),
+        }
+    }
+
+    /// Refuses what cannot be rendered in parts.
+    pub(super) fn check_for_farm(&self) -> Result<(), Error> {
+        self.check()?;
+        let alone = [
+            (self.part.is_some(), "--part"),
+            (self.crop.is_some(), "--crop"),
+            (self.verify.is_some(), "--verify"),
+            (self.earlier.is_some(), "--continue"),
+            (self.preview.is_some(), "--preview"),
+        ];
+        match alone.into_iter().find(|(is_given, _)| *is_given) {
+            Some((_, name)) => {
+                Err(Error::Usage(format!("{name} is for one render, and a farm has many: leave it out")))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// What is to be rendered of these frames.
     fn targets(&self, frames: &[Option<u32>], scene: &Scene) -> Result<Vec<Target>, Error> {
-        let Some(part) = self.part else {
-            return Ok(frames.iter().map(|&frame| Target { frame, band: None }).collect());
-        };
-        let targets = part.share()?.of(frames);
-        let rows = scene.image.size[1];
-        let too_many = |target: &&Target| target.band.is_some_and(|band| band.count > rows);
-        match targets.iter().find(too_many) {
-            Some(_) => Err(Error::Usage(format!("--part: these are more parts than the {rows} rows of each picture"))),
-            None => Ok(targets),
+        match self.part {
+            Some(part) => targets_of(part.share()?, frames, scene),
+            None => Ok(frames.iter().map(|&frame| Target { frame, band: None }).collect()),
         }
     }
 
@@ -154,6 +174,17 @@ impl Arguments {
     }
 }
 
+/// What a share of these frames is.
+pub(super) fn targets_of(share: Share, frames: &[Option<u32>], scene: &Scene) -> Result<Vec<Target>, Error> {
+    let targets = share.of(frames);
+    let rows = scene.image.size[1];
+    let too_many = |target: &&Target| target.band.is_some_and(|band| band.count > rows);
+    match targets.iter().find(too_many) {
+        Some(_) => Err(Error::Usage(format!("--part: these are more parts than the {rows} rows of each picture"))),
+        None => Ok(targets),
+    }
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut launch = StartUp::default();
     arguments.check()?;
@@ -165,10 +196,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if let Some(before) = &before {
         before.check(&still, &layers, arguments.crop.unwrap_or(Window::whole(still.image.size)))?;
     }
-    let frames: Vec<Option<u32>> = match arguments.frames {
-        Some(frames) => frames.of(&still)?.map(Some).collect(),
-        None => vec![None],
-    };
+    let frames = arguments.frames_of(&still)?;
     let targets = arguments.targets(&frames, &still)?;
     arguments.check_files(&film, &targets)?;
     arguments.try_files(&still, &targets, &layers)?;

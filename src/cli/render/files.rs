@@ -17,7 +17,7 @@ use crate::scene::Scene;
 
 impl Arguments {
     /// The files of a target. A band has one alone, an EXR, from which files of any format are made when all bands are there.
-    pub(crate) fn paths(&self, target: Target) -> Vec<PathBuf> {
+    pub(in crate::cli) fn paths(&self, target: Target) -> Vec<PathBuf> {
         let all = || self.output.iter();
         match target.band {
             Some(_) => {
@@ -36,7 +36,7 @@ impl Arguments {
         layers: &[Layer],
         metadata: &[(String, String)],
     ) -> Result<Vec<Box<dyn ImageWriter>>, Error> {
-        let settings = |path: &Path| self.file_settings(scene, (path, window), layers, metadata);
+        let settings = |path: &Path| file_settings(scene, (path, window), layers, metadata);
         self.paths(target).into_iter().map(|path| Ok(open(&path, &settings(&path))?)).collect()
     }
 
@@ -56,7 +56,7 @@ impl Arguments {
                 Ok(found) => {
                     // Where bands are cut follows from what is compared.
                     let window = if target.band.is_some() { found.window } else { self.window(scene) };
-                    file_difference(&found, &self.file_settings(scene, (&path, window), layers, metadata))
+                    file_difference(&found, &file_settings(scene, (&path, window), layers, metadata))
                 }
                 Err(_) => Some("it is no picture of this version of bentray".to_owned()),
             };
@@ -90,28 +90,8 @@ impl Arguments {
             let problem = "--preview: an adaptive picture has none, for its pixels do not take their samples together";
             return Err(Error::Usage(problem.to_owned()));
         }
-        drop(open(path, &self.file_settings(still, (path, window), layers, &[]))?);
+        drop(open(path, &file_settings(still, (path, window), layers, &[]))?);
         Ok(())
-    }
-
-    /// How the file at `path` is to be written, which shows this window; `metadata` is what it says of itself.
-    pub(super) fn file_settings(
-        &self,
-        scene: &Scene,
-        (path, window): (&Path, Window),
-        layers: &[Layer],
-        metadata: &[(String, String)],
-    ) -> FileSettings {
-        FileSettings {
-            size: scene.image.size,
-            window,
-            exposure: scene.output.exposure,
-            tonemap: scene.output.tonemap,
-            bits: scene.output.bits,
-            alpha: scene.is_transparent(),
-            layers: if is_exr(path) { layers.to_vec() } else { Vec::new() },
-            metadata: metadata.to_vec(),
-        }
     }
 
     /// The file that shows the picture while it is rendered.
@@ -122,7 +102,7 @@ impl Arguments {
         metadata: &[(String, String)],
     ) -> Option<PreviewFile> {
         let path = self.preview.clone()?;
-        let settings = self.file_settings(scene, (&path, self.window(scene)), layers, metadata);
+        let settings = file_settings(scene, (&path, self.window(scene)), layers, metadata);
         let settings = move |samples| go_on::after(settings.clone(), samples);
         Some(PreviewFile::new(path, self.preview_every, Box::new(settings)))
     }
@@ -144,5 +124,24 @@ impl Arguments {
         let keeps =
             |layer: &Layer| self.layers.as_ref().map_or_else(|| usual(*layer), |wanted| wanted.contains(&Some(*layer)));
         Layer::ALL.into_iter().filter(keeps).collect()
+    }
+}
+
+/// How the file at `path` is to be written, which shows this window; `metadata` is what it says of itself.
+fn file_settings(
+    scene: &Scene,
+    (path, window): (&Path, Window),
+    layers: &[Layer],
+    metadata: &[(String, String)],
+) -> FileSettings {
+    FileSettings {
+        size: scene.image.size,
+        window,
+        exposure: scene.output.exposure,
+        tonemap: scene.output.tonemap,
+        bits: scene.output.bits,
+        alpha: scene.is_transparent(),
+        layers: if is_exr(path) { layers.to_vec() } else { Vec::new() },
+        metadata: metadata.to_vec(),
     }
 }

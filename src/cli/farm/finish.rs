@@ -1,0 +1,61 @@
+//! `bentray farm finish`: parts to pictures, and a last look at a film.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use super::job::{Job, ranges};
+use crate::cli::share::Target;
+use crate::error::Error;
+use crate::output::origin::{LINES, SCENE, difference};
+use crate::output::{OutputError, assemble, settings_of};
+
+pub(super) fn run(job: &Job) -> Result<ExitCode, Error> {
+    let loaded = job.load()?;
+    let shares = &loaded.shares;
+    let mut missing: Vec<u32> = Vec::new();
+    for (number, targets) in (1..).zip(shares) {
+        let there: Vec<bool> = targets.iter().map(|target| loaded.is_there(*target)).collect::<Result<_, _>>()?;
+        missing.extend(there.contains(&false).then_some(number));
+    }
+    if !missing.is_empty() {
+        let (count, all) = (missing.len(), shares.len());
+        let problem =
+            format!("{count} of {all} parts are missing, or of another scene: {}; run them again", ranges(&missing));
+        return Err(Error::Usage(problem));
+    }
+    let mut bands: BTreeMap<Option<u32>, Vec<PathBuf>> = BTreeMap::new();
+    for target in shares.iter().flatten() {
+        let files = bands.entry(target.frame).or_default();
+        files.extend(target.band.into_iter().flat_map(|_| job.paths(*target)));
+    }
+    let mut pictures = Vec::new();
+    for (frame, files) in &bands {
+        let outputs = job.paths(Target { frame: *frame, band: None });
+        if !files.is_empty() {
+            assemble(files, &outputs)?;
+        }
+        pictures.extend(outputs);
+    }
+    check_alike(&pictures)?;
+    say!("{} pictures, all there and made alike", bands.len());
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Frames may differ in what the scene is, and in nothing else.
+fn check_alike(pictures: &[PathBuf]) -> Result<(), Error> {
+    let Some(first) = pictures.first() else { return Ok(()) };
+    let said = settings_of(first)?.metadata;
+    for path in pictures {
+        let own = settings_of(path)?.metadata;
+        if let Some(found) = difference([&own, &said], &[SCENE, LINES]) {
+            let (key, [this, that]) = (&found.key, [0, 1].map(|which| found.value(which)));
+            let problem = format!(
+                "its `{key}` is {this}, and that of {} {that}; render it again where the others were",
+                first.display()
+            );
+            return Err(OutputError::Part { path: path.clone(), problem }.into());
+        }
+    }
+    Ok(())
+}

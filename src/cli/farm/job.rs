@@ -1,0 +1,188 @@
+//! What all of `bentray farm` takes: a render, and into how many parts it is cut.
+
+use std::env;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::cli::frames::Film;
+use crate::cli::origin::scene_origin;
+use crate::cli::render::{self, targets_of};
+use crate::cli::share::{Share, Target};
+use crate::cli::words::{quoted, typed};
+use crate::error::Error;
+use crate::output::{AtomicFile, OutputError, settings_of};
+use crate::scene::Scene;
+
+/// Options that are ours and not `render`'s: with a value, and alone.
+const OWN: [&str; 7] = ["--parts", "--folder", "--sbatch", "--image", "--volume", "--at-once", "--hosts"];
+const ALONE: [&str; 1] = ["--submit"];
+
+/// What a part's log ends in that failed, before its exit code.
+const FAILED: &str = "part failed: exit code ";
+
+/// A render in parts.
+#[derive(Debug, Args)]
+pub(super) struct Job {
+    /// Into how many parts the film or the picture is cut
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    parts: u32,
+    /// The folder of scripts and logs; without it NAME.farm for a scene NAME.toml
+    #[arg(long, value_name = "DIR")]
+    folder: Option<PathBuf>,
+    #[command(flatten)]
+    render: render::Arguments,
+}
+
+impl Job {
+    pub(super) fn parts(&self) -> u32 {
+        self.parts
+    }
+
+    /// Reads the scene, and says what each part renders.
+    pub(super) fn load(&self) -> Result<Loaded<'_>, Error> {
+        self.render.check_for_farm()?;
+        let film = Film::new(&self.render.scene, self.render.changes.overrides()?);
+        let scene = film.load(None)?;
+        let frames = self.render.frames_of(&scene)?;
+        let shares = (0..self.parts).map(|number| Share { number, count: self.parts });
+        let shares: Vec<_> = shares.map(|share| targets_of(share, &frames, &scene)).collect::<Result<_, _>>()?;
+        for path in shares.iter().flatten().flat_map(|target| self.paths(*target)) {
+            let folder = path.parent().filter(|folder| *folder != Path::new("")).map(Path::to_owned);
+            if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+                return Err(OutputError::MissingFolder { path, folder }.into());
+            }
+        }
+        Ok(Loaded { job: self, film, scene, shares })
+    }
+
+    /// The files of a target.
+    pub(super) fn paths(&self, target: Target) -> Vec<PathBuf> {
+        self.render.paths(target)
+    }
+
+    /// The scene's name, which is the job's too.
+    pub(super) fn name(&self) -> String {
+        self.render.scene.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+    }
+
+    /// Where scripts and logs are.
+    pub(super) fn folder(&self) -> PathBuf {
+        self.folder.clone().unwrap_or_else(|| PathBuf::from(format!("{}.farm", self.name())))
+    }
+
+    /// Where part `number`, from 1, leaves its messages.
+    pub(super) fn log(&self, number: u32) -> PathBuf {
+        self.folder().join(format!("part-{number}.log"))
+    }
+
+    /// Writes a file into the folder, which is made if it is not there. What stood there is replaced: it is made of the same words.
+    pub(super) fn write(&self, name: &str, text: &str) -> Result<PathBuf, Error> {
+        let folder = self.folder();
+        let path = folder.join(name);
+        let failed = |cause| OutputError::Create { path: path.clone(), folder: folder.clone(), cause };
+        fs::create_dir_all(&folder).map_err(failed)?;
+        let mut file = AtomicFile::create(&path)?;
+        file.write_all(text.as_bytes()).map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
+        file.finish()?;
+        Ok(path)
+    }
+}
+
+/// A job with its scene.
+pub(super) struct Loaded<'a> {
+    job: &'a Job,
+    film: Film<'a>,
+    scene: Scene,
+    /// What each part renders.
+    pub shares: Vec<Vec<Target>>,
+}
+
+impl Loaded<'_> {
+    /// Are all files of a target there, of this scene?
+    pub(super) fn is_there(&self, target: Target) -> Result<bool, Error> {
+        let paths = self.job.paths(target);
+        let found: Vec<_> = paths.iter().filter_map(|path| settings_of(path).ok()).collect();
+        if found.len() < paths.len() {
+            return Ok(false);
+        }
+        let wanted = scene_origin(&self.film, target.frame, &self.scene)?;
+        Ok(found.iter().all(|found| wanted.iter().all(|(key, text)| found.said(key) == Some(text))))
+    }
+}
+
+/// This program's own path, for machines that have it in the same place.
+pub(super) fn program() -> String {
+    env::current_exe().map_or_else(|_| "bentray".to_owned(), |path| path.display().to_string())
+}
+
+/// What was typed for `render`.
+fn words() -> Vec<String> {
+    typed(3, &OWN, &ALONE)
+}
+
+/// The words that render a part which the shell or the queue names as `part`.
+pub(super) fn render_words(program: &str, part: &str) -> Vec<String> {
+    let own = [program.to_owned(), "render".to_owned()];
+    own.into_iter().chain(words()).chain(["--part".to_owned(), part.to_owned()]).collect()
+}
+
+/// A shell's command that says when it has failed, for [`failure`] to find.
+pub(super) fn or_say(command: &str) -> String {
+    format!("{command} || {{ code=$?; echo \"{FAILED}$code\"; exit $code; }}")
+}
+
+/// Why a part failed that left these messages, if it did.
+pub(super) fn failure(log: &str) -> Option<&str> {
+    let code = log.lines().last()?.strip_prefix(FAILED)?;
+    // Mesa has errors of its own, which stop nothing.
+    let ours = |line: &&str| line.starts_with("error: ") && !line.starts_with("error: XDG_RUNTIME_DIR");
+    Some(log.lines().rev().find(ours).unwrap_or(code))
+}
+
+/// The words that put all parts together.
+pub(super) fn finish_words(program: &str, parts: u32) -> Vec<String> {
+    let own = [program, "farm", "finish"].map(str::to_owned);
+    own.into_iter().chain(words()).chain(["--parts".to_owned(), parts.to_string()]).collect()
+}
+
+/// The words that say how far it is, for people to type.
+pub(super) fn status_line(parts: u32) -> String {
+    let own = ["bentray", "farm", "status"].map(str::to_owned);
+    let words: Vec<String> = own.into_iter().chain(words()).chain(["--parts".to_owned(), parts.to_string()]).collect();
+    quoted(&words)
+}
+
+/// Numbers as queues take them: `1,3-5`.
+pub(super) fn ranges(numbers: &[u32]) -> String {
+    let mut sorted = numbers.to_vec();
+    sorted.sort_unstable();
+    let words = sorted.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
+        [first, .., last] => format!("{first}-{last}"),
+        run => run.iter().map(u32::to_string).collect(),
+    });
+    words.collect::<Vec<_>>().join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failed_part_says_why() {
+        assert_eq!(failure("error: XDG_RUNTIME_DIR is invalid\ndevice: x\n"), None);
+        assert_eq!(failure("error: a\nerror: b\n  c\npart failed: exit code 1\n"), Some("error: b"));
+        assert_eq!(failure("Killed\npart failed: exit code 137"), Some("137"));
+        assert_eq!(failure(""), None);
+        assert_eq!(or_say("a b"), "a b || { code=$?; echo \"part failed: exit code $code\"; exit $code; }");
+    }
+
+    #[test]
+    fn numbers_are_written_as_queues_take_them() {
+        assert_eq!(ranges(&[1, 3, 4, 5, 9, 8]), "1,3-5,8-9");
+        assert_eq!(ranges(&[0]), "0");
+        assert_eq!(ranges(&[]), "");
+    }
+}

@@ -1,0 +1,63 @@
+//! `bentray farm`: a film or a picture on many machines, in equal parts.
+//!
+//! *Idea.* No scheduler of our own: a part is `bentray render --part`, which any queue of jobs can run, and what a queue needs besides is a
+//! script. Each queue has a file here that writes it. Parts share nothing but the folder that they write to; a part that was cut off leaves
+//! nothing behind, and run again it renders only what is missing.
+
+mod finish;
+mod job;
+mod kubernetes;
+mod parallel;
+mod slurm;
+mod status;
+
+use std::process::ExitCode;
+
+use clap::{Args, Subcommand};
+
+use crate::error::Error;
+use job::Job;
+
+/// Render a film or a picture on many machines, in equal parts
+#[derive(Debug, Args)]
+#[command(
+    subcommand_required = true,
+    after_help = "All take what `render` takes: type the same behind each, with the same number of --parts."
+)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Slurm(slurm::Slurm),
+    Kubernetes(kubernetes::Kubernetes),
+    Parallel(parallel::Parallel),
+    Status(Plain),
+    Finish(Finish),
+}
+
+/// Say which parts are done, failed, under way and missing
+#[derive(Debug, Args)]
+struct Plain {
+    #[command(flatten)]
+    job: Job,
+}
+
+/// Put the parts together, and make sure that none is missing and all were made alike
+#[derive(Debug, Args)]
+struct Finish {
+    #[command(flatten)]
+    job: Job,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    match &arguments.command {
+        Command::Slurm(arguments) => slurm::run(arguments),
+        Command::Kubernetes(arguments) => kubernetes::run(arguments),
+        Command::Parallel(arguments) => parallel::run(arguments),
+        Command::Status(arguments) => status::run(&arguments.job),
+        Command::Finish(arguments) => finish::run(&arguments.job),
+    }
+}

@@ -1,0 +1,63 @@
+//! `bentray farm slurm`: an array of jobs, and one behind it that puts the parts together.
+//!
+//! *Practice.* A node that dies has its part queued again. The last job runs whatever became of the others, so that it can say which are
+//! missing.
+
+use std::process::{Command, ExitCode};
+
+use clap::Args;
+
+use super::job::{Job, finish_words, or_say, program, render_words, status_line};
+use crate::cli::words::quoted;
+use crate::error::Error;
+
+/// Write the scripts of an array of Slurm jobs, one a part, and of one that puts the parts together
+#[derive(Debug, Args)]
+pub(super) struct Slurm {
+    /// Submit them too
+    #[arg(long)]
+    submit: bool,
+    /// An option of sbatch for every part, such as --sbatch=--gres=gpu:1 (repeatable)
+    #[arg(long, value_name = "OPTION", allow_hyphen_values = true)]
+    sbatch: Vec<String>,
+    #[command(flatten)]
+    job: Job,
+}
+
+pub(super) fn run(arguments: &Slurm) -> Result<ExitCode, Error> {
+    let job = &arguments.job;
+    let (name, parts, folder) = (job.name(), job.parts(), job.folder());
+    job.load()?;
+    let shown = folder.display();
+    let line = |option: &String| format!("#SBATCH {option}\n");
+    let more: String = arguments.sbatch.iter().map(line).collect();
+    let render = quoted(&render_words(&program(), &format!("auto/{parts}")));
+    let part = format!(
+        "#!/bin/bash\n#SBATCH --job-name={name}\n#SBATCH --array=1-{parts}\n#SBATCH --requeue\n\
+         #SBATCH --open-mode=append\n#SBATCH --output={shown}/part-%a.log\n{more}\n{}\n",
+        or_say(&render)
+    );
+    let finish = quoted(&finish_words(&program(), parts));
+    let last = format!(
+        "#!/bin/bash\n#SBATCH --job-name={name}-finish\n#SBATCH --output={shown}/finish.log\n\nexec {finish}\n"
+    );
+    let [part, last] = [job.write("parts.sh", &part)?, job.write("finish.sh", &last)?]
+        .map(|path| quoted(&[path.display().to_string()]));
+    let submit = format!(
+        "#!/bin/bash\n# From the folder that the scene's path counts from.\nset -euo pipefail\n\
+         parts=$(sbatch --parsable {part})\nsbatch --dependency=afterany:\"$parts\" {last}\n"
+    );
+    let submit = job.write("submit.sh", &submit)?;
+    if !arguments.submit {
+        say!("wrote {shown}/parts.sh, finish.sh and submit.sh; submit them by `bash {}`", submit.display());
+        say!("then see how far it is by `{}`", status_line(parts));
+        return Ok(ExitCode::SUCCESS);
+    }
+    let failed = |why: String| Error::Usage(format!("{}: {why}", submit.display()));
+    let status = Command::new("bash").arg(&submit).status().map_err(|error| failed(error.to_string()))?;
+    if !status.success() {
+        return Err(failed("sbatch failed, with what it said above".to_owned()));
+    }
+    say!("see how far it is by `{}`", status_line(parts));
+    Ok(ExitCode::SUCCESS)
+}
