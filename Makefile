@@ -6,7 +6,7 @@ SHELL := /bin/bash
 # Mesa's device-select layer complains where there is no desktop session.
 export NODEVICE_SELECT := 1
 
-.PHONY: render gallery test device queue clean
+.PHONY: render gallery test device tools clean
 
 render: device
 	cargo build --release
@@ -28,7 +28,7 @@ gallery: device
 	    done; \
 	done
 
-test: device queue
+test: device tools
 	cargo fmt --check
 	cargo clippy --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
@@ -58,12 +58,12 @@ device:
 	$$root apt-get update -q; \
 	DEBIAN_FRONTEND=noninteractive $$root apt-get install -q -y --no-install-recommends "$${missing[@]}"
 
-# Slurm, for the test of a farm: installed where that can be done in silence, and else that test says that it is skipped.
-queue:
+# What some tests use: installed where that can be done in silence; without it those tests say that they are skipped.
+tools:
 	@if command -v slurmctld >/dev/null || ! command -v apt-get >/dev/null || [ "$$(id -u)" -ne 0 ]; then exit 0; fi; \
-	echo "installing Slurm and GNU parallel, for the tests"; \
+	echo "installing Slurm, GNU parallel and ffmpeg, for the tests"; \
 	apt-get update -q >/dev/null 2>&1 || true; \
-	DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends slurmctld slurmd slurm-client munge parallel \
+	DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends slurmctld slurmd slurm-client munge parallel ffmpeg \
 	    >/dev/null 2>&1 || true
 
 clean:

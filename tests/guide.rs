@@ -121,7 +121,8 @@ fn quick(words: &[String]) -> Vec<String> {
         let at = quick.iter().position(|word| word == value).unwrap();
         match flag.as_str() {
             "--samples" => quick[at] = (value.parse::<u32>().unwrap() / 256).max(2).to_string(),
-            "--frames" => quick[at] = value.split("..").next().unwrap().replace("all", "0"),
+            // A few that a film is made of are all needed.
+            "--frames" if value != "0..3" => quick[at] = value.split("..").next().unwrap().replace("all", "0"),
             _ => {}
         }
     }
@@ -210,7 +211,7 @@ fn keys_that_are_named_exist() {
             let parts: Vec<&str> = path.split('.').filter(|part| part.parse::<u32>().is_err()).collect();
             let is_key = path.chars().all(|c| c.is_ascii_lowercase() || c == '_' || c == '.' || c.is_ascii_digit());
             let [table @ .., key] = parts.as_slice() else { continue };
-            if !is_key || table.is_empty() || !tables.contains(table[0]) {
+            if !is_key || path.starts_with('.') || table.is_empty() || !tables.contains(table[0]) {
                 continue;
             }
             let table = table.join(".");

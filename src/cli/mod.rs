@@ -24,6 +24,7 @@ mod check;
 mod decisions;
 mod devices;
 mod farm;
+mod film;
 mod formula;
 mod frames;
 mod go_on;
@@ -64,6 +65,7 @@ enum Command {
     Render(render::Arguments),
     Assemble(assemble::Arguments),
     Farm(farm::Arguments),
+    Film(film::Arguments),
     Check(check::Arguments),
     Trace(trace::Arguments),
     Light(light::Arguments),
@@ -84,6 +86,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Render(arguments) => render::run(&arguments),
         Command::Assemble(arguments) => assemble::run(&arguments),
         Command::Farm(arguments) => farm::run(&arguments),
+        Command::Film(arguments) => film::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Light(arguments) => light::run(&arguments),

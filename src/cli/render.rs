@@ -2,6 +2,7 @@
 
 mod again;
 mod files;
+mod film;
 mod work;
 
 use std::path::{Path, PathBuf};
@@ -29,7 +30,7 @@ use work::Work;
 pub(super) struct Arguments {
     /// The scene file
     pub(super) scene: PathBuf,
-    /// Where to write: .png or .exr (repeatable)
+    /// Where to write: .png or .exr; with --frames also a film, .mp4, .webm, .gif or .png (repeatable)
     #[arg(short, long, required = true, value_name = "FILE")]
     output: Vec<PathBuf>,
     /// Layers of the EXR; all of them unless named, `samples` where sampling is adaptive
@@ -93,10 +94,11 @@ impl Arguments {
         if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
             return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
         }
-        let misplaced = self.output.iter().find(|path| path_of(path, 0).is_some() != self.frames.is_some());
+        let misplaced = |path: &&PathBuf| path_of(path, 0).is_some() != self.frames.is_some() && !self.is_film(path);
+        let misplaced = self.output.iter().find(misplaced);
         match (misplaced, self.frames) {
             (Some(path), Some(_)) => Err(Error::Usage(format!(
-                "{}: --frames write a file each, so its name needs {{frame}} or {{frame:4}}",
+                "{}: --frames write a file each, so its name needs {{frame}} or {{frame:4}}; a film's ends in .mp4, .webm, .gif or .png",
                 path.display()
             ))),
             (Some(path), None) => {
@@ -199,6 +201,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let frames = arguments.frames_of(&still)?;
     let targets = arguments.targets(&frames, &still)?;
     arguments.check_files(&film, &targets)?;
+    arguments.prepare_films()?;
     arguments.try_files(&still, &targets, &layers)?;
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
@@ -210,6 +213,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     launch.next();
     let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(layers.clone()) };
+    let rate = still.animation.as_ref().map(|animation| animation.rate);
     let again = arguments.again(still.rays.auto.is_some() || before.is_some(), targets[0]);
     let (leading, settings) = arguments.lead(&gpu, &film, still, settings)?;
     launch.next();
@@ -240,6 +244,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let unfollowed = work.render_all(&targets, before.map(Before::earlier).as_ref())?;
     if interrupt::is_asked() {
         return Ok(ExitCode::from(interrupt::INTERRUPTED));
+    }
+    if let (Some(rate), None) = (rate, arguments.part) {
+        arguments.make_films(&targets, rate)?;
+        arguments.clear_frames(&targets);
     }
     Ok(if arguments.strict && unfollowed > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

@@ -81,6 +81,11 @@ impl AtomicFile {
         &self.path
     }
 
+    /// The temporary file, for another program to write.
+    pub(super) fn temporary(&self) -> &Path {
+        self.file.get_ref().path()
+    }
+
     /// Puts the file in place of whatever file stood there.
     pub fn finish(self) -> Result<(), OutputError> {
         let path = self.path;

@@ -16,6 +16,7 @@ pub mod color;
 pub mod csv;
 pub mod error;
 pub mod exr;
+mod film;
 pub mod origin;
 mod part;
 pub mod plot;
@@ -31,6 +32,7 @@ use std::path::Path;
 pub use assemble::assemble;
 pub use atomic::{AtomicFile, abandon_unfinished};
 pub use error::OutputError;
+pub use film::{check_film, film, is_film};
 pub use said::{said, settings_of};
 pub use whole::picture;
 

@@ -105,10 +105,12 @@ pub enum SamplePattern {
 }
 
 /// `[animation]`: its values are in the scene of each frame.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Animation {
     /// How many frames there are, counted from 0.
     pub frames: u32,
+    /// How many of them a film shows in a second.
+    pub rate: f64,
     /// What it moves.
     pub keys: Vec<String>,
 }

@@ -123,7 +123,7 @@ fn a_frame_of_another_program_names_the_key_and_keeps_the_frames_before() {
 fn frames_that_cannot_be_are_refused() {
     let folder = film();
     for (arguments, code, text) in [
-        ("-o a.png --frames 0..4", 1, "a.png: --frames write a file each, so its name needs {frame} or {frame:4}"),
+        ("-o a.exr --frames 0..4", 1, "a.exr: --frames write a file each, so its name needs {frame} or {frame:4}"),
         ("-o {frame}.png", 1, "{frame}.png: {frame} in a name goes with --frames"),
         ("-o {frame:x}.png --frames 1", 1, "its name needs {frame} or {frame:4}"),
         ("-o {frame}.png --frames 3..5", 1, "--frames: the scene's frames are 0..4"),

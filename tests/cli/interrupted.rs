@@ -114,3 +114,28 @@ fn a_new_picture_takes_the_old_ones_place() {
     assert!(folder.read("a.png").starts_with(b"\x89PNG"));
     assert_eq!(folder.names(), ["a.png", "scene.toml"]);
 }
+
+/// Killed at any moment, a film has whole frames only, and the same command makes of it what an undisturbed one is.
+#[test]
+fn a_film_that_is_killed_goes_on_to_the_same_bytes() {
+    const FILM: &str =
+        "[animation]\nframes = 8\n[[animation.tracks]]\nkey = \"sky.color\"\nvalues = [[0, 0, 0], [1, 1, 1]]\n";
+    let film = "render scene.toml -o {frame}.exr -o film.png --frames all --size 200x150 --samples 4";
+    let whole = Folder::with(&format!("{BALL}{FILM}"));
+    whole.run(film).succeeds();
+    let folder = Folder::with(&format!("{BALL}{FILM}"));
+    for pause in [40, 230, 110, 320, 170] {
+        let child = Killed(folder.command(film).stderr(Stdio::null()).spawn().unwrap());
+        sleep(Duration::from_millis(pause));
+        drop(child);
+        for name in ending(&folder, ".exr") {
+            assert!(folder.read(&name) == whole.read(&name), "{name}");
+        }
+    }
+    folder.run(film).succeeds();
+    let done = |folder: &Folder| folder.names().into_iter().filter(|name| !name.starts_with('.')).collect::<Vec<_>>();
+    assert_eq!(done(&folder), done(&whole));
+    for name in done(&whole) {
+        assert!(folder.read(&name) == whole.read(&name), "{name}");
+    }
+}

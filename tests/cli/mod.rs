@@ -10,6 +10,7 @@ mod bench;
 mod commands;
 mod diagrams;
 mod farm;
+mod films;
 mod frames;
 mod help;
 mod interrupted;

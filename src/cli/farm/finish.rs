@@ -38,6 +38,8 @@ pub(super) fn run(job: &Job) -> Result<ExitCode, Error> {
         pictures.extend(outputs);
     }
     check_alike(&pictures)?;
+    let frames: Vec<Target> = bands.keys().map(|frame| Target { frame: *frame, band: None }).collect();
+    loaded.make_films(&frames)?;
     say!("{} pictures, all there and made alike", bands.len());
     Ok(ExitCode::SUCCESS)
 }

@@ -101,6 +101,14 @@ pub(super) struct Loaded<'a> {
 }
 
 impl Loaded<'_> {
+    /// Makes the films that are asked for, of pictures that are all there.
+    pub(super) fn make_films(&self, pictures: &[Target]) -> Result<(), Error> {
+        match &self.scene.animation {
+            Some(animation) => self.job.render.make_films(pictures, animation.rate),
+            None => Ok(()),
+        }
+    }
+
     /// Are all files of a target there, of this scene?
     pub(super) fn is_there(&self, target: Target) -> Result<bool, Error> {
         let paths = self.job.paths(target);

@@ -18,13 +18,13 @@ use crate::scene::Scene;
 impl Arguments {
     /// The files of a target. A band has one alone, an EXR, from which files of any format are made when all bands are there.
     pub(in crate::cli) fn paths(&self, target: Target) -> Vec<PathBuf> {
-        let all = || self.output.iter();
+        let all = self.pictures();
         match target.band {
             Some(_) => {
-                let main = all().find(|path| is_exr(path)).or_else(|| all().next());
+                let main = all.iter().find(|path| is_exr(path)).or(all.first());
                 main.map(|path| target.path(path)).into_iter().collect()
             }
-            None => all().map(|path| target.path(path)).collect(),
+            None => all.iter().map(|path| target.path(path)).collect(),
         }
     }
 
@@ -74,7 +74,8 @@ impl Arguments {
 
     /// Refuses to write over the scene's own files, or two things to one file.
     pub(super) fn check_files(&self, film: &Film, targets: &[Target]) -> Result<(), Error> {
-        let outputs = targets.iter().flat_map(|target| self.paths(*target)).chain(self.preview.clone());
+        let films = self.output.iter().filter(|path| self.is_film(path)).cloned();
+        let outputs = targets.iter().flat_map(|target| self.paths(*target)).chain(films).chain(self.preview.clone());
         let outputs: Vec<PathBuf> = outputs.collect();
         paths::check(outputs.iter().map(PathBuf::as_path), &film.inputs())
     }

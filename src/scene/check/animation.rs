@@ -8,12 +8,14 @@
 //! that they give are checked where they are read, like any other, and a mistake in one is found at the track's value.
 
 use crate::document::reader::{Reader, TableReader};
-use crate::document::values::{Read, number, text, whole, word};
+use crate::document::values::{Read, number, number_where, text, whole, word};
 use crate::document::{Document, Fault, Node, Place, Value, names};
 
 /// What `[animation]` says.
 pub struct Tracks {
     pub frames: u32,
+    /// A second's.
+    pub rate: f64,
     all: Vec<Track>,
 }
 
@@ -33,6 +35,8 @@ struct Track {
 pub fn read(root: &TableReader) -> Option<Tracks> {
     let table = root.subtable("animation", "animation")?;
     let frames = table.required("frames", "48", whole(1..=1_000_000));
+    let rate =
+        table.or("rate", 24.0, number_where("frames a second, from 0.1 to 1000", |x| (0.1..=1000.0).contains(&x)));
     let mut tracks: Vec<Track> = Vec::new();
     for one in table.subtables("tracks", "animation.tracks") {
         let Some(track) = track(one, frames.unwrap_or(1)) else { continue };
@@ -46,7 +50,7 @@ pub fn read(root: &TableReader) -> Option<Tracks> {
         tracks.push(track);
     }
     table.finish();
-    Some(Tracks { frames: frames?, all: tracks })
+    Some(Tracks { frames: frames?, rate, all: tracks })
 }
 
 fn track(table: TableReader, frames: u32) -> Option<Track> {

@@ -149,7 +149,8 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let rest = shift::Rest { law: law_now, materials: &materials, filter: filter_now, paths: paths.is_some(), reach };
     shift::check(&root, camera.as_ref(), &rest);
     travel::check(&root, camera.as_ref(), bound, chords, &optics);
-    let animation = animation::read(&root).map(|read| Animation { frames: read.frames, keys: read.keys() });
+    let animation =
+        animation::read(&root).map(|read| Animation { frames: read.frames, rate: read.rate, keys: read.keys() });
     root.finish();
     let mut scene = Scene {
         image,

@@ -196,6 +196,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         }
         "animation" {
             frames: "whole number, 1 to 1000000" = "required", "how many; they count from 0";
+            rate: "number, 0.1 to 1000" = "24", "how many of them a film shows in a second";
             tracks: "array of tables" = "[]", "the keys that change; without --frames they are as the rest of the file says";
         }
         "animation.tracks" {

@@ -1,0 +1,36 @@
+//! `bentray film`: pictures to a film.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+
+use super::paths;
+use crate::error::Error;
+use crate::output::film;
+
+/// Make a film of pictures, in the order in which they are named: what `render --frames all -o film.mp4` does in the end
+#[derive(Debug, Args)]
+pub(super) struct Arguments {
+    /// The pictures, all of one size
+    #[arg(required = true, value_name = "PICTURE")]
+    frames: Vec<PathBuf>,
+    /// Where to write it: .mp4 or .webm, by ffmpeg, .gif, or .png, which is then an animated one (repeatable)
+    #[arg(short, long, required = true, value_name = "FILE")]
+    output: Vec<PathBuf>,
+    /// Frames a second
+    #[arg(long, value_name = "N", default_value = "24", value_parser = parse_rate)]
+    rate: f64,
+}
+
+fn parse_rate(text: &str) -> Result<f64, String> {
+    let rate = text.parse().ok().filter(|rate| (0.1..=1000.0).contains(rate));
+    rate.ok_or_else(|| format!("`{text}` is not a number of frames a second, from 0.1 to 1000"))
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    let frames: Vec<_> = arguments.frames.iter().map(|path| (path.clone(), "one of the frames")).collect();
+    paths::check(arguments.output.iter().map(PathBuf::as_path), &frames)?;
+    arguments.output.iter().try_for_each(|path| film(path, &arguments.frames, arguments.rate))?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,66 @@
+//! Films among the files that are asked for: each is made of the frames' own files in the end.
+//!
+//! *Practice.* Where no frames are asked for as PNGs, they go to a folder beside the first film, which is removed when all films are there. A
+//! render that is stopped leaves it, and the same command goes on from it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::Arguments;
+use crate::cli::share::Target;
+use crate::error::Error;
+use crate::output::{OutputError, check_film, film, is_film};
+
+impl Arguments {
+    /// Is this the name of a film, rather than of its frames, even of wrongly named ones?
+    pub(super) fn is_film(&self, path: &Path) -> bool {
+        self.frames.is_some() && !path.to_string_lossy().contains("{frame") && is_film(path)
+    }
+
+    fn films(&self) -> impl Iterator<Item = &PathBuf> {
+        self.output.iter().filter(|path| self.is_film(path))
+    }
+
+    /// The folder of frames that are asked for only as a film.
+    fn frame_folder(&self) -> Option<PathBuf> {
+        let is_png = |path: &&PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+        let has_own = self.output.iter().filter(|path| !self.is_film(path)).any(|path| is_png(&path));
+        self.films().next().filter(|_| !has_own).map(|film| film.with_extension("frames"))
+    }
+
+    /// What is written of each frame: all that is asked for but films, and what those are made of.
+    pub(super) fn pictures(&self) -> Vec<PathBuf> {
+        let own = self.output.iter().filter(|path| !self.is_film(path)).cloned();
+        own.chain(self.frame_folder().map(|folder| folder.join("{frame:5}.png"))).collect()
+    }
+
+    /// Refuses films that cannot be written, and makes the folder of frames.
+    pub(in crate::cli) fn prepare_films(&self) -> Result<(), Error> {
+        self.films().try_for_each(|path| check_film(path))?;
+        let Some(folder) = self.frame_folder() else { return Ok(()) };
+        let failed = |cause| OutputError::Create { path: folder.join("00000.png"), folder: folder.clone(), cause };
+        Ok(fs::create_dir_all(&folder).map_err(failed)?)
+    }
+
+    /// Makes the films of these frames, which are all there.
+    pub(in crate::cli) fn make_films(&self, targets: &[Target], rate: f64) -> Result<(), Error> {
+        let pictures = self.pictures();
+        let is_png = |path: &&PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
+        let Some(png) = pictures.iter().find(is_png) else { return Ok(()) };
+        let frames: Vec<PathBuf> = targets.iter().map(|target| target.path(png)).collect();
+        for path in self.films() {
+            film(path, &frames, rate)?;
+            tell!("{}: {} frames, {rate} a second", path.display(), frames.len());
+        }
+        Ok(())
+    }
+    /// Removes the folder of frames that were asked for only as a film; those of another, longer film are left.
+    pub(super) fn clear_frames(&self, targets: &[Target]) {
+        let Some(folder) = self.frame_folder() else { return };
+        for path in targets.iter().flat_map(|target| self.paths(*target)).filter(|path| path.starts_with(&folder)) {
+            // What cannot be removed does no harm.
+            let _ = fs::remove_file(path);
+        }
+        let _ = fs::remove_dir(folder);
+    }
+}

@@ -1,0 +1,37 @@
+//! Animated PNG: nothing is lost, and files are large.
+
+use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
+
+use super::Frames;
+use crate::output::{AtomicFile, OutputError};
+
+/// A second in the parts that a frame's time is counted in, where the rate is no whole number.
+const PARTS: f64 = 1000.0;
+
+pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str) -> Result<(), OutputError> {
+    let path = file.path().to_owned();
+    let failed = |error: EncodingError| match error {
+        EncodingError::IoError(cause) => OutputError::Write { path: path.clone(), cause },
+        other => OutputError::Encode { path: path.clone(), problem: other.to_string() },
+    };
+    let mut encoder = Encoder::new(file, frames.size[0], frames.size[1]);
+    encoder.set_color(ColorType::Rgba);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    encoder.set_animated(frames.count() as u32, 0).map_err(failed)?;
+    let (part, whole) = delay(frames.rate);
+    encoder.set_frame_delay(part, whole).map_err(failed)?;
+    let mut writer = encoder.write_header().map_err(failed)?;
+    while let Some(picture) = frames.next()? {
+        writer.write_image_data(picture.as_raw()).map_err(failed)?;
+    }
+    writer.finish().map_err(failed)
+}
+
+/// A frame's time in seconds, as a fraction.
+fn delay(rate: f64) -> (u16, u16) {
+    if rate.fract() == 0.0 && rate <= f64::from(u16::MAX) {
+        return (1, rate as u16);
+    }
+    ((PARTS / rate).round().clamp(1.0, f64::from(u16::MAX)) as u16, PARTS as u16)
+}

@@ -1,0 +1,68 @@
+//! Video, by `ffmpeg`: H.264 in an MP4, VP9 in a `WebM`.
+//!
+//! *Practice.* It reads raw pixels from a pipe and writes the temporary file. The number of threads is given, because encoders cut pictures by
+//! it: the same frames make the same file on any machine that has the same `ffmpeg`. Colours are those of BT.709, as players expect of
+//! video without a note, and the note is there as well. H.264 wants even sides, so that an odd one gets one more row or column of black.
+
+use std::io::{ErrorKind, Write};
+use std::process::{Child, Command, Stdio};
+
+use super::Frames;
+use crate::output::{AtomicFile, OutputError};
+
+const PROGRAM: &str = "ffmpeg";
+/// What is said for each container.
+const CODECS: [(&str, &[&str]); 2] = [
+    ("mp4", &["-c:v", "libx264", "-preset", "medium", "-crf", "16", "-movflags", "+faststart"]),
+    ("webm", &["-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "24", "-row-mt", "0"]),
+];
+const COLORS: &str = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p";
+
+pub(super) fn problem() -> Option<&'static str> {
+    let found = Command::new(PROGRAM).arg("-version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    found.is_err().then_some(
+        "video is made by ffmpeg, which is not in the path: install it (on Debian and Ubuntu apt-get install ffmpeg), or \
+         write a .gif or an animated .png",
+    )
+}
+
+pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, container: &'static str) -> Result<(), OutputError> {
+    let path = file.path().to_owned();
+    let failed = |problem: String| OutputError::Encode { path: path.clone(), problem };
+    let mut child = start(file, frames, container).map_err(|error| failed(error.to_string()))?;
+    let mut input = child.stdin.take();
+    while let Some(picture) = frames.next()? {
+        let Some(pipe) = &mut input else { break };
+        let pixels: Vec<u8> = picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+        match pipe.write_all(&pixels) {
+            // It says itself why it reads no more.
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => break,
+            other => other.map_err(|error| failed(error.to_string()))?,
+        }
+    }
+    drop(input);
+    let ended = child.wait_with_output().map_err(|error| failed(error.to_string()))?;
+    if ended.status.success() {
+        return Ok(());
+    }
+    let said = String::from_utf8_lossy(&ended.stderr);
+    let last = said.lines().last().unwrap_or("no reason given");
+    Err(failed(format!("ffmpeg failed: {last}")))
+}
+
+fn start(file: &AtomicFile, frames: &Frames, container: &str) -> std::io::Result<Child> {
+    let [width, height] = frames.size;
+    let codec = CODECS.iter().find(|(name, _)| *name == container).map_or(&[][..], |(_, codec)| *codec);
+    Command::new(PROGRAM)
+        .args(["-y", "-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24"])
+        .args(["-s", &format!("{width}x{height}"), "-r", &frames.rate.to_string(), "-i", "-"])
+        .args(["-vf", COLORS, "-threads", "4", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"])
+        .args(["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"])
+        .args(codec)
+        .args(["-f", container])
+        .arg(file.temporary())
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+}

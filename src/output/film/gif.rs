@@ -1,0 +1,34 @@
+//! GIF: 256 colours a frame, for small films on any page.
+//!
+//! Its clock ticks every hundredth of a second. Each frame is shown from the tick nearest to its time to the next one's, so that the film
+//! is as long as it should be.
+
+use ::image::codecs::gif::{GifEncoder, Repeat};
+use ::image::{Delay, Frame, ImageError};
+
+use super::Frames;
+use crate::output::{AtomicFile, OutputError};
+
+/// Ticks of a second.
+const TICKS: f64 = 100.0;
+/// How many pixels are looked at for the 256 colours: of 1 to 30, where 1 is all.
+const SPEED: i32 = 10;
+
+pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str) -> Result<(), OutputError> {
+    let (path, rate) = (file.path().to_owned(), frames.rate);
+    let failed = |error: ImageError| match error {
+        ImageError::IoError(cause) => OutputError::Write { path: path.clone(), cause },
+        other => OutputError::Encode { path: path.clone(), problem: other.to_string() },
+    };
+    let mut encoder = GifEncoder::new_with_speed(file, SPEED);
+    encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
+    let mut shown = 0;
+    for number in 1.. {
+        let Some(picture) = frames.next()? else { break };
+        let until = (f64::from(number) * TICKS / rate).round() as u32;
+        let delay = Delay::from_numer_denom_ms(10 * (until - shown), 1);
+        shown = until;
+        encoder.encode_frame(Frame::from_parts(picture, 0, 0, delay)).map_err(failed)?;
+    }
+    Ok(())
+}

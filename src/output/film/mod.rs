@@ -1,0 +1,108 @@
+//! Films: pictures one after the other, in one file.
+//!
+//! *Idea.* Frames are files first, so that a film goes on where it was stopped and its frames are there to look at; a film is made of them
+//! in the end, which takes far less time. Every format has a file here, and they are listed in [`KINDS`].
+//!
+//! *Practice.* One frame is held at a time, as eight bits of sRGB. GIF and animated PNG are written by this program; video by `ffmpeg`, where
+//! it is installed.
+
+mod apng;
+mod ffmpeg;
+mod gif;
+
+use std::path::{Path, PathBuf};
+
+use ::image::RgbaImage;
+
+use super::{AtomicFile, OutputError};
+
+/// A format of films.
+struct Kind {
+    /// Of its files' names, in small letters.
+    extension: &'static str,
+    /// Why it cannot be written here, if it cannot.
+    problem: fn() -> Option<&'static str>,
+    write: fn(&mut AtomicFile, &mut Frames, &'static str) -> Result<(), OutputError>,
+}
+
+/// All of them.
+const KINDS: [Kind; 5] = [
+    Kind { extension: "mp4", problem: ffmpeg::problem, write: ffmpeg::write },
+    Kind { extension: "webm", problem: ffmpeg::problem, write: ffmpeg::write },
+    Kind { extension: "gif", problem: || None, write: gif::write },
+    Kind { extension: "png", problem: || None, write: apng::write },
+    Kind { extension: "apng", problem: || None, write: apng::write },
+];
+
+fn kind(path: &Path) -> Option<&'static Kind> {
+    let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+    KINDS.iter().find(|kind| kind.extension == extension)
+}
+
+/// Can a film have this name? A PNG that holds many pictures is a film too.
+#[must_use]
+pub fn is_film(path: &Path) -> bool {
+    kind(path).is_some()
+}
+
+/// Refuses a film that could not be written here.
+pub fn check_film(path: &Path) -> Result<(), OutputError> {
+    let setting = |problem: &str| OutputError::Setting { path: path.to_owned(), problem: problem.to_owned() };
+    let kind = kind(path).ok_or_else(|| setting("the name of a film must end in .mp4, .webm, .gif, .png or .apng"))?;
+    (kind.problem)().map_or(Ok(()), |problem| Err(setting(problem)))
+}
+
+/// Makes a film of pictures, which are all of one size, so many a second.
+pub fn film(path: &Path, frames: &[PathBuf], rate: f64) -> Result<(), OutputError> {
+    check_film(path)?;
+    let mut file = AtomicFile::create(path)?;
+    let mut frames = Frames::new(frames, rate)?;
+    if let Some(kind) = kind(path) {
+        (kind.write)(&mut file, &mut frames, kind.extension)?;
+    }
+    file.finish()
+}
+
+/// The pictures of a film, read one after the other.
+struct Frames<'a> {
+    paths: &'a [PathBuf],
+    next: usize,
+    /// Of the first, and so of all.
+    size: [u32; 2],
+    /// A second's.
+    rate: f64,
+}
+
+impl<'a> Frames<'a> {
+    fn new(paths: &'a [PathBuf], rate: f64) -> Result<Self, OutputError> {
+        let size = match paths.first() {
+            Some(path) => {
+                let size = ::image::image_dimensions(path).map_err(|error| unreadable(path, &error.to_string()))?;
+                [size.0, size.1]
+            }
+            None => [0, 0],
+        };
+        Ok(Self { paths, next: 0, size, rate })
+    }
+
+    fn count(&self) -> usize {
+        self.paths.len()
+    }
+
+    /// The next picture; none after the last.
+    fn next(&mut self) -> Result<Option<RgbaImage>, OutputError> {
+        let Some(path) = self.paths.get(self.next) else { return Ok(None) };
+        self.next += 1;
+        let picture = ::image::open(path).map_err(|error| unreadable(path, &error.to_string()))?.into_rgba8();
+        let (size, [width, height]) = (picture.dimensions(), self.size);
+        if size != (width, height) {
+            let (own, first) = (format!("{}x{}", size.0, size.1), self.paths[0].display());
+            return Err(unreadable(path, &format!("it has {own} pixels, and {first} {width}x{height}")));
+        }
+        Ok(Some(picture))
+    }
+}
+
+fn unreadable(path: &Path, problem: &str) -> OutputError {
+    OutputError::Part { path: path.to_owned(), problem: format!("cannot be a frame of a film: {problem}") }
+}
