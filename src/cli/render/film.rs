@@ -57,7 +57,11 @@ impl Arguments {
     /// Removes the folder of frames that were asked for only as a film; those of another, longer film are left.
     pub(super) fn clear_frames(&self, targets: &[Target]) {
         let Some(folder) = self.frame_folder() else { return };
-        for path in targets.iter().flat_map(|target| self.paths(*target)).filter(|path| path.starts_with(&folder)) {
+        let own = targets.iter().flat_map(|target| self.paths(*target)).filter(|path| path.starts_with(&folder));
+        // What a render that was killed had under way.
+        let lost = fs::read_dir(&folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
+        let lost = lost.filter(|path| path.extension().is_some_and(|extension| extension == "part"));
+        for path in own.chain(lost) {
             // What cannot be removed does no harm.
             let _ = fs::remove_file(path);
         }
