@@ -35,6 +35,8 @@ pub(super) enum Rays<'r> {
 pub(super) struct Decision {
     /// What was said of it.
     pub said: String,
+    /// And warned of.
+    pub warning: Option<String>,
     /// How rays are followed, as [`Rays::followed`](crate::scene::Rays::followed) has it.
     pub followed: String,
     /// Has the program that was compiled all layers that the search compared?
@@ -74,14 +76,15 @@ impl Place {
         let table: toml::Table = fs::read_to_string(&self.0).ok()?.parse().ok()?;
         let text = |key: &str| Some(table.get(key)?.as_str()?.to_owned());
         let compared_layers = table.get("compared_layers")?.as_bool()?;
-        Some(Decision { said: text("said")?, followed: text("followed")?, compared_layers })
+        Some(Decision { said: text("said")?, warning: text("warning"), followed: text("followed")?, compared_layers })
     }
 
     /// Keeps a decision, if that can be done.
     pub(super) fn keep(&self, decision: Decision) {
-        let Decision { said, followed, compared_layers } = decision;
+        let Decision { said, warning, followed, compared_layers } = decision;
         let mut table = toml::Table::new();
         table.insert("said".to_owned(), said.into());
+        table.extend(warning.map(|warning| ("warning".to_owned(), warning.into())));
         table.insert("followed".to_owned(), followed.into());
         table.insert("compared_layers".to_owned(), compared_layers.into());
         let written = self.0.parent().and_then(|folder| {

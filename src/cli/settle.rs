@@ -24,7 +24,7 @@ pub(super) fn settle(
     let kept = place.as_ref().and_then(Place::find);
     let known = kept.and_then(|kept| Some((film.load_as(frame, &kept.followed).ok()?, kept)));
     if let Some((scene, kept)) = known {
-        tell!("{}", kept.said);
+        tell_choice(&kept.said, kept.warning.as_deref());
         if kept.compared_layers {
             settings.choice.layers = compared_layers(&settings.choice.layers);
         }
@@ -35,12 +35,21 @@ pub(super) fn settle(
         Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
     }?;
     let Some(calibration) = calibration else { return Ok((scene, settings)) };
-    tell!("{calibration}");
+    let warning = calibration.warning();
+    tell_choice(&calibration.to_string(), warning.as_deref());
     let scene = calibration.applied(&scene);
     if let Some(place) = place {
         let (said, followed) = (calibration.to_string(), scene.rays.followed());
-        place.keep(Decision { said, followed, compared_layers: calibration.layers != settings.choice.layers });
+        let compared_layers = calibration.layers != settings.choice.layers;
+        place.keep(Decision { said, warning, followed, compared_layers });
     }
     settings.choice.layers = calibration.layers;
     Ok((scene, settings))
+}
+
+fn tell_choice(said: &str, warning: Option<&str>) {
+    tell!("{said}");
+    if let Some(warning) = warning {
+        tell!("warning: {warning}");
+    }
 }

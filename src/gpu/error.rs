@@ -6,6 +6,15 @@ fn others(there: &[String]) -> String {
     if there.is_empty() { String::new() } else { format!(" ({})", there.join(", ")) }
 }
 
+/// What to do about a limit, where something can be done.
+fn remedy(limit: &str) -> &'static str {
+    match limit {
+        "max_storage_buffer_binding_size" => ": use fewer triangles or objects, or a coarser grid",
+        "max_texture_dimension_2d" => ": use a smaller picture for it",
+        _ => "",
+    }
+}
+
 /// A device that is missing, too small, or failed.
 #[derive(Debug, Error)]
 pub enum GpuError {
@@ -32,7 +41,7 @@ pub enum GpuError {
         reason: String,
     },
     /// A limit of the device is too low for the scene.
-    #[error("{device} allows {allowed} {what}, and this scene needs {needed} ({limit})")]
+    #[error("{device} allows {allowed} {what}, and this scene needs {needed} ({limit}){}", remedy(limit))]
     Limit {
         /// The adapter's name.
         device: String,
@@ -46,12 +55,24 @@ pub enum GpuError {
         needed: u64,
     },
     /// The budget is too small for any tile.
-    #[error("{allowed} bytes of device memory are too few: this scene needs at least {needed} for the smallest tile")]
+    #[error(
+        "{allowed} bytes of device memory are too few: this scene needs at least {needed} for the smallest tile; raise --memory"
+    )]
     Memory {
         /// The budget.
         allowed: u64,
         /// What would be enough.
         needed: u64,
+    },
+    /// The device has no memory left.
+    #[error(
+        "the device has no memory left for {what} ({reason}): lower --memory, render at a smaller --size, or use another device"
+    )]
+    Full {
+        /// What it was for.
+        what: String,
+        /// The driver's words.
+        reason: String,
     },
     /// The device has no 64-bit numbers.
     #[error("{device} has no 64-bit numbers in shaders: use precision f32, or another device{}", others(.there))]

@@ -53,6 +53,21 @@ impl Calibration {
         self.chosen.error <= self.accuracy
     }
 
+    /// What users should know before they trust the picture: that nothing reaches what they ask for, and what would.
+    #[must_use]
+    pub fn warning(&self) -> Option<String> {
+        if self.reached() || !self.chosen.error.is_finite() {
+            return None;
+        }
+        let more = match self.in_double {
+            Some(trial) if trial.error <= self.accuracy => "; --precision f64 does".to_owned(),
+            Some(trial) => format!("; --precision f64 comes to {:.1e}", trial.error),
+            None => String::new(),
+        };
+        let [asked, best] = [self.accuracy, self.chosen.error];
+        Some(format!("no method brings 99 of 100 rays within {asked:.1e} rad; the best comes to {best:.1e}{more}"))
+    }
+
     /// The scene with the method that was chosen.
     #[must_use]
     pub fn applied(&self, scene: &Scene) -> Scene {

@@ -2,6 +2,15 @@
 
 use std::{io, path::PathBuf};
 
+/// What to do about a write that failed, where something can be done.
+fn remedy(cause: &io::Error) -> &'static str {
+    match cause.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "; make room on the disk, or write elsewhere",
+        io::ErrorKind::PermissionDenied => "; check the folder's permissions, or write elsewhere",
+        _ => "",
+    }
+}
+
 /// Why something was not written, or a table not read.
 #[derive(Debug, thiserror::Error)]
 pub enum OutputError {
@@ -38,9 +47,7 @@ pub enum OutputError {
         cause: io::Error,
     },
     /// Writing broke off.
-    #[error(
-        "{path}: writing failed: {cause}; check the space left on the disk (an older file of this name is untouched)"
-    )]
+    #[error("{path}: writing failed: {cause}{} (an older file of this name is untouched)", remedy(cause))]
     Write {
         /// The file being written.
         path: PathBuf,

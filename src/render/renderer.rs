@@ -83,7 +83,12 @@ impl<'a> Renderer<'a> {
         let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
         let segments = settings.segments_a_pass();
+        let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, None)?;
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let what = "the scene's objects, pictures and grids".to_owned();
+            return Err(GpuError::Full { what, reason: error.to_string() }.into());
+        }
         let max_segments = scene.rays.max_segments;
         let (short, long, is_long, fused) = (Plan::default(), OnceCell::new(), Cell::new(false), OnceCell::new());
         let (structure, regions) = (geometry.structure, geometry.analysis.regions);
@@ -190,7 +195,8 @@ impl<'a> Renderer<'a> {
         let plan = self.plan();
         let tile = Tile::new(self.gpu, &self.program, size, slots, &plan.sections())?;
         if let Some(error) = pollster::block_on(scope.pop()) {
-            return Err(GpuError::Lost(error.to_string()));
+            let what = format!("a tile of {}×{} pixels", size[0], size[1]);
+            return Err(GpuError::Full { what, reason: error.to_string() });
         }
         if let Some(layout) = self.program.layout(&Role::Parameters) {
             for (i, parameters) in plan.parameters.iter().enumerate() {

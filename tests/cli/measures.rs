@@ -122,6 +122,9 @@ fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     );
     let line = |arguments: &str| {
         let ran = folder.run(arguments).succeeds();
+        let warns = ran.err.contains("warning: no method brings 99 of 100 rays within ")
+            && ran.err.contains("; --precision f64 does\n");
+        assert_eq!(warns, !arguments.contains("--precision"), "{}", ran.err);
         ran.err.lines().find(|line| line.starts_with("auto: ")).unwrap_or_else(|| panic!("{}", ran.err)).to_owned()
     };
     let single = line("render scene.toml -o a.exr");
@@ -132,6 +135,7 @@ fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     let double = line("render scene.toml -o b.exr --precision auto");
     assert!(double.contains(", precision f64") && !double.contains("no method reaches"), "{double}");
     assert!(folder.read("a.exr") != folder.read("b.exr"));
+    line("render scene.toml -o d.exr --precision f64");
     folder.run("render scene.toml -o c.exr --method-of b.exr").succeeds();
     assert!(folder.read("b.exr") == folder.read("c.exr"));
     folder
