@@ -260,3 +260,12 @@ fn chosen_pixels_are_the_pictures_own() {
         assert_eq!(seen, ray.status == Status::Escaped, "{x} {y}");
     }
 }
+
+/// Nobody is warned of scenes that are as they should be.
+#[test]
+fn no_shipped_scene_is_too_fine_for_32_bits() {
+    for path in crate::support::shipped_scenes() {
+        let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(scene.rounded_away(), None, "{}", path.display());
+    }
+}

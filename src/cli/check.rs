@@ -77,6 +77,9 @@ fn check(path: &Path, arguments: &Arguments) -> Result<(), Error> {
     if let Some(remark) = scene.law.remark(scene.rays.bound.center, scene.rays.bound.radius) {
         say!("  {remark}");
     }
+    if let Some(words) = scene.rounded_away() {
+        say!("  warning: {words}");
+    }
     for light in scene.swallowed_lights() {
         say!("  light {light} (from 0) is inside of what captures rays, and lights nothing");
     }

@@ -16,6 +16,7 @@ mod lights;
 mod optics;
 mod rays;
 mod reference;
+mod rounding;
 mod sky_cells;
 mod throat;
 

@@ -8,6 +8,7 @@ mod mistakes;
 mod overrides;
 mod profiles;
 mod properties;
+mod rounding;
 mod scenes;
 mod touching;
 

@@ -215,3 +215,14 @@ fn precision_is_chosen_on_the_command_line() {
     let [single, double] = [single, double].map(|text| text.parse::<f64>().unwrap());
     assert!((single - double).abs() < 1e-4 * double);
 }
+
+#[test]
+fn scenes_that_are_too_fine_for_32_bits_are_warned_of() {
+    let far = BALL.replace("position = [0, 0, 5]", "position = [1e6, 0, 5]\nlook_at = [1e6, 0, 0]");
+    let far = far.replace("radius = 10", "radius = 10, center = [1e6, 0, 0]");
+    let folder = Folder::with(&far.replace("shape = \"sphere\"", "shape = \"sphere\"\ncenter = [1e6, 0, 0]"));
+    let warning = "warning: object 0 (from 0): at 1e6 from the origin places in 32 bits are 1e-1 apart";
+    folder.run("render scene.toml -o a.png").succeeds().says(&[warning, "use --precision f64"]);
+    assert!(folder.run("check scene.toml").succeeds().out.contains(warning));
+    assert!(!folder.run("render scene.toml -o a.png --precision f64").succeeds().err.contains("warning"));
+}

@@ -58,8 +58,16 @@ impl Arguments {
 }
 
 impl Work<'_> {
+    /// What is known beforehand to be wrong.
+    fn warn_of_rounding(&self) {
+        if let Some(words) = self.leading.rounded_away() {
+            tell!("warning: {words}");
+        }
+    }
+
     /// Renders what is not finished yet; what comes back is how many rays could not be followed.
     pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&Earlier>) -> Result<u64, Error> {
+        self.warn_of_rounding();
         let mut unfollowed = 0;
         let progress = FilmProgress::new(targets.len());
         for (i, &target) in targets.iter().enumerate() {

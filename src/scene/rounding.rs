@@ -1,0 +1,59 @@
+//! Scenes that numbers of 32 bits are too coarse for: things that are small where they are, and pixels that are finer than directions.
+//!
+//! *Theory.* A coordinate x is known to 2⁻²⁴ |x|. What becomes of a ray is known as well as the coarsest of the places that it is computed
+//! from: the camera's and the object's. That shows once it is a good part of the object, or of what a pixel sees there. Whether methods
+//! err by more is measured elsewhere; this is all that can go wrong where paths are straight or have a closed form.
+//!
+//! *Practice.* A few products an object, on the host. It is a warning and no error: parts of such a picture may be right.
+
+use super::{Precision, Scene};
+
+/// Half a unit in the last place of 32 bits, relative.
+const HALF_ULP: f64 = 1.0 / 16_777_216.0;
+/// Roundings that add up on a ray's way to a surface.
+const ROUNDINGS: f64 = 4.0;
+/// Parts of an object that may be lost.
+const OF_OBJECT: f64 = 0.01;
+/// Parts of a pixel.
+const OF_PIXEL: f64 = 0.5;
+/// Objects that are named.
+const NAMED: usize = 3;
+
+impl Scene {
+    /// What 32 bits cannot tell apart here, in words for a user; none where they suffice, or more are asked for.
+    #[must_use]
+    pub fn rounded_away(&self) -> Option<String> {
+        if self.rays.precision == Precision::Double {
+            return None;
+        }
+        let camera = self.camera.as_ref()?;
+        let pixel = self.pixel_angle();
+        if let Some(pixel) = pixel.filter(|pixel| ROUNDINGS * HALF_ULP > OF_PIXEL * pixel) {
+            return Some(format!(
+                "a pixel is {pixel:.0e} rad wide, and directions in 32 bits are no finer than {:.0e}: use --precision f64",
+                2.0 * HALF_ULP
+            ));
+        }
+        let too_coarse = |i: &usize| {
+            let (center, radius) = self.objects[*i].ball();
+            let known = HALF_ULP * camera.position.abs().max_element().max(center.abs().max_element());
+            let distance = (camera.position.distance(center) - radius).max(radius);
+            let seen = pixel.map_or(f64::INFINITY, |pixel| pixel * distance);
+            radius.is_finite() && ROUNDINGS * known > (OF_OBJECT * radius).min(OF_PIXEL * seen)
+        };
+        let coarse: Vec<usize> = (0..self.objects.len()).filter(too_coarse).collect();
+        let names: Vec<String> = coarse.iter().take(NAMED).map(usize::to_string).collect();
+        let (first, more) = (coarse.first()?, coarse.len() > NAMED);
+        let (center, radius) = self.objects[*first].ball();
+        let far = camera.position.abs().max_element().max(center.abs().max_element());
+        Some(format!(
+            "object{} {}{} (from 0): at {far:.0e} from the origin places in 32 bits are {:.0e} apart, and the first of these is \
+             {:.0e} across: move the scene to the origin, make it of one scale, or use --precision f64",
+            if coarse.len() > 1 { "s" } else { "" },
+            names.join(", "),
+            if more { ", …" } else { "" },
+            2.0 * HALF_ULP * far,
+            2.0 * radius,
+        ))
+    }
+}
