@@ -46,6 +46,15 @@ pub(super) struct Decision {
 /// Where the decision of one search is kept.
 pub(super) struct Place(PathBuf);
 
+/// The folder; none where nothing is to be kept.
+pub(super) fn folder() -> Option<PathBuf> {
+    match env::var_os(FOLDER) {
+        Some(folder) if folder.is_empty() => None,
+        Some(folder) => Some(PathBuf::from(folder)),
+        None => Some(dirs::cache_dir()?.join("bentray")),
+    }
+}
+
 impl Place {
     /// For the rays of a scene; none where nothing can be kept.
     pub(super) fn of(
@@ -55,11 +64,7 @@ impl Place {
         settings: &RenderSettings,
         rays: Rays,
     ) -> Option<Self> {
-        let folder = match env::var_os(FOLDER) {
-            Some(folder) if folder.is_empty() => return None,
-            Some(folder) => PathBuf::from(folder),
-            None => dirs::cache_dir()?.join("bentray"),
-        };
+        let folder = folder()?;
         let mut hasher = SipHasher24::new();
         program()?.hash(&mut hasher);
         format!("{:?} {} {frame:?} {settings:?}", gpu.info, gpu.f64).hash(&mut hasher);

@@ -23,6 +23,7 @@ mod chart;
 mod check;
 mod decisions;
 mod devices;
+mod doctor;
 mod farm;
 mod film;
 mod formula;
@@ -38,6 +39,7 @@ mod paths;
 mod render;
 mod settle;
 mod share;
+mod shell;
 mod trace;
 mod watch;
 mod wgsl;
@@ -70,11 +72,14 @@ enum Command {
     Trace(trace::Arguments),
     Light(light::Arguments),
     Devices(devices::Arguments),
+    Doctor(doctor::Arguments),
     Wgsl(wgsl::Arguments),
     Chart(chart::Arguments),
     Bench(bench::Arguments),
     Formula(formula::Arguments),
     New(new::Arguments),
+    Completions(shell::Completions),
+    Man(shell::Man),
     Help(help::Arguments),
 }
 
@@ -91,11 +96,14 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Light(arguments) => light::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),
+        Command::Doctor(arguments) => doctor::run(&arguments),
         Command::Wgsl(arguments) => wgsl::run(&arguments),
         Command::Chart(arguments) => chart::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Formula(arguments) => formula::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
+        Command::Completions(arguments) => shell::complete(&arguments, Cli::command()),
+        Command::Man(arguments) => shell::man(&arguments, &Cli::command()),
         Command::Help(arguments) => help::run(&arguments, &Cli::command()),
     }
 }

@@ -5,16 +5,25 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use clap::builder::TypedValueParser;
 
+use super::options::one_of;
 use crate::error::Error;
 use crate::output::{AtomicFile, OutputError};
-use crate::scene::TEMPLATE;
+use crate::scene::{TEMPLATES, Template};
 
 /// Write a commented scene to start from
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// Where to write it; a file that is there already is left alone
     file: PathBuf,
+    /// What it shows
+    #[arg(long, value_parser = templates(), default_value = TEMPLATES[0].name)]
+    template: &'static Template,
+}
+
+fn templates() -> impl TypedValueParser<Value = &'static Template> {
+    one_of(TEMPLATES, |template| template.name, |template| template.about)
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
@@ -24,7 +33,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         return Err(OutputError::Setting { path: path.clone(), problem }.into());
     }
     let mut file = AtomicFile::create(path)?;
-    file.write_all(TEMPLATE.as_bytes()).map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
+    file.write_all(arguments.template.text.as_bytes())
+        .map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
     file.finish()?;
     say!("wrote {0}; render it with `bentray render {0} -o picture.png`", path.display());
     Ok(ExitCode::SUCCESS)

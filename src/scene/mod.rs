@@ -39,7 +39,7 @@ pub use guide::Beam;
 pub use lamps::Lamp;
 pub use lights::{Clear, Light, LightGrid, LightSource, Shadows};
 pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};
-pub use reference::{REFERENCE, TEMPLATE, reference_markdown};
+pub use reference::{REFERENCE, TEMPLATES, Template, reference_markdown};
 pub use sky_cells::SkyCells;
 
 use std::sync::Arc;

@@ -167,3 +167,48 @@ fn help_names_every_option() {
     let version = folder.run("--version").succeeds().out;
     assert_eq!(version.trim(), concat!("bentray ", env!("CARGO_PKG_VERSION")));
 }
+
+/// Whatever a new user is pointed to works at once.
+#[test]
+fn templates_are_written_and_render() {
+    let folder = Folder::new();
+    for name in ["black-hole", "kerr", "lens", "force", "flow", "paths"] {
+        let wrote = folder.run(&format!("new {name}.toml --template {name}")).succeeds();
+        assert!(wrote.out.contains(&format!("bentray render {name}.toml -o picture.png")), "{}", wrote.out);
+        let ran = folder.run(&format!("render {name}.toml -o {name}.png --size 24x16 --samples 2 --strict")).succeeds();
+        assert!(!ran.err.contains("warning"), "{name}: {}", ran.err);
+    }
+    assert_eq!(folder.text("black-hole.toml"), {
+        folder.run("new usual.toml").succeeds();
+        folder.text("usual.toml")
+    });
+    folder
+        .run("new other.toml --template hole")
+        .fails(2, &["[possible values: black-hole, kerr, lens, force, flow, paths]"]);
+}
+
+#[test]
+fn shells_man_and_doctors_are_served() {
+    let folder = Folder::new();
+    for (shell, text) in [("bash", "_bentray()"), ("zsh", "#compdef bentray"), ("fish", "complete -c bentray")] {
+        assert!(folder.run(&format!("completions {shell}")).succeeds().out.contains(text), "{shell}");
+    }
+    assert!(folder.run("man").succeeds().out.contains(".TH bentray 1"));
+    let page = folder.run("man render").succeeds().out;
+    assert!(page.contains(".TH bentray-render 1") && page.contains("\\-\\-frames"), "{page}");
+    folder.run("man nothing").fails(1, &["there is no command `nothing`: `bentray help` lists them"]);
+    let said = folder.run("doctor").succeeds().out;
+    for line in ["device       ", "64 bits      ", "video        ", "cache        none: every render", "farm         "]
+    {
+        assert!(said.contains(line), "no `{line}` in:\n{said}");
+    }
+    let mut without = folder.command("doctor");
+    let said = without.env("PATH", "").env("BENTRAY_CACHE", "kept").output().unwrap();
+    let said = String::from_utf8(said.stdout).unwrap();
+    assert!(said.contains("video        no ffmpeg: ") && said.contains("cache        kept\n"), "{said}");
+    let mut without = folder.command("doctor");
+    let said = without.env("VK_DRIVER_FILES", "none.json").env("VK_ICD_FILENAMES", "none.json").output().unwrap();
+    assert_eq!(said.status.code(), Some(1));
+    let said = String::from_utf8(said.stdout).unwrap();
+    assert!(said.contains("device       none: no Vulkan, Metal or DX12 device found; for one in software"), "{said}");
+}

@@ -33,7 +33,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             materials: "table of tables" = "{}", "materials by name";
             objects: "array of tables" = "[]", "things to hit";
             lights: "array of tables" = "[]",
-                "lights for phong materials; they shine in straight lines, without shadows or fall-off";
+                "lamps, for phong materials; paths have none of them, but what shines";
             paths if r#"transport = "paths""#: "table" = "{}", "how light goes from surface to surface";
             ambient: "table" = "none", "how ambient light is shut out: without it it reaches every place";
             animation: "table" = "none", "what changes from frame to frame, for `render --frames`";

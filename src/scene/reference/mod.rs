@@ -4,14 +4,14 @@
 //! with. A test reads scenes of every kind and compares the keys that were asked for with this list.
 
 mod keys;
+mod templates;
+
+pub use templates::{TEMPLATES, Template};
 
 use std::sync::LazyLock;
 
 use crate::document::KeyReference;
 use crate::model::{camera, falloff, filter, law, material, medium, method, shape, source};
-
-/// The scene that `bentray new` writes: a black hole before a chequered sphere, every line with a comment.
-pub const TEMPLATE: &str = include_str!("template.toml");
 
 /// Every key, table by table: a test holds it to what the reading of scenes asks for.
 pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {

@@ -14,7 +14,7 @@ use crate::model::shape::Plane;
 use crate::scene::check::scene;
 use crate::scene::{
     CameraFrame, Control, Light, LightSource, Pattern, REFERENCE, Scene, SceneError, Segment, Sky, Stereo,
-    StereoLayout, TEMPLATE, reference_markdown,
+    StereoLayout, TEMPLATES, reference_markdown,
 };
 use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
@@ -82,7 +82,7 @@ const KINDS: &[&str] = &[
 #[test]
 fn the_reference_lists_the_keys_that_are_asked_for() {
     let mut asked = BTreeSet::new();
-    for text in KINDS.iter().chain([&TEMPLATE]) {
+    for text in KINDS.iter().chain([&TEMPLATES[0].text]) {
         let document = Document::parse(text, Path::new("no folder/scene.toml"), &[]).expect("TOML");
         let reader = Reader::new(&document, &REFERENCE);
         scene(&reader, &mut Files::default());
@@ -101,12 +101,15 @@ fn the_reference_is_a_table_for_each_table() {
 }
 
 #[test]
-fn the_template_parses() {
-    let scene = good(TEMPLATE);
-    assert_eq!(scene.objects.len(), 1);
-    assert_eq!(scene.lights.len(), 1);
-    assert!(scene.law.downcast::<Schwarzschild>().is_some());
-    for line in TEMPLATE.lines().filter(|l| !l.is_empty() && !l.starts_with('[')) {
+fn the_templates_parse() {
+    for template in TEMPLATES {
+        let scene = good(template.text);
+        assert!(scene.camera.is_some() && !scene.objects.is_empty(), "{}", template.name);
+        assert!(template.text.starts_with("# A scene for bentray: "), "{}", template.name);
+    }
+    let usual = TEMPLATES[0].text;
+    assert!(good(usual).law.downcast::<Schwarzschild>().is_some());
+    for line in usual.lines().filter(|l| !l.is_empty() && !l.starts_with('[')) {
         assert!(line.contains('#'), "no comment: {line}");
     }
 }

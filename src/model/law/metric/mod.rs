@@ -26,7 +26,7 @@ pub static KIND: Kind = Kind {
         parameters: "table of numbers" = "{}", "names for numbers";
         terms: "table of formulas" = "{}", "names for formulas, each of those before it";
         throat: "number above 0" = "none", "ρ₀ where space has two sides that a throat joins: each is drawn round a mouth of its own, r = ρ₀ + |l|, and `l` and `dl` are names for how far it is from the throat, below 0 on the other side";
-        other ("throat"): "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
+        other (" and throat"): "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
         captured: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "where rays that go further in end";
         time: "number" = "0", "t when the picture is taken";
         center: "[x, y, z]" = "[0, 0, 0]", "where x, y and z are 0";

@@ -1,0 +1,71 @@
+//! `bentray doctor`: is everything there that a render may need, and what is to be done if not?
+
+use std::fs;
+use std::process::{Command, ExitCode, Stdio};
+
+use clap::Args;
+
+use super::decisions;
+use crate::error::Error;
+use crate::gpu::{GpuError, adapters};
+use crate::output::check_film;
+
+/// Look whether everything is there that a render may need, and say what to install
+#[derive(Debug, Args)]
+pub(super) struct Arguments {}
+
+pub(super) fn run(_: &Arguments) -> Result<ExitCode, Error> {
+    let mut code = ExitCode::SUCCESS;
+    let adapters = adapters();
+    match adapters.first() {
+        Some(best) => {
+            say!("device       {} ({:?}, {})", best.info.name, best.info.device_type, best.info.backend);
+            let others = adapters.len() - 1;
+            say!(
+                "             {}",
+                if others > 0 { format!("{others} more: `bentray devices`") } else { "the only one".into() }
+            );
+            let with_double = adapters.iter().find(|adapter| adapter.f64);
+            match with_double {
+                Some(_) if best.f64 => {
+                    say!("64 bits      yes: --precision f64, --verify and the best checks of `auto`")
+                }
+                Some(other) => say!("64 bits      only on {0}: --precision f64 with --device '{0}'", other.info.name),
+                None => say!("64 bits      no: --precision f64 and --verify cannot be had; lavapipe has them"),
+            }
+        }
+        None => {
+            say!("device       none: {}", GpuError::NoDevice);
+            code = ExitCode::FAILURE;
+        }
+    }
+    match check_film("film.mp4".as_ref()) {
+        Ok(()) => say!("video        yes: .mp4 and .webm by ffmpeg"),
+        Err(_) => say!(
+            "video        no ffmpeg: films are .gif or animated .png; apt-get install ffmpeg brings .mp4 and .webm"
+        ),
+    }
+    say!("cache        {}", cache());
+    let queues = [("sbatch", "Slurm"), ("kubectl", "Kubernetes"), ("parallel", "GNU parallel")];
+    let found: Vec<&str> = queues.into_iter().filter(|(program, _)| is_there(program)).map(|(_, name)| name).collect();
+    say!("farm         {}", if found.is_empty() { "no queue found here".to_owned() } else { found.join(", ") });
+    Ok(code)
+}
+
+/// Where decisions are kept, and whether they can be.
+fn cache() -> String {
+    let Some(folder) = decisions::folder() else { return "none: every render looks for its method anew".to_owned() };
+    let writable = fs::create_dir_all(&folder).is_ok() && tempfile::tempfile_in(&folder).is_ok();
+    let shown = folder.display();
+    if writable {
+        shown.to_string()
+    } else {
+        format!("{shown} cannot be written: every render looks for its method anew")
+    }
+}
+
+fn is_there(program: &str) -> bool {
+    let mut command = Command::new(program);
+    command.arg("--version").stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.status().is_ok()
+}
