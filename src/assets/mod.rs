@@ -17,7 +17,7 @@ pub use expression::{
 };
 pub use files::Files;
 pub use grid::{Bare, IndexGrid, Stored, Use};
-pub use mesh::{Mesh, Vertex};
+pub use mesh::{Mesh, NodeName, Part, Vertex, Wanted};
 pub use picture::Picture;
 pub use profile::{Flaw, Profile, ProfilePoint};
 pub use transform::Transform;

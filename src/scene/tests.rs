@@ -3,8 +3,10 @@
 mod animation;
 mod cut;
 mod files;
+mod formats;
 mod inside;
 mod mistakes;
+mod normals;
 mod overrides;
 mod profiles;
 mod properties;

@@ -5,16 +5,24 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{Contact, Kind, Shape, Solid};
-use crate::assets::{Mesh, Transform};
+use crate::assets::{Mesh, Transform, Wanted};
 use crate::document::keys;
+use crate::document::values::number_where;
 use crate::model::cut::{Outline, OwnPlane, mesh};
 
 pub static KIND: Kind = Kind {
     name: "mesh",
-    keys: keys! { file: "file" = "required", "an OBJ file"; },
+    keys: keys! {
+        file: "file" = "required", "an OBJ, PLY or STL file";
+        crease: "number, 0 to 180" = "30",
+            "where the file has no normals: faces that meet at less than so many degrees look smooth; 0 shows every face";
+    },
     read: |table, _, files| {
-        let file = table.required_node("file", "\"teapot.obj\"")?;
-        Some((Arc::new(Triangles(files.mesh(table.reader, file)?)), DAffine3::IDENTITY))
+        let file = table.required_node("file", "\"teapot.obj\"");
+        let angle = number_where("an angle from 0 to 180 degrees", |x| (0.0..=180.0).contains(&x));
+        let crease = table.or("crease", Wanted::CREASE, angle);
+        let mesh = files.mesh(table.reader, file?, &Wanted { crease, ..Wanted::default() })?;
+        Some((Arc::new(Triangles(mesh)), DAffine3::IDENTITY))
     },
 };
 
@@ -40,13 +48,19 @@ impl Shape for Triangles {
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        self.0.hole().is_none() && self.0.winding(p).abs() > 0.5
+        // Most places are outside, and that is known sooner than whether there is a hole.
+        self.0.winding(p).abs() > 0.5 && self.0.hole().is_none()
     }
 
     fn near_surface(&self, p: DVec3, slack: f64) -> bool {
         let corner = |i: u32| self.0.vertices[i as usize].position.as_dvec3() - p;
         self.0.triangles.iter().any(|triangle| {
             let [a, b, c] = triangle.map(corner);
+            // Of slivers only the box is sure.
+            let (lo, hi) = (a.min(b).min(c), a.max(b).max(c));
+            if lo.max_element() > slack || hi.min_element() < -slack {
+                return false;
+            }
             let normal = (b - a).cross(c - a).normalize_or_zero();
             // Above the triangle the three edges are passed on one side.
             let sides = [a.cross(b), b.cross(c), c.cross(a)].map(|side| side.dot(normal));
