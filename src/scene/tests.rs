@@ -4,6 +4,7 @@ mod animation;
 mod cut;
 mod files;
 mod formats;
+mod gltf;
 mod inside;
 mod mistakes;
 mod normals;

@@ -1,30 +1,13 @@
 //! What binary formats share: values taken from bytes, and what is wrong with the bytes at a place.
 
-use std::path::Path;
-
 use super::text::LARGEST;
-use crate::document::SceneError;
+use crate::assets::flaw::Flaw;
 
 /// Bytes that values are taken from, one after the other.
 pub(super) struct Bytes<'a> {
     all: &'a [u8],
     /// How many were taken.
     pub at: usize,
-}
-
-/// What is wrong with a file that has no lines.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(in crate::assets) struct Flaw(pub String);
-
-impl Flaw {
-    /// At a byte, counted from 0.
-    pub fn at(byte: usize, problem: &str) -> Self {
-        Self(format!("at byte {byte}: {problem}"))
-    }
-
-    pub fn of(self, path: &Path) -> SceneError {
-        SceneError::Mesh { path: path.to_owned(), problem: self.0 }
-    }
 }
 
 impl<'a> Bytes<'a> {

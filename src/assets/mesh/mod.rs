@@ -9,6 +9,7 @@
 
 mod bytes;
 mod edges;
+mod gltf;
 mod normals;
 mod obj;
 mod ply;
@@ -20,6 +21,7 @@ use std::path::Path;
 
 use glam::{Vec2, Vec3};
 
+use super::gltf::NodeName;
 use crate::document::SceneError;
 use raw::Raw;
 
@@ -61,15 +63,6 @@ pub struct Part {
     pub primitive: Option<u32>,
 }
 
-/// What a node is called.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum NodeName {
-    /// By its name.
-    Name(String),
-    /// By its place in the file, counted from 0.
-    Number(u32),
-}
-
 impl Wanted {
     /// The crease's angle where nobody says it: smaller than between the faces of anything that has edges, larger than between
     /// those of what is meant to be round.
@@ -94,14 +87,13 @@ enum Read {
     /// All of it is one mesh.
     Whole(fn(&[u8], &Path) -> Result<Raw, SceneError>),
     /// It has parts, to be asked for one by one.
-    #[expect(dead_code, reason = "no format yet")]
     Parts(fn(Vec<u8>, &Path) -> OpenedParts),
 }
 
 type OpenedParts = Result<Box<dyn Parts>, SceneError>;
 
 /// Every format. Adding one is a line here.
-const FORMATS: [&Format; 3] = [&obj::FORMAT, &ply::FORMAT, &stl::FORMAT];
+const FORMATS: [&Format; 4] = [&obj::FORMAT, &ply::FORMAT, &stl::FORMAT, &gltf::FORMAT];
 
 /// What is known of a file that has parts.
 pub(super) trait Parts: std::fmt::Debug + Send + Sync {

@@ -10,10 +10,11 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::bytes::{Bytes, Flaw, usable};
+use super::bytes::{Bytes, usable};
 use super::raw::{Corner, Raw};
 use super::text::{Mistakes, Wrong, numbers, words};
 use super::{Format, Read};
+use crate::assets::flaw::Flaw;
 use crate::document::SceneError;
 
 pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };

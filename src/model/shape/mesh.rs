@@ -5,15 +5,17 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{Contact, Kind, Shape, Solid};
-use crate::assets::{Mesh, Transform, Wanted};
-use crate::document::keys;
-use crate::document::values::number_where;
+use crate::assets::{Mesh, NodeName, Part, Transform, Wanted};
+use crate::document::values::{Read, number_where, whole};
+use crate::document::{Node, Value, keys};
 use crate::model::cut::{Outline, OwnPlane, mesh};
 
 pub static KIND: Kind = Kind {
     name: "mesh",
     keys: keys! {
-        file: "file" = "required", "an OBJ, PLY or STL file";
+        file: "file" = "required", "an OBJ, PLY, STL or glTF file";
+        node: "name, or a whole number from 0" = "all of the file's scene", "of a glTF file: the node whose mesh it is, in its place in the file's scene";
+        primitive: "whole number from 0" = "all", "of a glTF file: which of the primitives of that mesh; each has a material of its own";
         crease: "number, 0 to 180" = "30",
             "where the file has no normals: faces that meet at less than so many degrees look smooth; 0 shows every face";
     },
@@ -21,7 +23,10 @@ pub static KIND: Kind = Kind {
         let file = table.required_node("file", "\"teapot.obj\"");
         let angle = number_where("an angle from 0 to 180 degrees", |x| (0.0..=180.0).contains(&x));
         let crease = table.or("crease", Wanted::CREASE, angle);
-        let mesh = files.mesh(table.reader, file?, &Wanted { crease, ..Wanted::default() })?;
+        let node = table.optional("node", node_name);
+        let primitive = table.optional("primitive", whole(0..=u32::MAX));
+        let wanted = Wanted { crease, part: Part { node, primitive } };
+        let mesh = files.mesh(table.reader, file?, &wanted)?;
         Some((Arc::new(Triangles(mesh)), DAffine3::IDENTITY))
     },
 };
@@ -31,6 +36,14 @@ pub static SOLID: Solid = Solid { name: "triangle", lists: None };
 /// Triangles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangles(pub Arc<Mesh>);
+
+/// A name, or a number.
+fn node_name(node: &Node) -> Read<NodeName> {
+    match &node.value {
+        Value::Text(name) => Ok(NodeName::Name(name.clone())),
+        _ => whole(0..=u32::MAX)(node).map(NodeName::Number),
+    }
+}
 
 impl Triangles {
     fn points(&self) -> impl Iterator<Item = DVec3> {

@@ -247,7 +247,7 @@ fn mistakes_in_bytes_have_their_places() {
 #[test]
 fn other_formats_are_refused_by_name() {
     let told = wrong("a.3ds", b"");
-    assert!(told.contains("meshes are files whose names end in .obj, .ply, .stl"), "{told}");
+    assert!(told.contains("meshes are files whose names end in .obj, .ply, .stl, .gltf, .glb"), "{told}");
     assert!(load("none", b"").is_err());
 }
 

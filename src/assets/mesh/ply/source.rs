@@ -1,7 +1,8 @@
 //! Where numbers come from: words of lines, or bytes.
 
-use super::super::bytes::{Bytes, Flaw};
+use super::super::bytes::Bytes;
 use super::header::{Element, Kind, Property};
+use crate::assets::flaw::Flaw;
 
 /// What is wrong where a source is.
 pub(super) struct Wrong {
