@@ -29,6 +29,7 @@ mod formula;
 mod frames;
 mod go_on;
 mod help;
+mod import;
 mod interrupt;
 mod light;
 mod new;
@@ -75,6 +76,7 @@ enum Command {
     Bench(bench::Arguments),
     Formula(formula::Arguments),
     New(new::Arguments),
+    Import(import::Arguments),
     Help(help::Arguments),
 }
 
@@ -96,6 +98,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Formula(arguments) => formula::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
+        Command::Import(arguments) => import::run(&arguments),
         Command::Help(arguments) => help::run(&arguments, &Cli::command()),
     }
 }

@@ -10,6 +10,7 @@
 mod bytes;
 mod edges;
 mod gltf;
+mod joined;
 mod normals;
 mod obj;
 mod ply;

@@ -5,13 +5,8 @@
 //! *Practice.* A triangle remembers the face that it was cut from: the face's normal is its own, and its corners' angles add up to the
 //! face's.
 
-use std::collections::hash_map::Entry;
-
 use earcut::Earcut;
-use foldhash::{HashMap, HashMapExt};
 use glam::{DVec2, DVec3, Vec2, Vec3};
-
-use super::{Mesh, Vertex, normals};
 
 /// Faces, cut to triangles.
 #[derive(Default)]
@@ -42,7 +37,7 @@ pub(super) struct Triangle {
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub position: u32,
-    uv: u32,
+    pub uv: u32,
     normal: u32,
 }
 
@@ -118,36 +113,6 @@ impl Raw {
             if (flat[b] - flat[a]).perp_dot(flat[c] - flat[a]) < 0.0 { [a, c, b] } else { [a, b, c] }
         };
         cut.chunks_exact(3).map(turned).collect()
-    }
-
-    /// The mesh, with normals made where there are none: faces that meet at an angle below `crease` degrees share theirs.
-    pub(super) fn mesh(&self, crease: f64) -> Mesh {
-        let made = normals::made(self, crease);
-        let mut index_of: HashMap<[u32; 8], u32> = HashMap::with_capacity(self.positions.len());
-        let mut vertices = Vec::with_capacity(self.positions.len());
-        let mut vertex = |corner: Corner, made: Option<Vec3>| {
-            let vertex = Vertex {
-                position: self.positions[corner.position as usize],
-                normal: self.given_normal(corner).or(made).unwrap_or(Vec3::Z),
-                uv: self.uvs.get(corner.uv as usize).copied().unwrap_or(Vec2::ZERO),
-            };
-            let ([x, y, z], [nx, ny, nz]) = (vertex.position.to_array(), vertex.normal.to_array());
-            let key = [x, y, z, nx, ny, nz, vertex.uv.x, vertex.uv.y].map(f32::to_bits);
-            match index_of.entry(key) {
-                Entry::Occupied(known) => *known.get(),
-                Entry::Vacant(free) => {
-                    vertices.push(vertex);
-                    *free.insert(vertices.len() as u32 - 1)
-                }
-            }
-        };
-        let triangles = self.triangles.iter().enumerate().map(|(i, triangle)| {
-            let [a, b, c] = triangle.corners;
-            let made = made.get(i).map_or([None; 3], |made| made.map(Some));
-            [vertex(a, made[0]), vertex(b, made[1]), vertex(c, made[2])]
-        });
-        let triangles = triangles.collect();
-        Mesh { vertices, triangles }
     }
 }
 
