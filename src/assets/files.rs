@@ -7,7 +7,7 @@ use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
 use crate::document::{SceneError, read_text};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -23,6 +23,8 @@ pub struct Files {
     picture_of: HashMap<PathBuf, Option<Picture>>,
     /// The meshes of a file, by what was wanted of it.
     meshes_of: HashMap<PathBuf, Vec<WantedMesh>>,
+    /// Files that those of meshes name.
+    others: BTreeSet<PathBuf>,
     /// The file that the last mesh was of: objects often take one part of it after the other.
     opened: Option<(PathBuf, Opened)>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
@@ -48,7 +50,8 @@ impl Files {
     #[must_use]
     pub fn paths(&self) -> Vec<PathBuf> {
         let pictures = self.picture_of.keys().chain(self.meshes_of.keys()).chain(self.profile_of.keys());
-        let mut all: Vec<PathBuf> = pictures.chain(self.text_of.keys()).chain(self.grid_of.keys()).cloned().collect();
+        let mut all: Vec<PathBuf> =
+            pictures.chain(self.text_of.keys()).chain(self.grid_of.keys()).chain(&self.others).cloned().collect();
         all.sort();
         all
     }
@@ -93,6 +96,7 @@ impl Files {
             None => Opened::read(&path),
         };
         let opened = accept(reader, node, loaded);
+        self.others.extend(opened.iter().flat_map(Opened::others));
         let mesh = opened.as_ref().and_then(|opened| accept(reader, node, opened.mesh(wanted, &path))).map(Arc::new);
         self.opened = opened.map(|opened| (identity, opened));
         known.push((wanted.clone(), mesh.clone()));

@@ -1,7 +1,7 @@
 //! The file: JSON alone, or with a buffer in one file; and the buffers that it names.
 
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use base64::Engine;
@@ -99,11 +99,21 @@ impl Gltf {
             return STANDARD.decode(encoded).map_err(|error| Flaw(format!("{of} has data that is no base64: {error}")));
         }
         let path = self.beside(uri).ok_or_else(|| Flaw(format!("{of} is at `{uri}`, which is not a file")))?;
+        // What is no file may have no end.
+        if path.exists() && !path.is_file() {
+            return Err(Flaw(format!("{of}: `{}` is not a file", path.display())));
+        }
         std::fs::read(&path).map_err(|error| Flaw(format!("{of}: cannot read `{}`: {error}", path.display())))
     }
 
+    /// The files that its buffers are in, besides this one, as far as they are there.
+    pub fn others(&self) -> impl Iterator<Item = PathBuf> {
+        let named = self.root.buffers.iter().filter_map(|buffer| self.beside(buffer.uri.as_ref()?));
+        named.filter(|path| path.is_file())
+    }
+
     /// The path of a file that a `uri` names; none if it names something else.
-    pub(super) fn beside(&self, uri: &str) -> Option<std::path::PathBuf> {
+    pub(super) fn beside(&self, uri: &str) -> Option<PathBuf> {
         let is_elsewhere = uri.starts_with("data:") || uri.contains("://");
         (!is_elsewhere).then(|| self.path.parent().unwrap_or(Path::new("")).join(decoded(uri)))
     }

@@ -27,6 +27,10 @@ impl Gltf {
         let image = self.root.images.get(number).ok_or_else(|| Flaw(format!("there is no {of}; there are {count}")))?;
         match (&image.uri, image.buffer_view) {
             (Some(uri), _) => match self.beside(uri) {
+                // What is no file may have no end.
+                Some(path) if path.exists() && !path.is_file() => {
+                    Err(Flaw(format!("{of}: `{}` is not a file", path.display())))
+                }
                 Some(path) => Ok(Stored::Beside(path)),
                 None => self.resource(uri, &of).map(Stored::Within),
             },

@@ -5,6 +5,8 @@
 //!
 //! *Practice.* The bytes and their checks are [`Gltf`]'s. Positions are placed in 64 bits.
 
+use std::path::PathBuf;
+
 use glam::{DAffine3, DVec3, Mat2, Vec2, Vec3};
 use gltf_json::accessor::Type;
 use gltf_json::mesh::{Mode, Primitive, Semantic};
@@ -28,6 +30,10 @@ const MOST: usize = 1 << 26;
 impl Parts for Gltf {
     fn part(&self, part: &Part) -> Result<Raw, SceneError> {
         self.raw(part).map_err(|flaw| flaw.of(self.path()))
+    }
+
+    fn others(&self) -> Vec<PathBuf> {
+        Self::others(self).collect()
     }
 }
 

@@ -18,7 +18,7 @@ mod raw;
 mod stl;
 mod text;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::{Vec2, Vec3};
 
@@ -100,6 +100,9 @@ const FORMATS: [&Format; 4] = [&obj::FORMAT, &ply::FORMAT, &stl::FORMAT, &gltf::
 pub(super) trait Parts: std::fmt::Debug + Send + Sync {
     /// One of them.
     fn part(&self, part: &Part) -> Result<Raw, SceneError>;
+
+    /// The other files that it is in.
+    fn others(&self) -> Vec<PathBuf>;
 }
 
 /// A file that was read, of which parts can be had.
@@ -124,6 +127,14 @@ impl Opened {
         match format.read {
             Read::Whole(read) => Ok(Self::Whole(Box::new(read(&bytes, path)?))),
             Read::Parts(read) => Ok(Self::Parts(read(bytes, path)?)),
+        }
+    }
+
+    /// The other files that it is in.
+    pub(super) fn others(&self) -> Vec<PathBuf> {
+        match self {
+            Self::Whole(_) => Vec::new(),
+            Self::Parts(parts) => parts.others(),
         }
     }
 

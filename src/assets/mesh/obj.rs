@@ -10,7 +10,7 @@ use std::path::Path;
 
 use glam::{Vec2, Vec3};
 
-use super::raw::{Corner, Raw};
+use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::{Mistakes, Wrong, numbers, words};
 use super::{Format, Read};
 use crate::document::SceneError;
@@ -88,6 +88,10 @@ impl Loader {
                 for word in corners {
                     let corner = self.corner(word)?;
                     self.corners.push(corner);
+                }
+                if corners.len() > MOST_CORNERS {
+                    let (problem, help) = too_many(corners.len());
+                    return Err((words[0], problem, help));
                 }
                 // Some programs write points and lines as faces.
                 if self.corners.len() > 2 {

@@ -41,6 +41,14 @@ pub(super) struct Corner {
     normal: u32,
 }
 
+/// Corners that a face may have: cutting it may take as many steps as pairs of them.
+pub(super) const MOST_CORNERS: usize = 10_000;
+
+/// What is wrong with a face of so many corners, and what would be right.
+pub(super) fn too_many(corners: usize) -> (String, String) {
+    (format!("a face of {corners} corners"), format!("at most {MOST_CORNERS} are cut to triangles: use smaller faces"))
+}
+
 /// In place of an index: the file gives none.
 const NONE: u32 = u32::MAX;
 

@@ -11,7 +11,7 @@ use std::path::Path;
 use glam::Vec3;
 
 use super::bytes::{Bytes, usable};
-use super::raw::{Corner, Raw};
+use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::{Mistakes, Wrong, numbers, words};
 use super::{Format, Read};
 use crate::assets::flaw::Flaw;
@@ -107,6 +107,10 @@ fn statement<'a>(raw: &mut Raw, corners: &mut usize, line: &[&'a str]) -> Result
         let count = std::mem::take(corners);
         if count < 3 {
             return Err((first, format!("a loop of {count} vertices"), "a face has three".to_owned()));
+        }
+        if count > MOST_CORNERS {
+            let (problem, help) = too_many(count);
+            return Err((first, problem, help));
         }
         face(raw, count);
     }

@@ -245,6 +245,24 @@ fn mistakes_in_bytes_have_their_places() {
 }
 
 #[test]
+fn faces_of_very_many_corners_are_refused() {
+    let corners = |first: u32| (first..first + 10_001).map(|i| i.to_string()).collect::<Vec<_>>().join(" ");
+    let points = "0 0 0\n".repeat(10_001);
+    let said = "a face of 10001 corners";
+    let obj = format!("{}f {}\n", points.replace("0 0 0", "v 0 0 0"), corners(1));
+    assert!(wrong("a.obj", obj.as_bytes()).starts_with(&format!("a.obj:10002:1: {said}")));
+    let header = ply_header("ascii").replace("vertex 5", "vertex 10001").replace("property uchar red\n", "");
+    let ply = format!(
+        "{}{points}10001 {}\n",
+        header.replace("face 2", "face 1").replace("uchar int", "uint int"),
+        corners(0)
+    );
+    assert!(wrong("a.ply", ply.as_bytes()).contains(said), "{}", wrong("a.ply", ply.as_bytes()));
+    let stl = format!("solid\n{}endloop\n", points.replace("0 0 0", "vertex 0 0 0"));
+    assert!(wrong("a.stl", stl.as_bytes()).starts_with(&format!("a.stl:10003:1: {said}")));
+}
+
+#[test]
 fn other_formats_are_refused_by_name() {
     let told = wrong("a.3ds", b"");
     assert!(told.contains("meshes are files whose names end in .obj, .ply, .stl, .gltf, .glb"), "{told}");

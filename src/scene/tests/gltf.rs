@@ -9,7 +9,7 @@ use glam::{Vec2, Vec3};
 use serde_json::{Value, json};
 
 use crate::assets::{Gltf, NodeName, Part, Wanted};
-use crate::scene::{Mesh, SceneError};
+use crate::scene::{Files, Mesh, Scene, SceneError};
 
 /// A file in the making: its numbers, and what says where they are.
 #[derive(Default)]
@@ -215,6 +215,14 @@ fn buffers_are_in_the_file_beside_it_or_in_the_text() {
         let path = folder.path().join("a.gltf");
         std::fs::write(&path, all.to_string()).expect("written");
         assert_eq!(Mesh::load(&path).unwrap_or_else(|error| panic!("{error}")), expected);
+        // What a picture is made of is all of it.
+        let scene = folder.path().join("scene.toml");
+        let text = "[rays]\nbound = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.gltf\"\n\
+                    material = \"m\"\n";
+        std::fs::write(&scene, text).expect("written");
+        let mut files = Files::default();
+        Scene::load_with(&mut files, &scene, &[], None).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(files.paths().len(), if uri.starts_with("data") { 1 } else { 2 });
     }
 }
 

@@ -15,7 +15,7 @@ use std::path::Path;
 use glam::{Vec2, Vec3};
 
 use super::bytes::usable;
-use super::raw::{Corner, Raw};
+use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::Mistakes;
 use super::{Format, Read};
 use crate::document::SceneError;
@@ -141,6 +141,10 @@ impl Assembled {
                 }
             }
             let size = self.indices.len() - before;
+            if size > MOST_CORNERS {
+                let (problem, help) = too_many(size);
+                return Err(Wrong { problem, help });
+            }
             self.sizes.push(size as u32);
             let has_own = !own.is_empty() && own.len() == 2 * size;
             self.faces_uvs.push(has_own);
