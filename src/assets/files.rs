@@ -1,14 +1,18 @@
 //! The files that scenes name: each is loaded once, however often it is named.
 
 use super::Use;
-use super::{IndexGrid, Mesh, Picture, Profile};
+use super::mesh::Opened;
+use super::{IndexGrid, Mesh, Picture, Profile, Wanted};
 use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
 use crate::document::{SceneError, read_text};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::path::PathBuf;
 use std::sync::Arc;
+
+/// A mesh, and what was wanted of its file.
+type WantedMesh = (Wanted, Option<Arc<Mesh>>);
 
 /// What was loaded: for one scene, or for several that share it, such as the frames of an animation. Within a scene a file that
 /// failed is a none, so that it is reported once.
@@ -17,7 +21,12 @@ pub struct Files {
     /// The scene's own, in the order that indices count.
     pictures: Vec<(PathBuf, Picture)>,
     picture_of: HashMap<PathBuf, Option<Picture>>,
-    mesh_of: HashMap<PathBuf, Option<Arc<Mesh>>>,
+    /// The meshes of a file, by what was wanted of it.
+    meshes_of: HashMap<PathBuf, Vec<WantedMesh>>,
+    /// Files that those of meshes name.
+    others: BTreeSet<PathBuf>,
+    /// The file that the last mesh was of: objects often take one part of it after the other.
+    opened: Option<(PathBuf, Opened)>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
     text_of: HashMap<PathBuf, Option<Arc<str>>>,
     grid_of: HashMap<PathBuf, (Use, Arc<IndexGrid>)>,
@@ -28,7 +37,11 @@ impl Files {
     pub fn begin(&mut self) {
         self.pictures.clear();
         self.picture_of.retain(|_, loaded| loaded.is_some());
-        self.mesh_of.retain(|_, loaded| loaded.is_some());
+        self.meshes_of.retain(|_, meshes| {
+            meshes.retain(|(_, loaded)| loaded.is_some());
+            !meshes.is_empty()
+        });
+        self.opened = None;
         self.profile_of.retain(|_, loaded| loaded.is_some());
         self.text_of.retain(|_, loaded| loaded.is_some());
     }
@@ -36,8 +49,9 @@ impl Files {
     /// Every file that was loaded, sorted.
     #[must_use]
     pub fn paths(&self) -> Vec<PathBuf> {
-        let pictures = self.picture_of.keys().chain(self.mesh_of.keys()).chain(self.profile_of.keys());
-        let mut all: Vec<PathBuf> = pictures.chain(self.text_of.keys()).chain(self.grid_of.keys()).cloned().collect();
+        let pictures = self.picture_of.keys().chain(self.meshes_of.keys()).chain(self.profile_of.keys());
+        let mut all: Vec<PathBuf> =
+            pictures.chain(self.text_of.keys()).chain(self.grid_of.keys()).chain(&self.others).cloned().collect();
         all.sort();
         all
     }
@@ -68,11 +82,25 @@ impl Files {
         Some((path.display().to_string(), text))
     }
 
-    /// The mesh that a node names.
-    pub fn mesh(&mut self, reader: &Reader, node: &Node) -> Option<Arc<Mesh>> {
+    /// What is wanted of the mesh that a node names.
+    pub fn mesh(&mut self, reader: &Reader, node: &Node, wanted: &Wanted) -> Option<Arc<Mesh>> {
         let (path, identity) = find(reader, node)?;
-        let load = || accept(reader, node, Mesh::load(&path)).map(Arc::new);
-        self.mesh_of.entry(identity).or_insert_with(load).clone()
+        let known = self.meshes_of.entry(identity.clone()).or_default();
+        if let Some((_, mesh)) = known.iter().find(|(before, _)| before == wanted) {
+            return mesh.clone();
+        }
+        let loaded = match self.opened.take().filter(|(before, _)| *before == identity) {
+            Some((_, opened)) => Ok(opened),
+            // What is wrong with a file is said once, whatever was wanted of it.
+            None if !known.is_empty() && known.iter().all(|(_, mesh)| mesh.is_none()) => return None,
+            None => Opened::read(&path),
+        };
+        let opened = accept(reader, node, loaded);
+        self.others.extend(opened.iter().flat_map(Opened::others));
+        let mesh = opened.as_ref().and_then(|opened| accept(reader, node, opened.mesh(wanted, &path))).map(Arc::new);
+        self.opened = opened.map(|opened| (identity, opened));
+        known.push((wanted.clone(), mesh.clone()));
+        mesh
     }
 
     /// The profile that a node names.

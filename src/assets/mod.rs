@@ -4,6 +4,8 @@
 
 mod expression;
 mod files;
+mod flaw;
+mod gltf;
 mod grid;
 mod mesh;
 mod picture;
@@ -16,8 +18,9 @@ pub use expression::{
     Variable,
 };
 pub use files::Files;
+pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, json};
 pub use grid::{Bare, IndexGrid, Stored, Use};
-pub use mesh::{Mesh, Vertex};
+pub use mesh::{Mesh, Part, Vertex, Wanted};
 pub use picture::Picture;
 pub use profile::{Flaw, Profile, ProfilePoint};
 pub use transform::Transform;

@@ -1,6 +1,6 @@
-//! Pictures: PNG, EXR and HDR files as linear RGB.
+//! Pictures: PNG, JPEG, EXR and HDR files as linear RGB.
 //!
-//! *Theory.* Light adds up only in linear units. PNG stores sRGB, whose curve is undone here; EXR and HDR are linear.
+//! *Theory.* Light adds up only in linear units. PNG and JPEG store sRGB, whose curve is undone here; EXR and HDR are linear.
 //!
 //! *Practice.* The format is told by the file's content. Alpha is dropped, grey becomes RGB, and 16 bits carry both
 //! depths of PNG without loss. 12 bytes a pixel stay in memory.
@@ -25,7 +25,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Reads a PNG, EXR or HDR file.
+    /// Reads a PNG, JPEG, EXR or HDR file.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
         let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };

@@ -30,6 +30,7 @@ mod formula;
 mod frames;
 mod go_on;
 mod help;
+mod import;
 mod interrupt;
 mod light;
 mod new;
@@ -78,6 +79,7 @@ enum Command {
     Bench(bench::Arguments),
     Formula(formula::Arguments),
     New(new::Arguments),
+    Import(import::Arguments),
     Completions(shell::Completions),
     Man(shell::Man),
     Help(help::Arguments),
@@ -102,6 +104,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Formula(arguments) => formula::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
+        Command::Import(arguments) => import::run(&arguments),
         Command::Completions(arguments) => shell::complete(&arguments, Cli::command()),
         Command::Man(arguments) => shell::man(&arguments, &Cli::command()),
         Command::Help(arguments) => help::run(&arguments, &Cli::command()),

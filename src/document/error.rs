@@ -29,6 +29,14 @@ pub enum SceneError {
         /// What is wrong with it.
         problem: String,
     },
+    /// A mesh that can be read but not understood, where its format has no lines.
+    #[error("cannot use the mesh `{}`: {problem}", path.display())]
+    Mesh {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A file of samples that can be read but not used.
     #[error("cannot use the grid `{}`: {problem}", path.display())]
     Grid {

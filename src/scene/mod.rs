@@ -11,6 +11,7 @@ mod build;
 mod check;
 mod followed;
 mod guide;
+pub mod import;
 mod lamps;
 mod lights;
 mod optics;
@@ -24,8 +25,8 @@ mod throat;
 mod tests;
 
 pub use crate::assets::{
-    Curve, FanRay, Files, Formula, FormulaError, Function, Graph, Id, IndexGrid, Interval, LineElement, Mesh, Node,
-    Picture, Profile, ProfilePoint, Transform, Variable, Vertex,
+    Curve, FanRay, Files, Formula, FormulaError, Function, Gltf, Graph, Id, IndexGrid, Interval, LineElement, Mesh,
+    Node, Picture, Profile, ProfilePoint, Transform, Variable, Vertex,
 };
 pub use crate::document::{KeyReference, Mistake, Override, SceneError};
 pub use crate::model::cut::{CORNERS, CutPlane, Outline};

@@ -3,8 +3,11 @@
 mod animation;
 mod cut;
 mod files;
+mod formats;
+mod gltf;
 mod inside;
 mod mistakes;
+mod normals;
 mod overrides;
 mod profiles;
 mod properties;

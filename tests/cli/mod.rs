@@ -13,6 +13,7 @@ mod farm;
 mod films;
 mod frames;
 mod help;
+mod import;
 mod interrupted;
 mod light;
 mod lost_words;

@@ -5,16 +5,29 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::{Contact, Kind, Shape, Solid};
-use crate::assets::{Mesh, Transform};
-use crate::document::keys;
+use crate::assets::{Mesh, NodeName, Part, Transform, Wanted};
+use crate::document::values::{Read, number_where, whole};
+use crate::document::{Node, Value, keys};
 use crate::model::cut::{Outline, OwnPlane, mesh};
 
 pub static KIND: Kind = Kind {
     name: "mesh",
-    keys: keys! { file: "file" = "required", "an OBJ file"; },
+    keys: keys! {
+        file: "file" = "required", "an OBJ, PLY, STL or glTF file";
+        node: "name, or a whole number from 0" = "all of the file's scene", "of a glTF file: the node whose mesh it is, in its place in the file's scene";
+        primitive: "whole number from 0" = "all", "of a glTF file: which of the primitives of that mesh; each has a material of its own";
+        crease: "number, 0 to 180" = "30",
+            "where the file has no normals: faces that meet at less than so many degrees look smooth; 0 shows every face";
+    },
     read: |table, _, files| {
-        let file = table.required_node("file", "\"teapot.obj\"")?;
-        Some((Arc::new(Triangles(files.mesh(table.reader, file)?)), DAffine3::IDENTITY))
+        let file = table.required_node("file", "\"teapot.obj\"");
+        let angle = number_where("an angle from 0 to 180 degrees", |x| (0.0..=180.0).contains(&x));
+        let crease = table.or("crease", Wanted::CREASE, angle);
+        let node = table.optional("node", node_name);
+        let primitive = table.optional("primitive", whole(0..=u32::MAX));
+        let wanted = Wanted { crease, part: Part { node, primitive } };
+        let mesh = files.mesh(table.reader, file?, &wanted)?;
+        Some((Arc::new(Triangles(mesh)), DAffine3::IDENTITY))
     },
 };
 
@@ -23,6 +36,14 @@ pub static SOLID: Solid = Solid { name: "triangle", lists: None };
 /// Triangles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangles(pub Arc<Mesh>);
+
+/// A name, or a number.
+fn node_name(node: &Node) -> Read<NodeName> {
+    match &node.value {
+        Value::Text(name) => Ok(NodeName::Name(name.clone())),
+        _ => whole(0..=u32::MAX)(node).map(NodeName::Number),
+    }
+}
 
 impl Triangles {
     fn points(&self) -> impl Iterator<Item = DVec3> {
@@ -40,13 +61,19 @@ impl Shape for Triangles {
     }
 
     fn contains(&self, p: DVec3) -> bool {
-        self.0.hole().is_none() && self.0.winding(p).abs() > 0.5
+        // Most places are outside, and that is known sooner than whether there is a hole.
+        self.0.winding(p).abs() > 0.5 && self.0.hole().is_none()
     }
 
     fn near_surface(&self, p: DVec3, slack: f64) -> bool {
         let corner = |i: u32| self.0.vertices[i as usize].position.as_dvec3() - p;
         self.0.triangles.iter().any(|triangle| {
             let [a, b, c] = triangle.map(corner);
+            // Of slivers only the box is sure.
+            let (lo, hi) = (a.min(b).min(c), a.max(b).max(c));
+            if lo.max_element() > slack || hi.min_element() < -slack {
+                return false;
+            }
             let normal = (b - a).cross(c - a).normalize_or_zero();
             // Above the triangle the three edges are passed on one side.
             let sides = [a.cross(b), b.cross(c), c.cross(a)].map(|side| side.dot(normal));

@@ -139,7 +139,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         }
         "sky" {
             color if "no image and no faces": "[red, green, blue]" = "[0, 0, 0]", "one colour, linear";
-            image if "no color and no faces": "file" = "none", "an equirectangular picture: PNG, EXR or HDR";
+            image if "no color and no faces": "file" = "none", "an equirectangular picture: PNG, JPEG, EXR or HDR";
             faces if "no color and no image": "six files" = "none",
                 "the faces +x, -x, +y, -y, +z, -z of a cube, seen from inside";
             intensity if "image or faces": "number, 0 or above" = "1", "factor on the picture's radiance";
@@ -154,13 +154,13 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         }
         "materials.NAME.diffuse" {
             checker if "no image": "[color, color]" = "none", "two colours in turn";
-            image if "no checker": "file" = "none", "PNG, EXR or HDR";
+            image if "no checker": "file" = "none", "PNG, JPEG, EXR or HDR";
             repeat if "checker or image": "[u, v], above 0" = "[8, 8] for checker, [1, 1] for image",
                 "cells, or pictures, along u and v";
         }
         "materials.NAME.color" {
             checker if "no image": "[color, color]" = "none", "two colours in turn";
-            image if "no checker": "file" = "none", "PNG, EXR or HDR";
+            image if "no checker": "file" = "none", "PNG, JPEG, EXR or HDR";
             repeat if "checker or image": "[u, v], above 0" = "[8, 8] for checker, [1, 1] for image",
                 "cells, or pictures, along u and v";
         }

@@ -237,3 +237,25 @@ fn scenes_that_share_their_files_load_each_once() {
     RgbImage::new(2, 2).save(path("c.png")).expect("saved");
     load(&scene("c.png", 1.0)).unwrap_or_else(|e| panic!("{e}"));
 }
+
+#[test]
+fn a_jpeg_is_a_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.jpg");
+    // A JPEG of one grey block of 8 × 8, written by hand: baseline, its DC coefficient 0, which is the value 128.
+    let mut bytes = vec![0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0];
+    bytes.extend([1; 64]);
+    bytes.extend([0xFF, 0xC0, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0]);
+    for table in [0, 0x10] {
+        bytes.extend([0xFF, 0xC4, 0, 20, table, 1]);
+        bytes.extend([0; 15]);
+        bytes.push(0);
+    }
+    // Twice the word 0 of one bit: no change, and the end of the block.
+    bytes.extend([0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 63, 0, 0b0011_1111, 0xFF, 0xD9]);
+    fs::write(&path, bytes).expect("written");
+    let picture = Picture::load(&path).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(picture.size, [8, 8]);
+    // sRGB 128 is 0.2158605 (IEC 61966-2-1).
+    assert!(picture.pixels.iter().flatten().all(|x| (x - 0.215_860_5).abs() < 1e-6), "{:?}", picture.pixels[0]);
+}

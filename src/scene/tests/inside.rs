@@ -205,3 +205,12 @@ proptest! {
         }
     }
 }
+
+/// Of a triangle as thin as rounding its plane says nothing of what is far away.
+#[test]
+fn nothing_is_near_a_sliver_that_is_far_away() {
+    let sliver = mesh("v 0 1 0\nv 1.2246e-16 1 0\nv 0.0044 0.99999 -1e-19\nf 1 2 3\n");
+    let triangles = Triangles(Arc::new(sliver));
+    assert!(!triangles.near_surface(DVec3::new(0.0, 0.0, 3.0), 1e-3));
+    assert!(triangles.near_surface(DVec3::new(0.0, 1.0, 0.0), 1e-3));
+}

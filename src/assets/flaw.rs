@@ -1,0 +1,20 @@
+//! What is wrong with a file that has no lines.
+
+use std::path::Path;
+
+use crate::document::SceneError;
+
+/// What is wrong with a mesh whose format has no lines.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Flaw(pub String);
+
+impl Flaw {
+    /// At a byte, counted from 0.
+    pub fn at(byte: usize, problem: &str) -> Self {
+        Self(format!("at byte {byte}: {problem}"))
+    }
+
+    pub fn of(self, path: &Path) -> SceneError {
+        SceneError::Mesh { path: path.to_owned(), problem: self.0 }
+    }
+}

@@ -1,0 +1,166 @@
+//! The file: JSON alone, or with a buffer in one file; and the buffers that it names.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use gltf_json::{Buffer, Index, Root, buffer::View};
+
+use super::Gltf;
+use crate::assets::flaw::Flaw;
+use crate::document::{Mistake, SceneError};
+
+/// Extensions that a file may require: what they change is read here, or is not about meshes.
+const KNOWN: [&str; 7] = [
+    "KHR_mesh_quantization",
+    "KHR_lights_punctual",
+    "KHR_materials_",
+    "KHR_texture_",
+    "EXT_texture_",
+    "KHR_animation_",
+    "KHR_xmp",
+];
+
+impl Gltf {
+    /// Reads the bytes of a file.
+    pub fn open(bytes: Vec<u8>, path: &Path) -> Result<Self, SceneError> {
+        let is_binary = bytes.starts_with(b"glTF");
+        let (json, own) = if is_binary {
+            chunks(&bytes).map_err(|flaw| flaw.of(path))?
+        } else {
+            (if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 }..bytes.len(), None)
+        };
+        let start = json.start;
+        let root: Root = serde_json::from_slice(&bytes[json]).map_err(|error| {
+            if is_binary {
+                return Flaw::at(start, &format!("not what glTF says in JSON: {error}")).of(path);
+            }
+            let text = String::from_utf8_lossy(&bytes[start..]);
+            let line = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum::<usize>();
+            let at = line + error.column().saturating_sub(1);
+            let said = error.to_string();
+            let problem = format!("not glTF: {}", said.split(" at line ").next().unwrap_or(&said));
+            SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &text, at, at + 1, problem, String::new())])
+        })?;
+        let version = &root.asset.version;
+        if !version.starts_with("2.") {
+            return Err(Flaw(format!("it is of glTF {version}, and 2.0 is read")).of(path));
+        }
+        let unknown = |name: &&String| !KNOWN.iter().any(|known| name.starts_with(known));
+        if let Some(name) = root.extensions_required.iter().find(unknown) {
+            return Err(
+                Flaw(format!("it requires the extension `{name}`, which is not read: export it without")).of(path)
+            );
+        }
+        let buffers = root.buffers.iter().map(|_| OnceLock::new()).collect();
+        Ok(Self { root, path: path.to_owned(), bytes, own, buffers })
+    }
+
+    /// The bytes of a view.
+    pub(super) fn view(&self, index: Index<View>, of: &str) -> Result<(&View, &[u8]), Flaw> {
+        let view = self.get(index, "bufferViews", of)?;
+        let name = format!("bufferViews[{}]", index.value());
+        let buffer = self.buffer(view.buffer, &name)?;
+        let start = view.byte_offset.unwrap_or_default().0;
+        let end = start.checked_add(view.byte_length.0);
+        let range = end.and_then(|end| Some(usize::try_from(start).ok()?..usize::try_from(end).ok()?));
+        let bytes = range.and_then(|range| buffer.get(range)).ok_or_else(|| {
+            let (length, has) = (view.byte_length.0, buffer.len());
+            Flaw(format!("{name} is of {length} bytes from byte {start}, and the buffer has {has}"))
+        })?;
+        Ok((view, bytes))
+    }
+
+    fn buffer(&self, index: Index<Buffer>, of: &str) -> Result<&[u8], Flaw> {
+        let buffer = self.get(index, "buffers", of)?;
+        let name = format!("buffers[{}]", index.value());
+        let bytes = match (&buffer.uri, &self.own) {
+            (Some(uri), _) => match self.buffers[index.value()].get_or_init(|| self.resource(uri, &name)) {
+                Ok(bytes) => bytes,
+                Err(flaw) => return Err(flaw.clone()),
+            },
+            (None, Some(own)) if index.value() == 0 => &self.bytes[own.clone()],
+            _ => return Err(Flaw(format!("{name} has no `uri`, and no bytes of this file are its own"))),
+        };
+        let length = buffer.byte_length.0;
+        usize::try_from(length)
+            .ok()
+            .and_then(|length| bytes.get(..length))
+            .ok_or_else(|| Flaw(format!("{name} is said to have {length} bytes, and has {}", bytes.len())))
+    }
+
+    /// What a `uri` names: bytes in it, or a file beside this one.
+    pub(super) fn resource(&self, uri: &str, of: &str) -> Result<Vec<u8>, Flaw> {
+        if let Some(data) = uri.strip_prefix("data:") {
+            let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
+            let encoded = encoded.ok_or_else(|| Flaw(format!("{of} has data that is not in base64")))?;
+            return STANDARD.decode(encoded).map_err(|error| Flaw(format!("{of} has data that is no base64: {error}")));
+        }
+        let path = self.beside(uri).ok_or_else(|| Flaw(format!("{of} is at `{uri}`, which is not a file")))?;
+        // What is no file may have no end.
+        if path.exists() && !path.is_file() {
+            return Err(Flaw(format!("{of}: `{}` is not a file", path.display())));
+        }
+        std::fs::read(&path).map_err(|error| Flaw(format!("{of}: cannot read `{}`: {error}", path.display())))
+    }
+
+    /// The files that its buffers are in, besides this one, as far as they are there.
+    pub fn others(&self) -> impl Iterator<Item = PathBuf> {
+        let named = self.root.buffers.iter().filter_map(|buffer| self.beside(buffer.uri.as_ref()?));
+        named.filter(|path| path.is_file())
+    }
+
+    /// The path of a file that a `uri` names; none if it names something else.
+    pub(super) fn beside(&self, uri: &str) -> Option<PathBuf> {
+        let is_elsewhere = uri.starts_with("data:") || uri.contains("://");
+        (!is_elsewhere).then(|| self.path.parent().unwrap_or(Path::new("")).join(decoded(uri)))
+    }
+}
+
+/// Where the JSON is in a binary file, and its own buffer.
+fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
+    let number = |at: usize| {
+        let four = bytes.get(at..).and_then(|rest| rest.first_chunk());
+        four.map(|four| u32::from_le_bytes(*four))
+            .ok_or_else(|| Flaw::at(at, "the file ends; 4 more bytes were expected"))
+    };
+    let version = number(4)?;
+    if version != 2 {
+        return Err(Flaw::at(4, &format!("it is of glTF {version}, and 2 is read")));
+    }
+    let length = number(8)? as usize;
+    if length > bytes.len() {
+        return Err(Flaw::at(8, &format!("the file is said to have {length} bytes, and has {}", bytes.len())));
+    }
+    let (mut at, mut json, mut own) = (12, None, None);
+    while at < length {
+        let (size, kind) = (number(at)? as usize, number(at + 4)?.to_le_bytes());
+        let range = at + 8..at + 8 + size;
+        if range.end > bytes.len() {
+            let left = bytes.len().saturating_sub(range.start);
+            return Err(Flaw::at(at, &format!("a part is said to have {size} bytes, and {left} follow")));
+        }
+        at = range.end;
+        match &kind {
+            b"JSON" if json.is_none() => json = Some(range),
+            b"BIN\0" if own.is_none() => own = Some(range),
+            _ => {}
+        }
+    }
+    json.map(|json| (json, own)).ok_or_else(|| Flaw::at(12, "the file has no JSON"))
+}
+
+/// A `uri` with its %xx as they are meant.
+fn decoded(uri: &str) -> String {
+    let mut bytes = Vec::with_capacity(uri.len());
+    let mut rest = uri.as_bytes();
+    while let [first, after @ ..] = rest {
+        let digits = after.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
+        let byte = digits.filter(|_| *first == b'%').and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        bytes.push(byte.unwrap_or(*first));
+        rest = if byte.is_some() { &after[2..] } else { after };
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}

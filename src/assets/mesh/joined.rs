@@ -1,0 +1,41 @@
+//! What was read, as a mesh: corners that are equal in all are one vertex.
+
+use std::collections::hash_map::Entry;
+
+use foldhash::{HashMap, HashMapExt};
+use glam::{Vec2, Vec3};
+
+use super::raw::{Corner, Raw};
+use super::{Mesh, Vertex, normals};
+
+impl Raw {
+    /// The mesh, with normals made where there are none: faces that meet at an angle below `crease` degrees share theirs.
+    pub(super) fn mesh(&self, crease: f64) -> Mesh {
+        let made = normals::made(self, crease);
+        let mut index_of: HashMap<[u32; 8], u32> = HashMap::with_capacity(self.positions.len());
+        let mut vertices = Vec::with_capacity(self.positions.len());
+        let mut vertex = |corner: Corner, made: Option<Vec3>| {
+            let vertex = Vertex {
+                position: self.positions[corner.position as usize],
+                normal: self.given_normal(corner).or(made).unwrap_or(Vec3::Z),
+                uv: self.uvs.get(corner.uv as usize).copied().unwrap_or(Vec2::ZERO),
+            };
+            let ([x, y, z], [nx, ny, nz]) = (vertex.position.to_array(), vertex.normal.to_array());
+            let key = [x, y, z, nx, ny, nz, vertex.uv.x, vertex.uv.y].map(f32::to_bits);
+            match index_of.entry(key) {
+                Entry::Occupied(known) => *known.get(),
+                Entry::Vacant(free) => {
+                    vertices.push(vertex);
+                    *free.insert(vertices.len() as u32 - 1)
+                }
+            }
+        };
+        let triangles = self.triangles().iter().enumerate().map(|(i, triangle)| {
+            let [a, b, c] = triangle.corners;
+            let made = made.get(i).map_or([None; 3], |made| made.map(Some));
+            [vertex(a, made[0]), vertex(b, made[1]), vertex(c, made[2])]
+        });
+        let triangles = triangles.collect();
+        Mesh { vertices, triangles }
+    }
+}

@@ -1,0 +1,164 @@
+//! Meshes: files as triangles with positions, normals and texture coordinates.
+//!
+//! *Theory.* A file gives corners of faces, and perhaps normals. Faces may be any simple polygons; [`Raw`] cuts them to triangles.
+//! Normals that a file lacks are made where its faces meet at less than a crease's angle, and are the face's own elsewhere.
+//!
+//! *Practice.* [`FORMATS`] names each format once, by the ends of its files' names. Adding one is a file here and a line of that
+//! table. A reader believes no count before it has seen as many bytes. Triangles without area are dropped, and equal corners
+//! share a vertex.
+
+mod bytes;
+mod edges;
+mod gltf;
+mod joined;
+mod normals;
+mod obj;
+mod ply;
+mod raw;
+mod stl;
+mod text;
+
+use std::path::{Path, PathBuf};
+
+use glam::{Vec2, Vec3};
+
+use super::gltf::NodeName;
+use crate::document::SceneError;
+use raw::Raw;
+
+/// Triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Corners, each used by at least one triangle.
+    pub vertices: Vec<Vertex>,
+    /// Indices into the vertices, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// A corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex {
+    /// In the mesh's own space.
+    pub position: Vec3,
+    /// Unit vector.
+    pub normal: Vec3,
+    /// Texture coordinates; (0, 0) if the file has none.
+    pub uv: Vec2,
+}
+
+/// What is wanted of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    /// The angle in degrees at which faces meet in an edge that is seen, where the file has no normals.
+    pub crease: f64,
+    /// Which part of the file.
+    pub part: Part,
+}
+
+/// A part of a file that has several.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Part {
+    /// The node whose mesh it is; all nodes without one.
+    pub node: Option<NodeName>,
+    /// Which of the mesh's primitives, counted from 0; all without one.
+    pub primitive: Option<u32>,
+}
+
+impl Wanted {
+    /// The crease's angle where nobody says it: smaller than between the faces of anything that has edges, larger than between
+    /// those of what is meant to be round.
+    pub const CREASE: f64 = 30.0;
+}
+
+impl Default for Wanted {
+    fn default() -> Self {
+        Self { crease: Self::CREASE, part: Part::default() }
+    }
+}
+
+/// A format of files.
+struct Format {
+    /// The ends of its files' names.
+    extensions: &'static [&'static str],
+    read: Read,
+}
+
+/// How a file is read.
+enum Read {
+    /// All of it is one mesh.
+    Whole(fn(&[u8], &Path) -> Result<Raw, SceneError>),
+    /// It has parts, to be asked for one by one.
+    Parts(fn(Vec<u8>, &Path) -> OpenedParts),
+}
+
+type OpenedParts = Result<Box<dyn Parts>, SceneError>;
+
+/// Every format. Adding one is a line here.
+const FORMATS: [&Format; 4] = [&obj::FORMAT, &ply::FORMAT, &stl::FORMAT, &gltf::FORMAT];
+
+/// What is known of a file that has parts.
+pub(super) trait Parts: std::fmt::Debug + Send + Sync {
+    /// One of them.
+    fn part(&self, part: &Part) -> Result<Raw, SceneError>;
+
+    /// The other files that it is in.
+    fn others(&self) -> Vec<PathBuf>;
+}
+
+/// A file that was read, of which parts can be had.
+#[derive(Debug)]
+pub(super) enum Opened {
+    /// All that there is.
+    Whole(Box<Raw>),
+    /// Its parts.
+    Parts(Box<dyn Parts>),
+}
+
+impl Opened {
+    /// Reads a file; the end of its name says how.
+    pub(super) fn read(path: &Path) -> Result<Self, SceneError> {
+        let end = path.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
+        let Some(format) = FORMATS.iter().find(|format| format.extensions.contains(&end.as_str())) else {
+            let known: Vec<String> = FORMATS.iter().flat_map(|f| f.extensions).map(|end| format!(".{end}")).collect();
+            let problem = format!("meshes are files whose names end in {}", known.join(", "));
+            return Err(SceneError::Mesh { path: path.to_owned(), problem });
+        };
+        let bytes = std::fs::read(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
+        match format.read {
+            Read::Whole(read) => Ok(Self::Whole(Box::new(read(&bytes, path)?))),
+            Read::Parts(read) => Ok(Self::Parts(read(bytes, path)?)),
+        }
+    }
+
+    /// The other files that it is in.
+    pub(super) fn others(&self) -> Vec<PathBuf> {
+        match self {
+            Self::Whole(_) => Vec::new(),
+            Self::Parts(parts) => parts.others(),
+        }
+    }
+
+    /// What is wanted of it.
+    pub(super) fn mesh(&self, wanted: &Wanted, path: &Path) -> Result<Mesh, SceneError> {
+        match self {
+            Self::Whole(raw) if wanted.part == Part::default() => Ok(raw.mesh(wanted.crease)),
+            Self::Whole(_) => {
+                let problem = "it has no nodes: leave `node` and `primitive` out".to_owned();
+                Err(SceneError::Mesh { path: path.to_owned(), problem })
+            }
+            Self::Parts(parts) => Ok(parts.part(&wanted.part)?.mesh(wanted.crease)),
+        }
+    }
+}
+
+impl Mesh {
+    /// Reads all of a file; the end of its name says how.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        Opened::read(path)?.mesh(&Wanted::default(), path)
+    }
+
+    /// Reads the text of an OBJ file; `path` names it in mistakes.
+    pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
+        Ok(obj::read(text, path)?.mesh(Wanted::CREASE))
+    }
+}

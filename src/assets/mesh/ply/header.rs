@@ -1,0 +1,206 @@
+//! The header: lines that say what the file holds.
+
+use std::path::Path;
+
+use super::super::text::{Mistakes, Wrong, words};
+use crate::document::SceneError;
+
+/// What a file holds.
+pub(super) struct Header {
+    pub encoding: Encoding,
+    pub elements: Vec<Element>,
+    /// How many vertices there are.
+    pub vertices: u64,
+    /// Its bytes.
+    pub length: usize,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Ascii,
+    Little,
+    Big,
+}
+
+/// Some of a kind.
+pub(super) struct Element {
+    pub name: String,
+    pub count: u64,
+    pub properties: Vec<Property>,
+}
+
+pub(super) struct Property {
+    pub name: String,
+    pub kind: Kind,
+    /// The kind of its length, if it is a list.
+    pub length: Option<Kind>,
+}
+
+/// Kinds of number.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Kind {
+    const NAMES: [(&str, &str, Self); 8] = [
+        ("char", "int8", Self::I8),
+        ("uchar", "uint8", Self::U8),
+        ("short", "int16", Self::I16),
+        ("ushort", "uint16", Self::U16),
+        ("int", "int32", Self::I32),
+        ("uint", "uint32", Self::U32),
+        ("float", "float32", Self::F32),
+        ("double", "float64", Self::F64),
+    ];
+
+    pub fn bytes(self) -> u64 {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::F64 => 8,
+        }
+    }
+
+    fn named(word: &str) -> Result<Self, Wrong<'_>> {
+        let known = Self::NAMES.iter().find(|(name, other, _)| *name == word || *other == word);
+        known.map(|(_, _, kind)| *kind).ok_or_else(|| {
+            let names = Self::NAMES.map(|(name, ..)| name).join(", ");
+            (word, format!("unknown type `{word}`"), format!("types: {names}"))
+        })
+    }
+}
+
+impl Element {
+    /// The fewest bytes that one has, each number having as many as `bytes` says.
+    pub fn least(&self, bytes: impl Fn(Kind) -> u64) -> u64 {
+        self.properties.iter().map(|property| bytes(property.length.unwrap_or(property.kind))).sum()
+    }
+}
+
+/// Longer headers are not looked for.
+const LONGEST: usize = 1 << 20;
+
+/// Reads the header of a file.
+pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Header, SceneError> {
+    let front = &bytes[..bytes.len().min(LONGEST)];
+    let text = String::from_utf8_lossy(front);
+    parse(front, &text).map_err(|wrong| {
+        let mut mistakes = Mistakes::of(&text, path);
+        mistakes.add(wrong);
+        mistakes.error()
+    })
+}
+
+fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
+    let mut header = Header { encoding: Encoding::Ascii, elements: Vec::new(), vertices: 0, length: 0 };
+    let mut encoding = None;
+    let mut rest = text;
+    let mut is_first = true;
+    loop {
+        if rest.is_empty() {
+            return Err((rest, "the header does not end".to_owned(), "its last line is `end_header`".to_owned()));
+        }
+        let end = rest.find('\n').map_or(rest.len(), |i| i + 1);
+        let (line, after) = rest.split_at(end);
+        rest = after;
+        // Bytes that are no text make the text longer; lines are counted in both.
+        header.length +=
+            bytes[header.length..].iter().position(|b| *b == b'\n').map_or(bytes.len() - header.length, |i| i + 1);
+        let words: Vec<&str> = words(line).collect();
+        if std::mem::take(&mut is_first) {
+            if words != ["ply"] {
+                return Err((line.trim_end(), "not a PLY file".to_owned(), "its first line is `ply`".to_owned()));
+            }
+            continue;
+        }
+        match words[..] {
+            ["end_header"] => break,
+            ["format", word, _] => encoding = Some(encoding_named(word)?),
+            ["element", name, count] => header.elements.push(element(name, count)?),
+            ["property", ref rest @ ..] => {
+                let Some(element) = header.elements.last_mut() else {
+                    return Err((words[0], "a property of no element".to_owned(), String::new()));
+                };
+                element.properties.push(property(words[0], rest)?);
+            }
+            [] | ["comment" | "obj_info", ..] => {}
+            [first, ..] => {
+                let help = "lines are `format ascii 1.0`, `element NAME COUNT`, `property TYPE NAME` and `comment ..`";
+                return Err((first, "not a line of a header".to_owned(), help.to_owned()));
+            }
+        }
+    }
+    let none = || (&text[..3], "the header names no format".to_owned(), "for example `format ascii 1.0`".to_owned());
+    header.encoding = encoding.ok_or_else(none)?;
+    header.vertices = checked(&header.elements).map_err(|problem| (&text[..3], problem, String::new()))?;
+    Ok(header)
+}
+
+/// How many vertices there are, if all is there that a mesh needs.
+fn checked(elements: &[Element]) -> Result<u64, String> {
+    let count = |name: &str| elements.iter().filter(|element| element.name == name).count();
+    if let Some(name) = ["vertex", "face"].into_iter().find(|name| count(name) != 1) {
+        return Err(format!("a mesh has one element `{name}`, and the header {}", count(name)));
+    }
+    let named = |name: &str| elements.iter().find(|element| element.name == name);
+    let has = |element: &Element, name: &str, list: bool| {
+        element.properties.iter().any(|property| property.name == name && property.length.is_some() == list)
+    };
+    let (Some(vertex), Some(face)) = (named("vertex"), named("face")) else { return Ok(0) };
+    if let Some(name) = ["x", "y", "z"].into_iter().find(|name| !has(vertex, name, false)) {
+        return Err(format!("vertices have no property `{name}`"));
+    }
+    if !has(face, "vertex_indices", true) && !has(face, "vertex_index", true) {
+        return Err("faces have no list `vertex_indices`".to_owned());
+    }
+    Ok(vertex.count)
+}
+
+fn encoding_named(word: &str) -> Result<Encoding, Wrong<'_>> {
+    match word {
+        "ascii" => Ok(Encoding::Ascii),
+        "binary_little_endian" => Ok(Encoding::Little),
+        "binary_big_endian" => Ok(Encoding::Big),
+        _ => {
+            let help = "formats: ascii, binary_little_endian, binary_big_endian".to_owned();
+            Err((word, format!("unknown format `{word}`"), help))
+        }
+    }
+}
+
+fn element<'a>(name: &str, count: &'a str) -> Result<Element, Wrong<'a>> {
+    // Triangles count their corners in 32 bits.
+    match count.parse::<u32>() {
+        Ok(count) => Ok(Element { name: name.to_owned(), count: u64::from(count), properties: Vec::new() }),
+        _ => Err((count, format!("expected a number of elements, found `{count}`"), "at most 4294967295".to_owned())),
+    }
+}
+
+/// `TYPE NAME`, or `list TYPE TYPE NAME`.
+fn property<'a>(keyword: &'a str, words: &[&'a str]) -> Result<Property, Wrong<'a>> {
+    match *words {
+        ["list", length, kind, name] => {
+            let length = match Kind::named(length)? {
+                Kind::F32 | Kind::F64 => {
+                    return Err((length, "a list's length is a whole number".to_owned(), String::new()));
+                }
+                whole => Some(whole),
+            };
+            Ok(Property { name: name.to_owned(), kind: Kind::named(kind)?, length })
+        }
+        [kind, name] => Ok(Property { name: name.to_owned(), kind: Kind::named(kind)?, length: None }),
+        _ => {
+            let help = "`property TYPE NAME`, or `property list TYPE TYPE NAME`".to_owned();
+            Err((keyword, "not a property".to_owned(), help))
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Where numbers come from: words of lines, or bytes.
+
+use super::super::bytes::Bytes;
+use super::header::{Element, Kind, Property};
+use crate::assets::flaw::Flaw;
+
+/// What is wrong where a source is.
+pub(super) struct Wrong {
+    pub problem: String,
+    pub help: String,
+}
+
+impl Wrong {
+    fn new(problem: String) -> Self {
+        Self { problem, help: String::new() }
+    }
+}
+
+/// Numbers, one after the other.
+pub(super) trait Source {
+    /// The bytes that a number has at least.
+    fn least(kind: Kind) -> u64;
+
+    /// The bytes that are left.
+    fn left(&self) -> u64;
+
+    /// The next element begins.
+    fn begin(&mut self, element: &Element) -> Result<(), Wrong>;
+
+    /// The next number.
+    fn number(&mut self, kind: Kind) -> Result<f64, Wrong>;
+
+    /// May there be as many elements as the header says?
+    fn has(&self, element: &Element) -> Result<(), Wrong> {
+        let (count, name, left) = (element.count, &element.name, self.left());
+        let least = element.least(Self::least);
+        if count > 0 && least == 0 {
+            return Err(Wrong::new(format!("{count} elements `{name}` have no properties")));
+        }
+        // The last word needs nothing behind it.
+        if count.saturating_mul(least) > left + 1 {
+            let problem =
+                format!("the header says {count} elements `{name}` of {least} bytes or more, and {left} bytes follow");
+            return Err(Wrong::new(problem));
+        }
+        Ok(())
+    }
+
+    /// The length of a list.
+    fn length(&mut self, kind: Kind, property: &Property) -> Result<u64, Wrong> {
+        let (count, left) = (self.number(kind)?, self.left());
+        if !(0.0..=left as f64 / Self::least(property.kind) as f64 + 1.0).contains(&count) || count.fract() != 0.0 {
+            let name = &property.name;
+            return Err(Wrong::new(format!("a list `{name}` of {count}, and {left} bytes follow")));
+        }
+        Ok(count as u64)
+    }
+}
+
+/// Words: an element is a line.
+pub(super) struct Words<'a> {
+    text: &'a str,
+    /// The line at hand, and the word there that was read last.
+    line: (usize, usize),
+    word: (usize, usize),
+}
+
+impl<'a> Words<'a> {
+    pub fn of(text: &'a str) -> Self {
+        Self { text, line: (0, 0), word: (0, 0) }
+    }
+
+    /// The last word, or nothing where one is missing.
+    pub fn last(&self) -> &'a str {
+        &self.text[self.word.0..self.word.1]
+    }
+
+    /// The next word of the line; none at its end.
+    fn next(&mut self) -> Option<&'a str> {
+        let rest = self.text.get(self.word.1..self.line.1).unwrap_or_default();
+        let word = rest.split_ascii_whitespace().next();
+        // Where one is missing it would be behind what the line has.
+        let start = match word {
+            Some(word) => word.as_ptr() as usize - self.text.as_ptr() as usize,
+            None => self.word.1 + rest.trim_ascii_end().len(),
+        };
+        self.word = (start, start + word.map_or(0, str::len));
+        word
+    }
+}
+
+impl Source for Words<'_> {
+    /// A digit, and what divides it from the next.
+    fn least(_: Kind) -> u64 {
+        2
+    }
+
+    fn left(&self) -> u64 {
+        (self.text.len() - self.word.1) as u64
+    }
+
+    fn begin(&mut self, element: &Element) -> Result<(), Wrong> {
+        if let Some(word) = self.next() {
+            return Err(Wrong::new(format!("`{word}` is more than the header says of the element on this line")));
+        }
+        loop {
+            let start = self.line.1;
+            let rest = &self.text[start..];
+            if rest.is_empty() {
+                self.word = (start, start);
+                let (count, name) = (element.count, &element.name);
+                return Err(Wrong::new(format!("the file ends; the header says {count} elements `{name}`")));
+            }
+            let length = rest.find('\n').map_or(rest.len(), |i| i + 1);
+            self.line = (start, start + length);
+            self.word = (start, start);
+            if !rest[..length].trim_ascii().is_empty() {
+                return Ok(());
+            }
+        }
+    }
+
+    fn number(&mut self, _: Kind) -> Result<f64, Wrong> {
+        match self.next() {
+            Some(word) => word.parse().map_err(|_| Wrong::new(format!("expected a number, found `{word}`"))),
+            None => Err(Wrong::new("the line ends; the header says more numbers".to_owned())),
+        }
+    }
+}
+
+/// Bytes.
+pub(super) struct Binary<'a> {
+    bytes: Bytes<'a>,
+    /// Where the last number is.
+    last: usize,
+    is_big: bool,
+}
+
+impl<'a> Binary<'a> {
+    pub fn of(bytes: &'a [u8], at: usize, is_big: bool) -> Self {
+        Self { bytes: Bytes::from(bytes, at), last: at, is_big }
+    }
+
+    pub fn flaw(&self, wrong: &Wrong) -> Flaw {
+        let help = if wrong.help.is_empty() { String::new() } else { format!(" ({})", wrong.help) };
+        Flaw::at(self.last, &format!("{}{help}", wrong.problem))
+    }
+
+    /// The next `N` bytes, the lowest first.
+    fn take<const N: usize>(&mut self) -> Result<[u8; N], Wrong> {
+        let short = || Wrong::new(format!("the file ends; {N} more bytes were expected"));
+        let mut bytes = self.bytes.take().map_err(|_| short())?;
+        if self.is_big {
+            bytes.reverse();
+        }
+        Ok(bytes)
+    }
+}
+
+impl Source for Binary<'_> {
+    fn least(kind: Kind) -> u64 {
+        kind.bytes()
+    }
+
+    fn left(&self) -> u64 {
+        self.bytes.left() as u64
+    }
+
+    fn begin(&mut self, _: &Element) -> Result<(), Wrong> {
+        Ok(())
+    }
+
+    fn number(&mut self, kind: Kind) -> Result<f64, Wrong> {
+        self.last = self.bytes.at;
+        Ok(match kind {
+            Kind::I8 => f64::from(i8::from_le_bytes(self.take()?)),
+            Kind::U8 => f64::from(u8::from_le_bytes(self.take()?)),
+            Kind::I16 => f64::from(i16::from_le_bytes(self.take()?)),
+            Kind::U16 => f64::from(u16::from_le_bytes(self.take()?)),
+            Kind::I32 => f64::from(i32::from_le_bytes(self.take()?)),
+            Kind::U32 => f64::from(u32::from_le_bytes(self.take()?)),
+            Kind::F32 => f64::from(f32::from_le_bytes(self.take()?)),
+            Kind::F64 => f64::from_le_bytes(self.take()?),
+        })
+    }
+}

@@ -1,0 +1,125 @@
+//! STL: triangles without anything in common.
+//!
+//! *Theory.* A binary file has 80 bytes of anything, the number of triangles in four bytes, and 50 for each triangle: its normal, its
+//! three corners and two bytes more. A file of words has loops of `vertex` lines. The normals that triangles bring are passed over: the
+//! order of the corners says the same, and exactly.
+//!
+//! *Practice.* Many binary files begin with the word `solid` too. What has just as many bytes as its number of triangles needs is binary.
+
+use std::path::Path;
+
+use glam::Vec3;
+
+use super::bytes::{Bytes, usable};
+use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
+use super::text::{Mistakes, Wrong, numbers, words};
+use super::{Format, Read};
+use crate::assets::flaw::Flaw;
+use crate::document::SceneError;
+
+pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };
+
+/// Bytes before the triangles of a binary file.
+const HEADER: usize = 84;
+/// Bytes of a triangle there.
+const TRIANGLE: usize = 50;
+
+fn read(bytes: &[u8], path: &Path) -> Result<Raw, SceneError> {
+    let count = bytes.get(HEADER - 4..).and_then(|rest| rest.first_chunk()).map(|bytes| u32::from_le_bytes(*bytes));
+    let is_whole = |count: u32| HEADER + count as usize * TRIANGLE == bytes.len();
+    let has_words = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    match count {
+        Some(count) if !has_words || is_whole(count) => binary(bytes, count).map_err(|flaw| flaw.of(path)),
+        _ if has_words => lines(&String::from_utf8_lossy(bytes), path),
+        _ => {
+            let found = bytes.len();
+            let problem =
+                format!("it does not begin with `solid`, and has {found} bytes of the {HEADER} that a header has");
+            Err(Flaw(problem).of(path))
+        }
+    }
+}
+
+fn binary(bytes: &[u8], count: u32) -> Result<Raw, Flaw> {
+    let mut bytes = Bytes::from(bytes, HEADER);
+    let fit = bytes.left() / TRIANGLE;
+    if count as usize > fit {
+        let problem =
+            format!("the header says {count} triangles of {TRIANGLE} bytes, and {} bytes follow", bytes.left());
+        return Err(Flaw::at(HEADER - 4, &problem));
+    }
+    let mut raw = Raw::default();
+    for _ in 0..count {
+        bytes.take::<12>()?;
+        for _ in 0..3 {
+            let at = bytes.at;
+            let mut point = [0.0; 3];
+            for value in &mut point {
+                *value = f32::from_le_bytes(bytes.take()?);
+            }
+            if !point.into_iter().all(usable) {
+                return Err(Flaw::at(at, &format!("a corner is {point:?}; numbers are finite, to 1e30")));
+            }
+            raw.positions.push(Vec3::from_array(point));
+        }
+        bytes.take::<2>()?;
+        face(&mut raw, 3);
+    }
+    if raw.is_empty() { Err(Flaw("the mesh has no triangles with an area".to_owned())) } else { Ok(raw) }
+}
+
+fn lines(text: &str, path: &Path) -> Result<Raw, SceneError> {
+    let mut raw = Raw::default();
+    let mut mistakes = Mistakes::of(text, path);
+    let (mut corners, mut line) = (0, Vec::new());
+    for text in text.lines() {
+        line.clear();
+        line.extend(words(text));
+        if let Err(wrong) = statement(&mut raw, &mut corners, &line) {
+            mistakes.add(wrong);
+        }
+        if mistakes.are_enough() {
+            break;
+        }
+    }
+    if corners > 0 && !mistakes.are_enough() {
+        let problem = "the file ends within a loop".to_owned();
+        mistakes.add((&text[text.len()..], problem, "`endloop` closes it".to_owned()));
+    }
+    mistakes.or(raw, "a face is `facet`, `outer loop`, three lines such as `vertex 0 0 1`, `endloop` and `endfacet`")
+}
+
+/// One line; `corners` are those of the loop so far.
+fn statement<'a>(raw: &mut Raw, corners: &mut usize, line: &[&'a str]) -> Result<(), Wrong<'a>> {
+    const KNOWN: [&str; 6] = ["solid", "endsolid", "facet", "endfacet", "outer", "endloop"];
+    let Some(first) = line.first() else { return Ok(()) };
+    if first.eq_ignore_ascii_case("vertex") {
+        *corners += 1;
+        let point = numbers(line);
+        raw.positions.push(point.as_ref().map_or(Vec3::ZERO, |point| Vec3::from_array(*point)));
+        return point.map(|_| ());
+    }
+    if !KNOWN.iter().any(|known| first.eq_ignore_ascii_case(known)) {
+        let help = format!("lines begin with {}, vertex", KNOWN.join(", "));
+        return Err((first, format!("unknown word `{first}`"), help));
+    }
+    if first.eq_ignore_ascii_case("endloop") {
+        let count = std::mem::take(corners);
+        if count < 3 {
+            return Err((first, format!("a loop of {count} vertices"), "a face has three".to_owned()));
+        }
+        if count > MOST_CORNERS {
+            let (problem, help) = too_many(count);
+            return Err((first, problem, help));
+        }
+        face(raw, count);
+    }
+    Ok(())
+}
+
+/// A face of the last so many positions.
+fn face(raw: &mut Raw, count: usize) {
+    let end = raw.positions.len() as u32;
+    let corners: Vec<Corner> = (end - count as u32..end).map(|i| Corner::new(i, None, None)).collect();
+    raw.face(&corners);
+}

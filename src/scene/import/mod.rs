@@ -1,0 +1,163 @@
+//! A scene from a glTF file: its nodes as objects, its materials, cameras and lights as near as ours come.
+//!
+//! *Theory.* What the file says of metal and roughness becomes a mirror, a lobe about the mirror's direction, or a matte surface with
+//! a highlight. An intensity in candela or lux gives a white surface that faces it a π-th of that as radiance.
+//!
+//! *Practice.* The scene names the file, and chooses in it by node and primitive: triangles stay where they are. Whatever has no
+//! place here is collected in [`Imported::left_out`], each kind once.
+
+mod lights;
+mod surfaces;
+mod text;
+mod views;
+
+use std::path::Path;
+
+use glam::DVec3;
+
+use super::SceneError;
+use crate::assets::json::mesh::{Mode, Semantic};
+use crate::assets::json::validation::Checked::Valid;
+use crate::assets::json::{Root, mesh::Primitive};
+use crate::assets::{Gltf, NodeName, Part, Placed, Wanted};
+use crate::model::shape::round_up;
+use surfaces::Surfaces;
+use text::{Left, number, quoted, relative, vector};
+
+/// A scene that was made from a file.
+#[derive(Debug)]
+pub struct Imported {
+    /// The scene's file.
+    pub text: String,
+    /// Pictures that were within the file, to be written beside the scene: their names and their bytes.
+    pub pictures: Vec<(String, Vec<u8>)>,
+    /// What could not be taken over, and what was added.
+    pub left_out: Vec<String>,
+}
+
+/// The ball that holds what is seen, and whence.
+struct Extent {
+    lo: DVec3,
+    hi: DVec3,
+}
+
+impl Extent {
+    fn center(&self) -> DVec3 {
+        0.5 * (self.lo + self.hi)
+    }
+
+    fn radius(&self) -> f64 {
+        (0.5 * (self.hi - self.lo).length()).max(1e-3)
+    }
+}
+
+/// Makes a scene of a file; `scene` is where it will be written.
+pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
+    let folder = scene.parent().unwrap_or(Path::new(""));
+    let stem = scene.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy());
+    let mut left = Left::default();
+    let nodes = file.nodes()?;
+    of_the_file(&file.root, &mut left);
+    let mut surfaces = Surfaces::new(file, folder, &stem);
+    let (objects, extent) = objects(file, &nodes, &relative(file.path(), folder), &mut surfaces, &mut left)?;
+    let Some(extent) = extent else {
+        let problem = "its scene has no triangles".to_owned();
+        return Err(SceneError::Mesh { path: file.path().to_owned(), problem });
+    };
+    let (camera, eyes) = views::cameras(file, &nodes, &extent, &mut left);
+    let (lights, lamps) = lights::lights(file, &nodes, &extent, eyes[0], surfaces.shines(), &mut left);
+    let center = extent.center();
+    let reach = eyes.iter().chain(&lamps).map(|place| place.distance(center)).fold(extent.radius(), f64::max);
+    let bound =
+        format!("[rays]\nbound = {{ center = {}, radius = {} }}\n", vector(center), number(round_up(1.05 * reach)));
+    let head = format!("# From {}, by `bentray import`.\n", relative(file.path(), folder));
+    let (materials, pictures) = surfaces.finish();
+    let tables = [&head, &camera, &bound, &materials, &objects, &lights].map(|table| table.trim_end());
+    let text = tables.join("\n\n").trim_end().to_owned() + "\n";
+    Ok(Imported { text, pictures, left_out: left.said() })
+}
+
+/// What there is in the file besides nodes.
+fn of_the_file(root: &Root, left: &mut Left) {
+    const READ: [&str; 6] = [
+        "KHR_lights_punctual",
+        "KHR_materials_emissive_strength",
+        "KHR_materials_unlit",
+        "KHR_materials_transmission",
+        "KHR_materials_ior",
+        "KHR_mesh_quantization",
+    ];
+    if !root.animations.is_empty() {
+        left.out("animations", "");
+    }
+    if root.scenes.len() > 1 {
+        left.out("scenes but the one that the file shows", "");
+    }
+    for name in
+        root.extensions_used.iter().filter(|name| !READ.contains(&name.as_str()) && *name != "KHR_texture_transform")
+    {
+        left.out(&format!("the extension {name}"), "");
+    }
+}
+
+/// The objects, and what they fill; nothing if there are none.
+fn objects(
+    file: &Gltf,
+    nodes: &[Placed],
+    name: &str,
+    surfaces: &mut Surfaces,
+    left: &mut Left,
+) -> Result<(String, Option<Extent>), SceneError> {
+    let mut text = String::new();
+    let mut extent: Option<Extent> = None;
+    for placed in nodes {
+        let Some(mesh) = placed.node.mesh.and_then(|index| file.root.get(index)) else { continue };
+        let node = placed.name(nodes);
+        let called = match &node {
+            NodeName::Name(name) => name.clone(),
+            NodeName::Number(number) => placed.node.name.clone().unwrap_or_else(|| format!("node {number}")),
+        };
+        if placed.node.skin.is_some() {
+            left.out("skins: meshes stand as they were made", &called);
+        }
+        for (i, primitive) in mesh.primitives.iter().enumerate() {
+            if !is_drawn(primitive) {
+                left.out("points and lines", &called);
+                continue;
+            }
+            of_the_primitive(primitive, &called, left);
+            let chosen = (mesh.primitives.len() > 1).then_some(i as u32);
+            let part = Part { node: Some(node.clone()), primitive: chosen };
+            let triangles = file.mesh(&Wanted { part, ..Wanted::default() })?;
+            for place in triangles.vertices.iter().map(|vertex| vertex.position.as_dvec3()) {
+                let extent = extent.get_or_insert(Extent { lo: place, hi: place });
+                (extent.lo, extent.hi) = (extent.lo.min(place), extent.hi.max(place));
+            }
+            let key = match &node {
+                NodeName::Name(name) => quoted(name),
+                NodeName::Number(number) => number.to_string(),
+            };
+            let primitive_key = chosen.map(|chosen| format!("primitive = {chosen}\n")).unwrap_or_default();
+            let is_closed = || triangles.hole().is_none();
+            let substance = surfaces.substance(primitive.material.map(|index| index.value()), is_closed, left);
+            text.extend([format!(
+                "[[objects]]\nshape = \"mesh\"\nfile = {}\nnode = {key}\n{primitive_key}{substance}\n\n",
+                quoted(name)
+            )]);
+        }
+    }
+    Ok((text, extent))
+}
+
+fn is_drawn(primitive: &Primitive) -> bool {
+    matches!(primitive.mode, Valid(Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan))
+}
+
+fn of_the_primitive(primitive: &Primitive, called: &str, left: &mut Left) {
+    if primitive.attributes.contains_key(&Valid(Semantic::Colors(0))) {
+        left.out("colours of vertices", called);
+    }
+    if primitive.targets.as_ref().is_some_and(|targets| !targets.is_empty()) {
+        left.out("morph targets", called);
+    }
+}

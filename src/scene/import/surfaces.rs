@@ -1,0 +1,208 @@
+//! Materials: metal and roughness as mirrors, lobes, and matte surfaces with a highlight.
+//!
+//! *Theory.* A roughness r makes slopes of width r² (Trowbridge and Reitz), about as Blinn's exponent 2/r⁴ − 2 does of the half vector; about
+//! the mirror's direction the exponent is a quarter of that. What is no metal reflects 0.04 head on; a lobe of exponent e that holds
+//! as much is (e + 8)/8 times as high. Lamps light matte surfaces only, so rough metal is matte too.
+
+use std::path::Path;
+
+use glam::{DVec3, Vec3, Vec4, Vec4Swizzles};
+
+use super::text::{Left, color, key, number, quoted};
+use crate::assets::Gltf;
+use crate::assets::json::material::{AlphaMode, Material};
+use crate::assets::json::texture::{Info, WrappingMode};
+use crate::assets::json::validation::Checked::Valid;
+use crate::assets::json::{Index, Texture};
+
+mod pictures;
+use pictures::Pictures;
+
+/// The materials that objects use.
+pub(super) struct Surfaces<'a> {
+    file: &'a Gltf,
+    pictures: Pictures<'a>,
+    /// Those that are written, by their numbers in the file; none is what has none.
+    known: Vec<(Option<usize>, String)>,
+    text: String,
+    shines: bool,
+}
+
+/// From here on a surface is rough enough to look matte.
+const MATTE: f64 = 0.2;
+/// Below this one is a mirror.
+const SMOOTH: f64 = 0.05;
+/// What surfaces that are no metal reflect head on.
+const DIELECTRIC: f64 = 0.04;
+
+impl<'a> Surfaces<'a> {
+    pub fn new(file: &'a Gltf, folder: &'a Path, stem: &str) -> Self {
+        let pictures = Pictures::new(file, folder, stem);
+        Self { file, pictures, known: Vec::new(), text: String::new(), shines: false }
+    }
+
+    /// Does one of them shine?
+    pub fn shines(&self) -> bool {
+        self.shines
+    }
+
+    /// The tables, and the pictures to write.
+    pub fn finish(self) -> (String, Vec<(String, Vec<u8>)>) {
+        (self.text, self.pictures.within)
+    }
+
+    /// The key that says what an object is made of.
+    pub fn substance(&mut self, number: Option<usize>, is_closed: impl Fn() -> bool, left: &mut Left) -> String {
+        let material = number.and_then(|number| self.file.root.materials.get(number));
+        let extensions = material.and_then(|material| material.extensions.as_ref());
+        let transmitted = extensions.and_then(|all| all.transmission.as_ref()).map_or(0.0, |t| t.transmission_factor.0);
+        if transmitted > 0.0 {
+            let name = material.and_then(|material| material.name.clone()).unwrap_or_default();
+            if transmitted >= 0.5 && is_closed() {
+                left.out("colour and roughness of what light goes through, which is clear glass", &name);
+                let index = extensions.and_then(|all| all.ior.as_ref()).map_or(1.5, |ior| f64::from(ior.ior.0));
+                return format!("interior = {}", number_above_one(index));
+            }
+            left.out(
+                "light that goes through surfaces, where they are not closed or let through less than half",
+                &name,
+            );
+        }
+        format!("material = {}", quoted(&self.named(number, left)))
+    }
+
+    /// The name of a material, which is written if it is not yet.
+    fn named(&mut self, index: Option<usize>, left: &mut Left) -> String {
+        if let Some((_, name)) = self.known.iter().find(|(known, _)| *known == index) {
+            return name.clone();
+        }
+        let material = index.and_then(|index| self.file.root.materials.get(index)).cloned().unwrap_or_default();
+        let own = material.name.clone().filter(|name| !name.is_empty());
+        let mut name = own.unwrap_or_else(|| index.map_or("default".to_owned(), |index| format!("material {index}")));
+        while self.known.iter().any(|(_, known)| *known == name) {
+            name += "'";
+        }
+        let keys = self.keys(&material, &name, left);
+        self.text.extend([format!("[materials.{}]\n{keys}\n", key(&name))]);
+        self.known.push((index, name.clone()));
+        name
+    }
+
+    /// The keys of a material.
+    fn keys(&mut self, material: &Material, name: &str, left: &mut Left) -> String {
+        let pbr = &material.pbr_metallic_roughness;
+        let extensions = material.extensions.as_ref();
+        let strength = extensions.and_then(|all| all.emissive_strength.as_ref()).map_or(1.0, |s| s.emissive_strength.0);
+        let emission = Vec3::from(material.emissive_factor.0).as_dvec3() * f64::from(strength);
+        let base = Vec4::from(pbr.base_color_factor.0).xyz().as_dvec3();
+        let picture = pbr.base_color_texture.as_ref().and_then(|info| self.picture(info, base, name, left));
+        let pattern = picture.clone().unwrap_or_else(|| color(base));
+        lost(material, name, left);
+        if extensions.is_some_and(|all| all.unlit.is_some()) {
+            self.shines = true;
+            return format!("kind = \"emissive\"\ncolor = {pattern}\n");
+        }
+        let is_black = picture.is_none() && base == DVec3::ZERO;
+        if emission != DVec3::ZERO && is_black {
+            self.shines = true;
+            let glow = material.emissive_texture.as_ref().and_then(|info| self.picture(info, emission, name, left));
+            return format!("kind = \"emissive\"\ncolor = {}\n", glow.unwrap_or_else(|| color(emission)));
+        }
+        let (metal, rough) = self.metal_and_roughness(material, name, left);
+        if metal >= 0.5 && rough < MATTE {
+            if emission != DVec3::ZERO {
+                left.out("light of smooth metals", name);
+            }
+            if rough < SMOOTH {
+                return format!("kind = \"mirror\"\ncolor = {pattern}\n");
+            }
+            return format!("kind = \"glossy\"\ncolor = {pattern}\nexponent = {}\n", number(blinn(rough) / 4.0));
+        }
+        let mut keys = if metal >= 0.5 {
+            left.out("the reflections of rough metals, which are matte with a highlight", name);
+            matte_metal(picture.as_deref(), base, rough)
+        } else {
+            matte(&pattern, rough)
+        };
+        if emission != DVec3::ZERO {
+            if material.emissive_texture.is_some() {
+                left.out("pictures of emission on surfaces that are not black", name);
+            } else {
+                self.shines = true;
+                keys.extend([format!("emission = {}\n", color(emission))]);
+            }
+        }
+        keys
+    }
+
+    /// A picture as a pattern; none if it cannot be had. `factor` is what it would be multiplied with.
+    fn picture(&mut self, info: &Info, factor: DVec3, name: &str, left: &mut Left) -> Option<String> {
+        let texture: &Texture = self.file.root.get(info.index)?;
+        let path = self.pictures.path(texture.source.value(), left)?;
+        if !factor.abs_diff_eq(DVec3::ONE, 1e-3) {
+            left.out("factors on the colours of pictures", name);
+        }
+        let sampler = texture.sampler.and_then(|sampler: Index<_>| self.file.root.get(sampler));
+        let repeats = |wrap| matches!(wrap, Valid(WrappingMode::Repeat));
+        if sampler.is_some_and(|sampler| !repeats(sampler.wrap_s) || !repeats(sampler.wrap_t)) {
+            left.out("pictures that do not repeat as they are", name);
+        }
+        Some(format!("{{ image = {} }}", quoted(&path)))
+    }
+
+    /// How much of a surface is metal, and how rough it is: on the mean.
+    fn metal_and_roughness(&mut self, material: &Material, name: &str, left: &mut Left) -> (f64, f64) {
+        let pbr = &material.pbr_metallic_roughness;
+        let (metal, rough) = (f64::from(pbr.metallic_factor.0), f64::from(pbr.roughness_factor.0));
+        let Some(info) = &pbr.metallic_roughness_texture else { return (metal, rough) };
+        left.out("pictures of metal and roughness, of which the means are taken", name);
+        let texture: Option<&Texture> = self.file.root.get(info.index);
+        let mean = texture.and_then(|texture| self.pictures.mean(texture.source.value()));
+        mean.map_or((metal, rough), |[_, green, blue]| (metal * blue, rough * green))
+    }
+}
+
+/// What there is on a material that ours have not.
+fn lost(material: &Material, name: &str, left: &mut Left) {
+    if material.normal_texture.is_some() {
+        left.out("pictures of normals", name);
+    }
+    if material.occlusion_texture.is_some() {
+        left.out("pictures of occlusion", name);
+    }
+    if !matches!(material.alpha_mode, Valid(AlphaMode::Opaque)) {
+        left.out("transparency of colours", name);
+    }
+}
+
+/// Blinn's exponent of a roughness.
+fn blinn(rough: f64) -> f64 {
+    (2.0 / rough.clamp(0.01, 1.0).powi(4) - 2.0).clamp(0.0, 1e6)
+}
+
+/// A matte surface with the highlight of its roughness.
+fn matte(pattern: &str, rough: f64) -> String {
+    let exponent = blinn(rough).min(1e4);
+    let height = (DIELECTRIC * (exponent + 8.0) / 8.0).min(0.5);
+    highlight(&format!("diffuse = {pattern}\n"), DVec3::splat(height), exponent)
+}
+
+/// Half of what a rough metal gives back is matte, and half in its highlight.
+fn matte_metal(picture: Option<&str>, base: DVec3, rough: f64) -> String {
+    let half = 0.5 * base;
+    let diffuse = picture.map_or_else(|| color(half), str::to_owned);
+    highlight(&format!("diffuse = {diffuse}\n"), if picture.is_some() { DVec3::splat(0.3) } else { half }, blinn(rough))
+}
+
+fn highlight(diffuse: &str, height: DVec3, exponent: f64) -> String {
+    // So broad a highlight is as matte as the rest.
+    if exponent < 2.0 || height.max_element() <= 0.0 {
+        return diffuse.to_owned();
+    }
+    format!("{diffuse}specular = {}\nshininess = {}\n", color(height), number(exponent))
+}
+
+/// An index of refraction that a medium may have.
+fn number_above_one(index: f64) -> String {
+    number(index.clamp(1.0, 10.0))
+}

@@ -1,0 +1,110 @@
+//! What is wrong with a glTF file is named, whatever it is.
+
+use proptest::prelude::*;
+use serde_json::{Value, json};
+
+use super::{glb, load, square};
+
+#[test]
+fn what_is_wrong_is_named_as_the_file_names_it() {
+    let (made, rest) = square();
+    let whole = made.json(&rest);
+    let changed = |path: &str, value: Value| {
+        let mut all = whole.clone();
+        all["meshes"][0]["primitives"][0]["mode"] = json!(4);
+        *all.pointer_mut(path).unwrap_or_else(|| panic!("{path}")) = value;
+        load("a.glb", &glb(&all.to_string(), &made.bytes)).expect_err("an error").to_string()
+    };
+    let many = 4_000_000_000_u64;
+    for (path, value, said) in [
+        ("/asset/version", json!("1.0"), "it is of glTF 1.0, and 2.0 is read"),
+        ("/buffers/0/byteLength", json!(many), "buffers[0] is said to have 4000000000 bytes, and has 60"),
+        (
+            "/bufferViews/0/byteLength",
+            json!(many),
+            "bufferViews[0] is of 4000000000 bytes from byte 0, and the buffer has 60",
+        ),
+        ("/bufferViews/0/byteOffset", json!(u64::MAX), "bufferViews[0] is of 48 bytes from byte 18446744073709551615"),
+        ("/bufferViews/0/buffer", json!(1), "bufferViews[0]: there is no buffers[1]; there are 1, counted from 0"),
+        (
+            "/accessors/0/count",
+            json!(many),
+            "accessors[0] is of 4000000000 elements of 12 bytes, 12 apart, from byte 0, and bufferViews[0] has 48",
+        ),
+        ("/accessors/0/count", json!(u64::MAX), "accessors[0] is of 18446744073709551615 elements"),
+        ("/accessors/0/bufferView", json!(7), "accessors[0]: there is no bufferViews[7]"),
+        ("/accessors/0/componentType", json!(5124), "accessors[0] has a `type` or `componentType` that there is not"),
+        (
+            "/accessors/0/type",
+            json!("VEC2"),
+            "accessors[0] is of Vec2, and meshes[0].primitives[0].attributes.POSITION needs Vec3",
+        ),
+        (
+            "/accessors/0",
+            json!({ "count": many, "componentType": 5126, "type": "VEC3" }),
+            "accessors[0] is of 4000000000 elements of no buffer, and the file has",
+        ),
+        (
+            "/accessors/0/count",
+            json!(3),
+            "meshes[0].primitives[0]: index 5 is 3, and there are 3 vertices, counted from 0",
+        ),
+        ("/meshes/0/primitives/0/mode", json!(1), "meshes[0].primitives[0] is of Lines"),
+        ("/meshes/0/primitives/0/mode", json!(9), "meshes[0].primitives[0] has a `mode` that there is not"),
+        ("/meshes/0/primitives/0/indices", json!(5), "meshes[0].primitives[0].indices: there is no accessors[5]"),
+        ("/meshes/0/primitives/0/attributes", json!({}), "meshes[0].primitives[0] has no POSITION"),
+        ("/meshes/0/primitives/0/attributes", json!({ "POSITION": 0, "NORMAL": 1 }), "accessors[1] is of Scalar"),
+        ("/nodes/0/mesh", json!(3), "nodes[0]: there is no meshes[3]"),
+        ("/nodes/0", json!({ "mesh": 0, "scale": [1e38, 1, 1], "translation": [0, 0, 0] }), "vertex 1 is at "),
+    ] {
+        let told = changed(path, value);
+        assert!(told.contains(said), "{told}\nand not\n{said}");
+    }
+    let with = |key: &str, value: Value| {
+        let mut all = whole.clone();
+        all[key] = value;
+        load("a.glb", &glb(&all.to_string(), &made.bytes)).expect_err("an error").to_string()
+    };
+    let loops = json!([{ "mesh": 0, "children": [1] }, { "children": [0] }]);
+    assert!(with("nodes", loops.clone()).contains("the mesh has no triangles"), "no node is a root");
+    let mut all = whole.clone();
+    (all["nodes"], all["scenes"]) = (loops, json!([{ "nodes": [0] }]));
+    let told = load("a.glb", &glb(&all.to_string(), &made.bytes)).expect_err("an error").to_string();
+    assert!(told.contains("nodes[0] has two places: nodes are trees"), "{told}");
+    let told = with("extensionsRequired", json!(["KHR_texture_transform", "KHR_draco_mesh_compression"]));
+    assert!(told.contains("it requires the extension `KHR_draco_mesh_compression`, which is not read"), "{told}");
+    assert!(with("extensionsRequired", json!(["EXT_meshopt_compression"])).contains("`EXT_meshopt_compression`"));
+
+    // A text has lines, and a file of bytes has places.
+    let told = load("a.gltf", b"{\n  \"asset\": { \"version\": 2 }\n}").expect_err("an error").to_string();
+    assert!(told.contains("a.gltf:2:25: not glTF: invalid type: integer `2`, expected a string"), "{told}");
+    let file = glb(&whole.to_string(), &made.bytes);
+    let cut = load("a.glb", &file[..100]).expect_err("an error").to_string();
+    assert!(cut.contains(&format!("at byte 8: the file is said to have {} bytes, and has 100", file.len())), "{cut}");
+    let mut forged = file.clone();
+    forged[12..16].copy_from_slice(&(many as u32).to_le_bytes());
+    let told = load("a.glb", &forged).expect_err("an error").to_string();
+    assert!(told.contains("at byte 12: a part is said to have 4000000000 bytes, and "), "{told}");
+    let mut external = whole;
+    external["buffers"][0]["uri"] = json!("none.bin");
+    let told = load("a.gltf", external.to_string().as_bytes()).expect_err("an error").to_string();
+    assert!(told.contains("buffers[0]: cannot read `") && told.contains("none.bin`"), "{told}");
+}
+
+proptest! {
+    /// Whatever bytes are changed, and wherever the file is cut.
+    #[test]
+    fn damaged_files_do_not_panic(edits in prop::collection::vec((0.0..1.0, any::<u8>()), 0..4), kept in 0.0..1.5_f64) {
+        let (made, rest) = square();
+        let mut bytes = made.glb(&rest);
+        for (place, byte) in edits {
+            let place = (place * bytes.len() as f64) as usize;
+            bytes[place] = byte;
+        }
+        bytes.truncate((kept * bytes.len() as f64) as usize);
+        match load("a.glb", &bytes) {
+            Err(error) => prop_assert!(!error.to_string().is_empty()),
+            Ok(mesh) => prop_assert!(mesh.triangles.iter().flatten().all(|i| (*i as usize) < mesh.vertices.len())),
+        }
+    }
+}
