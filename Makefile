@@ -1,4 +1,4 @@
-# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes. `make test`: every check.
+# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make test`: every check.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -14,19 +14,10 @@ render: device
 	target/release/bentray render scenes/black_hole.toml -o out/black_hole.png
 	@echo "open out/black_hole.png"
 
-# Every command of the figures' own pages, in their folders; `GALLERY` adds to each, such as `make gallery GALLERY="--size 100x100"`.
+# Every command of the figures' own pages, and a page that shows them; `GALLERY` adds to each, such as `make gallery GALLERY="--size 100x100"`.
 gallery: device
 	cargo build --release
-	bin="$$PWD/target/release/bentray"; root="$$PWD"; \
-	for pages in thesis groller paths spacetimes; do \
-	    out="$$root/out/$$pages"; mkdir -p "$$out"; cd "$$root/scenes/$$pages"; \
-	    sed -n 's/^    bentray //p' README.md | while IFS= read -r line; do \
-	        echo "bentray $$line"; \
-	        line=$${line/-o /-o $$out/}; line=$${line/--plot /--plot $$out/}; \
-	        if [[ $$line == render* ]]; then line="$$line $(GALLERY)"; fi; \
-	        eval "'$$bin' $$line" </dev/null 2>$$out/log || { cat $$out/log; exit 1; }; \
-	    done; \
-	done
+	cargo run -q --release --example gallery -- target/release/bentray out $(GALLERY)
 
 test: device tools
 	cargo fmt --check
