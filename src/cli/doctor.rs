@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::decisions;
 use crate::error::Error;
-use crate::gpu::{GpuError, adapters};
+use crate::gpu::{AdapterReport, GpuError, adapters};
 use crate::output::check_film;
 
 /// Look whether everything is there that a render may need, and say what to install
@@ -15,41 +15,42 @@ use crate::output::check_film;
 pub(super) struct Arguments {}
 
 pub(super) fn run(_: &Arguments) -> Result<ExitCode, Error> {
-    let mut code = ExitCode::SUCCESS;
     let adapters = adapters();
-    match adapters.first() {
-        Some(best) => {
-            say!("device       {} ({:?}, {})", best.info.name, best.info.device_type, best.info.backend);
-            let others = adapters.len() - 1;
-            say!(
-                "             {}",
-                if others > 0 { format!("{others} more: `bentray devices`") } else { "the only one".into() }
-            );
-            let with_double = adapters.iter().find(|adapter| adapter.f64);
-            match with_double {
-                Some(_) if best.f64 => {
-                    say!("64 bits      yes: --precision f64, --verify and the best checks of `auto`")
-                }
-                Some(other) => say!("64 bits      only on {0}: --precision f64 with --device '{0}'", other.info.name),
-                None => say!("64 bits      no: --precision f64 and --verify cannot be had; lavapipe has them"),
-            }
-        }
-        None => {
-            say!("device       none: {}", GpuError::NoDevice);
-            code = ExitCode::FAILURE;
-        }
+    say!("device       {}", device(&adapters));
+    if let Some(words) = double(&adapters) {
+        say!("64 bits      {words}");
     }
-    match check_film("film.mp4".as_ref()) {
-        Ok(()) => say!("video        yes: .mp4 and .webm by ffmpeg"),
-        Err(_) => say!(
-            "video        no ffmpeg: films are .gif or animated .png; apt-get install ffmpeg brings .mp4 and .webm"
-        ),
-    }
+    let video = match check_film("film.mp4".as_ref()) {
+        Ok(()) => "yes: .mp4 and .webm by ffmpeg",
+        Err(_) => "no ffmpeg: films are .gif or animated .png; apt-get install ffmpeg brings .mp4 and .webm",
+    };
+    say!("video        {video}");
     say!("cache        {}", cache());
     let queues = [("sbatch", "Slurm"), ("kubectl", "Kubernetes"), ("parallel", "GNU parallel")];
     let found: Vec<&str> = queues.into_iter().filter(|(program, _)| is_there(program)).map(|(_, name)| name).collect();
     say!("farm         {}", if found.is_empty() { "no queue found here".to_owned() } else { found.join(", ") });
-    Ok(code)
+    Ok(if adapters.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// What would render.
+fn device(adapters: &[AdapterReport]) -> String {
+    let Some(best) = adapters.first() else { return format!("none: {}", GpuError::NoDevice) };
+    let more = match adapters.len() - 1 {
+        0 => String::new(),
+        others => format!(", and {others} more: `bentray devices`"),
+    };
+    format!("{} ({:?}, {}){more}", best.info.name, best.info.device_type, best.info.backend)
+}
+
+/// Can it compute in 64 bits, or another one?
+fn double(adapters: &[AdapterReport]) -> Option<String> {
+    let best = adapters.first()?;
+    let other = adapters.iter().find(|adapter| adapter.f64);
+    Some(match other {
+        Some(_) if best.f64 => "yes: --precision f64, --verify and the best checks of `auto`".to_owned(),
+        Some(other) => format!("only on {0}: --precision f64 with --device '{0}'", other.info.name),
+        None => "no: --precision f64 and --verify cannot be had; lavapipe has them".to_owned(),
+    })
 }
 
 /// Where decisions are kept, and whether they can be.
