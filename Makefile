@@ -1,4 +1,4 @@
-# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make test`: every check.
+# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make test`: every check. `make fuzz`: files that nobody thought of.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -6,7 +6,7 @@ SHELL := /bin/bash
 # Mesa's device-select layer complains where there is no desktop session.
 export NODEVICE_SELECT := 1
 
-.PHONY: render gallery test device tools clean
+.PHONY: render gallery test fuzz device tools clean
 
 render: device
 	cargo build --release
@@ -29,6 +29,26 @@ test: device tools
 	cargo test --test suite 2>&1 | tee -a target/test.log
 	for example in picture own_law rays_to_numbers; do cargo run -q --example $$example; done
 	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
+
+# Looks for files that their readers do not bear, so many seconds for each reader of tests/fuzz; what it finds is in target/fuzz/found.
+# READERS="obj ply" has it try those alone. It needs a C++ compiler.
+SECONDS_EACH ?= 60
+READERS ?= $(notdir $(wildcard tests/fuzz/corpus/*))
+
+fuzz:
+	cp Cargo.lock tests/fuzz/Cargo.lock
+	mkdir -p target/fuzz/found
+	host=$$(rustc -vV | sed -n 's/^host: //p'); cd tests/fuzz; \
+	    RUSTFLAGS="-Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 -Cllvm-args=-sanitizer-coverage-inline-8bit-counters \
+	    -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares --cfg fuzzing" \
+	    cargo build --release --target "$$host" --target-dir ../../target/fuzz; \
+	cp "../../target/fuzz/$$host/release/fuzz" ../../target/fuzz/fuzz
+	status=0; for reader in $(READERS); do \
+	    echo "== $$reader"; mkdir -p "target/fuzz/grown/$$reader"; \
+	    READER=$$reader target/fuzz/fuzz -max_total_time=$(SECONDS_EACH) -timeout=3 -rss_limit_mb=4096 -max_len=8192 -verbosity=0 \
+	        -print_final_stats=1 "-artifact_prefix=target/fuzz/found/$$reader-" "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" \
+	        || status=1; \
+	done; exit $$status
 
 # A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own.
 device:

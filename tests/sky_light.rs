@@ -68,7 +68,10 @@ fn only_what_is_bright_in_the_sky_is_aimed_at() {
         // From 90 to 120 from top to bottom, with a sun or without.
         let at = |x, y| image::Luma([if [x, y] == pixel { 255 } else { 90 + y as u8 }]);
         image::GrayImage::from_fn(64, 32, at).save(&path).unwrap();
-        let text = format!("[rays]\nbound = {{ radius = 3 }}\ntransport = \"paths\"\n[sky]\nimage = {path:?}\n");
+        let text = format!(
+            "[rays]\nbound = {{ radius = 3 }}\ntransport = \"paths\"\n[sky]\nimage = {path:?}\n[[objects]]\nshape = \"sphere\"\n\
+             material = \"grey\"\n[materials.grey]\nkind = \"phong\"\n"
+        );
         let mut scene = scene(&text);
         if let (true, Some(picture)) = (aimed, scene.pictures.first_mut()) {
             // A sun is far brighter than an image of 8 bits can say.

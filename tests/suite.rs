@@ -14,6 +14,7 @@ mod exactness;
 mod fans;
 mod filters;
 mod furnaces;
+mod fuzz;
 mod gallery;
 mod gloss;
 mod groeller;

@@ -22,5 +22,6 @@ pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, json};
 pub use grid::{Bare, IndexGrid, Stored, Use};
 pub use mesh::{Mesh, Part, Vertex, Wanted};
 pub use picture::Picture;
+pub(crate) use picture::unlikely_exr;
 pub use profile::{Flaw, Profile, ProfilePoint};
 pub use transform::Transform;

@@ -6,6 +6,8 @@
 //! depths of PNG without loss. 12 bytes a pixel stay in memory.
 
 use crate::document::SceneError;
+use exr::meta::MetaData;
+use exr::meta::header::Header;
 use image::codecs::hdr::HdrDecoder;
 use image::{DynamicImage, ImageFormat, ImageReader, ImageResult};
 use std::fs::File;
@@ -30,16 +32,26 @@ impl Picture {
         let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
         let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };
         let open = || ImageReader::open(path).and_then(ImageReader::with_guessed_format).map_err(unreadable);
+        let mut reader = open()?;
+        // Films are written by the same library, so it reads GIF as well, whose frames may be larger than its header says.
+        let Some(format) = reader.format().filter(|format| FORMATS.contains(format)) else {
+            return Err(unusable("its content is that of no PNG, JPEG, EXR or HDR file: convert it to one".to_owned()));
+        };
         let (width, height) = open()?.into_dimensions().map_err(|e| unusable(e.to_string()))?;
         let size = [width, height];
         let bytes = std::fs::metadata(path).map_err(unreadable)?.len();
         if let Some(problem) = unlikely(size, bytes) {
             return Err(unusable(problem));
         }
-        let mut reader = open()?;
+        if format == ImageFormat::OpenExr {
+            let read = MetaData::read_from_file(path, false).map_err(|e| unusable(e.to_string()))?;
+            if let Some(problem) = read.headers.iter().find_map(|header| unlikely_exr(header, bytes)) {
+                return Err(unusable(problem));
+            }
+        }
         // By default a picture over 512 MiB is refused; a sky may well be larger.
         reader.no_limits();
-        let exposure = exposure(path, reader.format()).map_err(|e| unusable(e.to_string()))?;
+        let exposure = exposure(path, format).map_err(|e| unusable(e.to_string()))?;
         let image = reader.decode().map_err(|e| unusable(e.to_string()))?;
         let mut pixels = linear(image);
         pixels.iter_mut().flatten().for_each(|value| *value /= exposure);
@@ -52,6 +64,8 @@ impl Picture {
     }
 }
 
+/// What is read.
+const FORMATS: [ImageFormat; 4] = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::OpenExr, ImageFormat::Hdr];
 /// Pixels that a picture may have: 3 GiB of memory.
 const MOST_PIXELS: u64 = 1 << 28;
 /// Pixels that a byte of a file stands for at most, by any of the formats: their best compression is near 1000.
@@ -71,9 +85,25 @@ fn unlikely([width, height]: [u32; 2], bytes: u64) -> Option<String> {
     }
 }
 
+/// Bytes of an EXR's samples that a byte of its file stands for at most.
+const DENSEST_EXR: u64 = 4 * DENSEST;
+
+/// The same of a layer of an EXR, which may be of another size than the picture.
+pub(crate) fn unlikely_exr(header: &Header, bytes: u64) -> Option<String> {
+    let (width, height) = (header.layer_size.0 as u64, header.layer_size.1 as u64);
+    let each = header.channels.bytes_per_pixel as u64;
+    let all = width.saturating_mul(height).saturating_mul(each);
+    let problem = || {
+        format!(
+            "its header says a layer of {width}×{height} pixels of {each} bytes, which its {bytes} bytes cannot hold"
+        )
+    };
+    (all / DENSEST_EXR > bytes).then(problem)
+}
+
 /// What an HDR file's numbers are to be divided by to be radiance; 1 for others.
-fn exposure(path: &Path, format: Option<ImageFormat>) -> ImageResult<f32> {
-    if format != Some(ImageFormat::Hdr) {
+fn exposure(path: &Path, format: ImageFormat) -> ImageResult<f32> {
+    if format != ImageFormat::Hdr {
         return Ok(1.0);
     }
     let header = HdrDecoder::new(BufReader::new(File::open(path)?))?.metadata();

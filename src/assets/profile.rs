@@ -60,6 +60,15 @@ impl Profile {
             return Err(Flaw { point: Some(k + 1), problem, help: "order the points by rising height".to_owned() });
         }
         let profile = Self { points: spline(points) };
+        let is_finite = |p: &ProfilePoint| [p.slope, p.bend, p.twist].iter().all(|x| (*x as f32).is_finite());
+        if !profile.points.iter().all(is_finite) {
+            let width = |k: &usize| points[k + 1][0] - points[*k][0];
+            let k = (0..points.len() - 1).min_by(|a, b| width(a).total_cmp(&width(b))).unwrap_or(0);
+            let [before, height] = [points[k][0], points[k + 1][0]];
+            let problem =
+                format!("the height {height:e} is too near the one before, {before:e}: no finite curve is so steep");
+            return Err(Flaw { point: Some(k + 1), problem, help: "leave one of the two points out".to_owned() });
+        }
         let (height, n) = profile.lowest();
         if n <= 0.0 {
             let problem = format!("the curve through the points falls to n = {n:.4} at the height {height:.4}");

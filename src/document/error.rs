@@ -1,5 +1,6 @@
 //! What can be wrong with a scene: each mistake with its place in the file, and what would be right.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -9,6 +10,8 @@ pub(super) const ENOUGH: usize = 1000;
 const SHOWN: usize = 100;
 /// Characters of a line that are shown.
 const WIDTH: usize = 160;
+/// Bytes of what is said of a mistake: it may name a word of the file, which may be of any length.
+const LONGEST: usize = 2000;
 
 /// Why a scene could not be loaded.
 #[derive(Debug, thiserror::Error)]
@@ -22,7 +25,7 @@ pub enum SceneError {
         source: std::io::Error,
     },
     /// A picture that can be read but not understood or not used.
-    #[error("cannot use the picture `{}`: {problem}", path.display())]
+    #[error("cannot use the picture `{}`: {}", path.display(), brief(problem))]
     Picture {
         /// The file.
         path: PathBuf,
@@ -30,7 +33,7 @@ pub enum SceneError {
         problem: String,
     },
     /// A mesh that can be read but not understood, where its format has no lines.
-    #[error("cannot use the mesh `{}`: {problem}", path.display())]
+    #[error("cannot use the mesh `{}`: {}", path.display(), brief(problem))]
     Mesh {
         /// The file.
         path: PathBuf,
@@ -38,7 +41,7 @@ pub enum SceneError {
         problem: String,
     },
     /// A file of samples that can be read but not used.
-    #[error("cannot use the grid `{}`: {problem}", path.display())]
+    #[error("cannot use the grid `{}`: {}", path.display(), brief(problem))]
     Grid {
         /// The file.
         path: PathBuf,
@@ -46,7 +49,7 @@ pub enum SceneError {
         problem: String,
     },
     /// A `--set` argument that is not `KEY=VALUE`.
-    #[error("{0}")]
+    #[error("{}", brief(.0))]
     Override(String),
     /// Everything that is wrong in the scene and its meshes, in the order of the file.
     #[error("{}", list(.0))]
@@ -95,7 +98,7 @@ impl Mistake {
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let (file, line, column) = (self.file.display(), self.line, self.column);
-        write!(f, "{file}:{line}:{column}: {}", self.problem)?;
+        write!(f, "{file}:{line}:{column}: {}", brief(&self.problem))?;
         let shown = self.context.trim_start();
         if !shown.is_empty() {
             let indent = self.context.chars().count() - shown.chars().count();
@@ -110,10 +113,19 @@ impl fmt::Display for Mistake {
             write!(f, "\n    {dots}{shown}{more}\n    {pad}{carets}")?;
         }
         if !self.help.is_empty() {
-            write!(f, "\n    help: {}", self.help)?;
+            write!(f, "\n    help: {}", brief(&self.help))?;
         }
         Ok(())
     }
+}
+
+/// A text that is too long without its middle.
+pub fn brief(text: &str) -> Cow<'_, str> {
+    if text.len() <= LONGEST {
+        return Cow::Borrowed(text);
+    }
+    let (start, end) = (char_boundary(text, LONGEST / 2), char_boundary(text, text.len() - LONGEST / 2));
+    Cow::Owned(format!("{} … {}", &text[..start], &text[end..]))
 }
 
 /// The last boundary of characters that is not beyond byte `at`.

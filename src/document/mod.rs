@@ -16,6 +16,7 @@ pub mod reader;
 mod text;
 pub mod values;
 
+pub(crate) use error::brief;
 pub use error::{Mistake, SceneError};
 pub(crate) use keys::keys;
 pub use keys::{Key, KeyReference};

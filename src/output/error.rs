@@ -2,6 +2,8 @@
 
 use std::{io, path::PathBuf};
 
+use crate::document::brief;
+
 /// What to do about a write that failed, where something can be done.
 fn remedy(cause: &io::Error) -> &'static str {
     match cause.kind() {
@@ -111,7 +113,7 @@ pub enum OutputError {
         cause: io::Error,
     },
     /// A picture is no part of the whole that is to be put together.
-    #[error("{path}: {problem}")]
+    #[error("{path}: {}", brief(problem))]
     Part {
         /// The file being read, or the whole where a part of it is missing.
         path: PathBuf,
@@ -119,7 +121,7 @@ pub enum OutputError {
         problem: String,
     },
     /// A table does not say what it should.
-    #[error("{path}: line {line}: {problem}")]
+    #[error("{path}: line {line}: {}", brief(problem))]
     Table {
         /// The file being read.
         path: PathBuf,

@@ -26,6 +26,7 @@ use super::band::channels as channels_of;
 use super::exr::{header as header_of, row_bytes};
 use super::origin::{SHOWN, with_shown};
 use super::{FileSettings, OutputError};
+use crate::assets::unlikely_exr;
 use crate::program::Layer;
 use crate::render::Window;
 
@@ -59,6 +60,10 @@ impl Part {
         let [header] = reader.headers() else {
             return Err(wrong("it has several layers; only pictures that `render` wrote can be put together".into()));
         };
+        let bytes = std::fs::metadata(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?.len();
+        if let Some(problem) = unlikely_exr(header, bytes) {
+            return Err(wrong(problem));
+        }
         let settings = settings(header).filter(|settings| {
             let own = header_of(settings);
             own.channels == header.channels

@@ -98,7 +98,8 @@ pub(super) fn body(graph: &Graph, roots: &[Id], variables: &'static [&'static st
     let reached = graph.reached(roots);
     let uses = uses(graph, &reached, roots);
     let divides = divides(graph, &reached);
-    let mut writer = Writer { graph, variables, uses, divides, names: BTreeMap::new(), lines: String::new() };
+    let (names, depths) = (BTreeMap::new(), BTreeMap::new());
+    let mut writer = Writer { graph, variables, uses, divides, names, depths, lines: String::new() };
     writer.common_places(&reached);
     for id in reached {
         writer.bind(id);
@@ -142,6 +143,9 @@ const PRODUCT: u8 = 2;
 const MINUS: u8 = 3;
 const WHOLE: u8 = 4;
 
+/// Parts that are written inside each other: WGSL is not read where there are hundreds.
+const DEEPEST: usize = 32;
+
 struct Writer<'a> {
     graph: &'a Graph,
     variables: &'static [&'static str],
@@ -149,6 +153,8 @@ struct Writer<'a> {
     divides: BTreeMap<Id, usize>,
     /// Of what is bound.
     names: BTreeMap<Key, String>,
+    /// How many parts are written inside each other in what is not.
+    depths: BTreeMap<Id, usize>,
     lines: String,
 }
 
@@ -179,9 +185,13 @@ impl Writer<'_> {
         }
     }
 
-    /// Binds a name to the node, if it is worth one.
+    /// Binds a name to the node, if it is worth one, or too deep without.
     fn bind(&mut self, id: Id) {
-        if self.graph.parts(id).is_empty() || self.uses.get(&id).is_none_or(|uses| *uses < 2) {
+        let parts = self.graph.parts(id);
+        let inside = parts.iter().filter_map(|part| self.depths.get(part)).max().map_or(0, |depth| depth + 1);
+        let is_used_again = self.uses.get(&id).is_some_and(|uses| *uses > 1);
+        if parts.is_empty() || !(is_used_again || inside == DEEPEST) {
+            self.depths.insert(id, inside);
             return;
         }
         let (text, _) = self.piece(id);
@@ -337,6 +347,14 @@ mod tests {
         ] {
             assert!(text.contains(part), "{part}\n{text}");
         }
+    }
+
+    #[test]
+    fn what_is_deep_is_bound_in_between() {
+        // The derivative of a product of so many has a sum in each product.
+        let text = text(&[&format!("2 + x{}", "*y*x".repeat(200))]);
+        let depth = |line: &str| line.split('(').count();
+        assert!(text.lines().skip(1).all(|line| depth(line) < 3 * DEEPEST), "{text}");
     }
 
     #[test]

@@ -20,6 +20,9 @@ const KNOWN: [(&str, &str, Option<[&str; 2]>); 8] = [
     ("dOmega2", "(dx^2 + dy^2 + dz^2 - dr^2) / r^2", None),
 ];
 
+/// Names that a spacetime may have of its own: what reads a formula looks for its names among all of them.
+const MOST_NAMES: usize = 200;
+
 /// Of functions of place and time.
 pub(super) const PLACE: [Name; 6] = [
     Name::Variable("x", Variable::PLACE[0]),
@@ -140,6 +143,16 @@ impl Reader {
         }
         if let Some(throat) = written.throat {
             self.define_distance(throat).map_err(|error| (Field::LineElement, error))?;
+        }
+        let (named, parameters) = (written.parameters.len() + written.terms.len(), written.parameters.len());
+        if named > MOST_NAMES {
+            let field = if parameters > MOST_NAMES {
+                Field::Parameter(MOST_NAMES)
+            } else {
+                Field::TermName(MOST_NAMES - parameters)
+            };
+            let problem = format!("{named} names for numbers and formulas, and at most {MOST_NAMES} are read");
+            return Err((field, FormulaError { place: 0..0, problem, help: String::new() }));
         }
         for (k, (name, value)) in written.parameters.iter().enumerate() {
             self.is_new(name).map_err(|error| (Field::Parameter(k), error))?;

@@ -5,6 +5,7 @@
 //!
 //! *Practice.* The bytes and their checks are [`Gltf`]'s. Positions are placed in 64 bits.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use glam::{DAffine3, DVec3, Mat2, Vec2, Vec3};
@@ -12,6 +13,7 @@ use gltf_json::accessor::Type;
 use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::texture::Info;
 use gltf_json::validation::Checked::{Invalid, Valid};
+use gltf_json::{Accessor, Index};
 
 use super::bytes::usable;
 use super::raw::{Corner, Raw};
@@ -24,8 +26,8 @@ use crate::document::values::suggest;
 pub(super) const FORMAT: Format =
     Format { extensions: &["gltf", "glb"], read: Read::Parts(|bytes, path| Ok(Box::new(Gltf::open(bytes, path)?))) };
 
-/// Vertices that a mesh may have: nodes may show the same mesh again and again.
-const MOST: usize = 1 << 26;
+/// Vertices that a mesh may have, and corners of triangles: nodes may show the same mesh again and again, and meshes the same numbers.
+const MOST: u64 = 1 << 26;
 
 impl Parts for Gltf {
     fn part(&self, part: &Part) -> Result<Raw, SceneError> {
@@ -50,7 +52,7 @@ impl Gltf {
             None => with_mesh,
             Some(name) => vec![chosen(&with_mesh, name)?],
         };
-        let mut raw = Raw::default();
+        let mut primitives = Vec::new();
         for placed in chosen {
             let Some(index) = placed.node.mesh else { continue };
             let of = format!("nodes[{}]", placed.number);
@@ -66,10 +68,45 @@ impl Gltf {
             };
             for number in numbers {
                 let of = format!("meshes[{}].primitives[{number}]", index.value());
-                self.primitive(&mut raw, &mesh.primitives[number], placed.world, &of)?;
+                primitives.push((&mesh.primitives[number], placed.world, of));
             }
         }
+        self.are_not_too_many(&primitives)?;
+        let mut raw = Raw::default();
+        for (primitive, world, of) in primitives {
+            self.primitive(&mut raw, primitive, world, &of)?;
+        }
         if raw.is_empty() { Err(Flaw("the mesh has no triangles with an area".to_owned())) } else { Ok(raw) }
+    }
+
+    /// Counts what they are made of before any of it is read.
+    fn are_not_too_many(&self, primitives: &[(&Primitive, DAffine3, String)]) -> Result<(), Flaw> {
+        let mut known: BTreeMap<usize, u64> = BTreeMap::new();
+        let mut count = |index: Index<Accessor>, of: Type, name: &str| {
+            if let Some(count) = known.get(&index.value()) {
+                return Ok(*count);
+            }
+            let count = self.elements(index, &[of], name)?.count as u64;
+            known.insert(index.value(), count);
+            Ok(count)
+        };
+        let (mut vertices, mut corners) = (0_u64, 0_u64);
+        for (primitive, _, of) in primitives {
+            let Some(positions) = primitive.attributes.get(&Valid(Semantic::Positions)) else { continue };
+            let own = count(*positions, Type::Vec3, &format!("{of}.attributes.POSITION"))?;
+            vertices = vertices.saturating_add(own);
+            let indices = primitive.indices.map(|index| count(index, Type::Scalar, &format!("{of}.indices")));
+            corners = corners.saturating_add(indices.transpose()?.unwrap_or(own));
+        }
+        for (all, what) in [(vertices, "vertices"), (corners, "corners of triangles")] {
+            if all > MOST {
+                let problem = "as often as its nodes and meshes show them, and at most";
+                return Err(Flaw(format!(
+                    "it is of {all} {what}, {problem} {MOST} are read: make it of several files"
+                )));
+            }
+        }
+        Ok(())
     }
 
     fn primitive(&self, raw: &mut Raw, primitive: &Primitive, world: DAffine3, of: &str) -> Result<(), Flaw> {
@@ -80,9 +117,6 @@ impl Gltf {
         let positions = self.elements(positions, &[Type::Vec3], &named("POSITION"))?;
         let count = positions.count;
         let base = raw.positions.len();
-        if base.saturating_add(count) > MOST {
-            return Err(Flaw(format!("{of} is of {count} vertices after {base}, and at most {MOST} are read")));
-        }
         for i in 0..count {
             let position = world.transform_point3(Vec3::from(positions.numbers(i)).as_dvec3()).as_vec3();
             if !position.to_array().into_iter().all(usable) {

@@ -168,6 +168,9 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         animation,
         pictures: files.pictures(),
     };
+    if scene.rays.paths.is_none() {
+        scene.output.clamp = None;
+    }
     for light in scene.swallowed_lights() {
         scene.lights[light].color = DVec3::ZERO;
     }

@@ -87,7 +87,8 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         leaps: true,
         branches,
         accelerate,
-        paths: optics.paths,
+        // Where there is nothing to meet, both transports are the same.
+        paths: optics.paths.filter(|_| !optics.objects.is_empty()),
         wavelength,
     })
 }
