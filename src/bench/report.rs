@@ -145,11 +145,11 @@ impl Report {
         std::iter::once(format!("{}\n", self.title)).chain(tables).collect()
     }
 
-    /// For scripts: the tables by name, each a list of rows by column.
+    /// For scripts: its name and title, and the tables by name, each a list of rows by column.
     #[must_use]
     pub fn json(&self) -> Value {
         let tables: serde_json::Map<_, _> = self.tables.iter().map(|t| (t.name.to_owned(), t.json())).collect();
-        json!({ "title": self.title, "tables": tables })
+        json!({ "name": self.name, "title": self.title, "tables": tables })
     }
 
     /// Writes every table as CSV and every plot as SVG and PNG into `folder`, and gives the page's section.

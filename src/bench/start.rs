@@ -8,6 +8,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use serde_json::Value;
+
 use super::{Bench, Cell, Report, Table, Times};
 use crate::measure::calibrate_for;
 use crate::render::{RenderError, RenderSettings, Renderer, StartUp};
@@ -69,7 +71,7 @@ fn failed(cause: impl Into<Box<dyn std::error::Error + Send + Sync>>) -> RenderE
 /// One start with the driver's cache in `folder`.
 fn started(bench: &Bench, program: &Path, scene: &Path, folder: &Path) -> Result<Vec<f64>, RenderError> {
     let mut command = Command::new(program);
-    command.arg("render").arg(scene).args(["--size", &format!("{SIZE}x{SIZE}")]);
+    command.arg("render").arg(scene).args(["--json", "--size", &format!("{SIZE}x{SIZE}")]);
     command.args(["--device", &bench.gpu.info.name, "-o"]).arg(folder.join("first.png"));
     command.env_remove("MESA_SHADER_CACHE_DISABLE");
     for cache in CACHES {
@@ -77,7 +79,15 @@ fn started(bench: &Bench, program: &Path, scene: &Path, folder: &Path) -> Result
     }
     let output = command.output().map_err(failed)?;
     let text = String::from_utf8_lossy(&output.stderr);
-    text.lines().find_map(StartUp::read).ok_or_else(|| failed(format!("{}: {text}", scene.display())))
+    parts(&output.stdout).ok_or_else(|| failed(format!("{}: {text}", scene.display())))
+}
+
+/// Seconds from launch to the first pixel, then those of each part, of what `render --json` prints.
+fn parts(printed: &[u8]) -> Option<Vec<f64>> {
+    let picture: Value = serde_json::from_slice(printed).ok()?;
+    let part = |name: &str| picture["start_seconds"][name.replace(' ', "_")].as_f64();
+    let parts: Vec<f64> = StartUp::PARTS.into_iter().map(part).collect::<Option<_>>()?;
+    Some([vec![parts.iter().sum()], parts].concat())
 }
 
 /// A picture by a program that is compiled already.

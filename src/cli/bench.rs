@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
+use super::format::{Format, Found};
 use super::options::parse_size;
 use crate::bench::{
     Bench, Report, compaction, groller, lights, limit, paper, paths, sampling, scaling, schedules, start,
@@ -15,7 +16,7 @@ use crate::bench::{
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::output::OutputError;
-use crate::output::report::{Section, write_report};
+use crate::output::report::write_report;
 use crate::scene::{Mesh, Scene};
 
 /// Measure: the 2004 paper's tables, structures, schedules, how time grows, what samples are worth, the device's limit, and starts
@@ -31,9 +32,6 @@ pub(super) struct Arguments {
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Print JSON, for scripts
-    #[arg(long)]
-    json: bool,
     /// The device whose name contains this
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
@@ -43,6 +41,8 @@ pub(super) struct Arguments {
     /// Another viewport than the paper's 800x600, for a trial; for `sampling` another than 200x150, for `paths` than 48x48
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
+    #[command(flatten)]
+    format: Format,
 }
 
 /// Scenes of all kinds that `sampling` takes.
@@ -95,33 +95,49 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         _ => [800, 600],
     };
     let size = |name: Name| arguments.size.unwrap_or_else(|| usual(name));
-    let [width, height] = size(arguments.name);
-    let how = format!("{device}, {width}×{height}, medians of {}", arguments.repeats);
-    if !arguments.json {
-        say!("{how}");
-    }
-    let mut sections = vec![Section { title: "Where".to_owned(), intro: vec![how], ..Section::default() }];
-    let mut found = Map::new();
+    let mut sections = Vec::new();
     for name in wanted(arguments.name) {
         let bench = Bench { gpu: &gpu, repeats: arguments.repeats as usize, size: size(name) };
-        let report = measure(&bench, name, &given)?;
-        if arguments.json {
-            found.insert(report.name.to_owned(), report.json());
-        } else {
-            say!("\n{}", report.text().trim_end());
-        }
+        let measured = Measured { device: &device, bench, report: measure(&bench, name, &given)? };
+        arguments.format.say(&measured)?;
         if let Some(folder) = &arguments.output {
-            sections.push(report.write(folder)?);
+            let mut section = measured.report.write(folder)?;
+            section.intro.push(measured.how());
+            sections.push(section);
         }
-    }
-    if arguments.json {
-        let about = json!({ "device": device, "size": size(arguments.name), "repeats": arguments.repeats });
-        say!("{:#}", json!({ "about": about, "measured": Value::Object(found) }));
     }
     if let Some(folder) = &arguments.output {
         write_report(&folder.join("index.html"), "Bentray: measurements", &sections)?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// A measurement, with where and how it was made.
+struct Measured<'a> {
+    device: &'a str,
+    bench: Bench<'a>,
+    report: Report,
+}
+
+impl Measured<'_> {
+    fn how(&self) -> String {
+        let Bench { size: [width, height], repeats, .. } = self.bench;
+        format!("{}, {width}×{height}, medians of {repeats}", self.device)
+    }
+}
+
+impl Found for Measured<'_> {
+    fn text(&self) -> String {
+        format!("{}\n\n{}\n", self.how(), self.report.text())
+    }
+
+    fn json(&self) -> Value {
+        let mut found = self.report.json();
+        found["device"] = self.device.into();
+        found["size"] = json!(self.bench.size);
+        found["repeats"] = self.bench.repeats.into();
+        found
+    }
 }
 
 fn wanted(name: Name) -> Vec<Name> {

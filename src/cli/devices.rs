@@ -3,28 +3,72 @@
 use std::process::ExitCode;
 
 use clap::Args;
+use serde_json::{Value, json};
 
+use super::format::{Format, Found};
 use crate::error::Error;
-use crate::gpu::{GpuError, adapters};
+use crate::gpu::{AdapterReport, GpuError, adapters};
 
 /// List the devices that could render, best first, and what each can do
 #[derive(Debug, Args)]
-pub(super) struct Arguments {}
+pub(super) struct Arguments {
+    #[command(flatten)]
+    format: Format,
+}
 
-pub(super) fn run(_: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let adapters = adapters();
     if adapters.is_empty() {
         return Err(GpuError::NoDevice.into());
     }
-    for adapter in adapters {
-        let info = &adapter.info;
-        say!("{} ({:?}, {})", info.name, info.device_type, info.backend);
-        say!("    driver              {} {}", info.driver, info.driver_info);
-        say!("    largest texture     {0} × {0}", adapter.texture_side);
-        say!("    largest buffer      {} MiB", adapter.storage_buffer >> 20);
-        say!("    storage textures    {} a pass", adapter.storage_textures);
-        say!("    timestamps          {}", if adapter.timestamps { "yes" } else { "no" });
-        say!("    f64                 {}", if adapter.f64 { "yes" } else { "no" });
-    }
+    arguments.format.say(&Devices(adapters))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// What could render, best first.
+pub(super) struct Devices(pub Vec<AdapterReport>);
+
+impl Found for Devices {
+    fn text(&self) -> String {
+        self.0.iter().map(words).collect::<Vec<_>>().join("\n")
+    }
+
+    fn json(&self) -> Value {
+        json!({ "devices": self.0.iter().map(object).collect::<Vec<_>>() })
+    }
+}
+
+fn words(adapter: &AdapterReport) -> String {
+    let info = &adapter.info;
+    let rows = [
+        ("driver", format!("{} {}", info.driver, info.driver_info)),
+        ("largest texture", format!("{0} × {0}", adapter.texture_side)),
+        ("largest buffer", format!("{} MiB", adapter.storage_buffer >> 20)),
+        ("storage textures", format!("{} a pass", adapter.storage_textures)),
+        ("timestamps", yes(adapter.timestamps)),
+        ("f64", yes(adapter.f64)),
+    ];
+    let rows = rows.iter().map(|(name, value)| format!("\n    {name:<20}{value}"));
+    let name = format!("{} ({:?}, {})", info.name, info.device_type, info.backend);
+    [name].into_iter().chain(rows).collect()
+}
+
+fn yes(is_so: bool) -> String {
+    if is_so { "yes" } else { "no" }.to_owned()
+}
+
+fn object(adapter: &AdapterReport) -> Value {
+    let info = &adapter.info;
+    json!({
+        "name": info.name,
+        "kind": format!("{:?}", info.device_type),
+        "backend": info.backend.to_string(),
+        "driver": info.driver,
+        "driver_info": info.driver_info,
+        "texture_side_pixels": adapter.texture_side,
+        "buffer_bytes": adapter.storage_buffer,
+        "storage_textures": adapter.storage_textures,
+        "timestamps": adapter.timestamps,
+        "f64": adapter.f64,
+    })
 }

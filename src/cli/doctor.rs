@@ -1,35 +1,97 @@
 //! `bentray doctor`: is everything there that a render may need, and what is to be done if not?
 
 use std::fs;
+use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 
 use clap::Args;
+use serde_json::{Value, json};
 
 use super::decisions;
+use super::devices::Devices;
+use super::format::{Format, Found, shown};
 use crate::error::Error;
 use crate::gpu::{AdapterReport, GpuError, adapters};
 use crate::output::check_film;
 
 /// Look whether everything is there that a render may need, and say what to install
 #[derive(Debug, Args)]
-pub(super) struct Arguments {}
+pub(super) struct Arguments {
+    #[command(flatten)]
+    format: Format,
+}
 
-pub(super) fn run(_: &Arguments) -> Result<ExitCode, Error> {
-    let adapters = adapters();
-    say!("device       {}", device(&adapters));
-    if let Some(words) = double(&adapters) {
-        say!("64 bits      {words}");
+pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+    let found = Findings::look();
+    arguments.format.say(&found)?;
+    Ok(if found.devices.0.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+/// What is there.
+struct Findings {
+    devices: Devices,
+    /// Can films be videos?
+    video: bool,
+    /// Where decisions are kept, and can they be?
+    cache: Option<(PathBuf, bool)>,
+    /// Queues of jobs.
+    queues: Vec<&'static str>,
+}
+
+impl Findings {
+    fn look() -> Self {
+        let queues = [("sbatch", "Slurm"), ("kubectl", "Kubernetes"), ("parallel", "GNU parallel")];
+        let is_writable =
+            |folder: &PathBuf| fs::create_dir_all(folder).is_ok() && tempfile::tempfile_in(folder).is_ok();
+        Self {
+            devices: Devices(adapters()),
+            video: check_film("film.mp4".as_ref()).is_ok(),
+            cache: decisions::folder().map(|folder| (folder.clone(), is_writable(&folder))),
+            queues: queues.into_iter().filter(|(program, _)| is_there(program)).map(|(_, name)| name).collect(),
+        }
     }
-    let video = match check_film("film.mp4".as_ref()) {
-        Ok(()) => "yes: .mp4 and .webm by ffmpeg",
-        Err(_) => "no ffmpeg: films are .gif or animated .png; apt-get install ffmpeg brings .mp4 and .webm",
-    };
-    say!("video        {video}");
-    say!("cache        {}", cache());
-    let queues = [("sbatch", "Slurm"), ("kubectl", "Kubernetes"), ("parallel", "GNU parallel")];
-    let found: Vec<&str> = queues.into_iter().filter(|(program, _)| is_there(program)).map(|(_, name)| name).collect();
-    say!("farm         {}", if found.is_empty() { "no queue found here".to_owned() } else { found.join(", ") });
-    Ok(if adapters.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+
+    fn cache(&self) -> String {
+        match &self.cache {
+            None => "none: every render looks for its method anew".to_owned(),
+            Some((folder, true)) => folder.display().to_string(),
+            Some((folder, false)) => {
+                format!("{} cannot be written: every render looks for its method anew", folder.display())
+            }
+        }
+    }
+}
+
+impl Found for Findings {
+    fn text(&self) -> String {
+        let devices = &self.devices.0;
+        let video = if self.video {
+            "yes: .mp4 and .webm by ffmpeg"
+        } else {
+            "no ffmpeg: films are .gif or animated .png; apt-get install ffmpeg brings .mp4 and .webm"
+        };
+        let queues = if self.queues.is_empty() { "no queue found here".to_owned() } else { self.queues.join(", ") };
+        let rows = [
+            ("device", Some(device(devices))),
+            ("64 bits", double(devices)),
+            ("video", Some(video.to_owned())),
+            ("cache", Some(self.cache())),
+            ("farm", Some(queues)),
+        ];
+        let rows = rows.into_iter().filter_map(|(name, words)| Some(format!("{name:<13}{}", words?)));
+        rows.collect::<Vec<_>>().join("\n")
+    }
+
+    fn json(&self) -> Value {
+        let mut found = self.devices.json();
+        found["video"] = self.video.into();
+        found["cache"] = self
+            .cache
+            .as_ref()
+            .map_or(Value::Null, |(folder, is_writable)| json!({ "folder": shown(folder), "writable": is_writable }));
+        found["queues"] = json!(self.queues);
+        found
+    }
 }
 
 /// What would render.
@@ -51,18 +113,6 @@ fn double(adapters: &[AdapterReport]) -> Option<String> {
         Some(other) => format!("only on {0}: --precision f64 with --device '{0}'", other.info.name),
         None => "no: --precision f64 and --verify cannot be had; lavapipe has them".to_owned(),
     })
-}
-
-/// Where decisions are kept, and whether they can be.
-fn cache() -> String {
-    let Some(folder) = decisions::folder() else { return "none: every render looks for its method anew".to_owned() };
-    let writable = fs::create_dir_all(&folder).is_ok() && tempfile::tempfile_in(&folder).is_ok();
-    let shown = folder.display();
-    if writable {
-        shown.to_string()
-    } else {
-        format!("{shown} cannot be written: every render looks for its method anew")
-    }
 }
 
 fn is_there(program: &str) -> bool {

@@ -1,7 +1,7 @@
 //! The command line: one file a subcommand.
 //!
 //! Results go to stdout or the named files, messages to stderr, a progress bar only to a terminal. Exit codes: 0 done, 1 failed,
-//! 2 usage.
+//! 2 usage. What scripts would read of a result is a `Found` of `format`, in words or as JSON.
 
 /// A line of results to standard output, in functions that return this crate's error.
 macro_rules! say {
@@ -26,6 +26,7 @@ mod devices;
 mod doctor;
 mod farm;
 mod film;
+mod format;
 mod formula;
 mod frames;
 mod go_on;

@@ -3,6 +3,7 @@
 mod again;
 mod files;
 mod film;
+mod picture;
 mod work;
 
 use std::path::{Path, PathBuf};
@@ -12,6 +13,7 @@ use std::time::Duration;
 use clap::Args;
 use clap::builder::TypedValueParser;
 
+use super::format::Format;
 use super::frames::{Film, Frames, path_of};
 use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
@@ -23,6 +25,7 @@ use crate::measure::verify;
 use crate::program::Layer;
 use crate::render::{RenderError, RenderSettings, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
+pub(super) use picture::followed;
 use work::Work;
 
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
@@ -72,6 +75,8 @@ pub(super) struct Arguments {
     /// Exit with 1 if any ray could not be followed to its end
     #[arg(long)]
     strict: bool,
+    #[command(flatten)]
+    pub(super) format: Format,
 }
 
 /// The layers that can be asked for, and none.
@@ -218,7 +223,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let (leading, settings) = arguments.lead(&gpu, &film, still, settings)?;
     launch.next();
     let measured = arguments.verify.map(|count| verify(&gpu, &leading, &settings, count as usize)).transpose()?;
-    if let Some(verification) = &measured {
+    // Scripts have it with the picture.
+    if let Some(verification) = measured.as_ref().filter(|_| !arguments.format.json) {
         // Who has stopped reading wants the picture all the same.
         match say_line(format_args!("{verification}")) {
             Err(Error::Closed) => {}

@@ -15,6 +15,7 @@
 //! | [`diagrams`] | rays as tables and drawings |
 //! | [`layers`] | what an EXR holds, and how to read it |
 //! | [`performance`] | what the numbers mean, samples, schedules, benchmarks |
+//! | [`scripts`] | results as JSON: what each key is |
 //! | [`extending`] | laws of your own, the library, adding a kind |
 //! | [`physics`] | what pictures of curved spacetimes show, and why: a page for each |
 
@@ -61,6 +62,7 @@ pages! {
     diagrams: "rays as tables and drawings",
     layers: "what an EXR holds, and how to read it",
     performance: "what the numbers mean, samples, schedules, benchmarks",
+    scripts: "results as JSON: what each key is",
     extending: "laws of your own, the library, adding a kind",
 }
 

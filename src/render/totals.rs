@@ -159,11 +159,18 @@ pub struct Clamped {
     pub left: f64,
 }
 
+impl Clamped {
+    /// The part of all light that they lost.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        let all = self.lost + self.left;
+        if all > 0.0 { self.lost / all } else { 0.0 }
+    }
+}
+
 impl fmt::Display for Clamped {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all = self.lost + self.left;
-        let share = if all > 0.0 { 100.0 * self.lost / all } else { 0.0 };
-        write!(f, "{} samples clamped, which took {share:.2} % of the light", self.samples)
+        write!(f, "{} samples clamped, which took {:.2} % of the light", self.samples, 100.0 * self.share())
     }
 }
 

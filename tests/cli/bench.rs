@@ -30,13 +30,13 @@ fn json_is_for_scripts() {
     );
     let ran = folder.run(&format!("bench limit hole.toml scene.toml {SMALL} --json")).succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-    let tables = &json["measured"]["limit"]["tables"];
+    let tables = &json["tables"];
     assert_eq!(tables["ceilings"].as_array().unwrap().len(), 3);
     let [hole, ball] = tables["scenes"].as_array().unwrap().as_slice() else { panic!("{tables}") };
     assert!(hole["faster over bare"].as_f64().unwrap() > 0.0 && hole["steps a ray"].as_f64().unwrap() > 10.0);
     // In straight space there are no steps.
     assert!(ball["faster over bare"].is_null() && ball["method"] == "exact");
-    assert_eq!(json["about"]["repeats"], 1);
+    assert_eq!((&json["name"], &json["repeats"], &json["size"]), (&"limit".into(), &1.into(), &vec![16, 16].into()));
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn sampling_has_an_error_for_every_number_of_samples() {
     let folder = Folder::with(BALL);
     let ran = folder.run("bench sampling scene.toml --size 16x12 --repeats 1 -o report --json").succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-    let tables = &json["measured"]["sampling"]["tables"];
+    let tables = &json["tables"];
     let rows = tables["scenes"].as_array().unwrap();
     assert_eq!((rows.len(), tables["judged"].as_array().unwrap().len()), (8, 1));
     let number = |row: usize, key: &str| rows[row][key].as_f64().unwrap();
@@ -60,7 +60,7 @@ fn aims_and_guide_are_worth_their_time() {
     let folder = Folder::with(BALL);
     let ran = folder.run("bench paths --size 8x8 --repeats 1 --json").succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-    let tables = &json["measured"]["paths"]["tables"];
+    let tables = &json["tables"];
     let rows = tables["lamps"].as_array().unwrap();
     assert_eq!((rows.len(), tables["truths"].as_array().unwrap().len()), (12, 4));
     let error = |row: usize| rows[row]["error"].as_f64().unwrap();
@@ -83,7 +83,7 @@ fn a_start_is_measured_by_its_parts() {
     let folder = Folder::with(BALL);
     let ran = folder.run("bench start scene.toml --repeats 1 --json").succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
-    let rows = json["measured"]["start"]["tables"]["start"].as_array().unwrap();
+    let rows = json["tables"]["start"].as_array().unwrap();
     let [cold, warm] = rows.as_slice() else { panic!("{json}") };
     for row in [cold, warm] {
         let number = |name: &str| row[name].as_f64().unwrap();

@@ -11,11 +11,14 @@ const LONG: &str = "render scene.toml -o a.exr --verify 10";
 fn a_picture_is_written_though_nobody_reads_its_messages() {
     let folder = Folder::with(BALL);
     folder.run("render scene.toml -o b.exr --verify 10").succeeds();
-    let mut child = folder.command(LONG).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    // Both pipes are closed from the start.
-    drop((child.stdout.take(), child.stderr.take()));
-    assert_eq!(child.wait().unwrap().code(), Some(0));
-    assert!(folder.read("a.exr") == folder.read("b.exr"));
+    for line in [LONG.to_owned(), format!("{LONG} --json")] {
+        let mut child = folder.command(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        // Both pipes are closed from the start.
+        drop((child.stdout.take(), child.stderr.take()));
+        assert_eq!(child.wait().unwrap().code(), Some(0));
+        assert!(folder.read("a.exr") == folder.read("b.exr"));
+        std::fs::remove_file(folder.path("a.exr")).unwrap();
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -15,6 +15,7 @@ mod frames;
 mod help;
 mod import;
 mod interrupted;
+mod json;
 mod light;
 mod lost_words;
 mod measures;

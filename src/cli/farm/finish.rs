@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use serde_json::{Value, json};
+
 use super::job::{Job, ranges};
+use crate::cli::format::{Found, shown};
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::origin::{LINES, SCENE, difference};
@@ -40,8 +43,25 @@ pub(super) fn run(job: &Job) -> Result<ExitCode, Error> {
     check_alike(&pictures)?;
     let frames: Vec<Target> = bands.keys().map(|frame| Target { frame: *frame, band: None }).collect();
     loaded.make_films(&frames)?;
-    say!("{} pictures, all there and made alike", bands.len());
+    job.format().say(&Whole { count: bands.len(), files: pictures })?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// The pictures that were put together.
+struct Whole {
+    count: usize,
+    /// Of all of them, which may be several a picture.
+    files: Vec<PathBuf>,
+}
+
+impl Found for Whole {
+    fn text(&self) -> String {
+        format!("{} pictures, all there and made alike", self.count)
+    }
+
+    fn json(&self) -> Value {
+        json!({ "pictures": self.count, "files": self.files.iter().map(shown).collect::<Vec<_>>() })
+    }
 }
 
 /// Frames may differ in what the scene is, and in nothing else.

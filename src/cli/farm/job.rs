@@ -6,7 +6,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use serde_json::{Value, json};
 
+use crate::cli::format::{Format, Found, shown};
 use crate::cli::frames::Film;
 use crate::cli::origin::scene_origin;
 use crate::cli::render::{self, targets_of};
@@ -16,9 +18,9 @@ use crate::error::Error;
 use crate::output::{AtomicFile, OutputError, settings_of};
 use crate::scene::Scene;
 
-/// Options that are ours and not `render`'s: with a value, and alone.
+/// Options that are no part's: with a value, and alone.
 const OWN: [&str; 7] = ["--parts", "--folder", "--sbatch", "--image", "--volume", "--at-once", "--hosts"];
-const ALONE: [&str; 1] = ["--submit"];
+const ALONE: [&str; 2] = ["--submit", "--json"];
 
 /// What a part's log ends in that failed, before its exit code.
 const FAILED: &str = "part failed: exit code ";
@@ -39,6 +41,11 @@ pub(super) struct Job {
 impl Job {
     pub(super) fn parts(&self) -> u32 {
         self.parts
+    }
+
+    /// Whom results are for.
+    pub(super) fn format(&self) -> Format {
+        self.render.format
     }
 
     /// Reads the scene, and says what each part renders.
@@ -157,10 +164,44 @@ pub(super) fn finish_words(program: &str, parts: u32) -> Vec<String> {
 }
 
 /// The words that say how far it is, for people to type.
-pub(super) fn status_line(parts: u32) -> String {
+fn status_line(parts: u32) -> String {
     let own = ["bentray", "farm", "status"].map(str::to_owned);
     let words: Vec<String> = own.into_iter().chain(words()).chain(["--parts".to_owned(), parts.to_string()]).collect();
     quoted(&words)
+}
+
+/// What was written for a queue, and what is left to type.
+pub(super) struct Written {
+    files: Vec<PathBuf>,
+    /// Commands that have the queue run it, in their order.
+    commands: Vec<String>,
+    /// The command that says how far it is.
+    status: String,
+}
+
+impl Written {
+    pub(super) fn new(parts: u32, files: Vec<PathBuf>, commands: Vec<String>) -> Self {
+        Self { files, commands, status: status_line(parts) }
+    }
+}
+
+impl Found for Written {
+    fn text(&self) -> String {
+        let files: Vec<String> = self.files.iter().map(shown).collect();
+        let commands: Vec<String> = self.commands.iter().map(|command| format!("`{command}`")).collect();
+        let submit = (!commands.is_empty()).then(|| format!("\nsubmit them by {}", commands.join(", then ")));
+        format!(
+            "wrote {}{}\nwhere its files are, this says how far it is: `{}`",
+            files.join(", "),
+            submit.unwrap_or_default(),
+            self.status
+        )
+    }
+
+    fn json(&self) -> Value {
+        let files: Vec<String> = self.files.iter().map(shown).collect();
+        json!({ "files": files, "commands": self.commands, "status": self.status })
+    }
 }
 
 /// Numbers as queues take them: `1,3-5`.

@@ -8,7 +8,8 @@ use std::process::ExitCode;
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::job::{Job, finish_words, render_words, status_line};
+use super::job::{Job, Written, finish_words, render_words};
+use crate::cli::words::quoted;
 use crate::error::Error;
 
 /// Where the volume is in a pod.
@@ -47,11 +48,10 @@ pub(super) fn run(arguments: &Kubernetes) -> Result<ExitCode, Error> {
     let part = arguments.manifest(&name(&job.name(), ""), array, &render);
     let once = json!({ "backoffLimit": AGAIN });
     let last = arguments.manifest(&name(&job.name(), "-finish"), once, &finish_words("bentray", parts));
-    let [part, last] = [job.write("parts.json", &part)?, job.write("finish.json", &last)?];
-    let own = name(&job.name(), "");
-    say!("wrote {}; submit it by `kubectl apply -f {0}`", part.display());
-    say!("when `kubectl wait --for=condition=complete job/{own}` returns: `kubectl apply -f {}`", last.display());
-    say!("where the volume is mounted, `{}` says how far it is", status_line(parts));
+    let files = [job.write("parts.json", &part)?, job.write("finish.json", &last)?];
+    let [apply, apply_last] = [0, 1].map(|i| format!("kubectl apply -f {}", quoted(&[files[i].display().to_string()])));
+    let wait = format!("kubectl wait --for=condition=complete --timeout=-1s job/{}", name(&job.name(), ""));
+    job.format().say(&Written::new(parts, files.to_vec(), vec![apply, wait, apply_last]))?;
     Ok(ExitCode::SUCCESS)
 }
 

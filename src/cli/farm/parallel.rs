@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::job::{Job, finish_words, or_say, program, render_words, status_line};
+use super::job::{Job, Written, finish_words, or_say, program, render_words};
 use crate::cli::words::quoted;
 use crate::error::Error;
 
@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Parallel) -> Result<ExitCode, Error> {
         quoted(&[command]),
     );
     let script = job.write("run.sh", &script)?;
-    say!("wrote {0}; run it by `bash {0}`", script.display());
-    say!("see how far it is by `{}`", status_line(parts));
+    let command = format!("bash {}", quoted(&[script.display().to_string()]));
+    job.format().say(&Written::new(parts, vec![script], vec![command]))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -3,11 +3,13 @@
 //! *Practice.* A node that dies has its part queued again. The last job runs whatever became of the others, so that it can say which are
 //! missing.
 
+use std::io::stderr;
+use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use clap::Args;
 
-use super::job::{Job, finish_words, or_say, program, render_words, status_line};
+use super::job::{Job, Written, finish_words, or_say, program, render_words};
 use crate::cli::words::quoted;
 use crate::error::Error;
 
@@ -41,23 +43,26 @@ pub(super) fn run(arguments: &Slurm) -> Result<ExitCode, Error> {
     let last = format!(
         "#!/bin/bash\n#SBATCH --job-name={name}-finish\n#SBATCH --output={shown}/finish.log\n\nexec {finish}\n"
     );
-    let [part, last] = [job.write("parts.sh", &part)?, job.write("finish.sh", &last)?]
-        .map(|path| quoted(&[path.display().to_string()]));
+    let scripts = [job.write("parts.sh", &part)?, job.write("finish.sh", &last)?];
+    let [part, last] = [0, 1].map(|i| quoted(&[scripts[i].display().to_string()]));
     let submit = format!(
         "#!/bin/bash\n# From the folder that the scene's path counts from.\nset -euo pipefail\n\
          parts=$(sbatch --parsable {part})\nsbatch --dependency=afterany:\"$parts\" {last}\n"
     );
     let submit = job.write("submit.sh", &submit)?;
-    if !arguments.submit {
-        say!("wrote {shown}/parts.sh, finish.sh and submit.sh; submit them by `bash {}`", submit.display());
-        say!("then see how far it is by `{}`", status_line(parts));
-        return Ok(ExitCode::SUCCESS);
+    if arguments.submit {
+        run_script(&submit)?;
     }
-    let failed = |why: String| Error::Usage(format!("{}: {why}", submit.display()));
-    let status = Command::new("bash").arg(&submit).status().map_err(|error| failed(error.to_string()))?;
-    if !status.success() {
-        return Err(failed("sbatch failed, with what it said above".to_owned()));
-    }
-    say!("see how far it is by `{}`", status_line(parts));
+    let command = format!("bash {}", quoted(&[submit.display().to_string()]));
+    let commands = if arguments.submit { Vec::new() } else { vec![command] };
+    job.format().say(&Written::new(parts, [&scripts[..], &[submit]].concat(), commands))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Submits the jobs. What sbatch says of them is a message, and no result.
+fn run_script(submit: &Path) -> Result<(), Error> {
+    let failed = |why: String| Error::Usage(format!("{}: {why}", submit.display()));
+    let status = Command::new("bash").arg(submit).stdout(stderr()).status();
+    let status = status.map_err(|error| failed(error.to_string()))?;
+    if status.success() { Ok(()) } else { Err(failed("sbatch failed, with what it said above".to_owned())) }
 }

@@ -3,7 +3,10 @@
 use std::fs;
 use std::process::ExitCode;
 
+use serde_json::{Value, json};
+
 use super::job::{Job, Loaded, failure, ranges};
+use crate::cli::format::Found;
 use crate::cli::share::Target;
 use crate::error::Error;
 
@@ -16,48 +19,98 @@ enum State {
     Missing,
 }
 
+impl State {
+    const ALL: [Self; 4] = [Self::Done, Self::Failed, Self::UnderWay, Self::Missing];
+
+    /// In JSON.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Failed => "failed",
+            Self::UnderWay => "under_way",
+            Self::Missing => "not_begun",
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Failed => "failed",
+            Self::UnderWay => "under way, or cut off",
+            Self::Missing => "not begun",
+        }
+    }
+}
+
+/// A part of a job.
+struct Part {
+    /// From 1.
+    number: u32,
+    state: State,
+    /// Why it failed, if it did.
+    error: Option<String>,
+}
+
+/// All parts of a job.
+struct Progress(Vec<Part>);
+
 pub(super) fn run(job: &Job) -> Result<ExitCode, Error> {
-    let mut parts: Vec<(u32, State)> = Vec::new();
-    let mut reasons = Vec::new();
     let loaded = job.load()?;
-    for (number, targets) in (1..).zip(&loaded.shares) {
+    let part = |(number, targets): (u32, &Vec<Target>)| Part::look(job, &loaded, number, targets);
+    let parts: Vec<Part> = (1..).zip(&loaded.shares).map(part).collect::<Result<_, _>>()?;
+    job.format().say(&Progress(parts))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+impl Part {
+    fn look(job: &Job, loaded: &Loaded, number: u32, targets: &[Target]) -> Result<Self, Error> {
         let log = fs::read_to_string(job.log(number)).ok();
         let error = log.as_deref().and_then(failure);
         let mut is_done = true;
         for target in targets {
-            is_done &= self::is_done(&loaded, *target)?;
+            is_done &= self::is_done(loaded, *target)?;
         }
         let state = match (&log, error) {
             _ if is_done => State::Done,
-            (_, Some(error)) => {
-                reasons.push(format!("part {number}: {error}"));
-                State::Failed
-            }
+            (_, Some(_)) => State::Failed,
             (Some(_), None) => State::UnderWay,
             (None, None) => State::Missing,
         };
-        parts.push((number, state));
+        Ok(Self { number, state, error: error.filter(|_| state == State::Failed).map(str::to_owned) })
     }
-    let are = |state: State| -> Vec<u32> {
-        parts.iter().filter(|(_, own)| *own == state).map(|(number, _)| *number).collect()
-    };
-    let done = are(State::Done).len();
-    say!("{done} of {} parts are done", parts.len());
-    for (state, words) in
-        [(State::Failed, "failed"), (State::UnderWay, "under way, or cut off"), (State::Missing, "not begun")]
-    {
-        let numbers = are(state);
-        if !numbers.is_empty() {
-            say!("{words}: {} ({})", numbers.len(), ranges(&numbers));
-        }
-    }
-    for reason in reasons {
-        say!("{reason}");
-    }
-    Ok(ExitCode::SUCCESS)
 }
 
 /// Are its files there, or those of the picture that it is a band of?
 fn is_done(loaded: &Loaded, target: Target) -> Result<bool, Error> {
     Ok(loaded.is_there(target)? || loaded.is_there(Target { band: None, ..target })?)
+}
+
+impl Progress {
+    /// The parts that are so.
+    fn numbers(&self, state: State) -> Vec<u32> {
+        self.0.iter().filter(|part| part.state == state).map(|part| part.number).collect()
+    }
+}
+
+impl Found for Progress {
+    fn text(&self) -> String {
+        let mut lines = vec![format!("{} of {} parts are done", self.numbers(State::Done).len(), self.0.len())];
+        for state in State::ALL.into_iter().filter(|state| *state != State::Done) {
+            let numbers = self.numbers(state);
+            if !numbers.is_empty() {
+                lines.push(format!("{}: {} ({})", state.words(), numbers.len(), ranges(&numbers)));
+            }
+        }
+        let reason = |part: &Part| Some(format!("part {}: {}", part.number, part.error.as_ref()?));
+        lines.extend(self.0.iter().filter_map(reason));
+        lines.join("\n")
+    }
+
+    fn json(&self) -> Value {
+        let part = |part: &Part| json!({ "part": part.number, "state": part.state.name(), "error": part.error });
+        json!({
+            "count": State::ALL.map(|state| (state.name(), self.numbers(state).len())).into_iter().collect::<Value>(),
+            "parts": self.0.iter().map(part).collect::<Vec<_>>(),
+        })
+    }
 }

@@ -6,6 +6,8 @@ use crate::cli::words::{quoted, typed};
 
 /// Options that only say how a picture came about in steps.
 const STEPS: [&str; 3] = ["--continue", "--preview", "--preview-every"];
+/// And how that is told.
+const TOLD: [&str; 1] = ["--json"];
 
 impl Arguments {
     /// What to type for the same files: what was typed, without what only led to them in steps. Where the method was not named it is that
@@ -14,7 +16,7 @@ impl Arguments {
         let file = self.paths(first).into_iter().next().filter(|_| is_found);
         let method = file.into_iter().flat_map(|path| ["--method-of".to_owned(), path.display().to_string()]);
         let words: Vec<String> =
-            ["bentray".to_owned()].into_iter().chain(typed(1, &STEPS, &[])).chain(method).collect();
+            ["bentray".to_owned()].into_iter().chain(typed(1, &STEPS, &TOLD)).chain(method).collect();
         quoted(&words)
     }
 }

@@ -6,10 +6,31 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::{Value, json};
+
 use super::Arguments;
+use crate::cli::format::{Found, shown};
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::{OutputError, check_film, film, is_film};
+
+/// A film that is finished.
+struct Finished<'a> {
+    path: &'a Path,
+    frames: usize,
+    /// Frames a second.
+    rate: f64,
+}
+
+impl Found for Finished<'_> {
+    fn text(&self) -> String {
+        format!("{}: {} frames, {} a second", self.path.display(), self.frames, self.rate)
+    }
+
+    fn json(&self) -> Value {
+        json!({ "film": shown(self.path), "frames": self.frames, "frames_per_second": self.rate })
+    }
+}
 
 impl Arguments {
     /// Is this the name of a film, rather than of its frames, even of wrongly named ones?
@@ -50,10 +71,11 @@ impl Arguments {
         let frames: Vec<PathBuf> = targets.iter().map(|target| target.path(png)).collect();
         for path in self.films() {
             film(path, &frames, rate)?;
-            tell!("{}: {} frames, {rate} a second", path.display(), frames.len());
+            self.format.tell(&Finished { path, frames: frames.len(), rate })?;
         }
         Ok(())
     }
+
     /// Removes the folder of frames that were asked for only as a film; those of another, longer film are left.
     pub(super) fn clear_frames(&self, targets: &[Target]) {
         let Some(folder) = self.frame_folder() else { return };

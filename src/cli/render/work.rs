@@ -1,7 +1,8 @@
 //! One frame after the other, by the programs that were compiled for the first.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
+use super::picture::{Made, Picture};
 use super::{Arguments, warn};
 use crate::cli::decisions::Rays;
 use crate::cli::frames::Film;
@@ -15,9 +16,7 @@ use crate::gpu::Gpu;
 use crate::measure::Verification;
 use crate::output::ImageWriter;
 use crate::program::Layer;
-use crate::render::{
-    Earlier, LightReport, Preview, RenderError, RenderSettings, Renderer, StartUp, Totals, Watch, Window,
-};
+use crate::render::{Earlier, Preview, RenderError, RenderSettings, Renderer, StartUp, Totals, Watch, Window};
 use crate::scene::Scene;
 
 /// What is being rendered, and with what.
@@ -78,13 +77,9 @@ impl Work<'_> {
             progress.tell(i + 1);
         }
         if targets.iter().any(|target| target.frame.is_some()) {
-            self.tell_again();
+            tell!("to repeat it: {}", self.again);
         }
         Ok(unfollowed)
-    }
-
-    fn tell_again(&self) {
-        tell!("to repeat it: {}", self.again);
     }
 
     fn render(&mut self, target: Target, earlier: Option<&Earlier>) -> Result<u64, Error> {
@@ -99,6 +94,7 @@ impl Work<'_> {
         let layers = self.layers.clone();
         // A picture that is named alone is rendered whenever it is asked for.
         if (frame.is_some() || band.is_some()) && self.arguments.is_finished(&scene, target, &layers, &said) {
+            self.tell(target, None)?;
             return Ok(0);
         }
         let preview = self.arguments.preview(&scene, &layers, &said);
@@ -110,18 +106,26 @@ impl Work<'_> {
         let ready = begun.elapsed();
         let totals = render(renderer, &mut writers, &mut self.launch, (earlier, preview.as_ref()))?;
         writers.into_iter().try_for_each(ImageWriter::finish)?;
-        if is_first {
-            tell!("{}", self.launch);
-        }
-        for light in renderer.light_reports() {
-            tell!("{light}");
-        }
-        if frame.is_none() {
-            self.tell_again();
-        }
-        report(frame, ready, &totals);
-        let lights: u64 = renderer.light_reports().iter().map(LightReport::unfollowed).sum();
-        Ok(lights + totals.unfollowed())
+        let made = Made {
+            scene: &scene,
+            again: &self.again,
+            device: self.gpu.words(),
+            window,
+            ready,
+            launch: is_first.then_some(&self.launch),
+            totals,
+            lights: renderer.light_reports(),
+            verification: self.verification.as_ref(),
+        };
+        self.tell(target, Some(&made))?;
+        warn(&made.totals);
+        Ok(made.unfollowed())
+    }
+
+    /// Says what became of a target; nothing was made where it was finished before.
+    fn tell(&self, target: Target, made: Option<&Made>) -> Result<(), Error> {
+        let files = self.arguments.paths(target);
+        self.arguments.format.tell(&Picture { scene: self.film.path, target, files, made })
     }
 
     /// What is rendered of the picture; where it is a band, the renderer is told.
@@ -155,14 +159,6 @@ impl Work<'_> {
             (result, ..) => Ok(result?),
         }
     }
-}
-
-fn report(frame: Option<u32>, ready: Duration, totals: &Totals) {
-    match frame {
-        Some(frame) => tell!("frame {frame}: ready after {:.3} s; {totals}", ready.as_secs_f64()),
-        None => tell!("{totals}"),
-    }
-    warn(totals);
 }
 
 /// Where a scene leaves its method open, the first frame's is every frame's.

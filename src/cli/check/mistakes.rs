@@ -1,0 +1,61 @@
+//! What is wrong with a scene.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::cli::format::{Found, shown};
+use crate::document::brief;
+use crate::error::Error;
+use crate::scene::{Mistake, SceneError};
+
+/// A scene that cannot be rendered.
+pub(super) struct Wrong<'a> {
+    pub path: &'a Path,
+    pub error: Error,
+}
+
+impl Found for Wrong<'_> {
+    fn text(&self) -> String {
+        format!("error: {}", self.error)
+    }
+
+    fn json(&self) -> Value {
+        let mistakes = match &self.error {
+            Error::Scene(SceneError::Mistakes(mistakes)) => mistakes.iter().map(object).collect(),
+            // Of the scene, or of a file that it names, as a whole.
+            error => {
+                let file = match error {
+                    Error::Scene(
+                        SceneError::Read { path, .. }
+                        | SceneError::Picture { path, .. }
+                        | SceneError::Mesh { path, .. }
+                        | SceneError::Grid { path, .. },
+                    ) => path,
+                    _ => self.path,
+                };
+                vec![json!({
+                    "file": shown(file),
+                    "line": null,
+                    "column": null,
+                    "excerpt": null,
+                    "problem": error.to_string(),
+                    "help": null,
+                })]
+            }
+        };
+        json!({ "scene": shown(self.path), "mistakes": mistakes })
+    }
+}
+
+fn object(mistake: &Mistake) -> Value {
+    let some = |text: &str| (!text.is_empty()).then(|| brief(text).into_owned());
+    json!({
+        "file": shown(&mistake.file),
+        "line": mistake.line,
+        "column": mistake.column,
+        "excerpt": some(&mistake.excerpt),
+        "problem": brief(&mistake.problem),
+        "help": some(&mistake.help),
+    })
+}

@@ -1,0 +1,222 @@
+//! What will be modelled of a scene that is right.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::cli::format::{Found, shown};
+use crate::cli::render::followed;
+use crate::gpu::{Built, Geometry, Grid, LightVolume, Memory, light_bytes};
+use crate::model::medium::VISIBLE;
+use crate::program::Program;
+use crate::scene::{Beam, Scene, Shadows};
+
+/// A scene, with what it comes to on the device.
+pub(super) struct Modelled<'a> {
+    pub path: &'a Path,
+    pub scene: Scene,
+    pub geometry: Geometry,
+    pub program: Program,
+    pub memory: Memory,
+    /// Frames of its animation that were looked at.
+    pub frames_checked: u32,
+}
+
+impl Found for Modelled<'_> {
+    fn text(&self) -> String {
+        let scene = &self.scene;
+        let [width, height] = scene.image.size;
+        let (samples, objects) = (scene.image.samples, scene.objects.len());
+        let mut lines =
+            vec![format!("{}: {width}×{height}, samples {samples}, objects {objects}", self.path.display())];
+        let mut add = |more: Vec<String>| lines.extend(more.into_iter().map(|line| format!("  {line}")));
+        add(self.adaptive_words().into_iter().collect());
+        add(structure_words(&self.geometry).into_iter().collect());
+        add(self.pass_words());
+        add(self.remark().into_iter().collect());
+        add(scene.rounded_away().map(|words| format!("warning: {words}")).into_iter().collect());
+        let swallowed = |light| format!("light {light} (from 0) is inside of what captures rays, and lights nothing");
+        add(scene.swallowed_lights().into_iter().map(swallowed).collect());
+        add(self.light_grids().map(|grid| grid.words()).collect());
+        add(random_words(scene));
+        if scene.rays.auto.is_some() {
+            add(vec!["method auto: measured when the scene is rendered; counted here for rk4".to_owned()]);
+        }
+        add(vec![self.memory_words()]);
+        add(self.frame_words());
+        lines.join("\n")
+    }
+
+    fn json(&self) -> Value {
+        let scene = &self.scene;
+        json!({
+            "scene": shown(self.path),
+            "mistakes": [],
+            "size": scene.image.size,
+            "samples": scene.image.samples,
+            "adaptive": scene.image.adaptive,
+            "objects": scene.objects.len(),
+            "structure": structure(&self.geometry),
+            "passes": self.passes(),
+            "followed": scene.rays.auto.is_none().then(|| followed(&scene.rays)),
+            "bytes_per_pixel": self.memory.bytes_per_pixel(),
+            "bytes_per_pixel_of": self.memory.items.iter().map(|(name, n)| (name.clone(), json!(n))).collect::<Value>(),
+            "light_grids": self.light_grids().map(|grid| grid.json()).collect::<Vec<_>>(),
+            "swallowed_lights": scene.swallowed_lights(),
+            "frames": scene.animation.as_ref().map(|animation| animation.frames),
+            "frames_checked": self.frames_checked,
+            "animated": scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys),
+            "remarks": self.remark().into_iter().chain(random_words(scene)).collect::<Vec<_>>(),
+            "warnings": scene.rounded_away().into_iter().collect::<Vec<_>>(),
+        })
+    }
+}
+
+impl Modelled<'_> {
+    fn adaptive_words(&self) -> Option<String> {
+        let (tolerance, most) = (self.scene.image.adaptive?, self.scene.image.samples);
+        Some(format!(
+            "adaptive: a ray a pixel through its corner, then 16 and on to {most}, until the error is below {tolerance}"
+        ))
+    }
+
+    fn pass_words(&self) -> Vec<String> {
+        let passes = self.program.passes.iter().map(|(pass, linked, reflection)| {
+            let (lines, bindings) = (linked.source.lines().count(), reflection.bindings.len());
+            format!("pass {:<10} {lines:>4} lines, {bindings:>2} bindings: {}", pass.entry(), linked.parts().join(" "))
+        });
+        passes.collect()
+    }
+
+    fn passes(&self) -> Vec<Value> {
+        let passes = self.program.passes.iter().map(|(pass, linked, reflection)| {
+            json!({
+                "name": pass.entry(),
+                "lines": linked.source.lines().count(),
+                "bindings": reflection.bindings.len(),
+                "parts": linked.parts(),
+            })
+        });
+        passes.collect()
+    }
+
+    /// What the law has to say of itself.
+    fn remark(&self) -> Option<String> {
+        let bound = &self.scene.rays.bound;
+        self.scene.law.remark(bound.center, bound.radius)
+    }
+
+    fn light_grids(&self) -> impl Iterator<Item = GridOfLight> {
+        let lights = self.scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid);
+        lights.map(|(light, own)| {
+            let volume = LightVolume::new(&self.scene, own.grid.voxels);
+            let bytes = light_bytes(volume.voxels() as u64);
+            GridOfLight { light, voxels: volume.count, paths: own.grid.paths, bytes }
+        })
+    }
+
+    fn memory_words(&self) -> String {
+        let items: Vec<_> = self.memory.items.iter().map(|(name, bytes)| format!("{name} {bytes}")).collect();
+        format!("{} bytes per pixel: {}", self.memory.bytes_per_pixel(), items.join(", "))
+    }
+
+    fn frame_words(&self) -> Vec<String> {
+        let Some(animation) = &self.scene.animation else { return Vec::new() };
+        let (frames, checked) = (animation.frames, self.frames_checked);
+        let some = format!("of {frames} frames {checked} are checked, evenly from first to last");
+        let all = format!("{frames} frames of one program, in which {} change", animation.keys.join(", "));
+        (checked < frames).then_some(some).into_iter().chain([all]).collect()
+    }
+}
+
+/// A grid that holds a light's directions.
+struct GridOfLight {
+    light: usize,
+    voxels: [u32; 3],
+    paths: u32,
+    bytes: u64,
+}
+
+impl GridOfLight {
+    fn words(&self) -> String {
+        let Self { light, voxels: [x, y, z], paths, bytes } = self;
+        format!("light {light} (from 0): a grid of {x}×{y}×{z} voxels, {paths} paths, at least {bytes} bytes")
+    }
+
+    fn json(&self) -> Value {
+        let Self { light, voxels, paths, bytes } = self;
+        json!({ "light": light, "voxels": voxels, "paths": paths, "bytes": bytes })
+    }
+}
+
+/// What of the picture is drawn at random.
+fn random_words(scene: &Scene) -> Vec<String> {
+    let mut words = Vec::new();
+    if scene.rays.paths.is_some() {
+        let lamps: Vec<_> = scene.lamps().iter().map(|lamp| lamp.object.to_string()).collect();
+        let lamps =
+            (!lamps.is_empty()).then(|| format!("{} lamps: objects {} (from 0)", lamps.len(), lamps.join(", ")));
+        let sky = scene.aims_at_sky().then(|| "the sky where it is bright".to_owned());
+        let aims: Vec<_> = lamps.into_iter().chain(sky).collect();
+        words.push(if aims.is_empty() {
+            "paths aim at nothing: they find light by chance".to_owned()
+        } else {
+            format!("paths aim at {}", aims.join("; and at "))
+        });
+        words.extend(guide_words(scene));
+    } else if scene.has_lobes() {
+        words.push("rough surfaces: a direction a sample is drawn at random, and few samples are noisy".to_owned());
+    } else if scene.is_occluded() {
+        words.push(
+            "ambient light: a line a sample is drawn at random, and few samples are noisy; 64 are smooth".to_owned(),
+        );
+    }
+    words.extend(dispersion_words(scene));
+    words
+}
+
+/// Of what wavelengths light is, if that matters.
+fn dispersion_words(scene: &Scene) -> Option<String> {
+    scene.disperses().then(|| {
+        if scene.rays.paths.is_some() {
+            format!("dispersion: each path is of one wavelength, from {} to {} nm", VISIBLE.start(), VISIBLE.end())
+        } else {
+            format!("dispersion: all light is of {} nm; on paths it is of all visible", scene.rays.wavelength)
+        }
+    })
+}
+
+/// What guides paths, if anything does.
+fn guide_words(scene: &Scene) -> Option<String> {
+    let beam = |beam: &Beam| match beam.through {
+        Some(object) => format!("from {} by {object}", beam.lamp.object),
+        None => format!("from {}", beam.lamp.object),
+    };
+    let beams: Vec<_> = scene.beams().iter().map(beam).collect();
+    let paths = scene.guide_grid().paths;
+    (!beams.is_empty()).then(|| format!("light guides them, {paths} paths of it each: {}", beams.join(", ")))
+}
+
+/// What segments search, if there is anything.
+fn structure_words(geometry: &Geometry) -> Option<String> {
+    let Built { items, nodes, grid, .. } = &geometry.structure;
+    let triangles = geometry.triangles.len();
+    Some(match grid {
+        _ if items.is_empty() => return None,
+        Some(Grid { count: [x, y, z], .. }) => {
+            format!("structure: {x}×{y}×{z} cells with {} entries, of them {triangles} triangles", items.len())
+        }
+        None if nodes.is_empty() => format!("structure: none, {} items, of them {triangles} triangles", items.len()),
+        None => format!("structure: {} items, of them {triangles} triangles, in {} nodes", items.len(), nodes.len()),
+    })
+}
+
+fn structure(geometry: &Geometry) -> Value {
+    let Built { items, nodes, grid, .. } = &geometry.structure;
+    json!({
+        "entries": items.len(),
+        "triangles": geometry.triangles.len(),
+        "nodes": nodes.len(),
+        "cells": grid.as_ref().map(|grid| grid.count),
+    })
+}

@@ -1,0 +1,187 @@
+//! What a render came to, picture by picture: the words behind it, and the same for scripts.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+use crate::cli::format::{Found, shown};
+use crate::cli::share::Target;
+use crate::measure::{Quantiles, Verification};
+use crate::render::{Adaptive, Clamped, LightReport, Noise, StartUp, Status, Totals, Window};
+use crate::scene::{Rays, Scene};
+
+/// A picture, a frame of a film, or a band of either.
+pub(super) struct Picture<'a> {
+    /// The scene's file.
+    pub scene: &'a Path,
+    pub target: Target,
+    pub files: Vec<PathBuf>,
+    /// None where its files were there already.
+    pub made: Option<&'a Made<'a>>,
+}
+
+/// How it was made, and what that took.
+pub(super) struct Made<'a> {
+    pub scene: &'a Scene,
+    /// What repeats the render.
+    pub again: &'a str,
+    /// The device, with its driver.
+    pub device: String,
+    /// What of the picture was rendered.
+    pub window: Window,
+    /// From the frame's beginning to its first pass.
+    pub ready: Duration,
+    /// What the process's start took, with its first picture.
+    pub launch: Option<&'a StartUp>,
+    pub totals: Totals,
+    /// What grids of light came to.
+    pub lights: &'a [LightReport],
+    pub verification: Option<&'a Verification>,
+}
+
+impl Made<'_> {
+    /// Rays that could not be followed, of the picture and of its lights.
+    pub(super) fn unfollowed(&self) -> u64 {
+        self.lights.iter().map(LightReport::unfollowed).sum::<u64>() + self.totals.unfollowed()
+    }
+}
+
+impl Found for Picture<'_> {
+    fn text(&self) -> String {
+        let Some(made) = self.made else { return String::new() };
+        let mut lines: Vec<String> = made.launch.iter().map(ToString::to_string).collect();
+        lines.extend(made.lights.iter().map(ToString::to_string));
+        let (totals, ready) = (&made.totals, made.ready.as_secs_f64());
+        match self.target.frame {
+            Some(frame) => lines.push(format!("frame {frame}: ready after {ready:.3} s; {totals}")),
+            None => lines.extend([format!("to repeat it: {}", made.again), totals.to_string()]),
+        }
+        lines.join("\n")
+    }
+
+    fn json(&self) -> Value {
+        let mut found = json!({
+            "scene": shown(self.scene),
+            "frame": self.target.frame,
+            "files": self.files.iter().map(shown).collect::<Vec<_>>(),
+            "rendered": self.made.is_some(),
+        });
+        if let Some(made) = self.made {
+            for part in [scene(made), counts(made), times(made), quality(made)] {
+                merge(&mut found, part);
+            }
+        }
+        found
+    }
+}
+
+/// Adds the keys of another object.
+fn merge(to: &mut Value, from: Value) {
+    if let (Value::Object(to), Value::Object(from)) = (to, from) {
+        to.extend(from);
+    }
+}
+
+/// What was rendered, and how.
+fn scene(made: &Made) -> Value {
+    json!({
+        "command": made.again,
+        "device": made.device,
+        "size": made.window.size,
+        "origin": made.window.origin,
+        "samples": made.scene.image.samples,
+        "followed": followed(&made.scene.rays),
+    })
+}
+
+/// How rays are followed, by the keys of `[rays]`; null if that should be no table.
+pub(in crate::cli) fn followed(rays: &Rays) -> Value {
+    let table: Option<toml::Table> = toml::from_str(&format!("rays = {}", rays.followed())).ok();
+    table.and_then(|mut table| serde_json::to_value(table.remove("rays")?).ok()).unwrap_or_default()
+}
+
+/// What became of its rays.
+fn counts(made: &Made) -> Value {
+    let totals = &made.totals;
+    let ends = Status::ENDS.into_iter().chain([Status::Alive]);
+    json!({
+        "rays": totals.rays,
+        "steps": totals.steps,
+        "rejected_steps": totals.rejected,
+        "segments": totals.segments,
+        "ends": ends.map(|status| (status.name(), totals.count(status))).collect::<Value>(),
+        "unfollowed": made.unfollowed(),
+        "unlit": totals.unlit,
+        "unfiltered": totals.unfiltered,
+    })
+}
+
+/// What it took.
+fn times(made: &Made) -> Value {
+    let stages = ["setup", "advance", "intersect", "scatter", "shade"];
+    let by_stage = |times: [Duration; 5]| -> Value { stages.into_iter().zip(times.map(seconds)).collect() };
+    let by_part = |launch: &StartUp| -> Value {
+        launch.parts().map(|(part, time)| (part.replace(' ', "_"), seconds(time))).collect()
+    };
+    json!({
+        "seconds": seconds(made.totals.wall),
+        "device_seconds": made.totals.device.map(by_stage),
+        "ready_seconds": seconds(made.ready),
+        "start_seconds": made.launch.map(by_part),
+        "light_grids": made.lights.iter().map(light).collect::<Vec<_>>(),
+    })
+}
+
+fn seconds(time: Duration) -> f64 {
+    time.as_secs_f64()
+}
+
+fn light(report: &LightReport) -> Value {
+    json!({
+        "of": report.of.to_string(),
+        "voxels": report.count,
+        "refined_voxels": report.refined[0],
+        "paths": report.totals.rays,
+        "unfollowed": report.unfollowed(),
+        "bytes": report.bytes,
+        "seconds": seconds(report.wall),
+    })
+}
+
+/// How good it is, as far as that is known.
+fn quality(made: &Made) -> Value {
+    let Totals { adaptive, noise, clamped, .. } = &made.totals;
+    json!({
+        "adaptive": adaptive.as_ref().map(|adaptive: &Adaptive| json!({
+            "samples_per_pixel": adaptive.mean(),
+            "capped_pixels": adaptive.capped,
+            "tolerance": adaptive.tolerance,
+        })),
+        "noise": noise.as_ref().map(|noise: &Noise| json!({
+            "over_mean": noise.mean(),
+            "median_pixel": noise.median(),
+        })),
+        "clamped": clamped.as_ref().map(|clamped: &Clamped| json!({
+            "samples": clamped.samples,
+            "share_of_light": clamped.share(),
+        })),
+        "verification": made.verification.map(verification),
+    })
+}
+
+fn verification(verification: &Verification) -> Value {
+    let found = &verification.found;
+    // Of no ray there are no numbers, which JSON has as null.
+    let quantiles = |q: &Quantiles| json!({ "median": q.median, "p99": q.p99, "max": q.max });
+    json!({
+        "rays": found.rays,
+        "unresolved": found.unresolved,
+        "wrong_ends": found.wrong,
+        "flagged": found.flagged,
+        "tolerance": verification.tolerance,
+        "angle_radians": quantiles(&found.angle),
+        "position": quantiles(&found.position),
+        "depth": quantiles(&found.depth),
+    })
+}
