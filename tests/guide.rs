@@ -265,15 +265,22 @@ fn texts_are_short() {
     }
 }
 
-/// What links of the README and of CONTRIBUTING.md lead to is there.
+/// What links of the README and of CONTRIBUTING.md lead to is there, and in the crate that is published.
 #[test]
 fn links_lead_somewhere() {
+    let list = ["package", "--list", "--allow-dirty", "--offline"];
+    let listed = Command::new(env!("CARGO")).args(list).current_dir(root()).output().unwrap();
+    let listed = String::from_utf8(listed.stdout).unwrap();
+    assert!(listed.lines().any(|file| file == "src/main.rs"), "{listed}");
     for page in ["README.md", "CONTRIBUTING.md", "scenes/README.md"] {
         let text = read(page);
-        let folder = root().join(page).parent().unwrap().to_owned();
+        let folder = Path::new(page).parent().unwrap();
         let links = text.split("](").skip(1).map(|rest| rest.split(')').next().unwrap());
         for link in links.filter(|link| !link.contains("://")) {
-            assert!(folder.join(link).exists(), "{page}: {link}");
+            let path = folder.join(link);
+            assert!(root().join(&path).exists(), "{page}: {link}");
+            let is_packaged = listed.lines().any(|file| Path::new(file).starts_with(&path));
+            assert!(is_packaged, "{page}: {link} is not in the crate");
         }
     }
 }
