@@ -1,4 +1,4 @@
-# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make test`: every check. `make fuzz`: files that nobody thought of.
+# `make render`: a picture from a fresh machine. `make gallery`: the figures of scenes/thesis, scenes/groller, scenes/paths and scenes/spacetimes, with a page. `make test`: every check. `make fuzz`: files that nobody thought of. `make release`: the program to give away.
 
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -6,7 +6,7 @@ SHELL := /bin/bash
 # Mesa's device-select layer complains where there is no desktop session.
 export NODEVICE_SELECT := 1
 
-.PHONY: render gallery test fuzz device tools clean
+.PHONY: render gallery test fuzz release device tools clean
 
 render: device
 	cargo build --release
@@ -49,6 +49,30 @@ fuzz:
 	        -print_final_stats=1 "-artifact_prefix=target/fuzz/found/$$reader-" "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" \
 	        || status=1; \
 	done; exit $$status
+
+# The program with its manual pages and completions, as an archive to unpack in /usr/local or anywhere, and as a Debian package where
+# cargo-deb is there to make one; with checksums, in target/dist.
+release:
+	cargo build --release --locked
+	rm -rf target/dist
+	mkdir -p target/dist/share/{man/man1,bash-completion/completions,fish/vendor_completions.d,zsh/site-functions}
+	cd target/dist/share; program=../../release/bentray; \
+	$$program completions bash >bash-completion/completions/bentray; \
+	$$program completions fish >fish/vendor_completions.d/bentray.fish; \
+	$$program completions zsh >zsh/site-functions/_bentray; \
+	$$program man >man/man1/bentray.1; \
+	for command in $$(sed -n 's/^bentray\\-\(.*\)(1)$$/\1/p' man/man1/bentray.1); do \
+	    $$program man "$$command" >"man/man1/bentray-$$command.1"; \
+	done
+	name=bentray-$$(target/release/bentray --version | cut -d' ' -f2)-$$(rustc -vV | sed -n 's/^host: //p'); \
+	mkdir -p "target/dist/$$name/bin"; \
+	cp target/release/bentray "target/dist/$$name/bin"; \
+	cp -r README.md LICENSE target/dist/share "target/dist/$$name"; \
+	tar -C target/dist -czf "target/dist/$$name.tar.gz" "$$name"; \
+	rm -r "target/dist/$$name"
+	if cargo deb --version >/dev/null 2>&1; then cargo deb --no-build --locked --output target/dist/; \
+	else echo "no Debian package was made: cargo-deb is missing, which \`cargo install cargo-deb\` brings" >&2; fi
+	cd target/dist; sums="$$(command -v sha256sum || echo shasum -a 256)"; $$sums bentray* | tee sha256sums
 
 # A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own.
 device:

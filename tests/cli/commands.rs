@@ -193,7 +193,15 @@ fn shells_man_and_doctors_are_served() {
     for (shell, text) in [("bash", "_bentray()"), ("zsh", "#compdef bentray"), ("fish", "complete -c bentray")] {
         assert!(folder.run(&format!("completions {shell}")).succeeds().out.contains(text), "{shell}");
     }
-    assert!(folder.run("man").succeeds().out.contains(".TH bentray 1"));
+    let page = folder.run("man").succeeds().out;
+    assert!(page.contains(".TH bentray 1"));
+    // `make release` reads there which pages there are.
+    let others = page.lines().filter_map(|line| line.strip_prefix("bentray\\-")?.strip_suffix("(1)"));
+    let others: Vec<&str> = others.collect();
+    assert!(others.len() > 10 && others.contains(&"render"), "{others:?}");
+    for name in others {
+        assert!(folder.run(&format!("man {name}")).succeeds().out.contains(&format!(".TH bentray-{name} 1")), "{name}");
+    }
     let page = folder.run("man render").succeeds().out;
     assert!(page.contains(".TH bentray-render 1") && page.contains("\\-\\-frames"), "{page}");
     folder.run("man nothing").fails(1, &["there is no command `nothing`: `bentray help` lists them"]);
