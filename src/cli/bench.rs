@@ -15,8 +15,8 @@ use crate::bench::{
 };
 use crate::error::Error;
 use crate::gpu::Gpu;
-use crate::output::OutputError;
 use crate::output::report::write_report;
+use crate::output::{OutputError, has_extension};
 use crate::scene::{Mesh, Scene};
 
 /// Measure: the 2004 paper's tables, structures, schedules, how time grows, what samples are worth, the device's limit, and starts
@@ -180,7 +180,7 @@ struct Given {
 impl Given {
     fn read(arguments: &Arguments) -> Result<Self, Error> {
         let names = wanted(arguments.name);
-        let is_mesh = |path: &PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
+        let is_mesh = |path: &PathBuf| has_extension(path, "obj");
         let (meshes, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.files.iter().cloned().partition(is_mesh);
         let about = [Name::Limit, Name::Sampling, Name::Compaction];
         let takes_scenes = names.iter().any(|name| about.contains(name) || *name == Name::Start);

@@ -60,6 +60,14 @@ pub(super) fn path_of(path: &Path, frame: u32) -> Option<PathBuf> {
     Some(format!("{before}{frame:0width$}{after}").into())
 }
 
+/// `made` of the number that every key has in a frame, or of none.
+pub(super) fn with_frame<T>(frame: Option<u32>, made: impl FnOnce(Option<&dyn Fn(&str) -> u32>) -> T) -> T {
+    match frame {
+        Some(frame) => made(Some(&|_| frame)),
+        None => made(None),
+    }
+}
+
 /// A scene file whose frames are loaded one after the other.
 pub(super) struct Film<'a> {
     pub(super) path: &'a Path,
@@ -82,9 +90,7 @@ impl<'a> Film<'a> {
     /// As [`load`](Self::load), with rays followed as a text of [`Rays::followed`](crate::scene::Rays::followed) says.
     pub(super) fn load_as(&self, frame: Option<u32>, followed: &str) -> Result<Scene, SceneError> {
         let overrides: Vec<Override> = self.overrides.iter().cloned().chain(follow_as(followed)?).collect();
-        let frame_of = frame.map(|frame| move |_: &str| frame);
-        let frame_of = frame_of.as_ref().map(|frame_of| frame_of as &dyn Fn(&str) -> u32);
-        Scene::load_with(&mut self.files.borrow_mut(), self.path, &overrides, frame_of)
+        with_frame(frame, |frame_of| Scene::load_with(&mut self.files.borrow_mut(), self.path, &overrides, frame_of))
     }
 
     /// Hashes what the scene is made of: its file, the changes to it, and the files that were loaded for it. None where one of them is
@@ -96,7 +102,7 @@ impl<'a> Film<'a> {
         }
         for path in self.files.borrow().paths() {
             path.hash(hasher);
-            std::fs::read(&path).ok()?.hash(hasher);
+            self.hash_of(path).ok()?.hash(hasher);
         }
         Some(())
     }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use siphasher::sip128::{Hasher128, SipHasher24};
 
-use super::frames::Film;
+use super::frames::{Film, with_frame};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::method_words;
@@ -47,9 +47,7 @@ pub(super) fn scene_origin(
 /// Every value of the scene, and a hash of every file that was loaded for it, a line each. How rays are followed, how many samples there
 /// are and how pictures are shown is said elsewhere, and no part of it.
 fn lines(film: &Film, frame: Option<u32>) -> Result<String, Error> {
-    let frame_of = frame.map(|frame| move |_: &str| frame);
-    let frame_of = frame_of.as_ref().map(|frame_of| frame_of as &dyn Fn(&str) -> u32);
-    let mut values = Scene::listing(film.path, &film.overrides, frame_of)?;
+    let mut values = with_frame(frame, |frame_of| Scene::listing(film.path, &film.overrides, frame_of))?;
     for key in followed_keys() {
         values.remove(&format!("rays.{key}"));
     }
@@ -64,7 +62,7 @@ fn lines(film: &Film, frame: Option<u32>) -> Result<String, Error> {
 
 impl Film<'_> {
     /// Of a file's bytes, which are read once.
-    fn hash_of(&self, path: PathBuf) -> Result<String, SceneError> {
+    pub(super) fn hash_of(&self, path: PathBuf) -> Result<String, SceneError> {
         if let Some(known) = self.hashes.borrow().get(&path) {
             return Ok(known.clone());
         }

@@ -22,6 +22,7 @@ use super::say_line;
 use super::share::{Part, Share, Target};
 use crate::error::Error;
 use crate::measure::verify;
+use crate::output::has_extension;
 use crate::program::Layer;
 use crate::render::{RenderError, RenderSettings, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
@@ -90,7 +91,7 @@ fn layers() -> impl TypedValueParser<Value = Option<Layer>> {
 }
 
 fn is_exr(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("exr"))
+    has_extension(path, "exr")
 }
 
 impl Arguments {

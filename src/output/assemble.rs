@@ -9,7 +9,7 @@ use super::band::channel_names;
 use super::exr::ExrWriter;
 use super::origin::{SHOWN, difference, shown_words};
 use super::part::Part;
-use super::{FileSettings, ImageWriter, OutputError, open};
+use super::{FileSettings, ImageWriter, OutputError, has_extension, open};
 use crate::render::{Band, Window};
 
 /// Rows of the whole that are written at once: enough blocks for all cores.
@@ -74,7 +74,7 @@ enum Whole {
 
 impl Whole {
     fn create(path: &Path, settings: &FileSettings) -> Result<Self, OutputError> {
-        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("exr")) {
+        if has_extension(path, "exr") {
             return Ok(Self::Exr(Box::new(ExrWriter::create(path, settings)?)));
         }
         let names = channel_names(settings);

@@ -140,6 +140,11 @@ pub fn save(path: &Path, scene: &Scene, rendering: &Rendering) -> Result<(), Out
     writer.finish()
 }
 
+/// Does a file's name end so, in any case of letters?
+pub(crate) fn has_extension(path: &Path, name: &str) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(name))
+}
+
 /// Starts a picture at `path`, in the format its extension names: `.png` or `.exr`.
 pub fn open(path: &Path, settings: &FileSettings) -> Result<Box<dyn ImageWriter>, OutputError> {
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::origin::{PART, SHOWN, with_part, with_shown};
 use super::part::{Part, said_by_exr};
-use super::{FileSettings, OutputError};
+use super::{FileSettings, OutputError, has_extension};
 
 /// What the picture at `path`, an EXR or a PNG, says under `key`.
 ///
@@ -16,8 +16,8 @@ use super::{FileSettings, OutputError};
 /// Where it cannot be read, is neither, or does not say it.
 pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
     let text = match () {
-        () if is(path, "exr") => said_by_exr(path, key)?,
-        () if is(path, "png") => said_by_png(path, key)?,
+        () if has_extension(path, "exr") => said_by_exr(path, key)?,
+        () if has_extension(path, "png") => said_by_png(path, key)?,
         () => return Err(OutputError::Format { path: path.to_owned() }),
     };
     text.ok_or_else(|| unsaid(path, format!("it does not say `{key}`, as pictures of this version of `render` do")))
@@ -30,7 +30,7 @@ pub fn said(path: &Path, key: &str) -> Result<String, OutputError> {
 ///
 /// Where it cannot be read, or is no picture that `render` writes.
 pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
-    if is(path, "exr") {
+    if has_extension(path, "exr") {
         return Ok(Part::open(path)?.settings);
     }
     let reader = png_reader(path)?;
@@ -46,10 +46,6 @@ pub fn settings_of(path: &Path) -> Result<FileSettings, OutputError> {
     };
     let settings = with_part(settings, &own[0]).and_then(|settings| with_shown(settings, &own[1]));
     settings.ok_or_else(|| unsaid(path, "this is no picture that `render` wrote".to_owned()))
-}
-
-fn is(path: &Path, name: &str) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(name))
 }
 
 fn said_by_png(path: &Path, key: &str) -> Result<Option<String>, OutputError> {

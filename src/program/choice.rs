@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::Layer;
 use crate::scene::{Branches, Precision, Scene, Segment, Shadows};
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
@@ -152,103 +153,6 @@ impl Purpose {
     #[must_use]
     pub fn leaves_light(self) -> bool {
         matches!(self, Self::Light | Self::Caustics)
-    }
-}
-
-/// What a picture carries besides colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Layer {
-    /// Segments along the path, whole ones and a fraction.
-    Depth,
-    /// Where the ray ended.
-    Position,
-    /// The surface's normal.
-    Normal,
-    /// The object that was hit, from 1; 0 for none.
-    Object,
-    /// How the ray ended.
-    Status,
-    /// Integration steps.
-    Steps,
-    /// The frequency of what the ray saw, over that at its source.
-    Shift,
-    /// Rays that the pixel took.
-    Samples,
-    /// The standard error of the pixel's mean luminance.
-    Error,
-    /// The sums of the pixel's samples, red, green and blue.
-    Sums,
-    /// The sum of the squared distances of its samples' luminance from their mean.
-    Spread,
-    /// The luminance of the light from the ray's first, second and third crossing of a translucent surface.
-    Orders,
-    /// Where the ray was going at its end, as long as its way there: not for files, but for what is measured on a picture.
-    Way,
-}
-
-impl Layer {
-    /// Every layer that files hold.
-    pub const ALL: [Self; 12] = [
-        Self::Depth,
-        Self::Position,
-        Self::Normal,
-        Self::Object,
-        Self::Status,
-        Self::Steps,
-        Self::Shift,
-        Self::Samples,
-        Self::Error,
-        Self::Sums,
-        Self::Spread,
-        Self::Orders,
-    ];
-
-    /// Is it of a pixel's first ray, kept when that is shaded? The others are of all of a pixel's rays.
-    #[must_use]
-    pub fn is_of_a_ray(self) -> bool {
-        !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread | Self::Orders)
-    }
-
-    /// The name of its file in `shaders/picture/layer/`, if it is of a ray; its texture is `layer_` and this.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Depth => "depth",
-            Self::Position => "position",
-            Self::Normal => "normal",
-            Self::Object => "object",
-            Self::Status => "status",
-            Self::Steps => "steps",
-            Self::Shift => "shift",
-            Self::Samples => "samples",
-            Self::Error => "error",
-            Self::Sums => "sums",
-            Self::Spread => "spread",
-            Self::Orders => "orders",
-            Self::Way => "way",
-        }
-    }
-
-    /// In a few words.
-    #[must_use]
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Self::Depth => "Segments along the path, whole ones and a fraction",
-            Self::Position => "Where the ray ended",
-            Self::Normal => "The surface's normal",
-            Self::Object => "The object, from 1; 0 for none",
-            Self::Status => "How the ray ended",
-            Self::Steps => "Integration steps",
-            Self::Shift => "The frequency of the light that a ray saw, over that at its source",
-            Self::Samples => "Rays that the pixel took",
-            Self::Error => "The standard error of the pixel's mean luminance, with paths or adaptive sampling",
-            Self::Sums => "The sums of the samples of a picture of paths, which it is continued from",
-            Self::Spread => "How far its samples are apart, for the same",
-            Self::Orders => {
-                "The luminance of light from a ray's first, second and third crossing of a translucent surface"
-            }
-            Self::Way => "Where the ray was going at its end",
-        }
     }
 }
 

@@ -14,6 +14,7 @@ mod error;
 mod formula;
 mod generated;
 mod interface;
+mod layer;
 mod link;
 mod linked;
 mod lower;
@@ -41,11 +42,12 @@ mod validate;
 mod work;
 
 pub use analysis::Analysis;
-pub use choice::{Choice, Layer, Masks, Pass, Purpose, Schedule};
+pub use choice::{Choice, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
 
 pub use generated::shots;
 pub use interface::{Access, Channel, Role, SceneValue, Slot, StatePart};
+pub use layer::Layer;
 pub use link::link;
 pub use linked::{Linked, Place};
 pub use parts::{Part, all_parts, constant, part};

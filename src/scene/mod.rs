@@ -15,6 +15,7 @@ pub mod import;
 mod lamps;
 mod lights;
 mod optics;
+mod output;
 mod rays;
 mod reference;
 mod rounding;
@@ -39,6 +40,7 @@ pub use followed::{follow_as, followed_keys};
 pub use guide::Beam;
 pub use lamps::Lamp;
 pub use lights::{Clear, Light, LightGrid, LightSource, Shadows};
+pub use output::{Output, Tonemap};
 pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};
 pub use reference::{REFERENCE, TEMPLATES, Template, reference_markdown};
 pub use sky_cells::SkyCells;
@@ -372,31 +374,4 @@ impl Sky {
             Self::Faces(..) => "picture/sky/faces",
         }
     }
-}
-
-/// `[output]`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Output {
-    /// Stops: radiance is multiplied by 2^exposure for PNG.
-    pub exposure: f64,
-    /// The curve for PNG.
-    pub tonemap: Tonemap,
-    /// Bits per channel of a PNG, 8 or 16.
-    pub bits: u8,
-    /// The radiance of the brightest channel of a sample of random paths, at most: what is more is left out, and counted.
-    pub clamp: Option<f64>,
-}
-
-/// Tone curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tonemap {
-    /// Clip.
-    None,
-    /// A filmic shoulder.
-    Filmic,
-}
-
-impl Tonemap {
-    /// Each by its name.
-    pub const NAMES: &'static [(&'static str, Self)] = &[("none", Self::None), ("filmic", Self::Filmic)];
 }

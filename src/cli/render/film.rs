@@ -12,7 +12,7 @@ use super::Arguments;
 use crate::cli::format::{Found, shown};
 use crate::cli::share::Target;
 use crate::error::Error;
-use crate::output::{OutputError, check_film, film, is_film};
+use crate::output::{OutputError, check_film, film, has_extension, is_film};
 
 /// A film that is finished.
 struct Finished<'a> {
@@ -44,8 +44,7 @@ impl Arguments {
 
     /// The folder of frames that are asked for only as a film.
     fn frame_folder(&self) -> Option<PathBuf> {
-        let is_png = |path: &&PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
-        let has_own = self.output.iter().filter(|path| !self.is_film(path)).any(|path| is_png(&path));
+        let has_own = self.output.iter().filter(|path| !self.is_film(path)).any(|path| has_extension(path, "png"));
         self.films().next().filter(|_| !has_own).map(|film| film.with_extension("frames"))
     }
 
@@ -66,8 +65,7 @@ impl Arguments {
     /// Makes the films of these frames, which are all there.
     pub(in crate::cli) fn make_films(&self, targets: &[Target], rate: f64) -> Result<(), Error> {
         let pictures = self.pictures();
-        let is_png = |path: &&PathBuf| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
-        let Some(png) = pictures.iter().find(is_png) else { return Ok(()) };
+        let Some(png) = pictures.iter().find(|path| has_extension(path, "png")) else { return Ok(()) };
         let frames: Vec<PathBuf> = targets.iter().map(|target| target.path(png)).collect();
         for path in self.films() {
             film(path, &frames, rate)?;
