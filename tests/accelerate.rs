@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use bentray::gpu::Geometry;
+use bentray::gpu::{Before, Built, Geometry};
 use bentray::program::{Analysis, Choice, Program, ProgramError, Schedule, Search};
 use bentray::render::{RenderSettings, Renderer, Status, Traced, trace};
 use bentray::scene::Scene;
@@ -254,14 +254,18 @@ fn a_heap_in_one_cell_is_refused() {
 fn a_structure_is_kept_while_nothing_moves() {
     let text = format!("[rays]\nbound = {{ radius = 17 }}\n{MATERIAL}{}", shapes(&mut Random::new(7), 20, 0.3));
     let scene = |text: &str| Scene::parse(text, Path::new("scene.toml"), &[]).unwrap();
+    let after = |structure: &Built, scene: &Scene| {
+        let before = Before { structure: Some(structure.clone()), ..Before::default() };
+        Geometry::after(before, scene).structure
+    };
     let first = Geometry::new(&scene(&text)).structure;
     assert!(first.items.len() == 120 && first.nodes.len() > 20);
-    assert_eq!(Geometry::after(Some(first.clone()), &scene(&text)).structure, first);
+    assert_eq!(after(&first, &scene(&text)), first);
     let mut moved = scene(&text);
     moved.objects[0].transform = moved.objects[6].transform;
     let fresh = Geometry::new(&moved).structure;
     assert!(fresh != first);
-    assert_eq!(Geometry::after(Some(first.clone()), &moved).structure, fresh);
+    assert_eq!(after(&first, &moved), fresh);
     let grid = text.replace("[rays]", "[rays]\naccelerate = \"grid\"");
-    assert_eq!(Geometry::after(Some(first), &scene(&grid)).structure, Geometry::new(&scene(&grid)).structure);
+    assert_eq!(after(&first, &scene(&grid)), Geometry::new(&scene(&grid)).structure);
 }

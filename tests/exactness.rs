@@ -42,8 +42,8 @@ fn unnamed(module: &naga::Module, source: &str) -> Vec<String> {
 }
 
 /// Entering a set of regions names the kind and the medium, whether or not the pass goes on to ask for them; and where all space is
-/// one region, `media[place]` has become a copy of the only medium.
-const ENTERED: [&str; 2] = ["region", "place"];
+/// one region, `media[place]` has become a copy of the only medium. A pass notes its lane whether or not this scene's loops are long there.
+const ENTERED: [&str; 3] = ["region", "place", "own_lanes"];
 
 /// Private variables that nothing reads: copies of uniforms are such variables.
 fn unread(module: &naga::Module) -> Vec<String> {
@@ -126,7 +126,7 @@ fn nothing_can_be_taken_out_of_any_program() {
 }
 
 /// Branches that stay: each its file, its condition, and the reason.
-const ALLOWED: [(&str, &str, &str); 6] = [
+const ALLOWED: [(&str, &str, &str); 7] = [
     ("generated/images.wgsl", "image", "each of two skies has its own picture"),
     ("generated/kinds.wgsl", "region", "the kind of a region of a list, which has one here"),
     ("generated/shapes.wgsl", "primitive & ~PRIMITIVE_INDEX", "the surface of a region of a list, which has one here"),
@@ -140,6 +140,7 @@ const ALLOWED: [(&str, &str, &str); 6] = [
         "start.primitive != NOTHING",
         "each region of a list has its own, and the list has one here",
     ),
+    ("shaders/state/lanes.wgsl", "LANES > 0u", "the device's own number, known when the program is compiled for it"),
     ("shaders/motion/spiral_arc.wgsl", "LEAPS", "generated for a scene: one word instead of a part for each answer"),
 ];
 

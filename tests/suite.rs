@@ -20,6 +20,7 @@ mod gloss;
 mod groeller;
 mod guide;
 mod imports;
+mod instances;
 mod interiors;
 mod kerr_fates;
 mod lenses;

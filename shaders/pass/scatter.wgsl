@@ -3,6 +3,7 @@
 
 @compute @workgroup_size(GROUP)
 fn scatter(own: Invocation) {
+    begin_work(own.lane);
     let spot = active_ray(own);
     if spot.valid && may_scatter(spot.code) {
         load_weight(spot.pixel);

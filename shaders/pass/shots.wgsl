@@ -15,6 +15,7 @@ struct ShotRecord {
 
 @compute @workgroup_size(GROUP)
 fn shots(own: Invocation) {
+    begin_work(own.lane);
     let spot = grid_pixel(own);
     let pair = picture_ray(spot.pixel);
     let i = spot.pixel.y * frame.size.x + spot.pixel.x;

@@ -8,6 +8,9 @@ fn first_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
     return Hit(0.0, NOTHING);
 }
 
+fn walk_turn() {
+}
+
 fn walk_suspended() -> bool {
     return false;
 }

@@ -28,6 +28,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             next.index += 1u;
             *ray = next;
         }
+        walk_turn();
         if full {
             break;
         }
@@ -52,5 +53,6 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             // As exact as the record of hits.
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }
+        share_work();
     }
 }

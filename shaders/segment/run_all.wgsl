@@ -34,5 +34,6 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             }
         }
         path = next;
+        share_work();
     }
 }

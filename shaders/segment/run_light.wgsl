@@ -27,6 +27,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             // As exact as the record of hits.
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }
+        share_work();
     }
     if spot.valid {
         keep_reach(spot.pixel);

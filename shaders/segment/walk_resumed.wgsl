@@ -17,6 +17,11 @@ fn walk_has_room() -> bool {
     return work + schedule.segment_work < WORK_LIMIT;
 }
 
+// Some loop of the walk, or before it, is done by all that took it together.
+fn walk_turn() {
+    share_work();
+}
+
 // From the beginning, as for another segment.
 fn walk_anew() {
     walk_place = 0u;

@@ -4,6 +4,10 @@ fn walk_has_room() -> bool {
     return true;
 }
 
+// Some loop of the walk, or before it, is done by all that took it together.
+fn walk_turn() {
+}
+
 // From the beginning, as for another segment.
 fn walk_anew() {
 }

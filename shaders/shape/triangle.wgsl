@@ -38,8 +38,15 @@ fn edge_side(d: Real3, p: Real3, q: Real3) -> Real {
     return select(side, -side, swapped);
 }
 
-// The fraction of the piece from a along d, or 2.
-fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
+// Where a line meets a triangle.
+struct Meeting {
+    // The fraction of its piece, or 2.
+    t: Real,
+    // Above 0 where it leaves through it.
+    through: Real,
+}
+
+fn meet_triangle(i: u32, a: Real3, d: Real3) -> Meeting {
     let p = corners[i].p - a;
     let q = corners[i].q - a;
     let r = corners[i].r - a;
@@ -50,8 +57,23 @@ fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let n = cross(q - p, r - p);
     let through = dot(n, d);
     let t = dot(n, p) / through;
-    let met = inside && through != 0.0 && may_cross(corners[i].object, through) && !is_last_hit(TRIANGLE | i);
-    return select(2.0, t, met && t >= -overlap() && t <= 1.0 + OVERLAP);
+    return Meeting(select(2.0, t, inside && through != 0.0 && t >= -overlap() && t <= 1.0 + OVERLAP), through);
+}
+
+// The fraction of the piece from a along d, or 2.
+fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
+    let meeting = meet_triangle(i, a, d);
+    let met = may_cross(corners[i].object, meeting.through) && !is_last_hit(TRIANGLE | i);
+    return select(2.0, meeting.t, met);
+}
+
+// Barycentric coordinates of a point in the triangle's plane.
+fn triangle_shares(p: Real3, q: Real3, r: Real3, x: Real3) -> Real3 {
+    let n = cross(q - p, r - p);
+    let nn = dot(n, n);
+    let v = clamp(dot(n, cross(r - x, p - x)) / nn, 0.0, 1.0);
+    let w = clamp(dot(n, cross(p - x, q - x)) / nn, 0.0, 1.0 - v);
+    return Real3(1.0 - v - w, v, w);
 }
 
 fn surface_triangle(i: u32, x: Real3) -> Surface {
@@ -59,15 +81,10 @@ fn surface_triangle(i: u32, x: Real3) -> Surface {
     let p = vertices[triangle.a];
     let q = vertices[triangle.b];
     let r = vertices[triangle.c];
-    let n = cross(q.position - p.position, r.position - p.position);
-    let across = normalize(n);
-    // Barycentric coordinates of x in the triangle's plane.
-    let nn = dot(n, n);
-    let v = clamp(dot(n, cross(r.position - x, p.position - x)) / nn, 0.0, 1.0);
-    let w = clamp(dot(n, cross(p.position - x, q.position - x)) / nn, 0.0, 1.0 - v);
-    let u = 1.0 - v - w;
-    let normal = normalize(u * p.normal + v * q.normal + w * r.normal);
-    let uv = u * Real2(p.u, p.v) + v * Real2(q.u, q.v) + w * Real2(r.u, r.v);
+    let across = normalize(cross(q.position - p.position, r.position - p.position));
+    let share = triangle_shares(p.position, q.position, r.position, x);
+    let normal = normalize(share.x * p.normal + share.y * q.normal + share.z * r.normal);
+    let uv = share.x * Real2(p.u, p.v) + share.y * Real2(q.u, q.v) + share.z * Real2(r.u, r.v);
     let gap = dot(across, x - p.position);
     return Surface(gap, 0.0, across, vec3f(normal), vec2f(uv), object_materials[triangle.object], triangle.object);
 }

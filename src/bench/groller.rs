@@ -146,10 +146,8 @@ fn with_triangles(mesh: &Mesh, wanted: usize) -> Mesh {
         (lo.min(vertex.position), hi.max(vertex.position))
     });
     let (middle, radius) = (0.5 * (lo + hi), 0.5 * (hi - lo).length());
-    let mut own = mesh.clone();
-    for vertex in &mut own.vertices {
-        vertex.position = (vertex.position - middle) / radius;
-    }
+    let placed = |vertex: &Vertex| Vertex { position: (vertex.position - middle) / radius, ..*vertex };
+    let own = Mesh::new(mesh.vertices.iter().map(placed).collect(), mesh.triangles.clone());
     let parts = (wanted as f64 / own.triangles.len() as f64).sqrt().ceil().max(1.0) as usize;
     cut_up(&coarsened(&own, wanted / (parts * parts)), parts)
 }
@@ -188,18 +186,16 @@ fn merged(mesh: &Mesh, cells: usize) -> Mesh {
         uv: Vec2::ZERO,
     };
     let triangles = mesh.triangles.iter().map(|corners| corners.map(|i| place[i as usize]));
-    Mesh {
-        vertices: sums.iter().map(vertex).collect(),
-        triangles: triangles.filter(|[a, b, c]| a != b && b != c && c != a).collect(),
-    }
+    let triangles = triangles.filter(|[a, b, c]| a != b && b != c && c != a);
+    Mesh::new(sums.iter().map(vertex).collect(), triangles.collect())
 }
 
 /// Every triangle in n² of the same form.
 fn cut_up(mesh: &Mesh, n: usize) -> Mesh {
-    let mut cut = Mesh { vertices: Vec::new(), triangles: Vec::new() };
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for corners in &mesh.triangles {
         let corner = corners.map(|i| mesh.vertices[i as usize]);
-        let first = cut.vertices.len();
+        let first = vertices.len();
         // Row i has n + 1 − i vertices.
         let at = |i: usize, j: usize| (first + i * (2 * n + 3 - i) / 2 + j) as u32;
         for i in 0..=n {
@@ -207,21 +203,21 @@ fn cut_up(mesh: &Mesh, n: usize) -> Mesh {
                 let weights = [n - i - j, i, j].map(|k| k as f32 / n as f32);
                 let mix =
                     |of: fn(&Vertex) -> Vec3| -> Vec3 { corner.iter().zip(weights).map(|(v, w)| w * of(v)).sum() };
-                cut.vertices.push(Vertex {
+                vertices.push(Vertex {
                     position: mix(|vertex| vertex.position),
                     normal: mix(|vertex| vertex.normal).normalize_or(Vec3::Y),
                     uv: Vec2::ZERO,
                 });
                 if i + j < n {
-                    cut.triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)]);
+                    triangles.push([at(i, j), at(i + 1, j), at(i, j + 1)]);
                 }
                 if i + j + 1 < n {
-                    cut.triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+                    triangles.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
                 }
             }
         }
     }
-    cut
+    Mesh::new(vertices, triangles)
 }
 
 #[cfg(test)]
@@ -233,7 +229,7 @@ mod tests {
         let corners = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
         let vertex = |position: Vec3| Vertex { position, normal: position, uv: Vec2::ZERO };
         let triangles = vec![[0, 1, 2], [1, 3, 2], [3, 4, 2], [4, 0, 2], [1, 0, 5], [3, 1, 5], [4, 3, 5], [0, 4, 5]];
-        cut_up(&Mesh { vertices: corners.map(vertex).to_vec(), triangles }, 18)
+        cut_up(&Mesh::new(corners.map(vertex).to_vec(), triangles), 18)
     }
 
     fn area(mesh: &Mesh) -> f32 {

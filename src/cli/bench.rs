@@ -201,7 +201,7 @@ impl Given {
             mesh: if names.contains(&Name::Groller) {
                 Mesh::load(meshes.first().unwrap_or(&bunny))?
             } else {
-                Mesh { vertices: Vec::new(), triangles: Vec::new() }
+                Mesh::new(Vec::new(), Vec::new())
             },
             started: if paths.is_empty() { vec![PathBuf::from("scenes/black_hole.toml")] } else { paths },
         })

@@ -12,6 +12,8 @@ use crate::program::constant;
 /// The number of `shaders/state/active.wgsl` that a device has its own of.
 pub(super) const GROUP_WIDTH: &str = "GROUP_WIDTH";
 pub(super) const LANE_PIXELS: &str = "LANE_PIXELS";
+/// That of `shaders/state/lanes.wgsl`.
+pub(super) const LANES: &str = "LANES";
 
 /// An open device.
 #[derive(Debug)]
@@ -32,6 +34,8 @@ pub struct Gpu {
     pub group: [u32; 2],
     /// Pixels that one invocation of a pass over whole paths follows, one below the other.
     pub lane_pixels: u32,
+    /// Invocations that share a limit of loop iterations; 0 where there is none.
+    pub lanes: u32,
     pub(super) compiled: Compiled,
 }
 
@@ -140,7 +144,9 @@ impl Gpu {
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
         let f64 = features.contains(Features::SHADER_F64);
         let (group, lane_pixels) = (group_extent(info.device_type), lane_pixels(info.device_type));
-        Ok(Self { device, queue, info, limits, timestamps, f64, group, lane_pixels, compiled: Compiled::default() })
+        let lanes = if info.device_type == DeviceType::Cpu { info.subgroup_max_size } else { 0 };
+        let compiled = Compiled::default();
+        Ok(Self { device, queue, info, limits, timestamps, f64, group, lane_pixels, lanes, compiled })
     }
 
     /// An error if `needed` is more than the device allows.

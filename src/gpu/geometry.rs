@@ -1,8 +1,11 @@
 //! A scene's objects as the shaders see them: one list for each kind of shape, and a structure over those that are many.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use super::hierarchy::Item;
+use super::hierarchy::{Item, LEAF, Node};
+use super::instances::{Instances, KeptMesh};
 use super::structure::Built;
 use crate::assets::{Mesh, Vertex};
 use crate::model::Object;
@@ -30,9 +33,23 @@ fn code(solid: &str) -> u32 {
     constant(&format!("shape/{solid}"), &solid.to_uppercase()) as u32
 }
 
+/// An instance in the upper bits of an item.
+fn instance() -> u32 {
+    constant("shape/instance", "INSTANCE") as u32
+}
+
 /// The only solid that is no list of its own: what meshes are made of.
 fn triangle() -> &'static str {
     SOLIDS.into_iter().find(|solid| solid.lists.is_none()).map_or("", |solid| solid.name)
+}
+
+/// What a frame may go on with of the one before.
+#[derive(Debug, Clone, Default)]
+pub struct Before {
+    /// What was searched.
+    pub structure: Option<Built>,
+    /// Meshes that are kept once.
+    pub meshes: Vec<Arc<KeptMesh>>,
 }
 
 /// Everything that can be hit.
@@ -42,9 +59,11 @@ pub struct Geometry {
     pub placed: std::collections::BTreeMap<&'static str, Vec<PlacedShape>>,
     /// What segments search.
     pub structure: Built,
-    /// Three vertices and the object.
+    /// Meshes that are kept once, in their places.
+    pub instances: Instances,
+    /// Three vertices and the object, which for meshes that are kept once is none.
     pub triangles: Vec<[u32; 4]>,
-    /// Of all meshes, in the scene's space.
+    /// Of all meshes: in the scene's space, or where they are kept once in their own.
     pub vertices: Vec<Vertex>,
     /// Each object's place in the list of materials.
     pub materials: Vec<u32>,
@@ -58,19 +77,22 @@ impl Geometry {
     /// Places every object of the scene and builds its structure.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
-        Self::after(None, scene)
+        Self::after(Before::default(), scene)
     }
 
-    /// As [`Self::new`], with an earlier structure if that was built over the same boxes.
+    /// As [`Self::new`], with an earlier structure if that was built over the same boxes, and the hierarchies of the same meshes.
     #[must_use]
-    pub fn after(before: Option<Built>, scene: &Scene) -> Self {
-        let mut geometry = Self { analysis: Analysis::of(scene), ..Self::default() };
+    pub fn after(before: Before, scene: &Scene) -> Self {
+        let instances = Instances::after(before.meshes);
+        let mut geometry = Self { analysis: Analysis::of(scene), instances, ..Self::default() };
+        let structure = geometry.analysis.structure.clone();
         let regions = &geometry.analysis.regions;
         let clear = scene.materials.len();
         let material = |i: usize| scene.objects[i].material().or(regions.bit(i).map(|bit| clear + bit));
         geometry.materials = (0..scene.objects.len()).map(|i| material(i).unwrap_or(0) as u32).collect();
         for (i, object) in scene.objects.iter().enumerate() {
             match object.shape.mesh() {
+                Some(mesh) if structure.once => geometry.instances.add(object, mesh, i as u32),
                 Some(mesh) => geometry.add_mesh(object, mesh, i as u32),
                 None => geometry.add_placed(object, i as u32),
             }
@@ -80,15 +102,38 @@ impl Geometry {
             // In lists are those on which rays end, then those with sides; those that move are behind both.
             shapes.sort_by_key(|shape| (shape.moves, shape.bit.is_some()));
         }
-        let structure = geometry.analysis.structure.clone();
-        geometry.build(&structure, before);
+        geometry.build(&structure, before.structure);
         geometry
     }
 
-    /// How far a search of its structure may go.
+    /// What the next frame may go on with.
+    #[must_use]
+    pub fn into_before(self) -> Before {
+        Before { structure: Some(self.structure), meshes: self.instances.into_meshes() }
+    }
+
+    /// How far a search of its structure may go: of meshes that are kept once through all nodes in every place.
     #[must_use]
     pub fn extent(&self) -> Extent {
-        self.structure.extent()
+        let own = self.structure.extent();
+        Extent {
+            places: own.places + self.instances.nodes(),
+            items: own.items + self.instances.triangles(),
+            instances: self.instances.places().len() as u64,
+            at_once: if self.instances.is_empty() { own.at_once } else { LEAF.into() },
+        }
+    }
+
+    /// The nodes of the structure, and behind them those of each mesh that is kept once, whose items are triangles.
+    pub fn nodes(&self) -> impl Iterator<Item = Node> {
+        let (mut nodes, mut items) = (self.structure.nodes.len() as u32, 0);
+        let meshes = self.instances.meshes().flat_map(move |kept| {
+            let before = (nodes, items);
+            nodes += kept.nodes.len() as u32;
+            items += kept.triangles.len() as u32;
+            kept.nodes.iter().map(move |node| node.behind(before.0, before.1))
+        });
+        self.structure.nodes.iter().copied().chain(meshes)
     }
 
     /// The box of everything.
@@ -140,15 +185,30 @@ impl Geometry {
 
     /// Builds the structure, and brings what stands in it into its order.
     fn build(&mut self, structure: &Structure, before: Option<Built>) {
-        let built = Built::new(self.items(structure), structure.search, before);
+        let leaf = if structure.once { 1 } else { LEAF };
+        let built = Built::new(self.items(structure), structure.search, leaf, before);
         for (kind, shapes) in self.placed.iter_mut().filter(|(kind, _)| holds(structure, kind)) {
             let old = shapes.clone();
             for (shape, from) in shapes.iter_mut().zip(built.moved(code(kind))) {
                 *shape = old[from];
             }
         }
-        self.triangles = built.moved(code(triangle())).map(|from| self.triangles[from]).collect();
+        if structure.once {
+            self.instances.order(built.moved(instance()).zip(built.behind(instance())));
+            self.keep_meshes();
+        } else {
+            self.triangles = built.moved(code(triangle())).map(|from| self.triangles[from]).collect();
+        }
         self.structure = built;
+    }
+
+    /// The vertices and triangles of meshes that are kept once.
+    fn keep_meshes(&mut self) {
+        for kept in self.instances.meshes() {
+            let first = self.vertices.len() as u32;
+            self.vertices.extend(&kept.mesh.vertices);
+            self.triangles.extend(kept.triangles.iter().map(|[a, b, c]| [first + a, first + b, first + c, 0]));
+        }
     }
 
     /// What stands in the scene's structure.
@@ -161,6 +221,10 @@ impl Geometry {
                 items.push(Item { primitive: code | i as u32, lo: lo.as_vec3(), hi: hi.as_vec3() });
             }
         }
+        items.extend(self.instances.places().iter().enumerate().map(|(i, place)| {
+            let (lo, hi) = self.boxes[place.object as usize];
+            Item { primitive: instance() | i as u32, lo: lo.as_vec3(), hi: hi.as_vec3() }
+        }));
         let code = code(triangle());
         items.extend(self.triangles.iter().enumerate().map(|(i, [a, b, c, _])| {
             let [p, q, r] = [a, b, c].map(|&corner| self.vertices[corner as usize].position);

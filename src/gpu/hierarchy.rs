@@ -30,12 +30,37 @@ pub struct Node {
     pub hi: Vec3,
     /// The node after this one's subtree.
     pub skip: u32,
-    /// 0 inside the tree; in a leaf the number of items in the upper eight bits, the first of them in the others.
+    /// 0 inside the tree; in a leaf the number of items in the upper four bits, the first of them in the others.
     pub leaf: u32,
 }
 
 /// Items in one leaf, at most.
 pub(super) const LEAF: u32 = 4;
+
+/// The bits of a leaf's word that are its first item.
+const FIRST_BITS: u32 = 28;
+
+impl Node {
+    /// A leaf's first item, and how many it has; none inside the tree.
+    #[must_use]
+    pub fn items(&self) -> Option<(u32, u32)> {
+        (self.leaf != 0).then_some((self.leaf & ((1 << FIRST_BITS) - 1), self.leaf >> FIRST_BITS))
+    }
+
+    /// Its box, grown by what rounding may hide of it: this part of its coordinates.
+    #[must_use]
+    pub fn grown(&self, slack: f64) -> [DVec3; 2] {
+        let (lo, hi) = (self.lo.as_dvec3(), self.hi.as_dvec3());
+        let slack = slack * lo.abs().max(hi.abs());
+        [lo - slack, hi + slack]
+    }
+
+    /// The same node where as many nodes lie before its hierarchy, and as many items before its own.
+    pub(super) fn behind(self, nodes: u32, items: u32) -> Self {
+        let leaf = if self.leaf == 0 { 0 } else { self.leaf + items };
+        Self { skip: self.skip + nodes, leaf, ..self }
+    }
+}
 
 /// The nodes, and the items in the order of the leaves, of which none has more than `leaf`.
 pub(super) fn hierarchy(items: &[Item], leaf: u32) -> (Vec<Node>, Vec<u32>) {
@@ -87,7 +112,7 @@ fn flatten(bvh: &Bvh2, items: &[Item], nodes: &mut Vec<Node>, order: &mut Vec<u3
         let mut leaf = 0;
         open.push(Err(nodes.len()));
         if node.prim_count > 0 {
-            leaf = (node.prim_count << 24) | order.len() as u32;
+            leaf = (node.prim_count << FIRST_BITS) | order.len() as u32;
             let first = node.first_index as usize;
             order.extend(&bvh.primitive_indices[first..first + node.prim_count as usize]);
         } else {
@@ -102,7 +127,7 @@ fn flatten(bvh: &Bvh2, items: &[Item], nodes: &mut Vec<Node>, order: &mut Vec<u3
 fn close(node: usize, items: &[Item], nodes: &mut [Node], order: &[u32]) {
     let join = |(lo, hi): (Vec3, Vec3), (lo_2, hi_2): (Vec3, Vec3)| (lo.min(lo_2), hi.max(hi_2));
     let inside = |child: &Node| (child.lo, child.hi);
-    let (lo, hi) = match nodes[node].leaf >> 24 {
+    let (lo, hi) = match nodes[node].leaf >> FIRST_BITS {
         0 => join(inside(&nodes[node + 1]), inside(&nodes[nodes[node + 1].skip as usize])),
         count => order[order.len() - count as usize..]
             .iter()
@@ -130,8 +155,8 @@ mod tests {
             deepest = deepest.max(ends.len());
             let leaves = nodes[at..node.skip as usize].iter().filter(|node| node.leaf != 0);
             let held = leaves.flat_map(|leaf| {
-                let first = (leaf.leaf & 0xff_ffff) as usize;
-                order[first..first + (leaf.leaf >> 24) as usize].iter().map(|&i| items[i as usize])
+                let (first, count) = leaf.items().unwrap_or_default();
+                order[first as usize..(first + count) as usize].iter().map(|&i| items[i as usize])
             });
             let nothing = (Vec3::INFINITY, Vec3::NEG_INFINITY);
             let all = held.fold(nothing, |all, item| (all.0.min(item.lo), all.1.max(item.hi)));

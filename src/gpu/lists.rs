@@ -109,15 +109,18 @@ impl Source<'_> {
             "touching" => pack(name, layout, self.touching()).map(Some),
             "object_bits" => Ok(Some(bytemuck::cast_slice(&self.object_bits()).to_vec())),
             "nodes" => {
-                let row = |(node, [lo, hi]): (&Node, [DVec3; 2])| {
+                let slack = constant("segment/structure/boxes", "BOX_SLACK");
+                let row = |node: Node| {
+                    let [lo, hi] = node.grown(slack);
                     let bits = |corner: DVec3, last| {
                         let [x, y, z] = corner.as_vec3().to_array().map(f32::to_bits);
                         Uint4([x, y, z, last])
                     };
                     [("lo_skip", bits(lo, node.skip)), ("hi_leaf", bits(hi, node.leaf))]
                 };
-                pack(name, layout, g.structure.nodes.iter().zip(g.structure.boxes()).map(row)).map(Some)
+                pack(name, layout, g.nodes().map(row)).map(Some)
             }
+            "instances" => pack(name, layout, g.instances.rows(g.structure.nodes.len() as u32)).map(Some),
             "ray_nodes" => pack(name, layout, self.ray_nodes()).map(Some),
             "object_nodes" => pack(name, layout, self.object_nodes()).map(Some),
             "triangles" => pack(

@@ -8,7 +8,7 @@ use wgpu::{
     ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
 };
 
-use super::device::{GROUP_WIDTH, LANE_PIXELS};
+use super::device::{GROUP_WIDTH, LANE_PIXELS, LANES};
 use super::{Gpu, GpuError, Pipeline, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
@@ -66,7 +66,11 @@ impl Pipeline {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let mut known = vec![(GROUP_WIDTH, f64::from(gpu.group[0])), (LANE_PIXELS, f64::from(gpu.lane_pixels))];
+        let mut known = vec![
+            (GROUP_WIDTH, f64::from(gpu.group[0])),
+            (LANE_PIXELS, f64::from(gpu.lane_pixels)),
+            (LANES, f64::from(gpu.lanes)),
+        ];
         known.retain(|(known, _)| reflection.overrides.iter().any(|name| name == known));
         let compilation_options =
             PipelineCompilationOptions { constants: &known, ..PipelineCompilationOptions::default() };

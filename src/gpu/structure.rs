@@ -45,17 +45,17 @@ pub struct Built {
 
 impl Built {
     /// Over `items`, whose primitives are numbered again kind by kind, in the order of a hierarchy's leaves, whatever the search: what
-    /// is near in space is near in memory, and of two hits at the same place all structures find the same. `before` is gone on with
-    /// if it was built over the same items, as where nothing moves between frames.
+    /// is near in space is near in memory, and of two hits at the same place all structures find the same. No leaf has more than `leaf`
+    /// items. `before` is gone on with if it was built over the same items, as where nothing moves between frames.
     #[must_use]
-    pub fn new(over: Vec<Item>, search: Search, before: Option<Self>) -> Self {
+    pub fn new(over: Vec<Item>, search: Search, leaf: u32, before: Option<Self>) -> Self {
         if over.is_empty() {
             return Self::default();
         }
         if let Some(same) = before.filter(|before| before.search() == search && before.over == over) {
             return same;
         }
-        let (nodes, order) = hierarchy(&over, LEAF);
+        let (nodes, order) = hierarchy(&over, leaf);
         let top = opened(&nodes, PARTS);
         let mut ordered: Vec<Item> = order.iter().map(|&i| over[i as usize]).collect();
         let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
@@ -99,21 +99,19 @@ impl Built {
             .map(|n| [n.lo.as_dvec3(), n.hi.as_dvec3()])
     }
 
-    /// The boxes of its nodes, grown by what rounding may hide of them.
-    pub fn boxes(&self) -> impl Iterator<Item = [DVec3; 2]> {
-        let slack = constant("segment/structure/bvh", "BOX_SLACK");
-        self.nodes.iter().map(move |node| {
-            let (lo, hi) = (node.lo.as_dvec3(), node.hi.as_dvec3());
-            let slack = slack * lo.abs().max(hi.abs());
-            [lo - slack, hi + slack]
-        })
-    }
-
     /// The places that the items of a kind, given by its code, had before, in the order that they have now.
     pub fn moved(&self, code: u32) -> impl Iterator<Item = usize> {
         let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
         let own = self.order.iter().map(|&i| self.over[i as usize].primitive);
         own.filter(move |own| own & !mask == code).map(move |own| (own & mask) as usize)
+    }
+
+    /// The nodes behind the leaves that hold an item of a kind, given by its code, where each leaf holds one item: in the order that the
+    /// items have now.
+    pub fn behind(&self, code: u32) -> impl Iterator<Item = u32> {
+        let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
+        let held = self.nodes.iter().filter_map(|node| Some((node.items()?.0, node.skip)));
+        held.filter(move |(item, _)| self.items[*item as usize] & !mask == code).map(|(_, skip)| skip)
     }
 
     /// How far a search may go: through all nodes that a hierarchy over as many items could have, so that frames agree, or along one
@@ -129,7 +127,7 @@ impl Built {
             (Search::Hierarchy, _) => (2 * items, LEAF.into()),
             _ => (items, 1),
         };
-        Extent { places, items, at_once }
+        Extent { places, items, at_once, instances: 0 }
     }
 }
 

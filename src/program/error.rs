@@ -70,6 +70,16 @@ pub enum ProgramError {
         /// What there are too many of.
         what: &'static str,
     },
+    /// More items than a primitive's word tells apart.
+    #[error(
+        "the scene shows {items} triangles and other shapes in its structure, and {most} can be told apart: show fewer"
+    )]
+    TooManyItems {
+        /// So many.
+        items: u64,
+        /// So many there may be.
+        most: u64,
+    },
 }
 
 impl ProgramError {

@@ -16,6 +16,7 @@ use super::declarations::{Declaration, declarations};
 use super::linked::{Copy, Edit, Linked};
 use super::lower::Lowering;
 use super::selections::selected;
+use super::turns::counted;
 use super::unit::{Author, Parts, Unit};
 use super::unroll::unrolled;
 
@@ -24,7 +25,7 @@ type Found<'a> = (usize, Declaration<'a>);
 
 /// The program of the pass whose entry point is `entry`.
 pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
-    let parts = &selected(unrolled(parts));
+    let parts = &selected(counted(unrolled(parts)));
     let mut copies = with_region_copies(parts, entry)?;
     let mut all = Vec::new();
     for (k, copy) in copies.iter().enumerate() {

@@ -36,6 +36,7 @@ mod spacetime;
 mod structure;
 mod tokens;
 mod touching;
+mod turns;
 mod unit;
 mod unroll;
 mod validate;

@@ -22,6 +22,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         "segment/ray",
         "state/arguments",
         "state/work",
+        "state/lanes",
         "law/leaving",
         "real/math",
         "state/tally",
@@ -256,6 +257,9 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysi
         names.add("shape/moving");
     }
     names.each("shape", all.iter().map(|solid| solid.name));
+    if structure.once {
+        names.add("shape/instance");
+    }
     let with_side = |side: bool| {
         let still = scene.objects.iter().enumerate().filter(|(_, object)| object.travel.is_none());
         let objects = still.filter(move |(i, _)| regions.bit(*i).is_some() == side);
@@ -275,8 +279,8 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysi
         names.add("segment/structure/none");
     } else {
         names.add("segment/pieces");
-        names.add(if structure.in_order() { "segment/order_same" } else { "segment/order_listed" });
-        names.each("segment/structure", [structure.search.name()]);
+        names.add(structure.order());
+        names.each("segment/structure", structure.parts().iter().copied());
     }
     names.make(generated::shapes(analysis, &all, &moving));
     names.make(if structure.near {

@@ -4,9 +4,16 @@
 //! without a loop; many of a kind, and all meshes, in a hierarchy. Surfaces that rays go on from stay in lists: they are told apart
 //! by side, and there are no more of them than a set of regions has bits.
 
+use std::collections::HashSet;
+use std::sync::Arc;
+
 use super::regions::Regions;
 use crate::model::shape::Solid;
 use crate::scene::{Accelerate, Object, Scene};
+
+/// More triangles than this are not copied: each mesh is kept once. On lavapipe copies are up to twice as fast, for no ray has to be
+/// mapped to the meshes' spaces; so many take 30 MB.
+const COPIES: usize = 1 << 18;
 
 /// How a structure is searched: the name of its part.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
@@ -58,6 +65,8 @@ pub struct Structure {
     pub written_out: bool,
     /// Is what a segment is near found first, for all lists and the structure at once?
     pub near: bool,
+    /// Is each mesh kept once, however many objects show it?
+    pub once: bool,
 }
 
 impl Structure {
@@ -86,13 +95,35 @@ impl Structure {
             solids,
             written_out: scene.rays.accelerate == Accelerate::Auto,
             near: scene.rays.accelerate != Accelerate::None && in_lists <= BITS,
+            once: search == Search::Hierarchy && copies(scene) > COPIES,
         }
     }
 
     /// Are its items those of a single kind, in that kind's own order?
     #[must_use]
     pub fn in_order(&self) -> bool {
-        self.solids.len() == 1 && self.search == Search::Hierarchy
+        self.solids.len() == 1 && self.search == Search::Hierarchy && !self.once
+    }
+
+    /// The part that knows the order of its items.
+    #[must_use]
+    pub fn order(&self) -> &'static str {
+        match (self.once, self.in_order()) {
+            (true, _) => "segment/order_placed",
+            (false, true) => "segment/order_same",
+            (false, false) => "segment/order_listed",
+        }
+    }
+
+    /// The names in `shaders/segment/structure/` of the parts that search it.
+    #[must_use]
+    pub fn parts(&self) -> &'static [&'static str] {
+        match (self.search, self.once) {
+            (Search::Hierarchy, true) => &["boxes", "bvh_instances"],
+            (Search::Hierarchy, false) => &["boxes", "bvh"],
+            (Search::Grid, _) => &["grid"],
+            (Search::List, _) => &["list"],
+        }
     }
 
     /// Is an opaque object of this solid in it?
@@ -100,6 +131,14 @@ impl Structure {
     pub fn holds(&self, solid: &Solid) -> bool {
         self.solids.contains(&solid)
     }
+}
+
+/// Triangles that a scene has more of where each object has its own copy of its mesh.
+fn copies(scene: &Scene) -> usize {
+    let mut known = HashSet::new();
+    let again =
+        scene.objects.iter().filter_map(|object| object.shape.mesh()).filter(|mesh| !known.insert(Arc::as_ptr(mesh)));
+    again.map(|mesh| mesh.triangles.len()).sum()
 }
 
 /// The solids of some objects, by name.
@@ -117,6 +156,8 @@ pub struct Extent {
     pub places: u64,
     /// Items met on it, at most.
     pub items: u64,
+    /// Places of meshes that are kept once.
+    pub instances: u64,
     /// Items tested in one place, at most: a walk stops between places.
     pub at_once: u64,
 }

@@ -25,6 +25,10 @@ const WHOLE: u64 = 4_000;
 /// Loop iterations that filters may take of a segment, about.
 const FILTERING: u64 = 16_000;
 const LARGEST: u64 = 20_000;
+/// Items that a hierarchy's leaf, or a primitive, has bits for.
+const MOST_ITEMS: u64 = 1 << 28;
+/// Those of meshes that are kept once, in all their places; and the nodes that a walk is at have bits for.
+const MOST_ONCE: u64 = 1 << 31;
 
 /// Bounds on the loop iterations of a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,6 +46,10 @@ pub struct Work {
 impl Work {
     /// The bounds for `scene`, whose structure was built to this extent.
     pub fn of(scene: &Scene, Analysis { regions, structure }: &Analysis, extent: Extent) -> Result<Self, ProgramError> {
+        let most = if structure.once { MOST_ONCE } else { MOST_ITEMS };
+        if extent.items.max(extent.places) > most {
+            return Err(ProgramError::TooManyItems { items: extent.items, most });
+        }
         let captures = scene.captures(None).len() as u64;
         // Neighbouring rays may be in regions of all kinds, whose loops then run one after the other.
         let media = scene.media().map(Medium::loops);
@@ -75,9 +83,20 @@ impl Work {
             * (4 + constant("segment/hit_moving", "MOVING_PIECES") as u64
                 + constant("segment/path_end", "STOP_STEPS") as u64);
         // A grid is walked piece by piece.
-        let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 1);
-        let segment =
-            steps * step + pieces * (listed + 1) + place + captures + 2 + asymptote + scatter + filter + moving;
+        let place = if structure.search == Search::Grid { 1 } else { pieces } * (extent.at_once + 2);
+        // Which instance a primitive is of is found by halving, wherever its surface is asked for, and where a walk goes on.
+        let halvings = u64::from(u64::BITS - extent.instances.leading_zeros());
+        let instances = halvings * (constant("segment/path_end", "STOP_STEPS") as u64 + 4 + touching);
+        let segment = steps * step
+            + pieces * (listed + 1)
+            + place
+            + captures
+            + 2
+            + asymptote
+            + scatter
+            + filter
+            + moving
+            + instances;
         if segment > LARGEST {
             let what = [
                 (steps * step, "force centres"),
@@ -88,8 +107,8 @@ impl Work {
             let (_, what) = what.into_iter().max_by_key(|(work, _)| *work).unwrap_or_default();
             return Err(ProgramError::TooMuchWork { needed: segment, limit: LARGEST, what });
         }
-        // A node once, or a cell for each piece; items for each piece.
-        let walk = (pieces + 1) * (extent.places + extent.items);
+        // A node once, or a cell for each piece; items for each piece; and the ends of their loops.
+        let walk = (pieces + 2) * (extent.places + extent.items);
         // Whatever a path ends on, its shadows are looked for in the same pass.
         let shadows = shadows(scene) * (listed + 2 + extent.at_once + 2 * (extent.places + extent.items));
         let grids = scene.lights.iter().filter(|light| light.shadows == Shadows::Grid).count() as u64;

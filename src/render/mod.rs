@@ -29,6 +29,7 @@ mod sample;
 mod schedule;
 mod segments;
 mod settings;
+mod small;
 mod start;
 mod step;
 mod tiles;

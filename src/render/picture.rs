@@ -120,16 +120,14 @@ impl Renderer<'_> {
                 let samples = u64::from(round.until - round.begins());
                 let rays =
                     self.scene.image.adaptive.is_none().then(|| samples * size.map(u64::from).iter().product::<u64>());
-                if self.read_tally(made, totals, rays)? == Walks::Unfinished {
+                while self.read_tally(made, totals, rays)? == Walks::Unfinished {
                     if self.is_whole() {
                         *totals = before_band;
                         return Ok(first_row);
                     }
-                    *totals = before;
-                    let again = tile.insert(self.tile(size.map(|side| side + margin))?);
-                    self.render_tile(again, at, clock, (round, &progress), totals)?;
-                    self.read_tally(again, totals, None)?;
-                    made = again;
+                    *totals = before.clone();
+                    made = tile.insert(self.tile(size.map(|side| side + margin))?);
+                    self.render_tile(made, at, clock, (round, &progress), totals)?;
                 }
                 pixels_done += pixels;
                 let noise = totals.noise.as_mut().filter(|_| round.is_last);

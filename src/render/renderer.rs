@@ -1,19 +1,19 @@
 //! A scene made ready for a device.
 
 use std::borrow::Cow;
-use std::cell::{Cell, OnceCell};
+use std::cell::OnceCell;
 use std::time::Instant;
 
 use wgpu::ErrorFilter;
 
 use super::clock::Clock;
 use super::grids::LightGrids;
-use super::plan::Plan;
+use super::plan::Plans;
 use super::readback::read_buffer;
 use super::sample::Sample;
 use super::{LightReport, RenderError, RenderSettings, Totals};
 use crate::gpu::{
-    Built, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
+    Before, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
 use crate::model::{Control, Value};
 use crate::program::{BindingKind, Layout, Program, Purpose, Regions, Role};
@@ -38,13 +38,10 @@ pub struct Renderer<'a> {
     /// Of the scene's lights.
     pub(super) grids: LightGrids,
     /// Kept for the next frame.
-    structure: Built,
+    before: Before,
     pub(super) max_segments: u32,
-    /// For walks that no pass suspends, or few: enough for all but meshes in heaps.
-    pub(super) short: Plan,
-    /// For the longest walks that there could be, made where one did not end.
-    pub(super) long: OnceCell<Plan>,
-    pub(super) is_long: Cell<bool>,
+    /// What runs, by how long walks are.
+    pub(super) plans: Plans,
     /// The same by the schedule `fused`, made where a path outlived the pass that was to follow all of it.
     pub(super) fused: OnceCell<Box<Self>>,
 }
@@ -90,9 +87,9 @@ impl<'a> Renderer<'a> {
             return Err(GpuError::Full { what, reason: error.to_string() }.into());
         }
         let max_segments = scene.rays.max_segments;
-        let (short, long, is_long, fused) = (Plan::default(), OnceCell::new(), Cell::new(false), OnceCell::new());
-        let (structure, regions) = (geometry.structure, geometry.analysis.regions);
-        let mut made = Self {
+        let (plans, fused) = (Plans::default(), OnceCell::new());
+        let regions = geometry.analysis.regions.clone();
+        Ok(Self {
             gpu,
             scene,
             settings,
@@ -101,15 +98,11 @@ impl<'a> Renderer<'a> {
             buffers,
             regions,
             grids,
-            structure,
+            before: geometry.into_before(),
             max_segments,
-            short,
-            long,
-            is_long,
+            plans,
             fused,
-        };
-        made.plan_steps();
-        Ok(made)
+        })
     }
 
     /// Goes on with another scene of the same program.
@@ -121,7 +114,7 @@ impl<'a> Renderer<'a> {
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
-        let geometry = Geometry::after(Some(std::mem::take(&mut self.structure)), &scene);
+        let geometry = Geometry::after(std::mem::take(&mut self.before), &scene);
         let program = Program::new(&scene, &geometry.analysis, choice, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
@@ -132,8 +125,8 @@ impl<'a> Renderer<'a> {
         self.grids = grids;
         let (segments, fields, before) = (self.settings.segments_a_pass(), &self.grids.fields, Some(&self.buffers));
         self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, fields, segments, before)?;
-        self.structure = geometry.structure;
-        self.regions = geometry.analysis.regions;
+        self.regions = geometry.analysis.regions.clone();
+        self.before = geometry.into_before();
         self.program = program;
         self.max_segments = scene.rays.max_segments;
         self.scene = Cow::Owned(scene);
@@ -232,10 +225,9 @@ impl<'a> Renderer<'a> {
         let bytes = read_buffer(self.gpu, buffer, |_| {})?;
         self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-        let may_go_on = self.is_whole() || (self.program.work.resumed && !self.is_long.get());
         let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&words) < rays);
-        if missing || (may_go_on && Totals::unfinished(&words) > 0) {
-            self.is_long.set(true);
+        let unfinished = missing || Totals::unfinished(&words) > 0;
+        if unfinished && (self.is_whole() || self.plan_longer()) {
             return Ok(Walks::Unfinished);
         }
         totals.add_tally(&words);

@@ -16,7 +16,8 @@ const LEAST: u64 = 64;
 
 impl Renderer<'_> {
     /// What is rendered: the settings' window, or all of the picture.
-    pub(super) fn window(&self) -> Window {
+    #[must_use]
+    pub fn window(&self) -> Window {
         self.settings.window.unwrap_or(Window::whole(self.scene.image.size))
     }
 

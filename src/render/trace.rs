@@ -164,7 +164,7 @@ pub fn trace_paths(
     scene: &Scene,
     settings: &RenderSettings,
     rays: &[[f64; 6]],
-) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
+) -> Result<Vec<Path>, RenderError> {
     let choice =
         Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: Masks::List };
     let leaping = Analysis::of(scene).regions.kinds.iter().any(|kind| kind.leaps);
@@ -183,6 +183,9 @@ pub fn trace_paths(
     }
     Ok(paths)
 }
+
+/// How a path ended, and the ends of its segments.
+type Path = (Status, Vec<PathPoint>);
 
 /// The camera's rays through the middles of some pixels, where they start to be followed: places and velocities.
 pub fn pixel_starts(
@@ -207,8 +210,18 @@ pub fn pixel_starts(
     Ok(records.into_iter().map(|Traced { x: [x, y, z], v: [a, b, c], .. }| [x, y, z, a, b, c]).collect())
 }
 
-fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<(Status, Vec<PathPoint>)>, RenderError> {
-    let plan = renderer.longest_plan();
+/// Until no walk is cut short.
+fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
+    loop {
+        let paths = try_batch_paths(renderer, batch)?;
+        if paths.iter().all(|(status, _)| *status != Status::Alive) || !renderer.plan_longer() {
+            return Ok(paths);
+        }
+    }
+}
+
+fn try_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
+    let plan = renderer.plan();
     let (tile, sample) = ray_tile(renderer, batch)?;
     let begun = |ray: &[f64; 6]| {
         let Traced { x, v, tau, .. } = captured_at(ray);

@@ -10,11 +10,12 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-const PARTS: [&str; 8] = [
+const PARTS: [&str; 9] = [
     "segment/ray",
     "state/work",
     "segment/walk_whole",
     "segment/pieces",
+    "segment/structure/boxes",
     "segment/structure/bvh",
     "segment/order_same",
     "segment/curve_line",
@@ -36,7 +37,7 @@ fn corners(t: [Vec3; 3], object: u32) -> Record {
 
 /// A box as the host writes it.
 pub(super) fn grown(lo: Vec3, hi: Vec3) -> [Vec3; 2] {
-    let slack = constant("segment/structure/bvh", "BOX_SLACK") * lo.abs().max(hi.abs()).as_dvec3();
+    let slack = constant("segment/structure/boxes", "BOX_SLACK") * lo.abs().max(hi.abs()).as_dvec3();
     [lo.as_dvec3() - slack, hi.as_dvec3() + slack].map(DVec3::as_vec3)
 }
 
@@ -146,7 +147,7 @@ impl Mesh {
         };
         let leaves = self.0.chunks(4).enumerate();
         let mut nodes = vec![node(&self.0, 1 + self.0.len() as u32 / 4, 0)];
-        nodes.extend(leaves.map(|(k, four)| node(four, k as u32 + 2, (4 << 24) | (4 * k as u32))));
+        nodes.extend(leaves.map(|(k, four)| node(four, k as u32 + 2, (4 << 28) | (4 * k as u32))));
         let triangles = (0..self.0.len() as u32)
             .map(|k| vec![("a", Uint(3 * k)), ("b", Uint(3 * k + 1)), ("c", Uint(3 * k + 2)), ("object", Uint(k % 3))]);
         probe()

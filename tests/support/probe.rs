@@ -100,7 +100,7 @@ impl Probe {
     pub fn generated(mut self, scene: &str, file: &str) -> Self {
         let scene = super::scene(scene);
         let analysis = Analysis::of(&scene);
-        let work = Work::of(&scene, &analysis, Extent { places: 1, items: 1, at_once: 1 })
+        let work = Work::of(&scene, &analysis, Extent { places: 1, items: 1, at_once: 1, instances: 0 })
             .unwrap_or_else(|error| panic!("{error}"));
         let parts = plan(&scene, &analysis, &Choice::default(), &work).unwrap_or_else(|error| panic!("{error}"));
         let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);

@@ -79,6 +79,7 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
             let index = cell_index(cell);
             let at = (Real(k) + 0.5) / Real(pieces);
             hit = items_hit(s, pieces, Span(at, at), cells[index], cells[index + 1u] - cells[index], hit);
+            walk_turn();
             let exits = cell_exits(cell, a, inverse);
             let leaves = min(exits.x, min(exits.y, exits.z));
             let axis = select(select(vec3u(0u, 0u, 1u), vec3u(0u, 1u, 0u), exits.y == leaves), vec3u(1u, 0u, 0u), exits.x == leaves);

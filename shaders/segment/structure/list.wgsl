@@ -8,6 +8,7 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
         work += 1u;
         hit = items_hit(s, pieces, Span(0.0, 1.0), item, 1u, hit);
         item += 1u;
+        walk_turn();
     }
     walk_stop(item, item >= count);
     return hit;

@@ -36,6 +36,6 @@ impl Raw {
             [vertex(a, made[0]), vertex(b, made[1]), vertex(c, made[2])]
         });
         let triangles = triangles.collect();
-        Mesh { vertices, triangles }
+        Mesh::new(vertices, triangles)
     }
 }

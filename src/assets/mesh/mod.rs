@@ -8,6 +8,7 @@
 //! share a vertex.
 
 mod bytes;
+mod cells;
 mod edges;
 mod gltf;
 mod joined;
@@ -20,10 +21,11 @@ mod text;
 
 use std::path::{Path, PathBuf};
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use super::gltf::NodeName;
 use crate::document::SceneError;
+use cells::Cells;
 use raw::Raw;
 
 /// Triangles.
@@ -33,6 +35,9 @@ pub struct Mesh {
     pub vertices: Vec<Vertex>,
     /// Indices into the vertices, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// The vertices, as [`Mesh::new`] had them.
+    cells: Cells,
+    radius: f64,
 }
 
 /// A corner.
@@ -152,6 +157,25 @@ impl Opened {
 }
 
 impl Mesh {
+    /// Of vertices, whose places do not change any more.
+    #[must_use]
+    pub fn new(vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Self {
+        let cells = Cells::of(&vertices);
+        let radius = cells.most(&vertices, DVec3::length).max(0.0);
+        Self { vertices, triangles, cells, radius }
+    }
+
+    /// The greatest distance of a vertex from the origin.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The largest value of a convex function at a vertex; −∞ without one.
+    pub fn most(&self, value: impl Fn(DVec3) -> f64) -> f64 {
+        self.cells.most(&self.vertices, value)
+    }
+
     /// Reads all of a file; the end of its name says how.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         Opened::read(path)?.mesh(&Wanted::default(), path)

@@ -201,8 +201,14 @@ fn guide_words(scene: &Scene) -> Option<String> {
 fn structure_words(geometry: &Geometry) -> Option<String> {
     let Built { items, nodes, grid, .. } = &geometry.structure;
     let triangles = geometry.triangles.len();
+    let places = geometry.instances.places().len();
     Some(match grid {
         _ if items.is_empty() => return None,
+        _ if places > 0 => format!(
+            "structure: {} items, of them {places} places of meshes that are kept once, of {triangles} triangles, in {} nodes",
+            items.len(),
+            geometry.nodes().count()
+        ),
         Some(Grid { count: [x, y, z], .. }) => {
             format!("structure: {x}×{y}×{z} cells with {} entries, of them {triangles} triangles", items.len())
         }
@@ -212,11 +218,12 @@ fn structure_words(geometry: &Geometry) -> Option<String> {
 }
 
 fn structure(geometry: &Geometry) -> Value {
-    let Built { items, nodes, grid, .. } = &geometry.structure;
+    let Built { items, grid, .. } = &geometry.structure;
     json!({
         "entries": items.len(),
         "triangles": geometry.triangles.len(),
-        "nodes": nodes.len(),
+        "nodes": geometry.nodes().count(),
+        "places": geometry.instances.places().len(),
         "cells": grid.as_ref().map(|grid| grid.count),
     })
 }

@@ -2,6 +2,8 @@
 
 use std::time::Instant;
 
+use indicatif::{HumanBytes, HumanDuration};
+
 use super::picture::{Made, Picture};
 use super::{Arguments, warn};
 use crate::cli::decisions::Rays;
@@ -147,6 +149,9 @@ impl Work<'_> {
             if self.arguments.device.chooses_segments() {
                 renderer.choose_segments()?;
             }
+            if let Some(words) = expected(&renderer, &self.leading, self.settings.memory)? {
+                tell!("{words}");
+            }
             self.launch.next();
             self.renderer = Some((renderer, frame));
             return Ok(());
@@ -159,6 +164,26 @@ impl Work<'_> {
             (result, ..) => Ok(result?),
         }
     }
+}
+
+/// Rays from which a picture takes so long, and so much room, that this is said before it starts.
+const MANY: u64 = 1 << 27;
+
+/// How long a large picture will take, and of how much room.
+fn expected(renderer: &Renderer, scene: &Scene, memory: u64) -> Result<Option<String>, RenderError> {
+    let [width, height] = renderer.window().size;
+    let rays = u64::from(width) * u64::from(height) * u64::from(scene.image.samples);
+    if rays < MANY {
+        return Ok(None);
+    }
+    let time = HumanDuration(renderer.expected_time()?);
+    let least = if scene.image.adaptive.is_some() { "at least " } else { "" };
+    let [device, plane] = [memory, 4 * u64::from(width) * u64::from(height)].map(HumanBytes);
+    Ok(Some(format!(
+        "{width}×{height} pixels with {} samples, {rays} rays: {least}about {time}, with up to {device} of the device (--memory); \
+         uncompressed each channel of the picture takes {plane} of the disk",
+        scene.image.samples
+    )))
 }
 
 /// Where a scene leaves its method open, the first frame's is every frame's.

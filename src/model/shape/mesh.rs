@@ -45,12 +45,6 @@ fn node_name(node: &Node) -> Read<NodeName> {
     }
 }
 
-impl Triangles {
-    fn points(&self) -> impl Iterator<Item = DVec3> {
-        self.0.vertices.iter().map(|vertex| vertex.position.as_dvec3())
-    }
-}
-
 impl Shape for Triangles {
     fn solid(&self, _: &Transform) -> &'static Solid {
         &SOLID
@@ -66,6 +60,9 @@ impl Shape for Triangles {
     }
 
     fn near_surface(&self, p: DVec3, slack: f64) -> bool {
+        if p.length() > self.0.radius() + slack {
+            return false;
+        }
         let corner = |i: u32| self.0.vertices[i as usize].position.as_dvec3() - p;
         self.0.triangles.iter().any(|triangle| {
             let [a, b, c] = triangle.map(corner);
@@ -93,11 +90,11 @@ impl Shape for Triangles {
     }
 
     fn reach(&self, map: DAffine3, center: DVec3) -> Option<f64> {
-        Some(self.points().map(|p| map.transform_point3(p).distance(center)).fold(0.0, f64::max))
+        Some(self.0.most(|p| map.transform_point3(p).distance(center)).max(0.0))
     }
 
     fn radius(&self) -> f64 {
-        self.points().map(DVec3::length).fold(0.0, f64::max)
+        self.0.radius()
     }
 
     fn cut(&self, plane: OwnPlane) -> Vec<Outline> {
@@ -105,7 +102,8 @@ impl Shape for Triangles {
     }
 
     fn bounds(&self, map: DAffine3) -> (DVec3, DVec3) {
-        let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        self.points().map(|p| map.transform_point3(p)).fold(nothing, |(lo, hi), x| (lo.min(x), hi.max(x)))
+        let most = |axis: usize, sign: f64| sign * self.0.most(|p| sign * map.transform_point3(p)[axis]);
+        let side = |sign: f64| DVec3::from_array([0, 1, 2].map(|axis| most(axis, sign)));
+        (side(-1.0), side(1.0))
     }
 }

@@ -1,148 +1,17 @@
 //! The few lines of WGSL that a scene's own list of shapes, materials, falloffs, pictures and layers needs.
 
+mod shapes;
+mod switch;
+
 use std::fmt::Write as _;
 
 use super::regions::Regions;
 use super::unit::Unit;
-use super::{Analysis, PARTS};
-use crate::model::shape::{SOLIDS, Solid};
+use crate::model::shape::SOLIDS;
 use crate::model::source;
-use crate::scene::{Object, Scene};
-
-pub(super) fn unit(file: &'static str, text: String) -> Unit {
-    Unit::generated(file, text)
-}
-
-/// `signature` as a function that returns `call(kind)` for the kind that `selector` names: `kinds` are (constant, name). A single
-/// kind needs no switch.
-pub(super) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]) -> String {
-    let mut text = format!("{signature} {{\n");
-    let Some(((_, last), rest)) = kinds.split_last() else {
-        return text + "    return vec3f(0.0);\n}\n";
-    };
-    if rest.is_empty() {
-        let _ = writeln!(text, "    return {last};\n}}");
-        return text;
-    }
-    let _ = writeln!(text, "    switch {selector} {{");
-    for (constant, call) in rest {
-        let _ = writeln!(text, "        case {constant}: {{\n            return {call};\n        }}");
-    }
-    let _ = writeln!(text, "        default: {{\n            return {last};\n        }}\n    }}\n}}");
-    text
-}
-
-/// Where a piece meets an item of the structure, or one that moves, and the surface of a primitive; of one that moves, at rest.
-pub(super) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid], moving: &[&Solid]) -> Unit {
-    let case = |solid: &&Solid, call: String| (solid.name.to_uppercase(), call);
-    let surface = |solid: &&Solid| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
-    let fraction = |solid: &&Solid| format!("{}_fraction(item & PRIMITIVE_INDEX, a, d)", solid.name);
-    let surfaces: Vec<_> = all.iter().map(|solid| case(solid, surface(solid))).collect();
-    let travelling: Vec<_> =
-        all.iter().filter(|solid| moving.contains(solid)).map(|solid| case(solid, fraction(solid))).collect();
-    let fractions: Vec<_> = structure.solids.iter().map(|solid| case(solid, fraction(solid))).collect();
-    let mut text = String::new();
-    if let Some((first, _)) = fractions.first() {
-        let signature = "fn item_fraction(item: u32, a: Real3, d: Real3) -> Real";
-        text += &switch(signature, "item & ~PRIMITIVE_INDEX", &fractions);
-        let _ = writeln!(text, "\nconst ITEM_KIND: u32 = {first};\n");
-    }
-    if !travelling.is_empty() {
-        let signature = "fn moving_fraction(item: u32, a: Real3, d: Real3) -> Real";
-        text += &switch(signature, "item & ~PRIMITIVE_INDEX", &travelling);
-        text += "\n";
-    }
-    let name = if moving.is_empty() { "hit_surface" } else { "resting_surface" };
-    let signature = format!("fn {name}(primitive: u32, x: Real3) -> Surface");
-    text += &switch(&signature, "primitive & ~PRIMITIVE_INDEX", &surfaces);
-    unit("generated/shapes.wgsl", text)
-}
-
-/// The first hit of a straight piece among the shapes in lists, those that end rays and those that rays cross.
-pub(super) fn lists(
-    scene: &Scene,
-    Analysis { regions, structure }: &Analysis,
-    listed: &[&Solid],
-    sided: &[&Solid],
-) -> Unit {
-    let mut text =
-        String::from("fn piece_hit(a: Real3, b: Real3, best: Hit) -> Hit {\n    let d = b - a;\n    var hit = best;\n");
-    let lists = listed.iter().map(|solid| (solid, false)).chain(sided.iter().map(|solid| (solid, true)));
-    for (solid, sided) in lists {
-        let count = structure.written_out.then(|| count_of(scene, regions, solid, sided));
-        text += &list_hit(solid.name, sided, count);
-    }
-    text += "    return hit;\n}\n";
-    unit("generated/lists.wgsl", text)
-}
-
-/// What a segment is near, and one of the shapes in lists against a piece, by its place among what may be near: those that end rays,
-/// those that rays cross, and the structure in parts, whose bit is the highest.
-pub(super) fn near(
-    scene: &Scene,
-    Analysis { regions, structure }: &Analysis,
-    listed: &[&Solid],
-    sided: &[&Solid],
-) -> Unit {
-    let (mut bits, mut fractions, mut primitives) = (String::new(), String::new(), String::new());
-    let mut first = 0;
-    let lists = listed.iter().map(|solid| (solid, false)).chain(sided.iter().map(|solid| (solid, true)));
-    for (solid, sided) in lists {
-        let (name, code, count) = (solid.name, solid.name.to_uppercase(), count_of(scene, regions, solid, sided));
-        let test = if solid.lists.as_ref().is_some_and(|lists| lists.flat) { "near_flat" } else { "near_ball" };
-        for i in 0..count {
-            let place = first + i;
-            // Who is on the wrong side of a surface meets it wherever it is.
-            let known = if sided { format!(" || is_inside(sided_{name}_list[{i}u].bit)") } else { String::new() };
-            let _ =
-                writeln!(bits, "    near |= select(0u, {}u, {test}(surroundings[{place}u], c){known});", 1u32 << place);
-        }
-        let item = format!("item - {first}u");
-        let (call, primitive) = if sided {
-            let call = format!("cross_{name}(sided_{name}_list[min({item}, {}u)], a, d)", count - 1);
-            (call, format!("{code} | ({code}_COUNT + {item})"))
-        } else {
-            let primitive = format!("{code} | ({item})");
-            (format!("hit_{name}({name}_list[min({item}, {}u)], {primitive}, a, d)", count - 1), primitive)
-        };
-        let range = format!("item >= {first}u && item < {}u", first + count);
-        let _ = writeln!(fractions, "    t = select(t, {call}, {range});");
-        let _ = writeln!(primitives, "    primitive = select(primitive, {primitive}, {range});");
-        first += count;
-    }
-    let parts = if structure.solids.is_empty() { 0 } else { PARTS };
-    for place in first..first + parts {
-        let _ = writeln!(bits, "    near |= select(0u, NEAR_STRUCTURE, near_ball(surroundings[{place}u], c));");
-    }
-    let count = first + parts;
-    let text = format!(
-        "const NEAR_COUNT: u32 = {count}u;\n\n\
-         fn items_near(s: Segment) -> u32 {{\n    let c = chordal(s);\n    var near = 0u;\n{bits}    return near;\n}}\n\n\
-         fn listed_fraction(item: u32, a: Real3, d: Real3) -> Real {{\n    var t: Real = 2.0;\n{fractions}    return t;\n}}\n\n\
-         fn listed_primitive(item: u32) -> u32 {{\n    var primitive = NOTHING;\n{primitives}    return primitive;\n}}\n"
-    );
-    unit("generated/near.wgsl", text)
-}
-
-/// A piece against the list of a solid: item by item, or in a loop where it is not said how many there are.
-fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
-    let code = name.to_uppercase();
-    let item = |i: &str| {
-        if sided {
-            // Behind the opaque ones.
-            let primitive = format!("{code} | ({code}_COUNT + {i})");
-            format!("    hit = nearer_hit(hit, cross_{name}(sided_{name}_list[{i}], a, d), {primitive});\n")
-        } else {
-            let primitive = format!("{code} | {i}");
-            format!("    hit = nearer_hit(hit, hit_{name}({name}_list[{i}], {primitive}, a, d), {primitive});\n")
-        }
-    };
-    let Some(count) = count else {
-        let count = if sided { format!("SIDED_{code}_COUNT") } else { format!("{code}_COUNT") };
-        return format!("    for (var i = 0u; i < {count}; i++) {{\n        work += 1u;\n    {}    }}\n", item("i"));
-    };
-    (0..count).map(|i| item(&format!("{i}u"))).collect()
-}
+use crate::scene::Scene;
+pub(super) use shapes::{lists, near, shapes};
+pub(super) use switch::{switch, unit};
 
 /// Paths that are looked for from a light to a place, at most: about one centre two by either side; else one from each first direction,
 /// straight and past each of the law's sources at three distances, or to four sides twice, and back.
@@ -153,14 +22,6 @@ pub fn shots(scene: &Scene) -> usize {
         0 => 10,
         aims => 1 + 3 * aims,
     }
-}
-
-/// How many shapes of a solid at rest rays go on from, or end on.
-fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usize {
-    let is = |(i, object): &(usize, &Object)| {
-        object.solid() == solid && regions.bit(*i).is_some() == sided && object.travel.is_none()
-    };
-    scene.objects.iter().enumerate().filter(is).count()
 }
 
 /// The way to a place from what a force comes from.
@@ -382,8 +243,8 @@ pub(super) fn counts(scene: &Scene, regions: &Regions) -> Unit {
     };
     for solid in SOLIDS.into_iter().filter(|solid| solid.lists.is_some()) {
         let code = solid.name.to_uppercase();
-        count(&code, count_of(scene, regions, solid, false));
-        count(&format!("SIDED_{code}"), count_of(scene, regions, solid, true));
+        count(&code, shapes::count_of(scene, regions, solid, false));
+        count(&format!("SIDED_{code}"), shapes::count_of(scene, regions, solid, true));
     }
     count("CAPTURE", scene.captures(None).len());
     count("TRAVEL", scene.travels().count());

@@ -1,0 +1,63 @@
+// Places of meshes that are kept once. A primitive is one triangle in one place: the instance's first primitive, and the triangle's
+// number among those of its mesh.
+
+// In place of a kind and an index: there are more of them than four bits leave room for.
+const INSTANCE: u32 = 0x80000000u;
+const INSTANCE_INDEX: u32 = 0x7fffffffu;
+
+struct Instance {
+    // The rows of the affine map from the scene's space to the mesh's own.
+    row_x: Real4,
+    row_y: Real4,
+    row_z: Real4,
+    // The first node of its mesh.
+    root: u32,
+    // Its mesh's first triangle.
+    first: u32,
+    // The node behind the leaf that holds it.
+    next: u32,
+    object: u32,
+    // The triangles of all instances before it.
+    primitives: u32,
+    // Their nodes.
+    places: u32,
+}
+
+@group(0) @binding(122) var<storage, read> instances: array<Instance>;
+
+fn instance_space(i: u32) -> OwnSpace {
+    return OwnSpace(instances[i].row_x, instances[i].row_y, instances[i].row_z);
+}
+
+// The last instance that begins no later than this, among primitives or among the places of a walk.
+fn instance_of(number: u32, of_walk: bool) -> u32 {
+    let last = arrayLength(&instances) - 1u;
+    var found = 0u;
+    for (var bit = 1u << firstLeadingBit(last + 1u); bit > 0u; bit >>= 1u) {
+        work += 1u;
+        let next = min(found + bit, last);
+        let begins = select(instances[next].primitives, instances[next].places, of_walk);
+        found = select(found, next, begins <= number);
+    }
+    return found;
+}
+
+fn surface_instance(primitive: u32, x: Real3) -> Surface {
+    let own = instances[instance_of(primitive, false)];
+    let space = OwnSpace(own.row_x, own.row_y, own.row_z);
+    let triangle = triangles[own.first + primitive - own.primitives];
+    let p = vertices[triangle.a];
+    let q = vertices[triangle.b];
+    let r = vertices[triangle.c];
+    let at = own_point(space, x);
+    let n = cross(q.position - p.position, r.position - p.position);
+    let steep = scene_gradient(space, n);
+    let share = triangle_shares(p.position, q.position, r.position, at);
+    let normal = share.x * normalize(scene_gradient(space, p.normal))
+        + share.y * normalize(scene_gradient(space, q.normal))
+        + share.z * normalize(scene_gradient(space, r.normal));
+    let uv = share.x * Real2(p.u, p.v) + share.y * Real2(q.u, q.v) + share.z * Real2(r.u, r.v);
+    let gap = dot(n, at - p.position) / length(steep);
+    let material = object_materials[own.object];
+    return Surface(gap, 0.0, normalize(steep), vec3f(normalize(normal)), vec2f(uv), material, own.object);
+}

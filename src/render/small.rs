@@ -1,0 +1,58 @@
+//! A picture rendered small before it starts: by its own program, for what its time tells of the whole. A part of the picture in full
+//! would be no fair sample of its rays.
+
+use std::time::{Duration, Instant};
+
+use super::clock::Clock;
+use super::sample::{Refines, Sample};
+use super::{RenderError, Renderer, Totals, Window};
+
+/// The longer side of the small picture.
+const SMALL: u32 = 224;
+
+impl Renderer<'_> {
+    /// The device's time for one sample of the small picture.
+    pub(super) fn small_time(&self) -> Result<Duration, RenderError> {
+        let (tile, sample) = (self.tile(self.small_size())?, self.small_sample());
+        let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
+        let started = Instant::now();
+        self.run_sample(&tile, sample, &mut clock, &|_| {})?;
+        self.finish_totals(&mut totals, &clock, started)?;
+        Ok(totals.advance())
+    }
+
+    /// How long all samples of the picture will take, about, or of an adaptive one those that every pixel has.
+    pub fn expected_time(&self) -> Result<Duration, RenderError> {
+        let size = self.small_size();
+        let mut taken = Duration::ZERO;
+        // The first compiles.
+        for _ in 0..2 {
+            let tile = self.tile(size)?;
+            let started = Instant::now();
+            self.run_sample(&tile, self.small_sample(), &mut Clock::new(self.gpu, false), &|_| {})?;
+            let _ = self.read_tally(&tile, &mut Totals::default(), None)?;
+            taken = started.elapsed();
+        }
+        let pixels = |size: [u32; 2]| size.map(f64::from).into_iter().product::<f64>();
+        let many = pixels(self.window().size) / pixels(size) * f64::from(self.scene.image.samples);
+        Ok(Duration::try_from_secs_f64(taken.as_secs_f64() * many).unwrap_or(Duration::MAX))
+    }
+
+    fn small_size(&self) -> [u32; 2] {
+        self.window().size.map(|side| self.small(side).max(1))
+    }
+
+    fn small_sample(&self) -> Sample {
+        let Window { origin, .. } = self.window();
+        let refines = self.settings.choice.adapts(&self.scene).then_some(Refines::FIRST);
+        let image = self.scene.image.size.map(|side| self.small(side).max(1));
+        Sample { origin: origin.map(|side| self.small(side)), image, number: 0, refines }
+    }
+
+    /// A length in pixels, in the small picture.
+    fn small(&self, side: u32) -> u32 {
+        let [width, height] = self.window().size;
+        let longer = u64::from(width.max(height));
+        (u64::from(side) * u64::from(SMALL).min(longer) / longer) as u32
+    }
+}
