@@ -136,7 +136,9 @@ fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Opt
         Err(error) => error,
     };
     let help = match &error {
-        SceneError::Read { .. } => "files are found relative to the scene file's folder",
+        SceneError::Read { source, .. } if source.kind() == std::io::ErrorKind::NotFound => {
+            "files are found relative to the scene file's folder"
+        }
         _ => "",
     };
     match error {

@@ -66,23 +66,14 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     Ok(Modelled { path, scene, geometry, program, memory, frames_checked })
 }
 
-/// Frames that are looked at, at most: of longer films evenly, with the last.
-const FRAMES: u32 = 256;
+/// Frames that are looked at, at most.
+const FRAMES: usize = 256;
 
 /// All frames are right, and run the first one's program. Says how many of them were looked at.
 fn check_frames(path: &Path, arguments: &Arguments, choice: &Choice, scene: &Scene) -> Result<u32, Error> {
     let Some(animation) = &scene.animation else { return Ok(0) };
     let film = Film::new(path, arguments.changes.overrides()?);
-    let first = film.program(choice, &|_| 0)?;
-    let looked_at = animation.frames.min(FRAMES);
-    let last = u64::from(animation.frames - 1);
-    for i in 1..looked_at {
-        let frame = (u64::from(i) * last / u64::from(looked_at - 1)) as u32;
-        if !film.program(choice, &|_| frame)?.runs_as(&first) {
-            return Err(film.other_program(&animation.keys, [0, frame]));
-        }
-    }
-    Ok(looked_at)
+    film.look_ahead(choice, &animation.keys, &(0..animation.frames).collect::<Vec<_>>(), FRAMES)
 }
 
 /// Every key of the scene format.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use crate::error::Error;
-use crate::gpu::Geometry;
+use crate::gpu::{Before, Geometry};
 use crate::program::{Choice, Program};
 use crate::scene::{Files, Override, Scene, SceneError, follow_as};
 
@@ -75,11 +75,13 @@ pub(super) struct Film<'a> {
     pub(super) files: RefCell<Files>,
     /// Of the files' bytes.
     pub(super) hashes: RefCell<HashMap<PathBuf, String>>,
+    /// What the program of the frame before was made with.
+    before: RefCell<Before>,
 }
 
 impl<'a> Film<'a> {
     pub(super) fn new(path: &'a Path, overrides: Vec<Override>) -> Self {
-        Self { path, overrides, files: RefCell::default(), hashes: RefCell::default() }
+        Self { path, overrides, files: RefCell::default(), hashes: RefCell::default(), before: RefCell::default() }
     }
 
     /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.
@@ -116,8 +118,33 @@ impl<'a> Film<'a> {
     /// The program of a frame.
     pub(super) fn program(&self, choice: &Choice, frame_of: &dyn Fn(&str) -> u32) -> Result<Program, Error> {
         let scene = self.load(Some(frame_of))?;
-        let geometry = Geometry::new(&scene);
-        Ok(Program::new(&scene, &geometry.analysis, choice, geometry.extent())?)
+        let geometry = Geometry::after(self.before.take(), &scene);
+        let program = Program::new(&scene, &geometry.analysis, choice, geometry.extent());
+        self.before.replace(geometry.into_before());
+        Ok(program?)
+    }
+
+    /// Looks at frames before any is rendered, of a long film at some of them, evenly, with the last: whether they are right, and run
+    /// the first one's program. Says at how many: no more than `most`.
+    pub(super) fn look_ahead(
+        &self,
+        choice: &Choice,
+        keys: &[String],
+        frames: &[u32],
+        most: usize,
+    ) -> Result<u32, Error> {
+        let Some((&first, last)) = frames.first().zip(frames.len().checked_sub(1)) else { return Ok(0) };
+        let program = self.program(choice, &|_| first)?;
+        let looked_at = frames.len().min(most);
+        for i in 1..looked_at {
+            let frame = frames[i * last / (looked_at - 1)];
+            let own =
+                self.program(choice, &|_| frame).map_err(|error| Error::Usage(format!("frame {frame}: {error}")))?;
+            if !own.runs_as(&program) {
+                return Err(self.other_program(keys, [first, frame]));
+            }
+        }
+        Ok(looked_at as u32)
     }
 
     /// That two frames have different programs, with those of the keys that make it so when they alone go from the first frame to

@@ -6,10 +6,12 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use super::written::{check_scene_name, say_written};
+use crate::document::read_bytes;
 use crate::error::Error;
 use crate::output::{AtomicFile, OutputError};
+use crate::scene::Gltf;
 use crate::scene::import::import;
-use crate::scene::{Gltf, SceneError};
 
 /// Write a scene from a glTF file: objects, materials, cameras and lights
 #[derive(Debug, Args)]
@@ -23,7 +25,8 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let Arguments { file: path, output } = arguments;
-    let bytes = std::fs::read(path).map_err(|source| SceneError::Read { path: path.clone(), source })?;
+    check_scene_name(output)?;
+    let bytes = read_bytes(path)?;
     let imported = import(&Gltf::open(bytes, path)?, output)?;
     let folder = output.parent().unwrap_or(Path::new(""));
     let pictures = imported.pictures.iter().map(|(name, bytes)| (folder.join(name), bytes.as_slice()));
@@ -41,6 +44,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     for line in &imported.left_out {
         tell!("{line}");
     }
-    say!("wrote {0}; render it with `bentray render {0} -o picture.png`", output.display());
+    say_written(output)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -46,6 +46,7 @@ mod trace;
 mod watch;
 mod wgsl;
 mod words;
+mod written;
 
 use std::fmt::Arguments;
 use std::io::{self, ErrorKind, Write};

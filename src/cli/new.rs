@@ -8,6 +8,7 @@ use clap::Args;
 use clap::builder::TypedValueParser;
 
 use super::options::one_of;
+use super::written::{check_scene_name, say_written};
 use crate::error::Error;
 use crate::output::{AtomicFile, OutputError};
 use crate::scene::{TEMPLATES, Template};
@@ -28,6 +29,7 @@ fn templates() -> impl TypedValueParser<Value = &'static Template> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let path = &arguments.file;
+    check_scene_name(path)?;
     if path.exists() {
         let problem = "this file exists; name another, or remove it first".to_owned();
         return Err(OutputError::Setting { path: path.clone(), problem }.into());
@@ -36,6 +38,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     file.write_all(arguments.template.text.as_bytes())
         .map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
     file.finish()?;
-    say!("wrote {0}; render it with `bentray render {0} -o picture.png`", path.display());
+    say_written(path)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -182,6 +182,9 @@ impl Arguments {
     }
 }
 
+/// Frames that are looked at before any is rendered, at most.
+const AHEAD: usize = 24;
+
 /// What a share of these frames is.
 pub(super) fn targets_of(share: Share, frames: &[Option<u32>], scene: &Scene) -> Result<Vec<Target>, Error> {
     let targets = share.of(frames);
@@ -206,6 +209,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     let frames = arguments.frames_of(&still)?;
     let targets = arguments.targets(&frames, &still)?;
+    if let Some(animation) = still.animation.as_ref().filter(|_| targets.len() > 1) {
+        let frames: Vec<u32> = frames.iter().copied().flatten().collect();
+        film.look_ahead(&arguments.device.settings(layers.clone()).choice, &animation.keys, &frames, AHEAD)?;
+    }
     arguments.check_files(&film, &targets)?;
     arguments.prepare_films()?;
     arguments.try_files(&still, &targets, &layers)?;

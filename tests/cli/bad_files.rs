@@ -137,3 +137,24 @@ fn tables_of_rays_are_refused_with_the_line_and_the_column() {
     assert_eq!(folder.names(), ["out.csv", "rays.csv", "scene.toml"]);
     assert_eq!(folder.text("out.csv"), "an old table");
 }
+
+/// What has no end is not read until memory is gone, and what is no scene is said to be what it is.
+#[test]
+#[cfg(unix)]
+fn what_is_no_scene_and_no_file_is_refused() {
+    let folder = Folder::with(&(BALL.to_owned() + MESH));
+    std::os::unix::fs::symlink("/dev/zero", folder.path("mesh.obj")).unwrap();
+    folder.run("check scene.toml").fails(1, &["cannot read `mesh.obj`: it is no file, and goes on behind 1 GiB"]);
+    folder.run("check /dev/zero").fails(1, &["cannot read `/dev/zero`: it is no file"]);
+    std::fs::write(folder.path("a.glb"), b"glTF\x02\0\0\0\xff").unwrap();
+    folder.run("check a.glb").fails(1, &["this is glTF, not text", "`bentray import FILE -o scene.toml`"]);
+}
+
+/// Scenes are not written under a picture's name, and the command that is said can be typed.
+#[test]
+fn scenes_that_are_written_have_names_of_scenes() {
+    let folder = Folder::with(BALL);
+    folder.run("new a.png").fails(1, &["a.png: a scene is written, not a picture of it"]);
+    let said = folder.run("new my$scene.toml").succeeds();
+    assert!(said.out.contains("`bentray render 'my$scene.toml' -o picture.png`"), "{}", said.out);
+}

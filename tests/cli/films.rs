@@ -124,3 +124,21 @@ fn what_is_no_film_is_refused() {
         assert_eq!(folder.names(), ["a.png", "b.png", "scene.toml"], "{arguments}");
     }
 }
+
+/// What is wrong with a later frame is said before the first is rendered, with its number.
+#[test]
+fn frames_are_looked_at_before_any_is_rendered() {
+    let fall = "[animation]\nframes = 12\n[[animation.tracks]]\nkey = \"camera.fov\"\n\
+                values = [40, 370]\n";
+    let folder = Folder::with(&format!("{BALL}{fall}"));
+    folder.run("render scene.toml -o a_{frame}.png --frames all").fails(1, &["frame 5: scene.toml:", "found 190"]);
+    assert_eq!(folder.names(), ["scene.toml"]);
+}
+
+/// The line that repeats a film names no file that is gone when the film is there.
+#[test]
+fn a_film_is_repeated_without_its_frames() {
+    let folder = Folder::with(&format!("{BALL}{FILM}[law]\nkind = \"schwarzschild\"\n"));
+    let ran = folder.run("render scene.toml -o film.gif --frames 0..1").succeeds();
+    ran.says(&["to repeat it: bentray render scene.toml -o film.gif --frames 0..1\n"]);
+}

@@ -7,7 +7,7 @@ fn targets_that_cannot_be_written_are_refused_before_the_work() {
     let folder = Folder::with(BALL);
     folder.write("rays.csv", "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n");
     std::fs::create_dir(folder.path("folder.png")).unwrap();
-    let cases: [(&str, &str); 11] = [
+    let cases: [(&str, &str); 12] = [
         ("render scene.toml -o nodir/a.png", "nodir/a.png: the folder nodir does not exist; create it"),
         ("render scene.toml -o a.png -o nodir/b.exr", "nodir/b.exr: the folder nodir does not exist"),
         ("render scene.toml -o folder.png", "folder.png: this is a folder, and only a regular file"),
@@ -18,7 +18,8 @@ fn targets_that_cannot_be_written_are_refused_before_the_work() {
         ("trace scene.toml --rays rays.csv -o nodir/a.csv", "nodir/a.csv: the folder nodir does not exist"),
         ("trace scene.toml --rays rays.csv -o folder.png", "folder.png: this is a folder"),
         ("new nodir/scene.toml", "nodir/scene.toml: the folder nodir does not exist"),
-        ("new folder.png", "folder.png: this file exists"),
+        ("new folder.png", "folder.png: a scene is written, not a picture of it"),
+        ("new scene.toml", "scene.toml: this file exists"),
     ];
     for (arguments, text) in cases {
         let ran = folder.run(arguments).fails(1, &[text]);

@@ -7,7 +7,7 @@ mod nrrd;
 #[cfg(test)]
 mod tests;
 
-use crate::document::SceneError;
+use crate::document::{SceneError, read_bytes};
 use glam::DVec3;
 use std::path::Path;
 
@@ -106,7 +106,7 @@ const MOST_SAMPLES: u64 = 1 << 30;
 impl IndexGrid {
     /// Reads the samples of a file.
     pub fn load(path: &Path, used: &Use) -> Result<Self, SceneError> {
-        let bytes = std::fs::read(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
+        let bytes = read_bytes(path)?;
         let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
         let volume = match used.bare {
             Some(bare) => Volume { bare, place: None, bytes },

@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 use glam::{DVec3, Vec2, Vec3};
 
 use super::gltf::NodeName;
-use crate::document::SceneError;
+use crate::document::{SceneError, read_bytes};
 use cells::Cells;
 use raw::Raw;
 
@@ -128,7 +128,7 @@ impl Opened {
             let problem = format!("meshes are files whose names end in {}", known.join(", "));
             return Err(SceneError::Mesh { path: path.to_owned(), problem });
         };
-        let bytes = std::fs::read(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })?;
+        let bytes = read_bytes(path)?;
         match format.read {
             Read::Whole(read) => Ok(Self::Whole(Box::new(read(&bytes, path)?))),
             Read::Parts(read) => Ok(Self::Parts(read(bytes, path)?)),

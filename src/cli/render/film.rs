@@ -43,7 +43,7 @@ impl Arguments {
     }
 
     /// The folder of frames that are asked for only as a film.
-    fn frame_folder(&self) -> Option<PathBuf> {
+    pub(super) fn frame_folder(&self) -> Option<PathBuf> {
         let has_own = self.output.iter().filter(|path| !self.is_film(path)).any(|path| has_extension(path, "png"));
         self.films().next().filter(|_| !has_own).map(|film| film.with_extension("frames"))
     }

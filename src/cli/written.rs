@@ -1,0 +1,24 @@
+//! Scenes that a command writes for its user.
+
+use std::path::Path;
+
+use super::words::quoted;
+use crate::error::Error;
+use crate::output::{OutputError, has_extension, is_film};
+
+/// Refuses names of pictures and films: who asks for one means to render.
+pub(super) fn check_scene_name(path: &Path) -> Result<(), Error> {
+    if !is_film(path) && !["png", "exr"].iter().any(|end| has_extension(path, end)) {
+        return Ok(());
+    }
+    let problem =
+        "a scene is written, not a picture of it: give it a name such as scene.toml, and render that".to_owned();
+    Err(OutputError::Setting { path: path.to_owned(), problem }.into())
+}
+
+/// Says what to do with a scene that was written.
+pub(super) fn say_written(path: &Path) -> Result<(), Error> {
+    let command = ["bentray", "render", &path.display().to_string(), "-o", "picture.png"].map(str::to_owned);
+    say!("wrote {}; render it with `{}`", path.display(), quoted(&command));
+    Ok(())
+}
