@@ -29,6 +29,14 @@ pub enum Error {
     /// Whoever read standard output has had enough: no failure.
     #[error("standard output was closed")]
     Closed,
+    /// A frame of a film is wrong.
+    #[error("frame {frame}: {error}")]
+    Frame {
+        /// Which.
+        frame: u32,
+        /// What is wrong with it.
+        error: Box<Self>,
+    },
     /// A word of the command line that only the scene can tell wrong.
     #[error("{0}")]
     Usage(String),

@@ -139,7 +139,7 @@ impl<'a> Film<'a> {
         for i in 1..looked_at {
             let frame = frames[i * last / (looked_at - 1)];
             let own =
-                self.program(choice, &|_| frame).map_err(|error| Error::Usage(format!("frame {frame}: {error}")))?;
+                self.program(choice, &|_| frame).map_err(|error| Error::Frame { frame, error: Box::new(error) })?;
             if !own.runs_as(&program) {
                 return Err(self.other_program(keys, [first, frame]));
             }

@@ -27,8 +27,8 @@ const FILTERING: u64 = 16_000;
 const LARGEST: u64 = 20_000;
 /// Items that a hierarchy's leaf, or a primitive, has bits for.
 const MOST_ITEMS: u64 = 1 << 28;
-/// Those of meshes that are kept once, in all their places; and the nodes that a walk is at have bits for.
-const MOST_ONCE: u64 = 1 << 31;
+/// Those of meshes that are kept once, in all their places, beside the word for nothing; and the nodes that a walk is at have bits for.
+const MOST_ONCE: u64 = (1 << 31) - 1;
 
 /// Bounds on the loop iterations of a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

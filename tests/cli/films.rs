@@ -132,6 +132,8 @@ fn frames_are_looked_at_before_any_is_rendered() {
                 values = [40, 370]\n";
     let folder = Folder::with(&format!("{BALL}{fall}"));
     folder.run("render scene.toml -o a_{frame}.png --frames all").fails(1, &["frame 5: scene.toml:", "found 190"]);
+    let checked = folder.run("check scene.toml --json");
+    assert!(checked.code == Some(1) && checked.out.contains("\"line\":20"), "{}", checked.out);
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 

@@ -52,3 +52,30 @@ fn box_span(lo: Real3, hi: Real3, sweep: Sweep, limit: Real) -> Span {
     let leaves = min(min(far.x, far.y), min(far.z, min(limit, 1.0 + OVERLAP)));
     return Span(enters, leaves);
 }
+
+// A leaf whose box is met.
+struct Leaf {
+    // Where, along the segment.
+    span: Span,
+    // Its items.
+    first: u32,
+    count: u32,
+    // The node to go on with.
+    next: u32,
+}
+
+// The next leaf from a node on, before `end`, that is met up to `limit`; without items if there is none, or no more room.
+fn next_leaf(begin: u32, end: u32, sweep: Sweep, limit: Real) -> Leaf {
+    var node = begin;
+    var span = Span(0.0, 0.0);
+    var leaf = 0u;
+    while node < end && leaf == 0u && walk_has_room() {
+        work += 1u;
+        let box = nodes[node];
+        span = box_span(corner(box.lo_skip), corner(box.hi_leaf), sweep, limit);
+        let met = span.enters <= span.leaves;
+        leaf = select(0u, box.hi_leaf.w, met);
+        node = select(box.lo_skip.w, node + 1u, met && box.hi_leaf.w == 0u);
+    }
+    return Leaf(span, leaf & LEAF_FIRST, leaf >> LEAF_SHIFT, node);
+}

@@ -12,18 +12,10 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     // In turns: every ray to its next leaf, then all of them through their items, for neighbours run side by side.
     while node < count && walk_has_room() {
         work += 1u;
-        var span = Span(0.0, 0.0);
-        var leaf = 0u;
-        while node < count && leaf == 0u && walk_has_room() {
-            work += 1u;
-            let box = nodes[node];
-            span = box_span(corner(box.lo_skip), corner(box.hi_leaf), sweep, hit.t);
-            let met = span.enters <= span.leaves;
-            leaf = select(0u, box.hi_leaf.w, met);
-            node = select(box.lo_skip.w, node + 1u, met && box.hi_leaf.w == 0u);
-        }
+        let leaf = next_leaf(node, count, sweep, hit.t);
+        node = leaf.next;
         walk_turn();
-        hit = items_hit(s, pieces, span, leaf & LEAF_FIRST, leaf >> LEAF_SHIFT, hit);
+        hit = items_hit(s, pieces, leaf.span, leaf.first, leaf.count, hit);
         walk_turn();
     }
     walk_stop(node, node >= count);

@@ -19,25 +19,16 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     }
     while node < end && walk_has_room() {
         work += 1u;
-        var span = Span(0.0, 0.0);
-        var leaf = 0u;
-        while node < end && leaf == 0u && walk_has_room() {
-            work += 1u;
-            let box = nodes[node];
-            span = box_span(corner(box.lo_skip), corner(box.hi_leaf), own_sweep, hit.t);
-            let met = span.enters <= span.leaves;
-            leaf = select(0u, box.hi_leaf.w, met);
-            node = select(box.lo_skip.w, node + 1u, met && box.hi_leaf.w == 0u);
-        }
+        let leaf = next_leaf(node, end, own_sweep, hit.t);
+        node = leaf.next;
         walk_turn();
-        let first = leaf & LEAF_FIRST;
-        if leaf != 0u && enters_instance(first) {
-            node = enter_instance(first);
+        if leaf.count != 0u && enters_instance(leaf.first) {
+            node = enter_instance(leaf.first);
             end = instance_end();
             own = instance_segment(s);
             own_sweep = instance_sweep(s, own);
         } else {
-            hit = items_hit(own, pieces, span, first, leaf >> LEAF_SHIFT, hit);
+            hit = items_hit(own, pieces, leaf.span, leaf.first, leaf.count, hit);
             if node >= end && in_instance() {
                 node = instance_next();
                 leave_instance();

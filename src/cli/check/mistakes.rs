@@ -21,7 +21,11 @@ impl Found for Wrong<'_> {
     }
 
     fn json(&self) -> Value {
-        let mistakes = match &self.error {
+        let error = match &self.error {
+            Error::Frame { error, .. } => error,
+            error => error,
+        };
+        let mistakes = match error {
             Error::Scene(SceneError::Mistakes(mistakes)) => mistakes.iter().map(object).collect(),
             // Of the scene, or of a file that it names, as a whole.
             error => {
@@ -39,7 +43,7 @@ impl Found for Wrong<'_> {
                     "line": null,
                     "column": null,
                     "excerpt": null,
-                    "problem": error.to_string(),
+                    "problem": self.error.to_string(),
                     "help": null,
                 })]
             }
