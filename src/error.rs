@@ -29,11 +29,11 @@ pub enum Error {
     /// Whoever read standard output has had enough: no failure.
     #[error("standard output was closed")]
     Closed,
-    /// A frame of a film is wrong.
+    /// A frame of a film, or a moment after it while the shutter is open, is wrong.
     #[error("frame {frame}: {error}")]
     Frame {
         /// Which.
-        frame: u32,
+        frame: f64,
         /// What is wrong with it.
         error: Box<Self>,
     },

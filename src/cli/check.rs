@@ -73,7 +73,7 @@ const FRAMES: usize = 256;
 fn check_frames(path: &Path, arguments: &Arguments, choice: &Choice, scene: &Scene) -> Result<u32, Error> {
     let Some(animation) = &scene.animation else { return Ok(0) };
     let film = Film::new(path, arguments.changes.overrides()?);
-    film.look_ahead(choice, &animation.keys, &(0..animation.frames).collect::<Vec<_>>(), FRAMES)
+    film.look_ahead(choice, animation, &(0..animation.frames).collect::<Vec<_>>(), FRAMES)
 }
 
 /// Every key of the scene format.

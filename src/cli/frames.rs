@@ -10,7 +10,7 @@ use std::str::FromStr;
 use crate::error::Error;
 use crate::gpu::{Before, Geometry};
 use crate::program::{Choice, Program};
-use crate::scene::{Files, Override, Scene, SceneError, follow_as};
+use crate::scene::{Animation, Files, Override, Scene, SceneError, follow_as};
 
 /// `--frames`.
 #[derive(Debug, Clone, Copy)]
@@ -61,11 +61,15 @@ pub(super) fn path_of(path: &Path, frame: u32) -> Option<PathBuf> {
 }
 
 /// `made` of the number that every key has in a frame, or of none.
-pub(super) fn with_frame<T>(frame: Option<u32>, made: impl FnOnce(Option<&dyn Fn(&str) -> u32>) -> T) -> T {
+pub(super) fn with_frame<T>(frame: Option<u32>, made: impl FnOnce(Option<&dyn Fn(&str) -> f64>) -> T) -> T {
     match frame {
-        Some(frame) => made(Some(&|_| frame)),
+        Some(frame) => made(Some(&|_| frame.into())),
         None => made(None),
     }
+}
+
+fn of_frame(frame: f64, error: Error) -> Error {
+    Error::Frame { frame, error: Box::new(error) }
 }
 
 /// A scene file whose frames are loaded one after the other.
@@ -85,7 +89,7 @@ impl<'a> Film<'a> {
     }
 
     /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.
-    pub(super) fn load(&self, frame_of: Option<&dyn Fn(&str) -> u32>) -> Result<Scene, SceneError> {
+    pub(super) fn load(&self, frame_of: Option<&dyn Fn(&str) -> f64>) -> Result<Scene, SceneError> {
         Scene::load_with(&mut self.files.borrow_mut(), self.path, &self.overrides, frame_of)
     }
 
@@ -115,11 +119,16 @@ impl<'a> Film<'a> {
         std::iter::once((self.path.to_owned(), "the scene's own file")).chain(own).collect()
     }
 
-    /// The program of a frame.
-    pub(super) fn program(&self, choice: &Choice, frame_of: &dyn Fn(&str) -> u32) -> Result<Program, Error> {
+    /// The program of a frame, which may be that of the frame before.
+    fn program(
+        &self,
+        before: Option<&Program>,
+        choice: &Choice,
+        frame_of: &dyn Fn(&str) -> f64,
+    ) -> Result<Program, Error> {
         let scene = self.load(Some(frame_of))?;
         let geometry = Geometry::after(self.before.take(), &scene);
-        let program = Program::new(&scene, &geometry.analysis, choice, geometry.extent());
+        let program = Program::after(before, &scene, &geometry.analysis, choice, geometry.extent());
         self.before.replace(geometry.into_before());
         Ok(program?)
     }
@@ -129,30 +138,39 @@ impl<'a> Film<'a> {
     pub(super) fn look_ahead(
         &self,
         choice: &Choice,
-        keys: &[String],
+        animation: &Animation,
         frames: &[u32],
         most: usize,
     ) -> Result<u32, Error> {
         let Some((&first, last)) = frames.first().zip(frames.len().checked_sub(1)) else { return Ok(0) };
-        let program = self.program(choice, &|_| first)?;
+        let program = self.program(None, choice, &|_| first.into())?;
         let looked_at = frames.len().min(most);
-        for i in 1..looked_at {
-            let frame = frames[i * last / (looked_at - 1)];
-            let own =
-                self.program(choice, &|_| frame).map_err(|error| Error::Frame { frame, error: Box::new(error) })?;
-            if !own.runs_as(&program) {
-                return Err(self.other_program(keys, [first, frame]));
+        for i in 0..looked_at {
+            let frame = f64::from(frames[i * last / (looked_at - 1).max(1)]);
+            let closes = (animation.shutter > 0.0).then_some(frame + animation.shutter);
+            for time in (i > 0).then_some(frame).into_iter().chain(closes) {
+                let own = self.program(Some(&program), choice, &|_| time).map_err(|error| of_frame(time, error))?;
+                if !own.runs_as(&program) {
+                    return Err(self.other_program(&animation.keys, [first.into(), time]));
+                }
             }
         }
         Ok(looked_at as u32)
     }
 
+    /// The scenes that a frame shows while its shutter is open, as often as the frame's scene says, and in that order.
+    pub(super) fn moments(&self, frame: u32, scene: &Scene) -> Result<Vec<Scene>, Error> {
+        let load = |time| self.load(Some(&|_| time)).map_err(|error| of_frame(time, error.into()));
+        scene.moments(frame).into_iter().map(load).collect()
+    }
+
     /// That two frames have different programs, with those of the keys that make it so when they alone go from the first frame to
     /// the other.
-    pub(super) fn other_program(&self, keys: &[String], [first, frame]: [u32; 2]) -> Error {
+    pub(super) fn other_program(&self, keys: &[String], [first, frame]: [f64; 2]) -> Error {
         let choice = Choice::default();
-        let moved =
-            |moved: Option<&str>| self.program(&choice, &|key| if moved == Some(key) { frame } else { first }).ok();
+        let moved = |moved: Option<&str>| {
+            self.program(None, &choice, &|key| if moved == Some(key) { frame } else { first }).ok()
+        };
         let before = moved(None);
         let changes = |key: &&String| match (&before, moved(Some(key))) {
             (Some(before), Some(after)) => !after.runs_as(before),

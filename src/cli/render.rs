@@ -153,7 +153,7 @@ impl Arguments {
         let scene = match (frame, before) {
             (_, Some(before)) => before.load(film)?,
             (None, None) => film.load(None)?,
-            (Some(frame), None) => film.load(Some(&|_| frame))?,
+            (Some(frame), None) => film.load(Some(&|_| frame.into()))?,
         };
         let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
         if asked(Layer::Error) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
@@ -211,7 +211,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let targets = arguments.targets(&frames, &still)?;
     if let Some(animation) = still.animation.as_ref().filter(|_| targets.len() > 1) {
         let frames: Vec<u32> = frames.iter().copied().flatten().collect();
-        film.look_ahead(&arguments.device.settings(layers.clone()).choice, &animation.keys, &frames, AHEAD)?;
+        film.look_ahead(&arguments.device.settings(layers.clone()).choice, animation, &frames, AHEAD)?;
     }
     arguments.check_files(&film, &targets)?;
     arguments.prepare_films()?;

@@ -1,11 +1,13 @@
 //! A scene's values on the device: a buffer or texture for every binding of its program that is the same for all tiles.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::hash::Hasher;
 use std::sync::Arc;
 
 use half::f16;
 use half::slice::HalfFloatSliceExt;
 use rayon::prelude::*;
+use siphasher::sip128::{Hasher128, SipHasher24};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
     Buffer, BufferUsages, Extent3d, Origin3d, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureDescriptor,
@@ -20,6 +22,9 @@ use crate::model::Value::{self, Float, Uint, Uint2, Uint3, Vec3};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program, Role, SceneValue};
 use crate::scene::{Branches, Picture, Scene, Segment};
 
+/// Storage buffers by what they hold, for scenes that are on the device at the same time and say much the same.
+pub type Stored = HashMap<u128, Buffer>;
+
 /// The bindings of a scene.
 #[derive(Debug)]
 pub struct SceneBuffers {
@@ -31,7 +36,7 @@ pub struct SceneBuffers {
 
 impl SceneBuffers {
     /// Uploads what `program` binds of `scene`, with the `fields` of its lights' grids. `segments` is K, the segments of one fused pass. Pictures that lie on the device
-    /// `before` are taken from there.
+    /// `before` are taken from there, and buffers from what is `stored`, if anything is to be.
     pub fn new(
         gpu: &Gpu,
         scene: &Scene,
@@ -39,7 +44,7 @@ impl SceneBuffers {
         program: &Program,
         fields: &[LightField],
         segments: u32,
-        before: Option<&Self>,
+        (before, mut stored): (Option<&Self>, Option<&mut Stored>),
     ) -> Result<Self, GpuError> {
         let mut source = Source { scene, geometry, program, fields, segments, kinds: Vec::new() };
         source.kinds = source.of_kinds();
@@ -47,7 +52,13 @@ impl SceneBuffers {
         for binding in program.bindings() {
             match &binding.role {
                 Role::Uniforms(_) | Role::Scene(_) if !made.buffers.contains_key(&binding.role) => {
-                    let buffer = upload(gpu, binding, &source.bytes(binding)?)?;
+                    let bytes = source.bytes(binding)?;
+                    // A uniform may be written again, and is none of another's.
+                    let stored = stored.as_deref_mut().filter(|_| matches!(binding.kind, BindingKind::Storage { .. }));
+                    let buffer = match stored {
+                        Some(stored) => upload_once(gpu, binding, &bytes, stored)?,
+                        None => upload(gpu, binding, &bytes)?,
+                    };
                     made.buffers.insert(binding.role.clone(), buffer);
                 }
                 Role::Picture(k) if !made.pictures.contains_key(k) => {
@@ -79,20 +90,36 @@ impl SceneBuffers {
         there.find(|(there, _)| Arc::ptr_eq(&there.pixels, &picture.pixels)).map(|(_, texture)| texture.clone())
     }
 
-    /// What they take on the device.
-    #[must_use]
-    pub fn bytes(&self) -> u64 {
-        let texture = |(_, texture): &(Picture, Texture)| {
+    /// What scenes take on the device together.
+    // wgpu's handles hash by what they stand for, which never changes.
+    #[allow(clippy::mutable_key_type)]
+    pub fn bytes<'s>(all: impl Iterator<Item = &'s Self> + Clone) -> u64 {
+        let texture = |texture: &Texture| {
             u64::from(texture.width())
                 * u64::from(texture.height())
                 * u64::from(texture.format().block_copy_size(None).unwrap_or(0))
         };
-        self.buffers.values().map(Buffer::size).sum::<u64>() + self.pictures.values().map(texture).sum::<u64>()
+        let buffers: HashSet<&Buffer> = all.clone().flat_map(|scene| scene.buffers.values()).collect();
+        let textures: HashSet<&Texture> = all.flat_map(|scene| scene.pictures.values()).map(|(_, own)| own).collect();
+        buffers.into_iter().map(Buffer::size).sum::<u64>() + textures.into_iter().map(texture).sum::<u64>()
     }
 }
 
 fn no_value(binding: &str) -> GpuError {
     GpuError::Layout { binding: binding.to_owned(), problem: "the scene has no value for it".to_owned() }
+}
+
+/// As [`upload`], unless what it holds is there.
+fn upload_once(gpu: &Gpu, binding: &Binding, bytes: &[u8], stored: &mut Stored) -> Result<Buffer, GpuError> {
+    let mut hasher = SipHasher24::new();
+    hasher.write(bytes);
+    let content = hasher.finish128().as_u128();
+    if let Some(there) = stored.get(&content) {
+        return Ok(there.clone());
+    }
+    let buffer = upload(gpu, binding, bytes)?;
+    stored.insert(content, buffer.clone());
+    Ok(buffer)
 }
 
 fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError> {

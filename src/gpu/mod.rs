@@ -26,7 +26,7 @@ mod tile;
 mod uniforms;
 
 pub use compiled::Pipeline;
-pub use contents::SceneBuffers;
+pub use contents::{SceneBuffers, Stored};
 pub use device::{AdapterReport, Gpu, adapters};
 pub use emission::{Aim, Emission};
 pub use error::GpuError;

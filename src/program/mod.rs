@@ -69,6 +69,8 @@ use reflect::reflect_pass;
 pub struct Program {
     /// Each pass's WGSL and interface.
     pub passes: Vec<(Pass, Linked, Reflection)>,
+    /// What they are linked from.
+    parts: Parts,
     /// How much work its segments may be.
     pub work: Work,
     /// What it was made for, with the schedule that the scene can have.
@@ -78,20 +80,28 @@ pub struct Program {
 impl Program {
     /// The program of `scene` under a schedule, whose structure was built to this extent.
     pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
+        Self::after(None, scene, analysis, choice, extent)
+    }
+
+    /// As [`new`](Self::new), of a scene that comes after another: what is made of the same parts is not linked again.
+    pub fn after(
+        before: Option<&Self>,
+        scene: &Scene,
+        analysis: &Analysis,
+        choice: &Choice,
+        extent: Extent,
+    ) -> Result<Self, ProgramError> {
         let choice = choice.settled(scene);
         let work = Work::of(scene, analysis, extent)?;
         let work = if choice.purpose.leaves_light() { work.leaving_light(scene) } else { work };
         let parts = plan(scene, analysis, &choice, &work)?;
-        let passes = choice
-            .passes(scene)
-            .into_iter()
-            .map(|pass| {
-                let linked = link(&parts, pass.entry())?;
-                let reflection = reflect_pass(&linked)?;
-                Ok((pass, linked, reflection))
-            })
-            .collect::<Result<_, ProgramError>>()?;
-        Ok(Self { passes, work, choice })
+        let wanted = choice.passes(scene);
+        let is_same = |other: &&Self| other.parts == parts && other.passes.iter().map(|(pass, ..)| pass).eq(&wanted);
+        let passes = match before.filter(is_same) {
+            Some(other) => other.passes.clone(),
+            None => wanted.into_iter().map(|pass| made(&parts, pass)).collect::<Result<_, _>>()?,
+        };
+        Ok(Self { passes, parts, work, choice })
     }
 
     /// What its passes bind; what several bind comes several times.
@@ -114,4 +124,10 @@ impl Program {
         self.passes.len() == other.passes.len()
             && self.passes.iter().zip(&other.passes).all(|(a, b)| a.0 == b.0 && a.1.source == b.1.source)
     }
+}
+
+fn made(parts: &Parts, pass: Pass) -> Result<(Pass, Linked, Reflection), ProgramError> {
+    let linked = link(parts, pass.entry())?;
+    let reflection = reflect_pass(&linked)?;
+    Ok((pass, linked, reflection))
 }

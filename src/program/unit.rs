@@ -1,11 +1,12 @@
 //! What programs are linked from: pieces of WGSL, each with a name for errors.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use super::Part;
 
 /// A piece of WGSL: a part, text generated for a scene, or a user's own file.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unit {
     /// `law/sources.wgsl`, `generated/shapes.wgsl`, or the path of a user's file as it was given.
     pub file: Cow<'static, str>,
@@ -53,7 +54,7 @@ impl From<Part> for Unit {
 }
 
 /// What a scene's program is linked from.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Parts {
     /// Parts that all regions share.
     pub shared: Vec<Unit>,
@@ -99,13 +100,11 @@ impl Parts {
     /// Without the optional calls of what no part declares.
     #[must_use]
     pub fn without_optional_calls(mut self) -> Self {
-        let undeclared = |name: &&&str| {
-            let begins = format!("fn {name}(");
-            !self.shared.iter().any(|unit| unit.text.lines().any(|line| line.starts_with(&begins)))
-        };
-        let missing: Vec<String> = OPTIONAL.iter().filter(undeclared).map(|name| format!("{name}(")).collect();
+        let lines = self.shared.iter().flat_map(|unit| unit.text.lines());
+        let declared: HashSet<&str> = lines.filter_map(|line| called(line.strip_prefix("fn ")?)).collect();
+        let missing: HashSet<&str> = OPTIONAL.into_iter().filter(|name| !declared.contains(name)).collect();
+        let is_missing = |line: &str| called(line.trim_start()).is_some_and(|name| missing.contains(name));
         for unit in self.shared.iter_mut().chain(self.regions.iter_mut().flatten()) {
-            let is_missing = |line: &str| missing.iter().any(|call| line.trim_start().starts_with(call));
             if unit.author == Author::BuiltIn && unit.text.lines().any(is_missing) {
                 let kept = unit.text.split_inclusive('\n').filter(|line| !is_missing(line));
                 unit.text = kept.collect::<String>().into();
@@ -113,4 +112,11 @@ impl Parts {
         }
         self
     }
+}
+
+/// The name before the first bracket, where a text begins with one.
+fn called(text: &str) -> Option<&str> {
+    let is_of_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let name = &text[..text.find(|c| !is_of_name(c))?];
+    text[name.len()..].starts_with('(').then_some(name)
 }

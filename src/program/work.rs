@@ -44,6 +44,14 @@ pub struct Work {
 }
 
 impl Work {
+    /// For this scene, and for another of the same program that takes turns with it.
+    #[must_use]
+    pub fn with(self, other: &Self) -> Self {
+        let (segment, passes) =
+            (self.segment.max(other.segment), self.passes_per_segment.max(other.passes_per_segment));
+        Self { segment, passes_per_segment: passes, ..self }
+    }
+
     /// The bounds for `scene`, whose structure was built to this extent.
     pub fn of(scene: &Scene, Analysis { regions, structure }: &Analysis, extent: Extent) -> Result<Self, ProgramError> {
         let most = if structure.once { MOST_ONCE } else { MOST_ITEMS };

@@ -53,15 +53,21 @@ impl<'a> Renderer<'a> {
     ///
     /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        let has_grids = !self.grids.fields.is_empty();
-        let kept = (has_grids && scene.is_lit_as(&self.scene)).then(|| self.grids.clone());
-        let grids = kept.map_or_else(|| LightGrids::new(self.gpu, &scene, &self.settings), Ok)?;
+        let grids = self.grids_for(&scene)?;
         self.change_scene(scene, grids)
+    }
+
+    /// Those of the moment before, where light is the same.
+    pub(super) fn grids_for(&self, scene: &Scene) -> Result<LightGrids, RenderError> {
+        let (before, grids) =
+            self.moments.last().map_or((&*self.scene, &self.grids), |moment| (&moment.scene, &moment.grids));
+        let is_kept = !grids.fields.is_empty() && scene.is_lit_as(before);
+        if is_kept { Ok(grids.clone()) } else { LightGrids::new(self.gpu, scene, &self.settings) }
     }
 }
 
 impl LightGrids {
-    fn new(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
+    pub(super) fn new(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
         let made = match settings.choice.purpose {
             Purpose::Picture if scene.has_shadows(Shadows::Grid) => light_grids(gpu, scene, settings)?,
             Purpose::Picture => guide(gpu, scene, settings)?,

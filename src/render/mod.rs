@@ -18,6 +18,7 @@ mod errors;
 mod grids;
 mod light_grid;
 mod light_paths;
+mod moments;
 mod noise;
 mod picture;
 mod plan;

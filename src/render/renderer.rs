@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::cell::OnceCell;
+use std::sync::Arc;
 use std::time::Instant;
 
 use wgpu::ErrorFilter;
@@ -33,17 +34,27 @@ pub struct Renderer<'a> {
     pub program: Program,
     pub(super) pipelines: Pipelines,
     pub(super) buffers: SceneBuffers,
+    /// What samples show in turn instead, if anything: the moments while a shutter is open.
+    pub(super) moments: Vec<Moment>,
     /// Which objects have an inside.
     pub(super) regions: Regions,
     /// Of the scene's lights.
     pub(super) grids: LightGrids,
     /// Kept for the next frame.
-    before: Before,
+    pub(super) before: Before,
     pub(super) max_segments: u32,
     /// What runs, by how long walks are.
     pub(super) plans: Plans,
     /// The same by the schedule `fused`, made where a path outlived the pass that was to follow all of it.
     pub(super) fused: OnceCell<Box<Self>>,
+}
+
+/// A scene that some of a picture's samples show, of the same program.
+#[derive(Debug)]
+pub(super) struct Moment {
+    pub scene: Scene,
+    pub grids: LightGrids,
+    pub buffers: SceneBuffers,
 }
 
 /// What became of a tile's rays.
@@ -81,7 +92,7 @@ impl<'a> Renderer<'a> {
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
         let segments = settings.segments_a_pass();
         let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
-        let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, None)?;
+        let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, (None, None))?;
         if let Some(error) = pollster::block_on(scope.pop()) {
             let what = "the scene's objects, pictures and grids".to_owned();
             return Err(GpuError::Full { what, reason: error.to_string() }.into());
@@ -96,6 +107,7 @@ impl<'a> Renderer<'a> {
             program,
             pipelines,
             buffers,
+            moments: Vec::new(),
             regions,
             grids,
             before: geometry.into_before(),
@@ -115,7 +127,7 @@ impl<'a> Renderer<'a> {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
         let geometry = Geometry::after(std::mem::take(&mut self.before), &scene);
-        let program = Program::new(&scene, &geometry.analysis, choice, geometry.extent())?;
+        let program = Program::after(Some(&self.program), &scene, &geometry.analysis, choice, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
@@ -123,8 +135,9 @@ impl<'a> Renderer<'a> {
             fused.change_scene(scene.clone(), grids.clone())?;
         }
         self.grids = grids;
+        self.moments.clear();
         let (segments, fields, before) = (self.settings.segments_a_pass(), &self.grids.fields, Some(&self.buffers));
-        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, fields, segments, before)?;
+        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, fields, segments, (before, None))?;
         self.regions = geometry.analysis.regions.clone();
         self.before = geometry.into_before();
         self.program = program;
@@ -160,19 +173,38 @@ impl<'a> Renderer<'a> {
     fn rewrite<N: AsRef<str>>(&self, name: &str, values: &[(N, Value)]) -> Result<(), GpuError> {
         for binding in self.program.bindings() {
             let BindingKind::Block { members, .. } = &binding.kind else { continue };
-            let Some(buffer) = self.buffers.buffer(&binding.role) else { continue };
             for member in members.iter().filter(|member| member.value.name == name) {
                 let bytes = pack(name, &member.layout, [values])?;
-                self.gpu.queue.write_buffer(buffer, u64::from(member.offset), &bytes);
+                for buffer in self.all_buffers().filter_map(|scene| scene.buffer(&binding.role)) {
+                    self.gpu.queue.write_buffer(buffer, u64::from(member.offset), &bytes);
+                }
             }
         }
         Ok(())
     }
 
-    /// What making the grids of the scene's lights came to.
+    /// The scene's own buffers, and those of its moments.
+    pub(super) fn all_buffers(&self) -> impl Iterator<Item = &SceneBuffers> + Clone {
+        std::iter::once(&self.buffers).chain(self.moments.iter().map(|moment| &moment.buffers))
+    }
+
+    /// What a sample shows.
+    pub(super) fn buffers_of(&self, sample: u32) -> &SceneBuffers {
+        let moment = (sample as usize).checked_rem(self.moments.len()).map(|k| &self.moments[k]);
+        moment.map_or(&self.buffers, |moment| &moment.buffers)
+    }
+
+    /// What making the grids of the scene's lights came to; where each moment has its own, of all of them.
     #[must_use]
-    pub fn light_reports(&self) -> &[LightReport] {
-        &self.grids.reports
+    pub fn light_reports(&self) -> Vec<&LightReport> {
+        let all = std::iter::once(&self.grids).chain(self.moments.iter().map(|moment| &moment.grids));
+        let mut before: Vec<&LightGrids> = Vec::new();
+        for grids in all {
+            if !before.iter().any(|other| Arc::ptr_eq(&other.fields, &grids.fields)) {
+                before.push(grids);
+            }
+        }
+        before.into_iter().flat_map(|grids| &grids.reports).collect()
     }
 
     /// What each pixel costs on the device.

@@ -17,7 +17,7 @@ use super::Renderer;
 use super::clock::{Clock, Stage};
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
-use crate::gpu::{GpuError, List, Listed, SECTION, Selection, Tile};
+use crate::gpu::{GpuError, List, Listed, SECTION, SceneBuffers, Selection, Tile};
 use crate::program::{Access, Pass, Role};
 
 /// Ray-steps of one submission, about: a few tenths of a second on a slow device, long before any driver's watchdog.
@@ -35,7 +35,7 @@ impl Renderer<'_> {
         clock: &mut Clock,
         progress: &dyn Fn(f64),
     ) -> Result<(), GpuError> {
-        let mut runner = Runner::new(self, tile);
+        let mut runner = Runner::new(self, tile, sample);
         let rounds = self.settings.choice.rounds(&self.scene);
         let allowed = SUBMISSION / (u64::from(tile.size[0]) * u64::from(tile.size[1]));
         let mut weight = 0;
@@ -70,7 +70,7 @@ impl Renderer<'_> {
     /// Runs some steps at once, outside the loop over a whole sample.
     pub(super) fn run_steps(&self, tile: &Tile, sample: Sample, steps: &[Step]) -> Result<(), GpuError> {
         self.write_sample(tile, sample, 0)?;
-        let mut runner = Runner::new(self, tile);
+        let mut runner = Runner::new(self, tile, sample);
         runner.recorded.extend(steps.iter().map(|step| (0, *step)));
         runner.submit(&mut Clock::new(self.gpu, false))?;
         runner.wait(0)
@@ -93,6 +93,7 @@ fn stage_of(pass: Pass, round: u32, apart: bool) -> Stage {
 struct Runner<'r, 'a> {
     renderer: &'r Renderer<'a>,
     tile: &'r Tile,
+    buffers: &'r SceneBuffers,
     groups: HashMap<(Pass, Selection), BindGroup>,
     /// Steps to be submitted, each with its round.
     recorded: Vec<(u32, Step)>,
@@ -100,8 +101,9 @@ struct Runner<'r, 'a> {
 }
 
 impl<'r, 'a> Runner<'r, 'a> {
-    fn new(renderer: &'r Renderer<'a>, tile: &'r Tile) -> Self {
-        Self { renderer, tile, groups: HashMap::new(), recorded: Vec::new(), under_way: VecDeque::new() }
+    fn new(renderer: &'r Renderer<'a>, tile: &'r Tile, sample: Sample) -> Self {
+        let buffers = renderer.buffers_of(sample.number);
+        Self { renderer, tile, buffers, groups: HashMap::new(), recorded: Vec::new(), under_way: VecDeque::new() }
     }
 
     /// What is recorded in one submission, the steps of the same stage that follow each other in one pass.
@@ -162,7 +164,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         let renderer = self.renderer;
         let key = (step.pass, renderer.plan().batch.selection(&step, round));
         if let (false, Some(pipeline)) = (self.groups.contains_key(&key), renderer.pipelines.get(step.pass)) {
-            let group = self.tile.bind_group(renderer.gpu, pipeline, &renderer.buffers, key.1)?;
+            let group = self.tile.bind_group(renderer.gpu, pipeline, self.buffers, key.1)?;
             self.groups.insert(key, group);
         }
         Ok(())

@@ -5,7 +5,7 @@
 //! wide as a texture may be, and as high as keeps a band of full rows within the pixels bought, because the host holds one.
 
 use super::{Renderer, Window};
-use crate::gpu::GpuError;
+use crate::gpu::{GpuError, SceneBuffers};
 
 /// The widest texel of which a whole tile is read back at once: a vector layer's.
 const READBACK: u64 = 16;
@@ -23,7 +23,7 @@ impl Renderer<'_> {
 
     /// Bytes on the device that are the same for every size of tile.
     fn fixed_memory(&self) -> u64 {
-        self.buffers.bytes() + self.plan().sections().bytes()
+        SceneBuffers::bytes(self.all_buffers()) + self.plan().sections().bytes()
     }
 
     /// The largest tile that the budget and the device allow for the window.

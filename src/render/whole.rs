@@ -18,8 +18,10 @@ impl Renderer<'_> {
         if self.fused.get().is_none() {
             let choice = Choice { schedule: Schedule::Fused, ..self.settings.choice.clone() };
             let settings = RenderSettings { choice, ..self.settings.clone() };
+            let mut fused = Self::of(self.gpu, self.scene.clone(), settings, self.grids.clone())?;
+            fused.take_moments(&self.moments)?;
             // Nothing else fills it: a renderer is not shared by threads.
-            let _ = self.fused.set(Box::new(Self::of(self.gpu, self.scene.clone(), settings, self.grids.clone())?));
+            let _ = self.fused.set(Box::new(fused));
         }
         Ok(self.current())
     }

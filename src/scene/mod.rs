@@ -19,6 +19,7 @@ mod output;
 mod rays;
 mod reference;
 mod rounding;
+mod shutter;
 mod sky_cells;
 mod throat;
 
@@ -115,6 +116,10 @@ pub struct Animation {
     pub frames: u32,
     /// How many of them a film shows in a second.
     pub rate: f64,
+    /// The part of the time between two frames for which the shutter is open, from a frame's own time on: 0 to 1.
+    pub shutter: f64,
+    /// Moments that a frame shows then, at most: a power of two.
+    pub moments: u32,
     /// What it moves.
     pub keys: Vec<String>,
 }

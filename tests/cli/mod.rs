@@ -23,6 +23,7 @@ mod parts;
 mod paths;
 mod pictures;
 mod same_files;
+mod shutter;
 mod slurm;
 mod tables;
 mod traces;

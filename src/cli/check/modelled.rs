@@ -65,6 +65,7 @@ impl Found for Modelled<'_> {
             "swallowed_lights": scene.swallowed_lights(),
             "frames": scene.animation.as_ref().map(|animation| animation.frames),
             "frames_checked": self.frames_checked,
+            "moments": scene.moments(0).len(),
             "animated": scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys),
             "remarks": self.remark().into_iter().chain(random_words(scene)).collect::<Vec<_>>(),
             "warnings": scene.rounded_away().into_iter().collect::<Vec<_>>(),
@@ -125,7 +126,10 @@ impl Modelled<'_> {
         let (frames, checked) = (animation.frames, self.frames_checked);
         let some = format!("of {frames} frames {checked} are checked, evenly from first to last");
         let all = format!("{frames} frames of one program, in which {} change", animation.keys.join(", "));
-        (checked < frames).then_some(some).into_iter().chain([all]).collect()
+        let moments = self.scene.moments(0).len();
+        let blurred = (moments > 0)
+            .then(|| format!("{moments} moments a frame: the shutter is open for {} of it", animation.shutter));
+        (checked < frames).then_some(some).into_iter().chain([all]).chain(blurred).collect()
     }
 }
 

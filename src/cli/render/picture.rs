@@ -36,14 +36,14 @@ pub(super) struct Made<'a> {
     pub launch: Option<&'a StartUp>,
     pub totals: Totals,
     /// What grids of light came to.
-    pub lights: &'a [LightReport],
+    pub lights: &'a [&'a LightReport],
     pub verification: Option<&'a Verification>,
 }
 
 impl Made<'_> {
     /// Rays that could not be followed, of the picture and of its lights.
     pub(super) fn unfollowed(&self) -> u64 {
-        self.lights.iter().map(LightReport::unfollowed).sum::<u64>() + self.totals.unfollowed()
+        self.lights.iter().map(|light| light.unfollowed()).sum::<u64>() + self.totals.unfollowed()
     }
 }
 
@@ -129,7 +129,7 @@ fn times(made: &Made) -> Value {
         "device_seconds": made.totals.device.map(by_stage),
         "ready_seconds": seconds(made.ready),
         "start_seconds": made.launch.map(by_part),
-        "light_grids": made.lights.iter().map(light).collect::<Vec<_>>(),
+        "light_grids": made.lights.iter().map(|report| light(report)).collect::<Vec<_>>(),
     })
 }
 

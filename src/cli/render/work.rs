@@ -60,15 +60,21 @@ impl Arguments {
 
 impl Work<'_> {
     /// What is known beforehand to be wrong.
-    fn warn_of_rounding(&self) {
+    fn warn_beforehand(&self) {
         if let Some(words) = self.leading.rounded_away() {
             tell!("warning: {words}");
+        }
+        let is_open = self.leading.animation.as_ref().is_some_and(|animation| animation.shutter > 0.0);
+        if is_open && self.arguments.frames.is_some() && self.leading.image.samples == 1 {
+            tell!(
+                "warning: the shutter is open, but one sample a pixel shows one moment: raise image.samples (--samples)"
+            );
         }
     }
 
     /// Renders what is not finished yet; what comes back is how many rays could not be followed.
     pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&Earlier>) -> Result<u64, Error> {
-        self.warn_of_rounding();
+        self.warn_beforehand();
         let mut unfollowed = 0;
         let progress = FilmProgress::new(targets.len());
         for (i, &target) in targets.iter().enumerate() {
@@ -102,6 +108,7 @@ impl Work<'_> {
         let preview = self.arguments.preview(&scene, &layers, &said);
         let is_first = self.renderer.is_none();
         self.set_up(scene.clone(), frame)?;
+        self.open_shutter(&scene, frame)?;
         let window = self.window(&scene, band)?;
         let Some((renderer, _)) = &self.renderer else { return Ok(0) };
         let mut writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
@@ -116,7 +123,7 @@ impl Work<'_> {
             ready,
             launch: is_first.then_some(&self.launch),
             totals,
-            lights: renderer.light_reports(),
+            lights: &renderer.light_reports(),
             verification: self.verification.as_ref(),
         };
         self.tell(target, Some(&made))?;
@@ -157,12 +164,27 @@ impl Work<'_> {
             return Ok(());
         };
         match (renderer.set_scene(scene), *first, frame) {
-            (Err(RenderError::OtherProgram), Some(a), Some(b)) => {
-                let keys = self.leading.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
-                Err(self.film.other_program(keys, [a, b]))
-            }
+            (Err(RenderError::OtherProgram), Some(a), Some(b)) => Err(self.other_program([a.into(), b.into()])),
             (result, ..) => Ok(result?),
         }
+    }
+
+    /// Has a frame show all moments for which the shutter is open.
+    fn open_shutter(&mut self, scene: &Scene, frame: Option<u32>) -> Result<(), Error> {
+        let (Some(frame), Some((renderer, _))) = (frame, &mut self.renderer) else { return Ok(()) };
+        let moments = self.film.moments(frame, scene)?.into_iter();
+        match renderer.set_moments(moments.map(|moment| settled(moment, &self.leading)).collect()) {
+            Err(RenderError::OtherProgram) => {
+                let closes = scene.animation.as_ref().map_or(0.0, |animation| animation.shutter);
+                Err(self.other_program([f64::from(frame), f64::from(frame) + closes]))
+            }
+            result => Ok(result?),
+        }
+    }
+
+    fn other_program(&self, frames: [f64; 2]) -> Error {
+        let keys = self.leading.animation.as_ref().map_or(&[][..], |animation| &animation.keys);
+        self.film.other_program(keys, frames)
     }
 }
 

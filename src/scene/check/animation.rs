@@ -16,6 +16,10 @@ pub struct Tracks {
     pub frames: u32,
     /// A second's.
     pub rate: f64,
+    /// The part of the time between frames that the shutter is open.
+    pub shutter: f64,
+    /// Moments of one frame, at most.
+    pub moments: u32,
     all: Vec<Track>,
 }
 
@@ -37,6 +41,9 @@ pub fn read(root: &TableReader) -> Option<Tracks> {
     let frames = table.required("frames", "48", whole(1..=1_000_000));
     let rate =
         table.or("rate", 24.0, number_where("frames a second, from 0.1 to 1000", |x| (0.1..=1000.0).contains(&x)));
+    let shutter = number_where("a part of the time between two frames, 0 to 1", |x| (0.0..=1.0).contains(&x));
+    let shutter = table.or("shutter", 0.0, shutter);
+    let moments = table.or("moments", 64, power_of_two);
     let mut tracks: Vec<Track> = Vec::new();
     for one in table.subtables("tracks", "animation.tracks") {
         let Some(track) = track(one, frames.unwrap_or(1)) else { continue };
@@ -50,7 +57,7 @@ pub fn read(root: &TableReader) -> Option<Tracks> {
         tracks.push(track);
     }
     table.finish();
-    Some(Tracks { frames: frames?, rate, all: tracks })
+    Some(Tracks { frames: frames?, rate, shutter, moments, all: tracks })
 }
 
 fn track(table: TableReader, frames: u32) -> Option<Track> {
@@ -64,6 +71,14 @@ fn track(table: TableReader, frames: u32) -> Option<Track> {
     table.finish();
     let ((path, node), values) = (key?, values?);
     Some(Track { key: path.join("."), place: node.place, path, at, values, smooth })
+}
+
+/// The moments of a frame at most: each is a scene of its own.
+const MOST_MOMENTS: u32 = 1024;
+
+fn power_of_two(node: &Node) -> Read<u32> {
+    let moments = whole(2..=MOST_MOMENTS)(node)?;
+    if moments.is_power_of_two() { Ok(moments) } else { Err(node.expected("a power of two, 2 to 1024")) }
 }
 
 /// The names in a key that can be set.
@@ -124,12 +139,12 @@ fn ascending(node: &Node, count: usize) -> Read<Vec<f64>> {
     }
 }
 
-/// Puts the values of a frame into the document; `frame_of` names the frame of each track by its key. What is wrong with the
-/// tracks is left for the reading of the whole.
-pub fn apply(document: &mut Document, frame_of: &dyn Fn(&str) -> u32) {
+/// Puts the values of a frame, or of a moment between two, into the document; `frame_of` names the frame of each track by its key. What
+/// is wrong with the tracks is left for the reading of the whole.
+pub fn apply(document: &mut Document, frame_of: &dyn Fn(&str) -> f64) {
     let tracks = read(&Reader::new(document, &[]).root());
     for track in tracks.iter().flat_map(|tracks| &tracks.all) {
-        let value = track.value(f64::from(frame_of(&track.key)));
+        let value = track.value(frame_of(&track.key));
         document.animate(&track.path, value, track.place);
     }
 }

@@ -38,26 +38,30 @@ impl Scene {
     }
 
     /// As [`Scene::load`], with the files kept that it names, for the next scene; and, if a frame is given, with what
-    /// `[animation]` moves where it is then. `frame_of` names the frame of each track by its key: the same for all, unless it is
-    /// to be known what one of them changes.
+    /// `[animation]` moves where it is then. `frame_of` names the frame of each track by its key, or a moment
+    /// between two: the same for all, unless it is to be known what one of them changes.
     pub fn load_with(
         files: &mut Files,
         path: &Path,
         overrides: &[Override],
-        frame_of: Option<&dyn Fn(&str) -> u32>,
+        frame_of: Option<&dyn Fn(&str) -> f64>,
     ) -> Result<Self, SceneError> {
         Self::of(&document(path, overrides, frame_of)?, path, files)
     }
 
-    /// What a scene file says, with the overrides and the frame's values in place: every value under its key, without `[animation]`.
+    /// What a scene file says, with the overrides and the frame's values in place: every value under its key, without `[animation]`,
+    /// but with its tracks where the shutter of a frame is open.
     /// Files that say the same are listed alike.
     pub fn listing(
         path: &Path,
         overrides: &[Override],
-        frame_of: Option<&dyn Fn(&str) -> u32>,
+        frame_of: Option<&dyn Fn(&str) -> f64>,
     ) -> Result<BTreeMap<String, String>, SceneError> {
         let mut lines = document(path, overrides, frame_of)?.listing();
-        lines.retain(|key, _| !key.starts_with("animation."));
+        // What goes on while the shutter is open is no value of a frame, but the tracks say it.
+        let is_open = frame_of.is_some() && lines.get("animation.shutter").is_some_and(|part| part.parse() != Ok(0.0));
+        let stays = |key: &str| is_open && !["animation.frames", "animation.rate"].contains(&key);
+        lines.retain(|key, _| !key.starts_with("animation.") || stays(key));
         Ok(lines)
     }
 
@@ -84,7 +88,7 @@ impl Scene {
 fn document(
     path: &Path,
     overrides: &[Override],
-    frame_of: Option<&dyn Fn(&str) -> u32>,
+    frame_of: Option<&dyn Fn(&str) -> f64>,
 ) -> Result<Document, SceneError> {
     let mut document = Document::parse(&read_text(path)?, path, overrides)?;
     if let Some(frame_of) = frame_of {
@@ -149,8 +153,19 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let rest = shift::Rest { law: law_now, materials: &materials, filter: filter_now, paths: paths.is_some(), reach };
     shift::check(&root, camera.as_ref(), &rest);
     travel::check(&root, camera.as_ref(), bound, chords, &optics);
-    let animation =
-        animation::read(&root).map(|read| Animation { frames: read.frames, rate: read.rate, keys: read.keys() });
+    let animation = animation::read(&root).map(|read| Animation {
+        frames: read.frames,
+        rate: read.rate,
+        shutter: read.shutter,
+        moments: read.moments,
+        keys: read.keys(),
+    });
+    if image.adaptive.is_some() && animation.as_ref().is_some_and(|animation| animation.shutter > 0.0) {
+        let problem =
+            "adaptive sampling judges pixels by rays of one moment, and the shutter is open for many".to_owned();
+        let help = "leave `image.adaptive` out, and give `image.samples`".to_owned();
+        root.fault_within("animation", "shutter", problem, help);
+    }
     root.finish();
     let mut scene = Scene {
         image,

@@ -197,6 +197,10 @@ pub(super) fn fixed() -> Vec<KeyReference> {
         "animation" {
             frames: "whole number, 1 to 1000000" = "required", "how many; they count from 0";
             rate: "number, 0.1 to 1000" = "24", "how many of them a film shows in a second";
+            shutter: "number, 0 to 1" = "0",
+                "motion blur: the part of the time between two frames for which the shutter is open, from a frame's own time on";
+            moments: "power of two, 2 to 1024" = "64",
+                "how many moments a frame shows while the shutter is open, at most: each is rendered with some of the samples";
             tracks: "array of tables" = "[]", "the keys that change; without --frames they are as the rest of the file says";
         }
         "animation.tracks" {

@@ -19,7 +19,7 @@ fn frame(tracks: &str, overrides: &[&str], frame: u32) -> Result<Scene, SceneErr
     let path = folder.path().join("scene.toml");
     std::fs::write(&path, format!("{RAYS}{SCENE}{tracks}")).expect("a file");
     let overrides: Vec<Override> = overrides.iter().map(|o| o.parse().expect("an override")).collect();
-    Scene::load_with(&mut Files::default(), &path, &overrides, Some(&|_| frame))
+    Scene::load_with(&mut Files::default(), &path, &overrides, Some(&|_| frame.into()))
 }
 
 fn fov(scene: &Scene) -> f64 {

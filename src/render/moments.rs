@@ -1,0 +1,145 @@
+//! Motion blur: the samples of a picture show several moments in turn.
+//!
+//! *Practice.* All moments run one program, so that what a moment is lies in the scene's buffers alone, and a sample is taken of it by
+//! binding those. Samples are summed on the device as ever. All moments lie there at once: what is the same in two of them, such as
+//! meshes that stay where they are, and pictures, is there once.
+
+use super::grids::LightGrids;
+use super::renderer::Moment;
+use super::{RenderError, Renderer};
+use crate::gpu::{Geometry, GpuError, SceneBuffers, Stored};
+use crate::program::Program;
+use crate::scene::Scene;
+
+impl Renderer<'_> {
+    /// Has the samples of the next picture show these scenes in turn, the n-th the n-th and the first again after the last, until
+    /// another scene is set; none is the scene itself. Of the first sample of all are the layers that are of one ray.
+    ///
+    /// # Errors
+    ///
+    /// [`RenderError::OtherProgram`] where one of them needs other passes than the renderer's scene.
+    pub fn set_moments(&mut self, scenes: Vec<Scene>) -> Result<(), RenderError> {
+        self.moments.clear();
+        let mut stored = Stored::new();
+        for scene in scenes {
+            let grids = self.grids_for(&scene)?;
+            self.add_moment(scene, grids, &mut stored)?;
+        }
+        self.plan_steps();
+        Ok(())
+    }
+
+    /// As the moments of a renderer of the same scene by another schedule.
+    pub(super) fn take_moments(&mut self, moments: &[Moment]) -> Result<(), RenderError> {
+        let mut stored = Stored::new();
+        moments.iter().try_for_each(|own| self.add_moment(own.scene.clone(), own.grids.clone(), &mut stored))
+    }
+
+    fn add_moment(&mut self, scene: Scene, grids: LightGrids, stored: &mut Stored) -> Result<(), RenderError> {
+        let geometry = Geometry::after(std::mem::take(&mut self.before), &scene);
+        let program =
+            Program::after(Some(&self.program), &scene, &geometry.analysis, &self.settings.choice, geometry.extent())?;
+        if !program.runs_as(&self.program) {
+            return Err(RenderError::OtherProgram);
+        }
+        let (segments, there) = (self.settings.segments_a_pass(), (Some(&self.buffers), Some(stored)));
+        let scope = self.gpu.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, &grids.fields, segments, there)?;
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let what = format!("moment {} of a frame whose shutter is open", self.moments.len());
+            return Err(GpuError::Full { what, reason: error.to_string() }.into());
+        }
+        self.before = geometry.into_before();
+        self.program.work = self.program.work.with(&program.work);
+        self.moments.push(Moment { scene, grids, buffers });
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::Gpu;
+    use crate::program::{Choice, Schedule};
+    use crate::render::{Band, RenderSettings};
+
+    fn scene(at: f64) -> Scene {
+        let text = format!(
+            "[image]\nsize = [16, 12]\nsamples = 8\n[camera]\nposition = [{at}, 0, 9]\n[law]\nkind = \"schwarzschild\"\n[rays]\n\
+             method = \"rk4\"\nbound = {{ radius = 20 }}\n[sky]\nimage = \"data/stars.png\"\n[materials.m]\nkind = \"emissive\"\n\
+             color = [1, 0.5, 0.2]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [{at}, 2, 0]\n"
+        );
+        Scene::parse(&text, std::path::Path::new("scenes/test.toml"), &[]).unwrap()
+    }
+
+    fn settings(schedule: Schedule, tile_pixels: u64) -> RenderSettings {
+        let choice = Choice { schedule, ..Choice::default() };
+        RenderSettings { choice, tile_pixels, ..RenderSettings::default() }
+    }
+
+    /// Each sample shows its own moment and no other: of two scenes in turn and in the other order there is as much as of each alone.
+    #[test]
+    fn moments_share_the_samples() {
+        let gpu = Gpu::open(None).unwrap();
+        let [a, b] = [3.0, 3.4].map(scene);
+        let mut renderer = Renderer::new(&gpu, &a, settings(Schedule::Fused, u64::MAX)).unwrap();
+        let mut of = |moments: &[&Scene]| {
+            renderer.set_moments(moments.iter().copied().cloned().collect()).unwrap();
+            renderer.picture().unwrap().band
+        };
+        let bands = [of(&[&a, &b]), of(&[&b, &a]), of(&[&a]), of(&[&b]), of(&[])];
+        let sharp = Renderer::new(&gpu, &b, settings(Schedule::Fused, u64::MAX)).unwrap().picture().unwrap().band;
+        assert!(bands[3] == sharp && bands[4] == bands[2] && bands[0] != bands[1]);
+        let values = |band: &Band| -> Vec<f32> { band.color.concat() };
+        let [ab, ba, aa, bb] = [0, 1, 2, 3].map(|k| values(&bands[k]));
+        for i in 0..ab.len() {
+            // Eight samples, each summed with half an ulp of at most 8, of which a mean is the eighth.
+            let bound = 8.0 * f32::EPSILON * ab[i].max(ba[i]).max(1.0);
+            assert!((ab[i] + ba[i] - aa[i] - bb[i]).abs() <= bound, "{i}: {} {} {} {}", ab[i], ba[i], aa[i], bb[i]);
+        }
+    }
+
+    #[test]
+    fn schedules_and_tiles_do_not_show() {
+        let gpu = Gpu::open(None).unwrap();
+        let (first, moments) = (scene(3.0), [3.1, 3.2, 3.3, 3.4].map(scene));
+        let of = |schedule, pixels| {
+            let mut renderer = Renderer::new(&gpu, &first, settings(schedule, pixels)).unwrap();
+            renderer.set_moments(moments.to_vec()).unwrap();
+            renderer.picture().unwrap().band
+        };
+        let expected = of(Schedule::Fused, u64::MAX);
+        for (schedule, pixels) in
+            [(Schedule::Whole, u64::MAX), (Schedule::Segment, u64::MAX), (Schedule::Paper, 64), (Schedule::Fused, 64)]
+        {
+            assert!(of(schedule, pixels) == expected, "{schedule:?}");
+        }
+    }
+
+    /// What stays the same from moment to moment is on the device once.
+    #[test]
+    fn what_stays_is_there_once() {
+        let gpu = Gpu::open(None).unwrap();
+        let first = scene(3.0);
+        let mut renderer = Renderer::new(&gpu, &first, settings(Schedule::Fused, u64::MAX)).unwrap();
+        let bytes = |renderer: &Renderer| SceneBuffers::bytes(renderer.all_buffers());
+        let alone = bytes(&renderer);
+        // As a film loads its files: once.
+        let moment = |at| Scene { pictures: first.pictures.clone(), ..scene(at) };
+        renderer.set_moments([3.1, 3.2, 3.3, 3.4].map(moment).to_vec()).unwrap();
+        let picture = renderer.buffers.picture(0).unwrap();
+        assert!(renderer.moments.iter().all(|moment| moment.buffers.picture(0) == Some(picture)));
+        assert!(bytes(&renderer) < alone + alone / 2, "{} {alone}", bytes(&renderer));
+    }
+
+    #[test]
+    fn a_moment_of_another_program_is_refused() {
+        let gpu = Gpu::open(None).unwrap();
+        let first = scene(3.0);
+        let mut other = first.clone();
+        other.objects.clear();
+        let mut renderer = Renderer::new(&gpu, &first, settings(Schedule::Fused, u64::MAX)).unwrap();
+        let refused = renderer.set_moments(vec![first.clone(), other]);
+        assert!(matches!(refused, Err(RenderError::OtherProgram)), "{refused:?}");
+    }
+}

@@ -1,0 +1,94 @@
+//! A frame whose shutter is open shows the time for which it is.
+
+use exr::prelude::read_first_rgba_layer_from_file;
+
+use super::{BALL, Folder};
+
+/// A frame's colours, row by row.
+fn colors(folder: &Folder, name: &str, width: usize) -> Vec<[f32; 3]> {
+    let image = read_first_rgba_layer_from_file(
+        folder.path(name),
+        |size, _| vec![[f32::NAN; 3]; size.area()],
+        move |pixels, at, (r, g, b, _): (f32, f32, f32, f32)| pixels[at.x() + width * at.y()] = [r, g, b],
+    );
+    image.unwrap().layer_data.channel_data.pixels
+}
+
+fn film(samples: u32, animation: &str, track: &str) -> String {
+    let ball = BALL.replace("size = [16, 12]", &format!("size = [16, 12]\nsamples = {samples}"));
+    format!("{ball}[animation]\nframes = 4\n{animation}\n[[animation.tracks]]\n{track}\n")
+}
+
+const AWAY: &str = "key = \"objects.0.center\"\nvalues = [[0, 0, 0], [3, 0, 0]]";
+
+#[test]
+fn what_stays_where_it_is_is_sharp_to_the_bit() {
+    let folder = Folder::with(&film(16, "shutter = 1", "key = \"objects.0.center\"\nvalues = [[0, 0, 0], [0, 0, 0]]"));
+    folder.run("render scene.toml -o {frame}.exr --frames 0").succeeds();
+    folder.run("render scene.toml -o sharp_{frame}.exr --frames 0 --set animation.shutter=0").succeeds();
+    assert!(colors(&folder, "0.exr", 16) == colors(&folder, "sharp_0.exr", 16));
+    // And what moves is not.
+    folder.write("scene.toml", film(16, "shutter = 1", AWAY));
+    folder.run("render scene.toml -o {frame}.exr --frames 0").succeeds();
+    assert!(colors(&folder, "0.exr", 16) != colors(&folder, "sharp_0.exr", 16));
+}
+
+/// A straight edge passes 16 pixels at a steady pace: each shows it for the part of the time that it lies behind it.
+#[test]
+fn an_edge_that_passes_leaves_a_ramp() {
+    let folder = Folder::with(
+        "[image]\nsize = [32, 4]\nsamples = 256\n[camera]\nposition = [0, 0, 16]\nfov = 14.250032697803595\n[rays]\n\
+         bound = { radius = 90 }\n[materials.white]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\n\
+         shape = \"plane\"\nmaterial = \"white\"\nrotate = [90, 0, 0]\nsize = [40, 40]\n[animation]\nframes = 3\nshutter = 0.5\n\
+         [[animation.tracks]]\nkey = \"objects.0.center\"\nvalues = [[-28, 0, 0], [4, 0, 0]]\nat = [1, 2]\n",
+    );
+    // 4 pixels in tan(fov/2)·16·2 = 4 units: a pixel is one. The right edge goes from −8 to 8.
+    folder.run("render scene.toml -o {frame}.exr --frames 1").succeeds();
+    let pixels = colors(&folder, "1.exr", 32);
+    let mut errors = 0.0;
+    for (i, [seen, ..]) in pixels.iter().enumerate() {
+        let middle = (i % 32) as f64 - 15.5;
+        let expected = (0.5 - middle / 16.0).clamp(0.0, 1.0);
+        let error = f64::from(*seen) - expected;
+        // 16 samples are of moments at which the edge is in the pixel, half of them before it: 4 standard deviations.
+        assert!(error.abs() < 4.0 * 2.0 / 256.0, "pixel {i}: {seen}, not {expected}");
+        errors += error;
+    }
+    assert!((errors / pixels.len() as f64).abs() < 2e-3, "{errors}");
+}
+
+#[test]
+fn what_the_shutter_does_not_go_with_is_said() {
+    let folder = Folder::with(&film(16, "shutter = 0.5", AWAY));
+    for (set, message) in [
+        ("animation.shutter=1.5", "expected a part of the time between two frames, 0 to 1, found 1.5"),
+        ("animation.moments=12", "expected a power of two, 2 to 1024"),
+        ("image.adaptive=0.05", "adaptive sampling judges pixels by rays of one moment"),
+    ] {
+        folder.run(&format!("render scene.toml -o {{frame}}.png --frames 0 --set {set}")).fails(1, &[message]);
+    }
+    let ran = folder.run("render scene.toml -o {frame}.png --frames 0 --samples 1").succeeds();
+    ran.says(&["warning: the shutter is open, but one sample a pixel shows one moment"]);
+    // A moment that is wrong, where every frame is right: the camera meets the horizon.
+    let hole = "[law]\nkind = \"schwarzschild\"\n";
+    let track = "key = \"camera.position\"\nvalues = [[0, 0, 5], [0, 0, 1]]\nat = [3, 3.5]";
+    folder.write("scene.toml", film(16, "shutter = 0.5", track) + hole);
+    for command in ["check scene.toml", "render scene.toml -o {frame}.png --frames all"] {
+        folder.run(command).fails(1, &["frame 3.5: "]);
+    }
+    assert_eq!(folder.names(), ["0.png", "scene.toml"]);
+}
+
+/// Frames are known by what goes on while they are made, and by no more.
+#[test]
+fn finished_frames_are_known_by_their_motion() {
+    let folder = Folder::with(&film(4, "shutter = 0.5", AWAY));
+    let rendered = |more: &str| {
+        let ran = folder.run(&format!("render scene.toml -o {{frame}}.exr --frames 0 {more}")).succeeds();
+        ran.err.contains("frame 0: ready after ")
+    };
+    assert!(rendered("") && !rendered(""));
+    assert!(!rendered("--set animation.frames=3 --set animation.rate=30"));
+    assert!(rendered("--set animation.shutter=0.25"));
+    assert!(rendered("--set animation.shutter=0.25 --set animation.tracks.0.values=[[0,0,0],[2,0,0]]"));
+}
