@@ -7,7 +7,7 @@ use std::process::Command;
 
 use bentray::model::control::scaled;
 use bentray::program::{Choice, Layer, Schedule};
-use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
+use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, Window};
 use bentray::scene::{Rays, Scene};
 use glam::DVec3;
 
@@ -241,6 +241,29 @@ fn what_outlives_a_pass_is_followed_on() {
         assert!(picture.band == fused.band, "the pictures differ");
         let counts = |r: &Rendering| (r.totals.rays, r.totals.steps, r.totals.segments, r.totals.by_status.clone());
         assert_eq!(counts(&picture), counts(&fused));
+    }
+}
+
+/// Narrow pictures have workgroups of their own shape: a few columns are those of the whole.
+#[test]
+fn narrow_windows_are_columns_of_the_whole() {
+    let (gpu, scene) = (gpu(), scene(HOLE));
+    let [width, height] = scene.image.size;
+    let of = |schedule, window| {
+        let choice = Choice { schedule, ..Choice::default() };
+        let settings = RenderSettings { choice, window, ..RenderSettings::default() };
+        Renderer::new(&gpu, &scene, settings).unwrap().picture().unwrap().band
+    };
+    let whole = of(Schedule::Fused, None);
+    for schedule in [Schedule::Fused, Schedule::Whole, Schedule::Paper] {
+        for (left, columns) in [(0, 1), (width / 2, 3), (width - 5, 5)] {
+            let window = Window { origin: [left, 0], size: [columns, height] };
+            let part = of(schedule, Some(window));
+            for (own, all) in part.color.iter().zip(&whole.color) {
+                let row = |y: u32| all[(y * width + left) as usize..][..columns as usize].iter();
+                assert!(own.iter().eq((0..height).flat_map(row)), "{schedule:?} {columns}");
+            }
+        }
     }
 }
 

@@ -13,6 +13,7 @@ mod dispersion;
 mod exactness;
 mod fans;
 mod filters;
+mod footprints;
 mod furnaces;
 mod fuzz;
 mod gallery;

@@ -19,10 +19,6 @@ const RAYS: u32 = 0x0000ffffu;
 
 @group(0) @binding(150) var<storage, read_write> moments: array<Moments>;
 
-fn place_in_tile(pixel: vec2u) -> u32 {
-    return pixel.y * frame.size.x + pixel.x;
-}
-
 // What a screen shows of linear light, from 0 to 1: exposure, tone map and the sRGB curve (IEC 61966-2-1), as in the PNG.
 fn displayed(c: vec3f) -> vec3f {
     let x = clamp(tonemapped(max(c, vec3f(0.0)) * refinement.gain), vec3f(0.0), vec3f(1.0));

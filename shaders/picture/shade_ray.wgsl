@@ -5,6 +5,7 @@
 fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     note_pixel(pixel);
     note_frequency(pixel, ray);
+    note_footprint(pixel, ray);
     let seen = seen_at(ray, end);
     filter_last(ray, seen.end);
     let code = ray.status;

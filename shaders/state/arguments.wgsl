@@ -20,6 +20,11 @@ struct Frame {
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 
+// A pixel's place in lists over the tile.
+fn place_in_tile(pixel: vec2u) -> u32 {
+    return pixel.y * frame.size.x + pixel.x;
+}
+
 // What the schedule fixes for all its passes.
 struct Schedule {
     // A ray with this many segments is exhausted.

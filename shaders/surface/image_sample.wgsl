@@ -1,5 +1,9 @@
 // Bilinear samples of pictures, written out: the same on every device, and pictures need no samplers.
 
+fn image_size(image: u32) -> vec2u {
+    return image_extent(image);
+}
+
 // uv from the top left of the picture; outside it the picture repeats, or its edges go on.
 fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     let size = image_size(image);

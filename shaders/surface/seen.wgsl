@@ -14,6 +14,7 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
     let material = materials[surface.material];
     note_arrival(end);
     note_matter(material, end);
+    note_place(surface.object, surface.uv);
     let lit = Lit(vec3f(end.x), lit_from(end.x, surface, view), normal, view);
     let color = surface_radiance(material, pattern_color(material, surface.uv), lit);
     return Seen(end, color, normal, surface.object + 1u);

@@ -71,7 +71,7 @@ impl<'a> Kernel<'a> {
         let file = format!("ceiling/{name}");
         let unit = Unit::from(part(&file).ok_or(ProgramError::NoPart(file))?);
         let linked = link(&Parts { shared: vec![unit], regions: Vec::new() }, "ceiling")?;
-        let pipeline = Pipeline::new(bench.gpu, &linked, &reflect(&linked)?)?;
+        let pipeline = Pipeline::new(bench.gpu, &linked, &reflect(&linked)?, bench.gpu.group[0])?;
         let sums = device.create_buffer(&BufferDescriptor {
             label: Some("sums"),
             size: u64::from(4 * INVOCATIONS),

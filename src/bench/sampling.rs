@@ -1,4 +1,4 @@
-//! What samples are worth: the error of a picture against the samples that it took, uniform and adaptive.
+//! What samples are worth: the error of a picture against the samples that it took, uniform, with footprints and adaptive.
 
 use std::time::Duration;
 
@@ -28,7 +28,19 @@ const FEW: f64 = 6.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Sampling {
     Uniform(u32),
+    /// Uniform, with pictures and patterns averaged.
+    Footprints(u32),
     Adaptive(f64),
+}
+
+impl Sampling {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Uniform(_) => "uniform",
+            Self::Footprints(_) => "footprints",
+            Self::Adaptive(_) => "adaptive",
+        }
+    }
 }
 
 /// A picture so sampled.
@@ -105,14 +117,14 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
 }
 
 fn row(name: &str, words: &str, m: &Measured, aim: f64) -> Vec<Cell> {
-    let (samples, tolerance) = match m.sampling {
-        Sampling::Uniform(_) => (Cell::from("uniform"), Cell::None),
-        Sampling::Adaptive(tolerance) => (Cell::from("adaptive"), Cell::from(tolerance)),
+    let tolerance = match m.sampling {
+        Sampling::Uniform(_) | Sampling::Footprints(_) => Cell::None,
+        Sampling::Adaptive(tolerance) => Cell::from(tolerance),
     };
     vec![
         name.into(),
         words.into(),
-        samples,
+        m.sampling.name().into(),
         tolerance,
         m.samples.into(),
         m.rmse.into(),
@@ -123,14 +135,10 @@ fn row(name: &str, words: &str, m: &Measured, aim: f64) -> Vec<Cell> {
     ]
 }
 
-fn curves(name: &str, measured: &[Measured]) -> [Series; 2] {
-    [("uniform", true), ("adaptive", false)].map(|(words, uniform)| Series {
-        name: format!("{name}, {words}"),
-        points: measured
-            .iter()
-            .filter(|m| matches!(m.sampling, Sampling::Uniform(_)) == uniform)
-            .map(|m| [m.samples, m.rmse])
-            .collect(),
+fn curves(name: &str, measured: &[Measured]) -> impl Iterator<Item = Series> {
+    measured.chunk_by(|a, b| a.sampling.name() == b.sampling.name()).map(move |alike| Series {
+        name: format!("{name}, {}", alike[0].sampling.name()),
+        points: alike.iter().map(|m| [m.samples, m.rmse]).collect(),
     })
 }
 
@@ -144,7 +152,10 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
     let truth = sampled(&scene, Sampling::Uniform(REFERENCE));
     let truth = shown(&scene, &Renderer::new(bench.gpu, &truth, RenderSettings::default())?.picture()?);
     let mut measured = Vec::new();
-    for sampling in UNIFORM.map(Sampling::Uniform).into_iter().chain(TOLERANCES.map(Sampling::Adaptive)) {
+    let footprints = UNIFORM.map(Sampling::Footprints).into_iter();
+    let footprints = footprints.filter(|sampling| sampled(&scene, *sampling).has_footprints());
+    let all = UNIFORM.map(Sampling::Uniform).into_iter().chain(footprints).chain(TOLERANCES.map(Sampling::Adaptive));
+    for sampling in all {
         let scene = sampled(&scene, sampling);
         let mut renderer = Renderer::new(bench.gpu, &scene, RenderSettings::default())?;
         renderer.choose_segments()?;
@@ -155,7 +166,7 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
         measured.push(Measured {
             sampling,
             rmse: (off / truth.len() as f64).sqrt(),
-            samples: adaptive.map_or(f64::from(scene.image.samples), |adaptive| adaptive.mean()),
+            samples: adaptive.map_or_else(|| rays(&scene), |adaptive| adaptive.mean()),
             capped: adaptive.map(|adaptive| 100.0 * adaptive.capped as f64 / pixels),
             times: Times::of(bench.repeats, || Ok(time(&renderer.picture()?.totals)))?,
         });
@@ -163,12 +174,18 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
     Ok((method_words(scene.rays.method, scene.rays.control), measured))
 }
 
+/// A pixel's, with that through its corner if there is one.
+fn rays(scene: &Scene) -> f64 {
+    f64::from(scene.image.samples) + f64::from(u8::from(scene.has_footprints()))
+}
+
 fn sampled(scene: &Scene, sampling: Sampling) -> Scene {
     let mut scene = scene.clone();
     let (samples, pattern, adaptive) = match sampling {
-        Sampling::Uniform(samples) => (samples, SamplePattern::MultiJittered, None),
+        Sampling::Uniform(samples) | Sampling::Footprints(samples) => (samples, SamplePattern::MultiJittered, None),
         Sampling::Adaptive(tolerance) => (MOST, SamplePattern::Progressive, Some(tolerance)),
     };
+    scene.image.footprints = matches!(sampling, Sampling::Footprints(_));
     (scene.image.samples, scene.image.pattern, scene.image.adaptive) = (samples, pattern, adaptive);
     scene
 }

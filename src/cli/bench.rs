@@ -69,7 +69,7 @@ enum Name {
     Schedules,
     /// How time grows with pixels, steps, spheres, lights and samples
     Scaling,
-    /// What samples are worth: the error against 1024 a pixel, uniform and adaptive
+    /// What samples are worth: the error against 1024 a pixel, uniform, with footprints and adaptive
     Sampling,
     /// The device's own ceilings, and how much of a render its steps alone are
     Limit,

@@ -28,6 +28,9 @@ pub(super) struct Arguments {
     /// Print every key of the scene format instead
     #[arg(long)]
     reference: bool,
+    /// Name the parts of each pass, files of shaders/
+    #[arg(long)]
+    parts: bool,
     #[command(flatten)]
     changes: SceneOptions,
     /// The schedule to count passes and memory for
@@ -63,7 +66,7 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
     let memory = memory(&program, choice.slots(&scene));
     let frames_checked = check_frames(path, arguments, &choice, &scene)?;
-    Ok(Modelled { path, scene, geometry, program, memory, frames_checked })
+    Ok(Modelled { path, scene, geometry, program, memory, frames_checked, names_parts: arguments.parts })
 }
 
 /// Frames that are looked at, at most.

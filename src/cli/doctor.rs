@@ -45,7 +45,7 @@ impl Findings {
             |folder: &PathBuf| fs::create_dir_all(folder).is_ok() && tempfile::tempfile_in(folder).is_ok();
         Self {
             devices: Devices(adapters()),
-            video: check_film("film.mp4".as_ref()).is_ok(),
+            video: check_film("film.mp4".as_ref(), [1, 1]).is_ok(),
             cache: decisions::folder().map(|folder| (folder.clone(), is_writable(&folder))),
             queues: queues.into_iter().filter(|(program, _)| is_there(program)).map(|(_, name)| name).collect(),
         }

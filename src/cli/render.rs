@@ -22,7 +22,7 @@ use super::say_line;
 use super::share::{Part, Share, Target};
 use crate::error::Error;
 use crate::measure::verify;
-use crate::output::has_extension;
+use crate::output::{has_extension, is_film};
 use crate::program::Layer;
 use crate::render::{RenderError, RenderSettings, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
@@ -99,6 +99,13 @@ impl Arguments {
         self.device.check()?;
         if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
             return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
+        }
+        let only_films = |path: &&PathBuf| self.frames.is_none() && is_film(path) && !has_extension(path, "png");
+        if let Some(path) = self.output.iter().find(only_films) {
+            let path = path.display();
+            return Err(Error::Usage(format!(
+                "{path}: a film is of frames: add --frames all, for a scene with [animation]"
+            )));
         }
         let misplaced = |path: &&PathBuf| path_of(path, 0).is_some() != self.frames.is_some() && !self.is_film(path);
         let misplaced = self.output.iter().find(misplaced);
@@ -214,7 +221,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         film.look_ahead(&arguments.device.settings(layers.clone()).choice, animation, &frames, AHEAD)?;
     }
     arguments.check_files(&film, &targets)?;
-    arguments.prepare_films()?;
+    arguments.prepare_films(&still)?;
     arguments.try_files(&still, &targets, &layers)?;
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());

@@ -4,18 +4,13 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::Hasher;
 use std::sync::Arc;
 
-use half::f16;
-use half::slice::HalfFloatSliceExt;
-use rayon::prelude::*;
 use siphasher::sip128::{Hasher128, SipHasher24};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{
-    Buffer, BufferUsages, Extent3d, Origin3d, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureDescriptor,
-    TextureDimension, TextureFormat, TextureUsages,
-};
+use wgpu::{Buffer, BufferUsages, Texture};
 
 use super::records::pack;
 use super::source::Source;
+use super::textures::upload_picture;
 use super::uniforms::{schedule_values, sky_values};
 use super::{Geometry, Gpu, GpuError, LightField};
 use crate::model::Value::{self, Float, Uint, Uint2, Uint3, Vec3};
@@ -64,7 +59,7 @@ impl SceneBuffers {
                 Role::Picture(k) if !made.pictures.contains_key(k) => {
                     let picture = scene.pictures.get(*k).ok_or_else(|| no_value(&binding.name))?;
                     let there = before.and_then(|before| before.texture_of(picture));
-                    let texture = there.map_or_else(|| upload_picture(gpu, picture), Ok)?;
+                    let texture = there.map_or_else(|| upload_picture(gpu, picture, scene.has_footprints()), Ok)?;
                     made.pictures.insert(*k, (picture.clone(), texture));
                 }
                 _ => {}
@@ -138,66 +133,6 @@ fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError
     }))
 }
 
-/// Pixels that are converted and written at once.
-const BAND: u32 = 1 << 20;
-/// Those of one task of a core.
-const SHARE: usize = 1 << 14;
-
-/// In 16 bits where its values fit.
-fn upload_picture(gpu: &Gpu, picture: &Picture) -> Result<Texture, GpuError> {
-    let [width, height] = picture.size;
-    gpu.check(
-        "max_texture_dimension_2d",
-        &format!("pixels along one side of a picture (`{}`)", picture.name),
-        u64::from(gpu.limits.max_texture_dimension_2d),
-        u64::from(width.max(height)),
-    )?;
-    let halves = picture.pixels.iter().flatten().all(|v| *v <= f16::MAX.to_f32());
-    let format = if halves { TextureFormat::Rgba16Float } else { TextureFormat::Rgba32Float };
-    let texture = gpu.device.create_texture(&TextureDescriptor {
-        label: Some(&picture.name),
-        size: Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format,
-        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
-        view_formats: &[],
-    });
-    let rows = (BAND / width).max(1);
-    for (k, pixels) in picture.pixels.chunks((rows * width) as usize).enumerate() {
-        let bytes = texels(pixels, halves);
-        let size = Extent3d { width, height: pixels.len() as u32 / width, depth_or_array_layers: 1 };
-        let origin = Origin3d { y: k as u32 * rows, ..Origin3d::ZERO };
-        let row = TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(bytes.len() as u32 / size.height),
-            rows_per_image: None,
-        };
-        gpu.queue.write_texture(TexelCopyTextureInfo { origin, ..texture.as_image_copy() }, &bytes, row, size);
-        // What is written is held in memory until then.
-        gpu.queue.submit([]);
-    }
-    Ok(texture)
-}
-
-/// The bytes of opaque texels, made on all cores.
-fn texels(pixels: &[[f32; 3]], halves: bool) -> Vec<u8> {
-    let bytes = 4 * if halves { size_of::<f16>() } else { size_of::<f32>() };
-    let mut all = vec![0; pixels.len() * bytes];
-    all.par_chunks_mut(SHARE * bytes).zip(pixels.par_chunks(SHARE)).for_each(|(out, pixels)| {
-        let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
-        if halves {
-            let mut halved = vec![f16::ZERO; 4 * texels.len()];
-            halved.convert_from_f32_slice(texels.as_flattened());
-            out.copy_from_slice(bytemuck::cast_slice(&halved));
-        } else {
-            out.copy_from_slice(bytemuck::cast_slice(&texels));
-        }
-    });
-    all
-}
-
 impl Source<'_> {
     /// The bytes of one of the scene's buffers.
     fn bytes(&self, binding: &Binding) -> Result<Vec<u8>, GpuError> {
@@ -230,6 +165,7 @@ impl Source<'_> {
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
             }
             "refinement" => one(&self.refinement()),
+            "sample_share" => one(&[("side", Float(f64::from(self.scene.image.samples).sqrt().recip()))]),
             "media" => pack(name, layout, self.media(*region)).map(Some),
             "profile" => pack(name, layout, self.profiles(*region)).map(Some),
             "index_samples" => Ok(Some(bytemuck::cast_slice(&self.index_samples(*region)).to_vec())),

@@ -22,6 +22,7 @@ mod records;
 mod slots;
 mod source;
 mod structure;
+mod textures;
 mod tile;
 mod uniforms;
 

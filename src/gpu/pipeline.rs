@@ -14,42 +14,46 @@ use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflec
 
 /// Every pass of a program.
 #[derive(Debug)]
-pub struct Pipelines(Vec<(Pass, Pipeline)>);
+pub struct Pipelines {
+    passes: Vec<(Pass, Pipeline)>,
+    /// The pixels of a workgroup, across and down.
+    pub group: [u32; 2],
+}
 
 impl Pipelines {
-    /// Compiles the program for the device; refuses what exceeds its limits.
-    pub fn new(gpu: &Gpu, program: &Program) -> Result<Self, GpuError> {
-        let all = program
-            .passes
-            .iter()
-            .map(|(pass, linked, reflection)| Ok((*pass, Pipeline::new(gpu, linked, reflection)?)));
-        all.collect::<Result<_, GpuError>>().map(Self)
+    /// Compiles the program for the device, and for pictures of this width; refuses what exceeds the device's limits.
+    pub fn new(gpu: &Gpu, program: &Program, width: u32) -> Result<Self, GpuError> {
+        let group = narrowed(gpu.group, width);
+        let made = |(pass, linked, reflection): &(Pass, Linked, Reflection)| {
+            Ok((*pass, Pipeline::new(gpu, linked, reflection, group[0])?))
+        };
+        Ok(Self { passes: program.passes.iter().map(made).collect::<Result<_, GpuError>>()?, group })
     }
 
     /// The pipeline of `pass`, if the program has it.
     #[must_use]
     pub fn get(&self, pass: Pass) -> Option<&Pipeline> {
-        self.0.iter().find(|(p, _)| *p == pass).map(|(_, pipeline)| pipeline)
+        self.passes.iter().find(|(p, _)| *p == pass).map(|(_, pipeline)| pipeline)
     }
 
     /// All passes.
     pub fn iter(&self) -> impl Iterator<Item = &(Pass, Pipeline)> {
-        self.0.iter()
+        self.passes.iter()
     }
 }
 
 impl Pipeline {
-    /// Compiles one linked program, unless it was compiled lately.
-    pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
-        if let Some(compiled) = gpu.compiled.find(&linked.source) {
+    /// Compiles one linked program, with workgroups of so many pixels across, unless it was compiled lately.
+    pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
+        if let Some(compiled) = gpu.compiled.find(&linked.source, across) {
             return Ok(compiled);
         }
-        let pipeline = Self::compile(gpu, linked, reflection)?;
-        gpu.compiled.keep(&linked.source, &pipeline);
+        let pipeline = Self::compile(gpu, linked, reflection, across)?;
+        gpu.compiled.keep(&linked.source, across, &pipeline);
         Ok(pipeline)
     }
 
-    fn compile(gpu: &Gpu, linked: &Linked, reflection: &Reflection) -> Result<Self, GpuError> {
+    fn compile(gpu: &Gpu, linked: &Linked, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
         if reflection.doubles && !gpu.f64 {
             let there = adapters().into_iter().filter(|adapter| adapter.f64).map(|adapter| adapter.info.name).collect();
             return Err(GpuError::NoDouble { device: gpu.info.name.clone(), there });
@@ -67,7 +71,7 @@ impl Pipeline {
             immediate_size: 0,
         });
         let mut known = vec![
-            (GROUP_WIDTH, f64::from(gpu.group[0])),
+            (GROUP_WIDTH, f64::from(across)),
             (LANE_PIXELS, f64::from(gpu.lane_pixels)),
             (LANES, f64::from(gpu.lanes)),
         ];
@@ -87,6 +91,12 @@ impl Pipeline {
         }
         Ok(Self { pipeline, layout, bindings: reflection.bindings.clone() })
     }
+}
+
+/// A workgroup of as many pixels that is no wider than it has to be: what lies beyond a picture's edge idles.
+fn narrowed([across, down]: [u32; 2], width: u32) -> [u32; 2] {
+    let narrow = across.min(width.max(1).checked_next_power_of_two().unwrap_or(across));
+    [narrow, across * down / narrow]
 }
 
 fn check_limits(gpu: &Gpu, reflection: &Reflection) -> Result<(), GpuError> {

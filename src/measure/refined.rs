@@ -76,7 +76,7 @@ pub(super) fn first_right(
     small.image.size = reduced(scene.image.size);
     small.rays.max_segments = max_segments;
     // The first sample is all that is compared.
-    small.image.adaptive = None;
+    (small.image.adaptive, small.image.footprints) = (None, false);
     // What is seen there does not matter, only where.
     for picture in &mut small.pictures {
         *picture = Picture { size: [1, 1], pixels: Arc::new(vec![[0.0; 3]]), name: picture.name.clone() };

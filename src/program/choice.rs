@@ -280,10 +280,16 @@ impl Choice {
         self.purpose == Purpose::Picture && scene.image.adaptive.is_some()
     }
 
+    /// Is it known what pixels see of pictures and patterns?
+    #[must_use]
+    pub fn keeps_footprints(&self, scene: &Scene) -> bool {
+        self.purpose == Purpose::Picture && scene.has_footprints()
+    }
+
     /// Columns and rows that a tile has beyond its pixels: the last ones' corners are those of the next.
     #[must_use]
     pub fn margin(&self, scene: &Scene) -> u32 {
-        self.adapts(scene).into()
+        (self.adapts(scene) || self.keeps_footprints(scene)).into()
     }
 
     /// Do later rounds and samples run over no more than the pixels that have a path left, or want more samples?

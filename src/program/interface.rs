@@ -160,7 +160,7 @@ const ROLES: [(&str, Role); 30] = [
 ];
 
 /// What passes keep for each pixel.
-const KEPT: [&str; 22] = [
+const KEPT: [&str; 23] = [
     "status",
     "taken",
     "hit_primitive",
@@ -169,6 +169,7 @@ const KEPT: [&str; 22] = [
     "step_count",
     "rejected_count",
     "corner_end",
+    "pixel_corners",
     "weight_all",
     "weight_red",
     "weight_green",

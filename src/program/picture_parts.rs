@@ -27,12 +27,13 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     match scene.image.pattern {
         _ if scene.image.samples == 1 => names.add("camera/sample/center"),
         SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
-        SamplePattern::Progressive => {
-            names.all(&["camera/sample/scrambled", "camera/sample/sobol"]);
-            let adapts = choice.adapts(scene);
-            names.add(if adapts { "camera/sample/adaptive" } else { "camera/sample/progressive" });
-        }
+        SamplePattern::Progressive => names.all(&["camera/sample/scrambled", "camera/sample/sobol"]),
     }
+    names.add(match (choice.adapts(scene), choice.keeps_footprints(scene)) {
+        (true, _) => "camera/sample/corner_first",
+        (false, true) => "camera/sample/corners_apart",
+        (false, false) => "camera/sample/from_first",
+    });
     names.add(if scene.rays.asymptotic { "camera/arrival/along_orbit" } else { "camera/arrival/straight" });
     // A scene that is only traced is checked as with any camera.
     let camera = scene.camera.as_ref();
@@ -65,14 +66,12 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
         }
         None => names.add(scene.sky.part()),
     }
+    names.all(&[samples_part(scene, choice)]);
     if choice.adapts(scene) {
-        names.all(&["picture/adaptive"]);
         names.add(match scene.output.tonemap {
             Tonemap::None => "picture/tonemap_none",
             Tonemap::Filmic => "picture/tonemap_filmic",
         });
-    } else {
-        names.all(&["picture/samples_all"]);
     }
     if choice.knows_shift(scene) {
         shift_parts(scene, choice, names);
@@ -112,14 +111,24 @@ fn shift_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     });
 }
 
+/// Which pixels take a sample, and what is kept of their corners.
+pub(super) fn samples_part(scene: &Scene, choice: &Choice) -> &'static str {
+    match (choice.adapts(scene), choice.keeps_footprints(scene)) {
+        (true, _) => "picture/adaptive",
+        (false, true) => "picture/samples_footprints",
+        (false, false) => "picture/samples_all",
+    }
+}
+
 pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     let used = || scene.used_materials();
     let ends = || used().filter(|material| !material.surface.continues());
     let mut kinds: Vec<&str> = ends().map(|material| scene.part_of(material)).collect();
     kinds.sort_unstable();
     kinds.dedup();
-    let patterns: Vec<&str> =
-        Pattern::PARTS.into_iter().filter(|part| used().any(|material| material.color.part() == *part)).collect();
+    let patterns = Pattern::PARTS.into_iter().filter(|part| used().any(|material| material.color.part() == *part));
+    let filtered = |part| if choice.keeps_footprints(scene) && part == "checker" { "checker_filtered" } else { part };
+    let patterns: Vec<&str> = patterns.map(filtered).collect();
     let lights = [
         ("point", scene.lights.iter().any(|light| light.is_point() && !light.shadows.follows_the_law())),
         ("directional", scene.lights.iter().any(|light| !light.is_point() && !light.shadows.follows_the_law())),

@@ -2,7 +2,7 @@
 
 use super::names::Names;
 use super::onward_parts::{filter_parts, scatter_parts};
-use super::picture_parts::{camera_parts, material_parts, picture_parts};
+use super::picture_parts::{camera_parts, material_parts, picture_parts, samples_part};
 use super::region_parts::{ends_with_steps, joins_whole, region_parts};
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
@@ -57,7 +57,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         picture_parts(scene, choice, &mut names)?;
     }
     if !scene.pictures.is_empty() {
-        names.add("surface/image_sample");
+        names.add(if choice.keeps_footprints(scene) { "surface/image_filtered" } else { "surface/image_sample" });
         names.make(generated::images(scene.pictures.len()));
     }
     if !scene.objects.is_empty() {
@@ -162,7 +162,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
         (true, false) => "state/round/chosen",
         (true, true) => "state/round/open",
     });
-    names.add(if choice.adapts(scene) { "picture/adaptive" } else { "picture/samples_all" });
+    names.add(samples_part(scene, choice));
     names.add(if choice.slots(scene) == 3 { "state/slots_three" } else { "state/slots_two" });
     names.add(if choice.keeps_counts() { "state/counts_kept" } else { "state/counts_none" });
     names.add(if scene.rays.control.kind.tries.is_some() { "state/rejections_some" } else { "state/rejections_none" });

@@ -7,9 +7,10 @@ use super::{ProgramError, part};
 /// `near_sky_radiance` and `beyond_sky_radiance`, of these two parts.
 pub(super) fn two_skies(near: &str, beyond: &str) -> Result<[Unit; 2], ProgramError> {
     let text = |name: &str| part(name).map(|part| part.text).ok_or_else(|| ProgramError::NoPart(name.to_owned()));
-    let near = text(near)?.replace("fn sky_radiance(", "fn near_sky_radiance(");
+    let near = text(near)?.replace("sky_", "near_sky_").replace("SkyFace", "NearSkyFace");
     let renamed = [
-        ("fn sky_radiance(", "fn beyond_sky_radiance("),
+        ("sky_", "beyond_sky_"),
+        ("SkyFace", "BeyondSkyFace"),
         ("struct Sky {", "struct BeyondSky {"),
         ("@binding(163) var<uniform> sky: Sky;", "@binding(170) var<uniform> beyond_sky: BeyondSky;"),
         ("sky.", "beyond_sky."),

@@ -63,7 +63,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 30] = [
+const OPTIONAL: [&str; 34] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -94,6 +94,10 @@ const OPTIONAL: [&str; 30] = [
     "add_travel",
     "beam_sky",
     "add_order",
+    "note_footprint",
+    "note_place",
+    "note_spans",
+    "span_pattern",
 ];
 
 impl Parts {
@@ -105,7 +109,7 @@ impl Parts {
         let missing: HashSet<&str> = OPTIONAL.into_iter().filter(|name| !declared.contains(name)).collect();
         let is_missing = |line: &str| called(line.trim_start()).is_some_and(|name| missing.contains(name));
         for unit in self.shared.iter_mut().chain(self.regions.iter_mut().flatten()) {
-            if unit.author == Author::BuiltIn && unit.text.lines().any(is_missing) {
+            if unit.author != Author::User && unit.text.lines().any(is_missing) {
                 let kept = unit.text.split_inclusive('\n').filter(|line| !is_missing(line));
                 unit.text = kept.collect::<String>().into();
             }

@@ -117,9 +117,7 @@ impl Renderer<'_> {
                 let before = totals.clone();
                 self.render_tile(made, at, clock, (round, &progress), totals)?;
                 // Adaptive sampling takes as many as it needs.
-                let samples = u64::from(round.until - round.begins());
-                let rays =
-                    self.scene.image.adaptive.is_none().then(|| samples * size.map(u64::from).iter().product::<u64>());
+                let rays = self.scene.image.adaptive.is_none().then(|| self.rays_of(size, round));
                 while self.read_tally(made, totals, rays)? == Walks::Unfinished {
                     if self.is_whole() {
                         *totals = before_band;
@@ -142,6 +140,13 @@ impl Renderer<'_> {
             rows(band)?;
         }
         Ok(height)
+    }
+
+    /// Rays of a tile in a round of samples.
+    fn rays_of(&self, size: [u32; 2], round: &Round) -> u64 {
+        let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
+        let corners = if self.settings.choice.keeps_footprints(&self.scene) { count(1) } else { 0 };
+        u64::from(round.until - round.begins()) * count(0) + corners
     }
 
     /// The whole picture at once.
@@ -202,6 +207,9 @@ impl Renderer<'_> {
             return self.sample_adaptively(tile, origin, clock, progress, sums);
         }
         let first = round.begins();
+        if self.settings.choice.keeps_footprints(&self.scene) {
+            self.run_sample(tile, Sample::corners(origin, self.scene.image.size), clock, &|_| {})?;
+        }
         if let Some(earlier) = round.earlier {
             earlier.put(self.gpu, tile, part);
         }

@@ -12,7 +12,7 @@ use super::grids::LightGrids;
 use super::plan::Plans;
 use super::readback::read_buffer;
 use super::sample::Sample;
-use super::{LightReport, RenderError, RenderSettings, Totals};
+use super::{LightReport, RenderError, RenderSettings, Totals, Window};
 use crate::gpu::{
     Before, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
@@ -87,7 +87,9 @@ impl<'a> Renderer<'a> {
         let geometry = Geometry::new(&scene);
         let program = Program::new(&scene, &geometry.analysis, &settings.choice, geometry.extent())?;
         settings.choice = program.choice.clone();
-        let pipelines = Pipelines::new(gpu, &program)?;
+        let [width, _] = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
+        let is_picture = settings.choice.purpose == Purpose::Picture;
+        let pipelines = Pipelines::new(gpu, &program, if is_picture { width } else { u32::MAX })?;
         let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
         let segments = settings.segments_a_pass();

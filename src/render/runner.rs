@@ -206,9 +206,8 @@ impl<'r, 'a> Runner<'r, 'a> {
         match self.tile.arguments(read.list) {
             Some(buffer) if indirect => pass.dispatch_workgroups_indirect(buffer, read.offset()),
             _ => {
-                let gpu = self.renderer.gpu;
-                let [across, down] = gpu.group;
-                let rows = down * if step.pass == Pass::Whole { gpu.lane_pixels } else { 1 };
+                let [across, down] = self.renderer.pipelines.group;
+                let rows = down * if step.pass == Pass::Whole { self.renderer.gpu.lane_pixels } else { 1 };
                 pass.dispatch_workgroups(self.tile.size[0].div_ceil(across), self.tile.size[1].div_ceil(rows), 1);
             }
         }

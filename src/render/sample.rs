@@ -1,6 +1,7 @@
 //! One sample of a tile: what its passes are told.
 
 use crate::model::Value::{self, Uint, Uint2};
+use crate::program::constant;
 
 /// A part of the picture and a sample of it.
 #[derive(Debug, Clone, Copy)]
@@ -30,6 +31,12 @@ impl Refines {
 }
 
 impl Sample {
+    /// Rays through the corners of pixels, which are no samples of theirs.
+    pub(super) fn corners(origin: [u32; 2], image: [u32; 2]) -> Self {
+        let number = constant("camera/sample/corners_apart", "CORNERS") as u32;
+        Self { origin, image, number, refines: None }
+    }
+
     /// The first of every pixel, in a tile that begins where the picture does.
     pub(super) fn first(image: [u32; 2]) -> Self {
         Self { origin: [0, 0], image, number: 0, refines: None }

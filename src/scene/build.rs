@@ -69,7 +69,7 @@ impl Scene {
 impl Default for Image {
     /// 800×600 pixels of one sample.
     fn default() -> Self {
-        Self { size: [800, 600], samples: 1, pattern: SamplePattern::MultiJittered, adaptive: None }
+        Self { size: [800, 600], samples: 1, pattern: SamplePattern::MultiJittered, adaptive: None, footprints: false }
     }
 }
 

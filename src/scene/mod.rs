@@ -98,6 +98,8 @@ pub struct Image {
     pub pattern: SamplePattern,
     /// Does a pixel stop when its mean is good enough? The standard error at which it is, in what a screen shows, from 0 to 1.
     pub adaptive: Option<f64>,
+    /// Are pictures and patterns averaged over what a pixel sees of them?
+    pub footprints: bool,
 }
 
 /// How samples are spread over a pixel.
@@ -224,6 +226,13 @@ impl Scene {
     pub fn has_orders(&self) -> bool {
         let counts = matches!(self.rays.branches, Branches::Enumerated(_)) && self.image.adaptive.is_none();
         self.has_translucent() && counts && !self.splits() && self.fans().is_empty()
+    }
+
+    /// Are pictures and patterns averaged over what a pixel sees of them, and is there anything to average?
+    #[must_use]
+    pub fn has_footprints(&self) -> bool {
+        let varies = |material: &Material| !matches!(material.color, Pattern::Constant(_));
+        self.image.footprints && (!self.pictures.is_empty() || self.used_materials().any(varies))
     }
 
     /// The materials of its objects, each as often as it is used.

@@ -79,7 +79,7 @@ fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
     let ran = folder.run("wgsl scene.toml").succeeds();
     assert_eq!(ran.err, "");
     let passes: Vec<&str> = ran.out.split("// ==== pass ").skip(1).collect();
-    let checked = folder.run("check scene.toml").succeeds().out;
+    let checked = folder.run("check scene.toml --parts").succeeds().out;
     let listed: Vec<&str> = checked.lines().filter(|line| line.starts_with("  pass ")).collect();
     assert_eq!(passes.len(), listed.len());
     for (pass, listed) in passes.iter().zip(listed) {
@@ -87,8 +87,9 @@ fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
         assert!(listed.starts_with(&format!("  pass {name} ")), "{listed}");
         assert!(pass.contains(&format!("fn {name}(")), "{name} is its entry point");
         let files: Vec<&str> = pass.lines().filter_map(|line| line.strip_prefix("// ---- ")).collect();
-        let (_, parts) = listed.split_once("bindings: ").unwrap();
+        let (_, parts) = listed.split_once(" parts: ").unwrap();
         assert_eq!(files.join(" "), parts);
+        assert!(listed.contains(&format!("{:>2} parts: ", files.len())), "{listed}");
         // It is a program as it stands, once the line with the pass's name is gone.
         let source = pass.split_once('\n').unwrap().1;
         naga::front::wgsl::parse_str(source).unwrap_or_else(|e| panic!("{}", e.emit_to_string(source)));

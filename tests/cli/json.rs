@@ -134,7 +134,7 @@ fn scenes_are_checked_a_line_each_with_the_place_of_every_mistake() {
     assert!(words.out.contains(&format!("  {} bytes per pixel: ", right["bytes_per_pixel"])), "{}", words.out);
     for pass in right["passes"].as_array().unwrap() {
         let number = |key: &str| pass[key].as_u64().unwrap();
-        let line = format!("{:>4} lines, {:>2} bindings: ", number("lines"), number("bindings"));
+        let line = format!("{:>4} lines, {:>2} bindings, ", number("lines"), number("bindings"));
         assert!(words.out.contains(&line), "{line} in {}", words.out);
     }
 

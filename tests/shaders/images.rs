@@ -10,7 +10,7 @@ use crate::support::{gpu, probe::Probe};
 
 /// Six pictures of a few texels, made by a formula in place of textures.
 const SIZE: [f64; 2] = [7.0, 4.0];
-const PICTURES: &str = "fn image_size(image: u32) -> vec2u {
+const PICTURES: &str = "fn image_extent(image: u32) -> vec2u {
     return vec2u(7u, 4u);
 }
 

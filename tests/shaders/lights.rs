@@ -195,7 +195,7 @@ fn checkers_alternate() {
 /// A picture stands upright: v = 1 is its top row, and it repeats.
 #[test]
 fn pictures_on_surfaces() {
-    let stub = "fn image_size(image: u32) -> vec2u { return vec2u(4u, 2u); }
+    let stub = "fn image_extent(image: u32) -> vec2u { return vec2u(4u, 2u); }
         fn image_texel(image: u32, p: vec2u) -> vec3f { return vec3f(vec2f(p), f32(image)); }";
     let mut inputs = Vec::new();
     for i in 0..16_u8 {

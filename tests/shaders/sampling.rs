@@ -26,7 +26,7 @@ fn multi_jittered_samples() {
         for pixel in 0..SIDE * SIDE {
             inputs.extend((0..count).map(|s| [Vec4::new((pixel % SIDE) as f32, (pixel / SIDE) as f32, s as f32, 0.0)]));
         }
-        let probe = Probe::new(&["state/work", "camera/sample/multi_jittered"])
+        let probe = Probe::new(&["state/work", "camera/sample/multi_jittered", "camera/sample/from_first"])
             .stub(FRAME)
             .bind("sampling", [vec![("grid", Uint2(grid))]]);
         let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)), 0.0, 0.0));";
@@ -105,7 +105,7 @@ fn progressive_samples() {
         .flat_map(|i| (0..COUNT).map(move |s| [Vec4::new(pixel(i)[0] as f32, pixel(i)[1] as f32, s as f32, 0.0)]))
         .collect();
     let probe =
-        Probe::new(&["state/work", "camera/sample/scrambled", "camera/sample/sobol", "camera/sample/progressive"])
+        Probe::new(&["state/work", "camera/sample/scrambled", "camera/sample/sobol", "camera/sample/from_first"])
             .stub(FRAME);
     let body = "frame.sample = u32(p0.z); put(0u, vec4f(sample_point(vec2u(p0.xy)) - p0.xy, 0.0, 0.0));";
     let out = probe.run::<1, 1>(&gpu(), body, &inputs);
@@ -139,7 +139,7 @@ fn image_plane_and_centre() {
     let inputs = [[0.0_f32, 0.0], [640.0, 480.0], [320.0, 240.0], [640.0, 0.0], [0.0, 480.0], [160.0, 120.0]]
         .map(|[x, y]| [Vec4::new(x, y, 0.0, 0.0)]);
     let probe = Probe::new(&["camera/ray", "camera/sample/center"]);
-    let body = "put(0u, vec4f(image_plane(p0.xy, vec2u(640u, 480u)), sample_point(vec2u(p0.xy))));";
+    let body = "put(0u, vec4f(image_plane(p0.xy, vec2u(640u, 480u)), nth_point(vec2u(p0.xy), 0u)));";
     let want = [[-1.0, 1.0], [1.0, -1.0], [0.0, 0.0], [1.0, 1.0], [-1.0, -1.0], [-0.5, 0.5]];
     for ((input, [got]), want) in inputs.iter().zip(probe.run::<1, 1>(&gpu(), body, &inputs)).zip(want) {
         assert_eq!(([got.x, got.y], [got.z, got.w]), (want, [input[0].x + 0.5, input[0].y + 0.5]));

@@ -1,5 +1,5 @@
 // One sample: the pixel's centre.
 
-fn sample_point(pixel: vec2u) -> vec2f {
+fn nth_point(pixel: vec2u, n: u32) -> vec2f {
     return vec2f(pixel) + 0.5;
 }

@@ -51,9 +51,9 @@ fn unit_random(seed: u32) -> f32 {
     return f32(((word >> 22u) ^ word) >> 8u) / 16777216.0;
 }
 
-fn sample_point(pixel: vec2u) -> vec2f {
+fn nth_point(pixel: vec2u, n: u32) -> vec2f {
     let seed = (pixel.x * 0x9e3779b1u) ^ (pixel.y * 0x85ebca77u);
-    let s = permuted(frame.sample, sampling.grid.x * sampling.grid.y, seed * 0x51633e2du);
+    let s = permuted(n, sampling.grid.x * sampling.grid.y, seed * 0x51633e2du);
     let column = s % sampling.grid.x;
     let row = s / sampling.grid.x;
     let sx = permuted(column, sampling.grid.x, seed * 0x68bc21ebu);

@@ -1,9 +1,9 @@
 // A pixel's samples as one sequence, every prefix of which is well spread. It is seeded by the pixel's place in the whole picture, so
 // that tiles and schedules do not show.
 
-fn sequence_point(pixel: vec2u, index: u32) -> vec2f {
+fn nth_point(pixel: vec2u, n: u32) -> vec2f {
     let seed = hashed((pixel.x * 0x9e3779b1u) ^ (pixel.y * 0x85ebca77u));
-    let x = owen_scrambled(reverseBits(index), seed);
-    let y = owen_scrambled(sobol_second(index), hashed(seed ^ 0x51633e2du));
+    let x = owen_scrambled(reverseBits(n), seed);
+    let y = owen_scrambled(sobol_second(n), hashed(seed ^ 0x51633e2du));
     return vec2f(pixel) + vec2f(f32(x >> 8u), f32(y >> 8u)) / 16777216.0;
 }

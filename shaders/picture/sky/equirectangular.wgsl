@@ -7,10 +7,19 @@ struct Sky {
 
 @group(0) @binding(163) var<uniform> sky: Sky;
 
+// How far on in the picture a small step from a direction leads.
+fn sky_span(d: vec3f, step: vec3f) -> vec2f {
+    let across = dot(d.xz, d.xz);
+    let u = (d.x * step.z - d.z * step.x) / across;
+    let v = d.y * dot(d.xz, step.xz) / sqrt(across) - sqrt(across) * step.y;
+    return vec2f(u / (2.0 * PI), v / PI);
+}
+
 fn sky_radiance(d: vec3f) -> vec3f {
     let size = vec2f(image_size(sky.image));
     let u = 0.5 + f32(arc_tangent(Real(d.x), Real(-d.z))) / (2.0 * PI);
     let v = 0.5 - f32(arc_tangent(Real(d.y), Real(length(d.xz)))) / PI;
+    note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
     // The picture wraps round the poles' axis, not over the poles.
     return sky.intensity * image_sample(sky.image, vec2f(u, clamp(v, 0.5 / size.y, 1.0 - 0.5 / size.y)), true);
 }

@@ -10,20 +10,34 @@ struct Sky {
 
 @group(0) @binding(163) var<uniform> sky: Sky;
 
-fn sky_radiance(d: vec3f) -> vec3f {
+// The face that a direction is towards, and a vector turned so that this face is ahead: right, up and ahead.
+struct SkyFace {
+    face: u32,
+    turned: vec3f,
+}
+
+fn sky_face(d: vec3f, a: vec3f) -> SkyFace {
     let size = abs(d);
-    let along_x = size.x >= max(size.y, size.z);
-    let along_y = !along_x && size.y >= size.z;
-    // Towards -z or +z by default: right is ±x there.
-    var face = select(sky.more_faces.y, sky.more_faces.x, d.z > 0.0);
-    var p = vec3f(-sign(d.z) * d.x, d.y, size.z);
-    if along_x {
-        face = select(sky.faces.y, sky.faces.x, d.x > 0.0);
-        p = vec3f(sign(d.x) * d.z, d.y, size.x);
+    let side = sign(d);
+    if size.x >= max(size.y, size.z) {
+        return SkyFace(select(sky.faces.y, sky.faces.x, d.x > 0.0), vec3f(side.x * a.z, a.y, side.x * a.x));
     }
-    if along_y {
-        face = select(sky.faces.w, sky.faces.z, d.y > 0.0);
-        p = vec3f(d.x, sign(d.y) * d.z, size.y);
+    if size.y >= size.z {
+        return SkyFace(select(sky.faces.w, sky.faces.z, d.y > 0.0), vec3f(a.x, side.y * a.z, side.y * a.y));
     }
-    return sky.intensity * image_sample(face, 0.5 + 0.5 * vec2f(p.x, -p.y) / p.z, false);
+    return SkyFace(select(sky.more_faces.y, sky.more_faces.x, d.z > 0.0), vec3f(-side.z * a.x, a.y, side.z * a.z));
+}
+
+// How far on in its picture a small step from a direction leads.
+fn sky_span(d: vec3f, step: vec3f) -> vec2f {
+    let p = sky_face(d, d).turned;
+    let q = sky_face(d, step).turned;
+    return 0.5 * vec2f(q.x - p.x / p.z * q.z, -q.y + p.y / p.z * q.z) / p.z;
+}
+
+fn sky_radiance(d: vec3f) -> vec3f {
+    let ahead = sky_face(d, d);
+    let p = ahead.turned;
+    note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
+    return sky.intensity * image_sample(ahead.face, 0.5 + 0.5 * vec2f(p.x, -p.y) / p.z, false);
 }

@@ -20,6 +20,8 @@ pub(super) struct Modelled<'a> {
     pub memory: Memory,
     /// Frames of its animation that were looked at.
     pub frames_checked: u32,
+    /// Are the parts of each pass named?
+    pub names_parts: bool,
 }
 
 impl Found for Modelled<'_> {
@@ -84,7 +86,10 @@ impl Modelled<'_> {
     fn pass_words(&self) -> Vec<String> {
         let passes = self.program.passes.iter().map(|(pass, linked, reflection)| {
             let (lines, bindings) = (linked.source.lines().count(), reflection.bindings.len());
-            format!("pass {:<10} {lines:>4} lines, {bindings:>2} bindings: {}", pass.entry(), linked.parts().join(" "))
+            let parts = linked.parts();
+            let named = if self.names_parts { format!(": {}", parts.join(" ")) } else { String::new() };
+            let (entry, count) = (pass.entry(), parts.len());
+            format!("pass {entry:<10} {lines:>4} lines, {bindings:>2} bindings, {count:>2} parts{named}")
         });
         passes.collect()
     }

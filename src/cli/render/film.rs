@@ -13,6 +13,7 @@ use crate::cli::format::{Found, shown};
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::{OutputError, check_film, film, has_extension, is_film};
+use crate::scene::Scene;
 
 /// A film that is finished.
 struct Finished<'a> {
@@ -55,8 +56,8 @@ impl Arguments {
     }
 
     /// Refuses films that cannot be written, and makes the folder of frames.
-    pub(in crate::cli) fn prepare_films(&self) -> Result<(), Error> {
-        self.films().try_for_each(|path| check_film(path))?;
+    pub(in crate::cli) fn prepare_films(&self, scene: &Scene) -> Result<(), Error> {
+        self.films().try_for_each(|path| check_film(path, self.window(scene).size))?;
         let Some(folder) = self.frame_folder() else { return Ok(()) };
         let failed = |cause| OutputError::Create { path: folder.join("00000.png"), folder: folder.clone(), cause };
         Ok(fs::create_dir_all(&folder).map_err(failed)?)

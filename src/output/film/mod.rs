@@ -22,16 +22,18 @@ struct Kind {
     extension: &'static str,
     /// Why it cannot be written here, if it cannot.
     problem: fn() -> Option<&'static str>,
+    /// Pixels along a side, at most.
+    side: u32,
     write: fn(&mut AtomicFile, &mut Frames, &'static str) -> Result<(), OutputError>,
 }
 
 /// All of them.
 const KINDS: [Kind; 5] = [
-    Kind { extension: "mp4", problem: ffmpeg::problem, write: ffmpeg::write },
-    Kind { extension: "webm", problem: ffmpeg::problem, write: ffmpeg::write },
-    Kind { extension: "gif", problem: || None, write: gif::write },
-    Kind { extension: "png", problem: || None, write: apng::write },
-    Kind { extension: "apng", problem: || None, write: apng::write },
+    Kind { extension: "mp4", problem: ffmpeg::problem, side: 16_384, write: ffmpeg::write },
+    Kind { extension: "webm", problem: ffmpeg::problem, side: 65_535, write: ffmpeg::write },
+    Kind { extension: "gif", problem: || None, side: 65_535, write: gif::write },
+    Kind { extension: "png", problem: || None, side: u32::MAX, write: apng::write },
+    Kind { extension: "apng", problem: || None, side: u32::MAX, write: apng::write },
 ];
 
 fn kind(path: &Path) -> Option<&'static Kind> {
@@ -45,18 +47,29 @@ pub fn is_film(path: &Path) -> bool {
     kind(path).is_some()
 }
 
-/// Refuses a film that could not be written here.
-pub fn check_film(path: &Path) -> Result<(), OutputError> {
+/// Refuses a film of pictures of this size that could not be written here.
+pub fn check_film(path: &Path, size: [u32; 2]) -> Result<(), OutputError> {
     let setting = |problem: &str| OutputError::Setting { path: path.to_owned(), problem: problem.to_owned() };
     let kind = kind(path).ok_or_else(|| setting("the name of a film must end in .mp4, .webm, .gif, .png or .apng"))?;
-    (kind.problem)().map_or(Ok(()), |problem| Err(setting(problem)))
+    if let Some(problem) = (kind.problem)() {
+        return Err(setting(problem));
+    }
+    match size.into_iter().max().filter(|side| *side > kind.side) {
+        Some(side) => {
+            let (extension, most) = (kind.extension, kind.side);
+            let problem =
+                format!("a side of {side} pixels is more than the {most} of .{extension}: use .png, or a smaller size");
+            Err(setting(&problem))
+        }
+        None => Ok(()),
+    }
 }
 
 /// Makes a film of pictures, which are all of one size, so many a second.
 pub fn film(path: &Path, frames: &[PathBuf], rate: f64) -> Result<(), OutputError> {
-    check_film(path)?;
-    let mut file = AtomicFile::create(path)?;
     let mut frames = Frames::new(frames, rate)?;
+    check_film(path, frames.size)?;
+    let mut file = AtomicFile::create(path)?;
     if let Some(kind) = kind(path) {
         (kind.write)(&mut file, &mut frames, kind.extension)?;
     }

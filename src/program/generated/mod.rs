@@ -165,7 +165,7 @@ pub(super) fn images(count: usize) -> Unit {
     let sizes: Vec<_> = (0..count).map(|k| (format!("{k}u"), format!("textureDimensions(image_{k})"))).collect();
     let texels: Vec<_> = (0..count).map(|k| (format!("{k}u"), format!("textureLoad(image_{k}, p, 0).xyz"))).collect();
     text += "\n";
-    text += &switch("fn image_size(image: u32) -> vec2u", "image", &sizes);
+    text += &switch("fn image_extent(image: u32) -> vec2u", "image", &sizes);
     text += "\n";
     text += &switch("fn image_texel(image: u32, p: vec2u) -> vec3f", "image", &texels);
     unit("generated/images.wgsl", text)

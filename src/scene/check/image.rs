@@ -1,7 +1,7 @@
 //! `[image]`: the picture's size, and how it is sampled.
 
 use crate::document::reader::TableReader;
-use crate::document::values::{array, number_where, whole, word};
+use crate::document::values::{array, boolean, number_where, whole, word};
 use crate::scene::{Image, SamplePattern};
 
 /// Samples that an adaptive pixel takes at once: as many again each time that it goes on.
@@ -30,6 +30,14 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
     }
     image.samples = samples.unwrap_or(image.samples);
     image.pattern = pattern.unwrap_or(image.pattern);
+    image.footprints = table.or("footprints", false, boolean);
+    if let Some(with) = [("image.adaptive", image.adaptive.is_some()), ("transport = \"paths\"", by_paths)]
+        .into_iter()
+        .find_map(|(with, is_there)| (is_there && image.footprints).then_some(with))
+    {
+        let problem = format!("footprints do not go with {with}, whose samples are for what they average");
+        table.fault(&["footprints"], problem, "leave one of them out");
+    }
     table.finish();
     image
 }

@@ -45,6 +45,8 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "how they are spread: for their number, or so that any first 2, 4, 8, … are spread well; `adaptive` has it progressive";
             adaptive: "number between 0 and 1" = "none",
                 "more rays only where the picture needs them: a pixel whose corners end and look alike is done with those, any other takes 16, 32, … until the standard error of its mean, in what a screen shows, is below this";
+            footprints: "true | false" = "false",
+                "average pictures and checkers over what a pixel sees of them, for one more ray a pixel: distant floors and skies do not crawl in films, and few samples do";
         }
         "camera" {
             position if "no worldline": "[x, y, z]" = "required", "the point, or the centre of the plane; scene units";

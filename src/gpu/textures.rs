@@ -1,0 +1,166 @@
+//! The scene's pictures on the device.
+
+use std::borrow::Cow;
+
+use half::f16;
+use half::slice::HalfFloatSliceExt;
+use rayon::prelude::*;
+use wgpu::{
+    Extent3d, Origin3d, TexelCopyBufferLayout, TexelCopyTextureInfo, Texture, TextureDescriptor, TextureDimension,
+    TextureFormat, TextureUsages,
+};
+
+use super::{Gpu, GpuError};
+use crate::scene::Picture;
+
+/// Pixels that are converted and written at once.
+const BAND: u32 = 1 << 20;
+/// Those of one task of a core.
+const SHARE: usize = 1 << 14;
+
+/// In 16 bits where its values fit; if it is to be averaged, with smaller and smaller copies below it, as `surface/image_filtered` finds
+/// them.
+pub(super) fn upload_picture(gpu: &Gpu, picture: &Picture, averaged: bool) -> Result<Texture, GpuError> {
+    let [width, height] = picture.size;
+    let height = if averaged { height + height / 2 } else { height };
+    gpu.check(
+        "max_texture_dimension_2d",
+        &format!("pixels along one side of a picture (`{}`)", picture.name),
+        u64::from(gpu.limits.max_texture_dimension_2d),
+        u64::from(width.max(height)),
+    )?;
+    let halves = picture.pixels.iter().flatten().all(|v| *v <= f16::MAX.to_f32());
+    let format = if halves { TextureFormat::Rgba16Float } else { TextureFormat::Rgba32Float };
+    let texture = gpu.device.create_texture(&TextureDescriptor {
+        label: Some(&picture.name),
+        size: Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: TextureDimension::D2,
+        format,
+        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
+        view_formats: &[],
+    });
+    let mut level = Level { size: picture.size, pixels: Cow::Borrowed(&picture.pixels[..]) };
+    write(gpu, &texture, [0, 0], &level, halves);
+    let copies = if averaged { picture.size[0].min(picture.size[1]).ilog2() } else { 0 };
+    for copy in 0..copies {
+        level = level.halved();
+        write(gpu, &texture, [width - (width >> copy), picture.size[1]], &level, halves);
+    }
+    Ok(texture)
+}
+
+fn write(gpu: &Gpu, texture: &Texture, [x, y]: [u32; 2], Level { size: [width, _], pixels }: &Level, halves: bool) {
+    let rows = (BAND / width).max(1);
+    for (k, pixels) in pixels.chunks((rows * width) as usize).enumerate() {
+        let bytes = texels(pixels, halves);
+        let size = Extent3d { width: *width, height: pixels.len() as u32 / width, depth_or_array_layers: 1 };
+        let origin = Origin3d { x, y: y + k as u32 * rows, z: 0 };
+        let row = TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(bytes.len() as u32 / size.height),
+            rows_per_image: None,
+        };
+        gpu.queue.write_texture(TexelCopyTextureInfo { origin, ..texture.as_image_copy() }, &bytes, row, size);
+        // What is written is held in memory until then.
+        gpu.queue.submit([]);
+    }
+}
+
+/// A picture, or a smaller copy of it.
+struct Level<'p> {
+    size: [u32; 2],
+    pixels: Cow<'p, [[f32; 3]]>,
+}
+
+impl Level<'_> {
+    /// Half as wide and as high, rounded down. Each of its pixels is the mean of what it covers, so that the whole has the same mean.
+    fn halved(&self) -> Level<'static> {
+        let [width, height] = self.size;
+        let size = self.size.map(|side| (side / 2).max(1));
+        let (across, down) = (Shares::new(width, size[0]), Shares::new(height, size[1]));
+        let row = |y: u32| -> Vec<[f32; 3]> {
+            let pixel = |x: u32| {
+                let mut sum = [0.0; 3];
+                for (j, wy) in down.of(y) {
+                    for (i, wx) in across.of(x) {
+                        let from = self.pixels[j as usize * width as usize + i as usize];
+                        sum.iter_mut().zip(from).for_each(|(sum, value)| *sum += wx * wy * value);
+                    }
+                }
+                sum
+            };
+            (0..size[0]).map(pixel).collect()
+        };
+        let pixels: Vec<_> = (0..size[1]).into_par_iter().flat_map_iter(row).collect();
+        Level { size, pixels: pixels.into() }
+    }
+}
+
+/// What each of some equal parts of a side covers of the pixels along it.
+struct Shares {
+    from: u32,
+    to: u32,
+}
+
+impl Shares {
+    fn new(from: u32, to: u32) -> Self {
+        Self { from, to }
+    }
+
+    /// The pixels that a part covers, with the share of it that each is.
+    fn of(&self, part: u32) -> impl Iterator<Item = (u32, f32)> {
+        let (from, to) = (u64::from(self.from), u64::from(self.to));
+        // In parts of a pixel of which there are `to`.
+        let (begin, end) = (u64::from(part) * from, (u64::from(part) + 1) * from);
+        (begin / to..end.div_ceil(to)).map(move |pixel| {
+            let covered = end.min((pixel + 1) * to) - begin.max(pixel * to);
+            (pixel as u32, (covered as f64 / from as f64) as f32)
+        })
+    }
+}
+
+/// The bytes of opaque texels, made on all cores.
+fn texels(pixels: &[[f32; 3]], halves: bool) -> Vec<u8> {
+    let bytes = 4 * if halves { size_of::<f16>() } else { size_of::<f32>() };
+    let mut all = vec![0; pixels.len() * bytes];
+    all.par_chunks_mut(SHARE * bytes).zip(pixels.par_chunks(SHARE)).for_each(|(out, pixels)| {
+        let texels: Vec<[f32; 4]> = pixels.iter().map(|[r, g, b]| [*r, *g, *b, 1.0]).collect();
+        if halves {
+            let mut halved = vec![f16::ZERO; 4 * texels.len()];
+            halved.convert_from_f32_slice(texels.as_flattened());
+            out.copy_from_slice(bytemuck::cast_slice(&halved));
+        } else {
+            out.copy_from_slice(bytemuck::cast_slice(&texels));
+        }
+    });
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// However odd its sides are, each copy has the mean of the picture, and a picture of one colour stays it.
+        #[test]
+        fn smaller_copies_keep_the_mean(width in 1_u32..70, height in 1_u32..70, seed in 0_u32..1000) {
+            let value = |i: u32| ((i.wrapping_mul(2_654_435_761).wrapping_add(seed)) >> 16) as f32 / 65_536.0;
+            let pixels: Vec<[f32; 3]> = (0..width * height).map(|i| [value(i), 0.25, value(3 * i + 1)]).collect();
+            let mean = |pixels: &[[f32; 3]], k: usize| {
+                pixels.iter().map(|pixel| f64::from(pixel[k])).sum::<f64>() / pixels.len() as f64
+            };
+            let mut level = Level { size: [width, height], pixels: Cow::Borrowed(&pixels[..]) };
+            while level.size != [1, 1] {
+                level = level.halved();
+                for k in 0..3 {
+                    // Sums of up to nine in float32, seven times over.
+                    prop_assert!((mean(&level.pixels, k) - mean(&pixels, k)).abs() < 1e-5, "{:?}", level.size);
+                }
+                prop_assert!(level.pixels.iter().all(|pixel| (pixel[1] - 0.25).abs() < 1e-6));
+            }
+        }
+    }
+}
