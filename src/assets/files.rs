@@ -8,7 +8,7 @@ use crate::document::reader::Reader;
 use crate::document::values::text;
 use crate::document::{SceneError, read_text};
 use std::collections::{BTreeSet, HashMap};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// A mesh, and what was wanted of its file.
@@ -18,6 +18,7 @@ type WantedMesh = (Wanted, Option<Arc<Mesh>>);
 /// failed is a none, so that it is reported once.
 #[derive(Debug, Default)]
 pub struct Files {
+    budget: Budget,
     /// The scene's own, in the order that indices count.
     pictures: Vec<(PathBuf, Picture)>,
     picture_of: HashMap<PathBuf, Option<Picture>>,
@@ -32,7 +33,55 @@ pub struct Files {
     grid_of: HashMap<PathBuf, (Use, Arc<IndexGrid>)>,
 }
 
+/// What files may take of the host's memory, and do.
+#[derive(Debug)]
+struct Budget {
+    limit: u64,
+    used: u64,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { limit: u64::MAX, used: 0 }
+    }
+}
+
+impl Budget {
+    /// What is loaded of a file that takes `least` bytes, and then as many as `taken` says.
+    fn load<T>(
+        &mut self,
+        path: &Path,
+        least: u64,
+        load: impl FnOnce() -> Result<T, SceneError>,
+        taken: impl Fn(&T) -> u64,
+    ) -> Result<T, SceneError> {
+        let (limit, left) = (self.limit, self.limit - self.used);
+        let too_much = |needed: u64| SceneError::Memory { path: path.to_owned(), needed, left, limit };
+        if least > left {
+            return Err(too_much(least));
+        }
+        let loaded = load()?;
+        let needed = taken(&loaded);
+        if needed > left {
+            return Err(too_much(needed));
+        }
+        self.used += needed;
+        Ok(loaded)
+    }
+}
+
+/// What a file cannot take less than, as long as it is read.
+fn length(path: &Path) -> u64 {
+    std::fs::metadata(path).map_or(0, |file| file.len())
+}
+
 impl Files {
+    /// What is loaded may take so many bytes of memory: what would take more is refused, before it is read where that is known.
+    #[must_use]
+    pub fn within(limit: u64) -> Self {
+        Self { budget: Budget { limit, used: 0 }, ..Self::default() }
+    }
+
     /// Goes on to another scene: what failed before is tried again.
     pub fn begin(&mut self) {
         self.pictures.clear();
@@ -68,7 +117,10 @@ impl Files {
         if let Some(known) = self.pictures.iter().position(|(of, _)| *of == identity) {
             return Some(known);
         }
-        let load = || accept(reader, node, Picture::load(&path));
+        let load = || {
+            let load = || Picture::load(&path);
+            accept(reader, node, self.budget.load(&path, Picture::bytes_of(&path), load, Picture::bytes))
+        };
         let picture = self.picture_of.entry(identity.clone()).or_insert_with(load).clone()?;
         self.pictures.push((identity, picture));
         Some(self.pictures.len() - 1)
@@ -93,11 +145,12 @@ impl Files {
             Some((_, opened)) => Ok(opened),
             // What is wrong with a file is said once, whatever was wanted of it.
             None if !known.is_empty() && known.iter().all(|(_, mesh)| mesh.is_none()) => return None,
-            None => Opened::read(&path),
+            None => self.budget.load(&path, length(&path), || Opened::read(&path), |_| 0),
         };
         let opened = accept(reader, node, loaded);
         self.others.extend(opened.iter().flat_map(Opened::others));
-        let mesh = opened.as_ref().and_then(|opened| accept(reader, node, opened.mesh(wanted, &path))).map(Arc::new);
+        let made = |opened: &Opened| self.budget.load(&path, 0, || opened.mesh(wanted, &path), Mesh::bytes);
+        let mesh = opened.as_ref().map(made).and_then(|mesh| accept(reader, node, mesh)).map(Arc::new);
         self.opened = opened.map(|opened| (identity, opened));
         known.push((wanted.clone(), mesh.clone()));
         mesh
@@ -116,7 +169,8 @@ impl Files {
         if let Some((_, grid)) = self.grid_of.get(&identity).filter(|(before, _)| before == used) {
             return Some(Arc::clone(grid));
         }
-        let grid = Arc::new(accept(reader, node, IndexGrid::load(&path, used))?);
+        let load = || IndexGrid::load(&path, used);
+        let grid = Arc::new(accept(reader, node, self.budget.load(&path, length(&path), load, IndexGrid::bytes))?);
         self.grid_of.insert(identity, (*used, Arc::clone(&grid)));
         Some(grid)
     }
@@ -139,6 +193,7 @@ fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Opt
         SceneError::Read { source, .. } if source.kind() == std::io::ErrorKind::NotFound => {
             "files are found relative to the scene file's folder"
         }
+        SceneError::Memory { .. } => "make it smaller, or raise the limit: --memory",
         _ => "",
     };
     match error {

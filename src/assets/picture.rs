@@ -64,6 +64,26 @@ impl Picture {
     }
 }
 
+impl Picture {
+    /// What a file's header says that [`load`](Self::load) takes of memory; 0 where that cannot be so.
+    #[must_use]
+    pub fn bytes_of(path: &Path) -> u64 {
+        let open = || ImageReader::open(path).and_then(ImageReader::with_guessed_format).ok();
+        let Some((width, height)) = open().and_then(|reader| reader.into_dimensions().ok()) else { return 0 };
+        let is_likely = std::fs::metadata(path).is_ok_and(|file| unlikely([width, height], file.len()).is_none());
+        if is_likely { u64::from(width) * u64::from(height) * BYTES } else { 0 }
+    }
+
+    /// What it takes of memory.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.pixels.len() as u64 * BYTES
+    }
+}
+
+/// Of a pixel.
+const BYTES: u64 = size_of::<[f32; 3]>() as u64;
+
 /// What is read.
 const FORMATS: [ImageFormat; 4] = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::OpenExr, ImageFormat::Hdr];
 /// Pixels that a picture may have: 3 GiB of memory.

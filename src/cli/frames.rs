@@ -88,6 +88,11 @@ impl<'a> Film<'a> {
         Self { path, overrides, files: RefCell::default(), hashes: RefCell::default(), before: RefCell::default() }
     }
 
+    /// The same, with files that may take no more memory than this.
+    pub(super) fn within(self, memory: u64) -> Self {
+        Self { files: Files::within(memory).into(), ..self }
+    }
+
     /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.
     pub(super) fn load(&self, frame_of: Option<&dyn Fn(&str) -> f64>) -> Result<Scene, SceneError> {
         Scene::load_with(&mut self.files.borrow_mut(), self.path, &self.overrides, frame_of)

@@ -55,6 +55,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::error::Error;
+use crate::output::has_extension;
 
 /// A renderer for light that does not travel straight.
 #[derive(Debug, Parser)]
@@ -89,7 +90,10 @@ enum Command {
 
 /// Runs the command that the process was called with.
 pub fn run() -> Result<ExitCode, Error> {
-    let command = Cli::parse().command;
+    let command = match Cli::try_parse() {
+        Ok(cli) => cli.command,
+        Err(error) => return Ok(refuse(&error)),
+    };
     interrupt::listen();
     match command {
         Command::Render(arguments) => render::run(&arguments),
@@ -111,6 +115,17 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Man(arguments) => shell::man(&arguments, &Cli::command()),
         Command::Help(arguments) => help::run(&arguments, &Cli::command()),
     }
+}
+
+/// Help where it was asked for, and else what is wrong with the words of the command line; a scene in a command's place is to be rendered.
+fn refuse(error: &clap::Error) -> ExitCode {
+    // Whoever lost the messages is not told of it.
+    let _ = error.print();
+    let scene = std::env::args().nth(1).filter(|name| has_extension(name.as_ref(), "toml"));
+    if let (clap::error::ErrorKind::InvalidSubcommand, Some(scene)) = (error.kind(), scene) {
+        tell!("to render a scene: bentray render {scene} -o picture.png");
+    }
+    ExitCode::from(error.exit_code() as u8)
 }
 
 /// Why a command failed, for whoever still reads it.

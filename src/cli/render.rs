@@ -67,7 +67,8 @@ pub(super) struct Arguments {
     /// Seconds between two previews
     #[arg(long, value_name = "SECONDS", default_value = "30", requires = "preview", value_parser = parse_seconds)]
     preview_every: Duration,
-    /// Memory of the device that the render may take: a picture that needs more is rendered in tiles
+    /// Memory of the device that the render may take: a picture that needs more is rendered in tiles. The scene's meshes, pictures and
+    /// grids may take as much of the host's: a file that needs more is refused
     #[arg(long, value_name = "BYTES", default_value = "1GiB", value_parser = parse_bytes)]
     memory: u64,
     /// Follow N random pixels again in 64 bits, and print and store with the picture how far it is from the truth
@@ -207,7 +208,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut launch = StartUp::default();
     arguments.check()?;
     let opening = arguments.device.open();
-    let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
+    let film = Film::new(&arguments.scene, arguments.changes.overrides()?).within(arguments.memory);
     let before = arguments.earlier.as_deref().map(Before::read).transpose()?;
     let still = arguments.load(&film, None, before.as_ref())?;
     let layers = arguments.layers(&still, before.as_ref());

@@ -48,12 +48,29 @@ pub enum SceneError {
         /// What is wrong with it.
         problem: String,
     },
+    /// A file that takes more memory than there may be.
+    #[error("cannot use `{}`: it takes {} of memory, and {} of {} are left", path.display(), mebibytes(*needed), mebibytes(*left), mebibytes(*limit))]
+    Memory {
+        /// The file.
+        path: PathBuf,
+        /// Bytes that it takes, at the least.
+        needed: u64,
+        /// Bytes that the files before it have left over.
+        left: u64,
+        /// Bytes that all files may take.
+        limit: u64,
+    },
     /// A `--set` argument that is not `KEY=VALUE`.
     #[error("{}", brief(.0))]
     Override(String),
     /// Everything that is wrong in the scene and its meshes, in the order of the file.
     #[error("{}", list(.0))]
     Mistakes(Vec<Mistake>),
+}
+
+/// Bytes, as words say them.
+fn mebibytes(bytes: u64) -> String {
+    format!("{:.1} MiB", bytes as f64 / f64::from(1 << 20))
 }
 
 /// One thing that is wrong at one place of a text.

@@ -150,3 +150,21 @@ fn nothing_is_said_of_no_rays() {
     let ran = folder.run("render scene.toml -o a.exr --strict --set rays.method=rk4 --set rays.control.step=1e-9 --set rays.max_segments=2");
     assert_eq!(ran.code, Some(1), "{}", ran.err);
 }
+
+/// What files take of memory is bounded as the device's is, and said before they are read.
+#[test]
+fn files_take_no_more_memory_than_they_may() {
+    let folder = Folder::with(&BALL.replace("color = [0.2, 0.3, 0.4]", "image = \"sky.png\""));
+    image::RgbImage::from_fn(512, 256, |x, y| image::Rgb([x as u8, y as u8, 9])).save(folder.path("sky.png")).unwrap();
+    let render = |memory: &str| folder.run(&format!("render scene.toml -o a.png --memory {memory}"));
+    render("64MiB").succeeds();
+    let refused = ["sky.png` : it takes 1.5 MiB of memory, and 1.0 MiB of 1.0 MiB are left".replace("` :", "`:")];
+    let ran = render("1MiB");
+    assert_eq!(ran.code, Some(1));
+    ran.says(&[&refused[0], "help: make it smaller, or raise the limit: --memory"]);
+    // A mesh is known by its file's length first.
+    let mesh = "[[objects]]\nshape = \"mesh\"\nfile = \"large.obj\"\nmaterial = \"red\"\n";
+    folder.write("scene.toml", format!("{BALL}{mesh}"));
+    folder.write("large.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_owned() + &"# and so on\n".repeat(200_000));
+    render("1MiB").says(&["large.obj`: it takes 2.3 MiB of memory"]);
+}

@@ -64,6 +64,15 @@ fn check_goes_through_all_scenes_before_it_fails() {
 }
 
 #[test]
+fn a_scene_in_a_commands_place_is_to_be_rendered() {
+    let ran = Folder::new().run("scene.toml");
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
+    ran.says(&["unrecognized subcommand 'scene.toml'", "to render a scene: bentray render scene.toml -o picture.png"]);
+    let helped = Folder::new().run("--help").succeeds();
+    assert!(helped.out.contains("Usage: bentray") && helped.err.is_empty());
+}
+
+#[test]
 fn check_prints_every_key() {
     let ran = Folder::new().run("check --reference").succeeds();
     assert_eq!(ran.err, "");

@@ -79,7 +79,9 @@ fn finished_frames_are_known_by_what_made_them() {
     assert_eq!(film("0..2").0, ["0", "1", "2"]);
     let first = folder.read("0.exr");
     std::fs::remove_file(folder.path("1.png")).unwrap();
-    assert_eq!(film("all").0, ["1", "3", "4"]);
+    let (rendered, ran) = film("all");
+    assert_eq!(rendered, ["1", "3", "4"]);
+    ran.says(&["2 of 5 were there already, made by the same"]);
     assert!(film("all").0.is_empty() && folder.read("0.exr") == first);
     // By another scene, method, number of samples or look.
     for (change, why) in [

@@ -115,6 +115,12 @@ impl IndexGrid {
         Self::from_volume(&volume, used).map_err(unusable)
     }
 
+    /// What it takes of memory.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        size_of_val(&self.samples[..]) as u64
+    }
+
     fn from_volume(volume: &Volume, used: &Use) -> Result<Self, String> {
         let Bare { size, stored, little } = volume.bare;
         if size.iter().any(|count| *count < 2) {

@@ -176,6 +176,12 @@ impl Mesh {
         self.cells.most(&self.vertices, value)
     }
 
+    /// What it takes of memory.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..])) as u64
+    }
+
     /// Reads all of a file; the end of its name says how.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         Opened::read(path)?.mesh(&Wanted::default(), path)

@@ -75,14 +75,20 @@ impl Work<'_> {
     /// Renders what is not finished yet; what comes back is how many rays could not be followed.
     pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&Earlier>) -> Result<u64, Error> {
         self.warn_beforehand();
-        let mut unfollowed = 0;
+        let (mut unfollowed, mut there) = (0, 0);
         let progress = FilmProgress::new(targets.len());
         for (i, &target) in targets.iter().enumerate() {
-            unfollowed += self.render(target, earlier)?;
+            match self.render(target, earlier)? {
+                Some(own) => unfollowed += own,
+                None => there += 1,
+            }
             if interrupt::is_asked() {
                 break;
             }
             progress.tell(i + 1);
+        }
+        if there > 0 {
+            tell!("{there} of {} were there already, made by the same", targets.len());
         }
         if targets.iter().any(|target| target.frame.is_some()) {
             tell!("to repeat it: {}", self.again);
@@ -90,7 +96,8 @@ impl Work<'_> {
         Ok(unfollowed)
     }
 
-    fn render(&mut self, target: Target, earlier: Option<&Earlier>) -> Result<u64, Error> {
+    /// Renders a target, if it is not finished yet; what comes back is how many rays could not be followed.
+    fn render(&mut self, target: Target, earlier: Option<&Earlier>) -> Result<Option<u64>, Error> {
         let begun = Instant::now();
         let Target { frame, band } = target;
         let scene = match frame {
@@ -103,14 +110,14 @@ impl Work<'_> {
         // A picture that is named alone is rendered whenever it is asked for.
         if (frame.is_some() || band.is_some()) && self.arguments.is_finished(&scene, target, &layers, &said) {
             self.tell(target, None)?;
-            return Ok(0);
+            return Ok(None);
         }
         let preview = self.arguments.preview(&scene, &layers, &said);
         let is_first = self.renderer.is_none();
         self.set_up(scene.clone(), frame)?;
         self.open_shutter(&scene, frame)?;
         let window = self.window(&scene, band)?;
-        let Some((renderer, _)) = &self.renderer else { return Ok(0) };
+        let Some((renderer, _)) = &self.renderer else { return Ok(None) };
         let mut writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
         let ready = begun.elapsed();
         let totals = render(renderer, &mut writers, &mut self.launch, (earlier, preview.as_ref()))?;
@@ -128,7 +135,7 @@ impl Work<'_> {
         };
         self.tell(target, Some(&made))?;
         warn(&made.totals);
-        Ok(made.unfollowed())
+        Ok(Some(made.unfollowed()))
     }
 
     /// Says what became of a target; nothing was made where it was finished before.
