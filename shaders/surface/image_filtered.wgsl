@@ -11,11 +11,6 @@ fn note_spans(a: vec2f, b: vec2f) {
     spans = array<vec2f, 2>(a, b);
 }
 
-fn image_index(p: vec2i, size: vec2u, repeats: bool) -> vec2u {
-    let n = vec2i(size);
-    return vec2u(select(clamp(p, vec2i(0), n - 1), (p % n + n) % n, repeats));
-}
-
 // Below the picture lie its smaller copies side by side, each half as wide and as high as the one before. (A texture's own levels would do, but
 // on lavapipe they come out wrong where neighbouring invocations ask for several.)
 fn image_size(image: u32) -> vec2u {
@@ -23,18 +18,11 @@ fn image_size(image: u32) -> vec2u {
     return vec2u(extent.x, 2u * (extent.y / 3u) + extent.y % 3u);
 }
 
-fn image_bilinear(image: u32, level: u32, uv: vec2f, repeats: bool) -> vec3f {
+// From the picture itself, level 0, or one of its copies.
+fn image_level(image: u32, level: u32, uv: vec2f, repeats: bool) -> vec3f {
     let whole = image_size(image);
-    let size = whole >> vec2u(level);
-    let corner = select(vec2u(whole.x - (whole.x >> (max(level, 1u) - 1u)), whole.y), vec2u(0u), level == 0u);
-    let p = uv * vec2f(size) - 0.5;
-    let base = floor(p);
-    let f = p - base;
-    let lo = corner + image_index(vec2i(base), size, repeats);
-    let hi = corner + image_index(vec2i(base) + 1, size, repeats);
-    let top = mix(image_texel(image, lo), image_texel(image, vec2u(hi.x, lo.y)), f.x);
-    let bottom = mix(image_texel(image, vec2u(lo.x, hi.y)), image_texel(image, hi), f.x);
-    return mix(top, bottom, f.y);
+    let below = vec2u(whole.x - (whole.x >> (max(level, 1u) - 1u)), whole.y);
+    return image_bilinear(image, select(below, vec2u(0u), level == 0u), whole >> vec2u(level), uv, repeats);
 }
 
 // uv from the top left of the picture; outside it the picture repeats, or its edges go on.
@@ -47,7 +35,7 @@ fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     let is_first = dot(a, a) >= dot(b, b);
     let longer = length(select(b, a, is_first));
     if !(longer > 1.0) {
-        return image_bilinear(image, 0u, uv, repeats);
+        return image_level(image, 0u, uv, repeats);
     }
     // As wide as the parallelogram is across its longer side.
     let wide = max(abs(a.x * b.y - a.y * b.x) / longer, 1.0);
@@ -61,7 +49,7 @@ fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     for (var k = 0.0; k < taps; k += 1.0) {
         work += 1u;
         let at = uv + ((k + 0.5) / taps - 0.5) * along;
-        sum += mix(image_bilinear(image, lower, at, repeats), image_bilinear(image, upper, at, repeats), level - f32(lower));
+        sum += mix(image_level(image, lower, at, repeats), image_level(image, upper, at, repeats), level - f32(lower));
     }
     return sum / taps;
 }

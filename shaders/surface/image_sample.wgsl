@@ -1,4 +1,4 @@
-// Bilinear samples of pictures, written out: the same on every device, and pictures need no samplers.
+// Pictures as they are, each alone in its texture.
 
 fn image_size(image: u32) -> vec2u {
     return image_extent(image);
@@ -6,18 +6,5 @@ fn image_size(image: u32) -> vec2u {
 
 // uv from the top left of the picture; outside it the picture repeats, or its edges go on.
 fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
-    let size = image_size(image);
-    let p = uv * vec2f(size) - 0.5;
-    let base = floor(p);
-    let f = p - base;
-    let lo = image_index(vec2i(base), size, repeats);
-    let hi = image_index(vec2i(base) + 1, size, repeats);
-    let top = mix(image_texel(image, lo), image_texel(image, vec2u(hi.x, lo.y)), f.x);
-    let bottom = mix(image_texel(image, vec2u(lo.x, hi.y)), image_texel(image, hi), f.x);
-    return mix(top, bottom, f.y);
-}
-
-fn image_index(p: vec2i, size: vec2u, repeats: bool) -> vec2u {
-    let n = vec2i(size);
-    return vec2u(select(clamp(p, vec2i(0), n - 1), (p % n + n) % n, repeats));
+    return image_bilinear(image, vec2u(0u), image_size(image), uv, repeats);
 }

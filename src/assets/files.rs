@@ -18,7 +18,8 @@ type WantedMesh = (Wanted, Option<Arc<Mesh>>);
 /// failed is a none, so that it is reported once.
 #[derive(Debug, Default)]
 pub struct Files {
-    budget: Budget,
+    /// Bytes of memory that meshes, pictures and grids may take; none where nothing bounds them.
+    limit: Option<u64>,
     /// The scene's own, in the order that indices count.
     pictures: Vec<(PathBuf, Picture)>,
     picture_of: HashMap<PathBuf, Option<Picture>>,
@@ -33,39 +34,28 @@ pub struct Files {
     grid_of: HashMap<PathBuf, (Use, Arc<IndexGrid>)>,
 }
 
-/// What files may take of the host's memory, and do.
-#[derive(Debug)]
-struct Budget {
+/// What files may take of the host's memory, and what those that are loaded leave over.
+#[derive(Debug, Clone, Copy)]
+struct Room {
     limit: u64,
-    used: u64,
+    left: u64,
 }
 
-impl Default for Budget {
-    fn default() -> Self {
-        Self { limit: u64::MAX, used: 0 }
-    }
-}
-
-impl Budget {
+impl Room {
     /// What is loaded of a file that takes `least` bytes, and then as many as `taken` says.
     fn load<T>(
-        &mut self,
+        self,
         path: &Path,
         least: u64,
         load: impl FnOnce() -> Result<T, SceneError>,
         taken: impl Fn(&T) -> u64,
     ) -> Result<T, SceneError> {
-        let (limit, left) = (self.limit, self.limit - self.used);
+        let Self { limit, left } = self;
         let too_much = |needed: u64| SceneError::Memory { path: path.to_owned(), needed, left, limit };
-        if least > left {
-            return Err(too_much(least));
-        }
+        let fits = |needed: u64| if needed <= left { Ok(()) } else { Err(too_much(needed)) };
+        fits(least)?;
         let loaded = load()?;
-        let needed = taken(&loaded);
-        if needed > left {
-            return Err(too_much(needed));
-        }
-        self.used += needed;
+        fits(taken(&loaded))?;
         Ok(loaded)
     }
 }
@@ -79,7 +69,15 @@ impl Files {
     /// What is loaded may take so many bytes of memory: what would take more is refused, before it is read where that is known.
     #[must_use]
     pub fn within(limit: u64) -> Self {
-        Self { budget: Budget { limit, used: 0 }, ..Self::default() }
+        Self { limit: Some(limit), ..Self::default() }
+    }
+
+    fn room(&self) -> Room {
+        let pictures = self.picture_of.values().flatten().map(Picture::bytes);
+        let meshes = self.meshes_of.values().flatten().filter_map(|(_, mesh)| mesh.as_deref()).map(Mesh::bytes);
+        let grids = self.grid_of.values().map(|(_, grid)| grid.bytes());
+        let limit = self.limit.unwrap_or(u64::MAX);
+        Room { limit, left: limit.saturating_sub(pictures.chain(meshes).chain(grids).sum()) }
     }
 
     /// Goes on to another scene: what failed before is tried again.
@@ -117,9 +115,10 @@ impl Files {
         if let Some(known) = self.pictures.iter().position(|(of, _)| *of == identity) {
             return Some(known);
         }
+        let room = self.room();
         let load = || {
             let load = || Picture::load(&path);
-            accept(reader, node, self.budget.load(&path, Picture::bytes_of(&path), load, Picture::bytes))
+            accept(reader, node, room.load(&path, Picture::bytes_of(&path), load, Picture::bytes))
         };
         let picture = self.picture_of.entry(identity.clone()).or_insert_with(load).clone()?;
         self.pictures.push((identity, picture));
@@ -137,6 +136,7 @@ impl Files {
     /// What is wanted of the mesh that a node names.
     pub fn mesh(&mut self, reader: &Reader, node: &Node, wanted: &Wanted) -> Option<Arc<Mesh>> {
         let (path, identity) = find(reader, node)?;
+        let room = self.room();
         let known = self.meshes_of.entry(identity.clone()).or_default();
         if let Some((_, mesh)) = known.iter().find(|(before, _)| before == wanted) {
             return mesh.clone();
@@ -145,11 +145,11 @@ impl Files {
             Some((_, opened)) => Ok(opened),
             // What is wrong with a file is said once, whatever was wanted of it.
             None if !known.is_empty() && known.iter().all(|(_, mesh)| mesh.is_none()) => return None,
-            None => self.budget.load(&path, length(&path), || Opened::read(&path), |_| 0),
+            None => room.load(&path, length(&path), || Opened::read(&path), |_| 0),
         };
         let opened = accept(reader, node, loaded);
         self.others.extend(opened.iter().flat_map(Opened::others));
-        let made = |opened: &Opened| self.budget.load(&path, 0, || opened.mesh(wanted, &path), Mesh::bytes);
+        let made = |opened: &Opened| room.load(&path, 0, || opened.mesh(wanted, &path), Mesh::bytes);
         let mesh = opened.as_ref().map(made).and_then(|mesh| accept(reader, node, mesh)).map(Arc::new);
         self.opened = opened.map(|opened| (identity, opened));
         known.push((wanted.clone(), mesh.clone()));
@@ -169,8 +169,10 @@ impl Files {
         if let Some((_, grid)) = self.grid_of.get(&identity).filter(|(before, _)| before == used) {
             return Some(Arc::clone(grid));
         }
+        // One that was used otherwise is not kept beside it.
+        self.grid_of.remove(&identity);
         let load = || IndexGrid::load(&path, used);
-        let grid = Arc::new(accept(reader, node, self.budget.load(&path, length(&path), load, IndexGrid::bytes))?);
+        let grid = Arc::new(accept(reader, node, self.room().load(&path, length(&path), load, IndexGrid::bytes))?);
         self.grid_of.insert(identity, (*used, Arc::clone(&grid)));
         Some(grid)
     }

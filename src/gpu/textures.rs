@@ -79,12 +79,11 @@ impl Level<'_> {
     fn halved(&self) -> Level<'static> {
         let [width, height] = self.size;
         let size = self.size.map(|side| (side / 2).max(1));
-        let (across, down) = (Shares::new(width, size[0]), Shares::new(height, size[1]));
         let row = |y: u32| -> Vec<[f32; 3]> {
             let pixel = |x: u32| {
                 let mut sum = [0.0; 3];
-                for (j, wy) in down.of(y) {
-                    for (i, wx) in across.of(x) {
+                for (j, wy) in covered(height, size[1], y) {
+                    for (i, wx) in covered(width, size[0], x) {
                         let from = self.pixels[j as usize * width as usize + i as usize];
                         sum.iter_mut().zip(from).for_each(|(sum, value)| *sum += wx * wy * value);
                     }
@@ -98,27 +97,15 @@ impl Level<'_> {
     }
 }
 
-/// What each of some equal parts of a side covers of the pixels along it.
-struct Shares {
-    from: u32,
-    to: u32,
-}
-
-impl Shares {
-    fn new(from: u32, to: u32) -> Self {
-        Self { from, to }
-    }
-
-    /// The pixels that a part covers, with the share of it that each is.
-    fn of(&self, part: u32) -> impl Iterator<Item = (u32, f32)> {
-        let (from, to) = (u64::from(self.from), u64::from(self.to));
-        // In parts of a pixel of which there are `to`.
-        let (begin, end) = (u64::from(part) * from, (u64::from(part) + 1) * from);
-        (begin / to..end.div_ceil(to)).map(move |pixel| {
-            let covered = end.min((pixel + 1) * to) - begin.max(pixel * to);
-            (pixel as u32, (covered as f64 / from as f64) as f32)
-        })
-    }
+/// The pixels that one of `parts` equal parts of a side covers, with the share of it that each is.
+fn covered(side: u32, parts: u32, part: u32) -> impl Iterator<Item = (u32, f32)> {
+    let [side, parts, part] = [side, parts, part].map(u64::from);
+    // In pixels cut into as many pieces as there are parts.
+    let (begin, end) = (part * side, (part + 1) * side);
+    (begin / parts..end.div_ceil(parts)).map(move |pixel| {
+        let pieces = end.min((pixel + 1) * parts) - begin.max(pixel * parts);
+        (pixel as u32, (pieces as f64 / side as f64) as f32)
+    })
 }
 
 /// The bytes of opaque texels, made on all cores.

@@ -57,6 +57,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         picture_parts(scene, choice, &mut names)?;
     }
     if !scene.pictures.is_empty() {
+        names.add("surface/image_bilinear");
         names.add(if choice.keeps_footprints(scene) { "surface/image_filtered" } else { "surface/image_sample" });
         names.make(generated::images(scene.pictures.len()));
     }

@@ -167,4 +167,12 @@ fn files_take_no_more_memory_than_they_may() {
     folder.write("scene.toml", format!("{BALL}{mesh}"));
     folder.write("large.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_owned() + &"# and so on\n".repeat(200_000));
     render("1MiB").says(&["large.obj`: it takes 2.3 MiB of memory"]);
+    // What is read anew for every frame takes the place of what was there.
+    let header = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 64 64 64\nencoding: raw\n\n";
+    folder.write("grid.nrrd", [header.as_bytes(), &vec![100; 64 * 64 * 64]].concat());
+    let law = "[law]\nkind = \"medium\"\nindex = { kind = \"grid\", file = \"grid.nrrd\", min = [-3, -3, -3], max = [3, 3, 3], \
+               scale = 0.01, offset = 0.1 }\n[animation]\nframes = 12\n[[animation.tracks]]\nkey = \"law.index.scale\"\n\
+               values = [0.01, 0.012]\n";
+    folder.write("scene.toml", format!("{BALL}{law}").replace("[rays]", "[rays]\nmethod = \"rk4\""));
+    folder.run("render scene.toml -o {frame}.png --frames all --memory 8MiB").succeeds();
 }

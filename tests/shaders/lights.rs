@@ -209,8 +209,13 @@ fn pictures_on_surfaces() {
             )]);
         }
     }
-    let probe =
-        materials(Probe::new(&["surface/material", "surface/image_sample", "surface/pattern/image"])).stub(stub);
+    let probe = materials(Probe::new(&[
+        "surface/material",
+        "surface/image_bilinear",
+        "surface/image_sample",
+        "surface/pattern/image",
+    ]))
+    .stub(stub);
     let out = probe.run::<1, 1>(&gpu(), "put(0u, vec4f(pattern_image(materials[0], p0.xy), 0.0));", &inputs);
     for (input, [got]) in inputs.iter().zip(&out) {
         assert!(
