@@ -6,7 +6,7 @@ use std::path::Path;
 use bentray::gpu::Geometry;
 use bentray::model::Law;
 use bentray::model::law::{FlowOrder, InMedium, Lorenz, Rossler, Schwarzschild, SchwarzschildForm, Straight};
-use bentray::program::{Analysis, Choice, Layer, Masks, Purpose, Schedule, Work, link, plan};
+use bentray::program::{Analysis, Choice, Layer, Masks, Purpose, Schedule, Work, link_all, plan};
 use bentray::scene::{Precision, Rays, Scene};
 
 use crate::exactness::unused;
@@ -144,10 +144,10 @@ fn check(scene: &Scene, geometry: &Geometry, choice: &Choice, needed: &str, at: 
     let choice = &choice.settled(scene);
     let planned = plan(scene, &analysis, choice, &work).unwrap();
     let mut parts = BTreeSet::new();
-    for pass in choice.passes(scene) {
-        let linked = link(&planned, pass.entry()).unwrap_or_else(|error| panic!("{at}: {error}"));
+    let entries: Vec<&str> = choice.passes(scene).iter().map(|pass| pass.entry()).collect();
+    for linked in link_all(&planned, &entries).unwrap_or_else(|error| panic!("{at}: {error}")) {
         let unused = unused(&linked).unwrap_or_else(|error| panic!("{at}: {error}"));
-        assert!(unused.is_empty(), "{at}: pass {} has {unused:?} for nothing", pass.entry());
+        assert!(unused.is_empty(), "{at}: pass {} has {unused:?} for nothing", linked.entry);
         parts.extend(linked.parts().into_iter().map(|part| part.trim_end_matches(".wgsl").to_owned()));
     }
     let contracts =

@@ -22,8 +22,8 @@ pub(super) fn split(unit: &Unit) -> Result<Vec<Declaration<'_>>, ProgramError> {
     declarations(&unit.text).map_err(|slip| ProgramError::invalid(Place::of(unit, slip.at), slip.message))
 }
 
-/// All the parts that `entry` is linked from.
-pub(super) fn with_region_copies(parts: &Parts, entry: &str) -> Result<Vec<Copy>, ProgramError> {
+/// All the parts that passes are linked from.
+pub(super) fn with_region_copies(parts: &Parts) -> Result<Vec<Copy>, ProgramError> {
     let as_it_is = |unit: &Unit| Copy::new(unit, &[]);
     let mut copies: Vec<Copy> = parts.shared.iter().map(as_it_is).collect();
     if let [only] = parts.regions.as_slice() {
@@ -46,7 +46,7 @@ pub(super) fn with_region_copies(parts: &Parts, entry: &str) -> Result<Vec<Copy>
     }
     if let Some(first) = regions.first() {
         let own: Vec<_> = first.iter().flat_map(|(unit, found)| found.iter().map(move |d| (*unit, d))).collect();
-        copies.push(Copy::new(&region_switches(parts, &own, entry)?, &[]));
+        copies.push(Copy::new(&region_switches(parts, &own)?, &[]));
     }
     Ok(copies)
 }
@@ -75,9 +75,9 @@ fn binding_edit(tokens: &Tokens, shift: u32) -> Option<Edit> {
 }
 
 /// One function for every name of the regions that shared parts use, which picks the copy by the ray's region.
-fn region_switches(parts: &Parts, first: &[(&Unit, &Declaration)], entry: &str) -> Result<Unit, ProgramError> {
+fn region_switches(parts: &Parts, first: &[(&Unit, &Declaration)]) -> Result<Unit, ProgramError> {
     let own: BTreeMap<&str, &(&Unit, &Declaration)> = first.iter().map(|pair| (pair.1.name, pair)).collect();
-    let mut wanted: BTreeSet<&str> = own.keys().copied().filter(|name| *name == entry).collect();
+    let mut wanted = BTreeSet::new();
     for unit in &parts.shared {
         wanted.extend(split(unit)?.iter().flat_map(Declaration::used).filter_map(|name| Some(own.get(name)?.1.name)));
     }

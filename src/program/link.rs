@@ -5,10 +5,12 @@
 //! program. A scene with several kinds of region has a copy of the region's parts for each, the names suffixed, and a generated
 //! switch wherever shared parts call one.
 //!
-//! *Practice.* About a millisecond a pass. Every line of the result knows the part and line it came from.
+//! *Practice.* What is done to the parts is done once for all passes; each then takes about a millisecond, most of it naga's. Every
+//! line of the result knows the part and line it came from.
 
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::ProgramError;
 use super::copies::with_region_copies;
@@ -25,8 +27,13 @@ type Found<'a> = (usize, Declaration<'a>);
 
 /// The program of the pass whose entry point is `entry`.
 pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
-    let parts = &selected(counted(unrolled(parts)));
-    let mut copies = with_region_copies(parts, entry)?;
+    link_all(parts, &[entry]).map(|mut all| all.remove(0))
+}
+
+/// The programs of several passes, in order, each named by its entry point.
+pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramError> {
+    let copies = with_region_copies(&selected(counted(unrolled(parts))))?;
+    let copies: Vec<Arc<Copy>> = copies.into_iter().map(Arc::new).collect();
     let mut all = Vec::new();
     for (k, copy) in copies.iter().enumerate() {
         let found =
@@ -34,9 +41,19 @@ pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
         all.extend(found.into_iter().map(|declaration| (k, declaration)));
     }
     let by_name = index(&copies, &all)?;
-    let reached: Vec<&Found> = reach(&all, &by_name, entry)?.into_iter().map(|i| &all[i]).collect();
+    entries.iter().map(|entry| pass(&copies, &all, &by_name, entry)).collect()
+}
+
+/// Of all declarations those that `entry` reaches, lowered.
+fn pass(
+    copies: &[Arc<Copy>],
+    all: &[Found],
+    by_name: &HashMap<&str, usize>,
+    entry: &str,
+) -> Result<Linked, ProgramError> {
+    let reached: Vec<&Found> = reach(all, by_name, entry)?.into_iter().map(|i| &all[i]).collect();
     let lowering = Lowering::of(entry, &reached.iter().map(|(_, declaration)| declaration).collect::<Vec<_>>());
-    refuse_made_names(&copies, &reached, &lowering.made())?;
+    refuse_made_names(copies, &reached, &lowering.made())?;
     let pieces =
         reached.iter().filter(|(_, declaration)| !lowering.replaces(declaration)).map(|(copy, declaration)| {
             let from = declaration.at;
@@ -44,16 +61,15 @@ pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
         });
     let pieces: Vec<_> = pieces.collect();
     let made = lowering.declaration();
-    let made = (!made.is_empty()).then(|| Copy::new(&Unit::generated("generated/uniforms.wgsl", made), &[]));
+    let made = (!made.is_empty()).then(|| Arc::new(Copy::new(&Unit::generated("generated/uniforms.wgsl", made), &[])));
     let place = made.as_ref().map(|_| copies.len());
-    copies.extend(made);
-    Ok(written(entry, copies, pieces, place))
+    Ok(written(entry, copies.iter().cloned().chain(made).collect(), pieces, place))
 }
 
 /// The module: what was made first, then the declarations under the names of their files.
 fn written(
     entry: &str,
-    copies: Vec<Copy>,
+    copies: Vec<Arc<Copy>>,
     pieces: Vec<(usize, Range<usize>, Vec<Edit>)>,
     made: Option<usize>,
 ) -> Linked {
@@ -66,7 +82,7 @@ fn written(
     linked
 }
 
-fn index<'a>(copies: &[Copy], all: &'a [Found]) -> Result<HashMap<&'a str, usize>, ProgramError> {
+fn index<'a>(copies: &[Arc<Copy>], all: &'a [Found]) -> Result<HashMap<&'a str, usize>, ProgramError> {
     let mut by_name = HashMap::new();
     for (i, (copy, declaration)) in all.iter().enumerate() {
         if let Some(first) = by_name.insert(declaration.name, i) {
@@ -100,7 +116,7 @@ fn reach(all: &[Found], by_name: &HashMap<&str, usize>, entry: &str) -> Result<B
 }
 
 /// What lowering makes must not be hidden by a name in a function, nor be declared twice.
-fn refuse_made_names(copies: &[Copy], reached: &[&Found], made: &BTreeSet<String>) -> Result<(), ProgramError> {
+fn refuse_made_names(copies: &[Arc<Copy>], reached: &[&Found], made: &BTreeSet<String>) -> Result<(), ProgramError> {
     for (copy, declaration) in reached {
         if let Some((at, name)) = declaration.mentions(made) {
             return Err(ProgramError::Reserved { place: copies[*copy].place(at), name: name.to_owned() });

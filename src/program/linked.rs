@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::unit::Unit;
 
@@ -105,13 +106,14 @@ pub struct Linked {
     pub entry: String,
     /// The WGSL module.
     pub source: String,
-    copies: Vec<Copy>,
+    /// Its program's passes share them.
+    copies: Vec<Arc<Copy>>,
     marks: Marks,
 }
 
 impl Linked {
     /// An empty one, to be written from these.
-    pub(super) fn new(entry: &str, copies: Vec<Copy>) -> Self {
+    pub(super) fn new(entry: &str, copies: Vec<Arc<Copy>>) -> Self {
         Self { entry: entry.to_owned(), source: String::new(), copies, marks: Marks::default() }
     }
 

@@ -49,7 +49,7 @@ pub use error::ProgramError;
 pub use generated::shots;
 pub use interface::{Access, Channel, Role, SceneValue, Slot, StatePart};
 pub use layer::Layer;
-pub use link::link;
+pub use link::{link, link_all};
 pub use linked::{Linked, Place};
 pub use parts::{Part, all_parts, constant, part};
 pub use plan::plan;
@@ -99,7 +99,7 @@ impl Program {
         let is_same = |other: &&Self| other.parts == parts && other.passes.iter().map(|(pass, ..)| pass).eq(&wanted);
         let passes = match before.filter(is_same) {
             Some(other) => other.passes.clone(),
-            None => wanted.into_iter().map(|pass| made(&parts, pass)).collect::<Result<_, _>>()?,
+            None => made(&parts, &wanted)?,
         };
         Ok(Self { passes, parts, work, choice })
     }
@@ -126,8 +126,16 @@ impl Program {
     }
 }
 
-fn made(parts: &Parts, pass: Pass) -> Result<(Pass, Linked, Reflection), ProgramError> {
-    let linked = link(parts, pass.entry())?;
-    let reflection = reflect_pass(&linked)?;
-    Ok((pass, linked, reflection))
+/// The passes, linked and reflected.
+fn made(parts: &Parts, wanted: &[Pass]) -> Result<Vec<(Pass, Linked, Reflection)>, ProgramError> {
+    let entries: Vec<&str> = wanted.iter().map(|pass| pass.entry()).collect();
+    let linked = link_all(parts, &entries)?;
+    wanted
+        .iter()
+        .zip(linked)
+        .map(|(&pass, linked)| {
+            let reflection = reflect_pass(&linked)?;
+            Ok((pass, linked, reflection))
+        })
+        .collect()
 }

@@ -15,11 +15,9 @@ impl<'a> Tokens<'a> {
         let mut ranges = Vec::new();
         let mut at = behind_comments(text, 0);
         while let Some(first) = text[at..].chars().next() {
-            let rest = &text[at..];
-            let length =
-                if is_word(first) { rest.find(|c| !is_word(c)).unwrap_or(rest.len()) } else { first.len_utf8() };
-            ranges.push(at..at + length);
-            at = behind_comments(text, at + length);
+            let end = if is_word(first) { behind(text, at, is_word) } else { at + first.len_utf8() };
+            ranges.push(at..end);
+            at = behind_comments(text, end);
         }
         Self { text, ranges }
     }
@@ -154,14 +152,25 @@ pub(super) fn behind_comments(text: &str, mut at: usize) -> usize {
 
 pub(super) fn behind_spaces(text: &str, at: usize) -> usize {
     // WGSL counts the marks of writing direction as spaces.
-    let is_space = |c: char| c.is_whitespace() || matches!(c, '\u{200e}' | '\u{200f}');
-    text[at..].find(|c| !is_space(c)).map_or(text.len(), |length| at + length)
+    behind(text, at, |c| c.is_whitespace() || matches!(c, '\u{200e}' | '\u{200f}'))
+}
+
+/// The first place from `at` on whose character is not `wanted`. Most of a program is ASCII, which needs no decoding.
+fn behind(text: &str, mut at: usize, wanted: impl Fn(char) -> bool) -> usize {
+    while let Some(&byte) = text.as_bytes().get(at) {
+        let next = if byte.is_ascii() { char::from(byte) } else { text[at..].chars().next().unwrap_or_default() };
+        if !wanted(next) {
+            break;
+        }
+        at += next.len_utf8();
+    }
+    at
 }
 
 /// The length of the comment that `text` begins with; 0 if there is none.
 pub(super) fn comment(text: &str) -> usize {
     if text.starts_with("//") {
-        return text.find(['\n', '\u{b}', '\u{c}', '\r', '\u{85}', '\u{2028}', '\u{2029}']).unwrap_or(text.len());
+        return behind(text, 2, |c| !matches!(c, '\n' | '\u{b}' | '\u{c}' | '\r' | '\u{85}' | '\u{2028}' | '\u{2029}'));
     }
     if !text.starts_with("/*") {
         return 0;
