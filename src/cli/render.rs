@@ -101,6 +101,9 @@ impl Arguments {
         if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
             return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
         }
+        if self.layers.as_ref().is_some_and(|layers| layers.len() > 1 && layers.contains(&None)) {
+            return Err(Error::Usage("--layers: `none` stands alone, for it says that there are no others".to_owned()));
+        }
         let only_films = |path: &&PathBuf| self.frames.is_none() && is_film(path) && !has_extension(path, "png");
         if let Some(path) = self.output.iter().find(only_films) {
             let path = path.display();

@@ -45,6 +45,13 @@ fn segments_a_pass_are_for_passes_of_several() {
 }
 
 #[test]
+fn no_layers_and_one_of_them_are_refused() {
+    let folder = Folder::with(BALL);
+    folder.run("render scene.toml -o a.exr --layers none,depth").fails(1, &["--layers: `none` stands alone"]);
+    folder.run("render scene.toml -o a.exr --layers none").succeeds();
+}
+
+#[test]
 fn changes_that_are_no_key_and_value_exit_with_2() {
     let folder = Folder::with(BALL);
     let cases: [(&str, &str); 5] = [
@@ -63,7 +70,7 @@ fn changes_that_are_no_key_and_value_exit_with_2() {
 fn changes_that_do_not_suit_the_scene_exit_with_1() {
     let folder = Folder::with(BALL);
     folder.write("a.png", "an old picture");
-    let cases: [(&str, &[&str]); 6] = [
+    let cases: [(&str, &[&str]); 7] = [
         (
             "--set rays.bond=3",
             &[
@@ -74,7 +81,8 @@ fn changes_that_do_not_suit_the_scene_exit_with_1() {
         ),
         ("--set imag.size=3", &["--set imag.size=3:1:1: unknown key `imag`", "did you mean `image`?"]),
         ("--set rays.bound.radius=nan", &["--set rays.bound.radius=nan:1:19: not a finite number"]),
-        ("--set rays.bound=abc", &[":1:12: expected a table, found the string \"abc\""]),
+        ("--set rays.bound=abc", &[":1:12: expected a table, found the string \"abc\"", "bound = { radius = 50 }"]),
+        ("--set rays.bound=7.5", &[":1:12: expected a table, found a number", "for example bound = { radius = 7.5 }"]),
         ("--set objects.3.radius=1", &[":1:1: `objects` has 1 entries, counted from 0, and none is `3`"]),
         ("--set image.samples=0", &["--set image.samples=0:1:15: expected a whole number, 1 to 1048576, found 0"]),
     ];

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, boolean, choice, number_where, positive, text, vector, whole, word};
-use crate::document::{Node, Value};
+use crate::document::{Fault, Node, Value};
 use crate::model::medium::{D_LINE, VISIBLE};
 use crate::model::method::{self, Demands, Named};
 use crate::model::{Law, control};
@@ -189,6 +189,13 @@ fn accuracy(node: &Node) -> Read<Accuracy> {
 pub fn bound(table: &TableReader) -> Option<Bound> {
     const EXAMPLE: &str = "{ center = [0, 0, 0], radius = 50 }";
     let node = table.required_node("bound", EXAMPLE)?;
+    if !matches!(node.value, Value::Table(_)) {
+        // Who writes a number means the radius.
+        let radius = positive(node).unwrap_or(50.0);
+        let help = format!("for example bound = {{ radius = {radius} }}");
+        table.reader.fault(Fault { help, ..node.expected("a table") });
+        return None;
+    }
     let bound = table.reader.open("rays.bound", node)?;
     let center = bound.or("center", DVec3::ZERO, vector);
     let radius = bound.required("radius", "50", positive);
