@@ -5,8 +5,8 @@
 //! program. A scene with several kinds of region has a copy of the region's parts for each, the names suffixed, and a generated
 //! switch wherever shared parts call one.
 //!
-//! *Practice.* What is done to the parts is done once for all passes; each then takes about a millisecond, most of it naga's. Every
-//! line of the result knows the part and line it came from.
+//! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them. Every line of the
+//! result knows the part and line it came from.
 
 use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
