@@ -6,7 +6,7 @@ SHELL := /bin/bash
 # Mesa's device-select layer complains where there is no desktop session.
 export NODEVICE_SELECT := 1
 
-.PHONY: render gallery test fuzz release device tools clean
+.PHONY: render gallery test fuzz fuzz-lines fuzz-program release device tools clean
 
 render: device
 	cargo build --release
@@ -30,12 +30,33 @@ test: device tools
 	for example in picture own_law rays_to_numbers; do cargo run -q --example $$example; done
 	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
 
-# Looks for files that their readers do not bear, so many seconds for each reader of tests/fuzz; what it finds is in target/fuzz/found.
-# READERS="obj ply" has it try those alone. It needs a C++ compiler.
+# Looks for files that their readers do not bear, so many seconds for each reader of tests/fuzz, or with RUNS so many inputs; what it
+# finds is in target/fuzz/found. READERS="obj ply" has it try those alone. It needs a C++ compiler.
 SECONDS_EACH ?= 60
+RUNS ?= -1
 READERS ?= $(notdir $(wildcard tests/fuzz/corpus/*))
 
-fuzz:
+fuzz: fuzz-program
+	status=0; for reader in $(READERS); do \
+	    echo "== $$reader"; mkdir -p "target/fuzz/grown/$$reader"; \
+	    READER=$$reader target/fuzz/fuzz -max_total_time=$(if $(filter -1,$(RUNS)),$(SECONDS_EACH),0) -runs=$(RUNS) -timeout=3 \
+	        -rss_limit_mb=4096 -max_len=8192 -verbosity=0 -print_final_stats=1 "-artifact_prefix=target/fuzz/found/$$reader-" \
+	        "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" || status=1; \
+	done; exit $$status
+
+# How much of the source each reader's inputs come to, those of the corpus and what `make fuzz` made of them: of the lines of each file
+# that have an instruction of their own, how many.
+fuzz-lines: fuzz-program
+	for reader in $(READERS); do \
+	    echo "== $$reader"; mkdir -p "target/fuzz/grown/$$reader"; \
+	    READER=$$reader target/fuzz/fuzz -runs=0 -max_len=8192 -print_full_coverage=1 "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" 2>&1 | \
+	        awk '/^[UC] / { for (i = 2; i <= NF; i++) { line[$$i]; if ($$1 == "C") tried[$$i] } } \
+            END { for (at in line) { split(at, file, ":"); all[file[1]]++; some[file[1]] += at in tried } \
+                for (name in some) if (some[name] && name != "<null>") \
+                    printf "%5.1f %% of %4d lines  %s\n", 100 * some[name] / all[name], all[name], name }' | sort -k6; \
+	done
+
+fuzz-program:
 	cp Cargo.lock tests/fuzz/Cargo.lock
 	mkdir -p target/fuzz/found
 	host=$$(rustc -vV | sed -n 's/^host: //p'); cd tests/fuzz; \
@@ -43,12 +64,6 @@ fuzz:
 	    -Cllvm-args=-sanitizer-coverage-pc-table -Cllvm-args=-sanitizer-coverage-trace-compares --cfg fuzzing" \
 	    cargo build --release --target "$$host" --target-dir ../../target/fuzz; \
 	cp "../../target/fuzz/$$host/release/fuzz" ../../target/fuzz/fuzz
-	status=0; for reader in $(READERS); do \
-	    echo "== $$reader"; mkdir -p "target/fuzz/grown/$$reader"; \
-	    READER=$$reader target/fuzz/fuzz -max_total_time=$(SECONDS_EACH) -timeout=3 -rss_limit_mb=4096 -max_len=8192 -verbosity=0 \
-	        -print_final_stats=1 "-artifact_prefix=target/fuzz/found/$$reader-" "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" \
-	        || status=1; \
-	done; exit $$status
 
 # The program with its manual pages and completions, as an archive to unpack in /usr/local or anywhere, and as a Debian package where
 # cargo-deb is there to make one; with checksums, in target/dist.

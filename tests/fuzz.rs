@@ -93,7 +93,10 @@ fn what_was_found_is_refused_in_words() {
         (gif.unwrap_err().to_string(), "its content is that of no PNG, JPEG, EXR or HDR file: convert it to one"),
         (exr.unwrap_err().to_string(), "pixels of 12 bytes, which its 1534 bytes cannot hold"),
         (mesh("gltf/repeated.gltf"), "it is of 140000000 corners of triangles, as often as its nodes and meshes show"),
-        (mesh("gltf/repeated.gltf"), "at most 67108864 are read: make it of several files"),
+        (
+            mesh("gltf/repeated.gltf"),
+            "at most 67108864 are read: make an object of each node, as `bentray import` does",
+        ),
         (profile.unwrap_err().to_string(), "near.csv:3:1: the height 1e-320 is too near the one before, 0e0"),
         (long.clone(), "expected a number, found `9a9a9a"),
     ] {

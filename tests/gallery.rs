@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use bentray::scene::Scene;
+use bentray::scene::{Scene, Shadows};
 
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name)
@@ -35,40 +35,63 @@ fn difference(a: &image::RgbImage, b: &image::RgbImage) -> f64 {
     off.sum::<f64>() / a.as_raw().len() as f64
 }
 
-/// Are directions on the way of a picture's light drawn at random, so that few samples are noisy?
-fn is_random(folder: &Path, words: &[String]) -> bool {
+/// The scene of a page's command.
+fn scene(folder: &Path, words: &[String]) -> Scene {
     let sets = words.iter().zip(&words[1..]).filter(|(flag, _)| *flag == "--set");
     let overrides: Vec<_> = sets.map(|(_, value)| value.parse().unwrap()).collect();
-    let scene = Scene::load(&folder.join(&words[0]), &overrides).unwrap();
-    scene.rays.paths.is_some() || scene.has_lobes() || scene.is_occluded()
+    Scene::load(&folder.join(&words[0]), &overrides).unwrap()
 }
 
-/// A picture as the page's command makes it, but small: of one sample, or where that is noise smaller still and of some. References
-/// of these have so many that their own noise is near 1 % of the mean.
+/// What makes a picture small: one sample of a few pixels, or where directions on the way of its light are drawn at random, so that
+/// few samples are noise, of fewer pixels and some samples. (References of these have so many that their own noise is near 1 % of
+/// the mean.) Light goes to where such a pixel can show it, and a grid of light has as many paths as make no noise that is seen.
+fn smaller(scene: &Scene, words: &[String]) -> Vec<String> {
+    let (samples, size) = if scene.rays.paths.is_some() {
+        ("64", "32x32")
+    } else if scene.has_lobes() || scene.is_occluded() {
+        ("16", "32x32")
+    } else {
+        ("1", "96x96")
+    };
+    let mut more = vec!["--samples".to_owned(), samples.to_owned()];
+    if !words.iter().any(|word| word.starts_with("image.size")) {
+        more.extend(["--size", size].map(str::to_owned));
+    }
+    let mut set = |key: String| more.extend(["--set".to_owned(), key]);
+    if scene.rays.auto.is_some() {
+        set("rays.accuracy=1e-2".to_owned());
+    }
+    for (k, light) in scene.lights.iter().enumerate() {
+        if light.shadows == Shadows::Grid {
+            set(format!("lights.{k}.paths=300000"));
+        }
+    }
+    more
+}
+
+/// A picture as the page's command makes it, but small.
 fn rendered(folder: &Path, words: &[String], to: &Path) -> image::RgbImage {
     let at = words.iter().position(|word| word == "-o").expect("an output") + 1;
-    let picture = to.join(&words[at]);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
-    command
-        .current_dir(folder)
-        .env("NODEVICE_SELECT", "1")
-        .env("BENTRAY_CACHE", "")
-        .arg("render")
-        .args(&words[..at])
-        .arg(&picture);
-    let (samples, size) = if is_random(folder, words) { ("64", "32x32") } else { ("1", "96x96") };
-    command.args(&words[at + 1..]).args(["--samples", samples]);
-    if !words.iter().any(|word| word.starts_with("image.size")) {
-        command.args(["--size", size]);
+    let (picture, name) = (to.join(&words[at]), shown(&words[at]));
+    let mut words = words.to_owned();
+    words[at] = picture.to_string_lossy().into_owned();
+    // Of a film the frame that is compared.
+    if let Some(frames) = words.iter().position(|word| word == "--frames") {
+        LAST_FRAME.clone_into(&mut words[frames + 1]);
     }
-    let output = command.output().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
+    command.current_dir(folder).env("NODEVICE_SELECT", "1").env("BENTRAY_CACHE", "").arg("render").args(&words);
+    let output = command.args(smaller(&scene(folder, &words), &words)).output().unwrap();
     assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
-    image::open(to.join(shown(&words[at]))).unwrap().to_rgb8()
+    image::open(to.join(name)).unwrap().to_rgb8()
 }
 
-/// Of a film its last frame, of those that have 48.
+/// Films of the pages have 48 frames.
+const LAST_FRAME: &str = "47";
+
+/// Of a film its last frame.
 fn shown(name: &str) -> String {
-    name.replace("{frame:2}", "47")
+    name.replace("{frame:2}", LAST_FRAME)
 }
 
 fn figures_are_as_they_were_looked_at(name: &str, least: usize) {

@@ -62,7 +62,7 @@ fn shipped_scenes_do_not_depend_on_the_schedule() {
         // A search for the method would take longer than the pictures.
         let straight = scene.to_string_lossy().contains("straight");
         let method: &[&str] = if straight { &[] } else { &["--set", "rays.method=rk4"] };
-        assert_all_the_same(&scene, &[&SMALL, method].concat());
+        assert_same(&scene, &SCHEDULES, &[&SMALL, method].concat());
     }
 }
 

@@ -1,18 +1,28 @@
 //! The files that scenes name: each is loaded once, however often it is named.
 
-use super::Use;
-use super::mesh::Opened;
-use super::{IndexGrid, Mesh, Picture, Profile, Wanted};
-use crate::document::Node;
-use crate::document::reader::Reader;
-use crate::document::values::text;
-use crate::document::{SceneError, read_text};
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A mesh, and what was wanted of its file.
-type WantedMesh = (Wanted, Option<Arc<Mesh>>);
+use glam::DAffine3;
+
+use super::Use;
+use super::mesh::Opened;
+use super::{IndexGrid, Mesh, Part, Picture, Profile, Source, Wanted};
+use crate::document::Node;
+use crate::document::reader::Reader;
+use crate::document::values::text;
+use crate::document::{SceneError, read_text};
+
+/// A mesh, and the map from its space to where it stands in its file.
+type PlacedMesh = (Arc<Mesh>, DAffine3);
+
+/// What was wanted of a file of meshes, and what was read for it. Of a crease's angle the bits are told apart.
+#[derive(Debug, Default)]
+struct Meshes {
+    wanted: HashMap<(Part, u64), Option<PlacedMesh>>,
+    read: HashMap<(Source, u64), Arc<Mesh>>,
+}
 
 /// What was loaded: for one scene, or for several that share it, such as the frames of an animation. Within a scene a file that
 /// failed is a none, so that it is reported once.
@@ -23,8 +33,7 @@ pub struct Files {
     /// The scene's own, in the order that indices count.
     pictures: Vec<(PathBuf, Picture)>,
     picture_of: HashMap<PathBuf, Option<Picture>>,
-    /// The meshes of a file, by what was wanted of it.
-    meshes_of: HashMap<PathBuf, Vec<WantedMesh>>,
+    meshes_of: HashMap<PathBuf, Meshes>,
     /// Files that those of meshes name.
     others: BTreeSet<PathBuf>,
     /// The file that the last mesh was of: objects often take one part of it after the other.
@@ -74,7 +83,7 @@ impl Files {
 
     fn room(&self) -> Room {
         let pictures = self.picture_of.values().flatten().map(Picture::bytes);
-        let meshes = self.meshes_of.values().flatten().filter_map(|(_, mesh)| mesh.as_deref()).map(Mesh::bytes);
+        let meshes = self.meshes_of.values().flat_map(|file| file.read.values()).map(|mesh| mesh.bytes());
         let grids = self.grid_of.values().map(|(_, grid)| grid.bytes());
         let limit = self.limit.unwrap_or(u64::MAX);
         Room { limit, left: limit.saturating_sub(pictures.chain(meshes).chain(grids).sum()) }
@@ -84,9 +93,9 @@ impl Files {
     pub fn begin(&mut self) {
         self.pictures.clear();
         self.picture_of.retain(|_, loaded| loaded.is_some());
-        self.meshes_of.retain(|_, meshes| {
-            meshes.retain(|(_, loaded)| loaded.is_some());
-            !meshes.is_empty()
+        self.meshes_of.retain(|_, file| {
+            file.wanted.retain(|_, loaded| loaded.is_some());
+            !file.wanted.is_empty()
         });
         self.opened = None;
         self.profile_of.retain(|_, loaded| loaded.is_some());
@@ -133,27 +142,57 @@ impl Files {
         Some((path.display().to_string(), text))
     }
 
-    /// What is wanted of the mesh that a node names.
-    pub fn mesh(&mut self, reader: &Reader, node: &Node, wanted: &Wanted) -> Option<Arc<Mesh>> {
+    /// What is wanted of the file of meshes that a node names, and the map from its space to where it stands there.
+    /// `part` is where the part is named, for what is wrong with that.
+    pub fn mesh(&mut self, reader: &Reader, node: &Node, part: &Node, wanted: &Wanted) -> Option<PlacedMesh> {
         let (path, identity) = find(reader, node)?;
-        let room = self.room();
-        let known = self.meshes_of.entry(identity.clone()).or_default();
-        if let Some((_, mesh)) = known.iter().find(|(before, _)| before == wanted) {
-            return mesh.clone();
+        let key = (wanted.part.clone(), wanted.crease.to_bits());
+        let known = self.meshes_of.get(&identity).map(|file| &file.wanted);
+        if let Some(found) = known.and_then(|wanted| wanted.get(&key)) {
+            return found.clone();
         }
-        let loaded = match self.opened.take().filter(|(before, _)| *before == identity) {
-            Some((_, opened)) => Ok(opened),
-            // What is wrong with a file is said once, whatever was wanted of it.
-            None if !known.is_empty() && known.iter().all(|(_, mesh)| mesh.is_none()) => return None,
-            None => room.load(&path, length(&path), || Opened::read(&path), |_| 0),
+        // What is wrong with a file is said once, whatever was wanted of it.
+        if self.opened.as_ref().is_none_or(|(before, _)| *before != identity)
+            && known.is_some_and(|wanted| !wanted.is_empty() && wanted.values().all(Option::is_none))
+        {
+            return None;
+        }
+        let opened = accept(reader, node, self.open_meshes(&path, &identity));
+        let found = opened.and_then(|opened| accept(reader, part, opened.find(&wanted.part, &path)));
+        let placed = found.and_then(|(source, place)| {
+            let mesh = accept(reader, node, self.read_mesh(&path, &identity, source, wanted.crease))?;
+            Some((mesh, place))
+        });
+        self.meshes_of.entry(identity).or_default().wanted.insert(key, placed.clone());
+        placed
+    }
+
+    fn open_meshes(&mut self, path: &Path, identity: &Path) -> Result<&Opened, SceneError> {
+        let opened = match self.opened.take().filter(|(before, _)| before == identity) {
+            Some((_, opened)) => opened,
+            None => self.room().load(path, length(path), || Opened::read(path), |_| 0)?,
         };
-        let opened = accept(reader, node, loaded);
-        self.others.extend(opened.iter().flat_map(Opened::others));
-        let made = |opened: &Opened| room.load(&path, 0, || opened.mesh(wanted, &path), Mesh::bytes);
-        let mesh = opened.as_ref().map(made).and_then(|mesh| accept(reader, node, mesh)).map(Arc::new);
-        self.opened = opened.map(|opened| (identity, opened));
-        known.push((wanted.clone(), mesh.clone()));
-        mesh
+        self.others.extend(opened.others());
+        Ok(&self.opened.insert((identity.to_owned(), opened)).1)
+    }
+
+    fn read_mesh(
+        &mut self,
+        path: &Path,
+        identity: &Path,
+        source: Source,
+        crease: f64,
+    ) -> Result<Arc<Mesh>, SceneError> {
+        let key = (source, crease.to_bits());
+        let known = self.meshes_of.get(identity).and_then(|file| file.read.get(&key));
+        if let Some(mesh) = known {
+            return Ok(Arc::clone(mesh));
+        }
+        let room = self.room();
+        let opened = self.open_meshes(path, identity)?;
+        let mesh = Arc::new(room.load(path, 0, || opened.mesh(&key.0, crease), Mesh::bytes)?);
+        self.meshes_of.entry(identity.to_owned()).or_default().read.insert(key, Arc::clone(&mesh));
+        Ok(mesh)
     }
 
     /// The profile that a node names.

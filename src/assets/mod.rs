@@ -18,9 +18,9 @@ pub use expression::{
     Variable,
 };
 pub use files::Files;
-pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, json};
+pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, json, names};
 pub use grid::{Bare, IndexGrid, Stored, Use};
-pub use mesh::{Mesh, Part, Vertex, Wanted};
+pub use mesh::{Mesh, Part, Source, Vertex, Wanted};
 pub use picture::Picture;
 pub(crate) use picture::unlikely_exr;
 pub use profile::{Flaw, Profile, ProfilePoint};

@@ -8,6 +8,7 @@ use clap::Args;
 
 use super::options::{SceneOptions, choice, schedules};
 use crate::chart::{Outcome, Place, SceneChart, Sweep, default_settings, fastest_table, write_chart};
+use crate::document::values::suggest;
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, all_methods};
@@ -18,6 +19,8 @@ use crate::program::Schedule;
 use crate::scene::Scene;
 
 /// Chart speed against accuracy: every method that a scene's law allows, over its settings
+///
+/// On a processor that takes minutes for a scene; --methods, --rays and --slowest make it less.
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene file, or `all` for every scene of a folder
@@ -61,15 +64,14 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let paths = scenes(arguments)?;
-    let unwritable = |cause| OutputError::Write { path: arguments.output.clone(), cause };
     if arguments.stability {
-        std::fs::create_dir_all(&arguments.output).map_err(unwritable)?;
         return stability(arguments, &paths);
     }
     // All scenes are read before the first is measured.
     let load = |path: &PathBuf| Ok((name(path), Scene::load(path, &arguments.changes.overrides()?)?));
     let scenes = paths.iter().map(load).collect::<Result<Vec<_>, Error>>()?;
-    std::fs::create_dir_all(&arguments.output).map_err(unwritable)?;
+    are_methods(arguments, scenes.iter().map(|(_, scene)| scene))?;
+    make_folder(arguments)?;
     let (gpu, device) = open(arguments)?;
     let sweep = Sweep {
         gpu: &gpu,
@@ -92,6 +94,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     Ok(ExitCode::SUCCESS)
 }
 
+fn make_folder(arguments: &Arguments) -> Result<(), OutputError> {
+    let path = arguments.output.clone();
+    std::fs::create_dir_all(&path).map_err(|cause| OutputError::Write { path, cause })
+}
+
 fn open(arguments: &Arguments) -> Result<(Gpu, String), Error> {
     let gpu = Gpu::open(arguments.device.as_deref())?;
     let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
@@ -106,6 +113,8 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
         Ok((name(path), scene, read_rays(&path.with_extension("csv"))?))
     };
     let places = paths.iter().map(load).collect::<Result<Vec<_>, Error>>()?;
+    are_methods(arguments, places.iter().map(|(_, scene, _)| scene))?;
+    make_folder(arguments)?;
     let (gpu, device) = open(arguments)?;
     let mut rows = Vec::new();
     let mut silent = 0;
@@ -143,6 +152,23 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
         return Ok(ExitCode::FAILURE);
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Is each of the methods that are asked for one of a scene's?
+fn are_methods<'a>(arguments: &Arguments, scenes: impl Iterator<Item = &'a Scene>) -> Result<(), Error> {
+    let mut known: Vec<&str> = Vec::new();
+    for candidate in scenes.flat_map(all_methods) {
+        if !known.contains(&candidate.name) {
+            known.push(candidate.name);
+        }
+    }
+    let unknown = arguments.methods.iter().flatten().find(|name| !known.contains(&name.as_str()));
+    match unknown {
+        Some(name) => {
+            Err(Error::Usage(format!("--methods: no method of this is `{name}`; {}", suggest(name, &known, "methods"))))
+        }
+        None => Ok(()),
+    }
 }
 
 fn wanted(arguments: &Arguments, candidate: &Candidate) -> bool {

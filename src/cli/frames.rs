@@ -36,7 +36,10 @@ impl Frames {
     /// Those of the scene's animation.
     pub(super) fn of(self, scene: &Scene) -> Result<RangeInclusive<u32>, Error> {
         let Some(animation) = &scene.animation else {
-            return Err(Error::Usage("--frames: the scene has no [animation]".to_owned()));
+            return Err(Error::Usage(
+                "--frames: the scene has no [animation], such as `[animation] frames = 24`: `bentray help films`"
+                    .to_owned(),
+            ));
         };
         let end = animation.frames - 1;
         match self {

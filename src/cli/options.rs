@@ -19,7 +19,7 @@ use crate::scene::{Override, Precision, follow_as};
 /// Changes to the scene's values.
 #[derive(Debug, Args)]
 pub(super) struct SceneOptions {
-    /// Set a key of the scene, such as `rays.scaled_step=0.05` or `objects.0.radius=2` (repeatable)
+    /// Set a key of the scene, such as `rays.scaled_step=0.05` or `objects.0.radius=2`; `rays.accuracy=` leaves it out (repeatable)
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<Override>,
     /// The picture's size, instead of the scene's

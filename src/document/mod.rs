@@ -110,7 +110,14 @@ impl Document {
                 let fault = Fault {
                     place: base.place(error.span().unwrap_or_default()),
                     problem: format!("not TOML: {}", error.message()),
-                    help: String::new(),
+                    help: match error.message() {
+                        "duplicate key" => {
+                            "it stands above already; what there may be several of, such as objects and lights, has \
+                                            two brackets, each time: [[objects]]"
+                                .to_owned()
+                        }
+                        _ => String::new(),
+                    },
                 };
                 return Err(SceneError::Mistakes(vec![document.locate(fault)]));
             }

@@ -5,7 +5,8 @@ use super::{Base, Fault, Node, Place, Table, Value, node};
 use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 
-/// A value for one key, given on the command line: `rays.step=0.05`, `objects.0.radius=2`, `law.form=geodesic`.
+/// A value for one key, given on the command line: `rays.step=0.05`, `objects.0.radius=2`, `law.form=geodesic`. Without a value, as in
+/// `rays.accuracy=`, the key is left out.
 #[derive(Debug, Clone)]
 pub struct Override {
     /// As given.
@@ -30,7 +31,7 @@ impl FromStr for Override {
         let base = Base { source: 0, offset: key.len() + 1 + written.len() - written.trim_start().len() };
         let value = match DeValue::parse(trimmed) {
             Ok(value) => node(&value, base),
-            Err(_) if trimmed.is_empty() => return Err(error("the value is missing")),
+            Err(_) if trimmed.is_empty() => return Ok(Self { text: text.to_owned(), path, value: None }),
             Err(e) if trimmed.starts_with(['"', '\'', '[', '{']) => {
                 return Err(error(&format!("the value is not TOML: {}", e.message())));
             }
@@ -64,6 +65,11 @@ impl Override {
         Self { text: format!("{table}.{key}"), path: vec![table.to_owned(), key.to_owned()], value: None }
     }
 
+    /// Is it a user's, and not one of the program's own?
+    fn is_typed(&self) -> bool {
+        self.text.contains('=')
+    }
+
     /// `KEY=VALUE` as it was given.
     #[must_use]
     pub fn text(&self) -> &str {
@@ -74,8 +80,12 @@ impl Override {
     pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), Fault> {
         let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
         let Some(mut value) = self.value.clone() else {
-            leave_out(root, &self.path);
-            return Ok(());
+            let is_left_out = leave_out(root, &self.path);
+            if is_left_out || !self.is_typed() {
+                return Ok(());
+            }
+            let problem = format!("there is no `{}` to leave out", self.path.join("."));
+            return Err(Fault { place: key, problem, help: "a value goes behind the `=`".to_owned() });
         };
         relocate(&mut value, source);
         *reach(root, &self.path, key)? = value;
@@ -105,17 +115,32 @@ pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Res
     Ok(at)
 }
 
-/// Takes the last of the names out of the table that the others lead to, if it is there.
-fn leave_out(table: &mut Table, path: &[String]) {
-    match path {
-        [name] => table.retain(|(n, ..)| n != name),
-        [first, rest @ ..] => {
-            let inner = table.iter_mut().find(|(n, ..)| n == first);
-            if let Some((_, _, Node { value: Value::Table(inner), .. })) = inner {
-                leave_out(inner, rest);
+/// Takes the last of the names out of what the others lead to, and says whether it was there.
+fn leave_out(table: &mut Table, path: &[String]) -> bool {
+    let [first, rest @ ..] = path else { return false };
+    let Some(at) = table.iter().position(|(name, ..)| name == first) else { return false };
+    if rest.is_empty() {
+        table.remove(at);
+        return true;
+    }
+    leave_out_of(&mut table[at].2.value, rest)
+}
+
+fn leave_out_of(value: &mut Value, path: &[String]) -> bool {
+    match value {
+        Value::Table(inner) => leave_out(inner, path),
+        Value::Array(items) => {
+            let item = path[0].parse().ok().filter(|at: &usize| *at < items.len());
+            match (item, &path[1..]) {
+                (Some(at), []) => {
+                    items.remove(at);
+                    true
+                }
+                (Some(at), rest) => leave_out_of(&mut items[at].value, rest),
+                (None, _) => false,
             }
         }
-        [] => {}
+        _ => false,
     }
 }
 

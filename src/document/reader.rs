@@ -126,7 +126,36 @@ impl<'r, 'a> TableReader<'r, 'a> {
 
     /// The value of a key; none if it is missing or wrong.
     pub fn optional<T>(&self, key: &'static str, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
-        self.reader.accept(read(self.node(key)?))
+        self.accept(key, read(self.node(key)?))
+    }
+
+    /// Records the fault of a key's value, if it is one; where it does not say what would be right, the reference does.
+    fn accept<T>(&self, key: &str, read: Read<T>) -> Option<T> {
+        let explained = |fault: Fault| {
+            if fault.help.is_empty() { Fault { help: self.meaning(key), ..fault } } else { fault }
+        };
+        self.reader.accept(read.map_err(explained))
+    }
+
+    /// What the reference says of a key; nothing where that is something else with each of many kinds.
+    fn meaning(&self, key: &str) -> String {
+        const TOLD: usize = 3;
+        let rows = self.reader.reference.iter().filter(|row| row.table == self.path && row.key == key);
+        let mut told: Vec<(String, &str)> = Vec::new();
+        for row in rows {
+            let said = format!("{}: {}", row.value, row.meaning);
+            if told.iter().all(|(other, _)| *other != said) {
+                told.push((said, &row.when));
+            }
+        }
+        match &told[..] {
+            [(said, _)] => format!("{key} is {said}"),
+            several if several.len() <= TOLD => {
+                let each = several.iter().map(|(said, when)| format!("with {when} {key} is {said}"));
+                each.collect::<Vec<_>>().join("; ")
+            }
+            _ => String::new(),
+        }
     }
 
     /// The value of a key; `default` if it is missing or wrong.
@@ -136,7 +165,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
 
     /// The value of a key that must be there; `example` shows how it is written.
     pub fn required<T>(&self, key: &'static str, example: &str, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
-        self.reader.accept(read(self.required_node(key, example)?))
+        self.accept(key, read(self.required_node(key, example)?))
     }
 
     /// The node of a key that must be there.
@@ -154,7 +183,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         let Some(node) = self.node(key) else {
             return Some(default);
         };
-        let value = self.reader.accept(read(node));
+        let value = self.accept(key, read(node));
         self.lenient.set(self.lenient.get() || value.is_none());
         value
     }
@@ -262,7 +291,8 @@ impl<'r, 'a> TableReader<'r, 'a> {
                 let help = suggest(name, &keys, "keys here");
                 (format!("unknown key `{name}`"), help)
             } else {
-                let help = format!("it goes with {}; keys here: {}", elsewhere.join(", or "), asked.join(", "));
+                let (with, keys) = (elsewhere.join(", or "), asked.join(", "));
+                let help = format!("leave it out, or use it with {with}; keys here: {keys}");
                 (format!("`{name}` does not go with the rest of this table"), help)
             };
             self.reader.fault(Fault { place: *place, problem, help });

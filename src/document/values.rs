@@ -186,7 +186,10 @@ pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
 #[must_use]
 pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
     let nearest = names.iter().min_by_key(|n| distance(name, n));
-    let meant = nearest.filter(|n| distance(name, n) <= 1 + name.chars().count() / 4);
+    let near = nearest.filter(|n| distance(name, n) <= 1 + name.chars().count() / 4);
+    // `kerr` for `kerr-newman`.
+    let begun = || names.iter().find(|n| name.len() >= 3 && (n.starts_with(name) || n.contains(&format!("-{name}"))));
+    let meant = near.or_else(begun);
     let list = names.join(", ");
     match meant {
         Some(nearest) => format!("did you mean `{nearest}`? {kind}: {list}"),

@@ -10,7 +10,10 @@ type Case = (&'static str, &'static [&'static str]);
 const WRITTEN: &[Case] = &[
     ("[image]\nsize = [8, 8\n[rays]\n", &["scene.toml:", "not TOML: "]),
     ("[image]\nsize = = 3\n", &["scene.toml:2:8: not TOML: ", "\n    size = = 3\n"]),
-    ("[image]\nsize = [8, 8]\n\n[image]\nsamples = 2\n", &["scene.toml:4:2: not TOML: duplicate key"]),
+    (
+        "[image]\nsize = [8, 8]\n\n[image]\nsamples = 2\n",
+        &["scene.toml:4:2: not TOML: duplicate key", "it stands above already", "two brackets, each time: [[objects]]"],
+    ),
     (
         "[image]\nsise = [8, 8]\n[rays]\nbound = { radius = 10 }\n",
         &[
@@ -40,6 +43,18 @@ const VALUES: &[Case] = &[
     (
         "[rays]\nbound = { radius = \"ten\" }\n",
         &["scene.toml:2:20: expected a number, found the string \"ten\"", "^^^^^"],
+    ),
+    (
+        "[rays]\nbound = { radius = 10 }\n[camera]\nposition = [0, 0, 5]\nfov = \"45deg\"\n",
+        &["scene.toml:5:7: expected a number, found the string \"45deg\"", "fov is number", "degrees"],
+    ),
+    (
+        "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nmaterial = [1, 0, 0]\n",
+        &["scene.toml:5:12: expected a string, found an array of 3", "help: material is name"],
+    ),
+    (
+        "[rays]\nbound = { radius = 10 }\n[law]\nkind = \"kerr\"\n",
+        &["scene.toml:4:8: unknown word `kerr`", "did you mean `kerr-newman`?"],
     ),
     ("[rays]\nbound = { radius = nan }\n", &["scene.toml:2:20: not a finite number", "all numbers must be finite"]),
     (

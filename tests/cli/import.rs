@@ -107,3 +107,13 @@ fn nothing_is_replaced_and_a_wrong_file_leaves_nothing() {
     folder.run("import empty.gltf -o cut.toml").fails(1, &["its scene has no triangles"]);
     assert!(!folder.names().contains(&"cut.toml".to_owned()));
 }
+
+#[test]
+fn what_is_no_gltf_is_said_in_words() {
+    let folder = Folder::new();
+    for bytes in [&b"\x89PNG\r\n\x1a\n and more"[..], b"[1, 2]", b""] {
+        std::fs::write(folder.path("a.gltf"), bytes).unwrap();
+        let said = "cannot use the mesh `a.gltf`: not glTF: it begins neither with `glTF` nor with JSON's `{`";
+        folder.run("import a.gltf -o a.toml").fails(1, &[said]);
+    }
+}

@@ -37,6 +37,9 @@ impl Gltf {
             if is_binary {
                 return Flaw::at(start, &format!("not what glTF says in JSON: {error}")).of(path);
             }
+            if bytes[start..].iter().find(|byte| !byte.is_ascii_whitespace()) != Some(&b'{') {
+                return Flaw("not glTF: it begins neither with `glTF` nor with JSON's `{`".to_owned()).of(path);
+            }
             let text = String::from_utf8_lossy(&bytes[start..]);
             let line = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum::<usize>();
             let at = line + error.column().saturating_sub(1);
@@ -55,7 +58,7 @@ impl Gltf {
             );
         }
         let buffers = root.buffers.iter().map(|_| OnceLock::new()).collect();
-        Ok(Self { root, path: path.to_owned(), bytes, own, buffers })
+        Ok(Self { root, path: path.to_owned(), bytes, own, buffers, with_mesh: OnceLock::new() })
     }
 
     /// The bytes of a view.

@@ -21,7 +21,8 @@ use super::flaw::Flaw;
 pub(super) use accessor::Elements;
 pub use gltf_json as json;
 pub use images::Stored;
-pub use nodes::{NodeName, Placed};
+use nodes::WithMesh;
+pub use nodes::{NodeName, Placed, names};
 
 /// A file, and the bytes that it speaks of.
 #[derive(Debug)]
@@ -34,6 +35,8 @@ pub struct Gltf {
     own: Option<std::ops::Range<usize>>,
     /// The other buffers, as far as they were asked for.
     buffers: Vec<OnceLock<Result<Vec<u8>, Flaw>>>,
+    /// The nodes with a mesh, once they were asked for.
+    with_mesh: OnceLock<Result<WithMesh, Flaw>>,
 }
 
 impl Gltf {

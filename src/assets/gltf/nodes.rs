@@ -1,14 +1,17 @@
 //! Nodes in their places: the trees of the scene that a file shows.
 
+use std::collections::HashMap;
+
 use glam::{DAffine3, DMat4, DQuat, DVec3, Vec3};
 use gltf_json::{Index, Node};
 
 use super::Gltf;
 use crate::assets::flaw::Flaw;
 use crate::document::SceneError;
+use crate::document::values::suggest;
 
 /// What a node is called.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum NodeName {
     /// By its name.
     Name(String),
@@ -33,7 +36,7 @@ impl Gltf {
         self.placed().map_err(|flaw| flaw.of(&self.path))
     }
 
-    pub(in crate::assets) fn placed(&self) -> Result<Vec<Placed<'_>>, Flaw> {
+    fn placed(&self) -> Result<Vec<Placed<'_>>, Flaw> {
         let scene = match self.root.scene {
             Some(scene) => Some(self.get(scene, "scenes", "scene")?),
             None => self.root.scenes.first(),
@@ -59,6 +62,12 @@ impl Gltf {
         Ok(placed)
     }
 
+    /// The nodes with a mesh.
+    pub(in crate::assets) fn with_mesh(&self) -> Result<&WithMesh, Flaw> {
+        let found = self.with_mesh.get_or_init(|| Ok(WithMesh::of(&self.placed()?)));
+        found.as_ref().map_err(Clone::clone)
+    }
+
     /// The nodes that are no node's children.
     fn parentless(&self) -> Vec<Index<Node>> {
         let mut has_parent = vec![false; self.root.nodes.len()];
@@ -72,13 +81,68 @@ impl Gltf {
     }
 }
 
-impl Placed<'_> {
-    /// What a scene's file calls it, if all of these are the scene's: its name, where no other has it.
-    #[must_use]
-    pub fn name(&self, all: &[Placed]) -> NodeName {
-        let own = self.node.name.as_ref().filter(|name| !name.is_empty());
-        let is_only = |name: &&String| all.iter().filter(|other| other.node.name.as_ref() == Some(*name)).count() == 1;
-        own.filter(is_only).map_or(NodeName::Number(self.number), |name| NodeName::Name(name.clone()))
+/// What a scene's file calls each of these nodes, if they are all of the scene's: by its name, where no other has it.
+#[must_use]
+pub fn names(nodes: &[Placed]) -> Vec<NodeName> {
+    let mut uses: HashMap<&str, u32> = HashMap::new();
+    for name in nodes.iter().filter_map(|placed| placed.node.name.as_deref()) {
+        *uses.entry(name).or_default() += 1;
+    }
+    let is_only = |name: &&String| !name.is_empty() && uses.get(name.as_str()) == Some(&1);
+    let name = |placed: &Placed| match placed.node.name.as_ref().filter(is_only) {
+        Some(name) => NodeName::Name(name.clone()),
+        None => NodeName::Number(placed.number),
+    };
+    nodes.iter().map(name).collect()
+}
+
+/// The nodes with a mesh, to be asked for one by one.
+#[derive(Debug)]
+pub(in crate::assets) struct WithMesh {
+    /// Each node's place in the file, and the map from its space to the scene's.
+    pub all: Vec<(u32, DAffine3)>,
+    /// Where in that list the nodes of each name are.
+    named: HashMap<String, Vec<usize>>,
+    numbered: HashMap<u32, usize>,
+}
+
+impl WithMesh {
+    fn of(nodes: &[Placed]) -> Self {
+        let (mut all, mut named, mut numbered) = (Vec::new(), HashMap::<String, Vec<usize>>::new(), HashMap::new());
+        for placed in nodes.iter().filter(|placed| placed.node.mesh.is_some()) {
+            if let Some(name) = &placed.node.name {
+                named.entry(name.clone()).or_default().push(all.len());
+            }
+            numbered.insert(placed.number, all.len());
+            all.push((placed.number, placed.world));
+        }
+        Self { all, named, numbered }
+    }
+
+    /// The one node of this name.
+    pub fn chosen(&self, name: &NodeName) -> Result<(u32, DAffine3), Flaw> {
+        /// Names that are told.
+        const TOLD: usize = 20;
+        match name {
+            NodeName::Number(number) => match self.numbered.get(number) {
+                Some(at) => Ok(self.all[*at]),
+                None => Err(Flaw(format!("there is no node {number} with a mesh in the file's scene"))),
+            },
+            NodeName::Name(name) => match self.named.get(name).map_or(&[][..], Vec::as_slice) {
+                [at] => Ok(self.all[*at]),
+                [] => {
+                    let mut names: Vec<&str> = self.named.keys().map(String::as_str).collect();
+                    names.sort_unstable();
+                    names.truncate(TOLD);
+                    Err(Flaw(format!("there is no node `{name}` with a mesh; {}", suggest(name, &names, "nodes"))))
+                }
+                several => {
+                    let numbers: Vec<String> =
+                        several.iter().take(TOLD).map(|at| self.all[*at].0.to_string()).collect();
+                    Err(Flaw(format!("several nodes have this name; choose by number: {}", numbers.join(", "))))
+                }
+            },
+        }
     }
 }
 

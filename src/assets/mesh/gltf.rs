@@ -3,9 +3,11 @@
 //! *Theory.* A primitive is of triangles, a strip or a fan. Its texture coordinates are those that its material's colour uses, moved as
 //! `KHR_texture_transform` says, with v counted from below as everywhere here.
 //!
-//! *Practice.* The bytes and their checks are [`Gltf`]'s. Positions are placed in 64 bits.
+//! *Practice.* The bytes and their checks are [`Gltf`]'s. The mesh of one node stays in its own space, so that nodes which show the same
+//! mesh share it; meshes of all nodes together, and those that a node turns inside out, are placed in 64 bits.
 
 use std::collections::BTreeMap;
+use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
 
 use glam::{DAffine3, DVec3, Mat2, Vec2, Vec3};
@@ -17,11 +19,10 @@ use gltf_json::{Accessor, Index};
 
 use super::bytes::usable;
 use super::raw::{Corner, Raw};
-use super::{Format, Mesh, Part, Parts, Read, Wanted};
+use super::{Format, Mesh, Part, Parts, Read, Source};
 use crate::assets::flaw::Flaw;
-use crate::assets::gltf::{Elements, Gltf, NodeName, Placed};
+use crate::assets::gltf::{Elements, Gltf, NodeName};
 use crate::document::SceneError;
-use crate::document::values::suggest;
 
 pub(super) const FORMAT: Format =
     Format { extensions: &["gltf", "glb"], read: Read::Parts(|bytes, path| Ok(Box::new(Gltf::open(bytes, path)?))) };
@@ -30,8 +31,12 @@ pub(super) const FORMAT: Format =
 const MOST: u64 = 1 << 26;
 
 impl Parts for Gltf {
-    fn part(&self, part: &Part) -> Result<Raw, SceneError> {
-        self.raw(part).map_err(|flaw| flaw.of(self.path()))
+    fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError> {
+        self.source(part).map_err(|flaw| flaw.of(self.path()))
+    }
+
+    fn read(&self, source: &Source) -> Result<Raw, SceneError> {
+        self.raw(source).map_err(|flaw| flaw.of(self.path()))
     }
 
     fn others(&self) -> Vec<PathBuf> {
@@ -40,35 +45,52 @@ impl Parts for Gltf {
 }
 
 impl Gltf {
-    /// A part of the file.
-    pub fn mesh(&self, wanted: &Wanted) -> Result<Mesh, SceneError> {
-        Ok(self.part(&wanted.part)?.mesh(wanted.crease))
+    /// Where a part of the file is read from, and the map from there to the file's scene.
+    pub fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError> {
+        Parts::find(self, part)
     }
 
-    fn raw(&self, part: &Part) -> Result<Raw, Flaw> {
-        let all = self.placed()?;
-        let with_mesh: Vec<&Placed> = all.iter().filter(|placed| placed.node.mesh.is_some()).collect();
-        let chosen = match &part.node {
-            None => with_mesh,
-            Some(name) => vec![chosen(&with_mesh, name)?],
+    /// The triangles there, with normals as `crease` says where the file has none.
+    pub fn read(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
+        Ok(Parts::read(self, source)?.mesh(crease))
+    }
+
+    fn source(&self, part: &Part) -> Result<(Source, DAffine3), Flaw> {
+        let Some(name) = &part.node else { return Ok((Source::Placed(part.clone()), DAffine3::IDENTITY)) };
+        let (number, world) = self.with_mesh()?.chosen(name)?;
+        let (mesh, _) = self.mesh_of(number)?;
+        self.numbers(number, part.primitive)?;
+        if may_be_mapped(world) {
+            return Ok((Source::Own { mesh, primitive: part.primitive }, world));
+        }
+        let node = Some(NodeName::Number(number));
+        Ok((Source::Placed(Part { node, primitive: part.primitive }), DAffine3::IDENTITY))
+    }
+
+    fn raw(&self, source: &Source) -> Result<Raw, Flaw> {
+        let shown = match source {
+            Source::Own { mesh, primitive } => {
+                let count = self.root.meshes.get(*mesh).map_or(0, |mesh| mesh.primitives.len());
+                let numbers = primitive.map_or(0..count, |number| number as usize..number as usize + 1);
+                vec![(*mesh, numbers, DAffine3::IDENTITY)]
+            }
+            Source::Placed(part) => {
+                let all = self.with_mesh()?;
+                let nodes = match &part.node {
+                    None => all.all.clone(),
+                    Some(name) => vec![all.chosen(name)?],
+                };
+                let shown = nodes
+                    .into_iter()
+                    .map(|(number, world)| Ok((self.mesh_of(number)?.0, self.numbers(number, part.primitive)?, world)));
+                shown.collect::<Result<_, Flaw>>()?
+            }
         };
         let mut primitives = Vec::new();
-        for placed in chosen {
-            let Some(index) = placed.node.mesh else { continue };
-            let of = format!("nodes[{}]", placed.number);
-            let mesh = self.root.get(index);
-            let mesh = mesh.ok_or_else(|| Flaw(format!("{of}: there is no meshes[{}]", index.value())))?;
-            let count = mesh.primitives.len();
-            let numbers = match part.primitive {
-                None => 0..count,
-                Some(number) if (number as usize) < count => number as usize..number as usize + 1,
-                Some(number) => {
-                    return Err(Flaw(format!("{of} has no primitive {number}; it has {count}, counted from 0")));
-                }
-            };
+        for (mesh, numbers, world) in shown {
             for number in numbers {
-                let of = format!("meshes[{}].primitives[{number}]", index.value());
-                primitives.push((&mesh.primitives[number], placed.world, of));
+                let of = format!("meshes[{mesh}].primitives[{number}]");
+                primitives.push((&self.root.meshes[mesh].primitives[number], world, of));
             }
         }
         self.are_not_too_many(&primitives)?;
@@ -77,6 +99,25 @@ impl Gltf {
             self.primitive(&mut raw, primitive, world, &of)?;
         }
         if raw.is_empty() { Err(Flaw("the mesh has no triangles with an area".to_owned())) } else { Ok(raw) }
+    }
+
+    /// The mesh of a node that has one: its place in the file, and what it is.
+    fn mesh_of(&self, node: u32) -> Result<(usize, &gltf_json::Mesh), Flaw> {
+        let index = self.root.nodes[node as usize].mesh;
+        let (at, mesh) = index.map_or((0, None), |index| (index.value(), self.root.get(index)));
+        mesh.map(|mesh| (at, mesh)).ok_or_else(|| Flaw(format!("nodes[{node}]: there is no meshes[{at}]")))
+    }
+
+    /// The numbers of the primitives that are wanted of a node's mesh.
+    fn numbers(&self, node: u32, primitive: Option<u32>) -> Result<Range<usize>, Flaw> {
+        let count = self.mesh_of(node)?.1.primitives.len();
+        match primitive {
+            None => Ok(0..count),
+            Some(number) if (number as usize) < count => Ok(number as usize..number as usize + 1),
+            Some(number) => {
+                Err(Flaw(format!("nodes[{node}] has no primitive {number}; it has {count}, counted from 0")))
+            }
+        }
     }
 
     /// Counts what they are made of before any of it is read.
@@ -102,7 +143,7 @@ impl Gltf {
             if all > MOST {
                 let problem = "as often as its nodes and meshes show them, and at most";
                 return Err(Flaw(format!(
-                    "it is of {all} {what}, {problem} {MOST} are read: make it of several files"
+                    "it is of {all} {what}, {problem} {MOST} are read: make an object of each node, as `bentray import` does, or several files"
                 )));
             }
         }
@@ -233,27 +274,14 @@ fn covectors(map: DAffine3) -> impl Fn(DVec3) -> DVec3 {
     move |n| side * (n.x * y.cross(z) + n.y * z.cross(x) + n.z * x.cross(y))
 }
 
-/// The one node of this name.
-fn chosen<'a, 'b>(all: &[&'b Placed<'a>], name: &NodeName) -> Result<&'b Placed<'a>, Flaw> {
-    /// Names that are told.
-    const TOLD: usize = 20;
-    let is_meant = |placed: &&&Placed| match name {
-        NodeName::Name(name) => placed.node.name.as_ref() == Some(name),
-        NodeName::Number(number) => placed.number == *number,
-    };
-    let found: Vec<&Placed> = all.iter().filter(is_meant).copied().collect();
-    match (&found[..], name) {
-        ([one], _) => Ok(one),
-        ([], NodeName::Name(name)) => {
-            let names: Vec<&str> = all.iter().filter_map(|placed| placed.node.name.as_deref()).take(TOLD).collect();
-            Err(Flaw(format!("there is no node `{name}` with a mesh; {}", suggest(name, &names, "nodes"))))
-        }
-        ([], NodeName::Number(number)) => {
-            Err(Flaw(format!("there is no node {number} with a mesh in the file's scene")))
-        }
-        (several, _) => {
-            let numbers: Vec<String> = several.iter().take(TOLD).map(|placed| placed.number.to_string()).collect();
-            Err(Flaw(format!("several nodes have this name; choose by number: {}", numbers.join(", "))))
-        }
-    }
+/// May a mesh be kept in its own space and be shown through this map? Not where it would be turned inside out or made flat, nor
+/// where 32 bits would not hold its places.
+fn may_be_mapped(world: DAffine3) -> bool {
+    const LENGTHS: RangeInclusive<f64> = 1e-6..=1e6;
+    let [x, y, z] = [world.matrix3.x_axis, world.matrix3.y_axis, world.matrix3.z_axis];
+    let lengths = [x, y, z].map(DVec3::length);
+    let volume = world.matrix3.determinant();
+    lengths.iter().all(|length| LENGTHS.contains(length))
+        && volume > 1e-3 * lengths.iter().product::<f64>()
+        && world.translation.abs().max_element() <= 1e20
 }

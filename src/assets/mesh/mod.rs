@@ -21,7 +21,7 @@ mod text;
 
 use std::path::{Path, PathBuf};
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DAffine3, DVec3, Vec2, Vec3};
 
 use super::gltf::NodeName;
 use crate::document::{SceneError, read_bytes};
@@ -61,12 +61,26 @@ pub struct Wanted {
 }
 
 /// A part of a file that has several.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
 pub struct Part {
     /// The node whose mesh it is; all nodes without one.
     pub node: Option<NodeName>,
     /// Which of the mesh's primitives, counted from 0; all without one.
     pub primitive: Option<u32>,
+}
+
+/// Where triangles are read from: what several nodes of a file show is the same.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Source {
+    /// A part of a file, in its place there.
+    Placed(Part),
+    /// A mesh of a file in its own space.
+    Own {
+        /// Its place in the file's list of meshes.
+        mesh: usize,
+        /// Which of its primitives, counted from 0; all without one.
+        primitive: Option<u32>,
+    },
 }
 
 impl Wanted {
@@ -103,8 +117,11 @@ const FORMATS: [&Format; 4] = [&obj::FORMAT, &ply::FORMAT, &stl::FORMAT, &gltf::
 
 /// What is known of a file that has parts.
 pub(super) trait Parts: std::fmt::Debug + Send + Sync {
-    /// One of them.
-    fn part(&self, part: &Part) -> Result<Raw, SceneError>;
+    /// Where one of them is read from, and the map from there to its place.
+    fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError>;
+
+    /// The triangles there.
+    fn read(&self, source: &Source) -> Result<Raw, SceneError>;
 
     /// The other files that it is in.
     fn others(&self) -> Vec<PathBuf>;
@@ -143,15 +160,23 @@ impl Opened {
         }
     }
 
-    /// What is wanted of it.
-    pub(super) fn mesh(&self, wanted: &Wanted, path: &Path) -> Result<Mesh, SceneError> {
+    /// Where a part is read from, and the map from there to its place.
+    pub(super) fn find(&self, part: &Part, path: &Path) -> Result<(Source, DAffine3), SceneError> {
         match self {
-            Self::Whole(raw) if wanted.part == Part::default() => Ok(raw.mesh(wanted.crease)),
+            Self::Whole(_) if *part == Part::default() => Ok((Source::Placed(part.clone()), DAffine3::IDENTITY)),
             Self::Whole(_) => {
                 let problem = "it has no nodes: leave `node` and `primitive` out".to_owned();
                 Err(SceneError::Mesh { path: path.to_owned(), problem })
             }
-            Self::Parts(parts) => Ok(parts.part(&wanted.part)?.mesh(wanted.crease)),
+            Self::Parts(parts) => parts.find(part),
+        }
+    }
+
+    /// The triangles there, with normals as `crease` says where the file has none.
+    pub(super) fn mesh(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
+        match self {
+            Self::Whole(raw) => Ok(raw.mesh(crease)),
+            Self::Parts(parts) => Ok(parts.read(source)?.mesh(crease)),
         }
     }
 }
@@ -184,7 +209,9 @@ impl Mesh {
 
     /// Reads all of a file; the end of its name says how.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        Opened::read(path)?.mesh(&Wanted::default(), path)
+        let opened = Opened::read(path)?;
+        let (source, _) = opened.find(&Part::default(), path)?;
+        opened.mesh(&source, Wanted::CREASE)
     }
 
     /// Reads the text of an OBJ file; `path` names it in mistakes.

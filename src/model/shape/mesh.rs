@@ -26,8 +26,9 @@ pub static KIND: Kind = Kind {
         let node = table.optional("node", node_name);
         let primitive = table.optional("primitive", whole(0..=u32::MAX));
         let wanted = Wanted { crease, part: Part { node, primitive } };
-        let mesh = files.mesh(table.reader, file?, &wanted)?;
-        Some((Arc::new(Triangles(mesh)), DAffine3::IDENTITY))
+        let part = ["node", "primitive"].into_iter().find_map(|key| table.node(key));
+        let (mesh, place) = files.mesh(table.reader, file?, part.unwrap_or(file?), &wanted)?;
+        Some((Arc::new(Triangles(mesh)), place))
     },
 };
 

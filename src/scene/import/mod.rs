@@ -3,15 +3,18 @@
 //! *Theory.* What the file says of metal and roughness becomes a mirror, a lobe about the mirror's direction, or a matte surface with
 //! a highlight. An intensity in candela or lux gives a white surface that faces it a π-th of that as radiance.
 //!
-//! *Practice.* The scene names the file, and chooses in it by node and primitive: triangles stay where they are. Whatever has no
-//! place here is collected in [`Imported::left_out`], each kind once.
+//! *Practice.* The scene names the file, and chooses in it by node and primitive: triangles stay where they are, and those that several
+//! nodes show are read once. Whatever has no place here is collected in [`Imported::left_out`], each kind once.
 
 mod lights;
 mod surfaces;
 mod text;
 mod views;
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -19,8 +22,8 @@ use super::SceneError;
 use crate::assets::json::mesh::{Mode, Semantic};
 use crate::assets::json::validation::Checked::Valid;
 use crate::assets::json::{Root, mesh::Primitive};
-use crate::assets::{Gltf, NodeName, Part, Placed, Wanted};
-use crate::model::shape::round_up;
+use crate::assets::{Gltf, NodeName, Part, Placed, Source, Wanted, names};
+use crate::model::shape::{Shape, Triangles, round_up};
 use surfaces::Surfaces;
 use text::{Left, number, quoted, relative, vector};
 
@@ -110,9 +113,9 @@ fn objects(
 ) -> Result<(String, Option<Extent>), SceneError> {
     let mut text = String::new();
     let mut extent: Option<Extent> = None;
-    for placed in nodes {
+    let mut read: HashMap<Source, Triangles> = HashMap::new();
+    for (placed, node) in nodes.iter().zip(names(nodes)) {
         let Some(mesh) = placed.node.mesh.and_then(|index| file.root.get(index)) else { continue };
-        let node = placed.name(nodes);
         let called = match &node {
             NodeName::Name(name) => name.clone(),
             NodeName::Number(number) => placed.node.name.clone().unwrap_or_else(|| format!("node {number}")),
@@ -128,17 +131,23 @@ fn objects(
             of_the_primitive(primitive, &called, left);
             let chosen = (mesh.primitives.len() > 1).then_some(i as u32);
             let part = Part { node: Some(node.clone()), primitive: chosen };
-            let triangles = file.mesh(&Wanted { part, ..Wanted::default() })?;
-            for place in triangles.vertices.iter().map(|vertex| vertex.position.as_dvec3()) {
-                let extent = extent.get_or_insert(Extent { lo: place, hi: place });
-                (extent.lo, extent.hi) = (extent.lo.min(place), extent.hi.max(place));
-            }
+            let (source, place) = file.find(&part)?;
+            let triangles = match read.entry(source) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(free) => {
+                    let mesh = file.read(free.key(), Wanted::CREASE)?;
+                    free.insert(Triangles(Arc::new(mesh)))
+                }
+            };
+            let (lo, hi) = triangles.bounds(place);
+            let extent = extent.get_or_insert(Extent { lo, hi });
+            (extent.lo, extent.hi) = (extent.lo.min(lo), extent.hi.max(hi));
             let key = match &node {
                 NodeName::Name(name) => quoted(name),
                 NodeName::Number(number) => number.to_string(),
             };
             let primitive_key = chosen.map(|chosen| format!("primitive = {chosen}\n")).unwrap_or_default();
-            let is_closed = || triangles.hole().is_none();
+            let is_closed = || triangles.opening().is_none();
             let substance = surfaces.substance(primitive.material.map(|index| index.value()), is_closed, left);
             text.extend([format!(
                 "[[objects]]\nshape = \"mesh\"\nfile = {}\nnode = {key}\n{primitive_key}{substance}\n\n",

@@ -105,7 +105,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             arc_tolerance if r#"segment = "arc""#: "number above 0" = "1e-4 of the bound's radius",
                 "how far an arc's chords may depart from it, scene units";
             steps_per_segment if r#"segment = "chord""#: "whole number, 1 to 1000" = "10", "steps a chord";
-            max_segments: "whole number, 1 to 1000000" = "1000", "a ray is given up after so many segments";
+            max_segments: "whole number, 1 to 1000000" = "1000", "a ray is given up after so many segments; with method = \"auto\", after four times as many";
             length: "number above 0" = "none", "rays end at this τ";
             asymptotic if "schwarzschild, reissner-nordstrom, kerr-newman, or one inverse-square source": "true | false" = "false",
                 "rays that leave the bound are followed to infinity in closed form, and those given from outside come from there";

@@ -5,7 +5,7 @@ mod wrong;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 use serde_json::{Value, json};
 
 use crate::assets::{Gltf, NodeName, Part, Wanted};
@@ -243,13 +243,15 @@ fn parts_are_chosen_by_name_and_number() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("a.glb");
     let file = Gltf::open(made.glb(&rest), &path).unwrap_or_else(|error| panic!("{error}"));
-    let ask = |node: Option<NodeName>, primitive: Option<u32>| {
-        file.mesh(&Wanted { part: Part { node, primitive }, ..Wanted::default() }).map_err(|error| error.to_string())
+    let ask = |node: Option<NodeName>, primitive: Option<u32>| -> Result<DVec3, String> {
+        let (source, place) = file.find(&Part { node, primitive }).map_err(|error| error.to_string())?;
+        let mesh = file.read(&source, Wanted::CREASE).map_err(|error| error.to_string())?;
+        Ok(place.transform_point3(mesh.vertices[0].position.as_dvec3()))
     };
     let named = |name: &str| Some(NodeName::Name(name.to_owned()));
     let number = |number| Some(NodeName::Number(number));
-    assert_eq!(ask(named("once"), Some(2)).expect("a mesh").vertices[0].position, 2.0 * Vec3::Z);
-    assert_eq!(ask(number(1), None).expect("a mesh").vertices[0].position, Vec3::Z);
+    assert_eq!(ask(named("once"), Some(2)), Ok(2.0 * DVec3::Z));
+    assert_eq!(ask(number(1), None), Ok(DVec3::Z));
     for (asked, said) in [
         (ask(None, None), "meshes[1].primitives[1] is of Points; triangles, strips and fans are drawn"),
         (ask(named("onze"), None), "there is no node `onze` with a mesh; did you mean `once`?"),
@@ -272,11 +274,54 @@ fn parts_are_chosen_by_name_and_number() {
     };
     scene("node = \"once\"\nprimitive = 0").unwrap_or_else(|error| panic!("{error}"));
     scene("node = 0").unwrap_or_else(|error| panic!("{error}"));
-    assert!(scene("node = \"eye\"").expect_err("an error").contains("scene.toml:6:8: cannot use the mesh"));
+    assert!(scene("node = \"eye\"").expect_err("an error").contains("scene.toml:8:8: cannot use the mesh"));
     assert!(scene("node = true").expect_err("an error").contains("expected a whole number"));
     let obj = "file = \"scenes/stability/sheet.obj\"\nshape = \"mesh\"\nmaterial = \"m\"\nnode = 0\n";
     let told = super::mistakes_of(super::parse(&format!(
         "[rays]\nbound = {{ radius = 30 }}\n[materials.m]\n[[objects]]\n{obj}"
     )));
     assert!(told[0].problem.contains("it has no nodes: leave `node` and `primitive` out"), "{told:?}");
+}
+
+#[test]
+fn nodes_with_the_same_mesh_share_it() {
+    let (made, _) = square();
+    let rest = json!({
+        "nodes": [
+            { "mesh": 0 },
+            { "mesh": 0, "translation": [0, 3, 0], "rotation": [0, 0, 0.6, 0.8], "scale": [2, 1, 1] },
+            { "mesh": 0, "scale": [-1, 1, 1] },
+            { "mesh": 0, "scale": [1, 0, 1] },
+        ],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 }, "indices": 1 }] }],
+    });
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("a.glb"), made.glb(&rest)).expect("written");
+    let scene = |nodes: &[u32]| {
+        let object =
+            |node: &u32| format!("[[objects]]\nshape = \"mesh\"\nfile = \"a.glb\"\nmaterial = \"m\"\nnode = {node}\n");
+        let objects: String = nodes.iter().map(object).collect();
+        let text = format!("[rays]\nbound = {{ radius = 9 }}\n[materials.m]\n{objects}");
+        Scene::parse(&text, &folder.path().join("scene.toml"), &[])
+    };
+    let scene_of_three = scene(&[0, 1, 2]).unwrap_or_else(|error| panic!("{error}"));
+    let meshes: Vec<_> = scene_of_three.objects.iter().filter_map(|object| object.shape.mesh()).collect();
+    assert!(std::sync::Arc::ptr_eq(meshes[0], meshes[1]) && !std::sync::Arc::ptr_eq(meshes[0], meshes[2]));
+    // By (0.6, 0.8) the x axis turns to (0.28, 0.96).
+    let turned = |p: DVec3| DVec3::new(0.56 * p.x - 0.96 * p.y, 3.0 + 1.92 * p.x + 0.28 * p.y, p.z);
+    let [_, map, mirrored] = [0, 1, 2].map(|k| scene_of_three.objects[k].transform.0);
+    for vertex in &meshes[0].vertices {
+        let p = vertex.position.as_dvec3();
+        assert!(map.transform_point3(p).abs_diff_eq(turned(p), 1e-6), "{p}");
+        let seen = meshes[2].vertices.iter().map(|vertex| mirrored.transform_point3(vertex.position.as_dvec3()));
+        assert!(seen.into_iter().any(|q| q == p * DVec3::new(-1.0, 1.0, 1.0)), "{p}");
+    }
+    // Turned inside out it would be seen from behind.
+    let facing = |mesh: &Mesh| {
+        let [a, b, c] = mesh.triangles[0].map(|i| mesh.vertices[i as usize].position);
+        (b - a).cross(c - a).z > 0.0
+    };
+    assert_eq!(facing(meshes[0]), facing(meshes[2]));
+    let told = scene(&[3]).expect_err("a flat node").to_string();
+    assert!(told.contains("no triangles with an area"), "{told}");
 }

@@ -69,12 +69,26 @@ fn what_is_no_override_is_refused_at_once() {
         ("rays.step", "expected KEY=VALUE"),
         ("=3", "the key must be names joined by dots"),
         ("rays..step=3", "the key must be names joined by dots"),
-        ("rays.step=", "the value is missing"),
         ("image.size=[1, 2", "the value is not TOML"),
         ("sky.image=\"a", "the value is not TOML"),
     ] {
         let error = text.parse::<Override>().expect_err(text).to_string();
         assert!(error.contains(problem), "{error}");
+    }
+}
+
+#[test]
+fn without_a_value_a_key_is_left_out() {
+    let scene = with(&["rays.method=rk4", "rays.accuracy=1e-3", "rays.accuracy="]);
+    assert_eq!(scene.expect("a scene").rays.auto, None);
+    let objects = with(&["objects=[{ shape = \"sphere\", material = \"none\" }]", "objects.0="]);
+    assert!(objects.expect("a scene").objects.is_empty());
+    for (key, column) in [("rays.frob=", 1), ("objects.7.radius=", 1), ("rays.method.x=", 1)] {
+        let told = with(&[key]).expect_err(key).to_string();
+        let name = key.trim_end_matches('=');
+        let said =
+            [format!("--set {key}:1:{column}: there is no `{name}` to leave out"), "a value goes behind".to_owned()];
+        assert!(said.iter().all(|said| told.contains(said)), "{told}");
     }
 }
 

@@ -2,6 +2,7 @@
 #![no_main]
 
 mod bounds;
+mod lines;
 mod readers;
 
 use std::sync::OnceLock;

@@ -1,0 +1,42 @@
+//! The line of source that an instruction comes from, for libFuzzer's `-print_full_coverage=1`, which asks for it by this name.
+//! `make fuzz-lines` counts what it prints.
+
+use std::ffi::{CStr, c_char, c_int, c_void};
+use std::path::Path;
+
+/// Writes `format` with the file (`%s`) and the line of it (`%l`) of the instruction at `at`. Of functions that were compiled
+/// into one another it is the innermost of the program's own. What is not its own is `<null>`, which libFuzzer passes over.
+#[unsafe(no_mangle)]
+extern "C" fn __sanitizer_symbolize_pc(at: *mut c_void, format: *const c_char, to: *mut c_char, size: usize) {
+    // SAFETY: libFuzzer passes a text that ends in zero, and room for `size` bytes.
+    let (format, to) = unsafe { (CStr::from_ptr(format), std::slice::from_raw_parts_mut(to.cast::<u8>(), size)) };
+    let (file, line) = own_line(at).unwrap_or_else(|| ("<null>".to_owned(), 0));
+    let format = format.to_string_lossy();
+    let said = format.replace("%s", &file).replace("%l", &format!("{file}:{line}")).replace("%F", "");
+    let length = said.len().min(size - 1);
+    to[..length].copy_from_slice(&said.as_bytes()[..length]);
+    to[length] = 0;
+}
+
+/// Of modules, which libFuzzer asks for too, nothing is known: there is one.
+#[unsafe(no_mangle)]
+extern "C" fn __sanitizer_get_module_and_offset_for_pc(
+    _: *mut c_void,
+    _: *mut c_char,
+    _: usize,
+    _: *mut *mut c_void,
+) -> c_int {
+    0
+}
+
+fn own_line(at: *mut c_void) -> Option<(String, u32)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent()?.parent()?;
+    let mut found = None;
+    backtrace::resolve(at, |symbol| {
+        let own = symbol.filename().and_then(|file| file.strip_prefix(root.join("src")).ok());
+        if let (None, Some(file)) = (&found, own) {
+            found = symbol.lineno().map(|line| (file.display().to_string(), line));
+        }
+    });
+    found
+}
