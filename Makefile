@@ -49,7 +49,8 @@ fuzz: fuzz-program
 fuzz-lines: fuzz-program
 	for reader in $(READERS); do \
 	    echo "== $$reader"; mkdir -p "target/fuzz/grown/$$reader"; \
-	    READER=$$reader target/fuzz/fuzz -runs=0 -max_len=8192 -print_full_coverage=1 "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" 2>&1 | \
+	    READER=$$reader target/fuzz/fuzz -runs=0 -max_len=8192 -print_full_coverage=1 "-artifact_prefix=target/fuzz/found/$$reader-" \
+	        "target/fuzz/grown/$$reader" "tests/fuzz/corpus/$$reader" 2>&1 | \
 	        awk '/^[UC] / { for (i = 2; i <= NF; i++) { line[$$i]; if ($$1 == "C") tried[$$i] } } \
             END { for (at in line) { split(at, file, ":"); all[file[1]]++; some[file[1]] += at in tried } \
                 for (name in some) if (some[name] && name != "<null>") \

@@ -44,7 +44,8 @@ fn scene(folder: &Path, words: &[String]) -> Scene {
 
 /// What makes a picture small: one sample of a few pixels, or where directions on the way of its light are drawn at random, so that
 /// few samples are noise, of fewer pixels and some samples. (References of these have so many that their own noise is near 1 % of
-/// the mean.) Light goes to where such a pixel can show it, and a grid of light has as many paths as make no noise that is seen.
+/// the mean.) Rays are as accurate as such a pixel
+/// can show, and a grid of light has as many paths as make no noise that is seen.
 fn smaller(scene: &Scene, words: &[String]) -> Vec<String> {
     let (samples, size) = if scene.rays.paths.is_some() {
         ("64", "32x32")

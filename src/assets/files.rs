@@ -33,6 +33,7 @@ pub struct Files {
     /// The scene's own, in the order that indices count.
     pictures: Vec<(PathBuf, Picture)>,
     picture_of: HashMap<PathBuf, Option<Picture>>,
+    /// Of each file of meshes what was wanted.
     meshes_of: HashMap<PathBuf, Meshes>,
     /// Files that those of meshes name.
     others: BTreeSet<PathBuf>,

@@ -13,8 +13,18 @@ pub struct Override {
     text: String,
     /// The names that lead to the key; a number counts the tables of an array, from 0.
     path: Vec<String>,
-    /// The value; without it whatever the scene says of the key is left out.
-    value: Option<Node>,
+    change: Change,
+}
+
+/// What becomes of the key.
+#[derive(Debug, Clone)]
+enum Change {
+    /// It has this value.
+    Set(Node),
+    /// It is left out, and must have been there.
+    LeaveOut,
+    /// It is left out if it is there.
+    LeaveOutIfThere,
 }
 
 impl FromStr for Override {
@@ -29,15 +39,15 @@ impl FromStr for Override {
         let path = names(key).ok_or_else(|| error("the key must be names joined by dots, as in image.size"))?;
         let trimmed = written.trim();
         let base = Base { source: 0, offset: key.len() + 1 + written.len() - written.trim_start().len() };
-        let value = match DeValue::parse(trimmed) {
-            Ok(value) => node(&value, base),
-            Err(_) if trimmed.is_empty() => return Ok(Self { text: text.to_owned(), path, value: None }),
+        let change = match DeValue::parse(trimmed) {
+            Ok(value) => Change::Set(node(&value, base)),
+            Err(_) if trimmed.is_empty() => Change::LeaveOut,
             Err(e) if trimmed.starts_with(['"', '\'', '[', '{']) => {
                 return Err(error(&format!("the value is not TOML: {}", e.message())));
             }
-            Err(_) => Node { place: base.place(0..trimmed.len()), value: Value::Text(trimmed.to_owned()) },
+            Err(_) => Change::Set(Node { place: base.place(0..trimmed.len()), value: Value::Text(trimmed.to_owned()) }),
         };
-        Ok(Self { text: text.to_owned(), path, value: Some(value) })
+        Ok(Self { text: text.to_owned(), path, change })
     }
 }
 
@@ -62,12 +72,11 @@ impl Override {
     /// That a key of a table is left out.
     #[must_use]
     pub fn without(table: &str, key: &str) -> Self {
-        Self { text: format!("{table}.{key}"), path: vec![table.to_owned(), key.to_owned()], value: None }
-    }
-
-    /// Is it a user's, and not one of the program's own?
-    fn is_typed(&self) -> bool {
-        self.text.contains('=')
+        Self {
+            text: format!("{table}.{key}"),
+            path: vec![table.to_owned(), key.to_owned()],
+            change: Change::LeaveOutIfThere,
+        }
     }
 
     /// `KEY=VALUE` as it was given.
@@ -79,16 +88,19 @@ impl Override {
     /// Sets the value in a tree whose source number `source` is this override's text. Missing tables are made.
     pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), Fault> {
         let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
-        let Some(mut value) = self.value.clone() else {
-            let is_left_out = leave_out(root, &self.path);
-            if is_left_out || !self.is_typed() {
-                return Ok(());
+        match &self.change {
+            Change::Set(value) => {
+                let mut value = value.clone();
+                relocate(&mut value, source);
+                *reach(root, &self.path, key)? = value;
             }
-            let problem = format!("there is no `{}` to leave out", self.path.join("."));
-            return Err(Fault { place: key, problem, help: "a value goes behind the `=`".to_owned() });
-        };
-        relocate(&mut value, source);
-        *reach(root, &self.path, key)? = value;
+            Change::LeaveOut if !leave_out(root, &self.path) => {
+                let problem = format!("there is no `{}` to leave out", self.path.join("."));
+                return Err(Fault { place: key, problem, help: "a value goes behind the `=`".to_owned() });
+            }
+            Change::LeaveOut => {}
+            Change::LeaveOutIfThere => _ = leave_out(root, &self.path),
+        }
         Ok(())
     }
 }

@@ -151,7 +151,10 @@ impl<'r, 'a> TableReader<'r, 'a> {
         match &told[..] {
             [(said, _)] => format!("{key} is {said}"),
             several if several.len() <= TOLD => {
-                let each = several.iter().map(|(said, when)| format!("with {when} {key} is {said}"));
+                let each = several.iter().map(|(said, when)| match *when {
+                    "" => format!("{key} is {said}"),
+                    when => format!("with {when} {key} is {said}"),
+                });
                 each.collect::<Vec<_>>().join("; ")
             }
             _ => String::new(),

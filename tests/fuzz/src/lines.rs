@@ -4,15 +4,16 @@
 use std::ffi::{CStr, c_char, c_int, c_void};
 use std::path::Path;
 
-/// Writes `format` with the file (`%s`) and the line of it (`%l`) of the instruction at `at`. Of functions that were compiled
+/// Writes `format` with the file (`%s`) of the instruction at `at`, and with its file and line (`%l` and `%L`). Of functions that were compiled
 /// into one another it is the innermost of the program's own. What is not its own is `<null>`, which libFuzzer passes over.
 #[unsafe(no_mangle)]
 extern "C" fn __sanitizer_symbolize_pc(at: *mut c_void, format: *const c_char, to: *mut c_char, size: usize) {
     // SAFETY: libFuzzer passes a text that ends in zero, and room for `size` bytes.
     let (format, to) = unsafe { (CStr::from_ptr(format), std::slice::from_raw_parts_mut(to.cast::<u8>(), size)) };
     let (file, line) = own_line(at).unwrap_or_else(|| ("<null>".to_owned(), 0));
-    let format = format.to_string_lossy();
-    let said = format.replace("%s", &file).replace("%l", &format!("{file}:{line}")).replace("%F", "");
+    let place = format!("{file}:{line}");
+    let named = [("%s", &file), ("%l", &place), ("%L", &place), ("%F", &String::new()), ("%p", &format!("{at:p}"))];
+    let said = named.iter().fold(format.to_string_lossy().into_owned(), |said, (what, is)| said.replace(what, is));
     let length = said.len().min(size - 1);
     to[..length].copy_from_slice(&said.as_bytes()[..length]);
     to[length] = 0;
