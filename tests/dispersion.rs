@@ -59,7 +59,7 @@ fn colours_of_the_spectrum_add_up_to_white() {
     let inputs: Vec<[Vec4; 1]> =
         (0..COUNT).map(|k| [Vec4::splat(380.0 + 350.0 * (k as f32 + 0.5) / COUNT as f32)]).collect();
     let parts = ["path/spectrum/color", "path/spectrum/drawn", "path/carried", "surface/region_none", "medium/vacuum"];
-    let colors = Probe::new(&parts).frame().run::<1, 1>(&gpu(), "put(0u, vec4f(spectral_color(p0.x), 0.0));", &inputs);
+    let colors = Probe::new(&parts).run::<1, 1>(&gpu(), "put(0u, vec4f(spectral_color(p0.x), 0.0));", &inputs);
     let colors: Vec<DVec3> = colors.iter().map(|[color]| color.truncate().as_dvec3()).collect();
     let mean = colors.iter().sum::<DVec3>() / COUNT as f64;
     assert!((mean - 1.0).abs().max_element() < 2e-5, "{mean}");

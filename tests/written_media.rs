@@ -64,7 +64,8 @@ fn a_fisheye_as_a_formula_has_circles() {
     }
 }
 
-/// Where a formula has no value, or none above 0, rays fail by every method, and none is taken for something else.
+/// Where a formula has no value, or none above 0, rays fail by every method, and none is taken for something else. One that comes so near
+/// that no step is short enough stalls.
 #[test]
 fn rays_fail_where_there_is_no_index() {
     let methods = [
@@ -85,7 +86,8 @@ fn rays_fail_where_there_is_no_index() {
             let index = format!("{{ kind = \"expression\", n = \"{n}\" }}");
             let table = format!("{method}\nmax_segments = 4000\nbound = {{ radius = 5 }}");
             for (ray, end) in rays.iter().zip(ends(&index, &table, &rays)) {
-                assert_eq!(end.status, Status::Failed, "{n} by {method}: {ray:?} ends at {:?}", end.x);
+                let is_seen = matches!(end.status, Status::Failed | Status::Stalled);
+                assert!(is_seen, "{n} by {method}: {ray:?} ends at {:?}: {:?}", end.x, end.status);
             }
         }
     }

@@ -78,20 +78,29 @@ fn is_not_a_number(a: Real) -> bool {
     return (bitcast<u32>(a) & 0x7fffffffu) > 0x7f800000u;
 }
 
-// Sine and cosine.
+// Sine and cosine, for |a| up to 1e4 (built-in forms err by 4e-7 on GPUs, which is all of a small angle's sine): those of
+// r = a − n π/2, exchanged and signed by n. π/2 comes off in three parts, of which the first has so few bits that its multiples are
+// exact.
 fn real_sin_cos(a: Real) -> Real2 {
-    return Real2(sin(a), cos(a));
+    let n = floor(a * (2.0 / PI) + 0.5);
+    // Compilers may merge terms with the same factor into one, n times π/2 rounded.
+    let also_n = opaque(n);
+    let r = ((a - n * 1.5703125) - also_n * 4.837512969970703e-4) - also_n * 7.549789948768648e-8;
+    // Where angles are further apart than this, one is as good as another.
+    return quadrant_sin_cos(select(r, 0.0, abs(r) > 1.0), i32(n));
 }
 
-// Sine and cosine of q quarter turns. Whole ones come off without rounding, so that an angle of many turns is as good as its q;
-// built-in forms may lose all digits beyond ±π. Polynomials of Moshier's Cephes library (sinf, cosf).
+// Sine and cosine of q quarter turns: whole ones come off without rounding, so that an angle of many turns is as good as its q.
 fn quarters_sin_cos(q: Real) -> Real2 {
     let n = floor(q + 0.5);
-    let r = (q - n) * (0.5 * PI);
+    return quadrant_sin_cos((q - n) * (0.5 * PI), i32(n));
+}
+
+// Sine and cosine of r + k π/2, |r| ≤ π/4. Polynomials of Moshier's Cephes library (sinf, cosf).
+fn quadrant_sin_cos(r: Real, k: i32) -> Real2 {
     let z = r * r;
     let sine = r + r * z * (-1.6666654611e-1 + z * (8.3321608736e-3 - z * 1.9515295891e-4));
     let cosine = 1.0 - z * (0.5 - z * (4.166664568298827e-2 + z * (-1.388731625493765e-3 + z * 2.443315711809948e-5)));
-    let k = i32(n);
     let odd = (k & 1) != 0;
     let y = select(sine, cosine, odd);
     let x = select(cosine, sine, odd);

@@ -2,7 +2,8 @@
 
 fn later(ray: Ray, passed: Real) -> Ray {
     var next = ray;
-    next.tau += passed;
+    // One by one: compilers may sum up those of several steps otherwise where a program goes on otherwise.
+    next.tau = opaque(ray.tau + passed);
     return next;
 }
 

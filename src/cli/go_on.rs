@@ -10,7 +10,7 @@ use super::frames::Film;
 use super::origin::origin;
 use crate::error::Error;
 use crate::gpu::Gpu;
-use crate::output::origin::{FOLLOWED, SAMPLES, difference};
+use crate::output::origin::{COMPARED, FOLLOWED, SAMPLES, difference};
 use crate::output::{FileSettings, OutputError, picture};
 use crate::program::Layer;
 use crate::render::{Band, Earlier, Window};
@@ -118,6 +118,11 @@ impl Before {
     /// Layers that it has.
     pub(super) fn layers(&self) -> &[Layer] {
         &self.settings.layers
+    }
+
+    /// Was it made by a program that kept what a search compares?
+    pub(super) fn is_compared(&self) -> bool {
+        self.settings.said(COMPARED) == Some("true")
     }
 
     /// What the render goes on from.

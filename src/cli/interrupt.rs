@@ -3,8 +3,9 @@
 //! *Practice.* Files under way are removed and the process ends with 130: whatever stood there before is as it was. A film first finishes the
 //! frame in hand, and ends at once if it is asked again.
 
-use std::process::exit;
 use std::sync::atomic::{AtomicBool, Ordering};
+
+use signal_hook::low_level::exit;
 
 use crate::output::abandon_unfinished;
 
@@ -24,7 +25,8 @@ pub(super) fn listen() {
             tell!("stopping after this frame; once more to stop at once");
             return;
         }
-        // Nobody begins another file before the process is gone.
+        // Nobody begins another file before the process is gone. It goes at once: what else is done at an end would take the driver
+        // from under the render that is still running, and some drivers crash then.
         let _held = abandon_unfinished();
         exit(i32::from(INTERRUPTED));
     };

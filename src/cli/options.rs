@@ -10,7 +10,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
-use crate::output::origin::FOLLOWED;
+use crate::output::origin::{COMPARED, FOLLOWED};
 use crate::output::said;
 use crate::program::{Choice, Layer, Masks, Purpose, Schedule};
 use crate::render::{RenderSettings, Window};
@@ -108,6 +108,11 @@ pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
 }
 
 impl SceneOptions {
+    /// Is the method that of a picture whose program kept what a search compares?
+    pub(super) fn is_compared(&self) -> bool {
+        self.method_of.as_ref().is_some_and(|picture| said(picture, COMPARED).is_ok_and(|text| text == "true"))
+    }
+
     /// All changes, as the scene reader takes them.
     pub(super) fn overrides(&self) -> Result<Vec<Override>, Error> {
         let method = self.method_of.as_ref().map(|picture| {

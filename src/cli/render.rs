@@ -236,7 +236,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         before.check_origin(&film, &gpu, &still)?;
     }
     launch.next();
-    let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(layers.clone()) };
+    let kept = arguments.kept(&layers, before.as_ref());
+    let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(kept) };
     let rate = still.animation.as_ref().map(|animation| animation.rate);
     let again = arguments.again(still.rays.auto.is_some() || before.is_some(), targets[0]);
     let (leading, settings) = arguments.lead(&gpu, &film, still, settings)?;

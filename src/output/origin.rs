@@ -13,6 +13,9 @@ use crate::scene::Tonemap;
 
 /// How the rays were followed, as [`Rays::followed`](crate::scene::Rays::followed) has it.
 pub const FOLLOWED: &str = "rays";
+/// Whether its program kept all that a search for a method compares, `true` or `false`: on some devices another program rounds otherwise,
+/// which makes no other picture of it.
+pub const COMPARED: &str = "compared";
 /// A hash of the scene and its files.
 pub const SCENE: &str = "scene";
 /// The scene's values, `key = value` a line.
@@ -106,7 +109,7 @@ pub fn file_difference(own: &FileSettings, wanted: &FileSettings) -> Option<Stri
 #[must_use]
 pub fn difference(pictures: [&[(String, String)]; 2], but: &[&str]) -> Option<Difference> {
     let said = pictures.map(|said| said.iter().map(|(key, text)| (key.as_str(), text.as_str())).collect());
-    let counts = |key: &str| key != LINES && !but.contains(&key);
+    let counts = |key: &str| ![LINES, COMPARED].contains(&key) && !but.contains(&key);
     let found = first(&said, counts)?;
     if found.key != SCENE {
         return Some(found);

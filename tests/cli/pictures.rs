@@ -9,7 +9,7 @@ use super::{BALL, Folder};
 const HOLE: &str =
     "--set law.kind=schwarzschild --set rays.method=rk4 --set law.mass=0.2 --set objects.0.center=[1.5,0,0]";
 
-fn decoded(folder: &Folder, name: &str) -> DynamicImage {
+pub(super) fn decoded(folder: &Folder, name: &str) -> DynamicImage {
     let reader = ImageReader::open(folder.path(name)).unwrap();
     reader.decode().unwrap_or_else(|error| panic!("{name}: {error}"))
 }

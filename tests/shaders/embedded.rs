@@ -101,17 +101,10 @@ fn in_64_bits(setting: Setting) -> Setting {
 impl Setting {
     fn run(&self, limit: &str, inputs: &[Input]) -> Vec<Output> {
         let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
-        let mut parts = vec![
-            "segment/ray",
-            "state/arguments",
-            "state/work",
-            "method/memory_pair",
-            "law/phase_space",
-            "law/schwarzschild_path",
-        ];
+        let mut parts =
+            vec!["segment/ray", "state/work", "method/memory_pair", "law/phase_space", "law/schwarzschild_path"];
         parts.extend(["method/control/embedded", self.part, "method/control/embedded", limit, self.real]);
         let rows = Probe::new(&parts)
-            .frame()
             .stub(REALS)
             .bind("law", [law])
             .bind("control", [vec![("tolerance", Float(self.tolerance)), ("eta", Float(ETA))]])

@@ -3,6 +3,7 @@
 use bentray::program::{Analysis, Choice, Extent, Work, plan};
 use glam::{DVec3, Vec4};
 
+use super::numbers::SINE_BOUND;
 use super::reals::{U64, answers, joined, joined3, split};
 use super::{Errors, Random, U, wide};
 use crate::support::{gpu, probe::Probe, scene};
@@ -28,7 +29,7 @@ fn generated(name: &str, formula: &str) -> String {
 }
 
 fn with_formulas<'f>(real: &str, formulas: impl IntoIterator<Item = &'f str>) -> Probe {
-    let probe = Probe::new(&["state/arguments", "state/work", "medium/formula", "medium/finite", real]).frame();
+    let probe = Probe::new(&["state/work", "medium/formula", "medium/finite", real]);
     formulas
         .into_iter()
         .enumerate()
@@ -211,9 +212,8 @@ fn functions_of_formulas() {
         let size = x.abs();
         roots.check(rows[0].x, size.sqrt(), 3.0 * U * size.sqrt(), input);
         logs.check(rows[0].y, size.ln(), 4.0 * U * size.ln().abs(), input);
-        // The driver's own sine errs by 1e-7 in a turn, and reduces angles in 32 bits.
-        sines.check(rows[0].z, x.sin(), 2e-7 + 2.0 * U * size, input);
-        cosines.check(rows[0].w, x.cos(), 2e-7 + 2.0 * U * size, input);
+        sines.check(rows[0].z, x.sin(), SINE_BOUND * size.min(1.0), input);
+        cosines.check(rows[0].w, x.cos(), SINE_BOUND, input);
         // WGSL's own bound on exp, 3 + 2 |a| units in the last place, each up to two roundings.
         let e = |a: f64| (6.0 + 4.0 * a.abs()) * U;
         exps.check(rows[2].z, y.exp(), e(y) * y.exp(), input);

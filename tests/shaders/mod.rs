@@ -135,8 +135,8 @@ impl Errors {
         let got = got.into();
         let error = (got - want).abs();
         let error = if error.is_nan() { f64::INFINITY } else { error };
-        // Results that f32 has no normal number for may be flushed to 0.
-        let ratio = error / (bound + f64::from(f32::MIN_POSITIVE));
+        // What f32 has no normal number for may be flushed to 0, on the way to a result that is some thousand times as large too.
+        let ratio = error / (bound + 4096.0 * f64::from(f32::MIN_POSITIVE));
         self.worst = self.worst.max(error);
         if ratio > self.ratio || ratio.is_nan() {
             self.ratio = ratio;

@@ -15,7 +15,7 @@ const RADIUS: f64 = 50.0;
 const CENTER: DVec3 = DVec3::new(1.0, -2.0, 0.5);
 
 fn bounded(parts: &[&str], center: DVec3) -> Probe {
-    Probe::new(parts).frame().bind("bound", [vec![("center", V3(center)), ("radius", Float(RADIUS))]])
+    Probe::new(parts).bind("bound", [vec![("center", V3(center)), ("radius", Float(RADIUS))]])
 }
 
 #[test]
@@ -33,15 +33,7 @@ fn straight_motion_leaves_the_bound_in_one_step() {
         put(1u, vec4f(next.phase[1], f32(left_bound(next.phase[0], next.phase[1]))));
         put(2u, vec4f(next.tau, f32(next.steps), 0.0, 0.0));";
     let probe = bounded(
-        &[
-            "segment/ray",
-            "state/arguments",
-            "law/bound",
-            "law/leaving",
-            "law/phase_space",
-            "motion/straight",
-            "law/limit_none",
-        ],
+        &["segment/ray", "law/bound", "law/leaving", "law/phase_space", "motion/straight", "law/limit_none"],
         CENTER,
     );
     let (mut places, mut exits) = (Errors::of("straight motion"), Errors::of("straight motion's exit"));
@@ -75,7 +67,6 @@ fn fates_in_their_order() {
     let parts = [
         "segment/ray",
         "state/work",
-        "state/arguments",
         "law/bound",
         "law/leaving",
         "law/phase_space",
@@ -124,7 +115,6 @@ fn path_end(step: f64) -> Probe {
     let parts = [
         "segment/ray",
         "state/work",
-        "state/arguments",
         "law/bound",
         "law/leaving",
         "law/phase_space",

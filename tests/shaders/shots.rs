@@ -74,7 +74,6 @@ fn shots_about_a_centre_are_conics() {
             vec![("position", V3(DVec3::ZERO)), ("strength", Float(m)), ("along", V3(DVec3::Z)), ("kind", Uint(0))];
         let probe = Probe::new(&[
             "segment/ray",
-            "state/arguments",
             "state/work",
             "real/math",
             "law/phase_space",
@@ -86,7 +85,6 @@ fn shots_about_a_centre_are_conics() {
             "surface/shadow/status_counted",
             "surface/shot/planar",
         ])
-        .frame()
         .generated(SCENE, "generated/source_counts.wgsl")
         .bind("schedule", [vec![("max_segments", Uint(1000)), ("segments", Uint(1000)), ("segment_work", Uint(10))]])
         .bind("inverse_square", [centre]);

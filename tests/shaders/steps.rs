@@ -76,10 +76,10 @@ impl Method {
 
     /// What the device makes of the inputs.
     fn taken(&self, law: &Law, real: &str, inputs: &[[Vec4; 2]]) -> Vec<Steps<DVec3>> {
-        let mut parts = vec!["segment/ray", "state/arguments", "law/phase_space", real];
+        let mut parts = vec!["segment/ray", "law/phase_space", real];
         parts.extend(law.parts);
         parts.extend(self.parts());
-        let probe = Probe::new(&parts).frame().bind(law.binding, [law.record.clone()]).stub(REALS);
+        let probe = Probe::new(&parts).bind(law.binding, [law.record.clone()]).stub(REALS);
         let of = |rows: &[Vec4]| rows.chunks(6).map(|c| [joined3(&c[..3]), joined3(&c[3..])]).collect();
         if self.is_pair() {
             probe.run::<2, 18>(&gpu(), self.body(), inputs).iter().map(|rows| of(rows)).collect()

@@ -76,7 +76,8 @@ fn an_edge_has_two_opposite_sides() {
     let mut errors = Errors::of("edge_side");
     for (input, [sides]) in inputs.iter().zip(&probe().run::<3, 1>(&gpu(), body, &inputs)) {
         let opposite = sides.x.to_bits() == (-sides.y).to_bits() || (sides.x == 0.0 && sides.y == 0.0);
-        assert!(opposite, "{:e} and {:e} at {input:?}", sides.x, sides.y);
+        // Where both ends are one there is no edge: with products that are not rounded p × p need not be 0.
+        assert!(opposite || input[1] == input[2], "{:e} and {:e} at {input:?}", sides.x, sides.y);
         let [d, p, q] = input.map(wide);
         // Two roundings in each component of the cross product, three in the sum.
         errors.check(sides.x, d.dot(p.cross(q)), 9.0 * U * d.length() * p.length() * q.length(), input);

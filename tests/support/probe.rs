@@ -24,6 +24,20 @@ pub fn about_a_point(record: Record) -> Record {
     [record, vec![("along", Value::Vec3(DVec3::ZERO)), ("kind", Value::Uint(0))]].concat()
 }
 
+/// Of one pixel, for the barriers against the compiler.
+fn frame() -> Record {
+    let one = Value::Uint2([1, 1]);
+    vec![
+        ("origin", Value::Uint2([0, 0])),
+        ("size", one),
+        ("image", one),
+        ("sample", Value::Uint(0)),
+        ("branch", Value::Uint(0)),
+        ("listed", Value::Uint(0)),
+        ("zero", Value::Uint(0)),
+    ]
+}
+
 /// What an output holds until it is written: a NaN that no arithmetic makes.
 const UNWRITTEN: u32 = 0x7fc0_dead;
 
@@ -79,7 +93,7 @@ impl Probe {
                 units.push(unit(common));
             }
         }
-        let probe = Self { units, ..Self::default() };
+        let probe = Self { units, ..Self::default() }.bind("frame", [frame()]);
         if !probe.units.iter().any(|unit| unit.text.contains("anchor_offset(")) {
             return probe;
         }
@@ -137,27 +151,13 @@ impl Probe {
         self
     }
 
-    /// With the record of `frame` that the schedules' barriers against the compiler need.
-    pub fn frame(self) -> Self {
-        let one = Value::Uint2([1, 1]);
-        self.bind(
-            "frame",
-            [vec![
-                ("origin", Value::Uint2([0, 0])),
-                ("size", one),
-                ("image", one),
-                ("sample", Value::Uint(0)),
-                ("branch", Value::Uint(0)),
-                ("listed", Value::Uint(0)),
-                ("zero", Value::Uint(0)),
-            ]],
-        )
-    }
-
     /// Runs `body` once for each of the inputs, I rows each, and returns the O rows that it writes for each.
     pub fn run<const I: usize, const O: usize>(&self, gpu: &Gpu, body: &str, inputs: &[[Vec4; I]]) -> Vec<[Vec4; O]> {
         let mut shared = self.units.clone();
         shared.push(entry(body, I, O, inputs.len()));
+        if !shared.iter().any(|unit| unit.text.contains("struct Frame")) {
+            shared.push(Unit::from(part("state/arguments").expect("what holds the frame")));
+        }
         let parts = Parts { shared, regions: Vec::new() }.without_optional_calls();
         let linked = link(&parts, "probe").unwrap_or_else(|error| panic!("{error}"));
         let reflection = reflect(&linked).unwrap_or_else(|error| panic!("{error}"));

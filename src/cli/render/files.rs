@@ -9,6 +9,7 @@ use crate::cli::paths;
 use crate::cli::share::Target;
 use crate::cli::watch::PreviewFile;
 use crate::error::Error;
+use crate::measure::compared_layers;
 use crate::output::origin::file_difference;
 use crate::output::{FileSettings, ImageWriter, open, settings_of};
 use crate::program::Layer;
@@ -125,6 +126,13 @@ impl Arguments {
         let keeps =
             |layer: &Layer| self.layers.as_ref().map_or_else(|| usual(*layer), |wanted| wanted.contains(&Some(*layer)));
         Layer::ALL.into_iter().filter(keeps).collect()
+    }
+
+    /// Those that the program keeps: what a search compares too where the picture that gives the method was made after one, for
+    /// another program may round otherwise.
+    pub(super) fn kept(&self, layers: &[Layer], before: Option<&Before>) -> Vec<Layer> {
+        let is_compared = before.map_or_else(|| self.changes.is_compared(), Before::is_compared);
+        if is_compared { compared_layers(layers) } else { layers.to_owned() }
     }
 }
 

@@ -17,6 +17,7 @@ use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::Verification;
 use crate::output::ImageWriter;
+use crate::output::origin::COMPARED;
 use crate::program::Layer;
 use crate::render::{Earlier, Preview, RenderError, RenderSettings, Renderer, StartUp, Totals, Watch, Window};
 use crate::scene::Scene;
@@ -105,6 +106,7 @@ impl Work<'_> {
             Some(_) => settled(self.arguments.load(&self.film, frame, None)?, &self.leading),
         };
         let mut said = origin(&self.film, frame, self.gpu, &scene)?;
+        said.push((COMPARED.to_owned(), (self.settings.choice.layers != self.layers).to_string()));
         said.extend(self.verification.iter().flat_map(Verification::metadata));
         let layers = self.layers.clone();
         // A picture that is named alone is rendered whenever it is asked for.
