@@ -24,7 +24,8 @@ fn finite(a: Real3) -> bool {
 }
 
 // The same bits, behind which no compiler sees: a step's result must not be simplified together with what uses it (x₁ − x₀
-// to h v), or passes that are cut differently would round differently.
+// to h v), or passes that are cut differently would round differently; and sums in a certain order must stay in it, which compilers
+// of GPUs change.
 fn opaque(a: Real) -> Real {
     return bitcast<f32>(bitcast<u32>(a) ^ frame.zero);
 }
@@ -83,9 +84,7 @@ fn is_not_a_number(a: Real) -> bool {
 // exact.
 fn real_sin_cos(a: Real) -> Real2 {
     let n = floor(a * (2.0 / PI) + 0.5);
-    // Compilers may merge terms with the same factor into one, n times π/2 rounded.
-    let also_n = opaque(n);
-    let r = ((a - n * 1.5703125) - also_n * 4.837512969970703e-4) - also_n * 7.549789948768648e-8;
+    let r = opaque(opaque(a - n * 1.5703125) - n * 4.837512969970703e-4) - n * 7.549789948768648e-8;
     // Where angles are further apart than this, one is as good as another.
     return quadrant_sin_cos(select(r, 0.0, abs(r) > 1.0), i32(n));
 }

@@ -27,18 +27,19 @@ fn finite(a: Real3) -> bool {
     return all((bitcast<vec3u>(vec3f(a)) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));
 }
 
-// The same bits, behind which no compiler sees: a step's result must not be simplified together with what uses it (x₁ − x₀
-// to h v), or passes that are cut differently would round differently. WGSL has no bit operations on f64.
+// The same number, behind which no compiler sees: a step's result must not be simplified together with what uses it (x₁ − x₀
+// to h v), or passes that are cut differently would round differently; and sums in a certain order must stay in it, which compilers
+// of GPUs change. WGSL has no bit operations on f64: a choice is in the way as well.
 fn opaque(a: Real) -> Real {
-    return a * Real(1u - frame.zero);
+    return select(a, 0.0, frame.zero != 0u);
 }
 
 fn opaque3(a: Real3) -> Real3 {
-    return a * Real(1u - frame.zero);
+    return select(a, Real3(0.0), frame.zero != 0u);
 }
 
 fn opaque4(a: Real4) -> Real4 {
-    return a * Real(1u - frame.zero);
+    return select(a, Real4(0.0), frame.zero != 0u);
 }
 
 // What no calculation goes on from, and what stands for no value: no compiler knows them, for none could be written.
@@ -55,12 +56,6 @@ fn is_not_a_number(a: Real) -> bool {
 }
 
 const ONE: Real = 1.0;
-
-// A whole number of which no compiler knows that it is the same as another. They may merge terms with the same factor, n H + n L,
-// into n (H + L), whose sum is rounded, and factors x h h into x (h h), which overflows.
-fn apart(n: i32) -> i32 {
-    return n ^ i32(frame.zero);
-}
 
 // ln 2 and π/2 in two parts, the first with so few bits that its multiples are exact.
 const LOG2_E: Real = 1.4426950408889634;
@@ -86,8 +81,7 @@ fn real_exp(x: Real) -> Real {
     // Beyond these bounds the result is 0 or infinite all the same, and they keep n small.
     let bounded = clamp(x, -750.0, 720.0);
     let n = floor(bounded * LOG2_E + 0.5);
-    let k = i32(n);
-    let r = (bounded - n * LN_2_HIGH) - Real(apart(k)) * LN_2_LOW;
+    let r = opaque(bounded - n * LN_2_HIGH) - n * LN_2_LOW;
     // (e^r − 1 − r) / r²
     var p: Real = 2.500001729189504e-8;
     p = p * r + 2.763030629483995e-7;
@@ -100,15 +94,12 @@ fn real_exp(x: Real) -> Real {
     p = p * r + 0.1666666666666641;
     p = p * r + 0.5000000000000011;
     // 2^n is too wide for power_of_two, and where e^x is not, 2^n may be: hence three factors, n = 8h + 8h + (n mod 16).
-    return (1.0 + (r + r * r * p)) * power_of_two(k & 15) * eighth_power_of_two(k >> 4u) * eighth_power_of_two(apart(k >> 4u));
-}
-
-// (2^n)⁸.
-fn eighth_power_of_two(n: i32) -> Real {
-    let h1 = power_of_two(n);
+    let k = i32(n);
+    let h1 = power_of_two(k >> 4u);
     let h2 = h1 * h1;
     let h4 = h2 * h2;
-    return h4 * h4;
+    let h8 = h4 * h4;
+    return opaque((1.0 + (r + r * r * p)) * power_of_two(k & 15) * h8) * h8;
 }
 
 // (2 artanh s − 2s)/s³ of z = s², for |s| up to 0.172.
@@ -138,8 +129,8 @@ fn real_log(x: Real) -> Real {
     let z = s * s;
     let p = artanh_tail(z);
     let half = 0.5 * f * f;
-    let n = far + off + k;
-    return Real(n) * LN_2_HIGH - ((half - (s * (half + z * p) + Real(apart(n)) * LN_2_LOW)) - f);
+    let n = Real(far + off + k);
+    return n * LN_2_HIGH - opaque((half - (s * (half + z * p) + n * LN_2_LOW)) - f);
 }
 
 // ln(a/b), good to its last digits where the two are close.
@@ -151,8 +142,7 @@ fn log_ratio(a: Real, b: Real) -> Real {
 // Sine and cosine, for |a| up to 1e6: those of r = a − n π/2, exchanged and signed by n.
 fn real_sin_cos(a: Real) -> Real2 {
     let n = floor(a * QUARTERS_PER_RADIAN + 0.5);
-    let k = i32(n);
-    return quadrant_sin_cos((a - n * QUARTER_TURN_HIGH) - Real(apart(k)) * QUARTER_TURN_LOW, k);
+    return quadrant_sin_cos(opaque(a - n * QUARTER_TURN_HIGH) - n * QUARTER_TURN_LOW, i32(n));
 }
 
 // Sine and cosine of q quarter turns: whole ones come off without rounding, so that an angle of many turns is as good as its q.
