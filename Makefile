@@ -19,14 +19,17 @@ gallery: device
 	cargo build --release
 	cargo run -q --release --example gallery -- target/release/bentray out $(GALLERY)
 
+# One more than there are processors: some tests wait, for a queue or for a child.
+TESTS_AT_ONCE := $(shell echo $$(($$(getconf _NPROCESSORS_ONLN) + 1)))
+
 test: device tools
 	cargo fmt --check
 	cargo clippy --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
 	mkdir -p target
-	cargo test --lib --bins 2>&1 | tee target/test.log
+	cargo test --lib 2>&1 | tee target/test.log
 	cargo test --doc 2>&1 | tee -a target/test.log
-	cargo test --test suite 2>&1 | tee -a target/test.log
+	cargo test --test suite -- --test-threads $(TESTS_AT_ONCE) 2>&1 | tee -a target/test.log
 	for example in picture own_law rays_to_numbers; do cargo run -q --example $$example; done
 	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
 

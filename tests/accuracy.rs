@@ -219,9 +219,10 @@ fn places() -> Vec<(String, Scene, Vec<[f64; 6]>)> {
 #[test]
 fn nothing_goes_wrong_in_silence() {
     let gpu = gpu();
-    let methods = ["planar", "euler", "euler-doubling (2004)", "rkn4", "dormand-prince"];
-    for (name, scene, rays) in places() {
+    let by_turns = ["euler", "euler-doubling (2004)", "rkn4"];
+    for (k, (name, scene, rays)) in places().into_iter().enumerate() {
         let place = Place::new(&gpu, &name, &scene, &rays).unwrap();
+        let methods = ["planar", "dormand-prince", by_turns[k % 3]];
         for outcome in place.outcomes(Some(&methods)).unwrap() {
             let Outcome { right, given_up, over, disagreeing, unresolved, silent, .. } = outcome;
             assert_eq!(silent, 0, "{name}: {outcome:?}");

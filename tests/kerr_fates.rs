@@ -275,7 +275,7 @@ fn every_fate_is_right_round_spinning_holes() {
         let far = horizon + 0.05;
         let near = hole.inner_horizon().unwrap() + 0.1..horizon - 0.05;
         let (mut rays, mut fates) = (Vec::new(), Vec::new());
-        while rays.len() < 10_000 {
+        while rays.len() < 4_000 {
             let x = random.direction() * random.log(0.1, 1000.0);
             let aimed = -x.normalize() + random.direction() * random.log(1e-3, 1.0);
             let d = if random.unit() < 0.7 { aimed.normalize() } else { random.direction() };

@@ -143,7 +143,7 @@ fn pictures_do_not_depend_on_the_schedule() {
 /// A grid that is more than the memory is refused with both numbers; one whose parts are takes fewer of them, and says so.
 #[test]
 fn memory_is_kept_to() {
-    let room = scene(&format!("{ROOM}[rays]\nbound = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 64")));
+    let room = scene(&format!("{ROOM}[rays]\nbound = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 48")));
     let with = |memory| light_grids(&gpu(), &room, &RenderSettings { memory, ..RenderSettings::default() });
     let Err(RenderError::LightGrid { needed, allowed, .. }) = with(1 << 20) else { panic!("not refused") };
     assert!(needed > 1 << 20 && allowed == 1 << 20);

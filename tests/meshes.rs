@@ -122,9 +122,10 @@ fn nothing_tunnels_out_of_a_closed_box() {
         "method = \"rk4-doubling\"\ntolerance = 1e-3",
         "method = \"snell\"",
     ];
-    for law in laws {
-        for method in methods {
-            if method.contains("snell") && !law.contains("medium") {
+    for (i, law) in laws.into_iter().enumerate() {
+        for (k, method) in methods.into_iter().enumerate() {
+            // Every law with half of the methods, and every method with half of the laws.
+            if (i + k) % 2 == 1 || method.contains("snell") && !law.contains("medium") {
                 continue;
             }
             let keys = format!("[law]\n{law}\n[rays]\n{method}\nmax_segments = 300\nbound = {{ radius = 17 }}\n");

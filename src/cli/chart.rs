@@ -164,9 +164,10 @@ fn are_methods<'a>(arguments: &Arguments, scenes: impl Iterator<Item = &'a Scene
     }
     let unknown = arguments.methods.iter().flatten().find(|name| !known.contains(&name.as_str()));
     match unknown {
-        Some(name) => {
-            Err(Error::Usage(format!("--methods: no method of this is `{name}`; {}", suggest(name, &known, "methods"))))
-        }
+        Some(name) => Err(Error::Usage(format!(
+            "--methods: there is no `{name}` for these scenes; {}",
+            suggest(name, &known, "methods")
+        ))),
         None => Ok(()),
     }
 }

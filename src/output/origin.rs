@@ -141,6 +141,7 @@ mod tests {
             difference([&one, &said(other)], but).map(|difference| difference.to_string())
         };
         assert_eq!(words(&[(DEVICE, "d"), (SCENE, "1"), (LINES, "a = 1\nb = 2\n")], &[]), None);
+        assert_eq!(words(&[(DEVICE, "d"), (SCENE, "1"), (COMPARED, "true")], &[]), None);
         let scene = [(SCENE, "2"), (LINES, "a = 1\nc = 2\n"), (DEVICE, "d")];
         assert_eq!(words(&scene, &[]).unwrap(), "its `b` is `2`, not nothing");
         assert_eq!(words(&scene, &[SCENE]), None);

@@ -50,7 +50,7 @@ fn a_chart_is_of_methods_that_there_are() {
     for places in ["scene.toml", "--stability --scenes ."] {
         std::fs::write(folder.path("scene.csv"), "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n").unwrap();
         let ran = folder.run(&format!("chart {places} -o chart --methods rk4,exat"));
-        ran.fails(1, &["--methods: no method of this is `exat`; did you mean `exact`? methods: "]);
+        ran.fails(1, &["--methods: there is no `exat` for these scenes; did you mean `exact`? methods: "]);
     }
     assert!(!folder.path("chart").exists());
 }

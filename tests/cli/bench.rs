@@ -58,7 +58,7 @@ fn sampling_has_an_error_for_every_number_of_samples() {
 #[test]
 fn aims_and_guide_are_worth_their_time() {
     let folder = Folder::with(BALL);
-    let ran = folder.run("bench paths --size 8x8 --repeats 1 --json").succeeds();
+    let ran = folder.run("bench paths --size 4x4 --repeats 1 --json").succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
     let tables = &json["tables"];
     let rows = tables["lamps"].as_array().unwrap();
