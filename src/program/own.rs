@@ -6,6 +6,7 @@
 //! is left, naga finds in the linked program.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use super::copies::split;
 use super::declarations::{Declaration, declarations};
@@ -78,8 +79,11 @@ pub(super) fn loops(parts: &[Wgsl]) -> Result<u64, ProgramError> {
 }
 
 /// What the parts of `shaders/` name, their own and WGSL's.
-fn names_of_parts() -> BTreeSet<&'static str> {
-    all_parts().iter().flat_map(|part| declarations(part.text).unwrap_or_default()).flat_map(|d| used(&d)).collect()
+fn names_of_parts() -> &'static BTreeSet<&'static str> {
+    static NAMES: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+        all_parts().iter().flat_map(|part| declarations(part.text).unwrap_or_default()).flat_map(|d| used(&d)).collect()
+    });
+    &NAMES
 }
 
 fn used(declaration: &Declaration<'static>) -> Vec<&'static str> {
