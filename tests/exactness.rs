@@ -84,7 +84,7 @@ const PICTURES: [&[&str]; 7] = [
 
 #[test]
 fn nothing_can_be_taken_out_of_any_program() {
-    // Purposes differ in the same parts whatever the schedule.
+    // Purposes differ in the same parts under every schedule.
     let purposes = |schedule| match schedule {
         Schedule::Whole | Schedule::Paper => [Purpose::Picture, Purpose::Trace, Purpose::Pixels].as_slice(),
         _ => &[Purpose::Picture],

@@ -101,7 +101,7 @@ fn light_shifts_in_time_as_series_say() {
                 end.to_array(),
                 way.to_array(),
             ));
-            // What is cut into passes does not know of bits.
+            // Passes are cut alike in both precisions.
             let schedules = if precision == "f32" { &Schedule::ALL[..] } else { &[Schedule::Whole] };
             let seen: Vec<f32> = schedules
                 .iter()

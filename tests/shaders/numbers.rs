@@ -83,7 +83,7 @@ fn finite_sees_every_kind_of_number() {
     }
 }
 
-/// The sum of r and its series rounds to 6e-8 at most, the series' terms and r, of which three products were taken, to as much.
+/// Two roundings of 6e-8 at most: of the reduced angle, and of the sum of that and its series.
 pub(super) const SINE_BOUND: f64 = 1.2e-7;
 
 /// As good as an angle is small; on the unit circle where angles are too large to be told apart.
