@@ -10,10 +10,10 @@ use super::frames::Film;
 use super::options::{DeviceFlags, SceneOptions};
 use super::paths;
 use super::render::warn;
-use super::settle::settle;
+use super::settle::{Settled, settle};
 use crate::error::Error;
 use crate::output::csv::{LightRow, Table, read_places};
-use crate::render::{LightPath, light_grids, light_paths};
+use crate::render::{LightPath, StartUp, light_grids, light_paths};
 use crate::scene::{LightSource, Scene, Shadows};
 
 /// Find the paths that lead from a scene's lights to given places, and write their directions and the spread of their bundles
@@ -53,7 +53,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let gpu = opening.finish()?;
     let aimed: Vec<[f64; 6]> = places.iter().map(|x| aimed(first.source, *x)).collect();
     let settings = arguments.device.settings(Vec::new());
-    let (scene, settings) = settle(&gpu, (&film, None), scene.clone(), settings, Rays::Given(&aimed))?;
+    let Settled { scene, settings, .. } =
+        settle(&gpu, (&film, None), scene.clone(), settings, Rays::Given(&aimed), &mut StartUp::default())?;
     let pairs: Vec<[DVec3; 2]> =
         places.iter().flat_map(|place| shot.iter().map(|(_, source)| [*place, *source])).collect();
     let (found, totals) =

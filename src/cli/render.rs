@@ -19,12 +19,13 @@ use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::say_line;
+use super::settle::Settled;
 use super::share::{Part, Share, Target};
 use crate::error::Error;
 use crate::measure::verify;
 use crate::output::{has_extension, is_film};
 use crate::program::Layer;
-use crate::render::{RenderError, RenderSettings, StartUp, Status, Totals, Window};
+use crate::render::{RenderError, RenderSettings, StartPart, StartUp, Status, Totals, Window};
 use crate::scene::Scene;
 pub(super) use picture::followed;
 use work::Work;
@@ -230,18 +231,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if still.camera.is_none() {
         return Err(RenderError::NoCamera.into());
     }
-    launch.next();
+    launch.count(StartPart::Scene);
     let gpu = opening.finish()?;
     if let Some(before) = &before {
         before.check_origin(&film, &gpu, &still)?;
     }
-    launch.next();
+    launch.count(StartPart::Device);
     let kept = arguments.kept(&layers, before.as_ref());
     let settings = RenderSettings { memory: arguments.memory, ..arguments.device.settings(kept) };
     let rate = still.animation.as_ref().map(|animation| animation.rate);
     let again = arguments.again(still.rays.auto.is_some() || before.is_some(), targets[0]);
-    let (leading, settings) = arguments.lead(&gpu, &film, still, settings)?;
-    launch.next();
+    let is_film = arguments.frames.is_some();
+    let Settled { scene: leading, settings, renderer } = arguments.lead(&gpu, &film, still, settings, &mut launch)?;
+    launch.count(StartPart::Method);
     let measured = arguments.verify.map(|count| verify(&gpu, &leading, &settings, count as usize)).transpose()?;
     // Scripts have it with the picture.
     if let Some(verification) = measured.as_ref().filter(|_| !arguments.format.json) {
@@ -265,7 +267,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         layers,
         verification: measured,
         launch,
-        renderer: None,
+        renderer: renderer.map(|renderer| (renderer, is_film.then_some(0))),
+        is_under_way: false,
     };
     let unfollowed = work.render_all(&targets, before.map(Before::earlier).as_ref())?;
     if interrupt::is_asked() {

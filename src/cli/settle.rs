@@ -4,21 +4,31 @@ use super::decisions::{Decision, Place, Rays};
 use super::frames::Film;
 use crate::error::Error;
 use crate::gpu::Gpu;
-use crate::measure::{calibrate, calibrate_for, compared_layers};
-use crate::render::RenderSettings;
+use crate::measure::{Preparation, calibrate, compared_layers};
+use crate::render::{RenderSettings, Renderer, StartPart, StartUp};
 use crate::scene::Scene;
 
-/// The scene with a method, found by calibration where it leaves that open, and the settings that keep what is compiled already.
-/// `scene` is that of `film`, or of a frame of it.
-pub(super) fn settle(
-    gpu: &Gpu,
+/// A scene with its method.
+pub(super) struct Settled<'a> {
+    pub scene: Scene,
+    /// They keep what is compiled already.
+    pub settings: RenderSettings,
+    /// Of the same program, where a search has compiled it.
+    pub renderer: Option<Renderer<'a>>,
+}
+
+/// The scene with a method, found by calibration where it leaves that open. `scene` is that of `film`, or of a frame of it; `launch`
+/// is told how long compiling and searching took.
+pub(super) fn settle<'a>(
+    gpu: &'a Gpu,
     (film, frame): (&Film, Option<u32>),
     scene: Scene,
     mut settings: RenderSettings,
     rays: Rays,
-) -> Result<(Scene, RenderSettings), Error> {
+    launch: &mut StartUp,
+) -> Result<Settled<'a>, Error> {
     if scene.rays.auto.is_none() {
-        return Ok((scene, settings));
+        return Ok(Settled { scene, settings, renderer: None });
     }
     let place = Place::of(gpu, film, frame, &settings, rays);
     let kept = place.as_ref().and_then(Place::find);
@@ -28,23 +38,29 @@ pub(super) fn settle(
         if kept.compared_layers {
             settings.choice.layers = compared_layers(&settings.choice.layers);
         }
-        return Ok((scene, settings));
+        return Ok(Settled { scene, settings, renderer: None });
     }
-    let calibration = match rays {
-        Rays::Given(rays) => calibrate(gpu, &scene, &settings, Some(rays)),
-        Rays::Camera(count) => calibrate_for(gpu, &scene, &settings, count),
-    }?;
-    let Some(calibration) = calibration else { return Ok((scene, settings)) };
+    let (calibration, renderer) = match rays {
+        Rays::Given(rays) => (calibrate(gpu, &scene, &settings, Some(rays))?, None),
+        Rays::Camera(count) => match Preparation::new(gpu, &scene, &settings)? {
+            Some(prepared) => {
+                launch.count(StartPart::Program);
+                prepared.choose(count)?
+            }
+            None => (None, None),
+        },
+    };
+    let Some(calibration) = calibration else { return Ok(Settled { scene, settings, renderer }) };
+    let said = calibration.to_string();
     let warning = calibration.warning();
-    tell_choice(&calibration.to_string(), warning.as_deref());
+    tell_choice(&said, warning.as_deref());
     let scene = calibration.applied(&scene);
     if let Some(place) = place {
-        let (said, followed) = (calibration.to_string(), scene.rays.followed());
         let compared_layers = calibration.layers != settings.choice.layers;
-        place.keep(Decision { said, warning, followed, compared_layers });
+        place.keep(Decision { said, warning, followed: scene.rays.followed(), compared_layers });
     }
     settings.choice.layers = calibration.layers;
-    Ok((scene, settings))
+    Ok(Settled { scene, settings, renderer })
 }
 
 fn tell_choice(said: &str, warning: Option<&str>) {

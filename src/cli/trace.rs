@@ -17,13 +17,13 @@ use super::frames::Film;
 use super::options::{DeviceFlags, SceneOptions};
 use super::paths;
 use super::render::warn;
-use super::settle::settle;
+use super::settle::{Settled, settle};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::{Curve, drift};
 use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
 use crate::output::plot::check_plot;
-use crate::render::{PathPoint, RenderSettings, Traced, pixel_starts, trace, trace_paths};
+use crate::render::{PathPoint, RenderSettings, StartUp, Traced, pixel_starts, trace, trace_paths};
 use crate::scene::{CutPlane, Scene};
 
 /// Follow given rays through the same passes as a picture's, and write where they end or draw their paths
@@ -105,7 +105,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let settings = arguments.device.settings(Vec::new());
     starts.add_pixels(&gpu, &scene, &settings, &arguments.pixel)?;
     let rays = &starts.rays;
-    let (scene, settings) = settle(&gpu, (&film, None), scene, settings, Rays::Given(rays))?;
+    let Settled { scene, settings, .. } =
+        settle(&gpu, (&film, None), scene, settings, Rays::Given(rays), &mut StartUp::default())?;
     if !arguments.path && (table.is_some() || arguments.drift) {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
         for (i, ray) in traced.iter().enumerate() {

@@ -1,27 +1,27 @@
 //! `method = "auto"`: the cheapest method that is right, found on a few thousand rays before the picture starts.
 //!
-//! *Theory.* What a method errs by is measured. What it costs is counted, not timed ([`cost`]): the evaluations of the law's
-//! derivative that its steps take, with what a step costs besides. A busy machine comes to the same choice as an idle one.
+//! *Theory.* What a method errs by is measured. What it costs is counted, not timed ([`cost`](super::cost)): the evaluations of the
+//! law's derivative that its steps take, with what a step costs besides. A busy machine comes to the same choice as an idle one.
 //!
-//! *Practice.* A search among methods compiles a program for each, and one in 64 bits for the truth: seconds on a CPU. A picture that
-//! takes less is not worth it: [`calibrate_for`] then stays with the method that is the cheapest for most laws, at a setting that is
-//! right on the picture's own rays, and says so.
+//! *Practice.* A search among methods compiles a program for each, and one in 64 bits for the truth: seconds on a CPU. Most pictures
+//! take less. [`Preparation`] therefore compiles the picture's own program by the method that is the cheapest for most laws, and finds
+//! a setting that is right on the picture's own rays; only a picture that takes long is worth comparing methods.
 
 use std::fmt;
 
-use super::fast_methods;
-use super::refined::{self, Found};
+use super::ends::{Settled, compared_layers};
+use super::refined::{Found, Trying};
 use super::trials::{LOST, MARGIN, TOO_MANY, Trial, Trials, segments};
+use super::{fast_methods, usual_method};
 use crate::gpu::Gpu;
 use crate::model::control::embedded;
 use crate::model::method::TOLERANT;
-use crate::program::{Choice, Layer};
-use crate::render::{RenderError, RenderSettings};
+use crate::program::Layer;
+use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Method, Precision, Scene};
 
-/// A picture is worth a search if it costs more than this: half a minute or more on two CPU cores, where a search takes about three
-/// seconds.
-const WORTH_A_SEARCH: f64 = 6e10;
+/// A picture is worth a search if it costs more than this: half a minute or more on two CPU cores, where a search takes three seconds.
+const WORTH_A_SEARCH: f64 = 4e10;
 
 /// What a calibration found.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,8 +38,8 @@ pub struct Calibration {
     pub precision: Precision,
     /// What 64 bits would reach, where the best method does not reach what is asked for in 32 and the device has them.
     pub in_double: Option<Trial>,
-    /// Rays whose truth no method can know.
-    pub unresolved: usize,
+    /// The rays that it was tried on.
+    pub rays: Settled,
     /// Was it compared with other methods? If not, because the picture takes less time than that would.
     pub compared: bool,
     /// What the picture has to keep to run what is compiled already.
@@ -50,22 +50,37 @@ impl Calibration {
     /// Was what was asked for reached?
     #[must_use]
     pub fn reached(&self) -> bool {
-        self.chosen.error <= self.accuracy
+        self.chosen.error <= self.accuracy && !self.rays.is_lacking()
     }
 
     /// What users should know before they trust the picture: that nothing reaches what they ask for, and what would.
     #[must_use]
     pub fn warning(&self) -> Option<String> {
-        if self.reached() || !self.chosen.error.is_finite() {
+        let best = self.chosen.error;
+        if self.reached() || !best.is_finite() {
             return None;
         }
+        let asked = self.accuracy;
+        let Settled { all, unsettled, .. } = self.rays;
+        if self.rays.is_lacking() {
+            let name = self.chosen.method.kind.name;
+            return Some(format!(
+                "{unsettled} of the {all} rays tried end elsewhere when {name} takes finer steps; 95 of 100 others are within \
+                 {best:.1e} rad"
+            ));
+        }
         let more = match self.in_double {
-            Some(trial) if trial.error <= self.accuracy => "; --precision f64 does".to_owned(),
+            Some(trial) if trial.error <= asked => "; --precision f64 does".to_owned(),
             Some(trial) => format!("; --precision f64 comes to {:.1e}", trial.error),
+            None if !self.compared => "; other methods and --precision f64 were not tried".to_owned(),
             None => String::new(),
         };
-        let [asked, best] = [self.accuracy, self.chosen.error];
-        Some(format!("no method brings 99 of 100 rays within {asked:.1e} rad; the best comes to {best:.1e}{more}"))
+        let subject = if self.compared {
+            "no method brings".to_owned()
+        } else {
+            format!("{} does not bring", self.chosen.method.kind.name)
+        };
+        Some(format!("{subject} 99 of 100 rays within {asked:.1e} rad; the best comes to {best:.1e}{more}"))
     }
 
     /// The scene with the method that was chosen.
@@ -87,38 +102,70 @@ fn closed_forms(scene: &Scene, method: Method) -> bool {
     scene.has_closed_forms() || method.kind.closed_forms
 }
 
-/// Finds the method for a picture of `scene` with so many rays: among all if that is worth its time, else the first that is right.
+/// The rest of a search for the method of a picture: what it needs is compiled.
+pub struct Preparation<'a, 's> {
+    gpu: &'a Gpu,
+    scene: &'s Scene,
+    settings: &'s RenderSettings,
+    accuracy: f64,
+    trying: Option<Trying<'a>>,
+}
+
+impl<'a, 's> Preparation<'a, 's> {
+    /// Compiles the program of a picture of `scene` by its usual method; none where the scene names one.
+    pub fn new(gpu: &'a Gpu, scene: &'s Scene, settings: &'s RenderSettings) -> Result<Option<Self>, RenderError> {
+        let Some(accuracy) = scene.accuracy() else { return Ok(None) };
+        let wants_double = scene.rays.auto.is_some_and(|auto| auto.precision);
+        let candidate = usual_method(scene).filter(|_| !wants_double);
+        let trying = candidate
+            .map(|candidate| Trying::new(gpu, scene, settings, candidate, (accuracy, segments(scene))))
+            .transpose()?
+            .flatten();
+        Ok(Some(Self { gpu, scene, settings, accuracy, trying }))
+    }
+
+    /// Finds the method for a picture with so many rays: a setting of the one that is compiled or, where the picture is worth it or
+    /// nothing is, the best of all. What comes back besides is a renderer of the same program, for a scene with this method.
+    pub fn choose(self, rays: u64) -> Result<(Option<Calibration>, Option<Renderer<'a>>), RenderError> {
+        let Self { gpu, scene, settings, accuracy, trying } = self;
+        if let Some(mut trying) = trying
+            && let Some(found) = trying.search(MARGIN * accuracy, rays)?
+            && found.cost * rays as f64 <= WORTH_A_SEARCH
+        {
+            return Ok((Some(trusted(scene, settings, accuracy, &trying, found)), Some(trying.renderer)));
+        }
+        Ok((calibrate(gpu, scene, settings, None)?, None))
+    }
+}
+
+/// What was found by comparing a method with itself.
+fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Trying, found: Found) -> Calibration {
+    let Found { control, error, cost, rays } = found;
+    let method = trying.method();
+    Calibration {
+        accuracy,
+        chosen: Trial { method, control, error, cost },
+        max_segments: segments(scene),
+        closed_forms: closed_forms(scene, method),
+        precision: scene.rays.precision,
+        in_double: None,
+        rays,
+        compared: false,
+        layers: compared_layers(&settings.choice.layers),
+    }
+}
+
+/// Finds the method for a picture of `scene` with so many rays, as [`Preparation`] does.
 pub fn calibrate_for(
     gpu: &Gpu,
     scene: &Scene,
     settings: &RenderSettings,
     rays: u64,
 ) -> Result<Option<Calibration>, RenderError> {
-    let Some(accuracy) = scene.accuracy() else { return Ok(None) };
-    let methods = fast_methods(scene);
-    if let Some(method) = methods.first() {
-        let layers = refined::compared_layers(&settings.choice.layers);
-        let choice = Choice { layers: layers.clone(), ..settings.choice.clone() };
-        let keeping = RenderSettings { choice, ..settings.clone() };
-        let found = refined::first_right(gpu, scene, &keeping, method, segments(scene), MARGIN * accuracy)?;
-        if let Some(Found { control, error, cost }) = found
-            && cost * rays as f64 <= WORTH_A_SEARCH
-        {
-            let chosen = Trial { method: method.method, control, error, cost };
-            return Ok(Some(Calibration {
-                accuracy,
-                chosen,
-                max_segments: segments(scene),
-                closed_forms: closed_forms(scene, method.method),
-                precision: scene.rays.precision,
-                in_double: None,
-                unresolved: 0,
-                compared: false,
-                layers,
-            }));
-        }
+    match Preparation::new(gpu, scene, settings)? {
+        Some(prepared) => Ok(prepared.choose(rays)?.0),
+        None => Ok(None),
     }
-    calibrate(gpu, scene, settings, None)
 }
 
 /// Finds the method for `scene` among all, for the camera's rays or for `given` ones.
@@ -148,7 +195,7 @@ pub fn calibrate(
         closed_forms: closed_forms(scene, chosen.method),
         precision: scene.rays.precision,
         in_double: None,
-        unresolved: rays.truth.unresolved(),
+        rays: Settled { all: rays.truth.len(), unsettled: 0, endless: rays.truth.unresolved() },
         compared: true,
         layers: settings.choice.layers.clone(),
     };
@@ -180,13 +227,18 @@ impl fmt::Display for Calibration {
             write!(f, "; not compared with other methods, which takes longer than the picture")?;
         }
         if !self.reached() && self.chosen.error.is_finite() {
-            write!(f, "; no method reaches the accuracy asked for, {:.1e} rad: this is the best", self.accuracy)?;
+            let subject = if self.compared { "no method reaches" } else { "it does not reach" };
+            write!(f, "; {subject} the accuracy asked for, {:.1e} rad: this is the best", self.accuracy)?;
         }
         if let Some(trial) = &self.in_double {
             write!(f, "; in 64 bits, by --precision auto, {trial}")?;
         }
-        if self.unresolved > 0 {
-            write!(f, "; {} of the rays tried have no end that could be known", self.unresolved)?;
+        let Settled { all, unsettled, endless } = self.rays;
+        if self.rays.is_lacking() {
+            write!(f, "; {unsettled} of the {all} rays tried end elsewhere with finer steps")?;
+        }
+        if endless > 0 {
+            write!(f, "; {endless} of the {all} rays tried have no end that could be known")?;
         }
         Ok(())
     }

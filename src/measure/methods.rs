@@ -1,6 +1,7 @@
 //! The methods that a law allows, each with its range of settings.
 
-use crate::model::method::{CLOSED_FORMS, Controls, Kind, METHODS, Path};
+use crate::model::law::UsualSteps;
+use crate::model::method::{CLOSED_FORMS, Controls, Kind, METHODS, Path, TOLERANT};
 use crate::model::{Control, Method};
 use crate::scene::Scene;
 
@@ -59,6 +60,19 @@ pub fn fast_methods(scene: &Scene) -> Vec<Candidate> {
     let all: Vec<&Kind> = methods.iter().map(|candidate| candidate.method.kind).collect();
     methods.retain(|candidate| !all.iter().any(|other| outdoes(other, candidate.method.kind)));
     methods
+}
+
+/// The one that is probably the cheapest of them, by what is known of the law.
+#[must_use]
+pub fn usual_method(scene: &Scene) -> Option<Candidate> {
+    let mut all = fast_methods(scene);
+    let is_usual = |candidate: &Candidate| match scene.law.usual_steps() {
+        UsualSteps::Orbit => candidate.method.kind.path != Path::Steps || candidate.method == TOLERANT,
+        UsualSteps::Tolerant => candidate.method.kind.path == Path::Closed || candidate.method == TOLERANT,
+        UsualSteps::Scaled => true,
+    };
+    let at = all.iter().position(is_usual)?;
+    Some(all.swap_remove(at))
 }
 
 /// Is it of the same order for fewer evaluations of the same derivative, by steps that are planned likewise?

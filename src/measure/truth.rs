@@ -79,6 +79,18 @@ impl Truth {
         Ok(Self(fine.into_iter().zip(loose).map(agreed).collect()))
     }
 
+    /// How many rays there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Are there none?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Is it known of any ray?
     #[must_use]
     pub fn is_known(&self) -> bool {

@@ -50,7 +50,7 @@ pub use noise::Noise;
 pub use renderer::Renderer;
 pub use schedule::steps;
 pub use settings::RenderSettings;
-pub use start::StartUp;
+pub use start::{StartPart, StartUp};
 pub use step::{Dispatch, PixelList, Step};
 pub use totals::{Adaptive, Clamped, Status, Totals};
 pub use trace::{PathPoint, Starts, Traced, pixel_starts, trace, trace_paths, trace_pixels};

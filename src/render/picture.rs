@@ -166,22 +166,27 @@ impl Renderer<'_> {
         image.adaptive.map(new)
     }
 
-    /// The layers of the picture's first sample, on one tile: for pictures that are no larger.
-    pub fn first_sample(&self) -> Result<Rendering, RenderError> {
-        if let Some(fused) = self.fused.get() {
-            return fused.first_sample();
-        }
+    /// The layers of the picture's first sample, on one tile: for pictures that are no larger. None where a path outlives the pass
+    /// that was to follow all of it.
+    pub fn first_sample(&self) -> Result<Option<Rendering>, RenderError> {
         let size = self.scene.image.size;
-        let (tile, mut band) = (self.tile(size)?, self.band(0, size[1]));
+        let margin = self.settings.choice.margin(&self.scene);
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
         let started = Instant::now();
-        self.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
-        if self.read_tally(&tile, &mut totals, None)? == Walks::Unfinished {
-            return if self.is_whole() { self.go_over()?.first_sample() } else { self.first_sample() };
+        loop {
+            let tile = self.tile(size.map(|side| side + margin))?;
+            self.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
+            let rays = self.scene.image.adaptive.is_none().then(|| size.map(u64::from).into_iter().product());
+            if self.read_tally(&tile, &mut totals, rays)? == Walks::Ended {
+                let mut band = self.band(0, size[1]);
+                self.read_tile(&tile, 0, &Round::new(None, 1, true), &mut band, None)?;
+                self.finish_totals(&mut totals, &clock, started)?;
+                return Ok(Some(Rendering { band, totals }));
+            }
+            if self.is_whole() {
+                return Ok(None);
+            }
         }
-        self.read_tile(&tile, 0, &Round::new(None, 1, true), &mut band, None)?;
-        self.finish_totals(&mut totals, &clock, started)?;
-        Ok(Rendering { band, totals })
     }
 
     /// Some black rows of the picture.

@@ -10,7 +10,7 @@ use crate::cli::decisions::Rays;
 use crate::cli::frames::Film;
 use crate::cli::interrupt;
 use crate::cli::origin::origin;
-use crate::cli::settle::settle;
+use crate::cli::settle::{Settled, settle};
 use crate::cli::share::{Band, Target};
 use crate::cli::watch::{FilmProgress, PreviewFile, Progress};
 use crate::error::Error;
@@ -19,7 +19,9 @@ use crate::measure::Verification;
 use crate::output::ImageWriter;
 use crate::output::origin::COMPARED;
 use crate::program::Layer;
-use crate::render::{Earlier, Preview, RenderError, RenderSettings, Renderer, StartUp, Totals, Watch, Window};
+use crate::render::{
+    Earlier, Preview, RenderError, RenderSettings, Renderer, StartPart, StartUp, Totals, Watch, Window,
+};
 use crate::scene::Scene;
 
 /// What is being rendered, and with what.
@@ -36,26 +38,29 @@ pub(super) struct Work<'a> {
     pub layers: Vec<Layer>,
     pub verification: Option<Verification>,
     pub launch: StartUp,
-    /// With the number of the frame that it was made for.
+    /// With the number of the frame that it was made for; a search has made one of the film's first.
     pub renderer: Option<(Renderer<'a>, Option<u32>)>,
+    /// Has something been rendered?
+    pub is_under_way: bool,
 }
 
 impl Arguments {
     /// The scene with its method settled, and the settings that keep what is compiled already. A film is led by its first frame, and
     /// decides for all of its pictures, whole: so those who render other frames or parts of it come to the same.
-    pub(super) fn lead(
+    pub(super) fn lead<'a>(
         &self,
-        gpu: &Gpu,
+        gpu: &'a Gpu,
         film: &Film,
         still: Scene,
         settings: RenderSettings,
-    ) -> Result<(Scene, RenderSettings), Error> {
+        launch: &mut StartUp,
+    ) -> Result<Settled<'a>, Error> {
         let frame = self.frames.map(|_| 0);
         let frames = if frame.is_some() { still.animation.as_ref().map_or(1, |animation| animation.frames) } else { 1 };
         let scene = if frame.is_some() { self.load(film, frame, None)? } else { still };
         let [width, height] = scene.image.size.map(u64::from);
         let rays = u64::from(frames) * u64::from(scene.image.samples) * width * height;
-        settle(gpu, (film, frame), scene, settings, Rays::Camera(rays))
+        settle(gpu, (film, frame), scene, settings, Rays::Camera(rays), launch)
     }
 }
 
@@ -115,8 +120,8 @@ impl Work<'_> {
             return Ok(None);
         }
         let preview = self.arguments.preview(&scene, &layers, &said);
-        let is_first = self.renderer.is_none();
-        self.set_up(scene.clone(), frame)?;
+        let is_first = !std::mem::replace(&mut self.is_under_way, true);
+        self.set_up(scene.clone(), frame, is_first)?;
         self.open_shutter(&scene, frame)?;
         let window = self.window(&scene, band)?;
         let Some((renderer, _)) = &self.renderer else { return Ok(None) };
@@ -159,23 +164,31 @@ impl Work<'_> {
     }
 
     /// Makes a renderer, or has the one that there is go on to another frame.
-    fn set_up(&mut self, scene: Scene, frame: Option<u32>) -> Result<(), Error> {
-        let Some((renderer, first)) = &mut self.renderer else {
-            let mut renderer = Renderer::keeping(self.gpu, scene, self.settings.clone())?;
-            if self.arguments.device.chooses_segments() {
-                renderer.choose_segments()?;
-            }
-            if let Some(words) = expected(&renderer, &self.leading, self.settings.memory)? {
-                tell!("{words}");
-            }
-            self.launch.next();
-            self.renderer = Some((renderer, frame));
-            return Ok(());
-        };
-        match (renderer.set_scene(scene), *first, frame) {
-            (Err(RenderError::OtherProgram), Some(a), Some(b)) => Err(self.other_program([a.into(), b.into()])),
-            (result, ..) => Ok(result?),
+    fn set_up(&mut self, scene: Scene, frame: Option<u32>, is_first: bool) -> Result<(), Error> {
+        match &mut self.renderer {
+            Some((renderer, first)) => match (renderer.set_scene(scene.clone()), *first, frame) {
+                // A search's small picture may do with another program.
+                (Err(RenderError::OtherProgram), ..) if is_first => self.renderer = None,
+                (Err(RenderError::OtherProgram), Some(a), Some(b)) => {
+                    return Err(self.other_program([a.into(), b.into()]));
+                }
+                (result, ..) => result?,
+            },
+            None => {}
         }
+        if self.renderer.is_none() {
+            self.renderer = Some((Renderer::keeping(self.gpu, scene, self.settings.clone())?, frame));
+        }
+        let Some((renderer, _)) = self.renderer.as_mut().filter(|_| is_first) else { return Ok(()) };
+        renderer.set_window(self.settings.window);
+        if self.arguments.device.chooses_segments() {
+            renderer.choose_segments()?;
+        }
+        if let Some(words) = expected(renderer, &self.leading, self.settings.memory)? {
+            tell!("{words}");
+        }
+        self.launch.count(StartPart::Program);
+        Ok(())
     }
 
     /// Has a frame show all moments for which the shutter is open.
@@ -241,7 +254,7 @@ fn render(
     let totals = renderer.render_watched(
         &mut |band| {
             if !launch.is_complete() {
-                launch.next();
+                launch.count(StartPart::FirstPicture);
             }
             let failed = |error| RenderError::Output(Box::new(error));
             writers.iter_mut().try_for_each(|writer| writer.write_band(&band)).map_err(failed)

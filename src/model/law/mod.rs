@@ -84,6 +84,17 @@ pub static KINDS: Kinds<Read> = Kinds {
 const USUAL_PARTS: [&str; 5] =
     ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is", "law/next_by_force"];
 
+/// Steps that take the least time for most pictures, as charts have shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UsualSteps {
+    /// Those of the orbit's own equation, or under a tolerance where there is none.
+    Orbit,
+    /// Those that a tolerance chooses.
+    Tolerant,
+    /// A fixed part of the law's scale, which is so short that it seldom has to be a small one.
+    Scaled,
+}
+
 /// How light travels.
 pub trait Law: fmt::Debug + Send + Sync + Same {
     /// The WGSL that keeps the contract.
@@ -100,6 +111,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
     /// Does a state carry time, as a fourth number beside place and velocity?
     fn carries_time(&self) -> bool {
         false
+    }
+
+    /// The steps by which its rays are usually followed in the least time.
+    fn usual_steps(&self) -> UsualSteps {
+        UsualSteps::Orbit
     }
 
     /// Is it the same at all times?

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::{Kind, Landmark, Law, Order};
+use super::{Kind, Landmark, Law, Order, UsualSteps};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, array, number, positive, word};
 use crate::document::{Node, Value as Written, keys};
@@ -207,6 +207,11 @@ impl Law for OwnLaw {
         let parameters: Row = self.parameters.iter().map(|(name, value)| (name.clone().into(), *value)).collect();
         let law = (!parameters.is_empty()).then(|| Binding::one("law", parameters));
         [scale].into_iter().chain(law).collect()
+    }
+
+    /// Its author has said over what time it changes.
+    fn usual_steps(&self) -> UsualSteps {
+        UsualSteps::Scaled
     }
 
     fn order(&self) -> Order {

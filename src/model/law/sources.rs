@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order, USUAL_PARTS};
+use super::{Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order, USUAL_PARTS, UsualSteps};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector, word};
@@ -125,6 +125,11 @@ impl Law for Sources {
             common.into_iter().chain(source.falloff.values()).collect()
         };
         self.falloffs().map(|kind| Binding::list(kind.wgsl, self.of(kind).map(row).collect())).collect()
+    }
+
+    /// Rays pass close by a source, where steps of its orbit's equation are no longer than others and cost more.
+    fn usual_steps(&self) -> UsualSteps {
+        UsualSteps::Tolerant
     }
 
     fn order(&self) -> Order {
