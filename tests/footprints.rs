@@ -36,7 +36,7 @@ fn noise(i: u32) -> f32 {
 
 fn picture(size: [u32; 2]) -> Picture {
     let pixels = (0..size[0] * size[1]).map(|i| [noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)]).collect();
-    Picture { size, pixels: Arc::new(pixels), name: "noise".to_owned() }
+    Picture { size, pixels: Arc::new(pixels), name: "noise".to_owned(), notes: Vec::new() }
 }
 
 const IMAGE: &str = "{ image = \"data/stars.png\", repeat = [1, 1] }";

@@ -90,7 +90,10 @@ fn what_was_found_is_refused_in_words() {
     let profile = Profile::load(&path("profile/near.csv"));
     let long = mesh("obj/long_word.obj");
     for (said, expected) in [
-        (gif.unwrap_err().to_string(), "its content is that of no PNG, JPEG, EXR or HDR file: convert it to one"),
+        (
+            gif.unwrap_err().to_string(),
+            "it is of the format GIF; PNG, JPEG, EXR and HDR are read: convert it to one of them",
+        ),
         (exr.unwrap_err().to_string(), "pixels of 12 bytes, which its 1534 bytes cannot hold"),
         (mesh("gltf/repeated.gltf"), "it is of 140000000 corners of triangles, as often as its nodes and meshes show"),
         (

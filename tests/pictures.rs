@@ -85,6 +85,7 @@ fn a_large_sky_is_where_it_is_in_its_file() {
             size: [WIDTH, BLOCK * BLOCKS],
             pixels: Arc::new(pixels.collect()),
             name: "blocks".to_owned(),
+            notes: Vec::new(),
         };
         let band = rendered(&scene, RenderSettings::default()).band;
         for (i, row) in (0..BLOCKS).flat_map(|block| [block; 4]).enumerate() {

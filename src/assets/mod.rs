@@ -18,7 +18,7 @@ pub use expression::{
     Variable,
 };
 pub use files::Files;
-pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, json, names};
+pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, image_of, json, names};
 pub use grid::{Bare, IndexGrid, Stored, Use};
 pub use mesh::{Mesh, Part, Source, Vertex, Wanted};
 pub use picture::Picture;

@@ -6,7 +6,7 @@
 //!
 //! *Practice.* A few products an object, on the host. It is a warning and no error: parts of such a picture may be right.
 
-use super::{Precision, Scene};
+use super::{Picture, Precision, Scene};
 
 /// Half a unit in the last place of 32 bits, relative.
 const HALF_ULP: f64 = 1.0 / 16_777_216.0;
@@ -20,6 +20,16 @@ const OF_PIXEL: f64 = 0.5;
 const NAMED: usize = 3;
 
 impl Scene {
+    /// Returns what makes its pictures different from what the scene and its files say, each in words for a user.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<String> {
+        let of_picture = |picture: &Picture| {
+            let name = picture.name.clone();
+            picture.notes.clone().into_iter().map(move |note| format!("{name}: {note}"))
+        };
+        self.rounded_away().into_iter().chain(self.pictures.iter().flat_map(of_picture)).collect()
+    }
+
     /// What 32 bits cannot tell apart here, in words for a user; none where they suffice, or more are asked for.
     #[must_use]
     pub fn rounded_away(&self) -> Option<String> {

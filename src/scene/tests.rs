@@ -9,6 +9,7 @@ mod inside;
 mod mistakes;
 mod normals;
 mod overrides;
+mod pictures;
 mod profiles;
 mod properties;
 mod rounding;

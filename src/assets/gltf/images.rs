@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use gltf_json::Texture;
+
 use super::Gltf;
 use crate::assets::flaw::Flaw;
 use crate::document::SceneError;
@@ -13,6 +15,18 @@ pub enum Stored {
     Beside(PathBuf),
     /// In the file's bytes, as a file of its own would have it.
     Within(Vec<u8>),
+}
+
+/// Returns the number of a texture's image: its own, or one that an extension gives it for want of that.
+#[must_use]
+pub fn image_of(texture: &Texture) -> Option<usize> {
+    // `gltf-json` has this number for one that is not there.
+    let own = Some(texture.source.value()).filter(|number| *number != u32::MAX as usize);
+    own.or_else(|| {
+        let extensions = texture.extensions.as_ref()?.others.values();
+        let mut numbers = extensions.filter_map(|extension| extension.get("source")?.as_u64());
+        numbers.find_map(|number| usize::try_from(number).ok())
+    })
 }
 
 impl Gltf {

@@ -20,7 +20,7 @@ use super::flaw::Flaw;
 
 pub(super) use accessor::Elements;
 pub use gltf_json as json;
-pub use images::Stored;
+pub use images::{Stored, image_of};
 use nodes::WithMesh;
 pub use nodes::{NodeName, Placed, names};
 

@@ -36,7 +36,7 @@ impl Found for Modelled<'_> {
         add(structure_words(&self.geometry).into_iter().collect());
         add(self.pass_words());
         add(self.remark().into_iter().collect());
-        add(scene.rounded_away().map(|words| format!("warning: {words}")).into_iter().collect());
+        add(scene.warnings().iter().map(|words| format!("warning: {words}")).collect());
         let swallowed = |light| format!("light {light} (from 0) is inside of what captures rays, and lights nothing");
         add(scene.swallowed_lights().into_iter().map(swallowed).collect());
         add(self.light_grids().map(|grid| grid.words()).collect());
@@ -70,7 +70,7 @@ impl Found for Modelled<'_> {
             "moments": scene.moments(0).len(),
             "animated": scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys),
             "remarks": self.remark().into_iter().chain(random_words(scene)).collect::<Vec<_>>(),
-            "warnings": scene.rounded_away().into_iter().collect::<Vec<_>>(),
+            "warnings": scene.warnings(),
         })
     }
 }

@@ -67,7 +67,7 @@ impl Arguments {
 impl Work<'_> {
     /// What is known beforehand to be wrong.
     fn warn_beforehand(&self) {
-        if let Some(words) = self.leading.rounded_away() {
+        for words in self.leading.warnings() {
             tell!("warning: {words}");
         }
         let is_open = self.leading.animation.as_ref().is_some_and(|animation| animation.shutter > 0.0);

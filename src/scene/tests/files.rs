@@ -128,21 +128,6 @@ fn pictures_become_linear() {
 }
 
 #[test]
-fn the_exposure_of_an_hdr_file_is_taken_out_of_it() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("f.hdr");
-    Rgb32FImage::from_pixel(3, 2, Rgb([0.5, 2.0, 8.0])).save(&path).expect("saved");
-    let plain = fs::read(&path).expect("read");
-    // Lines of it multiply each other; none that is no number of light counts.
-    for (lines, factor) in [("EXPOSURE=4\n", 4.0), ("EXPOSURE= 4\nEXPOSURE=0.5\n", 2.0), ("EXPOSURE=0\n", 1.0)] {
-        let at = plain.windows(2).position(|pair| pair == b"\n\n").expect("a header") + 1;
-        fs::write(&path, [&plain[..at], lines.as_bytes(), &plain[at..]].concat()).expect("written");
-        let picture = Picture::load(&path).expect("a picture");
-        assert_eq!(picture.pixels[5..], [[0.5, 2.0, 8.0].map(|value| value / factor)], "{lines}");
-    }
-}
-
-#[test]
 fn bad_pictures_are_refused_with_their_path() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name);

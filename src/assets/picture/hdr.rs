@@ -1,0 +1,128 @@
+//! Radiance HDR: lines of text, then pixels of four bytes.
+//!
+//! *Theory.* `EXPOSURE` and `COLORCORR` are what the numbers were multiplied by since they were radiance. Every line counts, for each
+//! program that the picture went through adds its own; a line that begins with a blank is history. `PRIMARIES` are chromaticities.
+//!
+//! *Practice.* The header is read here, and `image` decodes the pixels behind it.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Cursor, Read};
+use std::path::Path;
+
+use glam::{DMat3, DVec3};
+use image::DynamicImage;
+use image::codecs::hdr::HdrDecoder;
+
+use super::Decoded;
+use super::encoding::{convert, matrix_of};
+use super::primaries::Primaries;
+
+/// What every file begins with, whichever program's name follows.
+pub(super) const MAGIC: &[u8] = b"#?";
+/// Bytes that a header may have.
+const LONGEST: u64 = 1 << 20;
+
+struct Header {
+    size: [u32; 2],
+    /// What the numbers are divided by.
+    scale: DVec3,
+    to_rec709: DMat3,
+    notes: Vec<String>,
+}
+
+/// Reads the width and height from a file's header.
+pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
+    Ok(open(path)?.0.size)
+}
+
+/// Reads a file as radiance.
+pub(super) fn read(path: &Path) -> Result<Decoded, String> {
+    let (Header { size, scale, to_rec709, mut notes }, rest) = open(path)?;
+    // The same header for all, in the form that `image` knows.
+    let head = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", size[1], size[0]);
+    let decoder = HdrDecoder::new(Cursor::new(head).chain(rest)).map_err(|error| error.to_string())?;
+    let image = DynamicImage::from_decoder(decoder).map_err(|error| error.to_string())?;
+    let mut pixels: Vec<[f32; 3]> = image.into_rgb32f().pixels().map(|pixel| pixel.0).collect();
+    notes.extend(convert(&mut pixels, to_rec709 * DMat3::from_diagonal(scale.recip())));
+    Ok(Decoded { pixels, notes })
+}
+
+fn open(path: &Path) -> Result<(Header, impl BufRead + use<>), String> {
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    let mut reader = BufReader::new(file);
+    Ok((header(&mut reader)?, reader))
+}
+
+fn header(reader: &mut impl BufRead) -> Result<Header, String> {
+    let mut lines = reader.take(LONGEST);
+    let mut line = || -> Result<String, String> {
+        let mut bytes = Vec::new();
+        lines.read_until(b'\n', &mut bytes).map_err(|error| error.to_string())?;
+        if bytes.pop() != Some(b'\n') {
+            return Err("its header has no end".to_owned());
+        }
+        Ok(String::from_utf8_lossy(&bytes).trim_end().to_owned())
+    };
+    let (mut scale, mut primaries, mut notes) = (DVec3::ONE, None, Vec::new());
+    line()?;
+    loop {
+        let line = line()?;
+        if line.is_empty() {
+            break;
+        }
+        let Some((key, value)) = line.split_once('=') else { continue };
+        match key.trim_end() {
+            "FORMAT" if value.trim() != "32-bit_rle_rgbe" => {
+                let format = value.trim();
+                return Err(format!("its FORMAT is {format}; 32-bit_rle_rgbe is read (`ra_xyze -r` converts XYZE)"));
+            }
+            "EXPOSURE" => match numbers(value) {
+                Some([exposure]) if is_factor(exposure) => scale *= exposure,
+                _ => notes.push(unapplied(&line, "a number above 0")),
+            },
+            "COLORCORR" => match numbers::<3>(value) {
+                Some(factors) if factors.into_iter().all(is_factor) => scale *= DVec3::from(factors),
+                _ => notes.push(unapplied(&line, "three numbers above 0")),
+            },
+            "PRIMARIES" => match numbers(value) {
+                Some(eight) => primaries = Some(Primaries::of(eight)),
+                None => notes.push(unapplied(&line, "eight numbers: x and y of red, green, blue and white")),
+            },
+            _ => {}
+        }
+    }
+    let size = resolution(&line()?)?;
+    let to_rec709 = matrix_of(primaries.unwrap_or(Primaries::REC709), "PRIMARIES");
+    notes.extend(to_rec709.as_ref().err().cloned());
+    if !(scale.is_finite() && scale.recip().is_finite()) {
+        return Err("the product of its EXPOSURE and COLORCORR is out of range".to_owned());
+    }
+    Ok(Header { size, scale, to_rec709: to_rec709.unwrap_or_default(), notes })
+}
+
+fn is_factor(x: f64) -> bool {
+    x.is_normal() && x > 0.0
+}
+
+fn unapplied(line: &str, expected: &str) -> String {
+    format!("`{line}` of its header is not applied: expected {expected}")
+}
+
+/// Reads so many numbers and no more.
+fn numbers<const N: usize>(value: &str) -> Option<[f64; N]> {
+    let all: Result<Vec<f64>, _> = value.split_whitespace().map(str::parse).collect();
+    all.ok()?.try_into().ok()
+}
+
+/// Reads the line of width and height.
+fn resolution(line: &str) -> Result<[u32; 2], String> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let [y, height, x, width] = words[..] else {
+        return Err(format!("expected `-Y HEIGHT +X WIDTH` behind its header, found `{line}`"));
+    };
+    if [y, x] != ["-Y", "+X"] {
+        return Err(format!("its rows and columns run as `{line}`; only `-Y HEIGHT +X WIDTH` is read: turn it first"));
+    }
+    let number = |word: &str| word.parse().map_err(|_| format!("`{word}` in `{line}` is no number of pixels"));
+    Ok([number(width)?, number(height)?])
+}

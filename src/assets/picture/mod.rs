@@ -1,0 +1,206 @@
+//! Pictures: PNG, JPEG, EXR and HDR files as linear RGB.
+//!
+//! *Theory.* Light adds up only in linear units, and colors mix only in the same primaries: those of Rec. 709. PNG and JPEG encode
+//! numbers by a curve, sRGB's unless the file says otherwise; EXR and HDR are linear. What a file says of its colors is applied, or
+//! [`Picture::notes`] say that it is not.
+//!
+//! *Practice.* The format is told by the file's content. Alpha is dropped, gray becomes RGB, and 16 bits carry both
+//! depths of PNG without loss. 12 bytes a pixel stay in memory.
+
+mod encoding;
+mod exr;
+mod hdr;
+mod png;
+mod primaries;
+
+use std::fs::File;
+use std::io::{BufReader, Read};
+use std::path::Path;
+use std::sync::Arc;
+
+use image::codecs::jpeg::JpegDecoder;
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
+
+use crate::document::SceneError;
+use encoding::{Encoding, convert};
+pub(crate) use exr::unlikely as unlikely_exr;
+
+/// A picture in linear RGB.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Picture {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// Rows from the top, each from the left; every number is finite. Copies of a scene share them.
+    pub pixels: Arc<Vec<[f32; 3]>>,
+    /// The path it was read from.
+    pub name: String,
+    /// What its file says of its colors that is not applied, or changed them: to be told.
+    pub notes: Vec<String>,
+}
+
+/// What the reader of a format gives.
+struct Decoded {
+    pixels: Vec<[f32; 3]>,
+    notes: Vec<String>,
+}
+
+impl Picture {
+    /// Reads a PNG, JPEG, EXR or HDR file.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
+        let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };
+        let bytes = std::fs::metadata(path).map_err(unreadable)?.len();
+        let other =
+            |kind| unusable(format!("it is {kind}; PNG, JPEG, EXR and HDR are read: convert it to one of them"));
+        let format = Format::of(&Self::start(path).map_err(unreadable)?).map_err(other)?;
+        let size = format.size(path).map_err(unusable)?;
+        if let Some(problem) = unlikely(size, bytes) {
+            return Err(unusable(problem));
+        }
+        let Decoded { pixels, notes } = format.read(path, bytes).map_err(unusable)?;
+        let broken = |pixel: &[f32; 3]| pixel.iter().any(|x| !x.is_finite());
+        if let Some(index) = pixels.iter().position(broken) {
+            let (x, y) = (index % size[0] as usize, index / size[0] as usize);
+            return Err(unusable(format!("the pixel in column {x}, row {y} (from 0, top left) is not finite")));
+        }
+        Ok(Self { size, pixels: Arc::new(pixels), name: path.display().to_string(), notes })
+    }
+}
+
+impl Picture {
+    /// Returns the usual ending of the name of a file that begins so, or else what the file is: "of the format WebP".
+    pub fn ending(start: &[u8]) -> Result<&'static str, String> {
+        Format::of(start).map(|format| match format {
+            Format::Png => "png",
+            Format::Jpeg => "jpg",
+            Format::Exr => "exr",
+            Format::Hdr => "hdr",
+        })
+    }
+
+    /// Returns the first bytes of a file: as many as [`ending`](Self::ending) looks at.
+    pub fn start(path: &Path) -> std::io::Result<Vec<u8>> {
+        let mut start = Vec::new();
+        File::open(path)?.take(32).read_to_end(&mut start)?;
+        Ok(start)
+    }
+
+    /// What a file's header says that [`load`](Self::load) takes of memory; 0 where that cannot be so.
+    #[must_use]
+    pub fn bytes_of(path: &Path) -> u64 {
+        let format = Self::start(path).ok().and_then(|start| Format::of(&start).ok());
+        let Some([width, height]) = format.and_then(|format| format.size(path).ok()) else { return 0 };
+        let is_likely = std::fs::metadata(path).is_ok_and(|file| unlikely([width, height], file.len()).is_none());
+        if is_likely { u64::from(width) * u64::from(height) * BYTES } else { 0 }
+    }
+
+    /// What it takes of memory.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.pixels.len() as u64 * BYTES
+    }
+}
+
+/// Of a pixel.
+const BYTES: u64 = size_of::<[f32; 3]>() as u64;
+
+/// A format that is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Png,
+    Jpeg,
+    Exr,
+    Hdr,
+}
+
+impl Format {
+    /// Tells the format of a file from its first bytes.
+    fn of(start: &[u8]) -> Result<Self, String> {
+        if start.starts_with(hdr::MAGIC) {
+            return Ok(Self::Hdr);
+        }
+        if start.starts_with(exr::MAGIC) {
+            return Ok(Self::Exr);
+        }
+        match image::guess_format(start) {
+            Ok(ImageFormat::Png) => Ok(Self::Png),
+            Ok(ImageFormat::Jpeg) => Ok(Self::Jpeg),
+            _ => Err(kind(start)),
+        }
+    }
+
+    fn size(self, path: &Path) -> Result<[u32; 2], String> {
+        match self {
+            Self::Hdr => hdr::size(path),
+            Self::Exr => exr::size(path),
+            Self::Png | Self::Jpeg => {
+                let (width, height) = self.reader(path)?.into_dimensions().map_err(|error| error.to_string())?;
+                Ok([width, height])
+            }
+        }
+    }
+
+    fn read(self, path: &Path, bytes: u64) -> Result<Decoded, String> {
+        let encoding = match self {
+            Self::Hdr => return hdr::read(path),
+            Self::Exr => return exr::read_file(path, bytes),
+            Self::Png => png::encoding(path)?,
+            Self::Jpeg => jpeg_encoding(path)?,
+        };
+        let mut reader = self.reader(path)?;
+        // By default a picture over 512 MiB is refused; a sky may well be larger.
+        reader.no_limits();
+        let image: DynamicImage = reader.decode().map_err(|error| error.to_string())?;
+        let mut pixels = encoding.decode(image);
+        let mut notes = encoding.notes;
+        notes.extend(convert(&mut pixels, encoding.to_rec709));
+        Ok(Decoded { pixels, notes })
+    }
+
+    /// Opens a file of integers.
+    fn reader(self, path: &Path) -> Result<ImageReader<BufReader<File>>, String> {
+        let mut reader = ImageReader::open(path).map_err(|error| error.to_string())?;
+        reader.set_format(if self == Self::Jpeg { ImageFormat::Jpeg } else { ImageFormat::Png });
+        Ok(reader)
+    }
+}
+
+/// Returns what a file is that is not read.
+fn kind(start: &[u8]) -> String {
+    let name = match image::guess_format(start) {
+        _ if start.is_empty() => return "empty".to_owned(),
+        _ if start.starts_with(b"\xabKTX ") => "KTX".to_owned(),
+        _ if start.starts_with(b"8BPS") => "PSD".to_owned(),
+        Ok(ImageFormat::WebP) => "WebP".to_owned(),
+        Ok(format) => format.extensions_str().first().map_or_else(String::new, |name| name.to_uppercase()),
+        Err(_) => return "of no known format".to_owned(),
+    };
+    format!("of the format {name}")
+}
+
+/// Reads the profile of a JPEG, which says nothing else of its colors.
+fn jpeg_encoding(path: &Path) -> Result<Encoding, String> {
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    let mut decoder = JpegDecoder::new(BufReader::new(file)).map_err(|error| error.to_string())?;
+    let profile = decoder.icc_profile().map_err(|error| error.to_string())?;
+    Ok(profile.map_or_else(Encoding::default, |profile| Encoding::of_profile(&profile)))
+}
+
+/// Pixels that a picture may have: 3 GiB of memory.
+const MOST_PIXELS: u64 = 1 << 28;
+/// Pixels that a byte of a file stands for at most, by any of the formats: their best compression is near 1000.
+const DENSEST: u64 = 4096;
+
+/// Why nothing should be read of a picture of this size from so many bytes.
+fn unlikely([width, height]: [u32; 2], bytes: u64) -> Option<String> {
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels == 0 {
+        Some("it has no pixels".to_owned())
+    } else if pixels / DENSEST > bytes {
+        Some(format!("its header says {width}×{height} pixels, which its {bytes} bytes cannot hold"))
+    } else if pixels > MOST_PIXELS {
+        Some(format!("it has {width}×{height} pixels, {pixels}, and at most {MOST_PIXELS} are read: make it smaller"))
+    } else {
+        None
+    }
+}
