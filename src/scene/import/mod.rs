@@ -82,12 +82,13 @@ pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
 
 /// What there is in the file besides nodes.
 fn of_the_file(root: &Root, left: &mut Left) {
-    const READ: [&str; 6] = [
+    const READ: [&str; 7] = [
         "KHR_lights_punctual",
         "KHR_materials_emissive_strength",
         "KHR_materials_unlit",
         "KHR_materials_transmission",
         "KHR_materials_ior",
+        "KHR_materials_volume",
         "KHR_mesh_quantization",
     ];
     if !root.animations.is_empty() {
@@ -96,8 +97,7 @@ fn of_the_file(root: &Root, left: &mut Left) {
     if root.scenes.len() > 1 {
         left.out("scenes but the one that the file shows", "");
     }
-    for name in
-        root.extensions_used.iter().filter(|name| !READ.contains(&name.as_str()) && *name != "KHR_texture_transform")
+    for name in root.extensions_used.iter().filter(|name| !READ.contains(&name.as_str()) && !name.contains("_texture_"))
     {
         left.out(&format!("the extension {name}"), "");
     }

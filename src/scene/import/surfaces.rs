@@ -8,12 +8,13 @@ use std::path::Path;
 
 use glam::{DVec3, Vec3, Vec4, Vec4Swizzles};
 
-use super::text::{Left, color, key, number, quoted};
-use crate::assets::Gltf;
+use super::text::{Left, color, key, number, quoted, vector};
+use crate::assets::json::extensions::material::Volume;
 use crate::assets::json::material::{AlphaMode, Material};
 use crate::assets::json::texture::{Info, WrappingMode};
 use crate::assets::json::validation::Checked::Valid;
 use crate::assets::json::{Index, Texture};
+use crate::assets::{Gltf, image_of};
 
 mod pictures;
 use pictures::Pictures;
@@ -32,6 +33,8 @@ pub(super) struct Surfaces<'a> {
 const MATTE: f64 = 0.2;
 /// Below this one is a mirror.
 const SMOOTH: f64 = 0.05;
+/// The color of surfaces whose picture cannot be had.
+const MISSING: &str = "[1, 0, 1]";
 /// What surfaces that are no metal reflect head on.
 const DIELECTRIC: f64 = 0.04;
 
@@ -56,12 +59,20 @@ impl<'a> Surfaces<'a> {
         let material = number.and_then(|number| self.file.root.materials.get(number));
         let extensions = material.and_then(|material| material.extensions.as_ref());
         let transmitted = extensions.and_then(|all| all.transmission.as_ref()).map_or(0.0, |t| t.transmission_factor.0);
-        if transmitted > 0.0 {
-            let name = material.and_then(|material| material.name.clone()).unwrap_or_default();
+        if let Some((material, extensions)) = material.zip(extensions).filter(|_| transmitted > 0.0) {
+            let name = material.name.clone().unwrap_or_default();
             if transmitted >= 0.5 && is_closed() {
-                left.out("colour and roughness of what light goes through, which is clear glass", &name);
-                let index = extensions.and_then(|all| all.ior.as_ref()).map_or(1.5, |ior| f64::from(ior.ior.0));
-                return format!("interior = {}", number_above_one(index));
+                left.out("colour and roughness of surfaces that light goes through, which are clear", &name);
+                let index = extensions.ior.as_ref().map_or(1.5, |ior| f64::from(ior.ior.0));
+                let index = number_above_one(index);
+                let Some(density) = extensions.volume.as_ref().and_then(|volume| absorption(volume, &name, left))
+                else {
+                    return format!("interior = {index}");
+                };
+                let density = vector(density);
+                return format!(
+                    "interior = {{ kind = \"constant\", n = {index}, filter = {{ density = {density} }} }}"
+                );
             }
             left.out(
                 "light that goes through surfaces, where they are not closed or let through less than half",
@@ -95,7 +106,7 @@ impl<'a> Surfaces<'a> {
         let strength = extensions.and_then(|all| all.emissive_strength.as_ref()).map_or(1.0, |s| s.emissive_strength.0);
         let emission = Vec3::from(material.emissive_factor.0).as_dvec3() * f64::from(strength);
         let base = Vec4::from(pbr.base_color_factor.0).xyz().as_dvec3();
-        let picture = pbr.base_color_texture.as_ref().and_then(|info| self.picture(info, base, name, left));
+        let picture = pbr.base_color_texture.as_ref().map(|info| self.picture(info, base, name, left));
         let pattern = picture.clone().unwrap_or_else(|| color(base));
         lost(material, name, left);
         if extensions.is_some_and(|all| all.unlit.is_some()) {
@@ -105,7 +116,7 @@ impl<'a> Surfaces<'a> {
         let is_black = picture.is_none() && base == DVec3::ZERO;
         if emission != DVec3::ZERO && is_black {
             self.shines = true;
-            let glow = material.emissive_texture.as_ref().and_then(|info| self.picture(info, emission, name, left));
+            let glow = material.emissive_texture.as_ref().map(|info| self.picture(info, emission, name, left));
             return format!("kind = \"emissive\"\ncolor = {}\n", glow.unwrap_or_else(|| color(emission)));
         }
         let (metal, rough) = self.metal_and_roughness(material, name, left);
@@ -135,19 +146,25 @@ impl<'a> Surfaces<'a> {
         keys
     }
 
-    /// A picture as a pattern; none if it cannot be had. `factor` is what it would be multiplied with.
-    fn picture(&mut self, info: &Info, factor: DVec3, name: &str, left: &mut Left) -> Option<String> {
-        let texture: &Texture = self.file.root.get(info.index)?;
-        let path = self.pictures.path(texture.source.value(), left)?;
+    /// A picture as a pattern, and magenta if it cannot be had: nobody takes that for what was meant. `factor` is what it would be
+    /// multiplied with.
+    fn picture(&mut self, info: &Info, factor: DVec3, name: &str, left: &mut Left) -> String {
+        let texture: Option<&Texture> = self.file.root.get(info.index);
+        let path = image_number(texture, name, left).and_then(|number| self.pictures.path(number, left));
+        let Some(path) = path else {
+            left.out("the color of surfaces whose image is not read: they are magenta", name);
+            return MISSING.to_owned();
+        };
         if !factor.abs_diff_eq(DVec3::ONE, 1e-3) {
             left.out("factors on the colours of pictures", name);
         }
-        let sampler = texture.sampler.and_then(|sampler: Index<_>| self.file.root.get(sampler));
+        let sampler = texture.and_then(|texture| texture.sampler);
+        let sampler = sampler.and_then(|sampler: Index<_>| self.file.root.get(sampler));
         let repeats = |wrap| matches!(wrap, Valid(WrappingMode::Repeat));
         if sampler.is_some_and(|sampler| !repeats(sampler.wrap_s) || !repeats(sampler.wrap_t)) {
             left.out("pictures that do not repeat as they are", name);
         }
-        Some(format!("{{ image = {} }}", quoted(&path)))
+        format!("{{ image = {} }}", quoted(&path))
     }
 
     /// How much of a surface is metal, and how rough it is: on the mean.
@@ -157,9 +174,18 @@ impl<'a> Surfaces<'a> {
         let Some(info) = &pbr.metallic_roughness_texture else { return (metal, rough) };
         left.out("pictures of metal and roughness, of which the means are taken", name);
         let texture: Option<&Texture> = self.file.root.get(info.index);
-        let mean = texture.and_then(|texture| self.pictures.mean(texture.source.value()));
+        let mean = image_number(texture, name, left).and_then(|number| self.pictures.mean(number, left));
         mean.map_or((metal, rough), |[_, green, blue]| (metal * blue, rough * green))
     }
+}
+
+/// The number of a texture's image.
+fn image_number(texture: Option<&Texture>, name: &str, left: &mut Left) -> Option<usize> {
+    let number = texture.and_then(image_of);
+    if number.is_none() {
+        left.out("textures that have no image", name);
+    }
+    number
 }
 
 /// What there is on a material that ours have not.
@@ -200,6 +226,28 @@ fn highlight(diffuse: &str, height: DVec3, exponent: f64) -> String {
         return diffuse.to_owned();
     }
     format!("{diffuse}specular = {}\nshininess = {}\n", color(height), number(exponent))
+}
+
+/// Returns the density σ of a volume, per unit length, that absorbs light; `None` if it absorbs none. White light becomes the volume's
+/// color on its distance: e^(−σ d) = c. Rays go through the mesh itself, so that `thickness` says only whether there is a volume.
+fn absorption(volume: &Volume, name: &str, left: &mut Left) -> Option<DVec3> {
+    /// Optical depth of the distance for a channel that nothing is left of.
+    const OPAQUE: f64 = 1e6;
+    let color = Vec3::from(volume.attenuation_color.0).as_dvec3();
+    let distance = f64::from(volume.attenuation_distance.0);
+    if color == DVec3::ONE || distance == f64::INFINITY {
+        return None;
+    }
+    if volume.thickness_factor.0 <= 0.0 {
+        left.out("absorption of materials that are thin-walled (their `thicknessFactor` is 0)", name);
+        return None;
+    }
+    let is_color = color.cmpge(DVec3::ZERO).all() && color.cmple(DVec3::ONE).all();
+    if !(is_color && distance > 0.0) {
+        left.out("absorption whose color is not from 0 to 1, or whose distance is not above 0", name);
+        return None;
+    }
+    Some(color.to_array().map(|c| (-c.ln()).clamp(0.0, OPAQUE) / distance).into())
 }
 
 /// An index of refraction that a medium may have.

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::io::Cursor;
 use std::path::Path;
 
-use image::{ImageFormat, ImageReader};
+use image::ImageReader;
 
 use super::super::text::{Left, relative};
-use crate::assets::{Gltf, StoredPicture};
+use crate::assets::{Gltf, Picture, StoredPicture};
 
 /// The pictures that are used.
 pub(super) struct Pictures<'a> {
@@ -36,22 +36,11 @@ impl<'a> Pictures<'a> {
     }
 
     fn found(&mut self, number: usize, left: &mut Left) -> Option<String> {
-        let own = self.file.root.images.get(number).and_then(|image| image.name.clone());
-        let called = own.clone().filter(|name| !name.is_empty()).unwrap_or_else(|| format!("picture {number}"));
-        let mut refuse = |what: &str| {
-            left.out(what, &called);
-            None
-        };
-        match self.file.image(number) {
-            Err(error) => refuse(&format!("pictures that cannot be read: {error}")),
-            Ok(StoredPicture::Beside(path)) if !path.exists() => refuse("pictures that are not there"),
-            Ok(StoredPicture::Beside(path)) => Some(relative(&path, self.folder)),
-            Ok(StoredPicture::Within(bytes)) => {
-                let end = match image::guess_format(&bytes) {
-                    Ok(ImageFormat::Png) => "png",
-                    Ok(ImageFormat::Jpeg) => "jpg",
-                    _ => return refuse("pictures that are neither PNG nor JPEG"),
-                };
+        let called = self.called(number);
+        let stored = self.readable(number).map_err(|what| left.out(&what, &called)).ok()?;
+        match stored {
+            (StoredPicture::Beside(path), _) => Some(relative(&path, self.folder)),
+            (StoredPicture::Within(bytes), end) => {
                 let plain = |c: char| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' };
                 let front = format!("{}-{}", self.stem, called.chars().take(60).map(plain).collect::<String>());
                 let mut name = format!("{front}.{end}");
@@ -64,14 +53,40 @@ impl<'a> Pictures<'a> {
         }
     }
 
+    /// What messages call the picture of this number.
+    fn called(&self, number: usize) -> String {
+        let own = self.file.root.images.get(number).and_then(|image| image.name.clone());
+        own.filter(|name| !name.is_empty()).unwrap_or_else(|| format!("picture {number}"))
+    }
+
+    /// Returns a picture that bentray reads, with the ending of its file's name, or what kind of pictures cannot be had.
+    fn readable(&self, number: usize) -> Result<(StoredPicture, &'static str), String> {
+        let stored = self.file.image(number).map_err(|error| format!("images that cannot be read: {error}"))?;
+        let start = match &stored {
+            StoredPicture::Beside(path) if !path.exists() => return Err("image files that do not exist".to_owned()),
+            StoredPicture::Beside(path) => {
+                Picture::start(path).map_err(|error| format!("unreadable images: {error}"))?
+            }
+            StoredPicture::Within(bytes) => bytes.clone(),
+        };
+        let ending = Picture::ending(&start).map_err(|kind| {
+            format!("images {kind}, which bentray does not read: convert them to PNG or JPEG and export again")
+        })?;
+        Ok((stored, ending))
+    }
+
     /// The means of its numbers, each from 0 to 1; none if it cannot be read.
-    pub fn mean(&self, number: usize) -> Option<[f64; 3]> {
-        let bytes = match self.file.image(number).ok()? {
-            StoredPicture::Beside(path) => std::fs::read(path).ok()?,
+    pub fn mean(&self, number: usize, left: &mut Left) -> Option<[f64; 3]> {
+        let mut refuse = |what: String| left.out(&what, &self.called(number));
+        let bytes = match self.readable(number).map_err(&mut refuse).ok()?.0 {
+            StoredPicture::Beside(path) => {
+                std::fs::read(path).map_err(|error| refuse(format!("images: {error}"))).ok()?
+            }
             StoredPicture::Within(bytes) => bytes,
         };
         let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().ok()?;
-        let pixels = reader.decode().ok()?.into_rgb8();
+        let decoded = reader.decode().map_err(|error| refuse(format!("images that cannot be read: {error}")));
+        let pixels = decoded.ok()?.into_rgb8();
         let count = pixels.pixels().len().max(1) as f64;
         let mut sums = [0.0; 3];
         for pixel in pixels.pixels() {

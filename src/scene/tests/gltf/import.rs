@@ -8,7 +8,7 @@ use crate::assets::Gltf;
 use crate::model::camera::{Pinhole, Plane};
 use crate::model::material::{Emissive, Glossy, Mirror, Phong};
 use crate::scene::import::{Imported, import};
-use crate::scene::{LightSource, Pattern, Scene, Shadows, Substance};
+use crate::scene::{Density, LightSource, Pattern, Scene, Shadows, Substance};
 use glam::DVec3;
 
 /// A file in a folder of its own, and what becomes of it.
@@ -123,16 +123,48 @@ fn pictures_within_get_files_of_their_own() {
     assert_eq!(case.imported.pictures[0].0, "scene-my_tiles_1.png");
     let scene = case.scene();
     assert!(matches!(scene.materials[0].color, Pattern::Picture { .. }));
-    assert_eq!(scene.materials[1].color, Pattern::Constant(DVec3::ONE));
+    // Nobody takes magenta for what was meant.
+    assert_eq!(scene.materials[1].color, Pattern::Constant(DVec3::new(1.0, 0.0, 1.0)));
     let told = case.imported.left_out.join("\n");
-    for said in
-        ["pictures that are neither PNG nor JPEG (of `picture 1`)", "of which the means are taken", "added: a light"]
-    {
+    for said in [
+        "images of the format WebP, which bentray does not read: convert them to PNG or JPEG and export again (of `picture 1`)",
+        "they are magenta",
+        "of which the means are taken",
+        "added: a light",
+    ] {
         assert!(told.contains(said), "{told}");
     }
     // 0.2 rough and no metal.
     let phong = scene.materials[1].surface.downcast::<Phong>().expect("phong");
     assert!(phong.shininess > 1000.0, "{phong:?}");
+}
+
+/// A texture may have no image but an extension's, or none at all.
+#[test]
+fn textures_without_an_image_of_their_own_are_told() {
+    let of = |index: usize| json!({ "pbrMetallicRoughness": { "baseColorTexture": { "index": index }, "metallicFactor": 0 } });
+    let rough = json!({ "pbrMetallicRoughness": { "metallicRoughnessTexture": { "index": 0 } } });
+    let (mut made, mut rest) = squares(&[of(0), of(1), of(2), of(9), rough]);
+    let webp = made.view(*b"RIFF\x04\0\0\0WEBP");
+    let mut png = std::io::Cursor::new(Vec::new());
+    RgbImage::from_pixel(2, 2, image::Rgb([9, 9, 9])).write_to(&mut png, ImageFormat::Png).expect("a PNG");
+    let view = made.view(png.into_inner());
+    rest["images"] = json!([{ "bufferView": webp, "name": "tiles", "mimeType": "image/webp" }, { "bufferView": view }]);
+    let by = |source: usize| json!({ "extensions": { "EXT_texture_webp": { "source": source } } });
+    rest["textures"] = json!([by(0), by(1), {}]);
+    rest["extensionsUsed"] = json!(["EXT_texture_webp"]);
+    let case = Case::of(&made, &rest);
+    let told = case.imported.left_out.join("\n");
+    assert!(!told.contains("4294967295"), "{told}");
+    for said in
+        ["images of the format WebP", "(of `tiles`)", "textures that have no image (of `material 2`, `material 3`)"]
+    {
+        assert!(told.contains(said), "{told}");
+    }
+    let scene = case.scene();
+    let magenta = Pattern::Constant(DVec3::new(1.0, 0.0, 1.0));
+    let is_missing = [0, 1, 2, 3].map(|i| scene.materials[i].color == magenta);
+    assert_eq!(is_missing, [true, false, true, true]);
 }
 
 #[test]
@@ -206,4 +238,54 @@ fn closed_glass_is_filled_and_open_glass_is_told() {
     assert!(scene.objects[0].interior().is_some() && scene.objects[1].interior().is_none());
     let told = case.imported.left_out.join("\n");
     assert!(told.contains("not taken over: points and lines (of `node 0`)") && told.contains("not closed"), "{told}");
+}
+
+/// Beer and Lambert's law: white light becomes the volume's color on its distance.
+#[test]
+fn volumes_absorb_light() {
+    let glass = |volume: &Value| {
+        json!({ "extensions": {
+            "KHR_materials_transmission": { "transmissionFactor": 1 },
+            "KHR_materials_ior": { "ior": 1.25 },
+            "KHR_materials_volume": volume,
+        } })
+    };
+    let color = [0.5, 0.125, 1.0];
+    let volumes = [
+        json!({ "thicknessFactor": 1, "attenuationDistance": 4, "attenuationColor": color }),
+        json!({ "thicknessFactor": 1, "attenuationColor": color }),
+        json!({ "attenuationDistance": 4, "attenuationColor": color }),
+        json!({ "thicknessFactor": 1, "attenuationDistance": 0, "attenuationColor": color }),
+        json!({ "thicknessFactor": 1, "attenuationDistance": 0.5, "attenuationColor": [0, 0.25, 0.5] }),
+    ];
+    let mut made = Made::default();
+    let positions = made.floats(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    let closed = made.accessor(5121, "SCALAR", 12, [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
+    let primitive = |material: usize| json!({ "primitives": [{ "attributes": { "POSITION": positions }, "indices": closed, "material": material }] });
+    let all = 0..volumes.len();
+    let rest = json!({
+        "nodes": all.clone().map(|i| json!({ "mesh": i, "translation": [3 * i, 0, 0] })).collect::<Vec<_>>(),
+        "meshes": all.clone().map(primitive).collect::<Vec<_>>(),
+        "materials": volumes.iter().map(glass).collect::<Vec<_>>(),
+        "extensionsUsed": ["KHR_materials_volume"],
+    });
+    let case = Case::of(&made, &rest);
+    let scene = case.scene();
+    let left = |i: usize, distance: f64| {
+        let interior = scene.objects[i].interior().expect("an interior");
+        assert_eq!(interior.medium.index(DVec3::ZERO), Some(1.25));
+        let filter = interior.filter.as_deref()?;
+        let Density::Even(density) = filter.density else { panic!("{filter:?}") };
+        Some((-distance * density).exp())
+    };
+    // Numbers of 32 bits in the scene.
+    assert!(left(0, 4.0).expect("a filter").abs_diff_eq(color.into(), 1e-6));
+    assert!(left(0, 8.0).expect("a filter").abs_diff_eq(DVec3::new(0.25, 1.0 / 64.0, 1.0), 1e-6));
+    assert!(left(4, 1.0).expect("a filter").abs_diff_eq(DVec3::new(0.0, 1.0 / 16.0, 0.25), 1e-6));
+    assert_eq!([1, 2, 3].map(|i| left(i, 1.0)), [None; 3]);
+    let told = case.imported.left_out.join("\n");
+    for said in ["thin-walled (their `thicknessFactor` is 0)", "whose distance is not above 0"] {
+        assert!(told.contains(said), "{told}");
+    }
+    assert!(!told.contains("extension KHR_materials_volume"), "{told}");
 }
