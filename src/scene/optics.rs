@@ -35,10 +35,19 @@ impl Optics<'_> {
         self.objects.iter().filter_map(Object::material).any(continues)
     }
 
+    fn media(&self) -> impl Iterator<Item = &dyn Medium> {
+        let of_law = self.law.and_then(Law::medium);
+        of_law.into_iter().map(|medium| &**medium).chain(self.interiors())
+    }
+
     /// Has some medium another index for each wavelength?
     pub fn disperses(&self) -> bool {
-        let of_law = self.law.and_then(Law::medium);
-        of_law.into_iter().map(|medium| &**medium).chain(self.interiors()).any(Medium::is_dispersive)
+        self.media().any(Medium::is_dispersive)
+    }
+
+    /// Returns why some medium's index is not known for light of this wavelength, in nanometers.
+    pub fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
+        self.media().find_map(|medium| medium.refuses_wavelength(wavelength))
     }
 
     /// Is light bent anywhere?

@@ -118,6 +118,12 @@ pub trait Medium: fmt::Debug + Send + Sync + Same {
         false
     }
 
+    /// Returns why the index is not known for light of this wavelength, in nanometers; `None` where it is.
+    fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
+        let _ = wavelength;
+        None
+    }
+
     /// Does the index vary over surfaces alone, so that it can be no law's?
     fn is_of_surfaces(&self) -> bool {
         false

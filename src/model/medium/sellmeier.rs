@@ -29,39 +29,75 @@ pub const VISIBLE: RangeInclusive<f64> = 380.0..=730.0;
 /// Helium's yellow line d, by which glasses are named, nanometres.
 pub const D_LINE: f64 = 587.561_8;
 
+/// A glass that is known by its name.
+struct Glass {
+    medium: Sellmeier,
+    /// Where its formula was fitted, nanometers.
+    range: RangeInclusive<f64>,
+}
+
 /// B and C of common glasses: of Schott's catalogue; of silica (Malitson 1965), water at 20 °C (Daimon and Masumura 2007) and diamond (Peter
-/// 1923).
-const GLASSES: [(&str, Sellmeier); 5] = [
+/// 1923, whose 650 nm are extended to the end of visible light).
+const GLASSES: [(&str, Glass); 5] = [
     (
         "BK7",
-        Sellmeier {
-            b: [1.039_612_12, 0.231_792_344, 1.010_469_45, 0.0],
-            c: [0.006_000_698_67, 0.020_017_914_4, 103.560_653, 0.0],
+        Glass {
+            medium: Sellmeier {
+                b: [1.039_612_12, 0.231_792_344, 1.010_469_45, 0.0],
+                c: [0.006_000_698_67, 0.020_017_914_4, 103.560_653, 0.0],
+            },
+            range: 300.0..=2500.0,
         },
     ),
     (
         "SF11",
-        Sellmeier {
-            b: [1.737_596_95, 0.313_747_346, 1.898_781_01, 0.0],
-            c: [0.013_188_707, 0.062_306_814_2, 155.236_29, 0.0],
+        Glass {
+            medium: Sellmeier {
+                b: [1.737_596_95, 0.313_747_346, 1.898_781_01, 0.0],
+                c: [0.013_188_707, 0.062_306_814_2, 155.236_29, 0.0],
+            },
+            range: 370.0..=2500.0,
         },
     ),
     (
         "fused-silica",
-        Sellmeier {
-            b: [0.696_166_3, 0.407_942_6, 0.897_479_4, 0.0],
-            c: [0.004_679_148_3, 0.013_512_063, 97.934_003, 0.0],
+        Glass {
+            medium: Sellmeier {
+                b: [0.696_166_3, 0.407_942_6, 0.897_479_4, 0.0],
+                c: [0.004_679_148_3, 0.013_512_063, 97.934_003, 0.0],
+            },
+            range: 210.0..=3710.0,
         },
     ),
     (
         "water",
-        Sellmeier {
-            b: [0.568_402_756_5, 0.172_617_739_1, 0.020_861_895_78, 0.113_074_868_8],
-            c: [0.005_101_829_712, 0.018_211_539_36, 0.026_207_222_93, 10.697_927_21],
+        Glass {
+            medium: Sellmeier {
+                b: [0.568_402_756_5, 0.172_617_739_1, 0.020_861_895_78, 0.113_074_868_8],
+                c: [0.005_101_829_712, 0.018_211_539_36, 0.026_207_222_93, 10.697_927_21],
+            },
+            range: 182.0..=1129.0,
         },
     ),
-    ("diamond", Sellmeier { b: [0.3306, 4.3356, 0.0, 0.0], c: [0.030_625, 0.011_236, 0.0, 0.0] }),
+    (
+        "diamond",
+        Glass {
+            medium: Sellmeier { b: [0.3306, 4.3356, 0.0, 0.0], c: [0.030_625, 0.011_236, 0.0, 0.0] },
+            range: 226.0..=730.0,
+        },
+    ),
 ];
+
+/// The glasses as their names choose them.
+static NAMES: [(&str, Sellmeier); GLASSES.len()] = {
+    let mut names = [("", GLASSES[0].1.medium); GLASSES.len()];
+    let mut k = 0;
+    while k < GLASSES.len() {
+        names[k] = (GLASSES[k].0, GLASSES[k].1.medium);
+        k += 1;
+    }
+    names
+};
 
 /// n² = 1 + Σ B λ²/(λ² − C).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,9 +127,8 @@ fn terms(node: &Node) -> Read<Vec<f64>> {
 }
 
 fn read(table: &TableReader) -> Option<Sellmeier> {
-    let names: &[(&str, Sellmeier)] = &GLASSES;
     let (b, c) = (table.optional("b", terms), table.optional("c", terms));
-    if let Some(glass) = table.optional("glass", word(names)) {
+    if let Some(glass) = table.optional("glass", word(&NAMES)) {
         if table.gives("b") || table.gives("c") {
             table.fault(&["glass"], "a glass has its own B and C", "leave b and c out, or the glass");
         }
@@ -153,6 +188,24 @@ impl Medium for Sellmeier {
     fn is_dispersive(&self) -> bool {
         true
     }
+
+    /// A known glass has the range of its formula. Other numbers hold between the resonances about visible light.
+    fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
+        if let Some((name, Glass { range, .. })) = GLASSES.iter().find(|(_, glass)| glass.medium == *self) {
+            let (from, to) = (range.start(), range.end());
+            let problem = || format!("the formula of {name} holds from {from} to {to} nm, and this is {wavelength}");
+            return (!range.contains(&wavelength)).then(problem);
+        }
+        let resonances = self.b.iter().zip(self.c).filter(|(b, c)| **b != 0.0 && *c > 0.0);
+        let mut resonances = resonances.map(|(_, c)| 1e3 * c.sqrt());
+        let visible = D_LINE.min(wavelength)..=D_LINE.max(wavelength);
+        if let Some(at) = resonances.find(|at| visible.contains(at)) {
+            return Some(format!(
+                "a resonance of the formula, at {at:.0} nm, lies between visible light and {wavelength} nm"
+            ));
+        }
+        (self.square(wavelength) <= 0.0).then(|| format!("n² is not positive at {wavelength} nm"))
+    }
 }
 
 #[cfg(test)]
@@ -170,10 +223,31 @@ mod tests {
             ("water", [1.337_49, 1.333_40, 1.331_51]),
             ("diamond", [2.435_54, 2.417_49, 2.409_91]),
         ] {
-            let glass = GLASSES.iter().find(|(known, _)| *known == name).unwrap().1;
+            let glass = NAMES.iter().find(|(known, _)| *known == name).unwrap().1;
             for (line, n) in lines.iter().zip(expected) {
                 assert!((glass.square(*line).sqrt() - n).abs() < 6e-6, "{name} at {line} nm");
             }
+        }
+    }
+
+    /// Of infrared and ultraviolet light: Schott's data sheet of N-BK7, and Malitson's table.
+    #[test]
+    fn glasses_are_known_beyond_visible_light() {
+        for (name, nm, n) in [
+            ("BK7", 365.0, 1.536_27),
+            ("BK7", 1060.0, 1.506_69),
+            ("BK7", 1529.6, 1.500_91),
+            ("BK7", 2325.4, 1.489_21),
+            ("fused-silica", 365.015, 1.474_54),
+            ("fused-silica", 2325.42, 1.432_93),
+        ] {
+            let glass = NAMES.iter().find(|(known, _)| *known == name).unwrap().1;
+            assert_eq!(glass.refuses_wavelength(nm), None);
+            assert!((glass.square(nm).sqrt() - n).abs() < 6e-6, "{name} at {nm} nm: {}", glass.square(nm).sqrt());
+        }
+        for (name, nm) in [("BK7", 299.0), ("SF11", 365.0), ("water", 1130.0), ("fused-silica", 4000.0)] {
+            let glass = NAMES.iter().find(|(known, _)| *known == name).unwrap().1;
+            assert!(glass.refuses_wavelength(nm).is_some_and(|why| why.contains(name)));
         }
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, boolean, choice, number_where, positive, text, vector, whole, word};
 use crate::document::{Fault, Node, Value};
-use crate::model::medium::{D_LINE, VISIBLE};
+use crate::model::medium::D_LINE;
 use crate::model::method::{self, Demands, Named};
 use crate::model::{Law, control};
 use crate::scene::optics::Optics;
@@ -69,6 +69,9 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     if table.gives("wavelength") && !optics.disperses() {
         let help = "leave it out, or give an interior kind = \"sellmeier\"";
         table.fault(&["wavelength"], "nothing here is another for another wavelength", help);
+    } else if let Some(problem) = optics.refuses_wavelength(wavelength) {
+        let help = "choose a wavelength in that range (nm), or glass with another formula";
+        table.fault(&["wavelength"], problem, help);
     }
     let accelerate = table.or("accelerate", Accelerate::Auto, word(ACCELERATE));
     optics.check(&table, segment, asymptotic, precision);
@@ -94,7 +97,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
 }
 
 fn wavelength(node: &Node) -> Read<f64> {
-    number_where("a wavelength from 380 to 730 nm", |x| VISIBLE.contains(&x))(node)
+    number_where("a wavelength above 0 nm", |x| x > 0.0)(node)
 }
 
 /// What is followed where a surface splits a ray: on paths one of the two.

@@ -117,7 +117,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "where a surface splits light both rays are followed, so many times along a path; or one at random, a sample";
             transport: "lights | paths" = "lights",
                 "what lights surfaces: the scene's lights; or all that shines, by paths from surface to surface under the law";
-            wavelength if "sellmeier": "number, 380 to 730" = "587.56", "of light, nm, where paths do not draw it: in pictures without paths, and in traces";
+            wavelength if "sellmeier": "number above 0" = "587.56", "of light, nm, where paths do not draw it: in pictures without paths, and in traces; infrared and ultraviolet too, where the glass's formula holds";
             accelerate: "auto | bvh | grid | none" = "auto",
                 "how objects are searched: by a hierarchy of boxes, a uniform grid, or one after the other; auto is what measures best";
         }
