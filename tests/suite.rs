@@ -44,6 +44,7 @@ mod shifts;
 mod sky_light;
 mod spacetimes;
 mod structure;
+mod transparency;
 mod travels;
 mod tree;
 mod worldlines;

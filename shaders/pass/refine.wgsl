@@ -30,21 +30,22 @@ var<workgroup> group_capped: atomic<u32>;
 fn from_corners(pixel: vec2u) -> Moments {
     let end = load_corner(pixel);
     var alike = corners_shared(frame.origin + pixel);
-    var sum = vec3f(0.0);
-    var low = vec3f(1.0);
-    var high = vec3f(0.0);
+    var sum = vec4f(0.0);
+    var low = vec4f(1.0);
+    var high = vec4f(0.0);
     for (var i = 0u; i < 4u; i++) {
         work += 1u;
         let corner = pixel + vec2u(i & 1u, i >> 1u);
         let c = load_color(corner);
-        let shown = displayed(c);
-        sum += c;
+        let covered = load_coverage(corner);
+        let shown = vec4f(displayed(c), covered);
+        sum += vec4f(c, covered);
         low = min(low, shown);
         high = max(high, shown);
         alike = alike && load_corner(corner) == end;
     }
-    if alike && all(high - low <= vec3f(refinement.tolerance)) {
-        return Moments(0.25 * sum, load_coverage(pixel), vec3f(0.0), 1u);
+    if alike && all(high - low <= vec4f(refinement.tolerance)) {
+        return Moments(0.25 * sum.xyz, 0.25 * sum.w, vec3f(0.0), 1u);
     }
     return Moments(vec3f(0.0), 0.0, vec3f(0.0), 1u | OPEN);
 }
@@ -64,7 +65,7 @@ fn shown_error(m: Moments, n: f32) -> f32 {
     let error = sqrt(m.squares / (n * (n - 1.0)));
     let apart = 0.5 * (displayed(mean + error) - displayed(mean - error));
     let covered = m.alpha / n;
-    return max(max(apart.x, apart.y), max(apart.z, sqrt(covered * (1.0 - covered) / n)));
+    return max(max(apart.x, apart.y), max(apart.z, sqrt(max(covered * (1.0 - covered), 0.0) / n)));
 }
 
 fn closed(m: Moments, n: f32, flag: u32) -> Moments {

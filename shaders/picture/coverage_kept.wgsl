@@ -1,4 +1,4 @@
-// How many of a pixel's samples are of the picture: where the camera has no rays there is nothing to see through it.
+// How many of a pixel's samples are of the picture. Where the camera has no rays nothing is, and of a transparent sky a part may be seen.
 
 @group(0) @binding(155) var alpha: texture_storage_2d<r32float, read_write>;
 
@@ -10,6 +10,12 @@ fn add_coverage(pixel: vec2u, code: u32) {
     }
 }
 
+// So much of a sample's light would come from behind the picture: 1 where nothing is before that.
+fn uncover(pixel: vec2u, passed: vec3f) {
+    let part = clamp((passed.x + passed.y + passed.z) / 3.0, 0.0, 1.0);
+    textureStore(alpha, pixel, vec4f(textureLoad(alpha, pixel).x - part));
+}
+
 fn load_coverage(pixel: vec2u) -> f32 {
-    return textureLoad(alpha, pixel).x;
+    return max(textureLoad(alpha, pixel).x, 0.0);
 }

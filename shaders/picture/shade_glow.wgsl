@@ -13,6 +13,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     gather(select(seen.color, sky_radiance(vec3f(normalize(seen.end.v))), escaped), seen.end.x);
     add_color(pixel, carried.gathered);
     add_coverage(pixel, ray.status);
+    see_through(pixel, ray.status, seen.end.x);
     keep_layers(pixel, ray, seen);
     keep_corner(pixel, ray, seen);
 }

@@ -12,6 +12,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     keep_spread(pixel, found);
     add_color(pixel, found);
     add_coverage(pixel, ray.status);
+    see_through(pixel, ray.status, seen.end.x);
     if carried.recorded == 0u {
         keep_layers(pixel, ray, seen);
     }

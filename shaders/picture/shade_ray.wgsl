@@ -20,6 +20,7 @@ fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
     add_color(pixel, light);
     add_order(pixel, light);
     add_coverage(pixel, code);
+    see_through(pixel, code, seen.end.x);
     keep_layers(pixel, ray, seen);
     keep_corner(pixel, ray, seen);
 }

@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::paths;
 use crate::error::Error;
-use crate::output::film;
+use crate::output::{film, lost_alpha};
 
 /// Make a film of pictures, in the order in which they are named: what `render --frames all -o film.mp4` does in the end
 #[derive(Debug, Args)]
@@ -31,6 +31,11 @@ fn parse_rate(text: &str) -> Result<f64, String> {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let frames: Vec<_> = arguments.frames.iter().map(|path| (path.clone(), "one of the frames")).collect();
     paths::check(arguments.output.iter().map(PathBuf::as_path), &frames)?;
-    arguments.output.iter().try_for_each(|path| film(path, &arguments.frames, arguments.rate))?;
+    for path in &arguments.output {
+        film(path, &arguments.frames, arguments.rate)?;
+        if let Some(words) = lost_alpha(path, &arguments.frames) {
+            tell!("warning: {} has no alpha: {words} (an animated .png keeps it)", path.display());
+        }
+    }
     Ok(ExitCode::SUCCESS)
 }

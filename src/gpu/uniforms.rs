@@ -1,5 +1,7 @@
 //! The values of a scene's uniforms, by the names of their members in WGSL.
 
+use glam::DVec3;
+
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
 use crate::program::Work;
@@ -39,6 +41,7 @@ impl Source<'_> {
 pub(super) fn sky_values(sky: &Sky) -> Vec<(&'static str, Value)> {
     match sky {
         Sky::Color(color) => vec![("color", Vec3(*color))],
+        Sky::Transparent => vec![("color", Vec3(DVec3::ZERO))],
         Sky::Equirectangular(image, intensity) => {
             vec![("intensity", Float(*intensity)), ("image", Uint(*image as u32))]
         }

@@ -32,6 +32,12 @@ pub fn srgb_from_linear(x: f64) -> f64 {
     }
 }
 
+/// Returns the linear value, from 0 to 1, of its sRGB encoding.
+#[must_use]
+pub fn linear_from_srgb(x: f64) -> f64 {
+    if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+}
+
 /// The linear values, from 0 to 1, that are shown of a linear colour multiplied by `gain`.
 #[must_use]
 pub fn shown(color: [f32; 3], gain: f64, tonemap: Tonemap) -> [f64; 3] {

@@ -32,7 +32,7 @@ use std::path::Path;
 pub use assemble::assemble;
 pub use atomic::{AtomicFile, abandon_unfinished};
 pub use error::OutputError;
-pub use film::{check_film, film, is_film};
+pub use film::{alpha_in_film, check_film, film, is_film, lost_alpha};
 pub use said::{said, settings_of};
 pub use whole::picture;
 

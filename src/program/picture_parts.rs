@@ -4,7 +4,7 @@ use super::names::Names;
 use super::skies::two_skies;
 use super::{Choice, Layer, ProgramError, Purpose, generated};
 use crate::model::{Pattern, Projection, Stereo, StereoLayout, Surface};
-use crate::scene::{Animation, Light, Precision, SamplePattern, Scene, Shadows, Tonemap};
+use crate::scene::{Animation, Light, Precision, SamplePattern, Scene, Shadows, Sky, Tonemap};
 
 pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     // A film has one program for all places that its camera comes to.
@@ -57,6 +57,10 @@ fn stereo_parts(projection: &dyn Projection, stereo: Stereo, names: &mut Names) 
 
 pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), ProgramError> {
     names.add(if scene.is_transparent() { "picture/coverage_kept" } else { "picture/coverage_none" });
+    if scene.sky == Sky::Transparent {
+        let carries = choice.follows_paths(scene) || choice.sees_glow(scene);
+        names.add(if carries { "picture/open_path" } else { "picture/open_ray" });
+    }
     match &scene.beyond {
         Some(beyond) => {
             names.add("picture/sky/both");

@@ -63,7 +63,7 @@ pub struct Parts {
 }
 
 /// What parts call where some part declares it, and else not at all: statements on lines of their own.
-const OPTIONAL: [&str; 34] = [
+const OPTIONAL: [&str; 35] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -94,6 +94,7 @@ const OPTIONAL: [&str; 34] = [
     "add_travel",
     "beam_sky",
     "add_order",
+    "see_through",
     "note_footprint",
     "note_place",
     "note_spans",

@@ -31,7 +31,9 @@ impl Renderer<'_> {
                 at.put(plane, band.width, moments.iter().map(|moments| moments.color[k]));
             } else if let Some(texture) = tile.texture(&Role::Color(channel)) {
                 let sums = read_texture(self.gpu, texture)?;
-                at.put(plane, band.width, sums.iter().map(|bits| f32::from_bits(*bits) * weight));
+                // A sky that is seen from inside of a medium may be brighter than it is.
+                let kept = |mean: f32| if channel == Channel::Alpha { mean.clamp(0.0, 1.0) } else { mean };
+                at.put(plane, band.width, sums.iter().map(|bits| kept(f32::from_bits(*bits) * weight)));
             }
         }
         for layer in round.layers(&self.settings.choice.layers) {

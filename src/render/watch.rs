@@ -95,6 +95,13 @@ pub struct Earlier {
     pub band: Band,
 }
 
+/// Returns the sum that has this mean: to the last digit if it is a count of samples, as it mostly is.
+fn sum_of(mean: f32, samples: f32) -> f32 {
+    let sum = mean * samples;
+    let count = sum.round();
+    if (sum - count).abs() <= f32::EPSILON * count { count } else { sum }
+}
+
 impl Earlier {
     /// Puts the sums of a part of the window into a tile of that size.
     pub(super) fn put(&self, gpu: &Gpu, tile: &Tile, part: Window) {
@@ -107,11 +114,9 @@ impl Earlier {
         for (channel, sums) in channels.iter().zip(sums) {
             write(gpu, tile.texture(channel), part, band.width, |at| sums[at]);
         }
-        // A count of samples, which its mean gives back.
         if let Some(alpha) = &band.alpha {
-            let samples = self.samples as f32;
             let texture = tile.texture(&Role::Color(Channel::Alpha));
-            write(gpu, texture, part, band.width, |at| (alpha[at] * samples).round());
+            write(gpu, texture, part, band.width, |at| sum_of(alpha[at], self.samples as f32));
         }
         for counted in ["clamped_samples", "clamped_light"] {
             write(gpu, tile.texture(&Role::Kept(counted)), part, band.width, |_| 0.0);

@@ -347,10 +347,10 @@ impl Scene {
         self.camera.as_ref()?.pixel_angle(self.image.size)
     }
 
-    /// Does its picture have pixels that show nothing, so that its files carry alpha?
+    /// Returns `true` if pixels of its picture may show nothing, so that its files carry alpha.
     #[must_use]
     pub fn is_transparent(&self) -> bool {
-        self.camera.as_ref().is_some_and(|camera| camera.projection.is_transparent())
+        self.sky == Sky::Transparent || self.camera.as_ref().is_some_and(|camera| camera.projection.is_transparent())
     }
 }
 
@@ -372,6 +372,8 @@ pub struct Occlusion {
 pub enum Sky {
     /// One colour; black unless the scene says otherwise.
     Color(DVec3),
+    /// Nothing: no light comes from it, and files carry how much of a pixel shows it, as alpha.
+    Transparent,
     /// An equirectangular picture: index into [`Scene::pictures`], and a factor on its radiance.
     Equirectangular(usize, f64),
     /// Six faces +x −x +y −y +z −z, seen from inside: indices into [`Scene::pictures`], and a factor.
@@ -383,7 +385,7 @@ impl Sky {
     #[must_use]
     pub fn part(&self) -> &'static str {
         match self {
-            Self::Color(_) => "picture/sky/color",
+            Self::Color(_) | Self::Transparent => "picture/sky/color",
             Self::Equirectangular(..) => "picture/sky/equirectangular",
             Self::Faces(..) => "picture/sky/faces",
         }

@@ -82,7 +82,7 @@ impl Scene {
         let wanted = self.rays.paths.is_some_and(|paths| paths.aim);
         let faces: Vec<&Picture> = match &self.sky {
             _ if !wanted => return false,
-            Sky::Color(_) => return false,
+            Sky::Color(_) | Sky::Transparent => return false,
             Sky::Equirectangular(picture, _) => vec![&self.pictures[*picture]],
             Sky::Faces(faces, _) => faces.iter().map(|face| &self.pictures[*face]).collect(),
         };
@@ -112,7 +112,7 @@ impl Scene {
     /// Pixels once round the sky, where they are densest.
     fn sky_pixels_around(&self) -> f64 {
         match self.sky {
-            Sky::Color(_) => 1.0,
+            Sky::Color(_) | Sky::Transparent => 1.0,
             Sky::Equirectangular(picture, _) => f64::from(self.pictures[picture].size[0]),
             // A pixel in a face's middle is 4/π as wide as the mean one, in its corner less than half.
             Sky::Faces(faces, _) => {
@@ -126,6 +126,7 @@ impl Scene {
     fn sky_brightness(&self, place: DVec2) -> f64 {
         match self.sky {
             Sky::Color(color) => color.element_sum() / 3.0,
+            Sky::Transparent => 0.0,
             Sky::Equirectangular(picture, intensity) => intensity * sample(&self.pictures[picture], place, true),
             Sky::Faces(faces, intensity) => {
                 let (around, down) = (2.0 * PI * (place.x - 0.5), PI * place.y);

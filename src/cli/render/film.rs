@@ -12,7 +12,7 @@ use super::Arguments;
 use crate::cli::format::{Found, shown};
 use crate::cli::share::Target;
 use crate::error::Error;
-use crate::output::{OutputError, check_film, film, has_extension, is_film};
+use crate::output::{OutputError, alpha_in_film, check_film, film, has_extension, is_film};
 use crate::scene::Scene;
 
 /// A film that is finished.
@@ -58,6 +58,11 @@ impl Arguments {
     /// Refuses films that cannot be written, and makes the folder of frames.
     pub(in crate::cli) fn prepare_films(&self, scene: &Scene) -> Result<(), Error> {
         self.films().try_for_each(|path| check_film(path, self.window(scene).size))?;
+        for path in self.films().filter(|_| scene.is_transparent()) {
+            if let Some(words) = alpha_in_film(path) {
+                tell!("warning: {} has no alpha: {words} (an animated .png keeps it)", path.display());
+            }
+        }
         let Some(folder) = self.frame_folder() else { return Ok(()) };
         let failed = |cause| OutputError::Create { path: folder.join("00000.png"), folder: folder.clone(), cause };
         Ok(fs::create_dir_all(&folder).map_err(failed)?)

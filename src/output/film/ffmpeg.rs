@@ -7,7 +7,7 @@
 use std::io::{ErrorKind, Write};
 use std::process::{Child, Command, Stdio};
 
-use super::Frames;
+use super::{Frames, before_black};
 use crate::output::{AtomicFile, OutputError};
 
 const PROGRAM: &str = "ffmpeg";
@@ -33,7 +33,7 @@ pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, container: &'sta
     let mut input = child.stdin.take();
     while let Some(picture) = frames.next()? {
         let Some(pipe) = &mut input else { break };
-        let pixels: Vec<u8> = picture.pixels().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+        let pixels: Vec<u8> = picture.pixels().flat_map(|pixel| before_black(*pixel)).collect();
         match pipe.write_all(&pixels) {
             // It says itself why it reads no more.
             Err(error) if error.kind() == ErrorKind::BrokenPipe => break,

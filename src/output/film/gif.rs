@@ -6,9 +6,11 @@
 use ::image::codecs::gif::{GifEncoder, Repeat};
 use ::image::{Delay, Frame, ImageError};
 
-use super::Frames;
+use super::{Frames, before_black};
 use crate::output::{AtomicFile, OutputError};
 
+/// It has transparent pixels, but none that are so in part.
+pub(super) const ALPHA: Option<&str> = Some("what is transparent in part is put before black");
 /// Ticks of a second.
 const TICKS: f64 = 100.0;
 /// How many pixels are looked at for the 256 colours: of 1 to 30, where 1 is all.
@@ -24,7 +26,11 @@ pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str)
     encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
     let mut shown = 0;
     for number in 1.. {
-        let Some(picture) = frames.next()? else { break };
+        let Some(mut picture) = frames.next()? else { break };
+        for pixel in picture.pixels_mut() {
+            let [r, g, b] = before_black(*pixel);
+            pixel.0 = [r, g, b, if pixel[3] == 0 { 0 } else { u8::MAX }];
+        }
         let until = (f64::from(number) * TICKS / rate).round() as u32;
         let delay = Delay::from_numer_denom_ms(10 * (until - shown), 1);
         shown = until;

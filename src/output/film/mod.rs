@@ -12,8 +12,9 @@ mod gif;
 
 use std::path::{Path, PathBuf};
 
-use ::image::RgbaImage;
+use ::image::{ImageDecoder, Rgba, RgbaImage};
 
+use super::color::{linear_from_srgb, srgb_from_linear};
 use super::{AtomicFile, OutputError};
 
 /// A format of films.
@@ -24,16 +25,21 @@ struct Kind {
     problem: fn() -> Option<&'static str>,
     /// Pixels along a side, at most.
     side: u32,
+    /// What becomes of transparent pixels, if the format does not keep alpha.
+    alpha: Option<&'static str>,
     write: fn(&mut AtomicFile, &mut Frames, &'static str) -> Result<(), OutputError>,
 }
 
+/// Of video.
+const BLACK: Option<&str> = Some("it is put before black");
+
 /// All of them.
 const KINDS: [Kind; 5] = [
-    Kind { extension: "mp4", problem: ffmpeg::problem, side: 16_384, write: ffmpeg::write },
-    Kind { extension: "webm", problem: ffmpeg::problem, side: 65_535, write: ffmpeg::write },
-    Kind { extension: "gif", problem: || None, side: 65_535, write: gif::write },
-    Kind { extension: "png", problem: || None, side: u32::MAX, write: apng::write },
-    Kind { extension: "apng", problem: || None, side: u32::MAX, write: apng::write },
+    Kind { extension: "mp4", problem: ffmpeg::problem, side: 16_384, alpha: BLACK, write: ffmpeg::write },
+    Kind { extension: "webm", problem: ffmpeg::problem, side: 65_535, alpha: BLACK, write: ffmpeg::write },
+    Kind { extension: "gif", problem: || None, side: 65_535, alpha: gif::ALPHA, write: gif::write },
+    Kind { extension: "png", problem: || None, side: u32::MAX, alpha: None, write: apng::write },
+    Kind { extension: "apng", problem: || None, side: u32::MAX, alpha: None, write: apng::write },
 ];
 
 fn kind(path: &Path) -> Option<&'static Kind> {
@@ -45,6 +51,32 @@ fn kind(path: &Path) -> Option<&'static Kind> {
 #[must_use]
 pub fn is_film(path: &Path) -> bool {
     kind(path).is_some()
+}
+
+/// Returns what becomes of transparent pixels in a film of this name; `None` if it keeps their alpha.
+#[must_use]
+pub fn alpha_in_film(path: &Path) -> Option<&'static str> {
+    kind(path)?.alpha
+}
+
+/// Returns `true` if a picture's header says that it has alpha.
+fn has_alpha(path: &Path) -> bool {
+    let decoder = ::image::ImageReader::open(path).ok().and_then(|reader| reader.into_decoder().ok());
+    decoder.is_some_and(|decoder| decoder.color_type().has_alpha())
+}
+
+/// Returns what becomes of transparent pixels in a film of these pictures; `None` if it keeps their alpha, or they have none.
+#[must_use]
+pub fn lost_alpha(path: &Path, frames: &[PathBuf]) -> Option<&'static str> {
+    alpha_in_film(path).filter(|_| frames.iter().any(|frame| has_alpha(frame)))
+}
+
+/// Returns a pixel put before black: the light that it has. Its color is not multiplied by alpha yet.
+fn before_black(pixel: Rgba<u8>) -> [u8; 3] {
+    let [r, g, b, alpha] = pixel.0;
+    let covered = f64::from(alpha) / 255.0;
+    let shown = |x: u8| (srgb_from_linear(linear_from_srgb(f64::from(x) / 255.0) * covered) * 255.0).round() as u8;
+    if alpha == u8::MAX { [r, g, b] } else { [r, g, b].map(shown) }
 }
 
 /// Refuses a film of pictures of this size that could not be written here.

@@ -1,19 +1,22 @@
-//! `[sky]`: what the distance looks like.
+//! `[sky]`: what the distance looks like; `sky = "transparent"` is none.
 
 use glam::DVec3;
 
 use crate::assets::Files;
 use crate::document::reader::TableReader;
-use crate::document::values::{color, not_negative};
+use crate::document::values::{color, not_negative, word};
 use crate::document::{Node, Value};
 use crate::model::Law;
 use crate::scene::Sky;
 
 /// Black unless the scene says otherwise; and the other side's, where it has one of its own.
 pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths: bool) -> (Sky, Option<Sky>) {
-    let Some(table) = root.subtable("sky", "sky") else {
-        return (BLACK, None);
-    };
+    let Some(node) = root.node("sky") else { return (BLACK, None) };
+    if let Value::Text(_) = node.value {
+        let sky = root.reader.accept(word(&[("transparent", ())])(node));
+        return (if sky.is_some() { Sky::Transparent } else { BLACK }, None);
+    }
+    let Some(table) = root.reader.open("sky", node) else { return (BLACK, None) };
     let sky = one(&table, files);
     let beyond = table.subtable("beyond", "sky.beyond").map(|beyond| {
         if law.is_some_and(|law| law.throat().is_none()) {

@@ -28,7 +28,7 @@ pub(super) fn fixed() -> Vec<KeyReference> {
             camera: "table" = "none", "where rays start; `trace` needs none";
             law: "table" = "{}", "how light travels";
             rays: "table" = "required", "how light is followed";
-            sky: "table" = "{}", "what a ray that escapes sees";
+            sky: r#"table | "transparent""# = "{}", "what a ray that escapes sees: a transparent one gives pictures alpha";
             output: "table" = "{}", "how radiance becomes a PNG";
             materials: "table of tables" = "{}", "materials by name";
             objects: "array of tables" = "[]", "things to hit";

@@ -63,6 +63,7 @@ pub fn radiance(
 pub fn sky(scene: &Scene, d: DVec3) -> DVec3 {
     match scene.sky {
         Sky::Color(color) => color,
+        Sky::Transparent => DVec3::ZERO,
         Sky::Equirectangular(picture, intensity) => {
             // −z in the middle, +x to its right, +y at the top.
             let picture = &scene.pictures[picture];
