@@ -1,5 +1,7 @@
 //! A transparent sky: alpha is one minus what would be seen of it, however the picture is made.
 
+#![allow(clippy::float_cmp)] // of a ball each sample is covered or not
+
 use bentray::output::{film, lost_alpha};
 use bentray::program::{Choice, Schedule};
 use bentray::render::{RenderSettings, Renderer, Rendering};
