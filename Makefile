@@ -22,16 +22,30 @@ gallery: device
 # One more than there are processors: some tests wait, for a queue or for a child.
 TESTS_AT_ONCE := $(shell echo $$(($$(getconf _NPROCESSORS_ONLN) + 1)))
 
+# The last line counts the tests, whatever failed. A test that needs another program has the program's name at the end of its own, is
+# ignored by a plain `cargo test`, and is skipped here only without that program.
 test: device tools
 	cargo fmt --check
 	cargo clippy --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
 	mkdir -p target
-	cargo test --lib 2>&1 | tee target/test.log
-	cargo test --doc 2>&1 | tee -a target/test.log
-	cargo test --test suite -- --test-threads $(TESTS_AT_ONCE) 2>&1 | tee -a target/test.log
-	for example in picture own_law rays_to_numbers; do cargo run -q --example $$example; done
-	@awk '/^test result:/ { passed += $$4; failed += $$6 } END { printf "%d passed, %d failed\n", passed, failed }' target/test.log
+	: >target/test.log
+	status=0; skip=; export PATH="$$PATH:/usr/sbin"; \
+	needs() { for program in "$${@:2}"; do \
+	    command -v "$$program" >/dev/null || { echo "$$program is not installed: skipping tests $$1"; skip+=" --skip $$1"; return 0; }; \
+	done; }; \
+	needs with_ffmpeg ffmpeg; \
+	needs with_parallel parallel; \
+	needs with_slurm munged slurmctld slurmd sbatch squeue; \
+	[ "$$(id -u)" -eq 0 ] || { echo "Slurm's daemons need root: skipping tests with_slurm"; skip+=" --skip with_slurm"; }; \
+	run() { cargo test "$$@" 2>&1 | tee -a target/test.log || status=1; }; \
+	run --lib; \
+	run --doc; \
+	run --test suite -- --test-threads $(TESTS_AT_ONCE) --include-ignored $$skip; \
+	for example in picture own_law rays_to_numbers; do cargo run -q --example $$example || status=1; done; \
+	awk '/^test result:/ { passed += $$4; failed += $$6; skipped += $$8 + $$12 } \
+	    END { printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped }' target/test.log; \
+	exit $$status
 
 # Looks for files that their readers do not bear, so many seconds for each reader of tests/fuzz, or with RUNS so many inputs; what it
 # finds is in target/fuzz/found. READERS="obj ply" has it try those alone. It needs a C++ compiler.
@@ -112,9 +126,9 @@ device:
 	$$root apt-get update -q; \
 	DEBIAN_FRONTEND=noninteractive $$root apt-get install -q -y --no-install-recommends "$${missing[@]}"
 
-# What some tests use: installed where that can be done in silence; without it those tests say that they are skipped.
+# Programs that some tests need. They are installed only where that needs no password; `make test` skips tests whose program is missing.
 tools:
-	@if command -v slurmctld >/dev/null || ! command -v apt-get >/dev/null || [ "$$(id -u)" -ne 0 ]; then exit 0; fi; \
+	@if { command -v slurmctld && command -v parallel && command -v ffmpeg; } >/dev/null || ! command -v apt-get >/dev/null || [ "$$(id -u)" -ne 0 ]; then exit 0; fi; \
 	echo "installing Slurm, GNU parallel and ffmpeg, for the tests"; \
 	apt-get update -q >/dev/null 2>&1 || true; \
 	DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends slurmctld slurmd slurm-client munge parallel ffmpeg \

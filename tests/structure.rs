@@ -17,24 +17,90 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     found
 }
 
-/// scene ← program ← gpu ← render ← measure ← output, chart, bench ← cli.
-#[test]
-fn imports_run_one_way() {
-    let order = ["scene", "program", "gpu", "render", "measure", "output", "chart", "bench", "error", "cli"];
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    for (rank, module) in order.iter().enumerate() {
-        let folder = source.join(module);
-        let own = if folder.is_dir() { files(&folder, "rs") } else { vec![source.join(format!("{module}.rs"))] };
-        for file in own {
-            let text = std::fs::read_to_string(&file).unwrap();
-            for later in &order[rank + 1..] {
-                let import = format!("crate::{later}");
-                assert!(!text.contains(&import), "{} imports {import}", file.display());
+/// The modules of `src`, in the order in which CONTRIBUTING.md lets them import.
+fn modules() -> Vec<String> {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("CONTRIBUTING.md")).unwrap();
+    let table = text.lines().skip_while(|line| *line != "| module | what it is |").skip(2);
+    let rows = table.take_while(|line| line.starts_with('|'));
+    rows.map(|row| code(row)[0].to_owned()).collect()
+}
+
+/// The paths that Rust text names, with those of grouped imports written out; comments are left out.
+fn paths(text: &str) -> Vec<String> {
+    let code: String = text.lines().map(|line| line.split("//").next().unwrap_or_default().to_owned() + "\n").collect();
+    let mut found = Vec::new();
+    let mut groups: Vec<String> = Vec::new();
+    let mut path = String::new();
+    for c in code.chars() {
+        match c {
+            '{' if path.ends_with("::") => groups.push(std::mem::take(&mut path)),
+            c if c.is_alphanumeric() || c == '_' || c == ':' => path.push(c),
+            _ => {
+                found.push(groups.concat() + &std::mem::take(&mut path));
+                if c == '}' {
+                    groups.pop();
+                }
             }
-            let knows_gpu = rank < 2 && text.contains("wgpu::") && !text.contains("naga::");
-            assert!(!knows_gpu, "{} knows wgpu", file.display());
         }
     }
+    found
+}
+
+/// The module of the crate that a path in `file`, of `src`, leads into.
+fn target<'a>(path: &'a str, file: &Path) -> Option<&'a str> {
+    let depth = file.components().count() - usize::from(file.ends_with("mod.rs"));
+    let mut steps = path.split("::").peekable();
+    match steps.next()? {
+        "crate" => steps.next(),
+        // A module inside of the file is one deeper.
+        "super" => {
+            let mut supers = 1;
+            while steps.next_if_eq(&"super").is_some() {
+                supers += 1;
+            }
+            if supers >= depth { steps.next() } else { None }
+        }
+        _ => None,
+    }
+}
+
+#[test]
+fn imports_run_one_way() {
+    let order = modules();
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut found = BTreeSet::new();
+    for path in files(&source, "rs") {
+        let file = path.strip_prefix(&source).unwrap();
+        let module = file.iter().next().unwrap().to_str().unwrap().trim_end_matches(".rs");
+        if ["lib", "main"].contains(&module) {
+            continue;
+        }
+        found.insert(module.to_owned());
+        let rank = order.iter().position(|own| own == module);
+        let rank = rank.unwrap_or_else(|| panic!("CONTRIBUTING.md does not name the module `{module}`"));
+        for path in paths(&std::fs::read_to_string(&path).unwrap()) {
+            let later = target(&path, file).filter(|module| order[rank + 1..].iter().any(|later| later == module));
+            assert!(later.is_none(), "{} imports `{path}`", file.display());
+            let knows_device = path.split("::").next() == Some("wgpu") && order[rank..].iter().any(|own| own == "gpu");
+            assert!(!knows_device || module == "gpu", "{} names `{path}`", file.display());
+        }
+    }
+    assert_eq!(found, order.into_iter().collect(), "modules of src, and of the table in CONTRIBUTING.md");
+}
+
+#[test]
+fn paths_of_imports_are_found() {
+    let text = "use crate::{gpu::Gpu, scene::{self, Scene}}; // use crate::cli;\nuse super::super::render;";
+    let found = paths(text);
+    for path in ["crate::gpu::Gpu", "crate::scene::self", "crate::scene::Scene", "super::super::render"] {
+        assert!(found.iter().any(|own| own == path), "{path}: {found:?}");
+    }
+    assert!(!found.iter().any(|path| path.contains("cli")));
+    let of = |path, file| target(path, Path::new(file));
+    assert_eq!(of("crate::gpu::Gpu", "cli/render.rs"), Some("gpu"));
+    assert_eq!(of("super::render", "cli/light.rs"), None);
+    assert_eq!(of("super::render", "cli/mod.rs"), Some("render"));
+    assert_eq!(of("super::super::render", "cli/light.rs"), Some("render"));
 }
 
 /// Every part opens with its contract.
@@ -191,7 +257,7 @@ fn what_the_host_names_is_in_the_shaders() {
 
 /// One name per stage: entry point, file and Rust variant.
 #[test]
-fn passes_bear_one_name() {
+fn each_pass_has_one_name() {
     let passes = [
         Pass::Setup,
         Pass::Advance,
@@ -200,16 +266,39 @@ fn passes_bear_one_name() {
         Pass::Intersect,
         Pass::Terminate,
         Pass::Scatter,
+        Pass::Whole,
         Pass::Shade,
         Pass::Record,
         Pass::Refine,
         Pass::Bare,
+        Pass::Shots,
     ];
     let parts = all_parts();
+    let files = parts.iter().filter_map(|part| part.file.strip_prefix("pass/")?.strip_suffix(".wgsl"));
+    assert_eq!(files.collect::<BTreeSet<_>>(), passes.into_iter().map(Pass::entry).collect());
     for pass in passes {
         let name = pass.entry();
         let part = parts.iter().find(|part| part.file == format!("pass/{name}.wgsl"));
         assert!(part.is_some_and(|part| part.text.contains(&format!("fn {name}("))), "{name}");
         assert_eq!(format!("{pass:?}").to_lowercase(), name.replace('_', ""));
     }
+}
+
+/// `cargo test` ignores a test that needs another program; `make test` has to know when to run it.
+#[test]
+fn make_test_knows_every_ignored_test() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let makefile = std::fs::read_to_string(root.join("Makefile")).unwrap();
+    let mut ignored = 0;
+    for file in files(&root.join("tests"), "rs").into_iter().chain(files(&root.join("src"), "rs")) {
+        let text = std::fs::read_to_string(&file).unwrap();
+        for test in text.split(concat!("#[", "ignore")).skip(1) {
+            let name = test.split("fn ").nth(1).and_then(|test| test.split('(').next()).unwrap();
+            let needed = name.rsplit('_').next().unwrap();
+            assert!(makefile.contains(&format!("needs with_{needed} ")), "{}: {name}", file.display());
+            assert!(name.ends_with(&format!("_with_{needed}")) && test.starts_with(" = \"needs "), "{name}");
+            ignored += 1;
+        }
+    }
+    assert!(ignored > 0, "no test is ignored");
 }

@@ -63,7 +63,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::scene::Override;
+    use crate::document::Override;
 
     fn lines(text: &str, overrides: &[&str]) -> Vec<String> {
         let overrides: Vec<Override> = overrides.iter().map(|over| over.parse().unwrap()).collect();

@@ -57,7 +57,7 @@ fn parts_of_a_film_come_together_to_the_byte() {
 }
 
 #[test]
-fn other_queues_have_scripts_too() {
+fn kubernetes_has_manifests() {
     let folder = Folder::with(BALL);
     let wrote = folder.run("farm kubernetes scene.toml -o a.exr --parts 4 --image x/bentray --volume work --at-once 9");
     assert!(wrote.succeeds().out.contains("kubectl apply -f scene.farm/parts.json"));
@@ -70,11 +70,13 @@ fn other_queues_have_scripts_too() {
     let command = &last["spec"]["template"]["spec"]["containers"][0]["command"];
     let finish = ["bentray", "farm", "finish", "scene.toml", "-o", "a.exr", "--parts", "4"];
     assert_eq!(*command, serde_json::json!(finish));
+}
+
+#[test]
+#[ignore = "needs GNU parallel"]
+fn parts_come_together_with_parallel() {
+    let folder = Folder::with(BALL);
     folder.run("farm parallel scene.toml -o a.exr -o b.png --parts 3 --at-once 2").succeeds();
-    if Command::new("parallel").arg("--version").output().is_err() {
-        println!("GNU parallel is not installed: its script is not run");
-        return;
-    }
     folder.run("render scene.toml -o a.exr -o b.png").succeeds();
     let at_once = ["a.exr", "b.png"].map(|name| folder.read(name));
     let ran = script(&folder, "scene.farm/run.sh", &[]);
