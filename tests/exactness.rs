@@ -1,6 +1,7 @@
 //! 'Model no more than a scene needs', made executable: nothing can be taken out of a scene's program.
 
 use std::collections::{BTreeSet, HashSet};
+use std::path::Path;
 
 use bentray::gpu::Geometry;
 use bentray::program::{
@@ -9,7 +10,7 @@ use bentray::program::{
 use bentray::scene::{Override, Scene};
 
 use crate::support::branches::{Branch, fixed_branches};
-use crate::support::{scenes_in, shipped_scenes};
+use crate::support::{pictured, scenes_in, shipped_scenes};
 
 /// Everything that a module declares, by kind, as names.
 fn declared(module: &naga::Module) -> Vec<String> {
@@ -154,18 +155,12 @@ const ALLOWED: [(&str, &str, &str); 7] = [
 #[test]
 fn programs_do_not_branch_on_what_the_scene_fixes() {
     let mut found = BTreeSet::new();
-    let folders = [
-        "scenes",
-        "scenes/groller",
-        "scenes/light",
-        "scenes/paths",
-        "scenes/spacetimes",
-        "scenes/thesis",
-        "scenes/bench",
-        "scenes/stability",
-    ];
-    for (k, path) in folders.into_iter().flat_map(scenes_in).enumerate() {
-        let scene = Scene::load(&path, &[]).unwrap();
+    let mut note = |program: &Program| {
+        found.extend(program.passes.iter().flat_map(|(_, linked, _)| fixed_branches(linked)));
+    };
+    for (k, (path, program)) in pictured().iter().enumerate() {
+        note(program);
+        let scene = Scene::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join(path), &[]).unwrap();
         let geometry = Geometry::new(&scene);
         let others = [
             (Schedule::Fused, Purpose::Picture),
@@ -175,12 +170,10 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
             (Schedule::Fused, Purpose::Light),
             (Schedule::Fused, Purpose::Caustics),
         ];
-        // Each scene's picture, and half of what else its programs are for.
-        let some = others.into_iter().skip(k % 2).step_by(2);
-        for (schedule, purpose) in std::iter::once((Schedule::Whole, Purpose::Picture)).chain(some) {
+        // Beside each scene's picture, half of what else its programs are for.
+        for (schedule, purpose) in others.into_iter().skip(k % 2).step_by(2) {
             let choice = Choice { schedule, purpose, ..Choice::default() };
-            let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
-            found.extend(program.passes.iter().flat_map(|(_, linked, _)| fixed_branches(linked)));
+            note(&Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap());
         }
     }
     let known = |branch: &Branch| {

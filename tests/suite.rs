@@ -8,6 +8,7 @@ mod cameras;
 mod charged_holes;
 mod cli;
 mod constants;
+mod devices;
 mod discs;
 mod dispersion;
 mod exactness;

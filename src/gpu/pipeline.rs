@@ -3,14 +3,19 @@
 use std::num::NonZeroU64;
 
 use wgpu::{
-    BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipelineDescriptor,
-    ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource,
-    ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
+    Backend, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType,
+    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor,
+    ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType,
+    TextureViewDimension,
 };
 
 use super::device::{GROUP_WIDTH, LANE_PIXELS, LANES};
 use super::{Gpu, GpuError, Pipeline, adapters};
-use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
+use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection, Role};
+
+/// The read-write textures that one pass may bind on Metal. Pipelines with more are reported to be refused when they are made, on
+/// devices for which wgpu gives the limit 32 (gfx-rs/wgpu#10006).
+pub const METAL_READ_WRITE_TEXTURES: usize = 8;
 
 /// Every pass of a program.
 #[derive(Debug)]
@@ -59,6 +64,9 @@ impl Pipeline {
             return Err(GpuError::NoDouble { device: gpu.info.name.clone(), there });
         }
         check_limits(gpu, reflection)?;
+        if gpu.info.backend == Backend::Metal {
+            check_metal(&gpu.info.name, reflection)?;
+        }
         let entries: Vec<_> = reflection.bindings.iter().map(entry).collect::<Result<_, _>>()?;
         let label = Some(linked.entry.as_str());
         let scope = gpu.device.push_error_scope(ErrorFilter::Validation);
@@ -123,6 +131,27 @@ fn check_limits(gpu: &Gpu, reflection: &Reflection) -> Result<(), GpuError> {
     )
 }
 
+/// An error if the program binds more read-write textures than Metal takes.
+fn check_metal(device: &str, reflection: &Reflection) -> Result<(), GpuError> {
+    let (needed, allowed) = (reflection.read_write_textures(), METAL_READ_WRITE_TEXTURES);
+    if needed <= allowed {
+        return Ok(());
+    }
+    let splits = reflection.bindings.iter().any(|binding| binding.role == Role::Kept("branches"));
+    let remedy = if splits {
+        "use rays.branches = \"random\", which keeps less for each pixel, or another device"
+    } else {
+        "keep less for each pixel (alpha, adaptive sampling, footprints, clamping, the layer of orders), or use another device"
+    };
+    Err(GpuError::ReadWriteTextures {
+        device: device.to_owned(),
+        pass: reflection.entry.clone(),
+        allowed,
+        needed,
+        remedy,
+    })
+}
+
 fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
     let unknown = |what: &dyn std::fmt::Debug| GpuError::Layout {
         binding: binding.name.clone(),
@@ -167,4 +196,40 @@ pub(super) fn texture_format(format: naga::StorageFormat) -> Option<TextureForma
         naga::StorageFormat::Rgba16Float => TextureFormat::Rgba16Float,
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::{Parts, Unit, link, reflect};
+
+    /// A pass with so many read-write textures, one more that it only writes, and that of this name.
+    fn pass(count: usize, name: &str) -> Reflection {
+        let texture = |k: usize, name: &str, access: &str| {
+            format!("@group(0) @binding({k}) var {name}: texture_storage_2d<r32uint, {access}>;\n")
+        };
+        let mut text = texture(100, "written", "write") + &texture(0, name, "read_write");
+        let mut body = "textureStore(written, vec2u(), vec4u());\n".to_owned();
+        for k in 0..count {
+            let own = if k == 0 { name.to_owned() } else { format!("kept_{k}_a") };
+            text += &if k == 0 { String::new() } else { texture(k, &own, "read_write") };
+            body += &format!("textureStore({own}, vec2u(), textureLoad({own}, vec2u()));\n");
+        }
+        text += &format!("@compute @workgroup_size(1) fn shade() {{ {body} }}\n");
+        let parts = Parts { shared: vec![Unit::user("a.wgsl", text)], regions: Vec::new() };
+        reflect(&link(&parts, "shade").unwrap()).unwrap()
+    }
+
+    #[test]
+    fn metals_read_write_textures_are_counted() {
+        assert_eq!(pass(11, "status").read_write_textures(), 11);
+        assert!(check_metal("Apple M1", &pass(8, "branches")).is_ok());
+        for (name, remedy) in
+            [("branches", "use rays.branches = \"random\""), ("status", "keep less for each pixel (alpha")]
+        {
+            let said = check_metal("Apple M1", &pass(9, name)).unwrap_err().to_string();
+            let start = "Apple M1: pass `shade` of this scene needs 9 read-write textures, and Metal allows 8 (gfx-rs/wgpu#10006)";
+            assert!(said.starts_with(start) && said.contains(remedy), "{said}");
+        }
+    }
 }

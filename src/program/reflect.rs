@@ -20,6 +20,15 @@ pub struct Reflection {
     pub overrides: Vec<String>,
 }
 
+impl Reflection {
+    /// Counts the storage textures that the program both reads and writes.
+    #[must_use]
+    pub fn read_write_textures(&self) -> usize {
+        let is = |kind: &BindingKind| matches!(kind, BindingKind::StorageTexture { reads: true, .. });
+        self.bindings.iter().filter(|binding| is(&binding.kind)).count()
+    }
+}
+
 /// One resource that a program binds, in group 0.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Binding {

@@ -6,8 +6,10 @@ pub mod probe;
 pub mod tree;
 
 use std::path::Path;
+use std::sync::LazyLock;
 
-use bentray::gpu::Gpu;
+use bentray::gpu::{Geometry, Gpu};
+use bentray::program::{Choice, Program};
 use bentray::render::Rendering;
 use bentray::scene::Scene;
 
@@ -47,6 +49,22 @@ pub fn scenes_in(folder: &str) -> Vec<std::path::PathBuf> {
         .collect();
     scenes.sort();
     scenes
+}
+
+/// The program of every scene below `scenes/` as `render` links it by default, by the file's path in the project.
+pub fn pictured() -> &'static [(String, Program)] {
+    static PROGRAMS: LazyLock<Vec<(String, Program)>> = LazyLock::new(|| {
+        let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
+        let program = |path: std::path::PathBuf| {
+            let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+            let geometry = Geometry::new(&scene);
+            let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent());
+            let name = path.strip_prefix(env!("CARGO_MANIFEST_DIR")).unwrap().to_str().unwrap().to_owned();
+            (name, program.unwrap_or_else(|error| panic!("{error}")))
+        };
+        folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}"))).map(program).collect()
+    });
+    &PROGRAMS
 }
 
 /// Every source file by its path in `src`, but for those of unit tests.

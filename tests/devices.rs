@@ -1,0 +1,44 @@
+//! Limits of devices that these tests do not run on.
+
+use std::path::Path;
+
+use bentray::gpu::{Geometry, METAL_READ_WRITE_TEXTURES};
+use bentray::program::{Choice, Program};
+use bentray::scene::Scene;
+
+use crate::support::pictured;
+
+/// The passes of the scenes that are here which bind more read-write textures than Metal takes: the table may only become shorter.
+const KNOWN: &str = include_str!("tables/read_write_textures.tsv");
+
+/// Those of a program, as rows of the table.
+fn over(name: &str, program: &Program) -> Vec<String> {
+    let counts = program.passes.iter().map(|(pass, _, reflection)| (pass.entry(), reflection.read_write_textures()));
+    let over = counts.filter(|(_, count)| *count > METAL_READ_WRITE_TEXTURES);
+    over.map(|(pass, count)| format!("{name}\t{pass}\t{count}")).collect()
+}
+
+#[test]
+fn no_more_passes_exceed_metals_read_write_textures() {
+    let found: Vec<String> = pictured().iter().flat_map(|(name, program)| over(name, program)).collect();
+    let known: Vec<&str> = KNOWN.lines().filter(|line| !line.starts_with('#')).collect();
+    let more: Vec<&String> = found.iter().filter(|row| !known.contains(&row.as_str())).collect();
+    assert!(more.is_empty(), "these do not run on Metal, or need more or less than they did: {more:#?}");
+    let gone: Vec<&&str> = known.iter().filter(|row| !found.iter().any(|own| own == *row)).collect();
+    assert!(gone.is_empty(), "these need no more than Metal takes: leave them out of the table: {gone:#?}");
+}
+
+/// What the message for such a scene advises is enough.
+#[test]
+fn random_branches_need_few_read_write_textures() {
+    let mut names: Vec<&str> =
+        KNOWN.lines().filter_map(|line| line.split_once(".toml").map(|(name, _)| name)).collect();
+    names.dedup();
+    for name in names {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("{name}.toml"));
+        let scene = Scene::load(&path, &["rays.branches=\"random\"".parse().unwrap()]).unwrap();
+        let geometry = Geometry::new(&scene);
+        let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()).unwrap();
+        assert_eq!(over(name, &program), Vec::<String>::new());
+    }
+}
