@@ -48,6 +48,7 @@ mod structure;
 mod transparency;
 mod travels;
 mod tree;
+mod warp;
 mod worldlines;
 mod wormholes;
 mod written_media;

@@ -139,9 +139,9 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
     let intro = vec![
         format!("Measured on {device}, each method at its default setting and at two finer ones."),
         "Right: the end is the true one, within 1e-3. Given up: the ray itself says that it was not followed to an end. \
-         Over \
-         tolerance: steps beyond the tolerance were kept, as the 2004 rule does, and counted. RenderSettings differ: a finer setting ends elsewhere, by which a user sees that the coarser one is not to be trusted. \
-         Unresolved: two runs in 64 bits disagree. Silent: wrong, without a sign of it."
+         Over tolerance: steps beyond the tolerance were kept, as the 2004 rule does, and counted. Settings differ: a finer \
+         setting ends elsewhere, which shows that the coarser one is not to be trusted. Unresolved: two runs in 64 bits \
+         disagree. Silent: wrong, without a sign of it. Right until τ: the time up to which all rays of a flow are right."
             .to_owned(),
     ];
     let table = ReportTable { caption: "Rays by what became of them".to_owned(), header, rows };

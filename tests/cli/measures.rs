@@ -181,7 +181,14 @@ fn places_where_methods_fail_are_a_table() {
     folder.write("places/centre.csv", "x,y,z,vx,vy,vz\n-10,0,0,1,0,0\n-10,5,0,1,0,0\n");
     let ran = folder.run("chart --stability --scenes places -o report --methods rk4,euler").succeeds();
     assert!(ran.out.contains("centre") && ran.out.contains("given up") && ran.out.contains("silent"), "{}", ran.out);
-    assert!(folder.text("report/stability.csv").contains("centre,rk4,1,1,0,0,0,0,"));
+    let table = folder.text("report/stability.csv");
+    assert!(table.contains("centre,rk4,1,1,0,0,0,0,"));
+    // The page explains every column by its name.
+    let page = folder.text("report/stability.html").to_lowercase();
+    for column in table.lines().next().unwrap().split(',').skip(2) {
+        let explains = [". ", ">"].map(|before| page.contains(&format!("{before}{column}: ")));
+        assert!(explains.contains(&true), "`{column}` in {page}");
+    }
     folder.write("places/more.toml", place);
     folder.run("chart --stability --scenes places -o report").fails(1, &["more.csv"]);
 }
