@@ -29,6 +29,7 @@ mod lenses;
 mod light_grids;
 mod light_paths;
 mod line_elements;
+mod links;
 mod meshes;
 mod methods;
 mod occlusion;

@@ -35,9 +35,9 @@ pub(super) fn topics() -> String {
 /// Prints what is known of a topic; `cli` is the whole command line.
 pub(super) fn run(arguments: &Arguments, cli: &clap::Command) -> Result<ExitCode, Error> {
     let topic = arguments.topic.join(" ");
-    let page = pages().find(|page| page.name == topic.replace('-', "_")).map(|page| page.text);
+    let page = pages().find(|page| page.name == topic.replace('-', "_")).map(Page::shown);
     let help = help_of(cli, &arguments.topic);
-    let found: Vec<&str> = help.as_deref().into_iter().chain(page).map(str::trim_end).collect();
+    let found: Vec<&str> = help.iter().chain(&page).map(|text| text.trim_end()).collect();
     if found.is_empty() {
         let commands = cli.get_subcommands().map(clap::Command::get_name);
         let names: Vec<&str> = commands.chain(pages().map(|page| page.name)).collect();

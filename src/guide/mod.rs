@@ -20,6 +20,8 @@
 //! | [`physics`] | what pictures of curved spacetimes show, and why: a page for each |
 
 #![allow(clippy::doc_markdown)]
+// Pages name the file that a link leads to; `links` names the module for rustdoc, though it would find some by itself.
+#![allow(rustdoc::redundant_explicit_links)]
 
 /// A page of the guide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,10 +34,42 @@ pub struct Page {
     pub text: &'static str,
 }
 
+/// Where links between pages lead in a browser's documentation. A page's own definitions, at its end, lead to files; of two
+/// definitions Markdown takes the first.
+macro_rules! links {
+    () => {
+        "\
+         [`scenes`]: crate::guide::scenes\n\
+         [`laws`]: crate::guide::laws\n\
+         [`media`]: crate::guide::media\n\
+         [`light`]: crate::guide::light\n\
+         [`spacetimes`]: crate::guide::spacetimes\n\
+         [`accuracy`]: crate::guide::accuracy\n\
+         [`films`]: crate::guide::films\n\
+         [`diagrams`]: crate::guide::diagrams\n\
+         [`layers`]: crate::guide::layers\n\
+         [`performance`]: crate::guide::performance\n\
+         [`scripts`]: crate::guide::scripts\n\
+         [`extending`]: crate::guide::extending\n\
+         [`physics`]: crate::guide::physics\n\
+         [`shadow`]: crate::guide::physics::shadow\n\
+         [`luminet`]: crate::guide::physics::luminet\n\
+         [`accretion`]: crate::guide::physics::accretion\n\
+         [`wormhole`]: crate::guide::physics::wormhole\n\
+         [`warp_bubble`]: crate::guide::physics::warp_bubble\n\
+         [`charged_holes`]: crate::guide::physics::charged_holes\n\
+         [`fall`]: crate::guide::physics::fall\n\
+         [`ergosphere`]: crate::guide::physics::ergosphere\n\
+         [`motion`]: crate::guide::physics::motion\n\
+         "
+    };
+}
+
 /// Makes a module of each Markdown file beside the one that calls this, and lists them as [`Page`]s.
 macro_rules! pages {
     ($($name:ident: $about:literal,)*) => {
         $(
+            #[doc = links!()]
             #[doc = include_str!(concat!(stringify!($name), ".md"))]
             pub mod $name {}
         )*
@@ -66,6 +100,25 @@ pages! {
     extending: "laws of your own, the library, adding a kind",
 }
 
+impl Page {
+    /// Returns the page as a terminal shows it: links to other pages are the commands that print those.
+    #[must_use]
+    pub fn shown(&self) -> String {
+        let (text, links) = self.text.rsplit_once("\n\n").unwrap_or((self.text, ""));
+        let links: Option<Vec<&str>> =
+            links.lines().map(|line| Some(line.strip_prefix("[`")?.split_once("`]: ")?.0)).collect();
+        let Some(links) = links else { return self.text.to_owned() };
+        let mut shown = text.to_owned() + "\n";
+        for name in links {
+            let command = format!("`bentray help {name}`");
+            shown = shown
+                .replace(&format!("][`{name}`]"), &format!("] ({command})"))
+                .replace(&format!("[`{name}`]"), &command);
+        }
+        shown
+    }
+}
+
 /// Every page: those of the guide, then those on physics.
 pub fn pages() -> impl Iterator<Item = &'static Page> {
     PAGES.iter().chain([&physics::CONTENTS]).chain(physics::PAGES)
@@ -74,3 +127,16 @@ pub fn pages() -> impl Iterator<Item = &'static Page> {
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 mod readme {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A page that is missing there would have rustdoc lead to a file that it does not write.
+    #[test]
+    fn links_name_the_module_of_every_page() {
+        let is_named = |page: &Page, module: &str| links!().contains(&format!("[`{0}`]: {module}::{0}\n", page.name));
+        assert!(PAGES.iter().chain([&physics::CONTENTS]).all(|page| is_named(page, "crate::guide")));
+        assert!(physics::PAGES.iter().all(|page| is_named(page, "crate::guide::physics")));
+    }
+}

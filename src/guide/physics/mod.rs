@@ -1,3 +1,4 @@
+#![doc = links!()]
 #![doc = include_str!("physics.md")]
 #![allow(clippy::doc_markdown)]
 
