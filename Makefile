@@ -107,7 +107,7 @@ release:
 	else echo "no Debian package was made: cargo-deb is missing, which \`cargo install cargo-deb\` brings" >&2; fi
 	cd target/dist; sums="$$(command -v sha256sum || echo shasum -a 256)"; $$sums bentray* | tee sha256sums
 
-# A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own.
+# A Vulkan driver, a software one if there is none, and a linker. macOS and Windows bring their own, and were not tried.
 device:
 	@if [ "$$(uname -s)" != Linux ]; then exit 0; fi; \
 	missing=(); \

@@ -5,7 +5,8 @@
 //!
 //! *Theory.* Weiskopf, Schafhitzel and Ertl, *GPU-based nonlinear ray tracing* (2004): rays set up by a camera, integrated
 //! step by step, tested against the scene segment by segment, ended early, shaded once; all on the GPU, the state ping-ponging
-//! between textures. Formulas cite it as W04, and Gröller's *Nonlinear ray tracing* (1995) as G95.
+//! between textures. Formulas cite it as W04, Gröller's *Nonlinear ray tracing* (1995) as G95, and as T the thesis of A. A. A.
+//! Al-Houni on transparent materials with varying properties, of which README.md says what is known.
 //!
 //! *Changes from the paper.* A segment is one accepted step as a cubic arc (the paper's chord of N steps is an option); ends
 //! come from retaking the last step to the surface; several segments with all their stages run in one pass; meshes have a

@@ -28,6 +28,14 @@ fn no_more_passes_exceed_metals_read_write_textures() {
     assert!(gone.is_empty(), "these need no more than Metal takes: leave them out of the table: {gone:#?}");
 }
 
+#[test]
+fn the_readme_says_how_many_scenes_that_is() {
+    let readme = include_str!("../README.md");
+    let names = KNOWN.lines().filter_map(|line| line.split_once(".toml\t").map(|(name, _)| name));
+    let count = names.collect::<std::collections::BTreeSet<_>>().len();
+    assert!(readme.contains(&format!("refuses {count} of the scenes here")), "{count}");
+}
+
 /// What the message for such a scene advises is enough.
 #[test]
 fn random_branches_need_few_read_write_textures() {
