@@ -11,6 +11,7 @@ mod constants;
 mod devices;
 mod discs;
 mod dispersion;
+mod ergospheres;
 mod exactness;
 mod fans;
 mod filters;

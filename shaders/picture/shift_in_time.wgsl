@@ -42,6 +42,6 @@ fn note_matter(material: Material, end: PathPoint) {
 // k: four-velocity of the source, but for its length; where nothing can move so no light comes from there.
 fn note_shift(end: PathPoint, k: Real4) {
     let u = k * inverseSqrt(max(-law_square_at(end.x, k, end.tau), 1e-30));
-    let momentum = law_momentum_at(end.x, normalize(end.v), end.tau);
+    let momentum = law_momentum_at(end.x, end.v, end.tau);
     seen_shift = real_exp(-ray_stretch) / (ray_scale * dot(u, momentum));
 }

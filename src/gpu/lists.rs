@@ -27,7 +27,8 @@ impl Source<'_> {
         let captures = Binding::list("capture_spheres", self.captures());
         let observer = scene.camera.as_ref().and_then(|camera| observer(&*scene.law, camera));
         let observer = observer.map(|row| Binding::one("observer", row));
-        let frequency = scene.camera.as_ref().and_then(|camera| frequency(&*scene.law, camera));
+        let frequency =
+            scene.camera.as_ref().and_then(|camera| frequency(&*scene.law, camera, scene.keeps_turning(camera)));
         let frequency = frequency.map(|row| Binding::one("frequency", row));
         laws.chain(camera)
             .chain(observer)

@@ -2,9 +2,24 @@
 
 use crate::document::reader::TableReader;
 use crate::model::method::Demands;
-use crate::model::{Law, Material, Medium, Object, Order};
+use crate::model::{Camera, Law, Material, Medium, Object, Order};
 
-use super::{Paths, Precision, Segment};
+use super::{Bound, Paths, Precision, Scene, Segment};
+
+impl Scene {
+    /// Returns `true` if light keeps the angular momentum that it has at the camera, about the law's axis, all along its way: no surface
+    /// or interior deflects it, and it does not come to the bounding sphere in a straight line from outside.
+    #[must_use]
+    pub fn keeps_turning(&self, camera: &Camera) -> bool {
+        let deflects = |object: &Object| {
+            object.interior().is_some() || self.material_of(object).is_some_and(|material| material.surface.deflects())
+        };
+        let Bound { radius, .. } = self.rays.bound;
+        let centers = self.rays.bound.centers(Some(&*self.law));
+        let is_within = centers.iter().any(|center| center.distance(camera.position) <= radius);
+        (is_within || self.rays.asymptotic) && !self.objects.iter().any(deflects)
+    }
+}
 
 /// As much of a scene as decides how its rays can be followed.
 #[derive(Clone, Copy)]

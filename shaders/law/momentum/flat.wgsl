@@ -1,8 +1,13 @@
 // In flat space light's momentum is along its way.
 
-// Of light that goes into the past from x along d, but for a factor.
-fn law_momentum(x: Real3, d: Real3) -> Real4 {
-    return Real4(d, 1.0);
+// Of light that goes into the past from x at v, but for a factor above 0.
+fn law_momentum(x: Real3, v: Real3) -> Real4 {
+    return Real4(v, length(v));
+}
+
+// From the middle of what the law is the same around.
+fn law_arm(x: Real3) -> Real3 {
+    return x;
 }
 
 // g(k, k).

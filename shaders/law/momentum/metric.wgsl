@@ -1,10 +1,15 @@
-// By a line element. With U = (v, −1) it is gU.
+// By a line element. With U = (v, −1), which v = dx/dτ makes light, it is gU: of two ways that light goes along a direction
+// where nothing rests, v's length says which.
 
-// Of light that goes into the past from x along d, but for a factor.
-fn law_momentum(x: Real3, d: Real3) -> Real4 {
+// Of light that goes into the past from x at v, but for a factor above 0.
+fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let m = metric_at(metric_place(x), 0.0);
-    let v = as_light(m, d);
     return Real4(metric_lowered(m, v) - m.shift, dot(m.shift, v) - m.clock);
+}
+
+// From the middle of what the law is the same around.
+fn law_arm(x: Real3) -> Real3 {
+    return metric_place(x);
 }
 
 // g(k, k).

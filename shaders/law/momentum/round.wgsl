@@ -1,12 +1,17 @@
 // Round a hole without spin: g_rr is −1/g_tt. v is K's part in space, but for a factor, and K_t follows from K's being light.
 
-// Of light that goes into the past from x along d, but for a factor.
-fn law_momentum(x: Real3, d: Real3) -> Real4 {
+// Of light that goes into the past from x at v, but for a factor above 0.
+fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let n = normalize(x - law.center);
     let clock = law_clock(x);
-    let radial = dot(d, n);
-    let across = d - radial * n;
+    let radial = dot(v, n);
+    let across = v - radial * n;
     return Real4(across + (radial / clock) * n, sqrt(radial * radial + clock * dot(across, across)));
+}
+
+// From the middle of what the law is the same around.
+fn law_arm(x: Real3) -> Real3 {
+    return x - law.center;
 }
 
 // g(k, k).

@@ -1,14 +1,19 @@
 // Round a wormhole, where clocks at rest go as they do far away.
 
-// Of light that goes into the past from x along d, but for a factor.
-fn law_momentum(x: Real3, d: Real3) -> Real4 {
+// Of light that goes into the past from x at v, but for a factor above 0.
+fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let y = mouth_offset(x);
     let away = length(y);
     let n = y / away;
     let wider = throat_radius(away - law.radius).x / away;
-    let radial = dot(d, n);
-    let across = wider * (d - radial * n);
+    let radial = dot(v, n);
+    let across = wider * (v - radial * n);
     return Real4(radial * n + wider * across, sqrt(radial * radial + dot(across, across)));
+}
+
+// From the middle of what the law is the same around.
+fn law_arm(x: Real3) -> Real3 {
+    return mouth_offset(x);
 }
 
 // g(k, k).

@@ -26,13 +26,32 @@ fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
     [found[2], found[1], found[0]]
 }
 
-/// What the shader is fed of light's frequency: K's part in time, which is linear in the direction that it is seen in. It is the lowered one,
-/// which is kept; under a law that changes with t the other, which says how much of K's place in space is by the way.
-pub fn frequency(law: &dyn Law, camera: &Camera) -> Option<Row> {
+/// Returns the uniforms from which the shader computes the frequency of light: components of K, which are linear in the direction that it
+/// is seen in. Under a stationary law these are the two that are conserved, `K_t` and, about the law's axis, `K_φ`; the axis is 0
+/// unless `turning_is_kept`. Under a law that changes with t nothing is conserved, and it is −Kᵗ, the ratio of K to the ray's velocity.
+pub fn frequency(law: &dyn Law, camera: &Camera, turning_is_kept: bool) -> Option<Row> {
     let metric = law.metric(camera.position)?;
-    let of = |k: DVec4| if law.is_stationary() { metric.w_axis.dot(k) } else { -k.w };
-    let [along_x, along_y, along_z, rest] = axes(law, camera)?.map(of);
-    Some(row! { along: Vec3(DVec3::new(along_x, along_y, along_z)), rest: Float(rest) })
+    let axes = axes(law, camera)?;
+    let linear = |of: &dyn Fn(DVec4) -> f64| {
+        let [x, y, z, rest] = axes.map(of);
+        (DVec3::new(x, y, z), rest)
+    };
+    if !law.is_stationary() {
+        let (along, rest) = linear(&|k| -k.w);
+        return Some(row! { along: Vec3(along), rest: Float(rest) });
+    }
+    let [center, axis] = law.equator().filter(|_| turning_is_kept).unwrap_or_default();
+    let arm = law.throat().map_or(camera.position - center, |throat| throat.offset(camera.position).0);
+    let around = axis.cross(arm).extend(0.0);
+    let (energy_along, energy_rest) = linear(&|k| metric.w_axis.dot(k));
+    let (turning_along, turning_rest) = linear(&|k| around.dot(metric * k));
+    Some(row! {
+        energy_along: Vec3(energy_along),
+        energy_rest: Float(energy_rest),
+        turning_along: Vec3(turning_along),
+        turning_rest: Float(turning_rest),
+        axis: Vec3(axis),
+    })
 }
 
 /// What the shader is fed; none if directions are the coordinates'.

@@ -86,6 +86,11 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
         false
     }
 
+    /// Returns `true` if a ray that continues from it leaves the path that the law alone would take it along.
+    fn deflects(&self) -> bool {
+        self.continues()
+    }
+
     /// The part of a ray's light that is its own, where rays end on it; the rest comes straight from behind.
     fn opacity(&self) -> f64 {
         1.0

@@ -17,6 +17,10 @@ impl Surface for Throat {
         true
     }
 
+    fn deflects(&self) -> bool {
+        false
+    }
+
     fn albedo(&self, _: DVec3) -> DVec3 {
         DVec3::ONE
     }
