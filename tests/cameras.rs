@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use bentray::model::camera::{Corners, Fisheye, Panorama};
 use bentray::program::{Choice, Layer};
-use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status};
+use bentray::render::{Plane, RenderSettings, Renderer, Rendering, Status, pixel_starts};
 use bentray::scene::Scene;
 use glam::DVec3;
 
@@ -216,5 +216,36 @@ fn tiles_do_not_show_in_pairs() {
         let tiled = rendered(&scene, RenderSettings { tile_pixels, ..with_status() });
         assert!(whole.band == tiled.band, "tiles of {tile_pixels} pixels");
         assert_eq!(whole.totals.by_status, tiled.totals.by_status);
+    }
+}
+
+/// In 64 bits rays start in directions of 64 bits, of every camera: of a pixel whose center is no number of 32.
+#[test]
+fn rays_of_64_bits_start_in_directions_of_64_bits() {
+    let pixel = [2, 0];
+    let [x, y]: [f64; 2] = [5.0 / 7.0 - 1.0, 1.0 - 1.0 / 3.0];
+    let tan = 20.0_f64.to_radians().tan();
+    let rho = (7.0 / 3.0 * x).hypot(y);
+    let turned = |angle: f64| angle.to_radians().sin_cos();
+    let (longitude, latitude) = (turned(50.0 * x), turned(30.0 * y));
+    let (off, ahead) = turned(10.0 * rho);
+    for (camera, told) in [
+        ("kind = \"pinhole\"\nfov = 40", DVec3::new(7.0 / 3.0 * tan * x, tan * y, -1.0).normalize()),
+        ("kind = \"fisheye\"\nfov = 20", DVec3::new(7.0 / 3.0 * x / rho * off, y / rho * off, -ahead)),
+        (
+            "kind = \"panorama\"\nfov = [100, 60]",
+            DVec3::new(longitude.0 * latitude.1, latitude.0, -longitude.1 * latitude.1),
+        ),
+    ] {
+        for (precision, bound) in [("f32", 2e-7), ("f64", 4e-15)] {
+            let scene = scene(&format!(
+                "[image]\nsize = [7, 3]\n[camera]\nposition = [0, 0, 1]\n{camera}\n[rays]\nbound = {{ radius = 9 }}\n\
+                 precision = \"{precision}\"\n"
+            ));
+            let [.., a, b, c] = pixel_starts(&gpu(), &scene, &RenderSettings::default(), &[pixel]).unwrap()[0];
+            let off = DVec3::new(a, b, c).distance(told);
+            println!("{camera} {precision}: {off:e}");
+            assert!(off < bound, "{camera} {precision}: off by {off:e}");
+        }
     }
 }

@@ -10,7 +10,7 @@ use bentray::program::{
 use bentray::scene::{Override, Scene};
 
 use crate::support::branches::{Branch, fixed_branches};
-use crate::support::{pictured, scenes_in, shipped_scenes};
+use crate::support::{pictured, scene, scenes_in, shipped_scenes};
 
 /// Everything that a module declares, by kind, as names.
 fn declared(module: &naga::Module) -> Vec<String> {
@@ -130,6 +130,45 @@ fn nothing_can_be_taken_out_of_any_program() {
             }
         }
     }
+}
+
+/// What scenes of `scenes/` do not have: filters by formulas of which some are constant, and every look of a texture.
+const FILTERS: [&str; 6] = [
+    "density = [\"0.4\", \"r\", \"x^2\"]",
+    "color = [\"0.4\", \"1\", \"exp(-r)\"]",
+    "texture = \"mix\", frequency = 2, low = [0, 0, 0], high = [1, 1, 1]",
+    "texture = \"wrapped\", frequency = 0.8, low = [0.3, 0.05, 0.1], high = [0.9, 1.0, 0.4]",
+    "texture = \"rainbow\", frequency = 2",
+    "density = \"2\", glow = [1, 1, 1]",
+];
+
+/// In 64 bits every shipped scene is valid WGSL, by all of its purposes: a bare literal is an f32 wherever nothing beside it is not.
+#[test]
+fn every_scene_is_valid_in_64_bits() {
+    let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
+    let double: [Override; 1] = ["rays.precision=\"f64\"".parse().unwrap()];
+    let filtered = FILTERS.map(|filter| {
+        scene(&format!(
+            "[rays]\nbound = {{ radius = 9 }}\nprecision = \"f64\"\n[[objects]]\nshape = \"sphere\"\n\
+             interior = {{ kind = \"constant\", n = 1.5, filter = {{ {filter} }} }}\n"
+        ))
+    });
+    let shipped = folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}")));
+    let shipped = shipped.map(|path| (Scene::load(&path, &double).unwrap(), path.display().to_string()));
+    let mut count = 0;
+    for (scene, name) in shipped.chain(filtered.into_iter().zip(FILTERS.map(str::to_owned))) {
+        count += 1;
+        let geometry = Geometry::new(&scene);
+        let purposes = [Purpose::Picture, Purpose::Trace, Purpose::Pixels].map(|purpose| (Schedule::Whole, purpose));
+        for (schedule, purpose) in purposes.into_iter().chain([(Schedule::Segment, Purpose::Picture)]) {
+            let layers = if schedule == Schedule::Whole { Layer::ALL.to_vec() } else { Vec::new() };
+            let choice = Choice { schedule, purpose, layers, ..Choice::default() };
+            // Which validates all of its passes.
+            let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent());
+            program.unwrap_or_else(|error| panic!("{name} {purpose:?} {schedule:?}: {error}"));
+        }
+    }
+    assert!(count > 80, "{count} scenes");
 }
 
 /// Branches that stay: each its file, its condition, and the reason.

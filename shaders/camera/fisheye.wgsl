@@ -15,8 +15,8 @@ struct Camera {
 @group(0) @binding(51) var<uniform> camera: Camera;
 
 // point: on the image plane, x to the right and y up, both in [-1, 1].
-fn camera_ray(point: vec2f) -> CameraRay {
-    let p = Real2(point) * camera.sides;
+fn camera_ray(point: Real2) -> CameraRay {
+    let p = point * camera.sides;
     let rho = length(p);
     let turned = quarters_sin_cos(rho * camera.quarters);
     // (x, y)/ρ is the azimuth's cosine and sine. In the middle they are anything, and sin θ is 0.

@@ -13,9 +13,9 @@ struct Camera {
 @group(0) @binding(51) var<uniform> camera: Camera;
 
 // point: on the image plane, x to the right and y up, both in [-1, 1].
-fn camera_ray(point: vec2f) -> CameraRay {
-    let longitude = quarters_sin_cos(Real(point.x) * camera.quarters.x);
-    let latitude = quarters_sin_cos(Real(point.y) * camera.quarters.y);
+fn camera_ray(point: Real2) -> CameraRay {
+    let longitude = quarters_sin_cos(point.x * camera.quarters.x);
+    let latitude = quarters_sin_cos(point.y * camera.quarters.y);
     let level = longitude.y * camera.forward + longitude.x * camera.right;
     return CameraRay(camera.position, latitude.y * level + latitude.x * camera.up, ALIVE);
 }

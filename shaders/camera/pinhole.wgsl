@@ -11,7 +11,7 @@ struct Camera {
 @group(0) @binding(51) var<uniform> camera: Camera;
 
 // point: on the image plane, x to the right and y up, both in [-1, 1].
-fn camera_ray(point: vec2f) -> CameraRay {
-    let d = normalize(camera.forward + Real(point.x) * camera.right + Real(point.y) * camera.up);
+fn camera_ray(point: Real2) -> CameraRay {
+    let d = normalize(camera.forward + point.x * camera.right + point.y * camera.up);
     return CameraRay(camera.position, d, ALIVE);
 }

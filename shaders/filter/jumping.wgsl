@@ -47,12 +47,12 @@ fn smaller_piece(filter_at: Filter, p: Phase, a: Real, own: Real) -> Real {
             before = at;
             near = turns - level;
             // A side that has stayed twice counts half.
-            far *= select(1.0, 0.5, moved == 1u);
+            far *= select(Real(1.0), 0.5, moved == 1u);
             moved = 1u;
         } else {
             behind = at;
             far = turns - level;
-            near *= select(1.0, 0.5, moved == 2u);
+            near *= select(Real(1.0), 0.5, moved == 2u);
             moved = 2u;
         }
     }

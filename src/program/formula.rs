@@ -74,9 +74,10 @@ pub(super) fn filters(filters: &[&[Formula; 3]]) -> Unit {
         for (k, formula) in formulas.iter().enumerate() {
             let (graph, [.., value]) = formula.graph();
             let (lines, values) = body(graph, &[value], &["q.x", "q.y", "q.z"]);
+            // Bound first: naga does not convert a constant of 64 bits to one of 32.
             let _ = writeln!(
                 text,
-                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    return f32({});\n}}\n",
+                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    let value: Real = {};\n    return f32(value);\n}}\n",
                 values.join("")
             );
             channels.push(format!("filter_{which}_{k}(q)"));

@@ -170,7 +170,8 @@ fn directions(part: &str, real: &str, own: Record, inputs: &[[Vec4; 1]]) -> Vec<
     let axes = [("position", position), ("forward", forward), ("right", right), ("up", up)];
     let record: Record = axes.map(|(name, v)| (name, V3(v))).into_iter().chain(own).collect();
     let probe = Probe::new(&["segment/ray", "camera/ray", part, real]).stub(REALS).bind("camera", [record]);
-    let body = "let ray = camera_ray(p0.xy); put_real3(0u, ray.d); put(3u, vec4f(vec3f(ray.x), f32(ray.status)));";
+    let body =
+        "let ray = camera_ray(Real2(p0.xy)); put_real3(0u, ray.d); put(3u, vec4f(vec3f(ray.x), f32(ray.status)));";
     let rows = probe.run::<1, 4>(&gpu(), body, inputs);
     let outside = constant("segment/ray", "OUTSIDE") as f32;
     rows.iter()
