@@ -171,6 +171,30 @@ fn every_scene_is_valid_in_64_bits() {
     assert!(count > 80, "{count} scenes");
 }
 
+/// naga's HLSL knows the number of workgroups in an entry point alone: in a function that is handed it, it is the group's id, so that on
+/// DX12 rows of a list would overlap. No pass asks for it.
+#[test]
+fn no_pass_asks_for_the_number_of_workgroups() {
+    let is_count =
+        |binding: Option<&naga::Binding>| matches!(binding, Some(naga::Binding::BuiltIn(naga::BuiltIn::NumWorkGroups)));
+    let keys = ["image.adaptive=0.1", "image.samples=64"].map(|key| key.parse().unwrap());
+    let scene = Scene::load(&shipped_scenes()[0], &keys).unwrap();
+    let geometry = Geometry::new(&scene);
+    for schedule in Schedule::ALL {
+        let choice = Choice { schedule, ..Choice::default() };
+        let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+        for (pass, linked, _) in &program.passes {
+            let module = validated(linked).unwrap();
+            for argument in module.entry_points.iter().flat_map(|entry| &entry.function.arguments) {
+                let naga::TypeInner::Struct { members, .. } = &module.types[argument.ty].inner else {
+                    panic!("{} takes no struct", pass.entry());
+                };
+                assert!(!members.iter().any(|member| is_count(member.binding.as_ref())), "{}", pass.entry());
+            }
+        }
+    }
+}
+
 /// Branches that stay: each its file, its condition, and the reason.
 const ALLOWED: [(&str, &str, &str); 7] = [
     ("generated/images.wgsl", "image", "each of two skies has its own picture"),

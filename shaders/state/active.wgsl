@@ -10,10 +10,10 @@ override GROUP_WIDTH: u32 = 8u;
 // costs each of them, and the fewer groups there are. The host sets another number for processors.
 override LANE_PIXELS: u32 = 1u;
 
-// Where an invocation stands in its dispatch.
+// Where an invocation is in its dispatch. Not how many groups there are: naga's HLSL takes that from the driver in the entry point alone,
+// and what is handed on is the group's id.
 struct Invocation {
     @builtin(workgroup_id) group: vec3u,
-    @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 }
 

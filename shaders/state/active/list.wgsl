@@ -14,7 +14,7 @@ struct ActiveRead {
 @group(0) @binding(7) var<storage, read> list_in: array<u32>;
 @group(0) @binding(8) var<storage, read_write> list_out: array<u32>;
 
-// Groups in one row of a dispatch: under the limit of 65,535 for any number of pixels.
+// Groups in one row of a dispatch that has several: under the limit of 65,535 for any number of pixels.
 const ROW: u32 = 32768u;
 
 var<workgroup> group_active: atomic<u32>;
@@ -24,7 +24,7 @@ fn active_pixel(own: Invocation) -> Place {
     if dispatch.first == 1u && frame.listed == 0u {
         return grid_pixel(own);
     }
-    let i = (own.group.y * own.groups.x + own.group.x) * GROUP + own.lane;
+    let i = (own.group.y * ROW + own.group.x) * GROUP + own.lane;
     let packed = list_in[min(i, arrayLength(&list_in) - 1u)];
     let valid = i < active_in.count;
     return Place(select(vec2u(0u), vec2u(packed & 0xffffu, packed >> 16u), valid), valid);
