@@ -211,7 +211,7 @@ fn places() -> Vec<(String, Scene, Vec<[f64; 6]>)> {
     paths.sort();
     let load = |path: &std::path::PathBuf| {
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        (name, Scene::load(path, &[]).unwrap(), read_rays(&path.with_extension("csv")).unwrap())
+        (name, Scene::load(path, &[]).unwrap(), read_rays(&path.with_extension("csv"), true).unwrap())
     };
     paths.iter().map(load).collect()
 }

@@ -94,7 +94,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut inputs = film.inputs();
     inputs.extend(arguments.rays.clone().map(|rays| (rays, "the table of rays")));
     paths::check(arguments.output.iter().chain(&arguments.plot).map(PathBuf::as_path), &inputs)?;
-    let mut starts = Starts::of(arguments)?;
+    let mut starts = Starts::of(arguments, scene.law.ignores_direction().is_none())?;
     let mut table = match &arguments.output {
         Some(output) if arguments.path => Some(Table::create::<PathRow>(output)?),
         Some(output) => Some(Table::create::<ResultRow>(output)?),
@@ -148,8 +148,10 @@ struct Starts {
 }
 
 impl Starts {
-    fn of(arguments: &Arguments) -> Result<Self, Error> {
-        let mut rays = arguments.rays.as_deref().map_or(Ok(Vec::new()), read_rays)?;
+    /// `aimed`: does it matter where a ray points?
+    fn of(arguments: &Arguments, aimed: bool) -> Result<Self, Error> {
+        let read = |path| read_rays(path, aimed);
+        let mut rays = arguments.rays.as_deref().map_or(Ok(Vec::new()), read)?;
         let file = arguments.rays.as_ref().map(|path| Group { name: path.display().to_string(), count: rays.len() });
         let mut groups: Vec<Group> = file.into_iter().collect();
         let beams = [arguments.fan.as_slice(), &arguments.bundle].concat();

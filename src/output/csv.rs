@@ -15,24 +15,47 @@ use super::{AtomicFile, OutputError};
 /// The columns of a file of rays: a place and a velocity.
 pub const RAY_COLUMNS: [&str; 6] = ["x", "y", "z", "vx", "vy", "vz"];
 
+/// The length of a velocity whose square is still a number in 32 bits; one that is not longer has no direction.
+const LEAST_SPEED: f64 = 1e-18;
+
 /// The columns of a file of places.
 pub const PLACE_COLUMNS: [&str; 3] = ["x", "y", "z"];
 
 /// Reads a file of rays, each as `[x, y, z, vx, vy, vz]` whatever the order of the columns.
 ///
 /// The first line names the columns, which must be exactly those of [`RAY_COLUMNS`]; spaces around fields and empty
-/// lines are passed over. Every number must be finite, and there must be at least one ray.
-pub fn read_rays(path: &Path) -> Result<Vec<[f64; 6]>, OutputError> {
-    read_numbers(path, "rays", &RAY_COLUMNS)
+/// lines are passed over. Every number must be finite, and there must be at least one ray. With `aimed` every ray must have a direction:
+/// a velocity longer than 1e-18, whose square is still a number in 32 bits.
+///
+/// # Errors
+///
+/// Returns the line and what is wrong with it, or why the file cannot be read.
+pub fn read_rays(path: &Path, aimed: bool) -> Result<Vec<[f64; 6]>, OutputError> {
+    let check = |[.., x, y, z]: &[f64; 6]| {
+        let is_aimed = !aimed || x.hypot(*y).hypot(*z) > LEAST_SPEED;
+        let problem = || {
+            format!(
+                "the velocity {} gives the ray no direction; write one that is not 0, such as 0,0,-1",
+                numbers([*x, *y, *z])
+            )
+        };
+        if is_aimed { Ok(()) } else { Err(problem()) }
+    };
+    read_numbers(path, "rays", &RAY_COLUMNS, check)
 }
 
 /// Reads a file of places, as [`read_rays`] reads rays.
 pub fn read_places(path: &Path) -> Result<Vec<[f64; 3]>, OutputError> {
-    read_numbers(path, "places", &PLACE_COLUMNS)
+    read_numbers(path, "places", &PLACE_COLUMNS, |_| Ok(()))
 }
 
-/// `what` is what the rows are, in messages.
-fn read_numbers<const N: usize>(path: &Path, what: &str, columns: &[&str; N]) -> Result<Vec<[f64; N]>, OutputError> {
+/// `what` is what the rows are, in messages; `check` says what is wrong with one.
+fn read_numbers<const N: usize>(
+    path: &Path,
+    what: &str,
+    columns: &[&str; N],
+    check: impl Fn(&[f64; N]) -> Result<(), String>,
+) -> Result<Vec<[f64; N]>, OutputError> {
     let bytes = fs::read(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
@@ -40,14 +63,19 @@ fn read_numbers<const N: usize>(path: &Path, what: &str, columns: &[&str; N]) ->
         let problem = "it is no text in UTF-8; save the file as UTF-8".to_owned();
         OutputError::Table { path: path.to_owned(), line, problem }
     })?;
-    let parsed = parse_numbers(&text, what, columns);
+    let parsed = parse_numbers(&text, what, columns, check);
     parsed.map_err(|(line, problem)| OutputError::Table { path: path.to_owned(), line, problem })
 }
 
 /// A line, from 1, and what is wrong with it.
 type Fault = (usize, String);
 
-fn parse_numbers<const N: usize>(text: &str, what: &str, columns: &[&str; N]) -> Result<Vec<[f64; N]>, Fault> {
+fn parse_numbers<const N: usize>(
+    text: &str,
+    what: &str,
+    columns: &[&str; N],
+    check: impl Fn(&[f64; N]) -> Result<(), String>,
+) -> Result<Vec<[f64; N]>, Fault> {
     let mut lines = text
         .trim_start_matches('\u{feff}')
         .lines()
@@ -57,7 +85,8 @@ fn parse_numbers<const N: usize>(text: &str, what: &str, columns: &[&str; N]) ->
     let expected = columns.join(",");
     let (line, header) = lines.next().ok_or_else(|| (1, format!("the file is empty; begin it with {expected}")))?;
     let order = column_order(header, what, columns).map_err(|problem| (line, problem))?;
-    let row = |(line, row)| parse_row(row, &order, columns).map_err(|problem| (line, problem));
+    let checked = |numbers| check(&numbers).map(|()| numbers);
+    let row = |(line, row)| parse_row(row, &order, columns).and_then(checked).map_err(|problem| (line, problem));
     let rows: Vec<_> = lines.map(row).collect::<Result<_, _>>()?;
     if rows.is_empty() {
         return Err((line, format!("no {what} follow the header; give one per line")));

@@ -113,7 +113,7 @@ fn tables_of_rays_are_refused_with_the_line_and_the_column() {
     folder.write("out.csv", "an old table");
     let trace = || folder.run("trace scene.toml --rays rays.csv -o out.csv");
     trace().fails(1, &["rays.csv: cannot read the file: "]);
-    let cases: [(&str, &[&str]); 9] = [
+    let cases: [(&str, &[&str]); 11] = [
         ("", &["rays.csv: line 1: the file is empty; begin it with x,y,z,vx,vy,vz"]),
         (
             "0,0,5,0,0,-1\n",
@@ -128,6 +128,11 @@ fn tables_of_rays_are_refused_with_the_line_and_the_column() {
         ),
         ("x,y,z,vx,vy,vz\n\n0,nan,5,0,0,-1\n", &["rays.csv: line 3: column 2 (y): `nan` is not a finite number"]),
         ("x,y,z,vx,vy,vz\n0,0,5,inf,0,-1\n", &["rays.csv: line 2: column 4 (vx): `inf` is not a finite number"]),
+        (
+            "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n0,0,5,0,0,0\n",
+            &["rays.csv: line 3: the velocity 0.0,0.0,0.0 gives the ray no direction"],
+        ),
+        ("x,y,z,vx,vy,vz\n0,0,5,0,1e-30,-0\n", &["rays.csv: line 2: the velocity 0.0,", "such as 0,0,-1"]),
         ("x,y,z,vx,vy,vz\n0,0,5,0,0\n", &["rays.csv: line 2: `0,0,5,0,0` has 5 fields; it must have 6"]),
     ];
     for (rays, texts) in cases {

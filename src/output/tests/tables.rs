@@ -10,7 +10,7 @@ fn rays(text: &str) -> Result<Vec<[f64; 6]>, String> {
     let folder = folder();
     let path = folder.path().join("rays.csv");
     fs::write(&path, text).unwrap();
-    read_rays(&path).map_err(|error| {
+    read_rays(&path, true).map_err(|error| {
         let message = error.to_string();
         let prefix = format!("{}: ", path.display());
         message.strip_prefix(&prefix).unwrap().to_owned()
@@ -49,7 +49,7 @@ fn says_what_is_wrong_and_where() {
         }
     }
     let missing = folder().path().join("none.csv");
-    assert!(read_rays(&missing).unwrap_err().to_string().contains("none.csv"));
+    assert!(read_rays(&missing, true).unwrap_err().to_string().contains("none.csv"));
 }
 
 #[test]

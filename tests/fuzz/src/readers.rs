@@ -246,7 +246,7 @@ fn grid(bytes: &[u8]) {
 
 fn rays(bytes: &[u8]) {
     with_file("a.csv", bytes, |path| {
-        let rays = shown(csv::read_rays(path)).unwrap_or_default();
+        let rays = shown(csv::read_rays(path, true)).unwrap_or_default();
         let places = shown(csv::read_places(path)).unwrap_or_default();
         assert!(rays.as_flattened().iter().chain(places.as_flattened()).all(|number| number.is_finite()));
     });

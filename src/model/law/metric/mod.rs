@@ -85,6 +85,27 @@ impl Metric {
         })
     }
 
+    /// Returns what is wrong with a place where the line element is infinite or 0/0, and what to do. On the axis that is so of `dtheta`,
+    /// `dphi` and `drho`, though space may be regular there.
+    fn says_singular(&self, at: DVec3) -> [String; 2] {
+        /// How far off the axis a camera sees what one on it would, as a fraction of its distance.
+        const OFF: f64 = 1e-4;
+        let arm = self.arm(at);
+        let aside = self.axis().any_orthonormal_vector();
+        let is_on_axis = self.axis().cross(arm).length() <= 1e-12 * arm.length();
+        let off = at + OFF * arm.length().max(OFF) * aside;
+        if !is_on_axis || !has_space(&self.at(off)) {
+            let problem = "is where the line element has no value: a term divides by 0 or is not a real number there";
+            return says_none(problem, "move it, or write the line element in coordinates that are regular there");
+        }
+        let problem = "is on the axis of the line element's coordinates, where `theta`, `phi` and `rho` have no differentials (0/0)";
+        let help = format!(
+            "move it off the axis, such as to [{}, {}, {}], or write dOmega2 for dtheta^2 + sin(theta)^2*dphi^2",
+            off.x, off.y, off.z
+        );
+        says_none(problem, &help)
+    }
+
     /// dφ/dt of the circular orbits through a place, with φ and against it: where the line element's slope across the axis vanishes.
     fn orbiting(&self, at: DVec3, sense: f64) -> Option<f64> {
         let (x, axis) = (self.arm(at), self.axis());
@@ -283,8 +304,12 @@ impl Law for Metric {
         if self.element.gap(self.spot(at, 0.0)).is_some_and(|gap| gap.w <= 0.0) {
             return Some(says_none("is where rays end: see law.captured", "move it away"));
         }
+        let metric = self.at(at);
+        if !metric.is_finite() {
+            return Some(self.says_singular(at));
+        }
         let problem = "is where the line element has no space at one time: its signature is not −+++";
-        (!has_space(&self.at(at))).then(|| says_none(problem, "move it, or see the signs of law.line_element"))
+        (!has_space(&metric)).then(|| says_none(problem, "move it, or see the signs of law.line_element"))
     }
 
     fn remark(&self, center: DVec3, radius: f64) -> Option<String> {
