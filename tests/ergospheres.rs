@@ -1,6 +1,8 @@
 //! The shift of light that is seen from inside an ergosphere, where its energy may be below 0, and of light from near a horizon: against
 //! Carter's equations from the constants of motion at the camera.
 
+#![allow(clippy::many_single_char_names)] // the formulas' own letters
+
 use bentray::program::Layer;
 use bentray::render::{Plane, Rendering};
 use glam::{DMat4, DVec2, DVec3, DVec4};

@@ -7,7 +7,7 @@ use bentray::gpu::Geometry;
 use bentray::program::{
     BindingKind, Choice, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
 };
-use bentray::scene::{Override, Scene};
+use bentray::scene::{Override, Precision, Scene, TEMPLATES};
 
 use crate::support::branches::{Branch, fixed_branches};
 use crate::support::{pictured, scene, scenes_in, shipped_scenes};
@@ -142,6 +142,18 @@ const FILTERS: [&str; 6] = [
     "density = \"2\", glow = [1, 1, 1]",
 ];
 
+/// A pass as a device gets it, with the values of its pipeline constants: then all constant expressions are evaluated once more, also those
+/// of functions.
+fn with_constants(linked: &Linked) -> Result<(), String> {
+    let module = naga::front::wgsl::parse_str(&linked.source).map_err(|error| error.to_string())?;
+    let capabilities = naga::valid::Capabilities::default() | naga::valid::Capabilities::FLOAT64;
+    let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), capabilities);
+    let info = validator.validate(&module).map_err(|error| error.to_string())?;
+    let constants = naga::back::PipelineConstants::default();
+    let made = naga::back::pipeline_constants::process_overrides(&module, &info, None, &constants);
+    made.map(|_| ()).map_err(|error| error.to_string())
+}
+
 /// In 64 bits every shipped scene is valid WGSL, by all of its purposes: a bare literal is an f32 wherever nothing beside it is not.
 #[test]
 fn every_scene_is_valid_in_64_bits() {
@@ -155,19 +167,43 @@ fn every_scene_is_valid_in_64_bits() {
     });
     let shipped = folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}")));
     let shipped = shipped.map(|path| (Scene::load(&path, &double).unwrap(), path.display().to_string()));
-    let mut count = 0;
-    for (scene, name) in shipped.chain(filtered.into_iter().zip(FILTERS.map(str::to_owned))) {
+    let (mut count, mut asked, mut seen) = (0, 0, HashSet::new());
+    let templates = TEMPLATES.iter().map(|template| {
+        let mut scene = scene(template.text);
+        scene.rays.precision = Precision::Double;
+        (scene, template.name.to_owned())
+    });
+    let filtered = filtered.into_iter().zip(FILTERS.map(str::to_owned));
+    for (scene, name) in shipped.chain(templates).chain(filtered) {
         count += 1;
         let geometry = Geometry::new(&scene);
-        let purposes = [Purpose::Picture, Purpose::Trace, Purpose::Pixels].map(|purpose| (Schedule::Whole, purpose));
-        for (schedule, purpose) in purposes.into_iter().chain([(Schedule::Segment, Purpose::Picture)]) {
-            let layers = if schedule == Schedule::Whole { Layer::ALL.to_vec() } else { Vec::new() };
-            let choice = Choice { schedule, purpose, layers, ..Choice::default() };
-            // Which validates all of its passes.
-            let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent());
-            program.unwrap_or_else(|error| panic!("{name} {purpose:?} {schedule:?}: {error}"));
+        // Which validates all passes.
+        let mut made = |scene: &Scene, choice: &Choice| -> Result<(), String> {
+            let program = Program::new(scene, &geometry.analysis, choice, geometry.extent());
+            let passes = program.map_err(|error| error.to_string())?.passes;
+            passes
+                .iter()
+                .filter(|(_, linked, _)| seen.insert(linked.source.clone()))
+                .try_for_each(|(_, linked, _)| with_constants(linked))
+        };
+        let whole = |purpose| Choice { purpose, layers: Layer::ALL.to_vec(), ..Choice::default() };
+        let purposes = [Purpose::Picture, Purpose::Trace, Purpose::Pixels].map(whole);
+        let segment = Choice { schedule: Schedule::Segment, ..Choice::default() };
+        for choice in purposes.iter().chain([&segment]) {
+            made(&scene, choice).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
+        }
+        // What not every scene can be asked for, in 64 bits where it can in 32.
+        let mut single = scene.clone();
+        single.rays.precision = Precision::Single;
+        for purpose in [Purpose::Lit, Purpose::Light, Purpose::Caustics, Purpose::Bare] {
+            let choice = Choice { schedule: Schedule::Fused, purpose, ..Choice::default() };
+            if !scene.lights.is_empty() && made(&single, &choice).is_ok() {
+                asked += 1;
+                made(&scene, &choice).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
+            }
         }
     }
+    println!("{count} scenes, {asked} programs of lights");
     assert!(count > 80, "{count} scenes");
 }
 

@@ -66,18 +66,20 @@ pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
     unit("generated/fans.wgsl", text)
 }
 
+/// naga does not convert a constant of 64 bits to one of 32; what a function is called with is no constant.
+const ROUNDED: &str = "fn filter_rounded(value: Real) -> f32 {\n    return f32(value);\n}\n\n";
+
 /// `filter_formula(which, q)`: three numbers, one for each channel.
 pub(super) fn filters(filters: &[&[Formula; 3]]) -> Unit {
-    let (mut text, mut calls) = (String::new(), Vec::new());
+    let (mut text, mut calls) = (ROUNDED.to_owned(), Vec::new());
     for (which, formulas) in filters.iter().enumerate() {
         let mut channels = Vec::new();
         for (k, formula) in formulas.iter().enumerate() {
             let (graph, [.., value]) = formula.graph();
             let (lines, values) = body(graph, &[value], &["q.x", "q.y", "q.z"]);
-            // Bound first: naga does not convert a constant of 64 bits to one of 32.
             let _ = writeln!(
                 text,
-                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    let value: Real = {};\n    return f32(value);\n}}\n",
+                "// {formula}\nfn filter_{which}_{k}(q: Real3) -> f32 {{\n{lines}    return filter_rounded({});\n}}\n",
                 values.join("")
             );
             channels.push(format!("filter_{which}_{k}(q)"));
