@@ -249,3 +249,27 @@ fn rays_of_64_bits_start_in_directions_of_64_bits() {
         }
     }
 }
+
+/// A camera that moves outside of the bounding sphere sees along the same lines as one whose sphere is large enough to hold it.
+#[test]
+fn rays_come_to_the_bounding_sphere_as_an_observer_sees_them() {
+    let starts = |radius: f64| {
+        let scene = scene(&format!(
+            "[image]\nsize = [5, 3]\n[camera]\nposition = [50, 4, 0]\nlook_at = [0, 40, 0]\nfov = 40\nframe = \"moving\"\n\
+             velocity = [0, 0.6, 0]\n[law]\nkind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"\n\
+             [rays]\nbound = {{ radius = {radius} }}\n"
+        ));
+        let pixels: Vec<[u32; 2]> = (0..15).map(|i| [i % 5, i / 5]).collect();
+        pixel_starts(&gpu(), &scene, &RenderSettings::default(), &pixels).unwrap()
+    };
+    let mut entered = 0;
+    for (inside, outside) in starts(90.0).iter().zip(starts(20.0)) {
+        let [from, there] = [&inside[..], &outside].map(|start| DVec3::from_slice(start));
+        let [v, along] = [&inside[3..], &outside[3..]].map(DVec3::from_slice);
+        assert!(v.distance(along) < 1e-5, "{v} and {along}");
+        let way = there - from;
+        assert!(way.cross(v).length() < 1e-4 * v.length(), "{from} along {v} does not come to {there}");
+        entered += usize::from(way.length() > 1.0);
+    }
+    assert!(entered >= 3, "{entered} rays enter");
+}

@@ -187,7 +187,7 @@ fn light_of_any_energy_is_shifted_as_its_constants_say() {
             for (what, from, bound) in [("orbits", hole.innermost_stable(), 5e-5), ("falls", horizon + 0.1, falling)] {
                 let (seen, negative, worst) = compared(&picture, &hole, light, from);
                 println!("{spin} {position} {law} {precision} {method}: {what} {seen} {negative} {worst:e}");
-                assert!(seen > 50 && negative >= least, "{seen} pixels see what {what}, {negative} by negative energy");
+                assert!(seen > 20 && negative >= least, "{seen} pixels see what {what}, {negative} by negative energy");
                 assert!(worst < bound, "{spin} {position} {law} {precision} {method}: what {what} is off by {worst:e}");
             }
         }

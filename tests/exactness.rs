@@ -7,7 +7,7 @@ use bentray::gpu::Geometry;
 use bentray::program::{
     BindingKind, Choice, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
 };
-use bentray::scene::{Override, Precision, Scene, TEMPLATES};
+use bentray::scene::{Override, Precision, Rays, Scene, TEMPLATES};
 
 use crate::support::branches::{Branch, fixed_branches};
 use crate::support::{pictured, scene, scenes_in, shipped_scenes};
@@ -178,25 +178,20 @@ fn every_scene_is_valid_in_64_bits() {
         count += 1;
         let geometry = Geometry::new(&scene);
         // Which validates all passes.
-        let mut made = |scene: &Scene, choice: &Choice| -> Result<(), String> {
-            let program = Program::new(scene, &geometry.analysis, choice, geometry.extent());
-            let passes = program.map_err(|error| error.to_string())?.passes;
-            passes
-                .iter()
-                .filter(|(_, linked, _)| seen.insert(linked.source.clone()))
-                .try_for_each(|(_, linked, _)| with_constants(linked))
-        };
+        let made = |scene: &Scene, choice: &Choice| Program::new(scene, &geometry.analysis, choice, geometry.extent());
         let whole = |purpose| Choice { purpose, layers: Layer::ALL.to_vec(), ..Choice::default() };
-        let purposes = [Purpose::Picture, Purpose::Trace, Purpose::Pixels].map(whole);
-        let segment = Choice { schedule: Schedule::Segment, ..Choice::default() };
-        for choice in purposes.iter().chain([&segment]) {
-            made(&scene, choice).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
+        let fused = |purpose| Choice { schedule: Schedule::Fused, purpose, ..Choice::default() };
+        for choice in [whole(Purpose::Picture), whole(Purpose::Trace), fused(Purpose::Picture)] {
+            let program = made(&scene, &choice).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
+            for (_, linked, _) in program.passes.iter().filter(|_| choice.purpose == Purpose::Picture) {
+                if seen.insert(linked.source.clone()) {
+                    with_constants(linked).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));
+                }
+            }
         }
         // What not every scene can be asked for, in 64 bits where it can in 32.
-        let mut single = scene.clone();
-        single.rays.precision = Precision::Single;
-        for purpose in [Purpose::Lit, Purpose::Light, Purpose::Caustics, Purpose::Bare] {
-            let choice = Choice { schedule: Schedule::Fused, purpose, ..Choice::default() };
+        let single = Scene { rays: Rays { precision: Precision::Single, ..scene.rays.clone() }, ..scene.clone() };
+        for choice in [Purpose::Lit, Purpose::Light].map(fused) {
             if !scene.lights.is_empty() && made(&single, &choice).is_ok() {
                 asked += 1;
                 made(&scene, &choice).unwrap_or_else(|error| panic!("{name} {choice:?}: {error}"));

@@ -1,7 +1,9 @@
-// Outside the bounding sphere space is flat: a camera's ray from there starts where it enters.
+// Outside the bounding sphere space is flat: a camera's ray from there starts where it enters, on the line along which it comes to the camera.
+// To an observer who moves it seems to come from elsewhere.
 
 fn arrived(ray: CameraRay) -> CameraRay {
-    let entry = bound_entry(ray.x, ray.d);
-    let x = ray.x + max(entry, 0.0) * ray.d;
-    return CameraRay(x, frame_velocity(x, ray.d), entering(ray.status, entry < 0.0));
+    let v = frame_velocity(ray.x, ray.d);
+    let entry = bound_entry(ray.x, v);
+    let x = ray.x + max(entry, 0.0) * v;
+    return CameraRay(x, v, entering(ray.status, entry < 0.0));
 }
