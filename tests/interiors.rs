@@ -94,6 +94,65 @@ fn a_closed_mesh_of_glass_is_what_its_shape_is() {
     }
 }
 
+/// A mesh that is wound inward, and one of two parts that overlap, is met as the boxes are that it is made of: by single rays, in
+/// pictures, from inside and in the light that is shot through it.
+#[test]
+fn meshes_are_solid_however_their_files_wind_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let inward = CUBE.lines().map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
+        ["f", a, b, c, d] => format!("f {d} {c} {b} {a}\n"),
+        _ => format!("{line}\n"),
+    });
+    std::fs::write(folder.path().join("inward.obj"), inward.collect::<String>()).unwrap();
+    // Two boxes that overlap by half; four faces of each lie in one plane with the other's.
+    let shifted = |by: f64| {
+        CUBE.lines().map(move |line| match line.split(' ').collect::<Vec<_>>()[..] {
+            ["v", x, y, z] => format!("v {} {y} {z}\n", x.parse::<f64>().unwrap() + by),
+            ["f", ..] if by > 0.0 => {
+                let corner = |i: &str| (i.parse::<usize>().unwrap() + 8).to_string();
+                format!("f {}\n", line.split(' ').skip(1).map(corner).collect::<Vec<_>>().join(" "))
+            }
+            _ => format!("{line}\n"),
+        })
+    };
+    std::fs::write(folder.path().join("both.obj"), shifted(-0.5).chain(shifted(0.5)).collect::<String>()).unwrap();
+    let read =
+        |text: &str| Scene::parse(text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
+    let rays = [
+        [-5.0, -0.9, -0.45, 1.0, 0.2, 0.1],
+        [-5.0, 0.3, 0.2, 1.0, -0.1, 0.03],
+        [0.1, 0.2, 0.3, -0.5, 0.3, 0.8],
+        [0.9, 0.2, 0.3, 0.1, -0.3, 0.9],
+    ];
+    for (file, size) in [("inward", "[2, 2, 2]"), ("both", "[3, 2, 2]")] {
+        let ends = |object: &str| {
+            let scene = read(&format!("[rays]\nbound = {{ radius = 20 }}\n[[objects]]\n{object}\ninterior = 1.5\n"));
+            trace(&gpu(), &scene, &RenderSettings::default(), &rays).unwrap().0
+        };
+        let mesh = format!("shape = \"mesh\"\nfile = \"{file}.obj\"");
+        let cuboid = format!("shape = \"box\"\nsize = {size}");
+        let apart = |a: [f64; 3], b: [f64; 3]| DVec3::from(a).distance(b.into());
+        for (found, expected) in ends(&mesh).into_iter().zip(ends(&cuboid)) {
+            assert_eq!(found.status, expected.status, "{file}");
+            // A few roundings at 20 units from the middle.
+            assert!(apart(found.x, expected.x) < 2e-5 && apart(found.v, expected.v) < 2e-6, "{file}: {found:?}");
+        }
+        let light = "[[lights]]\nkind = \"point\"\nposition = [0.5, 6, 1]\nshadows = \"shooting\"\n\
+            [materials.white]\n[[objects]]\nshape = \"plane\"\ncenter = [0, -1.4, 0]\nsize = [9, 9]\nmaterial = \"white\"\n";
+        for camera in ["position = [1, 2, 8]", "position = [0.9, 0.2, 0.3]\nlook_at = [0, 0, -5]"] {
+            let picture = |object: &str| {
+                let text = room("branches = 3", &[&format!("{object}\ninterior = 1.5")]);
+                let scene = read(&(text.replace("position = [1, 2, 8]", camera) + light));
+                rendered(&scene, Choice::default()).band.color
+            };
+            let (mesh, cuboid) = (picture(&mesh), picture(&cuboid));
+            let pixels = mesh[0].len();
+            let agree = (0..pixels).filter(|&i| (0..3).all(|c| (mesh[c][i] - cuboid[c][i]).abs() < 1e-3)).count();
+            assert!(agree * 1000 >= pixels * 985, "{file}: {agree} of {pixels} pixels agree, {camera}");
+        }
+    }
+}
+
 /// One branch a sample has the right mean: with so many samples its noise is a few thousandths.
 #[test]
 fn random_branches_have_the_mean_of_all() {

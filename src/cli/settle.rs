@@ -27,6 +27,9 @@ pub(super) fn settle<'a>(
     rays: Rays,
     launch: &mut StartUp,
 ) -> Result<Settled<'a>, Error> {
+    for remark in scene.mesh_remarks() {
+        tell!("note: {remark}");
+    }
     if scene.rays.auto.is_none() {
         return Ok(Settled { scene, settings, renderer: None });
     }

@@ -59,10 +59,10 @@ impl Scene {
     }
 
     /// Adds a shape in a place, filled with a medium that light goes through. Of interiors that overlap, the one of the higher
-    /// priority is there.
+    /// priority is there. A mesh that overlaps itself becomes several objects.
     pub fn add_interior(&mut self, shape: impl Shape, transform: Transform, medium: impl Medium, priority: u32) {
         let substance = Substance::Clear(Interior { priority, ..Interior::new(Arc::new(medium)) });
-        self.objects.push(Object::new(Arc::new(shape), transform, substance));
+        self.objects.extend(Object::new(Arc::new(shape), transform, substance).solids());
     }
 }
 

@@ -314,6 +314,16 @@ impl Scene {
         self.lights.iter().enumerate().filter(|(_, light)| swallowed(light)).map(|(i, _)| i).collect()
     }
 
+    /// What was changed about meshes so that rays know what is inside of them, in words for a user.
+    #[must_use]
+    pub fn mesh_remarks(&self) -> Vec<String> {
+        let remark = |(i, object): (usize, &Object)| {
+            let words = object.shape.mesh()?.remark()?;
+            Some(format!("object {i} (from 0): {words}"))
+        };
+        self.objects.iter().enumerate().filter_map(remark).collect()
+    }
+
     /// The WGSL part of a material here.
     #[must_use]
     pub fn part_of(&self, material: &Material) -> &'static str {

@@ -14,6 +14,7 @@ mod profiles;
 mod properties;
 mod rounding;
 mod scenes;
+mod shells;
 mod touching;
 
 use super::{Mistake, Override, Scene, SceneError};

@@ -11,6 +11,7 @@ mod bytes;
 mod cells;
 mod edges;
 mod gltf;
+mod inside;
 mod joined;
 mod normals;
 mod obj;
@@ -26,6 +27,7 @@ use glam::{DAffine3, DVec3, Vec2, Vec3};
 use super::gltf::NodeName;
 use crate::document::{SceneError, read_bytes};
 use cells::Cells;
+use inside::Inside;
 use raw::Raw;
 
 /// Triangles.
@@ -33,11 +35,12 @@ use raw::Raw;
 pub struct Mesh {
     /// Corners, each used by at least one triangle.
     pub vertices: Vec<Vertex>,
-    /// Indices into the vertices, counter-clockwise seen from outside.
+    /// Indices into the vertices, counter-clockwise seen from outside if the file winds them so; [`Mesh::solids`] always are.
     pub triangles: Vec<[u32; 3]>,
     /// The vertices, as [`Mesh::new`] had them.
     cells: Cells,
     radius: f64,
+    inside: Inside,
 }
 
 /// A corner.
@@ -187,7 +190,7 @@ impl Mesh {
     pub fn new(vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Self {
         let cells = Cells::of(&vertices);
         let radius = cells.most(&vertices, DVec3::length).max(0.0);
-        Self { vertices, triangles, cells, radius }
+        Self { vertices, triangles, cells, radius, inside: Inside::default() }
     }
 
     /// The greatest distance of a vertex from the origin.

@@ -57,7 +57,7 @@ impl Shape for Triangles {
 
     fn contains(&self, p: DVec3) -> bool {
         // Most places are outside, and that is known sooner than whether there is a hole.
-        self.0.winding(p).abs() > 0.5 && self.0.hole().is_none()
+        self.0.winding(p).abs() > 0.5 && self.0.opening().is_none()
     }
 
     fn near_surface(&self, p: DVec3, slack: f64) -> bool {
@@ -80,10 +80,11 @@ impl Shape for Triangles {
     }
 
     fn opening(&self) -> Option<String> {
-        let place = |[a, b, c]: [f32; 3]| {
-            format!("the mesh is not closed: an edge at [{a:.4}, {b:.4}, {c:.4}] has not two triangles of one sense")
-        };
-        self.0.hole().map(place)
+        self.0.opening().map(str::to_owned)
+    }
+
+    fn solids(&self) -> Vec<Arc<dyn Shape>> {
+        self.0.solids().iter().map(|mesh| Arc::new(Self(Arc::clone(mesh))) as Arc<dyn Shape>).collect()
     }
 
     fn contacts(&self, _: DAffine3) -> Vec<Contact> {

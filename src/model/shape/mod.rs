@@ -99,6 +99,12 @@ pub trait Shape: fmt::Debug + Send + Sync + Same {
     /// Why it has no inside; none if it has one.
     fn opening(&self) -> Option<String>;
 
+    /// Returns the shapes that stand for it if rays are on one of its sides, because its own surface does not say which side is
+    /// inside, or is around some points more than once. Returns none if the shape can be used itself.
+    fn solids(&self) -> Vec<Arc<dyn Shape>> {
+        Vec::new()
+    }
+
     /// The parts of its surface, placed by a map, by which it may lie on others.
     fn contacts(&self, map: DAffine3) -> Vec<Contact>;
 

@@ -51,6 +51,17 @@ impl Object {
         Self { shape, transform, substance, travel: None }
     }
 
+    /// Returns the objects that stand for it if rays are on one of its sides: itself, unless it is a mesh that is not wound outward or
+    /// overlaps itself.
+    #[must_use]
+    pub fn solids(self) -> Vec<Self> {
+        let solids = self.shape.solids();
+        if solids.is_empty() {
+            return vec![self];
+        }
+        solids.into_iter().map(|shape| Self { shape, ..self.clone() }).collect()
+    }
+
     /// The index of its material, if it has one.
     #[must_use]
     pub fn material(&self) -> Option<usize> {

@@ -83,7 +83,7 @@ fn substance(
     let interior = medium::read_interior(table, node, around, files);
     let priority = table.or("priority", 0, whole(0..=1000));
     if let Some(problem) = object.and_then(|(shape, _)| shape.opening()) {
-        table.fault(&["interior"], problem, "give it a material, or close it");
+        table.fault(&["interior"], problem, "give it a `material`, or use a closed shape");
     }
     interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))
 }

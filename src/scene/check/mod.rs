@@ -115,6 +115,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let centers = bound.map(|bound| bound.centers(law.as_deref()));
     let balls = centers.as_deref().zip(bound.map(|bound| bound.radius));
     let placed = shape::read(&root, &names, balls, law.as_deref(), files);
+    let placed = regions::solids(placed, &materials);
     regions::check(reader, &placed, &materials);
     if let Some(law) = &law {
         shift::check_discs(reader, &placed, &materials, &**law);

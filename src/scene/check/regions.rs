@@ -15,13 +15,34 @@ const POINTS: usize = 400;
 /// What is nearer to a surface than this part of its distance from the origin lies on it.
 const TOUCHES: f64 = 1e-6;
 
-/// Records what is wrong with the interiors of objects, each given with its place in the file.
-pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material]) {
+/// Replaces objects on one side of which rays are by their solids. Those that one object has more than one of come last, so that
+/// the numbers of all other objects stay those of the file.
+pub fn solids(objects: Vec<(Place, Object)>, materials: &[Material]) -> Vec<(Place, Object)> {
+    let (mut first, mut more) = (Vec::with_capacity(objects.len()), Vec::new());
+    for (place, object) in objects {
+        if !is_sided(&object, materials) {
+            first.push((place, object));
+            continue;
+        }
+        let mut solids = object.solids().into_iter().map(|solid| (place, solid));
+        first.extend(solids.next());
+        more.extend(solids);
+    }
+    first.extend(more);
+    first
+}
+
+/// Are rays on one side of its surface, or the other?
+fn is_sided(object: &Object, materials: &[Material]) -> bool {
     let continues = |i: usize| materials.get(i).is_some_and(|material| material.surface.continues());
-    let is_sided = |(_, object): &&(Place, Object)| match object.substance {
+    match object.substance {
         Substance::Clear(_) => true,
         Substance::Opaque(material) => continues(material) && object.shape.opening().is_none(),
-    };
+    }
+}
+
+/// Records what is wrong with the interiors of objects, each given with its place in the file.
+pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material]) {
     for (place, object) in objects {
         let is_translucent = |i: usize| materials.get(i).is_some_and(|material| material.surface.opacity() < 1.0);
         if object.material().is_some_and(is_translucent) && object.shape.opening().is_none() {
@@ -30,7 +51,7 @@ pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material
             reader.fault(Fault { place: *place, problem, help });
         }
     }
-    let sided: Vec<_> = objects.iter().filter(is_sided).collect();
+    let sided: Vec<_> = objects.iter().filter(|(_, object)| is_sided(object, materials)).collect();
     let clear: Vec<_> = objects.iter().filter(|(_, object)| object.interior().is_some()).collect();
     if let Some((place, _)) = sided.get(MOST) {
         let problem = format!(

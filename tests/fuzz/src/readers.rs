@@ -206,6 +206,7 @@ fn whole(mesh: &Mesh) {
         assert!(vertex.position.is_finite() && vertex.uv.is_finite() && (length - 1.0).abs() < 1e-3, "{vertex:?}");
     }
     let _ = mesh.hole();
+    mesh.solids().iter().for_each(|solid| assert_eq!((solid.hole(), solid.opening()), (None, None)));
     assert!(mesh.winding(DVec3::new(0.1, 0.2, 0.3)).is_finite());
 }
 

@@ -1,0 +1,126 @@
+//! What a closed mesh encloses: its faces are turned outward, and parts that overlap are told apart.
+//!
+//! *Theory.* The inside is a matter of the surface, not of how a file winds it. Each shell bounds a solid or a cavity in one, by
+//! its nesting; solids are then wound outward, and cavities inward. A ray inside of a mesh only knows that it is inside, so solids
+//! that overlap become meshes of their own, as if they were several objects.
+//!
+//! *Practice.* It is found when it is first asked for: opaque meshes pay nothing. A mesh of one shell takes one pass over its edges.
+
+mod meet;
+mod nesting;
+mod shells;
+mod tree;
+
+use std::sync::{Arc, OnceLock};
+
+use super::{Mesh, Vertex};
+use nesting::nesting;
+use shells::{NONE, Shells};
+
+/// What is known of a mesh's inside, once it was asked for. It makes no difference between meshes, and copies do not have it, because
+/// they may be changed.
+#[derive(Debug, Default)]
+pub(super) struct Inside(OnceLock<Found>);
+
+impl Clone for Inside {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for Inside {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+/// What was found.
+#[derive(Debug)]
+struct Found {
+    /// Meshes in which no point is inside more than once, wound outward; none if the mesh is already such a one.
+    solids: Result<Vec<Arc<Mesh>>, String>,
+    /// How it differs from the mesh that it was made from, for users.
+    remark: Option<String>,
+}
+
+impl Mesh {
+    /// Why light cannot be inside of it, if so: it is open, or which side is outside cannot be told.
+    #[must_use]
+    pub fn opening(&self) -> Option<&str> {
+        self.found().solids.as_ref().err().map(String::as_str)
+    }
+
+    /// Returns the meshes that together enclose what this one does, each wound outward and without overlaps; none if it is closed
+    /// and already such a mesh, or not closed.
+    #[must_use]
+    pub fn solids(&self) -> &[Arc<Self>] {
+        self.found().solids.as_ref().map_or(&[], Vec::as_slice)
+    }
+
+    /// Says how it differs from the mesh that it was made from by [`solids`](Self::solids), if it is the first of them.
+    #[must_use]
+    pub fn remark(&self) -> Option<&str> {
+        self.inside.0.get()?.remark.as_deref()
+    }
+
+    fn found(&self) -> &Found {
+        self.inside.0.get_or_init(|| Found { solids: solids(self), remark: None })
+    }
+}
+
+/// The solids of a mesh.
+fn solids(mesh: &Mesh) -> Result<Vec<Arc<Mesh>>, String> {
+    let shells = Shells::of(mesh)?;
+    let nesting = nesting(mesh, &shells)?;
+    let turns = |shell: usize| (shells.all[shell].volume > 0.0) == nesting.cavity[shell];
+    let is_turned = |i: usize| shells.of[i] != NONE && shells.turned[i] ^ turns(shells.of[i] as usize);
+    let count = mesh.triangles.len();
+    let turned = (0..count).filter(|i| is_turned(*i)).count();
+    let layers = nesting.layer.iter().max().map_or(0, |last| last + 1);
+    if turned == 0 && layers == 1 && !shells.of.contains(&NONE) {
+        return Ok(Vec::new());
+    }
+    let mut remark = remark(turned, count, layers);
+    let layer = |layer: u32| {
+        let is_in = |i: &usize| shells.of[*i] != NONE && nesting.layer[shells.of[*i] as usize] == layer;
+        let part = mesh.part((0..count).filter(is_in).map(|i| (i, is_turned(i))));
+        part.inside.0.get_or_init(|| Found { solids: Ok(Vec::new()), remark: remark.take() });
+        Arc::new(part)
+    };
+    Ok((0..layers).map(layer).collect())
+}
+
+/// What users may want to know about a mesh whose solids differ from it.
+fn remark(turned: usize, count: usize, layers: u32) -> Option<String> {
+    let turned = (turned > 0).then(|| format!("{turned} of its {count} triangles are wound inward, and are turned"));
+    let layers = (layers > 1).then(|| format!("its parts overlap, and count as {layers} objects"));
+    turned.into_iter().chain(layers).reduce(|a, b| format!("{a}; {b}"))
+}
+
+impl Mesh {
+    /// A mesh of some of its triangles, each given with whether it is turned. Normals of a turned triangle that would be on its back
+    /// are turned too.
+    fn part(&self, triangles: impl Iterator<Item = (usize, bool)>) -> Self {
+        let mut vertices: Vec<Vertex> = Vec::new();
+        // For each vertex its number here, as it is and with its normal turned.
+        let mut numbers = vec![[u32::MAX; 2]; self.vertices.len()];
+        let mut own = Vec::new();
+        for (i, is_turned) in triangles {
+            let [a, b, c] = self.triangles[i];
+            let corners = if is_turned { [a, c, b] } else { [a, b, c] };
+            let [p, q, r] = corners.map(|corner| self.vertices[corner as usize].position);
+            let across = (q - p).cross(r - p);
+            own.push(corners.map(|corner| {
+                let vertex = self.vertices[corner as usize];
+                let is_behind = is_turned && vertex.normal.dot(across) < 0.0;
+                let number = &mut numbers[corner as usize][usize::from(is_behind)];
+                if *number == u32::MAX {
+                    *number = vertices.len() as u32;
+                    vertices.push(if is_behind { Vertex { normal: -vertex.normal, ..vertex } } else { vertex });
+                }
+                *number
+            }));
+        }
+        Self::new(vertices, own)
+    }
+}

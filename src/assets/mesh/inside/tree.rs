@@ -1,0 +1,191 @@
+//! A tree of boxes over the triangles of a mesh's shells: which triangles of different shells are close, and what a ray crosses.
+
+use glam::{DVec2, DVec3, Vec3};
+
+use super::super::Mesh;
+use super::shells::{NONE, Shells};
+
+/// Triangles in a leaf, at most.
+const LEAF: usize = 6;
+
+/// A box, and what is in it.
+struct Node {
+    lo: Vec3,
+    hi: Vec3,
+    /// The shell of all its triangles; [`NONE`] for several.
+    shell: u32,
+    /// A leaf's triangles in the order, or the two nodes below.
+    start: u32,
+    end: u32,
+    is_leaf: bool,
+}
+
+/// Boxes over triangles.
+pub(super) struct Tree<'a> {
+    mesh: &'a Mesh,
+    shells: &'a Shells,
+    nodes: Vec<Node>,
+    order: Vec<u32>,
+}
+
+impl<'a> Tree<'a> {
+    /// Over all triangles that are part of a shell.
+    pub fn new(mesh: &'a Mesh, shells: &'a Shells) -> Self {
+        let order = (0..mesh.triangles.len() as u32).filter(|i| shells.of[*i as usize] != NONE).collect();
+        let mut tree = Self { mesh, shells, nodes: Vec::new(), order };
+        tree.build();
+        tree
+    }
+
+    fn build(&mut self) {
+        let mut order = std::mem::take(&mut self.order);
+        self.nodes.push(self.node(&order, 0));
+        let mut open = vec![0];
+        while let Some(at) = open.pop() {
+            let Node { start, end, .. } = self.nodes[at];
+            let own = &mut order[start as usize..end as usize];
+            if own.len() <= LEAF {
+                continue;
+            }
+            let middle = |i: &u32| self.corners(*i).into_iter().sum::<Vec3>();
+            let nothing = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+            let (lo, hi) = own.iter().map(middle).fold(nothing, |(lo, hi), x| (lo.min(x), hi.max(x)));
+            let axis = (hi - lo).max_position();
+            let half = own.len() / 2;
+            own.select_nth_unstable_by(half, |i, j| middle(i)[axis].total_cmp(&middle(j)[axis]));
+            let (low, high) = own.split_at(half);
+            let below = self.nodes.len() as u32;
+            let pair = [self.node(low, start), self.node(high, start + half as u32)];
+            self.nodes.extend(pair);
+            let node = &mut self.nodes[at];
+            (node.start, node.end, node.is_leaf) = (below, below + 1, false);
+            open.extend([below as usize, below as usize + 1]);
+        }
+        self.order = order;
+    }
+
+    fn node(&self, triangles: &[u32], start: u32) -> Node {
+        let corners = triangles.iter().flat_map(|i| self.corners(*i));
+        let nothing = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        let (lo, hi) = corners.fold(nothing, |(lo, hi), x| (lo.min(x), hi.max(x)));
+        let mut shells = triangles.iter().map(|i| self.shells.of[*i as usize]);
+        let first = shells.next().unwrap_or(NONE);
+        let shell = if shells.all(|shell| shell == first) { first } else { NONE };
+        Node { lo, hi, shell, start, end: start + triangles.len() as u32, is_leaf: true }
+    }
+
+    fn corners(&self, triangle: u32) -> [Vec3; 3] {
+        self.mesh.triangles[triangle as usize].map(|corner| self.mesh.vertices[corner as usize].position)
+    }
+
+    /// The corners of a triangle in 64 bits.
+    pub fn triangle(&self, triangle: u32) -> [DVec3; 3] {
+        self.corners(triangle).map(|corner| corner.as_dvec3())
+    }
+
+    fn triangles(&self, node: &Node) -> &[u32] {
+        &self.order[node.start as usize..node.end as usize]
+    }
+
+    /// Visits all pairs of triangles of different shells whose boxes are no more than `slack` apart, with their shells.
+    pub fn pairs(&self, slack: f32, mut visit: impl FnMut([u32; 2], [u32; 2])) {
+        let mut open = vec![(0, 0)];
+        while let Some((i, j)) = open.pop() {
+            let (a, b): (&Node, &Node) = (&self.nodes[i as usize], &self.nodes[j as usize]);
+            let apart = (a.lo - Vec3::splat(slack)).cmpgt(b.hi).any() || (b.lo - Vec3::splat(slack)).cmpgt(a.hi).any();
+            if apart || (a.shell == b.shell && a.shell != NONE) {
+                continue;
+            }
+            match (a.is_leaf, b.is_leaf) {
+                (true, true) => self.leaf_pairs(i == j, [a, b], &mut visit),
+                _ if i == j => open.extend([(a.start, a.start), (a.end, a.end), (a.start, a.end)]),
+                (false, true) => open.extend([(a.start, j), (a.end, j)]),
+                (true, false) => open.extend([(i, b.start), (i, b.end)]),
+                (false, false) => {
+                    open.extend([(a.start, b.start), (a.start, b.end), (a.end, b.start), (a.end, b.end)]);
+                }
+            }
+        }
+    }
+
+    fn leaf_pairs(&self, is_same: bool, [a, b]: [&Node; 2], visit: &mut impl FnMut([u32; 2], [u32; 2])) {
+        for (k, t) in self.triangles(a).iter().enumerate() {
+            let others = &self.triangles(b)[if is_same { k + 1 } else { 0 }..];
+            for u in others {
+                let shells = [t, u].map(|i| self.shells.of[*i as usize]);
+                if shells[0] != shells[1] {
+                    visit([*t, *u], shells);
+                }
+            }
+        }
+    }
+
+    /// Visits all triangles whose boxes are no more than `slack` away from a point, each with its shell.
+    pub fn near(&self, point: DVec3, slack: f64, mut visit: impl FnMut(u32, u32)) {
+        let mut open = vec![0_u32];
+        while let Some(i) = open.pop() {
+            let node = &self.nodes[i as usize];
+            let (lo, hi) = (node.lo.as_dvec3() - slack, node.hi.as_dvec3() + slack);
+            if point.cmplt(lo).any() || point.cmpgt(hi).any() {
+                continue;
+            }
+            if node.is_leaf {
+                self.triangles(node).iter().for_each(|triangle| visit(*triangle, self.shells.of[*triangle as usize]));
+            } else {
+                open.extend([node.start, node.end]);
+            }
+        }
+    }
+
+    /// Visits everything that the ray from a point along x crosses, except triangles of the shell `own`: a shell, and 1 if the
+    /// ray leaves through its triangle as the shell is wound, −1 if it enters.
+    ///
+    /// No line passes between two triangles that share an edge, or meets both: on which side of an edge it passes is always computed
+    /// from the edge's lesser end, and a line through the edge passes it on the side of a line that is shifted infinitesimally.
+    pub fn crossings(&self, from: DVec3, own: u32, mut visit: impl FnMut(u32, i32)) {
+        let mut open = vec![0_u32];
+        while let Some(i) = open.pop() {
+            let node = &self.nodes[i as usize];
+            let (lo, hi) = (node.lo.as_dvec3(), node.hi.as_dvec3());
+            let misses = lo.y > from.y || hi.y < from.y || lo.z > from.z || hi.z < from.z || hi.x < from.x;
+            if misses || node.shell == own {
+                continue;
+            }
+            if !node.is_leaf {
+                open.extend([node.start, node.end]);
+                continue;
+            }
+            for triangle in self.triangles(node) {
+                let shell = self.shells.of[*triangle as usize];
+                let met = crossing(self.triangle(*triangle), from);
+                if let Some((_, winding)) = met.filter(|(distance, _)| *distance > 0.0 && shell != own) {
+                    visit(shell, if self.shells.turned[*triangle as usize] { -winding } else { winding });
+                }
+            }
+        }
+    }
+}
+
+/// Where the line from a point along x crosses a triangle: how far, and 1 if along its normal, else −1.
+fn crossing([a, b, c]: [DVec3; 3], from: DVec3) -> Option<(f64, i32)> {
+    let sides = [passes_left(a, b, from), passes_left(b, c, from), passes_left(c, a, from)];
+    if sides.iter().any(|side| *side != sides[0]) {
+        return None;
+    }
+    let normal = (b - a).cross(c - a);
+    let x = a.x - (normal.y * (from.y - a.y) + normal.z * (from.z - a.z)) / normal.x;
+    let (lo, hi) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
+    // Of a triangle that is seen edge-on only the box is certain.
+    let x = if x.is_finite() { x.clamp(lo, hi) } else { 0.5 * (lo + hi) };
+    Some((x - from.x, if sides[0] { 1 } else { -1 }))
+}
+
+/// Whether, seen along −x, a point is to the left of the line from p to q.
+fn passes_left(p: DVec3, q: DVec3, at: DVec3) -> bool {
+    let key = |p: DVec3| [p.y, p.z, p.x];
+    let swapped = key(q) < key(p);
+    let (p, q) = if swapped { (q, p) } else { (p, q) };
+    let flat = |p: DVec3| DVec2::new(p.y, p.z);
+    let side = (flat(q) - flat(p)).perp_dot(flat(at) - flat(p));
+    (side >= 0.0) != swapped
+}
