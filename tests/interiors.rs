@@ -95,7 +95,7 @@ fn a_closed_mesh_of_glass_is_what_its_shape_is() {
 }
 
 /// A mesh that is wound inward, and one of two parts that overlap, is met as the boxes are that it is made of: by single rays, in
-/// pictures, from inside and in the light that is shot through it.
+/// pictures, from inside and by light whose shadow it is in.
 #[test]
 fn meshes_are_solid_however_their_files_wind_them() {
     let folder = tempfile::tempdir().unwrap();
@@ -137,7 +137,7 @@ fn meshes_are_solid_however_their_files_wind_them() {
             // A few roundings at 20 units from the middle.
             assert!(apart(found.x, expected.x) < 2e-5 && apart(found.v, expected.v) < 2e-6, "{file}: {found:?}");
         }
-        let light = "[[lights]]\nkind = \"point\"\nposition = [0.5, 6, 1]\nshadows = \"shooting\"\n\
+        let light = "[[lights]]\nkind = \"point\"\nposition = [0.5, 6, 1]\nshadows = \"straight\"\n\
             [materials.white]\n[[objects]]\nshape = \"plane\"\ncenter = [0, -1.4, 0]\nsize = [9, 9]\nmaterial = \"white\"\n";
         for camera in ["position = [1, 2, 8]", "position = [0.9, 0.2, 0.3]\nlook_at = [0, 0, -5]"] {
             let picture = |object: &str| {

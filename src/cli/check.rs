@@ -15,7 +15,7 @@ use super::format::{Format, Found};
 use super::frames::Film;
 use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
-use crate::gpu::{Geometry, memory};
+use crate::gpu::{Geometry, adapters, check_meshes, memory};
 use crate::program::{Choice, Program, Schedule};
 use crate::scene::{KeyReference, REFERENCE, Scene, reference_markdown};
 
@@ -64,6 +64,11 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     let geometry = Geometry::new(&scene);
     let choice = choice(arguments.schedule);
     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
+    if scene.objects.iter().any(|object| object.shape.mesh().is_some())
+        && let Some(device) = adapters().first()
+    {
+        check_meshes(&program, &geometry, device)?;
+    }
     let memory = memory(&program, choice.slots(&scene));
     let frames_checked = check_frames(path, arguments, &choice, &scene)?;
     Ok(Modelled { path, scene, geometry, program, memory, frames_checked, names_parts: arguments.parts })

@@ -3,7 +3,7 @@
 use super::decisions::{Decision, Place, Rays};
 use super::frames::Film;
 use crate::error::Error;
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, halved_pictures};
 use crate::measure::{Preparation, calibrate, compared_layers};
 use crate::render::{RenderSettings, Renderer, StartPart, StartUp};
 use crate::scene::Scene;
@@ -27,7 +27,8 @@ pub(super) fn settle<'a>(
     rays: Rays,
     launch: &mut StartUp,
 ) -> Result<Settled<'a>, Error> {
-    for remark in scene.mesh_remarks() {
+    let halved = halved_pictures(&scene, gpu.limits.max_texture_dimension_2d);
+    for remark in scene.mesh_remarks().into_iter().chain(halved) {
         tell!("note: {remark}");
     }
     if scene.rays.auto.is_none() {

@@ -11,24 +11,61 @@ use wgpu::{
 };
 
 use super::{Gpu, GpuError};
-use crate::scene::Picture;
+use crate::scene::{Picture, Scene};
 
 /// Pixels that are converted and written at once.
 const BAND: u32 = 1 << 20;
 /// Those of one task of a core.
 const SHARE: usize = 1 << 14;
 
-/// In 16 bits where its values fit; if it is to be averaged, with smaller and smaller copies below it, as `surface/image_filtered` finds
-/// them.
+/// The size at which a device whose textures have sides of up to `most` pixels holds a picture: halved until it fits, with its smaller
+/// copies if it is averaged.
+fn held_size(mut size: [u32; 2], averaged: bool, most: u32) -> [u32; 2] {
+    let fits = |[width, height]: [u32; 2]| {
+        let below = if averaged { height / 2 } else { 0 };
+        width <= most && height.saturating_add(below) <= most
+    };
+    while !fits(size) && size != [1, 1] {
+        size = halved(size);
+    }
+    size
+}
+
+fn halved(size: [u32; 2]) -> [u32; 2] {
+    size.map(|side| (side / 2).max(1))
+}
+
+/// Which pictures of a scene are larger than a device's textures, whose sides have up to `most` pixels, and at which size they are used
+/// instead, in words for a user.
+#[must_use]
+pub fn halved_pictures(scene: &Scene, most: u32) -> Vec<String> {
+    let words = |picture: &Picture| {
+        let ([width, height], [less_wide, less_high]) =
+            (picture.size, held_size(picture.size, scene.has_footprints(), most));
+        (picture.size != [less_wide, less_high]).then(|| {
+            format!(
+                "`{}` has {width}×{height} pixels, and the device's textures at most {most} along a side: it is used at \
+                 {less_wide}×{less_high}",
+                picture.name
+            )
+        })
+    };
+    scene.pictures.iter().filter_map(words).collect()
+}
+
+/// In 16 bits where its values fit, and halved until the device can hold it; if it is to be averaged, with smaller and smaller copies
+/// below it, as `surface/image_filtered` finds them.
 pub(super) fn upload_picture(gpu: &Gpu, picture: &Picture, averaged: bool) -> Result<Texture, GpuError> {
-    let [width, height] = picture.size;
-    let height = if averaged { height + height / 2 } else { height };
-    gpu.check(
-        "max_texture_dimension_2d",
-        &format!("pixels along one side of a picture (`{}`)", picture.name),
-        u64::from(gpu.limits.max_texture_dimension_2d),
-        u64::from(width.max(height)),
-    )?;
+    let most = gpu.limits.max_texture_dimension_2d;
+    let size = held_size(picture.size, averaged, most);
+    let mut level = Level { size: picture.size, pixels: Cow::Borrowed(&picture.pixels[..]) };
+    while level.size != size {
+        level = level.halved();
+    }
+    let [width, picture_height] = size;
+    let height = if averaged { picture_height + picture_height / 2 } else { picture_height };
+    let what = format!("pixels along one side of a picture (`{}`)", picture.name);
+    gpu.check("max_texture_dimension_2d", &what, u64::from(most), u64::from(width.max(height)))?;
     let halves = picture.pixels.iter().flatten().all(|v| *v <= f16::MAX.to_f32());
     let format = if halves { TextureFormat::Rgba16Float } else { TextureFormat::Rgba32Float };
     let texture = gpu.device.create_texture(&TextureDescriptor {
@@ -41,12 +78,11 @@ pub(super) fn upload_picture(gpu: &Gpu, picture: &Picture, averaged: bool) -> Re
         usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    let mut level = Level { size: picture.size, pixels: Cow::Borrowed(&picture.pixels[..]) };
     write(gpu, &texture, [0, 0], &level, halves);
-    let copies = if averaged { picture.size[0].min(picture.size[1]).ilog2() } else { 0 };
+    let copies = if averaged { width.min(picture_height).ilog2() } else { 0 };
     for copy in 0..copies {
         level = level.halved();
-        write(gpu, &texture, [width - (width >> copy), picture.size[1]], &level, halves);
+        write(gpu, &texture, [width - (width >> copy), picture_height], &level, halves);
     }
     Ok(texture)
 }
@@ -78,7 +114,7 @@ impl Level<'_> {
     /// Half as wide and as high, rounded down. Each of its pixels is the mean of what it covers, so that the whole has the same mean.
     fn halved(&self) -> Level<'static> {
         let [width, height] = self.size;
-        let size = self.size.map(|side| (side / 2).max(1));
+        let size = halved(self.size);
         let row = |y: u32| -> Vec<[f32; 3]> {
             let pixel = |x: u32| {
                 let mut sum = [0.0; 3];
@@ -129,6 +165,17 @@ fn texels(pixels: &[[f32; 3]], halves: bool) -> Vec<u8> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn pictures_are_halved_until_they_fit() {
+        assert_eq!(held_size([16384, 8192], false, 16384), [16384, 8192]);
+        assert_eq!(held_size([16385, 8193], false, 16384), [8192, 4096]);
+        assert_eq!(held_size([70_000, 35_000], false, 16384), [8750, 4375]);
+        // Half as high again with its smaller copies.
+        assert_eq!(held_size([10_000, 12_000], true, 16384), [5000, 6000]);
+        assert_eq!(held_size([40, 10_922], true, 16384), [40, 10_922]);
+        assert_eq!(held_size([1, 100_000], false, 16384), [1, 12_500]);
+    }
 
     proptest! {
         /// However odd its sides are, each copy has the mean of the picture, and a picture of one colour stays it.

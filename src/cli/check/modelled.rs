@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::cli::format::{Found, shown};
 use crate::cli::render::followed;
-use crate::gpu::{Built, Geometry, Grid, LightVolume, Memory, light_bytes};
+use crate::gpu::{Built, Geometry, Grid, LightVolume, Memory, adapters, halved_pictures, light_bytes};
 use crate::model::medium::VISIBLE;
 use crate::program::Program;
 use crate::scene::{Beam, Scene, Shadows};
@@ -35,7 +35,7 @@ impl Found for Modelled<'_> {
         add(self.adaptive_words().into_iter().collect());
         add(structure_words(&self.geometry).into_iter().collect());
         add(self.pass_words());
-        add(self.remark().into_iter().chain(scene.mesh_remarks()).collect());
+        add(self.remark().into_iter().chain(scene.mesh_remarks()).chain(self.halved_pictures()).collect());
         add(scene.warnings().iter().map(|words| format!("warning: {words}")).collect());
         let swallowed = |light| format!("light {light} (from 0) is inside of what captures rays, and lights nothing");
         add(scene.swallowed_lights().into_iter().map(swallowed).collect());
@@ -69,7 +69,7 @@ impl Found for Modelled<'_> {
             "frames_checked": self.frames_checked,
             "moments": scene.moments(0).len(),
             "animated": scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys),
-            "remarks": self.remark().into_iter().chain(scene.mesh_remarks()).chain(random_words(scene)).collect::<Vec<_>>(),
+            "remarks": self.remark().into_iter().chain(scene.mesh_remarks()).chain(self.halved_pictures()).chain(random_words(scene)).collect::<Vec<_>>(),
             "warnings": scene.warnings(),
         })
     }
@@ -110,6 +110,14 @@ impl Modelled<'_> {
     fn remark(&self) -> Option<String> {
         let bound = &self.scene.rays.bound;
         self.scene.law.remark(bound.center, bound.radius)
+    }
+
+    /// Pictures that are too large for the device that would be chosen, if there is one.
+    fn halved_pictures(&self) -> Vec<String> {
+        if self.scene.pictures.is_empty() {
+            return Vec::new();
+        }
+        adapters().first().map(|device| halved_pictures(&self.scene, device.texture_side)).unwrap_or_default()
     }
 
     fn light_grids(&self) -> impl Iterator<Item = GridOfLight> {
