@@ -105,7 +105,7 @@ impl<'a> Place<'a> {
         for (i, truth) in self.truth.0.iter().enumerate() {
             let keeps = settings[0].kind.keeps_errors;
             let ends = [&runs[0][i], &runs[1][i], &runs[2][i]];
-            *self.verdict(&mut found, ends, truth.as_ref(), keeps) += 1;
+            *self.verdict(&mut found, ends, truth.whole(), keeps) += 1;
         }
         Ok(found)
     }

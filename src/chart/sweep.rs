@@ -203,7 +203,7 @@ fn timed(renderer: &Renderer, repeats: usize) -> Result<Measured, RenderError> {
 /// From what the true end keeps, which is what the start did.
 fn drifts(scene: &Scene, rays: &[Traced], truth: &Truth) -> Vec<(&'static str, f64)> {
     let pairs = rays.iter().zip(&truth.0).filter_map(|(ray, truth)| {
-        let truth = truth.as_ref().filter(|truth| truth.status == ray.status)?;
+        let truth = truth.whole().filter(|truth| truth.status == ray.status)?;
         Some(([truth.x.into(), truth.v.into()], ray))
     });
     drift(&*scene.law, pairs).into_iter().map(|(name, quantiles)| (name, quantiles.p95)).collect()

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::render::{Status, Traced};
 
-use super::Truth;
+use super::{Known, Truth};
 
 /// Median, 99th percentile and maximum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,9 +51,9 @@ impl Quantiles {
 /// Errors of a run, over the rays whose truth is known.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deviations {
-    /// Rays that were compared.
+    /// Rays that were compared: whose right end is certain.
     pub rays: usize,
-    /// Rays whose truth is not known.
+    /// Rays of which not all of the end is known.
     pub unresolved: usize,
     /// Rays that ended otherwise, or on another object.
     pub wrong: usize,
@@ -75,13 +75,16 @@ impl Deviations {
     #[must_use]
     pub fn new(rays: &[Traced], truth: &Truth) -> Self {
         let there = |(_, truth): &(&Traced, &Traced)| truth.status != Status::Outside;
-        let known: Vec<(&Traced, &Traced)> =
-            rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, truth.as_ref()?))).filter(there).collect();
+        let of = |known: fn(&Known) -> Option<&Traced>| -> Vec<(&Traced, &Traced)> {
+            rays.iter().zip(&truth.0).filter_map(|(ray, truth)| Some((ray, known(truth)?))).filter(there).collect()
+        };
+        // A wrong end counts wherever the right one is certain, an error of direction or place only where those are known too.
+        let (known, whole) = (of(Known::end), of(Known::whole));
         let right = |(ray, truth): &(&Traced, &Traced)| (ray.status, ray.object) == (truth.status, truth.object);
         let lost =
             |ray: &Traced| matches!(ray.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed);
         let seen_ends: Vec<_> =
-            known.iter().copied().filter(right).filter(|(_, truth)| truth.status != Status::Captured).collect();
+            whole.iter().copied().filter(right).filter(|(_, truth)| truth.status != Status::Captured).collect();
         let over = |error: &dyn Fn(&Traced, &Traced) -> f64| {
             Quantiles::of(seen_ends.iter().map(|(ray, truth)| error(ray, truth)).collect())
         };
@@ -90,12 +93,17 @@ impl Deviations {
             rays: known.len(),
             unresolved: truth.unresolved(),
             wrong: wrong.clone().count(),
-            flagged: wrong.filter(|(ray, _)| lost(ray)).count(),
+            flagged: wrong.clone().filter(|(ray, _)| lost(ray)).count(),
             angle: over(&Traced::angle_to),
             position: over(&Traced::distance_to),
             depth: over(&|ray, truth| (ray.tau - truth.tau).abs()),
             seen: Quantiles::of(
-                known.iter().map(|pair| if right(pair) { seen(pair.0, pair.1) } else { f64::INFINITY }).collect(),
+                whole
+                    .iter()
+                    .filter(|pair| right(pair))
+                    .map(|(ray, truth)| seen(ray, truth))
+                    .chain(wrong.map(|_| f64::INFINITY))
+                    .collect(),
             ),
         }
     }
@@ -134,11 +142,11 @@ mod tests {
     #[test]
     fn fates_are_counted_apart_from_errors() {
         let truth = Truth(vec![
-            Some(ray(Status::Escaped, [0.0, 0.0, 1.0])),
-            Some(ray(Status::Escaped, [0.0, 0.0, 1.0])),
-            Some(ray(Status::Captured, [0.0, 0.0, 1.0])),
-            Some(ray(Status::Escaped, [0.0, 0.0, 1.0])),
-            None,
+            Known::Whole(ray(Status::Escaped, [0.0, 0.0, 1.0])),
+            Known::Whole(ray(Status::Escaped, [0.0, 0.0, 1.0])),
+            Known::Whole(ray(Status::Captured, [0.0, 0.0, 1.0])),
+            Known::Whole(ray(Status::Escaped, [0.0, 0.0, 1.0])),
+            Known::Nothing,
         ]);
         let rays = [
             ray(Status::Escaped, [1e-9, 0.0, 2.0]),
@@ -152,5 +160,19 @@ mod tests {
         // Half of 1e-9, as v is 2 long: small angles keep their digits.
         assert!((found.angle.max - 5e-10).abs() < 1e-20, "{:e}", found.angle.max);
         assert_eq!(found.seen.max, f64::INFINITY);
+    }
+    /// Of rays whose direction is lost a wrong end counts, and nothing else does.
+    #[test]
+    fn a_certain_end_counts() {
+        let escaped = ray(Status::Escaped, [0.0, 0.0, 1.0]);
+        let truth = Truth(vec![Known::Whole(escaped), Known::End(escaped), Known::End(escaped)]);
+        let found = |last| {
+            let rays = [escaped, ray(Status::Escaped, [0.3, 0.0, 1.0]), ray(last, [0.0, 0.0, 1.0])];
+            Deviations::new(&rays, &truth)
+        };
+        let right = found(Status::Escaped);
+        assert_eq!((right.rays, right.wrong, right.unresolved, right.seen.max), (3, 0, 2, 0.0));
+        let wrong = found(Status::Captured);
+        assert_eq!((wrong.rays, wrong.wrong, wrong.seen.max), (3, 1, f64::INFINITY));
     }
 }

@@ -33,6 +33,6 @@ pub use focus::{Focus, focus};
 pub use methods::{Candidate, all_methods, cost, evaluations, fast_methods, usual_method};
 pub use sample::{every_pixel, scattered};
 pub use trials::Trial;
-pub use truth::{Truth, double_device, reference};
+pub use truth::{Known, Truth, double_device, reference};
 pub use verify::{Verification, verify};
 pub use winding::windings;

@@ -76,8 +76,8 @@ impl<'a> Trials<'a> {
 
     /// May 64 bits reach what 32 do not? Not where the ends of more rays are unknown than may be wrong.
     pub fn more_bits_help(&self) -> bool {
-        let known = self.truth.0.len() - self.truth.unresolved();
-        self.gpu.f64 && self.scene.rays.precision == Precision::Single && 100 * known >= 99 * self.truth.0.len()
+        let known = self.truth.len() - self.truth.unresolved();
+        self.gpu.f64 && self.scene.rays.precision == Precision::Single && 100 * known >= 99 * self.truth.len()
     }
 
     /// The cheaper of the method that was best and the usual one, in 64 bits; none where neither is better than `best`.

@@ -50,9 +50,38 @@ pub fn double_device(gpu: &Gpu) -> Result<Option<Gpu>, GpuError> {
     Gpu::open(Some(&able.ok_or_else(refused)?.info.name)).map(Some)
 }
 
-/// The true ends of some rays; none where two runs disagree.
+/// Directions, in radians, by which two runs may differ and their ray's end still be certain: of rays close to a critical one the
+/// direction is lost long before the end is.
+const CERTAIN: f64 = 0.5;
+
+/// What is known of a ray's true end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Known {
+    /// All of it.
+    Whole(Traced),
+    /// How it ends and on what, but not in which direction or at which place.
+    End(Traced),
+    /// Nothing: two runs disagree.
+    Nothing,
+}
+
+impl Known {
+    /// The end, if all of it is known.
+    #[must_use]
+    pub fn whole(&self) -> Option<&Traced> {
+        if let Self::Whole(ray) = self { Some(ray) } else { None }
+    }
+
+    /// The end, if it is known how the ray ends and on what.
+    #[must_use]
+    pub fn end(&self) -> Option<&Traced> {
+        if let Self::Whole(ray) | Self::End(ray) = self { Some(ray) } else { None }
+    }
+}
+
+/// The true ends of some rays.
 #[derive(Debug, Clone)]
-pub struct Truth(pub Vec<Option<Traced>>);
+pub struct Truth(pub Vec<Known>);
 
 impl Truth {
     /// Of some rays of the scene: the camera's, or given ones.
@@ -70,13 +99,13 @@ impl Truth {
         let fine = renderer.follow(starts)?.0;
         let control = scene.rays.control;
         let Some(tolerance) = control.tolerance() else {
-            return Ok(Self(fine.into_iter().map(Some).collect()));
+            return Ok(Self(fine.into_iter().map(Known::Whole).collect()));
         };
         renderer.retune(embedded::with(10.0 * tolerance, control.cap), scene.rays.max_segments)?;
         let loose = renderer.follow(starts)?.0;
         let radius = scene.rays.bound.radius;
-        let agreed = |(fine, loose): (Traced, Traced)| agree(&fine, &loose, radius).then_some(fine);
-        Ok(Self(fine.into_iter().zip(loose).map(agreed).collect()))
+        let known = |(fine, loose): (Traced, Traced)| known(fine, &loose, radius);
+        Ok(Self(fine.into_iter().zip(loose).map(known).collect()))
     }
 
     /// How many rays there are.
@@ -91,22 +120,31 @@ impl Truth {
         self.0.is_empty()
     }
 
-    /// Is it known of any ray?
+    /// Is the whole end known of any ray?
     #[must_use]
     pub fn is_known(&self) -> bool {
-        self.0.iter().any(Option::is_some)
+        self.0.iter().any(|ray| ray.whole().is_some())
     }
 
-    /// Rays whose truth is not known.
+    /// Rays whose whole end is not known.
     #[must_use]
     pub fn unresolved(&self) -> usize {
-        self.0.iter().filter(|ray| ray.is_none()).count()
+        self.0.iter().filter(|ray| ray.whole().is_none()).count()
     }
 }
 
-fn agree(a: &Traced, b: &Traced, radius: f64) -> bool {
-    let followed = !matches!(a.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed);
-    followed
-        && (a.status, a.object) == (b.status, b.object)
-        && (a.status == Status::Captured || (a.angle_to(b) < AGREES && a.distance_to(b) < AGREES * radius))
+/// What two runs tell of a ray, of which `fine` is the more exact one.
+fn known(fine: Traced, loose: &Traced, radius: f64) -> Known {
+    let followed = !matches!(fine.status, Status::Alive | Status::Exhausted | Status::Stalled | Status::Failed);
+    if !followed || (fine.status, fine.object) != (loose.status, loose.object) {
+        return Known::Nothing;
+    }
+    let angle = fine.angle_to(loose);
+    if fine.status == Status::Captured || (angle < AGREES && fine.distance_to(loose) < AGREES * radius) {
+        Known::Whole(fine)
+    } else if angle < CERTAIN {
+        Known::End(fine)
+    } else {
+        Known::Nothing
+    }
 }
