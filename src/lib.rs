@@ -14,7 +14,7 @@
 //!
 //! *Practice.* Modules import one way, each from those before it:
 //!
-//! 1. [`document`]: TOML as written, every value with its place;
+//! 1. [`progress`]: how far long work has come; [`document`]: TOML as written, every value with its place;
 //! 2. [`assets`]: meshes, pictures, profiles, grids and formulas;
 //! 3. [`model`]: everything known of each kind of law, medium, material, shape, camera, fall-off, method and control;
 //! 4. [`scene`]: a scene as plain values, from a file or made in code;
@@ -53,5 +53,6 @@ pub mod measure;
 pub mod model;
 pub mod output;
 pub mod program;
+pub mod progress;
 pub mod render;
 pub mod scene;

@@ -13,6 +13,7 @@ use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
 use crate::document::{SceneError, read_text};
+use crate::progress::{Progress, Stage};
 
 /// A mesh, and the map from its space to where it stands in its file.
 type PlacedMesh = (Arc<Mesh>, DAffine3);
@@ -28,6 +29,8 @@ struct Meshes {
 /// failed is a none, so that it is reported once.
 #[derive(Debug, Default)]
 pub struct Files {
+    /// Where reading a file is reported.
+    progress: Progress,
     /// Bytes of memory that meshes, pictures and grids may take; none where nothing bounds them.
     limit: Option<u64>,
     /// The scene's own, in the order that indices count.
@@ -82,6 +85,18 @@ impl Files {
         Self { limit: Some(limit), ..Self::default() }
     }
 
+    /// Reports the files that are read to `progress`.
+    #[must_use]
+    pub fn reporting(self, progress: Progress) -> Self {
+        Self { progress, ..self }
+    }
+
+    /// Opens the stage of reading a file, whose units are its bytes.
+    fn reading(&self, path: &Path) -> Stage {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        self.progress.measured(format!("reading {name}"), length(path) as f64)
+    }
+
     fn room(&self) -> Room {
         let pictures = self.picture_of.values().flatten().map(Picture::bytes);
         let meshes = self.meshes_of.values().flat_map(|file| file.read.values()).map(|mesh| mesh.bytes());
@@ -125,9 +140,9 @@ impl Files {
         if let Some(known) = self.pictures.iter().position(|(of, _)| *of == identity) {
             return Some(known);
         }
-        let room = self.room();
+        let (room, stage) = (self.room(), self.reading(&path));
         let load = || {
-            let load = || Picture::load(&path);
+            let load = || Picture::read(&path, &stage);
             accept(reader, node, room.load(&path, Picture::bytes_of(&path), load, Picture::bytes))
         };
         let picture = self.picture_of.entry(identity.clone()).or_insert_with(load).clone()?;
@@ -171,7 +186,10 @@ impl Files {
     fn open_meshes(&mut self, path: &Path, identity: &Path) -> Result<&Opened, SceneError> {
         let opened = match self.opened.take().filter(|(before, _)| before == identity) {
             Some((_, opened)) => opened,
-            None => self.room().load(path, length(path), || Opened::read(path), |_| 0)?,
+            None => {
+                let stage = self.reading(path);
+                self.room().load(path, length(path), || Opened::read(path, &stage), |_| 0)?
+            }
         };
         self.others.extend(opened.others());
         Ok(&self.opened.insert((identity.to_owned(), opened)).1)
@@ -190,7 +208,10 @@ impl Files {
             return Ok(Arc::clone(mesh));
         }
         let room = self.room();
+        let progress = self.progress.clone();
         let opened = self.open_meshes(path, identity)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let _stage = progress.stage(format!("building the mesh of {name}"));
         let mesh = Arc::new(room.load(path, 0, || opened.mesh(&key.0, crease), Mesh::bytes)?);
         self.meshes_of.entry(identity.to_owned()).or_default().read.insert(key, Arc::clone(&mesh));
         Ok(mesh)
@@ -211,6 +232,7 @@ impl Files {
         }
         // One that was used otherwise is not kept beside it.
         self.grid_of.remove(&identity);
+        let _stage = self.reading(&path);
         let load = || IndexGrid::load(&path, used);
         let grid = Arc::new(accept(reader, node, self.room().load(&path, length(&path), load, IndexGrid::bytes))?);
         self.grid_of.insert(identity, (*used, Arc::clone(&grid)));

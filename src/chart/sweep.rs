@@ -103,8 +103,13 @@ impl Sweep<'_> {
         let reference = self.reference_picture(&scene)?;
         let mut curves = Vec::new();
         let mut fastest = f64::INFINITY;
-        for candidate in all_methods(&scene).into_iter().filter(wanted) {
+        let candidates: Vec<Candidate> = all_methods(&scene).into_iter().filter(wanted).collect();
+        let stage = self.gpu.progress.counted("method", candidates.len());
+        for (i, candidate) in candidates.into_iter().enumerate() {
             progress(candidate.name);
+            stage.reach(i as f64);
+            // A method is no known number of renders.
+            let _renders = self.gpu.progress.stage(candidate.name);
             let points = self.method(&scene, &candidate, starts, &truth, &reference, &mut fastest)?;
             curves.push(MethodCurve { name: candidate.name, points });
         }

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::paths;
+use super::{paths, screen};
 use crate::error::Error;
 use crate::output::assemble;
 
@@ -23,6 +23,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let parts: Vec<_> = arguments.parts.iter().map(|part| (part.clone(), "one of the parts")).collect();
     paths::check(arguments.output.iter().map(PathBuf::as_path), &parts)?;
+    let _stage = screen::progress().stage("assembling the parts");
     assemble(&arguments.parts, &arguments.output)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use super::format::{Format, Found};
 use super::options::parse_size;
+use super::screen;
 use crate::bench::{
     Bench, Report, compaction, groller, lights, limit, paper, paths, sampling, scaling, schedules, start,
 };
@@ -87,7 +88,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         let unwritable = |cause| OutputError::Write { path: folder.clone(), cause };
         std::fs::create_dir_all(folder).map_err(unwritable)?;
     }
-    let gpu = Gpu::open(arguments.device.as_deref())?;
+    let gpu = Gpu::open(arguments.device.as_deref())?.reporting(screen::progress());
     let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
     let usual = |name: Name| match name {
         Name::Sampling => [200, 150],
@@ -96,7 +97,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     };
     let size = |name: Name| arguments.size.unwrap_or_else(|| usual(name));
     let mut sections = Vec::new();
-    for name in wanted(arguments.name) {
+    let names = wanted(arguments.name);
+    let stage = screen::progress().counted("measurement", names.len());
+    for (i, name) in names.into_iter().enumerate() {
+        stage.reach(i as f64);
+        // A measurement is no known number of renders.
+        let _renders = screen::progress().stage("");
         let bench = Bench { gpu: &gpu, repeats: arguments.repeats as usize, size: size(name) };
         let measured = Measured { device: &device, bench, report: measure(&bench, name, &given)? };
         arguments.format.say(&measured)?;

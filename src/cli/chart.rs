@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::options::{SceneOptions, choice, schedules};
+use super::screen;
 use crate::chart::{Outcome, Place, SceneChart, Sweep, default_settings, fastest_table, write_chart};
 use crate::document::values::suggest;
 use crate::error::Error;
@@ -100,7 +101,7 @@ fn make_folder(arguments: &Arguments) -> Result<(), OutputError> {
 }
 
 fn open(arguments: &Arguments) -> Result<(Gpu, String), Error> {
-    let gpu = Gpu::open(arguments.device.as_deref())?;
+    let gpu = Gpu::open(arguments.device.as_deref())?.reporting(screen::progress());
     let device = format!("{} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.driver_info);
     tell!("device: {device}");
     Ok((gpu, device))

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use super::paths;
+use super::{paths, screen};
 use crate::error::Error;
 use crate::output::{film, lost_alpha};
 
@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let frames: Vec<_> = arguments.frames.iter().map(|path| (path.clone(), "one of the frames")).collect();
     paths::check(arguments.output.iter().map(PathBuf::as_path), &frames)?;
     for path in &arguments.output {
-        film(path, &arguments.frames, arguments.rate)?;
+        film(path, &arguments.frames, arguments.rate, &screen::progress())?;
         if let Some(words) = lost_alpha(path, &arguments.frames) {
             tell!("warning: {} has no alpha: {words} (an animated .png keeps it)", path.display());
         }

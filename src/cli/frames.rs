@@ -7,6 +7,7 @@ use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use super::screen;
 use crate::error::Error;
 use crate::gpu::{Before, Geometry};
 use crate::program::{Choice, Program};
@@ -88,12 +89,13 @@ pub(super) struct Film<'a> {
 
 impl<'a> Film<'a> {
     pub(super) fn new(path: &'a Path, overrides: Vec<Override>) -> Self {
-        Self { path, overrides, files: RefCell::default(), hashes: RefCell::default(), before: RefCell::default() }
+        let files = Files::default().reporting(screen::progress()).into();
+        Self { path, overrides, files, hashes: RefCell::default(), before: RefCell::default() }
     }
 
     /// The same, with files that may take no more memory than this.
     pub(super) fn within(self, memory: u64) -> Self {
-        Self { files: Files::within(memory).into(), ..self }
+        Self { files: Files::within(memory).reporting(screen::progress()).into(), ..self }
     }
 
     /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.

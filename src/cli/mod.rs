@@ -1,6 +1,6 @@
 //! The command line: one file a subcommand.
 //!
-//! Results go to stdout or the named files, messages to stderr, a progress bar only to a terminal. Exit codes: 0 done, 1 failed,
+//! Results go to stdout or the named files, messages and progress to stderr. Exit codes: 0 done, 1 failed,
 //! 2 usage. What scripts would read of a result is a `Found` of `format`, in words or as JSON.
 
 /// A line of results to standard output, in functions that return this crate's error.
@@ -39,6 +39,7 @@ mod options;
 mod origin;
 mod paths;
 mod render;
+mod screen;
 mod settle;
 mod share;
 mod shell;
@@ -49,7 +50,7 @@ mod words;
 mod written;
 
 use std::fmt::Arguments;
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind};
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -95,6 +96,7 @@ pub fn run() -> Result<ExitCode, Error> {
         Err(error) => return Ok(refuse(&error)),
     };
     interrupt::listen();
+    let _drawing = screen::Drawing::begin();
     match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Assemble(arguments) => assemble::run(&arguments),
@@ -135,11 +137,11 @@ pub fn tell_error(error: &Error) {
 
 fn tell_line(line: Arguments) {
     // Whoever lost the messages is not told of it: there is no place to.
-    let _ = writeln!(io::stderr().lock(), "{line}");
+    let _ = screen::print_above(&mut io::stderr(), line);
 }
 
 fn say_line(line: Arguments) -> Result<(), Error> {
-    writeln!(io::stdout().lock(), "{line}").map_err(|error| match error.kind() {
+    screen::print_above(&mut io::stdout(), line).map_err(|error| match error.kind() {
         ErrorKind::BrokenPipe => Error::Closed,
         _ => Error::Stdout(error),
     })

@@ -8,6 +8,7 @@ use std::time::Duration;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
+use super::screen;
 use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
 use crate::output::origin::{COMPARED, FOLLOWED};
@@ -205,12 +206,14 @@ pub(super) struct Opening(Option<JoinHandle<Result<Gpu, GpuError>>>);
 impl Opening {
     /// Waits for the device, and says which it is.
     pub(super) fn finish(mut self) -> Result<Gpu, GpuError> {
+        let stage = screen::progress().stage("opening the device");
         let opened = self.0.take().map(JoinHandle::join);
         let lost = || Err(GpuError::Lost("it could not be opened".to_owned()));
         // A thread that panicked has met a fault of this code: it goes on here.
         let gpu = opened.map_or_else(lost, |opened| opened.unwrap_or_else(|e| panic::resume_unwind(e)))?;
+        drop(stage);
         tell!("device: {} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.backend);
-        Ok(gpu)
+        Ok(gpu.reporting(screen::progress()))
     }
 }
 

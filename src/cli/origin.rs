@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use siphasher::sip128::{Hasher128, SipHasher24};
 
 use super::frames::{Film, with_frame};
+use super::screen;
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::method_words;
@@ -66,6 +67,7 @@ impl Film<'_> {
         if let Some(known) = self.hashes.borrow().get(&path) {
             return Ok(known.clone());
         }
+        let _stage = screen::progress().stage(format!("hashing {}", path.display()));
         let bytes = fs::read(&path).map_err(|source| SceneError::Read { path: path.clone(), source })?;
         let hash = hash(&bytes);
         self.hashes.borrow_mut().insert(path, hash.clone());

@@ -8,6 +8,7 @@ use wgpu::{
 use super::GpuError;
 use super::compiled::Compiled;
 use crate::program::constant;
+use crate::progress::Progress;
 
 /// The number of `shaders/state/active.wgsl` that a device has its own of.
 pub(super) const GROUP_WIDTH: &str = "GROUP_WIDTH";
@@ -36,6 +37,8 @@ pub struct Gpu {
     pub lane_pixels: u32,
     /// Invocations that share a limit of loop iterations; 0 where there is none.
     pub lanes: u32,
+    /// Where work on it reports how far it has come; unless [`Gpu::reporting`] says otherwise, to nobody.
+    pub progress: Progress,
     pub(super) compiled: Compiled,
 }
 
@@ -145,8 +148,14 @@ impl Gpu {
         let f64 = features.contains(Features::SHADER_F64);
         let (group, lane_pixels) = (group_extent(info.device_type), lane_pixels(info.device_type));
         let lanes = if info.device_type == DeviceType::Cpu { info.subgroup_max_size } else { 0 };
-        let compiled = Compiled::default();
-        Ok(Self { device, queue, info, limits, timestamps, f64, group, lane_pixels, lanes, compiled })
+        let (progress, compiled) = (Progress::default(), Compiled::default());
+        Ok(Self { device, queue, info, limits, timestamps, f64, group, lane_pixels, lanes, progress, compiled })
+    }
+
+    /// Returns the device with all work on it reported to `progress`.
+    #[must_use]
+    pub fn reporting(self, progress: Progress) -> Self {
+        Self { progress, ..self }
     }
 
     /// An error if `needed` is more than the device allows.

@@ -29,8 +29,11 @@ impl Pipelines {
     /// Compiles the program for the device, and for pictures of this width; refuses what exceeds the device's limits.
     pub fn new(gpu: &Gpu, program: &Program, width: u32) -> Result<Self, GpuError> {
         let group = narrowed(gpu.group, width);
+        let stage = gpu.progress.counted("compiling pass", program.passes.len());
         let made = |(pass, linked, reflection): &(Pass, Linked, Reflection)| {
-            Ok((*pass, Pipeline::new(gpu, linked, reflection, group[0])?))
+            let pipeline = Pipeline::new(gpu, linked, reflection, group[0])?;
+            stage.advance(1.0);
+            Ok((*pass, pipeline))
         };
         Ok(Self { passes: program.passes.iter().map(made).collect::<Result<_, GpuError>>()?, group })
     }

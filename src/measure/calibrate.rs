@@ -23,6 +23,11 @@ use crate::scene::{Method, Precision, Scene};
 /// A picture is worth a search if it costs more than this: half a minute or more on two CPU cores, where a search takes three seconds.
 const WORTH_A_SEARCH: f64 = 4e10;
 
+/// The stage that is reported meanwhile.
+const SEARCH: &str = "searching for a method";
+/// What the true ends of the rays take, in methods that are tried.
+const TRUTH: f64 = 2.0;
+
 /// What a calibration found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Calibration {
@@ -128,12 +133,14 @@ impl<'a, 's> Preparation<'a, 's> {
     /// nothing is, the best of all. What comes back besides is a renderer of the same program, for a scene with this method.
     pub fn choose(self, rays: u64) -> Result<(Option<Calibration>, Option<Renderer<'a>>), RenderError> {
         let Self { gpu, scene, settings, accuracy, trying } = self;
+        let stage = gpu.progress.stage(SEARCH);
         if let Some(mut trying) = trying
             && let Some(found) = trying.search(MARGIN * accuracy, rays)?
             && found.cost * rays as f64 <= WORTH_A_SEARCH
         {
             return Ok((Some(trusted(scene, settings, accuracy, &trying, found)), Some(trying.renderer)));
         }
+        drop(stage);
         Ok((calibrate(gpu, scene, settings, None)?, None))
     }
 }
@@ -176,14 +183,18 @@ pub fn calibrate(
     given: Option<&[[f64; 6]]>,
 ) -> Result<Option<Calibration>, RenderError> {
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
+    let methods = fast_methods(scene);
+    let stage = gpu.progress.measured(SEARCH, TRUTH + methods.len() as f64);
     let rays = Trials::new(gpu, scene, settings, given, accuracy)?;
+    stage.advance(TRUTH);
     let right = |trial: &&Trial| trial.error <= MARGIN * accuracy;
     let mut trials: Vec<Trial> = Vec::new();
     // Where no end is known there is nothing to try methods on.
-    let candidates = if rays.truth.is_known() { fast_methods(scene) } else { Vec::new() };
+    let candidates = if rays.truth.is_known() { methods } else { Vec::new() };
     for candidate in candidates {
         let most = trials.iter().filter(right).map(|trial| LOST * trial.cost).fold(TOO_MANY, f64::min);
         trials.push(rays.first_right(&candidate, scene.rays.precision, most)?);
+        stage.advance(1.0);
     }
     let cheapest = trials.iter().filter(right).min_by(|a, b| a.cost.total_cmp(&b.cost));
     let best = || trials.iter().min_by(|a, b| a.error.total_cmp(&b.error));

@@ -47,7 +47,8 @@ pub fn double_device(gpu: &Gpu) -> Result<Option<Gpu>, GpuError> {
     }
     let able = adapters().into_iter().find(|adapter| adapter.f64);
     let refused = || GpuError::NoDouble { device: gpu.info.name.clone(), there: Vec::new() };
-    Gpu::open(Some(&able.ok_or_else(refused)?.info.name)).map(Some)
+    let other = Gpu::open(Some(&able.ok_or_else(refused)?.info.name))?;
+    Ok(Some(other.reporting(gpu.progress.clone())))
 }
 
 /// Directions, in radians, by which two runs may differ and their ray's end still be certain: of rays close to a critical one the

@@ -23,6 +23,7 @@ const LOOSEST: f64 = 1e-10;
 
 /// Follows the rays of `count` random pixels (of their first sample) as the picture does, and again in 64 bits.
 pub fn verify(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, count: usize) -> Result<Verification, RenderError> {
+    let _stage = gpu.progress.stage("verifying");
     let pixels = scattered(scene.image.size, count, VERIFIED);
     let (rays, _) = trace_pixels(gpu, scene, settings, &pixels)?;
     let own = scene.rays.control.tolerance().unwrap_or(LOOSEST);

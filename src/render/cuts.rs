@@ -55,10 +55,11 @@ impl Renderer<'_> {
         let [width, height] = self.scene.image.size;
         let strips = height.min(STRIPS);
         let mut costs = Vec::new();
+        let _stage = self.gpu.progress.measured("dividing the image into parts of equal cost", f64::from(strips));
         for i in 0..strips {
             let [first, next] = [i, i + 1].map(|i| i * height / strips);
             self.set_window(Some(Window { origin: [0, first], size: [width, next - first] }));
-            let totals = self.render(&mut |_| Ok(()), &|_| {})?;
+            let totals = self.render(&mut |_| Ok(()))?;
             costs.push((totals.steps + RAY * totals.rays) / u64::from(next - first));
         }
         Ok(costs)

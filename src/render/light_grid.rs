@@ -7,6 +7,7 @@
 //! Sums are of whole numbers, so that a grid is the same bit for bit in whatever order its paths run.
 
 use std::borrow::Cow;
+use std::cell::Cell;
 use std::time::Instant;
 
 use glam::Vec4;
@@ -20,6 +21,7 @@ use super::trace::{BATCH, ray_tile};
 use super::{RenderError, RenderSettings, Renderer, Totals};
 use crate::gpu::{Aim, Emission, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
 use crate::program::{Choice, Masks, Purpose, Role, Schedule, constant};
+use crate::progress::Stage;
 use crate::scene::{LightGrid, Scene, Shadows};
 
 /// Paths that tell where others are to go: half as many, and so many at least and at most.
@@ -159,7 +161,13 @@ fn fields(
     // What guides paths is the same whatever memory there is: a picture does not change with it.
     let room = if guides { GUIDE_PARTS } else { (settings.memory - all) / FOR_BRICKS / light_bytes(1) };
     let room = room.min((limit / part).saturating_sub(coarse)) / wanted.len() as u64;
-    wanted.iter().zip(volumes).map(|(light, volume)| maker.make(light, volume, room)).collect()
+    let stage = gpu.progress.counted(if guides { "light guide" } else { "light grid" }, wanted.len());
+    let make = |(i, (light, volume))| {
+        let made = maker.make(light, volume, room);
+        stage.reach((i + 1) as f64);
+        made
+    };
+    wanted.iter().zip(volumes).enumerate().map(make).collect()
 }
 
 /// Arcs of one path, at most, where the camera's paths take leaps.
@@ -177,11 +185,14 @@ impl Maker<'_> {
         let guides = wanted.guides();
         let Wanted { of, emission, grid: LightGrid { refine, paths, .. }, narrows } = *wanted;
         let unit = constant("segment/leave_light", "LIGHT_UNIT");
+        let pilots = (paths / 2).clamp(PILOTS[0], PILOTS[1]);
+        let all = f64::from(paths) * f64::from(if refine > 1 { 1 + FOR_PARTS } else { 1 });
+        let pilots_in_all = f64::from(u32::from(narrows) * pilots) * if refine > 1 { 2.0 } else { 1.0 };
+        let stage = self.renderer.gpu.progress.part("", all + pilots_in_all, 1.0);
         let mut shine = |aim: &Aim, refine: u32, bricks: &[u32], count: usize| {
-            self.shine(&emission, aim, (&volume, refine, bricks), count, (&mut totals, &mut clock))
+            self.shine(&emission, aim, (&volume, refine, bricks), count, (&mut totals, &mut clock, &stage))
         };
         let mut bricks = vec![0; volume.voxels()];
-        let pilots = (paths / 2).clamp(PILOTS[0], PILOTS[1]);
         let mut aim = Aim::everywhere(if narrows { pilots } else { paths });
         if narrows {
             aim = aim.narrowed(shine(&aim, 1, &bricks, volume.voxels())?.reaches.into_iter(), paths);
@@ -229,7 +240,7 @@ impl Maker<'_> {
         aim: &Aim,
         (volume, refine, bricks): (&LightVolume, u32, &[u32]),
         count: usize,
-        (totals, clock): (&mut Totals, &mut Clock),
+        (totals, clock, stage): (&mut Totals, &mut Clock, &Stage),
     ) -> Result<Shone, RenderError> {
         let gpu = self.renderer.gpu;
         let mut shone = Shone { sums: vec![[0.0; 4]; count], reaches: Vec::with_capacity(aim.paths() as usize) };
@@ -246,8 +257,12 @@ impl Maker<'_> {
             tile.add_input(gpu, &Role::VolumeBricks, bytemuck::cast_slice(bricks))?;
             tile.add_storage(gpu, &Role::LightSums, (count * 4 * size_of::<u32>()) as u64)?;
             tile.add_storage(gpu, &Role::LightReaches, tile.size.map(u64::from).iter().product::<u64>() * 4)?;
-            self.renderer.run_sample(&tile, sample, clock, &|_| {})?;
+            let paths = rays.len() as f64;
+            let told = Cell::new(0.0);
+            let progress = |done: f64| stage.advance((done - told.replace(done)) * paths);
+            self.renderer.run_sample(&tile, sample, clock, &progress)?;
             if self.renderer.read_tally(&tile, totals, None)? == Walks::Unfinished {
+                stage.advance(-paths);
                 continue;
             }
             shone.add(read_words(gpu, &tile, &Role::LightSums)?);

@@ -52,6 +52,7 @@ pub fn light_paths(
     let (each, started) = (shots(scene), Instant::now());
     let mut clock = Clock::new(gpu, true);
     let (mut found, mut totals) = (Vec::with_capacity(pairs.len()), Totals::default());
+    let stage = gpu.progress.measured("shooting rays at lights", pairs.len() as f64);
     for batch in pairs.chunks(BATCH / each) {
         // One ray for each path that is looked for.
         let rays: Vec<[f64; 6]> = batch.iter().flat_map(|[x, s]| vec![[x.x, x.y, x.z, s.x, s.y, s.z]; each]).collect();
@@ -67,6 +68,7 @@ pub fn light_paths(
             };
             (row.uint("found") == 1).then_some(path)
         })?;
+        stage.advance(batch.len() as f64);
         found.extend(rows.chunks(each).map(|shots| distinct(shots.iter().flatten())));
     }
     renderer.finish_totals(&mut totals, &clock, started)?;

@@ -9,16 +9,12 @@ use super::sample::Sample;
 use super::watch::{Earlier, Preview, Round, Watch};
 use super::{Adaptive, Clamped, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
+use crate::progress::Stage;
 
 impl Renderer<'_> {
-    /// Renders the picture tile by tile; `rows` is given bands of full rows from top to bottom, `progress` the fraction that
-    /// is done.
-    pub fn render(
-        &self,
-        rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
-        progress: &dyn Fn(f64),
-    ) -> Result<Totals, RenderError> {
-        self.render_watched(rows, &Watch::of(progress))
+    /// Renders the picture tile by tile; `rows` is given bands of full rows from top to bottom.
+    pub fn render(&self, rows: &mut dyn FnMut(Band) -> Result<(), RenderError>) -> Result<Totals, RenderError> {
+        self.render_watched(rows, &Watch::default())
     }
 
     /// As [`render`](Self::render), with samples that there are already, and looked at while it is made.
@@ -32,10 +28,14 @@ impl Renderer<'_> {
         let noise = self.scene.rays.paths.map(|_| Noise::default());
         let clamped = self.scene.output.clamp.map(|_| Clamped::default());
         let mut totals = Totals { adaptive: self.adaptive(), noise, clamped, ..Totals::default() };
-        let own =
-            watch.preview.map(|preview| self.preview(preview, watch, &mut clock, &mut totals)).transpose()?.flatten();
-        let last = Round::new(own.as_ref().or(watch.earlier), self.scene.image.samples, true);
-        self.render_round(rows, &mut clock, &last.told(watch, self.scene.image.samples), &mut totals)?;
+        let (first, samples) = (watch.earlier.map_or(0, |earlier| earlier.samples), self.scene.image.samples);
+        let stage = self.gpu.progress.part("rendering", f64::from(samples.saturating_sub(first)), 1.0);
+        let own = match watch.preview {
+            Some(preview) => self.preview((preview, &stage), watch, &mut clock, &mut totals)?,
+            None => None,
+        };
+        let last = Round::new(own.as_ref().or(watch.earlier), samples, true);
+        self.render_round(rows, &mut clock, &last.told(&stage, first), &mut totals)?;
         self.finish_totals(&mut totals, &clock, started)?;
         Ok(totals)
     }
@@ -44,11 +44,12 @@ impl Renderer<'_> {
     /// what there is then, if there was any look.
     fn preview(
         &self,
-        preview: &dyn Preview,
+        (preview, stage): (&dyn Preview, &Stage),
         watch: &Watch,
         clock: &mut Clock,
         totals: &mut Totals,
     ) -> Result<Option<Earlier>, RenderError> {
+        let first = watch.earlier.map_or(0, |earlier| earlier.samples);
         let mut own: Option<Earlier> = None;
         let mut samples = 1;
         loop {
@@ -60,7 +61,7 @@ impl Renderer<'_> {
             }
             let begun = Instant::now();
             let mut all = Bands::default();
-            let round = Round::new(before, until, false).told(watch, self.scene.image.samples);
+            let round = Round::new(before, until, false).told(stage, first);
             self.render_round(&mut all.sink(), clock, &round, totals)?;
             let band = all.whole.unwrap_or_else(|| self.band(0, 0));
             preview.look(&band, until)?;
@@ -152,7 +153,7 @@ impl Renderer<'_> {
     /// The whole picture at once.
     pub fn picture(&self) -> Result<Rendering, RenderError> {
         let mut all = Bands::default();
-        let totals = self.render(&mut all.sink(), &|_| {})?;
+        let totals = self.render(&mut all.sink())?;
         let band = all.whole.unwrap_or_else(|| self.band(0, 0));
         Ok(Rendering { band, totals })
     }

@@ -84,8 +84,10 @@ impl<'a> Renderer<'a> {
         if let Some(window) = settings.window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
-        let geometry = Geometry::new(&scene);
+        let geometry = placed(gpu, Before::default(), &scene);
+        let stage = gpu.progress.stage("generating the shaders");
         let program = Program::new(&scene, &geometry.analysis, &settings.choice, geometry.extent())?;
+        drop(stage);
         settings.choice = program.choice.clone();
         let [width, _] = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
         let is_picture = settings.choice.purpose == Purpose::Picture;
@@ -93,8 +95,10 @@ impl<'a> Renderer<'a> {
         let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
         let segments = settings.segments_a_pass();
+        let stage = gpu.progress.stage("uploading the scene");
         let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, (None, None))?;
+        drop(stage);
         if let Some(error) = pollster::block_on(scope.pop()) {
             let what = "the scene's objects, pictures and grids".to_owned();
             return Err(GpuError::Full { what, reason: error.to_string() }.into());
@@ -128,7 +132,7 @@ impl<'a> Renderer<'a> {
         if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
             return Err(RenderError::Window { window, picture: scene.image.size });
         }
-        let geometry = Geometry::after(std::mem::take(&mut self.before), &scene);
+        let geometry = placed(self.gpu, std::mem::take(&mut self.before), &scene);
         let program = Program::after(Some(&self.program), &scene, &geometry.analysis, choice, geometry.extent())?;
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
@@ -274,6 +278,12 @@ impl<'a> Renderer<'a> {
         totals.wall = started.elapsed();
         Ok(())
     }
+}
+
+/// Places a scene's objects, and builds what is searched for them.
+fn placed(gpu: &Gpu, before: Before, scene: &Scene) -> Geometry {
+    let _stage = gpu.progress.stage("building the acceleration structure");
+    Geometry::after(before, scene)
 }
 
 #[cfg(test)]

@@ -26,8 +26,8 @@ const SUBMISSION: u64 = 1 << 26;
 const IN_FLIGHT: usize = 3;
 
 impl Renderer<'_> {
-    /// Runs one sample of a tile: all its rounds, in submissions short enough for any driver. `progress` is told the fraction
-    /// that is done.
+    /// Runs one sample of a tile: all its rounds, in submissions short enough for any driver. `progress` is given the fraction of
+    /// their work that has ended, whenever a submission ends: the last call has 1.
     pub(super) fn run_sample(
         &self,
         tile: &Tile,
@@ -35,8 +35,10 @@ impl Renderer<'_> {
         clock: &mut Clock,
         progress: &dyn Fn(f64),
     ) -> Result<(), GpuError> {
-        let mut runner = Runner::new(self, tile, sample);
         let rounds = self.settings.choice.rounds(&self.scene);
+        let all = u64::from(rounds) * self.plan().steps.iter().map(|step| step.weight).sum::<u64>();
+        let told = |ended: u64| progress(ended as f64 / all.max(ended).max(1) as f64);
+        let mut runner = Runner::new(self, tile, sample, &told);
         let allowed = SUBMISSION / (u64::from(tile.size[0]) * u64::from(tile.size[1]));
         let mut weight = 0;
         for round in 0..rounds {
@@ -51,7 +53,6 @@ impl Renderer<'_> {
                 if weight > allowed {
                     runner.submit(clock)?;
                     weight = step.weight;
-                    progress(f64::from(round) / f64::from(rounds));
                 }
                 runner.recorded.push((round, step.in_round(round, sample.refines)));
             }
@@ -64,13 +65,15 @@ impl Renderer<'_> {
             runner.recorded.push((0, Step::refining(refines, self.settings.choice.masks)));
         }
         runner.submit(clock)?;
-        runner.wait(0)
+        runner.wait(0)?;
+        progress(1.0);
+        Ok(())
     }
 
     /// Runs some steps at once, outside the loop over a whole sample.
     pub(super) fn run_steps(&self, tile: &Tile, sample: Sample, steps: &[Step]) -> Result<(), GpuError> {
         self.write_sample(tile, sample, 0)?;
-        let mut runner = Runner::new(self, tile, sample);
+        let mut runner = Runner::new(self, tile, sample, &|_| {});
         runner.recorded.extend(steps.iter().map(|step| (0, *step)));
         runner.submit(&mut Clock::new(self.gpu, false))?;
         runner.wait(0)
@@ -97,13 +100,18 @@ struct Runner<'r, 'a> {
     groups: HashMap<(Pass, Selection), BindGroup>,
     /// Steps to be submitted, each with its round.
     recorded: Vec<(u32, Step)>,
-    under_way: VecDeque<SubmissionIndex>,
+    /// Each with the weight of its steps.
+    under_way: VecDeque<(SubmissionIndex, u64)>,
+    /// The weight of all steps whose submissions have ended, and the function that is given it.
+    ended: u64,
+    told: &'r dyn Fn(u64),
 }
 
 impl<'r, 'a> Runner<'r, 'a> {
-    fn new(renderer: &'r Renderer<'a>, tile: &'r Tile, sample: Sample) -> Self {
+    fn new(renderer: &'r Renderer<'a>, tile: &'r Tile, sample: Sample, told: &'r dyn Fn(u64)) -> Self {
         let buffers = renderer.buffers_of(sample.number);
-        Self { renderer, tile, buffers, groups: HashMap::new(), recorded: Vec::new(), under_way: VecDeque::new() }
+        let (groups, recorded, under_way) = (HashMap::new(), Vec::new(), VecDeque::new());
+        Self { renderer, tile, buffers, groups, recorded, under_way, ended: 0, told }
     }
 
     /// What is recorded in one submission, the steps of the same stage that follow each other in one pass.
@@ -154,8 +162,8 @@ impl<'r, 'a> Runner<'r, 'a> {
             drop(pass);
             clock.settle(&mut encoder);
         }
-        self.recorded.clear();
-        self.under_way.push_back(gpu.queue.submit([encoder.finish()]));
+        let weight = self.recorded.drain(..).map(|(_, step)| step.weight).sum();
+        self.under_way.push_back((gpu.queue.submit([encoder.finish()]), weight));
         self.wait(IN_FLIGHT)
     }
 
@@ -216,12 +224,14 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// Waits until at most `left` submissions are under way.
     fn wait(&mut self, left: usize) -> Result<(), GpuError> {
         while self.under_way.len() > left {
-            let submission_index = self.under_way.pop_front();
+            let Some((index, weight)) = self.under_way.pop_front() else { break };
             self.renderer
                 .gpu
                 .device
-                .poll(PollType::Wait { submission_index, timeout: None })
+                .poll(PollType::Wait { submission_index: Some(index), timeout: None })
                 .map_err(|error| GpuError::Lost(error.to_string()))?;
+            self.ended += weight;
+            (self.told)(self.ended);
         }
         Ok(())
     }

@@ -31,6 +31,7 @@ impl Renderer<'_> {
         }
         let useful = 1 + CHOICES.iter().filter(|segments| **segments < self.max_segments).count();
         let mut times: Vec<_> = CHOICES.into_iter().take(useful).map(|segments| (segments, Duration::MAX)).collect();
+        let stage = self.gpu.progress.measured("choosing the segments per pass", f64::from(RUNS));
         // By turns, so that a slow moment is nobody's own. The first run of all compiles, and its times rule nothing out.
         for run in 0..RUNS {
             for (segments, least) in &mut times {
@@ -39,6 +40,7 @@ impl Renderer<'_> {
             }
             let best = times.iter().map(|(_, time)| *time).min().unwrap_or_default();
             times.retain(|(_, time)| run == 0 || *time <= best.mul_f64(HOPELESS));
+            stage.advance(1.0);
         }
         let chosen = times.into_iter().min_by_key(|(_, time)| *time).map_or(self.settings.segments, |(k, _)| k);
         self.set_segments(self.max_segments, chosen)?;

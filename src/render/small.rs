@@ -25,6 +25,7 @@ impl Renderer<'_> {
     pub fn expected_time(&self) -> Result<Duration, RenderError> {
         let size = self.small_size();
         let mut taken = Duration::ZERO;
+        let _stage = self.gpu.progress.stage("estimating the time");
         // The first compiles.
         for _ in 0..2 {
             let tile = self.tile(size)?;

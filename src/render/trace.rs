@@ -117,13 +117,15 @@ impl Renderer<'_> {
             Starts::Pixels(pixels, _) => pixels.len(),
         };
         let mut traced = Vec::with_capacity(count);
+        let stage = self.gpu.progress.measured("following rays", count as f64);
         while traced.len() < count {
             let part = traced.len()..count.min(traced.len() + BATCH);
             let (tile, sample) = match starts {
                 Starts::Given(rays) => ray_tile(self, &rays[part.clone()])?,
                 Starts::Pixels(pixels, row) => pixel_tile(self, &pixels[part.clone()], row)?,
             };
-            self.run_sample(&tile, sample, &mut clock, &|_| {})?;
+            let told = |done: f64| stage.reach(part.start as f64 + done * part.len() as f64);
+            self.run_sample(&tile, sample, &mut clock, &told)?;
             if self.read_tally(&tile, &mut totals, None)? == Walks::Ended {
                 traced.extend(read_records(self, &tile, part.len())?);
             }
@@ -178,8 +180,10 @@ pub fn trace_paths(
     let renderer = Renderer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() })?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());
+    let stage = gpu.progress.measured("following paths", rays.len() as f64);
     for batch in rays.chunks(batch) {
         paths.extend(trace_batch_paths(&renderer, batch)?);
+        stage.advance(batch.len() as f64);
     }
     Ok(paths)
 }

@@ -8,12 +8,11 @@ use super::band::{Band, Plane};
 use super::{RenderError, Window};
 use crate::gpu::{Gpu, Tile};
 use crate::program::{Channel, Layer, Role};
+use crate::progress::Stage;
 
 /// How a render is watched.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct Watch<'w> {
-    /// Told the part that is done.
-    pub progress: &'w dyn Fn(f64),
     /// Samples that need not be taken again.
     pub earlier: Option<&'w Earlier>,
     /// Who looks at the picture while it is made. Not at adaptive ones, whose pixels do not take their samples together.
@@ -34,13 +33,6 @@ impl std::fmt::Debug for Watch<'_> {
     }
 }
 
-impl<'w> Watch<'w> {
-    /// Only told how far it is.
-    pub fn of(progress: &'w dyn Fn(f64)) -> Self {
-        Self { progress, earlier: None, preview: None }
-    }
-}
-
 /// Some samples of every pixel of the window, and then no more before all tiles have theirs.
 pub(super) struct Round<'r> {
     /// What there is before it.
@@ -49,8 +41,8 @@ pub(super) struct Round<'r> {
     pub until: u32,
     /// Is the picture done then?
     pub is_last: bool,
-    /// Who is told how far it is, and how many samples there will be.
-    told: Option<(&'r Watch<'r>, u32)>,
+    /// The stage of the whole picture, whose units are samples, and the first of them.
+    told: Option<(&'r Stage, u32)>,
 }
 
 impl<'r> Round<'r> {
@@ -58,9 +50,9 @@ impl<'r> Round<'r> {
         Self { earlier, until, is_last, told: None }
     }
 
-    /// With someone who is told how far it is of so many samples.
-    pub fn told(self, watch: &'r Watch, samples: u32) -> Self {
-        Self { told: Some((watch, samples)), ..self }
+    /// Reports the round to the stage of the whole picture, whose units are samples from `first` on.
+    pub fn told(self, stage: &'r Stage, first: u32) -> Self {
+        Self { told: Some((stage, first)), ..self }
     }
 
     /// The first sample that it takes.
@@ -70,10 +62,8 @@ impl<'r> Round<'r> {
 
     /// Tells that a part of it is done. The last round is all that is left.
     pub fn tell(&self, part: f64) {
-        let Some((watch, samples)) = self.told else { return };
-        let before = watch.earlier.map_or(0, |earlier| earlier.samples);
-        let done = f64::from(self.begins() - before) + part * f64::from(self.until - self.begins());
-        (watch.progress)(done / f64::from(samples - before));
+        let Some((stage, first)) = self.told else { return };
+        stage.reach(f64::from(self.begins() - first) + part * f64::from(self.until - self.begins()));
     }
 
     /// The layers that are read behind it: those of the picture, and before its end what the next round goes on from.

@@ -26,6 +26,7 @@ use glam::{DAffine3, DVec3, Vec2, Vec3};
 
 use super::gltf::NodeName;
 use crate::document::{SceneError, read_bytes};
+use crate::progress::Stage;
 use cells::Cells;
 use inside::Inside;
 use raw::Raw;
@@ -107,8 +108,8 @@ struct Format {
 
 /// How a file is read.
 enum Read {
-    /// All of it is one mesh.
-    Whole(fn(&[u8], &Path) -> Result<Raw, SceneError>),
+    /// All of it is one mesh. Bytes that are read are reported.
+    Whole(fn(&[u8], &Path, &Stage) -> Result<Raw, SceneError>),
     /// It has parts, to be asked for one by one.
     Parts(fn(Vec<u8>, &Path) -> OpenedParts),
 }
@@ -140,8 +141,8 @@ pub(super) enum Opened {
 }
 
 impl Opened {
-    /// Reads a file; the end of its name says how.
-    pub(super) fn read(path: &Path) -> Result<Self, SceneError> {
+    /// Reads a file, by the format that the end of its name tells, and reports its bytes to `stage`.
+    pub(super) fn read(path: &Path, stage: &Stage) -> Result<Self, SceneError> {
         let end = path.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
         let Some(format) = FORMATS.iter().find(|format| format.extensions.contains(&end.as_str())) else {
             let known: Vec<String> = FORMATS.iter().flat_map(|f| f.extensions).map(|end| format!(".{end}")).collect();
@@ -150,7 +151,7 @@ impl Opened {
         };
         let bytes = read_bytes(path)?;
         match format.read {
-            Read::Whole(read) => Ok(Self::Whole(Box::new(read(&bytes, path)?))),
+            Read::Whole(read) => Ok(Self::Whole(Box::new(read(&bytes, path, stage)?))),
             Read::Parts(read) => Ok(Self::Parts(read(bytes, path)?)),
         }
     }
@@ -212,13 +213,13 @@ impl Mesh {
 
     /// Reads all of a file; the end of its name says how.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let opened = Opened::read(path)?;
+        let opened = Opened::read(path, &Stage::unwatched())?;
         let (source, _) = opened.find(&Part::default(), path)?;
         opened.mesh(&source, Wanted::CREASE)
     }
 
     /// Reads the text of an OBJ file; `path` names it in mistakes.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        Ok(obj::read(text, path)?.mesh(Wanted::CREASE))
+        Ok(obj::read(text, path, &Stage::unwatched())?.mesh(Wanted::CREASE))
     }
 }

@@ -14,21 +14,23 @@ use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::{Mistakes, Wrong, numbers, words};
 use super::{Format, Read};
 use crate::document::SceneError;
+use crate::progress::Stage;
 
 pub(super) const FORMAT: Format = Format {
     extensions: &["obj"],
     // Names and comments may be in any encoding; they do not matter here.
-    read: Read::Whole(|bytes, path| read(&String::from_utf8_lossy(bytes), path)),
+    read: Read::Whole(|bytes, path, stage| read(&String::from_utf8_lossy(bytes), path, stage)),
 };
 
-/// Reads the text of an OBJ file; `path` names it in mistakes.
-pub(super) fn read(text: &str, path: &Path) -> Result<Raw, SceneError> {
+/// Reads the text of an OBJ file, and reports its bytes to `stage`; `path` names it in mistakes.
+pub(super) fn read(text: &str, path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
     let mut loader = Loader::default();
     let mut mistakes = Mistakes::of(text, path);
     let mut line = Vec::new();
     for statement in statements(text) {
         line.clear();
         line.extend(words(statement));
+        stage.reach((statement.as_ptr() as usize - text.as_ptr() as usize) as f64);
         if let Err(wrong) = loader.statement(&line) {
             mistakes.add(wrong);
         }

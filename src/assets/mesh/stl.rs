@@ -16,6 +16,7 @@ use super::text::{Mistakes, Wrong, numbers, words};
 use super::{Format, Read};
 use crate::assets::flaw::Flaw;
 use crate::document::SceneError;
+use crate::progress::Stage;
 
 pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };
 
@@ -24,13 +25,13 @@ const HEADER: usize = 84;
 /// Bytes of a triangle there.
 const TRIANGLE: usize = 50;
 
-fn read(bytes: &[u8], path: &Path) -> Result<Raw, SceneError> {
+fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
     let count = bytes.get(HEADER - 4..).and_then(|rest| rest.first_chunk()).map(|bytes| u32::from_le_bytes(*bytes));
     let is_whole = |count: u32| HEADER + count as usize * TRIANGLE == bytes.len();
     let has_words = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     match count {
-        Some(count) if !has_words || is_whole(count) => binary(bytes, count).map_err(|flaw| flaw.of(path)),
-        _ if has_words => lines(&String::from_utf8_lossy(bytes), path),
+        Some(count) if !has_words || is_whole(count) => binary(bytes, count, stage).map_err(|flaw| flaw.of(path)),
+        _ if has_words => lines(&String::from_utf8_lossy(bytes), path, stage),
         _ => {
             let found = bytes.len();
             let problem =
@@ -40,7 +41,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Raw, SceneError> {
     }
 }
 
-fn binary(bytes: &[u8], count: u32) -> Result<Raw, Flaw> {
+fn binary(bytes: &[u8], count: u32, stage: &Stage) -> Result<Raw, Flaw> {
     let mut bytes = Bytes::from(bytes, HEADER);
     let fit = bytes.left() / TRIANGLE;
     if count as usize > fit {
@@ -50,6 +51,7 @@ fn binary(bytes: &[u8], count: u32) -> Result<Raw, Flaw> {
     }
     let mut raw = Raw::default();
     for _ in 0..count {
+        stage.reach(bytes.at as f64);
         bytes.take::<12>()?;
         for _ in 0..3 {
             let at = bytes.at;
@@ -68,13 +70,14 @@ fn binary(bytes: &[u8], count: u32) -> Result<Raw, Flaw> {
     if raw.is_empty() { Err(Flaw("the mesh has no triangles with an area".to_owned())) } else { Ok(raw) }
 }
 
-fn lines(text: &str, path: &Path) -> Result<Raw, SceneError> {
+fn lines(text: &str, path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
     let mut raw = Raw::default();
     let mut mistakes = Mistakes::of(text, path);
     let (mut corners, mut line) = (0, Vec::new());
     for text in text.lines() {
         line.clear();
         line.extend(words(text));
+        stage.advance(text.len() as f64);
         if let Err(wrong) = statement(&mut raw, &mut corners, &line) {
             mistakes.add(wrong);
         }

@@ -16,6 +16,7 @@ use image::codecs::hdr::HdrDecoder;
 use super::Decoded;
 use super::encoding::{convert, matrix_of};
 use super::primaries::Primaries;
+use crate::progress::{Stage, Watched};
 
 /// What every file begins with, whichever program's name follows.
 pub(super) const MAGIC: &[u8] = b"#?";
@@ -32,12 +33,12 @@ struct Header {
 
 /// Reads the width and height from a file's header.
 pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
-    Ok(open(path)?.0.size)
+    Ok(open(path, &Stage::unwatched())?.0.size)
 }
 
 /// Reads a file as radiance.
-pub(super) fn read(path: &Path) -> Result<Decoded, String> {
-    let (Header { size, scale, to_rec709, mut notes }, rest) = open(path)?;
+pub(super) fn read(path: &Path, stage: &Stage) -> Result<Decoded, String> {
+    let (Header { size, scale, to_rec709, mut notes }, rest) = open(path, stage)?;
     // The same header for all, in the form that `image` knows.
     let head = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", size[1], size[0]);
     let decoder = HdrDecoder::new(Cursor::new(head).chain(rest)).map_err(|error| error.to_string())?;
@@ -47,9 +48,9 @@ pub(super) fn read(path: &Path) -> Result<Decoded, String> {
     Ok(Decoded { pixels, notes })
 }
 
-fn open(path: &Path) -> Result<(Header, impl BufRead + use<>), String> {
+fn open<'s>(path: &Path, stage: &'s Stage) -> Result<(Header, impl BufRead + use<'s>), String> {
     let file = File::open(path).map_err(|error| error.to_string())?;
-    let mut reader = BufReader::new(file);
+    let mut reader = BufReader::new(Watched::new(file, stage));
     Ok((header(&mut reader)?, reader))
 }
 

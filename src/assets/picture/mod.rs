@@ -22,6 +22,7 @@ use image::codecs::jpeg::JpegDecoder;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 
 use crate::document::SceneError;
+use crate::progress::{Stage, Watched};
 use encoding::{Encoding, convert};
 pub(crate) use exr::unlikely as unlikely_exr;
 
@@ -47,6 +48,11 @@ struct Decoded {
 impl Picture {
     /// Reads a PNG, JPEG, EXR or HDR file.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
+        Self::read(path, &Stage::unwatched())
+    }
+
+    /// As [`load`](Self::load); the bytes that are read are reported to `stage`.
+    pub(super) fn read(path: &Path, stage: &Stage) -> Result<Self, SceneError> {
         let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
         let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };
         let bytes = std::fs::metadata(path).map_err(unreadable)?.len();
@@ -57,7 +63,7 @@ impl Picture {
         if let Some(problem) = unlikely(size, bytes) {
             return Err(unusable(problem));
         }
-        let Decoded { pixels, notes } = format.read(path, bytes).map_err(unusable)?;
+        let Decoded { pixels, notes } = format.read(path, bytes, stage).map_err(unusable)?;
         let broken = |pixel: &[f32; 3]| pixel.iter().any(|x| !x.is_finite());
         if let Some(index) = pixels.iter().position(broken) {
             let (x, y) = (index % size[0] as usize, index / size[0] as usize);
@@ -134,20 +140,20 @@ impl Format {
             Self::Hdr => hdr::size(path),
             Self::Exr => exr::size(path),
             Self::Png | Self::Jpeg => {
-                let (width, height) = self.reader(path)?.into_dimensions().map_err(|error| error.to_string())?;
+                let (width, height) = self.reader(path, &Stage::unwatched())?.into_dimensions().map_err(|error| error.to_string())?;
                 Ok([width, height])
             }
         }
     }
 
-    fn read(self, path: &Path, bytes: u64) -> Result<Decoded, String> {
+    fn read(self, path: &Path, bytes: u64, stage: &Stage) -> Result<Decoded, String> {
         let encoding = match self {
-            Self::Hdr => return hdr::read(path),
+            Self::Hdr => return hdr::read(path, stage),
             Self::Exr => return exr::read_file(path, bytes),
             Self::Png => png::encoding(path)?,
             Self::Jpeg => jpeg_encoding(path)?,
         };
-        let mut reader = self.reader(path)?;
+        let mut reader = self.reader(path, stage)?;
         // By default a picture over 512 MiB is refused; a sky may well be larger.
         reader.no_limits();
         let image: DynamicImage = reader.decode().map_err(|error| error.to_string())?;
@@ -158,8 +164,9 @@ impl Format {
     }
 
     /// Opens a file of integers.
-    fn reader(self, path: &Path) -> Result<ImageReader<BufReader<File>>, String> {
-        let mut reader = ImageReader::open(path).map_err(|error| error.to_string())?;
+    fn reader<'s>(self, path: &Path, stage: &'s Stage) -> Result<ImageReader<BufReader<Watched<'s, File>>>, String> {
+        let file = File::open(path).map_err(|error| error.to_string())?;
+        let mut reader = ImageReader::new(BufReader::new(Watched::new(file, stage)));
         reader.set_format(if self == Self::Jpeg { ImageFormat::Jpeg } else { ImageFormat::Png });
         Ok(reader)
     }

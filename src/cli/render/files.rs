@@ -109,6 +109,14 @@ impl Arguments {
         Some(PreviewFile::new(path, self.preview_every, Box::new(settings)))
     }
 
+    /// Advice to ask for previews, for a picture that can have them and has none.
+    pub(super) fn preview_advice(&self, scene: &Scene, target: Target) -> Option<String> {
+        let has_samples = scene.image.samples > 1 && scene.image.adaptive.is_none();
+        let is_still = self.frames.is_none() && target.band.is_none();
+        let advised = has_samples && is_still && self.preview.is_none();
+        advised.then(|| "help: --preview FILE.png shows the image while it is rendered".to_owned())
+    }
+
     /// In the order of [`Layer::ALL`], each once; none without an EXR to hold them. How many samples a pixel took is a layer of
     /// adaptive pictures unless others ask for it.
     pub(super) fn layers(&self, scene: &Scene, before: Option<&Before>) -> Vec<Layer> {

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use super::Arguments;
 use crate::cli::format::{Found, shown};
+use crate::cli::screen;
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::{OutputError, alpha_in_film, check_film, film, has_extension, is_film};
@@ -74,7 +75,7 @@ impl Arguments {
         let Some(png) = pictures.iter().find(|path| has_extension(path, "png")) else { return Ok(()) };
         let frames: Vec<PathBuf> = targets.iter().map(|target| target.path(png)).collect();
         for path in self.films() {
-            film(path, &frames, rate)?;
+            film(path, &frames, rate, &screen::progress())?;
             self.format.tell(&Finished { path, frames: frames.len(), rate })?;
         }
         Ok(())

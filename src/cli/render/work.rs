@@ -10,9 +10,10 @@ use crate::cli::decisions::Rays;
 use crate::cli::frames::Film;
 use crate::cli::interrupt;
 use crate::cli::origin::origin;
+use crate::cli::screen;
 use crate::cli::settle::{Settled, settle};
 use crate::cli::share::{Band, Target};
-use crate::cli::watch::{FilmProgress, PreviewFile, Progress};
+use crate::cli::watch::PreviewFile;
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::Verification;
@@ -82,7 +83,7 @@ impl Work<'_> {
     pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&Earlier>) -> Result<u64, Error> {
         self.warn_beforehand();
         let (mut unfollowed, mut there) = (0, 0);
-        let progress = FilmProgress::new(targets.len());
+        let stage = (targets.len() > 1).then(|| screen::progress().counted(unit_of(targets), targets.len()));
         for (i, &target) in targets.iter().enumerate() {
             match self.render(target, earlier)? {
                 Some(own) => unfollowed += own,
@@ -91,8 +92,11 @@ impl Work<'_> {
             if interrupt::is_asked() {
                 break;
             }
-            progress.tell(i + 1);
+            if let Some(stage) = &stage {
+                stage.reach((i + 1) as f64);
+            }
         }
+        drop(stage);
         if there > 0 {
             tell!("{there} of {} were there already, made by the same", targets.len());
         }
@@ -127,8 +131,12 @@ impl Work<'_> {
         let Some((renderer, _)) = &self.renderer else { return Ok(None) };
         let mut writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
         let ready = begun.elapsed();
+        screen::advise(self.arguments.preview_advice(&scene, target));
         let totals = render(renderer, &mut writers, &mut self.launch, (earlier, preview.as_ref()))?;
+        screen::advise(None);
+        let stage = screen::progress().stage("finishing the files");
         writers.into_iter().try_for_each(ImageWriter::finish)?;
+        drop(stage);
         let made = Made {
             scene: &scene,
             again: &self.again,
@@ -230,6 +238,11 @@ fn expected(renderer: &Renderer, scene: &Scene, memory: u64) -> Result<Option<St
     )))
 }
 
+/// What a number of targets counts.
+fn unit_of(targets: &[Target]) -> &'static str {
+    if targets.iter().any(|target| target.band.is_some()) { "part" } else { "frame" }
+}
+
 /// Where a scene leaves its method open, the first frame's is every frame's.
 fn settled(mut scene: Scene, first: &Scene) -> Scene {
     if scene.rays.auto.take().is_some() {
@@ -248,19 +261,16 @@ fn render(
     launch: &mut StartUp,
     (earlier, preview): (Option<&Earlier>, Option<&PreviewFile>),
 ) -> Result<Totals, RenderError> {
-    let progress = Progress::new();
-    let tell = |done| progress.tell(done);
     let preview = preview.map(|preview| -> &dyn Preview { preview });
-    let totals = renderer.render_watched(
+    renderer.render_watched(
         &mut |band| {
             if !launch.is_complete() {
                 launch.count(StartPart::FirstPicture);
             }
+            let _stage = screen::progress().stage("writing");
             let failed = |error| RenderError::Output(Box::new(error));
             writers.iter_mut().try_for_each(|writer| writer.write_band(&band)).map_err(failed)
         },
-        &Watch { progress: &tell, earlier, preview },
-    );
-    progress.finish();
-    totals
+        &Watch { earlier, preview },
+    )
 }

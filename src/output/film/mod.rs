@@ -16,6 +16,7 @@ use ::image::{ImageDecoder, Rgba, RgbaImage};
 
 use super::color::{linear_from_srgb, srgb_from_linear};
 use super::{AtomicFile, OutputError};
+use crate::progress::{Progress, Stage};
 
 /// A format of films.
 struct Kind {
@@ -97,9 +98,11 @@ pub fn check_film(path: &Path, size: [u32; 2]) -> Result<(), OutputError> {
     }
 }
 
-/// Makes a film of pictures, which are all of one size, so many a second.
-pub fn film(path: &Path, frames: &[PathBuf], rate: f64) -> Result<(), OutputError> {
-    let mut frames = Frames::new(frames, rate)?;
+/// Makes a film of pictures, which are all of one size, so many a second; the frames are reported to `progress`.
+pub fn film(path: &Path, frames: &[PathBuf], rate: f64, progress: &Progress) -> Result<(), OutputError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let stage = progress.counted(format!("encoding {name}: frame"), frames.len());
+    let mut frames = Frames::new(frames, rate, stage)?;
     check_film(path, frames.size)?;
     let mut file = AtomicFile::create(path)?;
     if let Some(kind) = kind(path) {
@@ -116,10 +119,12 @@ struct Frames<'a> {
     size: [u32; 2],
     /// A second's.
     rate: f64,
+    /// Where frames are reported.
+    stage: Stage,
 }
 
 impl<'a> Frames<'a> {
-    fn new(paths: &'a [PathBuf], rate: f64) -> Result<Self, OutputError> {
+    fn new(paths: &'a [PathBuf], rate: f64, stage: Stage) -> Result<Self, OutputError> {
         let size = match paths.first() {
             Some(path) => {
                 let size = ::image::image_dimensions(path).map_err(|error| unreadable(path, &error.to_string()))?;
@@ -127,7 +132,7 @@ impl<'a> Frames<'a> {
             }
             None => [0, 0],
         };
-        Ok(Self { paths, next: 0, size, rate })
+        Ok(Self { paths, next: 0, size, rate, stage })
     }
 
     fn count(&self) -> usize {
@@ -136,6 +141,7 @@ impl<'a> Frames<'a> {
 
     /// The next picture; none after the last.
     fn next(&mut self) -> Result<Option<RgbaImage>, OutputError> {
+        self.stage.reach(self.next as f64);
         let Some(path) = self.paths.get(self.next) else { return Ok(None) };
         self.next += 1;
         let picture = ::image::open(path).map_err(|error| unreadable(path, &error.to_string()))?.into_rgba8();

@@ -19,12 +19,13 @@ use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::Mistakes;
 use super::{Format, Read};
 use crate::document::SceneError;
+use crate::progress::Stage;
 use header::{Element, Encoding, Header, Property};
 use source::{Binary, Source, Words, Wrong};
 
 pub(super) const FORMAT: Format = Format { extensions: &["ply"], read: Read::Whole(read) };
 
-fn read(bytes: &[u8], path: &Path) -> Result<Raw, SceneError> {
+fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
     let header = header::read(bytes, path)?;
     let mut mesh = Assembled::default();
     match header.encoding {
@@ -32,7 +33,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Raw, SceneError> {
             let whole = String::from_utf8_lossy(bytes);
             // Bytes that are no text make the text longer, so its front is measured in it.
             let front = String::from_utf8_lossy(&bytes[..header.length]).len();
-            let mut words = Words::of(&whole[front..]);
+            let mut words = Words::of(&whole[front..], stage);
             if let Err(Wrong { problem, help }) = mesh.elements(&header, &mut words) {
                 let mut mistakes = Mistakes::of(&whole, path);
                 mistakes.add((words.last(), problem, help));
@@ -40,7 +41,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Raw, SceneError> {
             }
         }
         Encoding::Little | Encoding::Big => {
-            let mut source = Binary::of(bytes, header.length, header.encoding == Encoding::Big);
+            let mut source = Binary::of(bytes, header.length, header.encoding == Encoding::Big, stage);
             mesh.elements(&header, &mut source).map_err(|wrong| source.flaw(&wrong).of(path))?;
         }
     }

@@ -3,6 +3,7 @@
 use super::super::bytes::Bytes;
 use super::header::{Element, Kind, Property};
 use crate::assets::flaw::Flaw;
+use crate::progress::Stage;
 
 /// What is wrong where a source is.
 pub(super) struct Wrong {
@@ -63,11 +64,13 @@ pub(super) struct Words<'a> {
     /// The line at hand, and the word there that was read last.
     line: (usize, usize),
     word: (usize, usize),
+    /// Where lines are reported.
+    stage: &'a Stage,
 }
 
 impl<'a> Words<'a> {
-    pub fn of(text: &'a str) -> Self {
-        Self { text, line: (0, 0), word: (0, 0) }
+    pub fn of(text: &'a str, stage: &'a Stage) -> Self {
+        Self { text, line: (0, 0), word: (0, 0), stage }
     }
 
     /// The last word, or nothing where one is missing.
@@ -103,6 +106,7 @@ impl Source for Words<'_> {
         if let Some(word) = self.next() {
             return Err(Wrong::new(format!("`{word}` is more than the header says of the element on this line")));
         }
+        self.stage.reach(self.line.1 as f64);
         loop {
             let start = self.line.1;
             let rest = &self.text[start..];
@@ -134,11 +138,13 @@ pub(super) struct Binary<'a> {
     /// Where the last number is.
     last: usize,
     is_big: bool,
+    /// Where elements are reported.
+    stage: &'a Stage,
 }
 
 impl<'a> Binary<'a> {
-    pub fn of(bytes: &'a [u8], at: usize, is_big: bool) -> Self {
-        Self { bytes: Bytes::from(bytes, at), last: at, is_big }
+    pub fn of(bytes: &'a [u8], at: usize, is_big: bool, stage: &'a Stage) -> Self {
+        Self { bytes: Bytes::from(bytes, at), last: at, is_big, stage }
     }
 
     pub fn flaw(&self, wrong: &Wrong) -> Flaw {
@@ -167,6 +173,7 @@ impl Source for Binary<'_> {
     }
 
     fn begin(&mut self, _: &Element) -> Result<(), Wrong> {
+        self.stage.reach(self.bytes.at as f64);
         Ok(())
     }
 

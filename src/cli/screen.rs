@@ -1,0 +1,110 @@
+//! Progress as users see it: one line at the bottom of a terminal, redrawn in place, or a line now and then in a log.
+//!
+//! *Idea.* Work reports its progress to memory; a thread here looks at it ten times a second and draws. So a terminal shows that the program
+//! is alive also while one unit of work takes long, and a log gets its lines on time.
+//!
+//! *Practice.* All messages of the program go through [`cleared`], so that they stand above the line and never in it. Work that is done
+//! before [`PATIENCE`] draws nothing. The line has no color, and lines of a log have no control characters.
+
+mod drawn;
+
+use std::io::{self, IsTerminal, Write};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use indicatif::ProgressDrawTarget;
+
+use crate::progress::Progress;
+use drawn::Screen;
+
+/// Time between two looks at the progress.
+const TICK: Duration = Duration::from_millis(100);
+/// Work that takes less time is done without a line on the terminal.
+const PATIENCE: Duration = Duration::from_millis(700);
+/// Time between two lines of a log.
+const EVERY: Duration = Duration::from_secs(30);
+
+/// The process has one terminal, so its work has one progress.
+static PROGRESS: LazyLock<Progress> = LazyLock::new(Progress::watched);
+/// What is drawn; `None` before [`Drawing::begin`] and after its end.
+static SCREEN: Mutex<Option<Screen>> = Mutex::new(None);
+
+/// Returns the progress that is drawn.
+pub(super) fn progress() -> Progress {
+    PROGRESS.clone()
+}
+
+/// Offers advice that is printed once, if the work at hand turns out to take long; `None` withdraws it.
+pub(super) fn advise(advice: Option<String>) {
+    if let Some(screen) = &mut *screen() {
+        screen.advise(advice);
+    }
+}
+
+/// Removes the line from the terminal, and keeps it away while the result is held: for a message, or the end of the process.
+pub(super) fn cleared() -> MutexGuard<'static, Option<Screen>> {
+    let mut screen = screen();
+    if let Some(screen) = &mut *screen {
+        screen.clear();
+    }
+    screen
+}
+
+fn screen() -> MutexGuard<'static, Option<Screen>> {
+    // A line that was drawn by half is redrawn.
+    SCREEN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Draws the progress until it is dropped; then the terminal is as it was.
+pub(super) struct Drawing {
+    end: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Drawing {
+    /// Begins to draw to standard error.
+    pub(super) fn begin() -> Self {
+        let new =
+            if is_drawn_on() { Screen::terminal(ProgressDrawTarget::stderr, PATIENCE) } else { Screen::log(EVERY) };
+        *screen() = Some(new);
+        let (end, ended) = channel();
+        let begun = Instant::now();
+        let draw = move || {
+            while let Err(RecvTimeoutError::Timeout) = ended.recv_timeout(TICK) {
+                if let Some(screen) = &mut *screen() {
+                    screen.look(begun.elapsed(), PROGRESS.state().as_ref(), &mut io::stderr());
+                }
+            }
+        };
+        // Without a thread there is work without progress.
+        let thread = thread::Builder::new().name("progress".to_owned()).spawn(draw).ok();
+        Self { end: Some(end), thread }
+    }
+}
+
+impl Drop for Drawing {
+    fn drop(&mut self) {
+        drop(self.end.take());
+        // It ends by itself, and what it drew is cleared below.
+        let _ = self.thread.take().map(JoinHandle::join);
+        if let Some(mut screen) = screen().take() {
+            screen.clear();
+        }
+    }
+}
+
+/// Returns `true` if standard error is a terminal that can redraw a line.
+fn is_drawn_on() -> bool {
+    let term = std::env::var("TERM");
+    // Terminals on Windows have no name.
+    let is_dumb = term.as_ref().map_or(cfg!(unix), |name| name.is_empty() || name == "dumb");
+    io::stderr().is_terminal() && !is_dumb
+}
+
+/// Prints a line of messages above what is drawn.
+pub(super) fn print_above(to: &mut dyn Write, line: std::fmt::Arguments) -> io::Result<()> {
+    let _held = cleared();
+    writeln!(to, "{line}")
+}
