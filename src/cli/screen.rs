@@ -66,8 +66,9 @@ pub(super) struct Drawing {
 impl Drawing {
     /// Begins to draw to standard error.
     pub(super) fn begin() -> Self {
-        let new =
-            if is_drawn_on() { Screen::terminal(ProgressDrawTarget::stderr, PATIENCE) } else { Screen::log(EVERY) };
+        let term = std::env::var("TERM").ok();
+        let is_redrawn = io::stderr().is_terminal() && redraws(term.as_deref());
+        let new = if is_redrawn { Screen::terminal(ProgressDrawTarget::stderr, PATIENCE) } else { Screen::log(EVERY) };
         *screen() = Some(new);
         let (end, ended) = channel();
         let begun = Instant::now();
@@ -95,16 +96,25 @@ impl Drop for Drawing {
     }
 }
 
-/// Returns `true` if standard error is a terminal that can redraw a line.
-fn is_drawn_on() -> bool {
-    let term = std::env::var("TERM");
-    // Terminals on Windows have no name.
-    let is_dumb = term.as_ref().map_or(cfg!(unix), |name| name.is_empty() || name == "dumb");
-    io::stderr().is_terminal() && !is_dumb
+/// Returns `true` if a terminal of this name can redraw a line. On Windows terminals have no name.
+fn redraws(term: Option<&str>) -> bool {
+    term.map_or(cfg!(windows), |name| !["", "dumb"].contains(&name))
 }
 
 /// Prints a line of messages above what is drawn.
 pub(super) fn print_above(to: &mut dyn Write, line: std::fmt::Arguments) -> io::Result<()> {
     let _held = cleared();
     writeln!(to, "{line}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dumb_terminals_are_logs() {
+        assert!(redraws(Some("xterm-256color")) && redraws(Some("linux")));
+        assert!(!redraws(Some("dumb")) && !redraws(Some("")));
+        assert_eq!(redraws(None), cfg!(windows));
+    }
 }

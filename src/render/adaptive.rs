@@ -37,13 +37,18 @@ impl Renderer<'_> {
         progress: &dyn Fn(f64),
         sums: &mut Adaptive,
     ) -> Result<(), RenderError> {
-        /// The corners' part of the work, about.
-        const CORNERS: f64 = 0.3;
         let image = &self.scene.image;
         let first = constant("pass/refine", "FIRST_SAMPLES") as u32;
         let at = |number: u32, refines: Refines| Sample { origin, image: image.size, number, refines: Some(refines) };
-        self.run_sample(tile, at(0, Refines::FIRST), clock, &|done| progress(CORNERS * done))?;
-        sums.samples += u64::from(tile.size[0]) * u64::from(tile.size[1]);
+        let pixels = tile.size.map(u64::from).iter().product::<u64>();
+        // Reported as if all pixels that are open took as many samples as they may: less is known of none.
+        let tell = |taken: u64, open: u64, sample: u32, done: f64| {
+            let [taken, open] = [taken, open].map(|rays| rays as f64);
+            progress((taken + open * done) / (taken + open * f64::from(image.samples + 1 - sample)));
+        };
+        self.run_sample(tile, at(0, Refines::FIRST), clock, &|done| tell(0, pixels, 0, done))?;
+        sums.samples += pixels;
+        let mut taken = pixels;
         let mut open = self.read_refined(tile, sums)?;
         let mut list = Refines::FIRST.list + 1;
         for sample in 1..=image.samples {
@@ -51,9 +56,9 @@ impl Renderer<'_> {
                 break;
             }
             let refines = Refines { listed: self.settings.choice.lists_open(&self.scene), list };
-            self.run_sample(tile, at(sample, refines), clock, &|_| {})?;
+            self.run_sample(tile, at(sample, refines), clock, &|done| tell(taken, open, sample, done))?;
             sums.samples += open;
-            progress(CORNERS + (1.0 - CORNERS) * f64::from(sample) / f64::from(image.samples));
+            taken += open;
             if sample >= first && sample.is_power_of_two() {
                 open = self.read_refined(tile, sums)?;
                 list += 1;
