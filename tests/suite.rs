@@ -40,6 +40,7 @@ mod own_laws;
 mod parametric;
 mod paths;
 mod pictures;
+mod progress;
 mod sampling;
 mod schedules;
 mod shaders;

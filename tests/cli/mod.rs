@@ -22,6 +22,7 @@ mod measures;
 mod parts;
 mod paths;
 mod pictures;
+mod progress;
 mod same_files;
 mod shutter;
 mod slurm;
