@@ -20,13 +20,11 @@ position = [0, 0, 5]
 [rays]
 bound = { radius = 10 }
 [materials.white]
-diffuse = [1, 1, 1]
+kind = "emissive"
+color = [1, 1, 1]
 [[objects]]
 shape = "sphere"
 material = "white"
-[[lights]]
-kind = "point"
-position = [5, 5, 5]
 "#;
 
 /// A device, and the progress of all work on it.

@@ -67,7 +67,8 @@ impl Film<'_> {
         if let Some(known) = self.hashes.borrow().get(&path) {
             return Ok(known.clone());
         }
-        let _stage = screen::progress().stage(format!("hashing {}", path.display()));
+        let _stage =
+            screen::progress().stage(format!("hashing {}", path.file_name().unwrap_or_default().to_string_lossy()));
         let bytes = fs::read(&path).map_err(|source| SceneError::Read { path: path.clone(), source })?;
         let hash = hash(&bytes);
         self.hashes.borrow_mut().insert(path, hash.clone());

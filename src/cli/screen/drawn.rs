@@ -7,8 +7,11 @@ use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::progress::{Estimate, State};
 
-/// Advice about long work is printed where at least this much time is left.
+/// Advice about long work is printed if at least this much time is left, after so much that this is sure.
 const LONG: Duration = Duration::from_secs(60);
+const SURE: Duration = Duration::from_secs(5);
+/// Less time is not displayed.
+const SHORT: Duration = Duration::from_secs(1);
 /// Units of the bar.
 const BAR: u64 = 1000;
 
@@ -65,7 +68,7 @@ impl Screen {
             estimate.see(taken, done);
             estimate.left(taken)
         });
-        let advice = if left.is_some_and(|left| left >= LONG) { self.advice.take() } else { None };
+        let advice = if taken >= SURE && left.is_some_and(|left| left >= LONG) { self.advice.take() } else { None };
         if let Some(advice) = advice {
             self.clear();
             // A reader that is gone loses no more than this.
@@ -75,12 +78,13 @@ impl Screen {
         match &mut self.kind {
             Kind::Terminal { target, patience, line } if now >= *patience => {
                 let line = line.get_or_insert_with(|| ProgressBar::with_draw_target(Some(BAR), target()));
-                draw(line, state, &time);
+                draw(line, state, time);
             }
             Kind::Log { every, next } if now >= *next => {
                 *next = now + *every;
-                let done = state.done.map(|done| format!(" {:.0} % done,", 100.0 * done)).unwrap_or_default();
-                let _ = writeln!(out, "{}:{done} {time}", state.words);
+                let done = state.done.map(|done| format!("{:.0} % done", 100.0 * done));
+                let parts: Vec<String> = done.into_iter().chain(time).collect();
+                let _ = writeln!(out, "{}: {}", state.words, parts.join(", "));
             }
             Kind::Terminal { .. } | Kind::Log { .. } => {}
         }
@@ -88,21 +92,22 @@ impl Screen {
 }
 
 /// The time that is left, or that has passed if that is all that is known.
-fn time(taken: Duration, left: Option<Duration>) -> String {
+fn time(taken: Duration, left: Option<Duration>) -> Option<String> {
     match left {
-        Some(left) => format!("about {} left", HumanDuration(left)),
-        None => format!("{} so far", HumanDuration(taken)),
+        Some(left) => Some(format!("about {} left", HumanDuration(left))),
+        None => (taken >= SHORT).then(|| format!("{} so far", HumanDuration(taken))),
     }
 }
 
-fn draw(line: &ProgressBar, state: &State, time: &str) {
+fn draw(line: &ProgressBar, state: &State, time: Option<String>) {
     // A style is only refused for its own mistakes, and then the line has the default one.
     let template = if state.done.is_some() { "[{bar:24}] {percent:>3} %  {wide_msg}" } else { "{spinner} {wide_msg}" };
     if let Ok(style) = ProgressStyle::with_template(template) {
         line.set_style(style.progress_chars("=> ").tick_chars("-\\|/-"));
     }
     line.update(|bar| bar.set_pos((state.done.unwrap_or(0.0) * BAR as f64) as u64));
-    line.set_message(format!("{}, {time}", state.words));
+    let parts: Vec<String> = std::iter::once(state.words.clone()).chain(time).collect();
+    line.set_message(parts.join(", "));
     line.tick();
 }
 
@@ -192,7 +197,7 @@ mod tests {
         let (line, mut screen) = terminal();
         let mut out = Vec::new();
         screen.look(seconds(0.7), Some(&state(1, "reading bunny.ply", None)), &mut out);
-        assert!(line.text().ends_with(" reading bunny.ply, 0 seconds so far"), "{}", line.text());
+        assert!(line.text().ends_with(" reading bunny.ply"), "{}", line.text());
         std::thread::sleep(seconds(0.01));
         for (now, done) in [(1.0, 0.0), (11.0, 0.25), (12.0, 0.25)] {
             screen.look(seconds(now), Some(&state(2, "rendering", done)), &mut out);
