@@ -41,6 +41,7 @@ mod paths;
 mod render;
 mod screen;
 mod settle;
+mod queue;
 mod share;
 mod shell;
 mod trace;

@@ -1,0 +1,244 @@
+//! `--part auto`: the part that a queue of jobs assigns to this one.
+//!
+//! *Practice.* Queues tell each job its number in an environment variable of their own. Some count from 0, some from any number and in any
+//! steps, and only some say how many jobs there are. A queue's variables are used whole or rejected: a part that no job renders would be
+//! missing without an error.
+
+use super::share::Share;
+
+/// The variables of a queue.
+struct Queue {
+    name: &'static str,
+    /// The number of this job.
+    number: &'static str,
+    numbers: Numbers,
+}
+
+/// How a queue numbers its jobs.
+enum Numbers {
+    /// One by one from this number, with the variable that counts them, if there is one.
+    From(u32, Option<&'static str>),
+    /// As the user asks for them.
+    Asked { first: &'static str, last: &'static str, step: &'static str, count: Option<&'static str> },
+}
+
+const QUEUES: [Queue; 7] = [
+    Queue {
+        name: "Slurm",
+        number: "SLURM_ARRAY_TASK_ID",
+        numbers: Numbers::Asked {
+            first: "SLURM_ARRAY_TASK_MIN",
+            last: "SLURM_ARRAY_TASK_MAX",
+            step: "SLURM_ARRAY_TASK_STEP",
+            count: Some("SLURM_ARRAY_TASK_COUNT"),
+        },
+    },
+    Queue { name: "Kubernetes", number: "JOB_COMPLETION_INDEX", numbers: Numbers::From(0, None) },
+    Queue {
+        name: "AWS Batch",
+        number: "AWS_BATCH_JOB_ARRAY_INDEX",
+        numbers: Numbers::From(0, Some("AWS_BATCH_JOB_ARRAY_SIZE")),
+    },
+    Queue { name: "PBS", number: "PBS_ARRAY_INDEX", numbers: Numbers::From(1, None) },
+    Queue { name: "Torque", number: "PBS_ARRAYID", numbers: Numbers::From(1, None) },
+    Queue {
+        name: "SGE",
+        number: "SGE_TASK_ID",
+        numbers: Numbers::Asked {
+            first: "SGE_TASK_FIRST",
+            last: "SGE_TASK_LAST",
+            step: "SGE_TASK_STEPSIZE",
+            count: None,
+        },
+    },
+    Queue { name: "GNU parallel", number: "PARALLEL_SEQ", numbers: Numbers::From(1, None) },
+];
+
+/// The environment.
+type Variables<'a> = &'a dyn Fn(&str) -> Option<String>;
+
+/// Returns the part of this job, from the variables of the queue that runs it; `asked` is the number of parts, if it was given.
+pub(super) fn share(variables: Variables, asked: Option<u32>) -> Result<Share, String> {
+    let mut there = Vec::new();
+    for queue in &QUEUES {
+        there.extend(number(variables, queue.number)?.map(|own| (queue, own)));
+    }
+    match there[..] {
+        [(queue, own)] => queue.share(own, variables, asked).map_err(|problem| format!("--part auto: {problem}")),
+        [] => {
+            let names: Vec<_> = QUEUES.iter().map(Queue::named).collect();
+            Err(format!("--part auto: none of these variables is set: {}; or write --part 3/64", names.join(", ")))
+        }
+        _ => {
+            let names: Vec<_> = there.iter().map(|(queue, _)| queue.named()).collect();
+            Err(format!("--part auto: {} number this job in different ways: write --part 3/64", names.join(" and ")))
+        }
+    }
+}
+
+/// A variable's number; none if it is not set, or set to what SGE writes for a job outside an array.
+fn number(variables: Variables, name: &str) -> Result<Option<u32>, String> {
+    let Some(text) = variables(name).filter(|text| !text.is_empty() && text != "undefined") else { return Ok(None) };
+    text.trim().parse().map(Some).map_err(|_| format!("--part auto: {name} is `{text}`, which is not a whole number"))
+}
+
+impl Queue {
+    fn named(&self) -> String {
+        format!("{} ({})", self.number, self.name)
+    }
+
+    fn share(&self, own: u32, variables: Variables, asked: Option<u32>) -> Result<Share, String> {
+        let name = self.name;
+        let unsaid =
+            || format!("{name} does not say how many parts there are: write --part auto/64, with their number");
+        match self.numbers {
+            Numbers::From(first, size) => {
+                let size = size.map_or(Ok(None), |size| number(variables, size))?;
+                if let Some((size, asked)) = size.zip(asked).filter(|(size, asked)| size != asked) {
+                    return Err(format!("{name} runs {size} jobs, and {asked} parts are asked for: write --part auto"));
+                }
+                self.counted(own, first, asked.or(size).ok_or_else(unsaid)?)
+            }
+            Numbers::Asked { first, last, step, count } => {
+                let [first, last, step] = [first, last, step].map(|name| number(variables, name));
+                let (first, last, step) = (first?, last?, step?.unwrap_or(1).max(1));
+                if let Some(parts) = asked {
+                    // Some parts may be run again, so each job's number is that of its part: all of them are checked in every job.
+                    let mut all = [first, last, Some(own)].into_iter().flatten();
+                    return all
+                        .try_fold(None, |_, one| self.counted(one, 1, parts).map(Some))
+                        .and_then(|own| own.ok_or_else(unsaid));
+                }
+                let first = first.unwrap_or(1);
+                let last = last.ok_or_else(unsaid)?;
+                let (length, said) =
+                    (last.saturating_sub(first), count.map_or(Ok(None), |count| number(variables, count))?);
+                let jobs = (length / step).saturating_add(1);
+                // Jobs that are counted end with the last one; otherwise the end may be between two.
+                let is_range = said.is_none_or(|said| said == jobs && length % step == 0);
+                let said = said.unwrap_or(jobs);
+                let place = own.checked_sub(first).filter(|offset| offset % step == 0).map(|offset| offset / step);
+                match place.filter(|place| is_range && *place < jobs) {
+                    Some(number) => Ok(Share { number, count: jobs }),
+                    None => Err(format!(
+                        "{name} runs {said} jobs from {first} to {last} in steps of {step} as it says, and this one is {own}: \
+                         the place of a job in a list is not known. Number the jobs from 1 to {said}, or write --part 3/64, or \
+                         --part auto/64 if each number is the part's, from 1"
+                    )),
+                }
+            }
+        }
+    }
+
+    /// The part of job `own`, where `count` are numbered one by one from `first`.
+    fn counted(&self, own: u32, first: u32, count: u32) -> Result<Share, String> {
+        let number = own.checked_sub(first).filter(|number| *number < count);
+        number.map(|number| Share { number, count }).ok_or_else(|| {
+            let last = u64::from(first) + u64::from(count) - 1;
+            format!(
+                "{} has a job with the number {own} ({}), and {count} parts are counted from {first} to {last}",
+                self.name, self.number
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn auto(set: &[(&str, u32)], asked: Option<u32>) -> Result<(u32, u32), String> {
+        let variable = |name: &str| set.iter().find(|(key, _)| *key == name).map(|(_, value)| value.to_string());
+        share(&variable, asked).map(|share| (share.number, share.count))
+    }
+
+    /// As Slurm sets them in task `id` of an array with these numbers, in this step.
+    fn slurm(id: u32, ids: &[u32], step: u32) -> [(&'static str, u32); 5] {
+        [
+            ("SLURM_ARRAY_TASK_ID", id),
+            ("SLURM_ARRAY_TASK_MIN", ids[0]),
+            ("SLURM_ARRAY_TASK_MAX", ids[ids.len() - 1]),
+            ("SLURM_ARRAY_TASK_COUNT", ids.len() as u32),
+            ("SLURM_ARRAY_TASK_STEP", step),
+        ]
+    }
+
+    fn sge(id: u32, first: u32, last: u32, step: u32) -> [(&'static str, u32); 4] {
+        [("SGE_TASK_ID", id), ("SGE_TASK_FIRST", first), ("SGE_TASK_LAST", last), ("SGE_TASK_STEPSIZE", step)]
+    }
+
+    #[test]
+    fn queues_tell_the_part() {
+        let few = [("SLURM_ARRAY_TASK_ID", 3), ("SLURM_ARRAY_TASK_MIN", 1), ("SLURM_ARRAY_TASK_MAX", 64)];
+        assert_eq!(auto(&few, None), Ok((2, 64)));
+        assert_eq!(auto(&[("JOB_COMPLETION_INDEX", 0)], Some(5)), Ok((0, 5)));
+        assert!(auto(&[("JOB_COMPLETION_INDEX", 0)], None).unwrap_err().contains("write --part auto/64"));
+        let batch = [("AWS_BATCH_JOB_ARRAY_INDEX", 4), ("AWS_BATCH_JOB_ARRAY_SIZE", 5)];
+        assert_eq!(auto(&batch, None), Ok((4, 5)));
+        assert_eq!(auto(&batch, Some(5)), Ok((4, 5)));
+        assert!(auto(&batch, Some(9)).unwrap_err().contains("runs 5 jobs, and 9 parts are asked for"));
+        assert_eq!(auto(&[("PBS_ARRAY_INDEX", 5)], Some(5)), Ok((4, 5)));
+        assert!(auto(&[("PBS_ARRAY_INDEX", 6)], Some(5)).unwrap_err().contains("from 1 to 5"));
+        assert_eq!(auto(&[("PBS_ARRAYID", 5)], Some(5)), Ok((4, 5)));
+        assert!(auto(&[], None).unwrap_err().contains("SGE_TASK_ID (SGE)"));
+        assert_eq!(auto(&sge(2, 1, 2, 1), None), Ok((1, 2)));
+    }
+
+    #[test]
+    fn parts_that_are_run_again_are_numbered_as_before() {
+        assert_eq!(auto(&slurm(9, &[3, 9], 1), Some(64)), Ok((8, 64)));
+        assert_eq!(auto(&sge(9, 3, 9, 3), Some(64)), Ok((8, 64)));
+        // Every job refuses an array that is counted from 0, so that none leaves a part out with success.
+        for id in 0..4 {
+            let problem = auto(&slurm(id, &[0, 1, 2, 3], 1), Some(4)).unwrap_err();
+            assert!(
+                problem.contains("number 0 (SLURM_ARRAY_TASK_ID), and 4 parts are counted from 1 to 4"),
+                "{problem}"
+            );
+            assert!(auto(&slurm(id, &[0, 1, 2, 3, 4], 1), Some(4)).is_err());
+        }
+    }
+
+    #[test]
+    fn lists_whose_order_is_unknown_are_refused() {
+        for (id, step) in [(1, 1), (4, 1), (9, 1), (1, 3), (4, 3), (9, 3), (4, 4)] {
+            let problem = auto(&slurm(id, &[1, 4, 9], step), None).unwrap_err();
+            assert!(problem.contains("Number the jobs from 1 to 3, or write --part 3/64"), "{problem}");
+        }
+        // Jobs that no step reaches, or behind the last.
+        assert!(auto(&slurm(3, &[0, 2, 4], 2), None).is_err());
+        assert!(auto(&slurm(6, &[0, 2, 4], 2), None).is_err());
+        assert!(auto(&sge(3, 1, 5, 3), None).is_err());
+    }
+
+    #[test]
+    fn what_is_no_number_or_numbered_twice_is_refused() {
+        let set = |name: &str, text: &str| {
+            let (name, text) = (name.to_owned(), text.to_owned());
+            share(&|asked: &str| (asked == name).then(|| text.clone()), Some(3)).map(|share| share.number)
+        };
+        assert!(set("SLURM_ARRAY_TASK_ID", "1-3").unwrap_err().contains("SLURM_ARRAY_TASK_ID is `1-3`"));
+        // SGE has this in a job outside an array.
+        assert!(set("SGE_TASK_ID", "undefined").unwrap_err().contains("none of these variables is set"));
+        assert_eq!(set("SGE_TASK_ID", "2"), Ok(1));
+        let two = [("PARALLEL_SEQ", 1), ("PBS_ARRAY_INDEX", 2)];
+        let problem = auto(&two, Some(3)).unwrap_err();
+        assert!(problem.contains("PBS_ARRAY_INDEX (PBS) and PARALLEL_SEQ (GNU parallel)"), "{problem}");
+    }
+
+    proptest! {
+        /// Whatever range with whatever step is asked for, its jobs are all parts, each once and in order.
+        #[test]
+        fn every_part_of_a_range_is_some_jobs(first in 0_u32..50, jobs in 1_u32..50, step in 1_u32..9, over in 0_u32..9) {
+            let ids: Vec<u32> = (0..jobs).map(|job| first + job * step).collect();
+            // Slurm has the last job's number, and SGE may have what was asked for.
+            let last = ids[ids.len() - 1] + over % step;
+            for (place, id) in (0..).zip(&ids) {
+                prop_assert_eq!(auto(&slurm(*id, &ids, step), None), Ok((place, jobs)));
+                prop_assert_eq!(auto(&sge(*id, first, last, step), None), Ok((place, jobs)));
+            }
+        }
+    }
+}
