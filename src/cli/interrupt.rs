@@ -1,45 +1,159 @@
-//! What happens at Ctrl-C, and where the system asks the process to end.
+//! Signals that ask the process to end: Ctrl-C, a terminal that is closed, a queue whose time is up.
 //!
-//! *Practice.* Files under way are removed and the process ends with 130: whatever stood there before is as it was. A film first finishes the
-//! frame in hand, and ends at once if it is asked again.
+//! *Practice.* Unfinished files are removed, so that what was there before is as it was; a line names the signal and says what is on disk;
+//! and the process ends with 128 plus the signal's number. A film first finishes the frame in hand, and ends at once at a second signal.
+//! A signal that whoever started the process has it ignore, as `nohup` does, stays ignored.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicI32, AtomicUsize, Ordering};
 
-use signal_hook::low_level::exit;
+use signal_hook::low_level::{exit, signal_name};
 
 use crate::output::abandon_unfinished;
 
-/// What shells see of a process that was interrupted.
-pub(super) const INTERRUPTED: u8 = 130;
+/// The signal that asked; 0 for none.
+static ASKED: AtomicI32 = AtomicI32::new(0);
+/// The frames of a film, and how many of them are on disk.
+static FRAMES: AtomicUsize = AtomicUsize::new(0);
+static DONE: AtomicUsize = AtomicUsize::new(0);
 
-/// Is there more to come behind what is in hand, so that it is worth finishing?
-static FINISHES: AtomicBool = AtomicBool::new(false);
-/// Was it asked to end?
-static ASKED: AtomicBool = AtomicBool::new(false);
-
-/// From now on.
+/// Handles signals from now on.
 pub(super) fn listen() {
-    let end = || {
-        let first = !ASKED.swap(true, Ordering::SeqCst);
-        if first && FINISHES.load(Ordering::SeqCst) {
-            tell!("stopping after this frame; once more to stop at once");
-            return;
-        }
-        // Nobody begins another file before the process is gone. It goes at once: what else is done at an end would take the driver
-        // from under the render that is still running, and some drivers crash then.
-        let _held = abandon_unfinished();
-        exit(i32::from(INTERRUPTED));
-    };
     // Where there are no signals to listen to, what is under way ends as the system has it.
-    let _ = ctrlc::set_handler(end);
+    let _ = system::listen();
 }
 
-/// Frames follow each other: what is in hand is finished before the process ends.
-pub(super) fn finish_first() {
-    FINISHES.store(true, Ordering::SeqCst);
+/// Ends the process, unless there is a frame to finish first.
+fn ask(signal: i32) {
+    let first = ASKED.swap(signal, Ordering::SeqCst) == 0;
+    if first && FRAMES.load(Ordering::SeqCst) > 0 {
+        tell!("{}: stopping after this frame; once more to stop at once", name(signal));
+        return;
+    }
+    // Nobody begins another file before the process is gone. It goes at once: what else is done at an end would take the driver
+    // from under the render that is still running, and some drivers crash then.
+    let (unfinished, _held) = abandon_unfinished();
+    tell!("{}", words(signal, &unfinished));
+    exit(code(signal));
 }
 
-/// Was it asked to end?
+/// Frames follow each other: the one in hand is finished before the process ends.
+pub(super) fn finish_first(frames: usize) {
+    FRAMES.store(frames, Ordering::SeqCst);
+}
+
+/// So many of the frames are on disk.
+pub(super) fn done(frames: usize) {
+    DONE.store(frames, Ordering::SeqCst);
+}
+
+/// Was the process asked to end?
 pub(super) fn is_asked() -> bool {
-    ASKED.load(Ordering::SeqCst)
+    ASKED.load(Ordering::SeqCst) != 0
+}
+
+/// Says why a film ends here, if the process was asked to end, and returns its exit code.
+pub(super) fn stopped() -> Option<ExitCode> {
+    let signal = ASKED.load(Ordering::SeqCst);
+    (signal != 0).then(|| {
+        tell!("{}", words(signal, &[]));
+        ExitCode::from(code(signal) as u8)
+    })
+}
+
+/// What shells report of a process that a signal ended.
+fn code(signal: i32) -> i32 {
+    128 + signal
+}
+
+fn name(signal: i32) -> String {
+    signal_name(signal).map_or_else(|| format!("signal {signal}"), str::to_owned)
+}
+
+/// Which signal ended the process, and what is on disk.
+fn words(signal: i32, unfinished: &[PathBuf]) -> String {
+    let frames = FRAMES.load(Ordering::SeqCst);
+    let mut parts = vec![format!("stopped by {}", name(signal))];
+    if !unfinished.is_empty() {
+        let names: Vec<_> = unfinished.iter().map(|path| path.display().to_string()).collect();
+        let is_one = names.len() == 1;
+        let (verb, earlier) =
+            if is_one { ("was", "an earlier file of this name") } else { ("were", "earlier files of these names") };
+        let kept = if is_one { "is" } else { "are" };
+        parts.push(format!("{} {verb} not finished, and {earlier} {kept} unchanged", names.join(", ")));
+    } else if frames == 0 {
+        parts.push("no file was being written".to_owned());
+    }
+    if frames > 0 {
+        let done = DONE.load(Ordering::SeqCst);
+        parts.push(format!("{done} of {frames} frames are on disk, and the same command continues from there"));
+    }
+    parts.join("; ")
+}
+
+#[cfg(unix)]
+mod system {
+    use std::io;
+    use std::process::{Command, Stdio};
+    use std::thread;
+
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1, SIGUSR2};
+    use signal_hook::iterator::Signals;
+
+    /// The signals of terminals, and those by which queues of jobs announce the end, with their names for `kill`.
+    const ENDING: [(i32, &str); 5] =
+        [(SIGHUP, "HUP"), (SIGINT, "INT"), (SIGTERM, "TERM"), (SIGUSR1, "USR1"), (SIGUSR2, "USR2")];
+
+    pub(super) fn listen() -> io::Result<()> {
+        let ignored = ignored_by_system().unwrap_or_else(ignored_by_child);
+        let heard = ENDING.iter().map(|(signal, _)| *signal).filter(|signal| !ignored.contains(signal));
+        let mut signals = Signals::new(heard)?;
+        thread::Builder::new().name("signals".to_owned()).spawn(move || signals.forever().for_each(super::ask))?;
+        Ok(())
+    }
+
+    /// The signals that the process ignores, as Linux says.
+    fn ignored_by_system() -> Option<Vec<i32>> {
+        let status = std::fs::read_to_string("/proc/self/status").ok()?;
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"))?;
+        let mask = u64::from_str_radix(mask.trim(), 16).ok()?;
+        Some((1..=64).filter(|signal| mask >> (signal - 1) & 1 == 1).collect())
+    }
+
+    /// The same elsewhere: a child ignores what its parent does, and outlives such signals. No signal can be asked about without
+    /// `unsafe` code.
+    fn ignored_by_child() -> Vec<i32> {
+        let outlives = |name: &str| {
+            let mut shell = Command::new("sh");
+            shell
+                .args(["-c", &format!("kill -{name} $$")])
+                .stdin(Stdio::null())
+                .stdout(Stdio::null())
+                .stderr(Stdio::null());
+            shell.status().is_ok_and(|status| status.success())
+        };
+        ENDING.iter().filter(|(_, name)| outlives(name)).map(|(signal, _)| *signal).collect()
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn a_child_knows_what_the_system_says() {
+            let Some(ignored) = ignored_by_system() else { return };
+            let asked: Vec<i32> = ENDING.iter().map(|(signal, _)| *signal).filter(|s| ignored.contains(s)).collect();
+            assert_eq!(ignored_by_child(), asked);
+        }
+    }
+}
+
+#[cfg(windows)]
+mod system {
+    use signal_hook::consts::SIGINT;
+
+    pub(super) fn listen() -> Result<(), ctrlc::Error> {
+        ctrlc::set_handler(|| super::ask(SIGINT))
+    }
 }

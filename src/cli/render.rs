@@ -255,7 +255,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     let settings = RenderSettings { window: arguments.crop, ..settings };
     if targets.len() > 1 {
-        interrupt::finish_first();
+        interrupt::finish_first(targets.len());
     }
     let mut work = Work {
         arguments,
@@ -271,8 +271,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         is_under_way: false,
     };
     let unfollowed = work.render_all(&targets, before.map(Before::earlier).as_ref())?;
-    if interrupt::is_asked() {
-        return Ok(ExitCode::from(interrupt::INTERRUPTED));
+    if let Some(code) = interrupt::stopped() {
+        return Ok(code);
     }
     if let (Some(rate), None) = (rate, arguments.part) {
         arguments.make_films(&targets, rate)?;

@@ -6,7 +6,7 @@
 //! killed outright may leave the temporary file, whose name begins with a dot and ends in `.part`. The cost is one buffer of 256 KiB and, at the end, one wait for the disk.
 
 use std::{
-    collections::BTreeSet,
+    collections::BTreeMap,
     fs::{self, File, Permissions},
     io::{self, BufWriter, Seek, SeekFrom, Write},
     path::{Path, PathBuf},
@@ -19,23 +19,24 @@ use super::OutputError;
 
 const BUFFER_BYTES: usize = 1 << 18;
 
-/// Temporary files of this process.
-static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// Temporary files of this process, each with the path that it is to have.
+static UNFINISHED: Mutex<BTreeMap<PathBuf, PathBuf>> = Mutex::new(BTreeMap::new());
 
 /// No thread leaves it half changed.
-fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+fn unfinished() -> MutexGuard<'static, BTreeMap<PathBuf, PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes every file that is not finished, for a process that ends at once. No other begins or is finished while what comes back is held.
+/// Removes every file that is not finished, for a process that ends at once. Returns the paths that they were to have; no other file
+/// begins or is finished while the second value is held.
 #[must_use]
-pub fn abandon_unfinished() -> impl Sized {
+pub fn abandon_unfinished() -> (Vec<PathBuf>, impl Sized) {
     let listed = unfinished();
-    for path in listed.iter() {
+    for path in listed.keys() {
         // What cannot be removed stays: there is nobody left to do more.
         let _ = fs::remove_file(path);
     }
-    listed
+    (listed.values().cloned().collect(), listed)
 }
 
 /// A place in the list of temporary files, for as long as it is held.
@@ -69,7 +70,7 @@ impl AtomicFile {
         let mut all = unfinished();
         let file = temporary_beside(&target, path)?;
         let temporary = file.path().to_owned();
-        all.insert(temporary.clone());
+        all.insert(temporary.clone(), path.to_owned());
         drop(all);
         let file = BufWriter::with_capacity(BUFFER_BYTES, file);
         Ok(Self { path: path.to_owned(), target, kept_permissions, file, listed: Listed(temporary) })

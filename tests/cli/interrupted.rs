@@ -21,9 +21,17 @@ impl Drop for Killed {
 const LONG: &str =
     "render scene.toml -o a.png -o a.exr --size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
 
-/// Starts the long render, and waits until both files are under way.
-fn begin(folder: &Folder) -> (Killed, BufReader<ChildStderr>) {
-    let mut child = Killed(folder.command(LONG).stderr(Stdio::piped()).spawn().unwrap());
+/// Starts the long render, with signals that it is to ignore, and waits until both files are under way.
+fn begin(folder: &Folder, ignored: &str) -> (Killed, BufReader<ChildStderr>) {
+    let mut command = folder.command(LONG);
+    if !ignored.is_empty() {
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", &format!("trap '' {ignored}; exec \"$@\""), "sh"]).arg(command.get_program());
+        shell.args(command.get_args()).current_dir(folder.path("."));
+        shell.envs(command.get_envs().filter_map(|(name, value)| Some((name, value?))));
+        command = shell;
+    }
+    let mut child = Killed(command.stderr(Stdio::piped()).spawn().unwrap());
     let mut lines = BufReader::new(child.0.stderr.take().unwrap());
     let mut line = String::new();
     lines.read_line(&mut line).unwrap();
@@ -53,7 +61,7 @@ fn a_render_that_is_killed_leaves_the_old_files_whole() {
     let folder = Folder::with(BALL);
     folder.run("render scene.toml -o a.png -o a.exr").succeeds();
     let old = [folder.read("a.png"), folder.read("a.exr")];
-    let (child, _lines) = begin(&folder);
+    let (child, _lines) = begin(&folder, "");
     drop(child);
     assert!(old == [folder.read("a.png"), folder.read("a.exr")]);
     // Nothing of it is in the way of the next run.
@@ -66,15 +74,37 @@ fn a_render_that_is_killed_leaves_the_old_files_whole() {
 fn a_render_that_is_asked_to_end_leaves_nothing_behind() {
     let folder = Folder::with(BALL);
     folder.write("a.png", "an old picture");
-    for signal in ["-INT", "-TERM"] {
-        let (mut child, mut lines) = begin(&folder);
+    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
+        let (mut child, mut lines) = begin(&folder, "");
         send(signal, &child.0);
-        assert_eq!(child.0.wait().unwrap().code(), Some(130), "{signal}");
+        assert_eq!(child.0.wait().unwrap().code(), Some(code), "{signal}");
         let mut rest = String::new();
         lines.read_to_string(&mut rest).unwrap();
+        let line = format!(
+            "stopped by SIG{signal}; a.exr, a.png were not finished, and earlier files of these names are unchanged\n"
+        );
+        assert!(rest.ends_with(&line), "{signal}: {rest}");
         assert_eq!(folder.names(), ["a.png", "scene.toml"], "{signal}: {rest}");
         assert_eq!(folder.text("a.png"), "an old picture");
     }
+}
+
+/// `nohup` has it ignore SIGHUP, and a shell without job control has commands in the background ignore SIGINT.
+#[cfg(unix)]
+#[test]
+fn signals_that_were_ignored_before_stay_so() {
+    let folder = Folder::with(BALL);
+    let (mut child, mut lines) = begin(&folder, "HUP INT");
+    for signal in ["HUP", "INT"] {
+        send(signal, &child.0);
+        sleep(Duration::from_millis(200));
+        assert!(child.0.try_wait().unwrap().is_none(), "it ended at SIG{signal}");
+    }
+    send("TERM", &child.0);
+    assert_eq!(child.0.wait().unwrap().code(), Some(143));
+    let mut rest = String::new();
+    lines.read_to_string(&mut rest).unwrap();
+    assert!(rest.contains("stopped by SIGTERM") && !rest.contains("SIGHUP") && !rest.contains("SIGINT"), "{rest}");
 }
 
 #[cfg(unix)]
@@ -87,12 +117,17 @@ fn a_film_that_is_asked_to_end_finishes_the_frame_in_hand() {
     let mut child = Killed(folder.command(film).stderr(Stdio::piped()).spawn().unwrap());
     let mut lines = BufReader::new(child.0.stderr.take().unwrap()).lines().map_while(Result::ok);
     assert!(lines.any(|line| line.starts_with("frame 1: ")));
-    send("-INT", &child.0);
+    send("INT", &child.0);
     let rest: Vec<String> = lines.collect();
     assert_eq!(child.0.wait().unwrap().code(), Some(130));
-    assert!(rest.iter().any(|line| line == "stopping after this frame; once more to stop at once"), "{rest:?}");
+    assert!(rest.iter().any(|line| line == "SIGINT: stopping after this frame; once more to stop at once"), "{rest:?}");
     let frames = ending(&folder, ".png");
     assert!((2..400).contains(&frames.len()), "{frames:?}");
+    let there = format!(
+        "stopped by SIGINT; {} of 500 frames are on disk, and the same command continues from there",
+        frames.len()
+    );
+    assert!(rest.contains(&there), "{rest:?}");
     assert_eq!(frames.len() + 1, folder.names().len(), "{:?}", folder.names());
     // Each is a picture.
     for name in frames {
@@ -102,7 +137,7 @@ fn a_film_that_is_asked_to_end_finishes_the_frame_in_hand() {
 
 #[cfg(unix)]
 fn send(signal: &str, child: &Child) {
-    let status = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
+    let status = std::process::Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
     assert!(status.success());
 }
 

@@ -89,6 +89,7 @@ impl Work<'_> {
                 Some(own) => unfollowed += own,
                 None => there += 1,
             }
+            interrupt::done(i + 1);
             if interrupt::is_asked() {
                 break;
             }
