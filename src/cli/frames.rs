@@ -1,68 +1,15 @@
-//! Frames of an animation: which are rendered, into what files, and whether one program runs them all.
+//! Frames of an animation: their scenes, and whether one program runs them all.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
-use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use super::screen;
 use crate::error::Error;
 use crate::gpu::{Before, Geometry};
 use crate::program::{Choice, Program};
 use crate::scene::{Animation, Files, Override, Scene, SceneError, follow_as};
-
-/// `--frames`.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Frames {
-    All,
-    From(u32, u32),
-}
-
-impl FromStr for Frames {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (first, last) = text.split_once("..").unwrap_or((text, text));
-        match (first.parse(), last.parse()) {
-            (Ok(first), Ok(last)) if first <= last => Ok(Self::From(first, last)),
-            _ if text == "all" => Ok(Self::All),
-            _ => Err(format!("`{text}` are no frames such as 0..47 (with both ends), 12 or all")),
-        }
-    }
-}
-
-impl Frames {
-    /// Those of the scene's animation.
-    pub(super) fn of(self, scene: &Scene) -> Result<RangeInclusive<u32>, Error> {
-        let Some(animation) = &scene.animation else {
-            return Err(Error::Usage(
-                "--frames: the scene has no [animation], such as `[animation] frames = 24`: `bentray help films`"
-                    .to_owned(),
-            ));
-        };
-        let end = animation.frames - 1;
-        match self {
-            Self::All => Ok(0..=end),
-            Self::From(first, last) if last <= end => Ok(first..=last),
-            Self::From(..) => Err(Error::Usage(format!("--frames: the scene's frames are 0..{end}"))),
-        }
-    }
-}
-
-/// The path with a frame's number in place of `{frame}`, or of `{frame:4}` for at least four digits; none if it has no such place.
-pub(super) fn path_of(path: &Path, frame: u32) -> Option<PathBuf> {
-    let text = path.to_str()?;
-    let (before, rest) = text.split_once("{frame")?;
-    let (width, after) = rest.split_once('}')?;
-    let width = match width.strip_prefix(':') {
-        Some(digits) => digits.parse().ok().filter(|width| *width <= 20)?,
-        None if width.is_empty() => 0,
-        None => return None,
-    };
-    Some(format!("{before}{frame:0width$}{after}").into())
-}
 
 /// `made` of the number that every key has in a frame, or of none.
 pub(super) fn with_frame<T>(frame: Option<u32>, made: impl FnOnce(Option<&dyn Fn(&str) -> f64>) -> T) -> T {

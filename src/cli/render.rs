@@ -14,7 +14,9 @@ use clap::Args;
 use clap::builder::TypedValueParser;
 
 use super::format::Format;
-use super::frames::{Film, Frames, path_of};
+use super::frame_list::Frames;
+use super::frame_names::numbered;
+use super::frames::Film;
 use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
@@ -49,8 +51,9 @@ pub(super) struct Arguments {
     /// `assemble` can put parts together
     #[arg(long, value_name = "X,Y,WxH", value_parser = parse_window, allow_hyphen_values = true)]
     crop: Option<Window>,
-    /// Render these frames of the scene's [animation]: A..B with both ends, one, or all. Each has files of its own, with its
-    /// number in place of {frame} in the name, or of {frame:4} for at least four digits
+    /// Render these frames of the scene's [animation]: A..B with both ends, one, all, or a list of them, each with a step if it has
+    /// one, such as 1,3,5..20:2. Each has files of its own, with its number where {frame} is in the name, or {frame:4} for at least
+    /// four digits; #### and %04d are understood too
     #[arg(long, value_name = "FRAMES", conflicts_with = "verify")]
     frames: Option<Frames>,
     /// Render one of so many equal parts of the picture, or with --frames of the film: 3/64 (from 1), auto as Slurm, AWS Batch or SGE
@@ -112,24 +115,27 @@ impl Arguments {
                 "{path}: a film is of frames: add --frames all, for a scene with [animation]"
             )));
         }
-        let misplaced = |path: &&PathBuf| path_of(path, 0).is_some() != self.frames.is_some() && !self.is_film(path);
-        let misplaced = self.output.iter().find(misplaced);
-        match (misplaced, self.frames) {
-            (Some(path), Some(_)) => Err(Error::Usage(format!(
-                "{}: --frames write a file each, so its name needs {{frame}} or {{frame:4}}; a film's ends in .mp4, .webm, .gif or .png",
-                path.display()
-            ))),
-            (Some(path), None) => {
-                Err(Error::Usage(format!("{}: {{frame}} in a name goes with --frames", path.display())))
+        self.output.iter().try_for_each(|path| self.check_name(path))
+    }
+
+    /// Refuses a name without a place for the frame's number where there are frames, and one with a place where there are none.
+    fn check_name(&self, path: &Path) -> Result<(), Error> {
+        let problem = match (numbered(path, 0), &self.frames) {
+            (Err(problem), Some(_)) => problem,
+            (Ok(Some(_)), None) => "a place for a frame's number, {frame}, #### or %04d, needs --frames".to_owned(),
+            (Ok(None), Some(_)) if !self.is_film(path) => {
+                "--frames write a file each, so its name needs {frame} or {frame:4}; a film's ends in .mp4, .webm, .gif or .png"
+                    .to_owned()
             }
-            (None, _) => Ok(()),
-        }
+            _ => return Ok(()),
+        };
+        Err(Error::Usage(format!("{}: {problem}", path.display())))
     }
 
     /// The frames that are asked for; without any, the picture.
     pub(super) fn frames_of(&self, scene: &Scene) -> Result<Vec<Option<u32>>, Error> {
-        match self.frames {
-            Some(frames) => Ok(frames.of(scene)?.map(Some).collect()),
+        match &self.frames {
+            Some(frames) => Ok(frames.of(scene)?.into_iter().map(Some).collect()),
             None => Ok(vec![None]),
         }
     }

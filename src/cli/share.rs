@@ -8,7 +8,7 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use super::frames::path_of;
+use super::frame_names::path_of;
 use super::queue;
 use crate::error::Error;
 
@@ -86,7 +86,7 @@ impl Share {
 impl Target {
     /// Its file, where all of a film or a picture would go to `path`.
     pub(super) fn path(self, path: &Path) -> PathBuf {
-        let path = self.frame.and_then(|frame| path_of(path, frame)).unwrap_or_else(|| path.to_owned());
+        let path = self.frame.map_or_else(|| path.to_owned(), |frame| path_of(path, frame));
         let Some(Band { number, count }) = self.band else { return path };
         let width = count.to_string().len();
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();

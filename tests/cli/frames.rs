@@ -126,10 +126,11 @@ fn frames_that_cannot_be_are_refused() {
     let folder = film();
     for (arguments, code, text) in [
         ("-o a.exr --frames 0..4", 1, "a.exr: --frames write a file each, so its name needs {frame} or {frame:4}"),
-        ("-o {frame}.png", 1, "{frame}.png: {frame} in a name goes with --frames"),
-        ("-o {frame:x}.png --frames 1", 1, "its name needs {frame} or {frame:4}"),
-        ("-o {frame}.png --frames 3..5", 1, "--frames: the scene's frames are 0..4"),
-        ("-o {frame}.png --frames 3..2", 2, "`3..2` are no frames such as 0..47"),
+        ("-o {frame}.png", 1, "{frame}.png: a place for a frame's number, {frame}, #### or %04d, needs --frames"),
+        ("-o {frame:x}.png --frames 1", 1, "{frame:x}.png: `{frame:x}` is not {frame} or {frame:4}"),
+        ("-o a_{n}.png --frames 1", 1, "a_{n}.png: `{n}` is not {frame} or {frame:4}"),
+        ("-o {frame}.png --frames 3..5", 1, "--frames: there is no frame 5: the scene's frames are 0..4"),
+        ("-o {frame}.png --frames 3..2", 2, "`3..2`: a range goes up, from the lower end: 2..3"),
         ("-o {frame}.png --frames 1 --verify 9", 2, "'--verify <N>'"),
         ("-o {frame}.png --frames 1 --set law.mass=1", 1, "--set law.mass=1:1:10: `law.mass` is animated"),
         (
@@ -145,4 +146,33 @@ fn frames_that_cannot_be_are_refused() {
     assert_eq!(folder.names(), ["scene.toml"]);
     let still = Folder::with(BALL);
     still.run("render scene.toml -o {frame}.png --frames all").fails(1, &["--frames: the scene has no [animation]"]);
+}
+
+/// Frames of a list are those of the film, divided among parts, and rendered once; every place in a name has the number.
+#[test]
+fn lists_of_frames_are_rendered_whole_in_parts_and_as_a_film() {
+    let folder = Folder::with(&format!(
+        "{BALL}[animation]\nframes = 9\n[[animation.tracks]]\nkey = \"sky.color\"\nvalues = [[0, 0, 0], [1, 1, 1]]\n"
+    ));
+    folder
+        .run("render scene.toml -o {frame}/a_##.png --frames 1")
+        .fails(1, &["1/a_01.png: the folder 1 does not exist"]);
+    folder.run("render scene.toml -o x{frame}_{frame:2}.png --frames 8,1-5:2").succeeds();
+    let names = ["scene.toml", "x1_01.png", "x3_03.png", "x5_05.png", "x8_08.png"];
+    assert_eq!(folder.names(), names);
+    let film = "render scene.toml -o x{frame}_{frame:2}.png -o film.gif --frames 1,3,5,8";
+    folder.run(film).succeeds().says(&["4 of 4 were there already", "film.gif: 4 frames, 24 a second"]);
+    // The jobs of an array with a step render all of them between them.
+    for id in [0, 2, 4] {
+        let mut command = folder.command("render scene.toml -o a_%03d.png --frames 8,1-5:2 --part auto");
+        let array = [("ID", id), ("MIN", 0), ("MAX", 4), ("COUNT", 3), ("STEP", 2)];
+        command.envs(array.map(|(name, value)| (format!("SLURM_ARRAY_TASK_{name}"), value.to_string())));
+        assert!(command.output().unwrap().status.success(), "job {id}");
+    }
+    for frame in [1, 3, 5, 8] {
+        assert!(
+            folder.read(&format!("a_{frame:03}.png")) == folder.read(&format!("x{frame}_{frame:02}.png")),
+            "{frame}"
+        );
+    }
 }

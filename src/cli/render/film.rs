@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use super::Arguments;
 use crate::cli::format::{Found, shown};
 use crate::cli::screen;
+use crate::cli::frame_names::numbered;
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::{OutputError, alpha_in_film, check_film, film, has_extension, is_film};
@@ -35,9 +36,9 @@ impl Found for Finished<'_> {
 }
 
 impl Arguments {
-    /// Is this the name of a film, rather than of its frames, even of wrongly named ones?
+    /// Is this the name of a film, rather than of its frames?
     pub(super) fn is_film(&self, path: &Path) -> bool {
-        self.frames.is_some() && !path.to_string_lossy().contains("{frame") && is_film(path)
+        self.frames.is_some() && is_film(path) && numbered(path, 0) == Ok(None)
     }
 
     fn films(&self) -> impl Iterator<Item = &PathBuf> {

@@ -56,7 +56,7 @@ impl Arguments {
         settings: RenderSettings,
         launch: &mut StartUp,
     ) -> Result<Settled<'a>, Error> {
-        let frame = self.frames.map(|_| 0);
+        let frame = self.frames.as_ref().map(|_| 0);
         let frames = if frame.is_some() { still.animation.as_ref().map_or(1, |animation| animation.frames) } else { 1 };
         let scene = if frame.is_some() { self.load(film, frame, None)? } else { still };
         let [width, height] = scene.image.size.map(u64::from);
