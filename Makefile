@@ -3,9 +3,6 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 
-# Mesa's device-select layer complains where there is no desktop session.
-export NODEVICE_SELECT := 1
-
 .PHONY: render gallery test fuzz fuzz-lines fuzz-program release device tools clean
 
 render: device

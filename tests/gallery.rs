@@ -81,7 +81,7 @@ fn rendered(folder: &Path, words: &[String], to: &Path) -> image::RgbImage {
         LAST_FRAME.clone_into(&mut words[frames + 1]);
     }
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
-    command.current_dir(folder).env("NODEVICE_SELECT", "1").env("BENTRAY_CACHE", "").arg("render").args(&words);
+    command.current_dir(folder).env("BENTRAY_CACHE", "").arg("render").args(&words);
     let output = command.args(smaller(&scene(folder, &words), &words)).output().unwrap();
     assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
     image::open(to.join(name)).unwrap().to_rgb8()

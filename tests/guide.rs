@@ -110,7 +110,7 @@ fn run(folder: &Path, cache: &Path, words: &[String]) -> Output {
     };
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
     command.args(words.iter().map(scene)).current_dir(folder).stdin(Stdio::null());
-    command.env("NODEVICE_SELECT", "1").env("BENTRAY_CACHE", cache).output().unwrap()
+    command.env("BENTRAY_CACHE", cache).output().unwrap()
 }
 
 /// The same command, but quick: a small picture of few samples, the first of some frames, a coarse grid.

@@ -142,7 +142,7 @@ fn traced_by_the_binary(folder: &Path, keys: &str, rays: &str) -> String {
     std::fs::write(folder.join("scene.toml"), format!("{keys}{WALLS}")).unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
     command.args(["trace", "scene.toml", "-o", "-", "--rays", rays]);
-    command.current_dir(folder).env("NODEVICE_SELECT", "1").env("BENTRAY_CACHE", "");
+    command.current_dir(folder).env("BENTRAY_CACHE", "");
     let output = command.output().unwrap();
     assert!(output.status.success(), "{keys}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()

@@ -205,12 +205,7 @@ fn the_readme_shows_what_is_rendered() {
     let picture = folder.path().join("picture.png");
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
     command.args(["render", "--size", "480x270", "--samples", "4"]);
-    command
-        .arg(root.join("scenes/black_hole.toml"))
-        .arg("-o")
-        .arg(&picture)
-        .env("NODEVICE_SELECT", "1")
-        .env("BENTRAY_CACHE", "");
+    command.arg(root.join("scenes/black_hole.toml")).arg("-o").arg(&picture).env("BENTRAY_CACHE", "");
     let output = command.output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let rendered = image::open(picture).unwrap().to_rgb8();

@@ -36,7 +36,7 @@ fn rendered(scene: &Path, variant: &[&str], more: &[&str], folder: &Path) -> Vec
     let picture = folder.join("picture.exr");
     let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
     command.arg("render").args(["--samples", "1"]).args(more).args(variant);
-    command.arg(scene).arg("-o").arg(&picture).env("NODEVICE_SELECT", "1").env("BENTRAY_CACHE", "");
+    command.arg(scene).arg("-o").arg(&picture).env("BENTRAY_CACHE", "");
     let output = command.output().unwrap();
     assert!(output.status.success(), "{variant:?}: {}", String::from_utf8_lossy(&output.stderr));
     std::fs::read(picture).unwrap()

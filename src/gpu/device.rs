@@ -7,6 +7,7 @@ use wgpu::{
 
 use super::GpuError;
 use super::compiled::Compiled;
+use super::quiet::quietly;
 use crate::program::constant;
 use crate::progress::Progress;
 
@@ -69,7 +70,7 @@ fn instance() -> Instance {
 
 /// What the machine has, best first: discrete GPUs, integrated ones, virtual ones, CPUs.
 fn found() -> Vec<Adapter> {
-    let mut all = pollster::block_on(instance().enumerate_adapters(Backends::all()));
+    let mut all = quietly(|| pollster::block_on(instance().enumerate_adapters(Backends::all())));
     all.sort_by_key(|adapter| match adapter.get_info().device_type {
         DeviceType::DiscreteGpu => 0,
         DeviceType::IntegratedGpu => 1,

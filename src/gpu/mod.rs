@@ -18,6 +18,7 @@ mod limits;
 mod lists;
 mod media;
 mod pipeline;
+mod quiet;
 mod ray_tree;
 mod records;
 mod slots;

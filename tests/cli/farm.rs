@@ -10,7 +10,7 @@ const FILM: &str = "[law]\nkind = \"schwarzschild\"\nmass = 0.2\n[animation]\nfr
 /// A script that `farm` wrote, as a queue runs it for one part.
 fn script(folder: &Folder, name: &str, variables: &[(&str, &str)]) -> Ran {
     let mut command = Command::new("bash");
-    command.arg(name).current_dir(folder.path(".")).env("NODEVICE_SELECT", "1").env("BENTRAY_CACHE", "");
+    command.arg(name).current_dir(folder.path(".")).env("BENTRAY_CACHE", "");
     let output = command.envs(variables.iter().copied()).output().unwrap();
     Ran {
         code: output.status.code(),

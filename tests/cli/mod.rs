@@ -133,8 +133,6 @@ impl Folder {
         command
             .args(arguments.split_whitespace())
             .current_dir(self.0.path())
-            // Some Mesa builds have a layer that chooses devices, and talks about it.
-            .env("NODEVICE_SELECT", "1")
             .env("BENTRAY_CACHE", "")
             .stdin(Stdio::null());
         command

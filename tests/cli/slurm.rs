@@ -74,7 +74,7 @@ impl Slurm {
         let configuration = self.folder.path("slurm.conf");
         let mut command = Command::new(program);
         command.arg("-D").arg("-f").arg(configuration).args(more).stdout(Stdio::null()).stderr(Stdio::null());
-        command.env("NODEVICE_SELECT", "1").env("BENTRAY_CACHE", "").spawn().unwrap()
+        command.env("BENTRAY_CACHE", "").spawn().unwrap()
     }
 
     /// What one of its commands prints.

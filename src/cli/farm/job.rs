@@ -152,8 +152,7 @@ pub(super) fn or_say(command: &str) -> String {
 /// Why a part failed that left these messages, if it did.
 pub(super) fn failure(log: &str) -> Option<&str> {
     let code = log.lines().last()?.strip_prefix(FAILED)?;
-    // Mesa has errors of its own, which stop nothing.
-    let ours = |line: &&str| line.starts_with("error: ") && !line.starts_with("error: XDG_RUNTIME_DIR");
+    let ours = |line: &&str| line.starts_with("error: ");
     Some(log.lines().rev().find(ours).unwrap_or(code))
 }
 
@@ -221,7 +220,7 @@ mod tests {
 
     #[test]
     fn a_failed_part_says_why() {
-        assert_eq!(failure("error: XDG_RUNTIME_DIR is invalid\ndevice: x\n"), None);
+        assert_eq!(failure("error: of a driver\ndevice: x\n"), None);
         assert_eq!(failure("error: a\nerror: b\n  c\npart failed: exit code 1\n"), Some("error: b"));
         assert_eq!(failure("Killed\npart failed: exit code 137"), Some("137"));
         assert_eq!(failure(""), None);
