@@ -10,6 +10,9 @@ struct Record {
     rejected: u32,
     // 0 for none, else the object's place in the scene file, from 1.
     object: u32,
+    // The start of its last segment, before the first one its own.
+    from_x: Real3,
+    from_v: Real3,
 }
 
 @group(0) @binding(181) var<storage, read_write> records: array<Record>;
@@ -26,6 +29,7 @@ fn record(own: Invocation) {
         let i = pixel.y * frame.size.x + pixel.x;
         records[i] = Record(
             seen.end.x, seen.end.tau, seen.end.v, depth, ray.status, ray.steps, ray.rejected, seen.object,
+            ray.phase[0].xyz, ray.phase[1].xyz,
         );
         tally_status(ray.status);
     }

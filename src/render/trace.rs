@@ -207,11 +207,11 @@ pub fn pixel_starts(
     let steps = &renderer.plan().steps;
     let started = steps.iter().filter(|step| matches!(step.pass, Pass::Setup | Pass::Record)).copied();
     renderer.run_steps(&tile, sample, &started.collect::<Vec<_>>())?;
-    let records = read_records(&renderer, &tile, pixels.len())?;
-    if let Some((pixel, _)) = pixels.iter().zip(&records).find(|(_, record)| record.status == Status::Outside) {
+    let starts = read_starts(&renderer, &tile, pixels.len())?;
+    if let Some((pixel, _)) = pixels.iter().zip(&starts).find(|(_, (status, _))| *status == Status::Outside) {
         return Err(RenderError::NoRay { pixel: *pixel });
     }
-    Ok(records.into_iter().map(|Traced { x: [x, y, z], v: [a, b, c], .. }| [x, y, z, a, b, c]).collect())
+    Ok(starts.into_iter().map(|(_, PathPoint { x: [x, y, z], v: [a, b, c], .. })| [x, y, z, a, b, c]).collect())
 }
 
 /// Until no walk is cut short.
@@ -240,12 +240,21 @@ fn try_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<Path>,
         let steps: Vec<Step> = iteration.iter().copied().chain([*record]).collect();
         renderer.run_steps(&tile, sample, &steps)?;
         let mut active = false;
+        if iteration[0].pass == Pass::Setup {
+            let starts = read_starts(renderer, &tile, batch.len())?;
+            let begun = paths.iter_mut().zip(starts).filter(|((status, _), _)| *status == Status::Alive);
+            begun.for_each(|((_, points), (_, start))| points.push(start));
+        }
         for ((status, points), ray) in paths.iter_mut().zip(read_records(renderer, &tile, batch.len())?) {
-            let started = iteration[0].pass == Pass::Setup;
-            if *status == Status::Alive && (started || !points.is_empty()) {
-                points.push(PathPoint { x: ray.x, v: ray.v, tau: ray.tau });
-                *status = ray.status;
+            if *status != Status::Alive {
+                continue;
             }
+            // Most rays are still at their start after the setup.
+            if iteration[0].pass == Pass::Setup && points.iter().all(|start| DVec3::from(start.x) == ray.x.into()) {
+                points.clear();
+            }
+            points.push(PathPoint { x: ray.x, v: ray.v, tau: ray.tau });
+            *status = ray.status;
             active |= *status == Status::Alive;
         }
         if !active {
@@ -320,6 +329,14 @@ fn read_records(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<Tr
         steps: row.uint("steps"),
         rejected: row.uint("rejected"),
         object: row.uint("object").checked_sub(1),
+    })
+}
+
+/// Where rays start, after the setup alone: it knows of some that they end in their first segment, and records that end.
+fn read_starts(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<(Status, PathPoint)>, RenderError> {
+    read_rows(renderer, tile, count, |row| {
+        let start = PathPoint { x: row.vector("from_x"), v: row.vector("from_v"), tau: 0.0 };
+        (Status::from_code(row.uint("status")), start)
     })
 }
 

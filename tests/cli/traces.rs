@@ -267,3 +267,37 @@ fn nothing_comes_out_of_a_horizon() {
         assert_eq!(paths.0.len(), rays.len(), "a path is its start");
     }
 }
+
+/// Between the horizons some light is known from its start to have come from below, and ends on the horizon in its first segment.
+#[test]
+fn every_path_begins_where_its_ray_does() {
+    let folder = Folder::with(
+        "[image]\nsize = [12, 12]\n[camera]\nposition = [1.2, 0.4, 0.5]\nlook_at = [2.2, 0.4, 0.5]\nup = [0, 0, 1]\n\
+         kind = \"fisheye\"\nfov = 360\nframe = \"falling\"\n[law]\nkind = \"kerr-newman\"\nspin = 0.9\n\
+         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbound = { radius = 60 }\n",
+    );
+    // Those in the circle that a fisheye's picture is.
+    let pixels = (0..144).map(|i| [i % 12, i / 12]);
+    let pixels: Vec<[i32; 2]> = pixels.filter(|[x, y]| (2 * x - 11).pow(2) + (2 * y - 11).pow(2) < 136).collect();
+    let options: String = pixels.iter().map(|[x, y]| format!(" --pixel {x},{y}")).collect();
+    folder.run(&format!("trace scene.toml --path -o path.csv{options}")).succeeds();
+    let paths = Rows::of(&folder.text("path.csv"), PATH_HEADER);
+    let starts: Vec<usize> = (0..paths.0.len()).filter(|row| paths.0[*row][1] == "0").collect();
+    assert_eq!(starts.len(), pixels.len());
+    let mut short = 0;
+    for (i, &row) in starts.iter().enumerate() {
+        let start = paths.numbers(row).map(f64::from);
+        assert!(paths.distance(row, [1.2, 0.4, 0.5]) < 1e-6 && start[6] == 0.0, "{start:?}");
+        if starts.get(i + 1).copied().unwrap_or(paths.0.len()) > row + 2 {
+            continue;
+        }
+        short += 1;
+        // The mean velocity on the way is as near to that of each end as they are to each other.
+        let end = paths.numbers(row + 1).map(f64::from);
+        let sum = |of: &dyn Fn(usize) -> f64| (0..3).map(|k| of(k).powi(2)).sum::<f64>().sqrt();
+        let off = sum(&|k| end[k] - start[k] - end[6] * 0.5 * (start[k + 3] + end[k + 3]));
+        let change = sum(&|k| start[k + 3] - end[k + 3]);
+        assert!(off <= 0.5 * end[6] * change + 1e-5, "{start:?} {end:?}");
+    }
+    assert!(short > 2, "{short}");
+}
