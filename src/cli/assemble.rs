@@ -13,10 +13,10 @@ use crate::output::assemble;
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The parts; where they overlap, they must agree
-    #[arg(required = true, value_name = "PART")]
+    #[arg(required = true, value_name = "PART", value_parser = paths::file())]
     parts: Vec<PathBuf>,
     /// Where to write the whole: .exr, or .png (repeatable)
-    #[arg(short, long, required = true, value_name = "FILE")]
+    #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
 }
 

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use super::format::{Format, Found};
 use super::options::parse_size;
+use super::paths;
 use super::screen;
 use crate::bench::{
     Bench, Report, compaction, groller, lights, limit, paper, paths, sampling, scaling, schedules, start,
@@ -28,10 +29,10 @@ pub(super) struct Arguments {
     name: Name,
     /// Scenes for `limit`, `sampling`, `compaction` and `start`, a mesh (.obj) for `groller`; without any some of the project's own,
     /// in scenes/
-    #[arg(value_name = "FILE")]
+    #[arg(value_name = "FILE", value_parser = paths::file())]
     files: Vec<PathBuf>,
     /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", value_parser = paths::file())]
     output: Option<PathBuf>,
     /// The device whose name contains this
     #[arg(long, value_name = "NAME")]

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::options::{SceneOptions, choice, schedules};
+use super::paths;
 use super::screen;
 use crate::chart::{Outcome, Place, SceneChart, Sweep, default_settings, fastest_table, write_chart};
 use crate::document::values::suggest;
@@ -25,7 +26,7 @@ use crate::scene::Scene;
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene file, or `all` for every scene of a folder
-    #[arg(required_unless_present = "stability")]
+    #[arg(required_unless_present = "stability", value_parser = paths::file())]
     scene: Option<PathBuf>,
     /// Instead: follow the rays of every place where methods fail, by every method, and say what became of them
     #[arg(long, conflicts_with = "scene")]
@@ -34,11 +35,11 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "METHOD", value_delimiter = ',')]
     methods: Option<Vec<String>>,
     /// The folder to write tables (CSV), plots (SVG and PNG) and a page (index.html) into; it is made if it is not there
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", value_parser = paths::file())]
     output: PathBuf,
     /// The folder of the scenes for `all`, or of the places for --stability (scenes, each with its rays in a .csv beside it)
     /// [default: scenes, or scenes/stability]
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = paths::file())]
     scenes: Option<PathBuf>,
     /// Rays that are timed, at least
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u32).range(64..=100_000_000))]

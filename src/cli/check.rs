@@ -22,7 +22,7 @@ use crate::scene::{KeyReference, REFERENCE, Scene, reference_markdown};
 /// Validate scenes, and say what will be modelled: parts, passes, bytes per pixel
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The scene files
+    /// The scene files; - is standard input
     #[arg(required_unless_present = "reference")]
     scenes: Vec<PathBuf>,
     /// Print every key of the scene format instead

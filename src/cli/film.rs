@@ -13,10 +13,10 @@ use crate::output::{film, lost_alpha};
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The pictures, all of one size
-    #[arg(required = true, value_name = "PICTURE")]
+    #[arg(required = true, value_name = "PICTURE", value_parser = paths::file())]
     frames: Vec<PathBuf>,
     /// Where to write it: .mp4 or .webm, by ffmpeg, .gif, or .png, which is then an animated one (repeatable)
-    #[arg(short, long, required = true, value_name = "FILE")]
+    #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
     /// Frames a second
     #[arg(long, value_name = "N", default_value = "24", value_parser = parse_rate)]

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
+use super::paths;
 use crate::chart::{beer_chart, fresnel_chart, noise_chart, snell_chart, spiral_chart, spiral_plot, wrapped_chart};
 use crate::error::Error;
 use crate::output::plot::{plot_lines, plot_paths};
@@ -19,7 +20,7 @@ pub(super) struct Arguments {
 #[derive(Debug, Args)]
 struct Drawing {
     /// Where to draw it, as SVG or PNG
-    #[arg(short, long, value_name = "FILE")]
+    #[arg(short, long, value_name = "FILE", value_parser = paths::file())]
     output: PathBuf,
 }
 

@@ -6,6 +6,7 @@ use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 
 use super::screen;
+use crate::document::read_given;
 use crate::error::Error;
 use crate::gpu::{Before, Geometry};
 use crate::program::{Choice, Program};
@@ -59,7 +60,7 @@ impl<'a> Film<'a> {
     /// Hashes what the scene is made of: its file, the changes to it, and the files that were loaded for it. None where one of them is
     /// not there any more.
     pub(super) fn hash(&self, hasher: &mut impl Hasher) -> Option<()> {
-        std::fs::read(self.path).ok()?.hash(hasher);
+        read_given(self.path).ok()?.hash(hasher);
         for over in &self.overrides {
             over.text().hash(hasher);
         }

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use clap::Args;
 
+use super::paths;
 use super::written::{check_scene_name, say_written};
 use crate::document::read_bytes;
 use crate::error::Error;
@@ -17,8 +18,9 @@ use crate::scene::import::import;
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The file, .gltf or .glb
+    #[arg(value_parser = paths::file())]
     file: PathBuf,
-    /// Where to write the scene; pictures within the file are written beside it, and nothing that is there already is replaced
+    /// Where to write the scene, or - for standard output; pictures within the file are written beside it, and nothing that is there already is replaced
     #[arg(short, long, value_name = "SCENE")]
     output: PathBuf,
 }
@@ -28,6 +30,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     check_scene_name(output)?;
     let bytes = read_bytes(path)?;
     let imported = import(&Gltf::open(bytes, path)?, output)?;
+    let tell_left_out = || imported.left_out.iter().for_each(|line| tell!("{line}"));
+    if paths::is_standard(output) {
+        if let Some((name, _)) = imported.pictures.first() {
+            let problem =
+                format!("-: pictures within the file, such as {name}, go beside the scene: name a file for it");
+            return Err(Error::Usage(problem));
+        }
+        say!("{}", imported.text.trim_end());
+        tell_left_out();
+        return Ok(ExitCode::SUCCESS);
+    }
     let folder = output.parent().unwrap_or(Path::new(""));
     let pictures = imported.pictures.iter().map(|(name, bytes)| (folder.join(name), bytes.as_slice()));
     // The scene last: where it is, its pictures are.
@@ -41,9 +54,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         file.write_all(bytes).map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
         file.finish()?;
     }
-    for line in &imported.left_out {
-        tell!("{line}");
-    }
+    tell_left_out();
     say_written(output)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -19,9 +19,9 @@ use crate::scene::{LightSource, Scene, Shadows};
 /// Find the paths that lead from a scene's lights to given places, and write their directions and the spread of their bundles
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The scene file; of its lights those with shadows = "shooting" or "grid" are used
+    /// The scene file, or - for standard input; of its lights those with shadows = "shooting" or "grid" are used
     scene: PathBuf,
-    /// A CSV file with the header x,y,z: the places
+    /// A CSV file with the header x,y,z: the places; `-` is standard input
     #[arg(long, value_name = "FILE")]
     at: PathBuf,
     /// Where to write the paths as CSV, a line for each, and one where there is none or for all of a grid's; `-` is standard output

@@ -8,6 +8,7 @@ use clap::Args;
 use clap::builder::TypedValueParser;
 
 use super::options::one_of;
+use super::paths::is_standard;
 use super::written::{check_scene_name, say_written};
 use crate::error::Error;
 use crate::output::{AtomicFile, OutputError};
@@ -16,7 +17,7 @@ use crate::scene::{TEMPLATES, Template};
 /// Write a commented scene to start from
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// Where to write it; a file that is there already is left alone
+    /// Where to write it, or - for standard output; a file that is there already is left alone
     file: PathBuf,
     /// What it shows
     #[arg(long, value_parser = templates(), default_value = TEMPLATES[0].name)]
@@ -29,6 +30,10 @@ fn templates() -> impl TypedValueParser<Value = &'static Template> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let path = &arguments.file;
+    if is_standard(path) {
+        say!("{}", arguments.template.text.trim_end());
+        return Ok(ExitCode::SUCCESS);
+    }
     check_scene_name(path)?;
     if path.exists() {
         let problem = "this file exists; name another, or remove it first".to_owned();

@@ -8,6 +8,7 @@ use std::time::Duration;
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
+use super::paths;
 use super::screen;
 use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
@@ -33,7 +34,7 @@ pub(super) struct SceneOptions {
     #[arg(long, value_parser = one_of(Bits::all(), Bits::name, Bits::meaning))]
     precision: Option<Bits>,
     /// Follow rays as for this picture of bentray's, an EXR or a PNG: by its method with all settings, instead of the scene's
-    #[arg(long, value_name = "PICTURE")]
+    #[arg(long, value_name = "PICTURE", value_parser = paths::file())]
     method_of: Option<PathBuf>,
 }
 

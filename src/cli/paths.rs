@@ -3,12 +3,16 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PathBufValueParser, TypedValueParser};
+
 use crate::error::Error;
+use crate::output::destination;
 
 /// What two names of one file have in common, whether it is there or not.
 fn identity(path: &Path) -> PathBuf {
-    if let Ok(found) = path.canonicalize() {
-        return found;
+    let path = destination(path);
+    if path.exists() {
+        return path;
     }
     let folder = match path.parent() {
         Some(folder) if folder != Path::new("") => folder,
@@ -18,14 +22,34 @@ fn identity(path: &Path) -> PathBuf {
     path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
 }
 
+/// The path that stands for standard input or output.
+pub(super) fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+/// Reads the name of a file that cannot be standard input or output.
+pub(super) fn file() -> impl TypedValueParser<Value = PathBuf> {
+    PathBufValueParser::new().try_map(|path| if is_standard(&path) { Err(NO_STREAM) } else { Ok(path) })
+}
+
+/// Why some files have to have a name.
+pub(super) const NO_STREAM: &str =
+    "this cannot be standard input or output: name a file (`./-` is one that is called -)";
+
 /// Refuses to write two things to one file, or over what is read: each of these with what it is.
 pub(super) fn check<'a>(
     outputs: impl IntoIterator<Item = &'a Path>,
     inputs: &[(PathBuf, &'static str)],
 ) -> Result<(), Error> {
-    let read: HashMap<PathBuf, &str> = inputs.iter().map(|(path, what)| (identity(path), *what)).collect();
+    let (streams, files): (Vec<_>, Vec<_>) = inputs.iter().partition(|(path, _)| is_standard(path));
+    if let [(_, one), (_, other), ..] = streams[..] {
+        return Err(Error::Usage(format!(
+            "-: standard input cannot be {one} and {other}: name a file for one of them"
+        )));
+    }
+    let read: HashMap<PathBuf, &str> = files.into_iter().map(|(path, what)| (identity(path), *what)).collect();
     let mut written: HashMap<PathBuf, &Path> = HashMap::new();
-    for path in outputs.into_iter().filter(|path| *path != Path::new("-")) {
+    for path in outputs.into_iter().filter(|path| !is_standard(path)) {
         let own = identity(path);
         let shown = path.display();
         if let Some(what) = read.get(&own) {

@@ -20,6 +20,7 @@ use super::frames::Film;
 use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
+use super::paths;
 use super::say_line;
 use super::settle::Settled;
 use super::share::{Part, Share, Target};
@@ -35,10 +36,10 @@ use work::Work;
 /// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The scene file
+    /// The scene file, or - for standard input; files that it names are then found relative to the working folder
     pub(super) scene: PathBuf,
     /// Where to write: .png or .exr; with --frames also a film, .mp4, .webm, .gif or .png (repeatable)
-    #[arg(short, long, required = true, value_name = "FILE")]
+    #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
     /// Layers of the EXR; all of them unless named, `samples` where sampling is adaptive
     #[arg(long, value_parser = layers(), value_delimiter = ',', value_name = "LAYER")]
@@ -63,10 +64,10 @@ pub(super) struct Arguments {
     part: Option<Part>,
     /// Add samples to a picture of random paths that was rendered before, up to as many as the scene now asks for: to the bit what a
     /// single longer render gives. The EXR has to keep its sums, as it does unless --layers leaves them out
-    #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames")]
+    #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames", value_parser = paths::file())]
     earlier: Option<PathBuf>,
     /// While the picture is rendered, write what there is so far to this file: .png or .exr, which may be continued
-    #[arg(long, value_name = "FILE", conflicts_with = "frames")]
+    #[arg(long, value_name = "FILE", conflicts_with = "frames", value_parser = paths::file())]
     preview: Option<PathBuf>,
     /// Seconds between two previews
     #[arg(long, value_name = "SECONDS", default_value = "30", requires = "preview", value_parser = parse_seconds)]
@@ -143,6 +144,9 @@ impl Arguments {
     /// Refuses what cannot be rendered in parts.
     pub(super) fn check_for_farm(&self) -> Result<(), Error> {
         self.check()?;
+        if paths::is_standard(&self.scene) {
+            return Err(Error::Usage(format!("-: {}", paths::NO_STREAM)));
+        }
         let alone = [
             (self.part.is_some(), "--part"),
             (self.crop.is_some(), "--crop"),

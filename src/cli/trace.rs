@@ -31,9 +31,9 @@ use crate::scene::{CutPlane, Scene};
 #[command(group(clap::ArgGroup::new("starts").args(["rays", "fan", "bundle", "pixel"]).required(true).multiple(true)))]
 #[command(group(clap::ArgGroup::new("results").args(["output", "plot", "focus", "windings"]).required(true).multiple(true)))]
 pub(super) struct Arguments {
-    /// The scene file; of its camera only --pixel knows
+    /// The scene file, or - for standard input; of its camera only --pixel knows
     scene: PathBuf,
-    /// A CSV file with the header x,y,z,vx,vy,vz: each ray's start, its velocity taken as it is
+    /// A CSV file with the header x,y,z,vx,vy,vz: each ray's start, its velocity taken as it is; `-` is standard input
     #[arg(long, value_name = "FILE")]
     rays: Option<PathBuf>,
     /// Rays from a point, such as "from=[-5,0,0] toward=[0,0,0] spread=30 count=9": SPREAD degrees between the outermost
@@ -53,7 +53,7 @@ pub(super) struct Arguments {
     #[arg(long, requires = "output")]
     path: bool,
     /// Draw the paths in a plane as SVG or PNG, with the surfaces that cross it
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = paths::file())]
     plot: Option<PathBuf>,
     #[command(flatten)]
     diagram: DiagramOptions,

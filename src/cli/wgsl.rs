@@ -14,7 +14,7 @@ use crate::scene::Scene;
 /// Print the linked program of a scene, pass by pass, with the part's file over each piece
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The scene file
+    /// The scene file, or - for standard input
     scene: PathBuf,
     /// Only this pass (setup, advance, shade, …)
     #[arg(long)]

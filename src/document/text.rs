@@ -1,14 +1,25 @@
 //! Files that are text.
 
 use std::fs::File;
-use std::io::{self, Read as _};
+use std::io::{self, Read};
 use std::path::Path;
+use std::sync::OnceLock;
 
 use super::{Mistake, SceneError};
 
 /// Reads a file whole, which must be text in UTF-8.
 pub fn read_text(path: &Path) -> Result<String, SceneError> {
-    let bytes = read_bytes(path)?;
+    text_of(read_bytes(path)?, path)
+}
+
+/// Reads a text that the command line names: a file's, or with `-` that of standard input.
+pub fn read_given_text(path: &Path) -> Result<String, SceneError> {
+    let name = given_name(path);
+    let bytes = read_given(path).map_err(|source| SceneError::Read { path: name.to_owned(), source })?;
+    text_of(bytes, name)
+}
+
+fn text_of(bytes: Vec<u8>, path: &Path) -> Result<String, SceneError> {
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         // What stands for the byte that is none of UTF-8 is three bytes long, and begins where that did.
@@ -36,17 +47,45 @@ const MOST: u64 = 1 << 30;
 
 /// A file's bytes.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
-    let failed = |source| SceneError::Read { path: path.to_owned(), source };
-    let mut file = File::open(path).map_err(failed)?;
-    let mut bytes = Vec::new();
-    if file.metadata().map_err(failed)?.is_file() {
-        file.read_to_end(&mut bytes).map_err(failed)?;
-        return Ok(bytes);
+    read_file(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
+}
+
+/// The bytes that the command line names: a file's, or with `-` those of standard input. That is read once, and kept for whoever asks
+/// again.
+pub fn read_given(path: &Path) -> io::Result<Vec<u8>> {
+    static INPUT: OnceLock<io::Result<Vec<u8>>> = OnceLock::new();
+    if path != Path::new("-") {
+        return read_file(path);
     }
-    file.take(MOST + 1).read_to_end(&mut bytes).map_err(failed)?;
+    match INPUT.get_or_init(|| read_some(io::stdin().lock())) {
+        Ok(bytes) => Ok(bytes.clone()),
+        Err(error) => Err(io::Error::new(error.kind(), error.to_string())),
+    }
+}
+
+/// A path as messages name it: standard input has no name of its own.
+#[must_use]
+pub fn given_name(path: &Path) -> &Path {
+    if path == Path::new("-") { Path::new("standard input") } else { path }
+}
+
+fn read_file(path: &Path) -> io::Result<Vec<u8>> {
+    let mut file = File::open(path)?;
+    if !file.metadata()?.is_file() {
+        return read_some(file);
+    }
+    let mut bytes = Vec::new();
+    file.read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// What a pipe or a device gives, up to [`MOST`] bytes.
+fn read_some(from: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(MOST + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MOST {
         let problem = "it is no file, and goes on behind 1 GiB: save what it gives in a file";
-        return Err(failed(io::Error::new(io::ErrorKind::FileTooLarge, problem)));
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
     }
     Ok(bytes)
 }

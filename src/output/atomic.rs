@@ -63,9 +63,9 @@ pub struct AtomicFile {
 impl AtomicFile {
     /// Makes sure that `path` can be written, and begins.
     ///
-    /// A symbolic link is followed, and a file that is replaced passes on its permissions.
+    /// A symbolic link is followed, also to where there is no file yet, and a file that is replaced passes on its permissions.
     pub fn create(path: &Path) -> Result<Self, OutputError> {
-        let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let target = destination(path);
         let kept_permissions = replaceable(path)?;
         let mut all = unfinished();
         let file = temporary_beside(&target, path)?;
@@ -107,6 +107,20 @@ impl AtomicFile {
     }
 }
 
+/// The links that one path may lead through, as on Linux.
+const LINKS: usize = 40;
+
+/// Returns the path of the file that is written where `path` is: symbolic links are followed, also to where there is no file yet.
+#[must_use]
+pub fn destination(path: &Path) -> PathBuf {
+    let mut target = path.to_owned();
+    for _ in 0..LINKS {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
+    }
+    fs::canonicalize(&target).unwrap_or(target)
+}
+
 /// The permissions of the file at `path`, if there is one, after a check that it may be replaced.
 fn replaceable(path: &Path) -> Result<Option<Permissions>, OutputError> {
     let not_a_file = |what| Err(OutputError::NotAFile { path: path.to_owned(), what });
@@ -119,6 +133,7 @@ fn replaceable(path: &Path) -> Result<Option<Permissions>, OutputError> {
         Ok(old) if !old.is_file() => not_a_file("a device or pipe"),
         Ok(old) if old.permissions().readonly() => Err(OutputError::ReadOnly { path: path.to_owned() }),
         Ok(old) => Ok(Some(old.permissions())),
+        Err(_) if destination(path).is_symlink() => not_a_file("a symbolic link to itself"),
         // Not there, or not to be seen: making the temporary file tells which.
         Err(_) => Ok(None),
     }

@@ -5,12 +5,12 @@
 //! so per ray; writing holds one row.
 
 use std::{
-    fs,
-    io::{self, BufWriter, Stdout, Write},
+    io::{self, BufWriter, ErrorKind, Stdout, Write},
     path::Path,
 };
 
 use super::{AtomicFile, OutputError};
+use crate::document::{given_name, read_given};
 
 /// The columns of a file of rays: a place and a velocity.
 pub const RAY_COLUMNS: [&str; 6] = ["x", "y", "z", "vx", "vy", "vz"];
@@ -21,7 +21,7 @@ const LEAST_SPEED: f64 = 1e-18;
 /// The columns of a file of places.
 pub const PLACE_COLUMNS: [&str; 3] = ["x", "y", "z"];
 
-/// Reads a file of rays, each as `[x, y, z, vx, vy, vz]` whatever the order of the columns.
+/// Reads a file of rays, each as `[x, y, z, vx, vy, vz]` whatever the order of the columns; the path `-` is standard input.
 ///
 /// The first line names the columns, which must be exactly those of [`RAY_COLUMNS`]; spaces around fields and empty
 /// lines are passed over. Every number must be finite, and there must be at least one ray. With `aimed` every ray must have a direction:
@@ -56,15 +56,16 @@ fn read_numbers<const N: usize>(
     columns: &[&str; N],
     check: impl Fn(&[f64; N]) -> Result<(), String>,
 ) -> Result<Vec<[f64; N]>, OutputError> {
-    let bytes = fs::read(path).map_err(|cause| OutputError::Read { path: path.to_owned(), cause })?;
+    let name = given_name(path);
+    let bytes = read_given(path).map_err(|cause| OutputError::Read { path: name.to_owned(), cause })?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = before.split(|byte| *byte == b'\n').count();
         let problem = "it is no text in UTF-8; save the file as UTF-8".to_owned();
-        OutputError::Table { path: path.to_owned(), line, problem }
+        OutputError::Table { path: name.to_owned(), line, problem }
     })?;
     let parsed = parse_numbers(&text, what, columns, check);
-    parsed.map_err(|(line, problem)| OutputError::Table { path: path.to_owned(), line, problem })
+    parsed.map_err(|(line, problem)| OutputError::Table { path: name.to_owned(), line, problem })
 }
 
 /// A line, from 1, and what is wrong with it.
@@ -284,10 +285,12 @@ pub struct Table {
 enum Sink {
     File(AtomicFile),
     Stdout(BufWriter<Stdout>),
+    /// Standard output whose reader has gone, as `head` does when it has had enough.
+    Closed,
 }
 
 impl Table {
-    /// Begins a table with the header of `R`; the path `-` is standard output.
+    /// Begins a table with the header of `R`; the path `-` is standard output. Once nobody reads that any more, rows go nowhere.
     pub fn create<R: Row>(path: &Path) -> Result<Self, OutputError> {
         let sink = if path == Path::new("-") {
             Sink::Stdout(BufWriter::new(io::stdout()))
@@ -308,18 +311,25 @@ impl Table {
     pub fn finish(self) -> Result<(), OutputError> {
         match self.sink {
             Sink::File(file) => file.finish(),
-            Sink::Stdout(mut out) => out.flush().map_err(stdout_error),
+            Sink::Stdout(mut out) => match out.flush() {
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+                flushed => flushed.map_err(OutputError::Stdout),
+            },
+            Sink::Closed => Ok(()),
         }
     }
 
     fn line(&mut self, line: &str) -> Result<(), OutputError> {
         match &mut self.sink {
             Sink::File(file) => writeln!(file, "{line}").map_err(|e| file.failed(e)),
-            Sink::Stdout(out) => writeln!(out, "{line}").map_err(stdout_error),
+            Sink::Stdout(out) => match writeln!(out, "{line}") {
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                    self.sink = Sink::Closed;
+                    Ok(())
+                }
+                written => written.map_err(OutputError::Stdout),
+            },
+            Sink::Closed => Ok(()),
         }
     }
-}
-
-fn stdout_error(cause: io::Error) -> OutputError {
-    OutputError::Write { path: "standard output".into(), cause }
 }

@@ -56,6 +56,9 @@ pub enum OutputError {
         /// What the system said.
         cause: io::Error,
     },
+    /// A table could not be written to standard output.
+    #[error("standard output could not be written: {0}")]
+    Stdout(io::Error),
     /// The extension names no format that can be written.
     #[error("{path}: the name must end in .png (colour to look at) or .exr (every plane, exact)")]
     Format {

@@ -30,7 +30,7 @@ mod whole;
 use std::path::Path;
 
 pub use assemble::assemble;
-pub use atomic::{AtomicFile, abandon_unfinished};
+pub use atomic::{AtomicFile, abandon_unfinished, destination};
 pub use error::OutputError;
 pub use film::{alpha_in_film, check_film, film, is_film, lost_alpha};
 pub use said::{said, settings_of};

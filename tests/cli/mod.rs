@@ -26,6 +26,7 @@ mod progress;
 mod same_files;
 mod shutter;
 mod slurm;
+mod streams;
 mod tables;
 mod traces;
 mod unwritable;

@@ -140,7 +140,8 @@ impl Format {
             Self::Hdr => hdr::size(path),
             Self::Exr => exr::size(path),
             Self::Png | Self::Jpeg => {
-                let (width, height) = self.reader(path, &Stage::unwatched())?.into_dimensions().map_err(|error| error.to_string())?;
+                let (width, height) =
+                    self.reader(path, &Stage::unwatched())?.into_dimensions().map_err(|error| error.to_string())?;
                 Ok([width, height])
             }
         }

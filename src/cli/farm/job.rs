@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use crate::cli::format::{Format, Found, shown};
 use crate::cli::frames::Film;
 use crate::cli::origin::scene_origin;
+use crate::cli::paths;
 use crate::cli::render::{self, targets_of};
 use crate::cli::share::{Share, Target};
 use crate::cli::words::{quoted, typed};
@@ -32,7 +33,7 @@ pub(super) struct Job {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     parts: u32,
     /// The folder of scripts and logs; without it NAME.farm for a scene NAME.toml
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", value_parser = paths::file())]
     folder: Option<PathBuf>,
     #[command(flatten)]
     render: render::Arguments,

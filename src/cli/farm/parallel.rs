@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use super::job::{Job, Written, finish_words, or_say, program, render_words};
+use crate::cli::paths;
 use crate::cli::words::quoted;
 use crate::error::Error;
 
@@ -17,7 +18,7 @@ pub(super) struct Parallel {
     at_once: u32,
     /// A file of machines, one a line, as GNU parallel's --sshloginfile takes it; without it this machine. Each has bentray and the
     /// folder in the same place
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = paths::file())]
     hosts: Option<PathBuf>,
     #[command(flatten)]
     job: Job,

@@ -10,8 +10,8 @@ use serde_json::{Value, json};
 
 use super::Arguments;
 use crate::cli::format::{Found, shown};
-use crate::cli::screen;
 use crate::cli::frame_names::numbered;
+use crate::cli::screen;
 use crate::cli::share::Target;
 use crate::error::Error;
 use crate::output::{OutputError, alpha_in_film, check_film, film, has_extension, is_film};

@@ -24,7 +24,7 @@ use super::{
 use crate::assets::Files;
 use crate::document::reader::{Reader, TableReader};
 use crate::document::values::{color, direction, number_where, positive, vector, whole, word};
-use crate::document::{Document, Override, read_text};
+use crate::document::{Document, Override, given_name, read_given_text};
 use crate::model::{Camera, Capture, Law, camera, law, material, shape};
 use glam::{DMat3, DVec3};
 use std::collections::BTreeMap;
@@ -32,7 +32,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 impl Scene {
-    /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file.
+    /// Reads and checks a scene file, with all that it names; `overrides` replace values of the file. The path `-` is standard input,
+    /// whose files are found relative to the working folder.
     pub fn load(path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         Self::load_with(&mut Files::default(), path, overrides, None)
     }
@@ -46,7 +47,7 @@ impl Scene {
         overrides: &[Override],
         frame_of: Option<&dyn Fn(&str) -> f64>,
     ) -> Result<Self, SceneError> {
-        Self::of(&document(path, overrides, frame_of)?, path, files)
+        Self::of(&document(path, overrides, frame_of)?, given_name(path), files)
     }
 
     /// What a scene file says, with the overrides and the frame's values in place: every value under its key, without `[animation]`,
@@ -90,7 +91,7 @@ fn document(
     overrides: &[Override],
     frame_of: Option<&dyn Fn(&str) -> f64>,
 ) -> Result<Document, SceneError> {
-    let mut document = Document::parse(&read_text(path)?, path, overrides)?;
+    let mut document = Document::parse(&read_given_text(path)?, given_name(path), overrides)?;
     if let Some(frame_of) = frame_of {
         animation::apply(&mut document, frame_of);
     }
