@@ -277,7 +277,7 @@ fn every_path_begins_where_its_ray_does() {
          [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbound = { radius = 60 }\n",
     );
     // Those in the circle that a fisheye's picture is.
-    let pixels = (0..144).map(|i| [i % 12, i / 12]);
+    let pixels = (0..144_i32).map(|i| [i % 12, i / 12]);
     let pixels: Vec<[i32; 2]> = pixels.filter(|[x, y]| (2 * x - 11).pow(2) + (2 * y - 11).pow(2) < 136).collect();
     let options: String = pixels.iter().map(|[x, y]| format!(" --pixel {x},{y}")).collect();
     folder.run(&format!("trace scene.toml --path -o path.csv{options}")).succeeds();
