@@ -13,7 +13,7 @@ use super::ends::{Settled, compared_layers};
 use super::refined::{Found, Trying};
 use super::trials::{LOST, MARGIN, TOO_MANY, Trial, Trials, segments};
 use super::{fast_methods, usual_method};
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, GpuError};
 use crate::model::control::embedded;
 use crate::model::method::TOLERANT;
 use crate::program::Layer;
@@ -134,14 +134,24 @@ impl<'a, 's> Preparation<'a, 's> {
     pub fn choose(self, rays: u64) -> Result<(Option<Calibration>, Option<Renderer<'a>>), RenderError> {
         let Self { gpu, scene, settings, accuracy, trying } = self;
         let stage = gpu.progress.stage(SEARCH);
+        let mut own = None;
         if let Some(mut trying) = trying
             && let Some(found) = trying.search(MARGIN * accuracy, rays)?
-            && found.cost * rays as f64 <= WORTH_A_SEARCH
         {
-            return Ok((Some(trusted(scene, settings, accuracy, &trying, found)), Some(trying.renderer)));
+            let calibration = trusted(scene, settings, accuracy, &trying, found);
+            if found.cost * rays as f64 <= WORTH_A_SEARCH {
+                return Ok((Some(calibration), Some(trying.renderer)));
+            }
+            own = Some((calibration, trying.renderer));
         }
         drop(stage);
-        Ok((calibrate(gpu, scene, settings, None)?, None))
+        let compared = calibrate(gpu, scene, settings, None)?;
+        match own {
+            Some((calibration, renderer)) if compared.as_ref().is_none_or(|best| !best.compared) => {
+                Ok((Some(calibration), Some(renderer)))
+            }
+            _ => Ok((compared, None)),
+        }
     }
 }
 
@@ -218,6 +228,22 @@ pub fn calibrate(
         found.closed_forms = closed_forms(scene, trial.method);
     }
     Ok(Some(found))
+}
+
+/// What is taken on devices without 64 bits where the picture's own program does not tell enough.
+fn unmeasured(scene: &Scene, settings: &RenderSettings, accuracy: f64) -> Calibration {
+    let chosen = unjudged();
+    Calibration {
+        accuracy,
+        chosen,
+        max_segments: segments(scene),
+        closed_forms: closed_forms(scene, chosen.method),
+        precision: scene.rays.precision,
+        in_double: None,
+        rays: Settled::default(),
+        compared: false,
+        layers: settings.choice.layers.clone(),
+    }
 }
 
 /// What is taken where no method can be judged.
