@@ -4,6 +4,7 @@
 
 use bentray::output::{film, lost_alpha};
 use bentray::program::{Choice, Schedule};
+use bentray::progress::Progress;
 use bentray::render::{RenderSettings, Renderer, Rendering};
 use bentray::scene::{Scene, Sky};
 
@@ -125,7 +126,7 @@ fn films_without_alpha_are_before_black() {
     let frames = [frame];
     assert!(lost_alpha(&gif, &frames).is_some_and(|words| words.contains("before black")));
     assert_eq!(lost_alpha(&png, &frames), None);
-    film(&gif, &frames, 24.0, &bentray::progress::Progress::default()).unwrap();
+    film(&gif, &frames, 24.0, &Progress::default()).unwrap();
     let shown = image::open(&gif).unwrap().into_rgba8();
     assert_eq!([0, 2].map(|x| shown.get_pixel(x, 0).0), [[188, 188, 188, 255], [9, 99, 199, 255]]);
     assert_eq!(shown.get_pixel(1, 0)[3], 0);

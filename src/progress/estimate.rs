@@ -10,6 +10,9 @@ use std::time::Duration;
 /// Ends of units closer together than this fraction of the elapsed time are merged, so that few are kept.
 const CLOSE: f64 = 1.0 / 256.0;
 
+/// A smaller fraction is no unit: it may be a rounding error.
+const LEAST: f64 = 1e-6;
+
 /// Estimates the remaining time of work from its progress. Times count from the work's start.
 #[derive(Debug, Clone)]
 pub struct Estimate {
@@ -29,7 +32,7 @@ impl Estimate {
         let at = at.as_secs_f64();
         // Work that has to be done again is not done.
         self.seen.retain(|(_, before)| *before <= done);
-        if self.seen.back().is_some_and(|(_, last)| done <= *last) {
+        if self.seen.back().is_some_and(|(_, last)| done - last < LEAST) {
             return;
         }
         while self.seen.get(1).is_some_and(|(next, _)| *next <= at / 2.0) {
@@ -145,6 +148,16 @@ mod tests {
         }
         let left = estimate.left(seconds(6.0)).unwrap().as_secs_f64();
         assert!((5.0..12.0).contains(&left), "{left}");
+    }
+
+    #[test]
+    fn rounding_is_no_progress() {
+        let mut estimate = Estimate::default();
+        for (at, done) in [(0.0, 0.05), (0.2, 0.05 + 1e-15), (1.0, 0.06)] {
+            estimate.see(seconds(at), done);
+            let left = estimate.left(seconds(at)).unwrap().as_secs_f64();
+            assert!(left < 100.0, "{left} at {at}");
+        }
     }
 
     #[test]
