@@ -112,7 +112,7 @@ impl Profile {
             let start = part.as_ptr() as usize - text.as_ptr() as usize;
             Mistake::locate(path.to_owned(), text, start, start + part.len(), problem, help.to_owned())
         };
-        let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim);
+        let lines = text.lines().map(str::trim);
         let mut lines = lines.filter(|line| !line.is_empty());
         let header = lines.next().unwrap_or(&text[..0]);
         if !header.split(',').map(str::trim).eq(COLUMNS.split(',')) {

@@ -22,7 +22,7 @@ pub(crate) use keys::keys;
 pub use keys::{Key, KeyReference};
 pub use kinds::{Kind, Kinds, kind_rows};
 pub use overrides::{Override, names};
-pub use text::{given_name, read_bytes, read_given, read_given_text, read_text};
+pub use text::{given_name, lenient_text, read_bytes, read_given, read_given_text, read_text, strict_text, unmarked};
 
 use std::borrow::Cow;
 use std::ops::Range;

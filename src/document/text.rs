@@ -1,5 +1,9 @@
-//! Files that are text.
+//! Files that are text: one way to read them for scenes, meshes, grids, profiles, laws and tables.
+//!
+//! *Practice.* A byte-order mark before UTF-8 is taken off, lines may end as on old Macs, and UTF-16 is named. Formats whose
+//! comments may be in any encoding are read by [`lenient_text`], all others by [`strict_text`].
 
+use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -7,26 +11,90 @@ use std::sync::OnceLock;
 
 use super::{Mistake, SceneError};
 
-/// Reads a file whole, which must be text in UTF-8.
+/// Reads a whole file, which must be text in UTF-8.
 pub fn read_text(path: &Path) -> Result<String, SceneError> {
-    text_of(read_bytes(path)?, path)
+    strict_text(read_bytes(path)?, path)
 }
 
 /// Reads a text that the command line names: a file's, or with `-` that of standard input.
 pub fn read_given_text(path: &Path) -> Result<String, SceneError> {
     let name = given_name(path);
     let bytes = read_given(path).map_err(|source| SceneError::Read { path: name.to_owned(), source })?;
-    text_of(bytes, name)
+    strict_text(bytes, name)
 }
 
-fn text_of(bytes: Vec<u8>, path: &Path) -> Result<String, SceneError> {
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        // What stands for the byte that is none of UTF-8 is three bytes long, and begins where that did.
-        let text = String::from_utf8_lossy(error.as_bytes());
-        let (problem, help) = not_text(error.as_bytes());
-        SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &text, at, at + 3, problem, help)])
-    })
+/// Returns bytes as text with `\n` at the ends of lines; `path` names them in the error.
+///
+/// # Errors
+///
+/// If the bytes are not UTF-8.
+pub fn strict_text(mut bytes: Vec<u8>, path: &Path) -> Result<String, SceneError> {
+    let mark = bytes.len() - unmarked(&bytes, path)?.len();
+    bytes.drain(..mark);
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(ended_lines(&text).unwrap_or(text)),
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            // The character that replaces an invalid byte is three bytes long, and begins at that byte.
+            let text = String::from_utf8_lossy(error.as_bytes());
+            let (problem, help) = not_text(error.as_bytes());
+            Err(SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &text, at, at + 3, problem, help)]))
+        }
+    }
+}
+
+/// Returns bytes as text with `\n` at the ends of lines; bytes that are not UTF-8 are replaced. `path` names them in the error.
+///
+/// # Errors
+///
+/// If the bytes are UTF-16 or UTF-32.
+pub fn lenient_text<'a>(bytes: &'a [u8], path: &Path) -> Result<Cow<'a, str>, SceneError> {
+    let bytes = unmarked(bytes, path)?;
+    let text = String::from_utf8_lossy(bytes);
+    Ok(ended_lines(&text).map_or(text, Cow::Owned))
+}
+
+/// Returns the bytes behind the byte-order mark that some editors write before UTF-8.
+///
+/// # Errors
+///
+/// If the bytes are UTF-16 or UTF-32, by their mark or by their zero bytes.
+pub fn unmarked<'a>(bytes: &'a [u8], path: &Path) -> Result<&'a [u8], SceneError> {
+    if let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
+        return Ok(rest);
+    }
+    let Some(encoding) = wide_encoding(bytes) else { return Ok(bytes) };
+    let problem = format!("this is text in {encoding}, and UTF-8 is read");
+    let help = format!("save the file as UTF-8, for example by `iconv -f {encoding} -t UTF-8 FILE`");
+    Err(SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), "", 0, 0, problem, help)]))
+}
+
+/// The encoding of text whose characters are of several bytes each, as `iconv` names it.
+fn wide_encoding(bytes: &[u8]) -> Option<&'static str> {
+    // The mark of UTF-32 begins with that of UTF-16.
+    const MARKS: [(&[u8], &str); 4] = [
+        (b"\xFF\xFE\0\0", "UTF-32LE"),
+        (b"\0\0\xFE\xFF", "UTF-32BE"),
+        (b"\xFF\xFE", "UTF-16LE"),
+        (b"\xFE\xFF", "UTF-16BE"),
+    ];
+    // Without a mark: every second byte of ASCII is zero. So many pairs are looked at, and so few are too few.
+    const MOST: usize = 16;
+    const LEAST: usize = 2;
+    if let Some((_, encoding)) = MARKS.iter().find(|(mark, _)| bytes.starts_with(mark)) {
+        return Some(encoding);
+    }
+    let pairs = &bytes.as_chunks::<2>().0[..(bytes.len() / 2).min(MOST)];
+    let all = |zero: usize| pairs.len() >= LEAST && pairs.iter().all(|pair| pair[zero] == 0 && pair[1 - zero] != 0);
+    [(1, "UTF-16LE"), (0, "UTF-16BE")].into_iter().find(|(zero, _)| all(*zero)).map(|(_, encoding)| encoding)
+}
+
+/// The text with `\n` for each `\r` that no `\n` follows, if there is one. No byte moves.
+fn ended_lines(text: &str) -> Option<String> {
+    let ends_alone = |at: usize| text.as_bytes().get(at + 1) != Some(&b'\n');
+    text.match_indices('\r').find(|(at, _)| ends_alone(*at))?;
+    let signs = text.char_indices().map(|(at, sign)| if sign == '\r' && ends_alone(at) { '\n' } else { sign });
+    Some(signs.collect())
 }
 
 /// What is wrong with bytes that are no text, and what would be right.
@@ -38,7 +106,7 @@ fn not_text(bytes: &[u8]) -> (String, String) {
     ];
     match known.into_iter().find(|(magic, _, _)| bytes.starts_with(magic)) {
         Some((_, what, help)) => (format!("this is {what}"), help.to_owned()),
-        None => ("this byte is no text in UTF-8".to_owned(), "save the file as UTF-8".to_owned()),
+        None => ("this byte is not UTF-8".to_owned(), "save the file as UTF-8".to_owned()),
     }
 }
 

@@ -10,7 +10,7 @@ use std::{
 };
 
 use super::{AtomicFile, OutputError};
-use crate::document::{given_name, read_given};
+use crate::document::{SceneError, given_name, read_given, strict_text};
 
 /// The columns of a file of rays: a place and a velocity.
 pub const RAY_COLUMNS: [&str; 6] = ["x", "y", "z", "vx", "vy", "vz"];
@@ -58,10 +58,13 @@ fn read_numbers<const N: usize>(
 ) -> Result<Vec<[f64; N]>, OutputError> {
     let name = given_name(path);
     let bytes = read_given(path).map_err(|cause| OutputError::Read { path: name.to_owned(), cause })?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = before.split(|byte| *byte == b'\n').count();
-        let problem = "it is no text in UTF-8; save the file as UTF-8".to_owned();
+    let text = strict_text(bytes, name).map_err(|error| {
+        let (line, problem) = match &error {
+            SceneError::Mistakes(all) if !all.is_empty() => {
+                (all[0].line, format!("{}; {}", all[0].problem, all[0].help))
+            }
+            other => (1, other.to_string()),
+        };
         OutputError::Table { path: name.to_owned(), line, problem }
     })?;
     let parsed = parse_numbers(&text, what, columns, check);
@@ -77,12 +80,7 @@ fn parse_numbers<const N: usize>(
     columns: &[&str; N],
     check: impl Fn(&[f64; N]) -> Result<(), String>,
 ) -> Result<Vec<[f64; N]>, Fault> {
-    let mut lines = text
-        .trim_start_matches('\u{feff}')
-        .lines()
-        .enumerate()
-        .map(|(i, line)| (i + 1, line))
-        .filter(|(_, line)| !line.trim().is_empty());
+    let mut lines = text.lines().enumerate().map(|(i, line)| (i + 1, line)).filter(|(_, line)| !line.trim().is_empty());
     let expected = columns.join(",");
     let (line, header) = lines.next().ok_or_else(|| (1, format!("the file is empty; begin it with {expected}")))?;
     let order = column_order(header, what, columns).map_err(|problem| (line, problem))?;

@@ -101,7 +101,7 @@ fn bytes_that_are_no_text_are_named_with_their_line() {
     let folder = Folder::with(BALL);
     folder.write("rays.csv", b"x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n0,\xff,5,0,0,-1\n");
     let ran = folder.run("trace scene.toml --rays rays.csv -o a.csv");
-    ran.fails(1, &["rays.csv: line 3: it is no text in UTF-8; save the file as UTF-8"]);
+    ran.fails(1, &["rays.csv: line 3: this byte is not UTF-8; save the file as UTF-8"]);
 }
 
 /// All numbers of an EXR's colour, and whether a PNG is black all over.

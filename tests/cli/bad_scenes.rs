@@ -144,7 +144,7 @@ fn a_scene_file_that_is_missing_or_no_text_is_named() {
         folder.run(command).fails(1, &["cannot read `nope.toml`: "]);
     }
     folder.write("scene.toml", b"[image]\n# \xff\xfe\n");
-    folder.run("check scene.toml").fails(1, &["scene.toml:2:3: this byte is no text in UTF-8"]);
+    folder.run("check scene.toml").fails(1, &["scene.toml:2:3: this byte is not UTF-8"]);
     assert_eq!(folder.names(), ["scene.toml"]);
 }
 
