@@ -15,7 +15,7 @@ use crate::document::values::text;
 use crate::document::{SceneError, read_text};
 use crate::progress::{Progress, Stage};
 
-/// A mesh, and the map from its space to where it stands in its file.
+/// A mesh, and the map from its own space to its place in the file.
 type PlacedMesh = (Arc<Mesh>, DAffine3);
 
 /// What was wanted of a file of meshes, and what was read for it. Of a crease's angle the bits are told apart.
@@ -38,8 +38,10 @@ pub struct Files {
     picture_of: HashMap<PathBuf, Option<Picture>>,
     /// Of each file of meshes what was wanted.
     meshes_of: HashMap<PathBuf, Meshes>,
-    /// Files that those of meshes name.
+    /// Files that those of meshes and grids name.
     others: BTreeSet<PathBuf>,
+    /// What the scene's meshes have that is not drawn, a sentence for each file.
+    left_out: BTreeSet<String>,
     /// The file that the last mesh was of: objects often take one part of it after the other.
     opened: Option<(PathBuf, Opened)>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
@@ -108,6 +110,7 @@ impl Files {
     /// Goes on to another scene: what failed before is tried again.
     pub fn begin(&mut self) {
         self.pictures.clear();
+        self.left_out.clear();
         self.picture_of.retain(|_, loaded| loaded.is_some());
         self.meshes_of.retain(|_, file| {
             file.wanted.retain(|_, loaded| loaded.is_some());
@@ -132,6 +135,12 @@ impl Files {
     #[must_use]
     pub fn pictures(&self) -> Vec<Picture> {
         self.pictures.iter().map(|(_, picture)| picture.clone()).collect()
+    }
+
+    /// Returns what the scene's files have that is not drawn, a sentence for each file.
+    #[must_use]
+    pub fn left_out(&self) -> Vec<String> {
+        self.left_out.iter().cloned().collect()
     }
 
     /// The index of the picture that a node names.
@@ -162,6 +171,21 @@ impl Files {
     /// `part` is where the part is named, for what is wrong with that.
     pub fn mesh(&mut self, reader: &Reader, node: &Node, part: &Node, wanted: &Wanted) -> Option<PlacedMesh> {
         let (path, identity) = find(reader, node)?;
+        let placed = self.placed_mesh(reader, (node, part), wanted, (&path, identity))?;
+        if !placed.0.left_out.is_empty() {
+            let kinds = placed.0.left_out.join(", ");
+            self.left_out.insert(format!("{}: only triangles are drawn, and not {kinds}", path.display()));
+        }
+        Some(placed)
+    }
+
+    fn placed_mesh(
+        &mut self,
+        reader: &Reader,
+        (node, part): (&Node, &Node),
+        wanted: &Wanted,
+        (path, identity): (&Path, PathBuf),
+    ) -> Option<PlacedMesh> {
         let key = (wanted.part.clone(), wanted.crease.to_bits());
         let known = self.meshes_of.get(&identity).map(|file| &file.wanted);
         if let Some(found) = known.and_then(|wanted| wanted.get(&key)) {
@@ -173,10 +197,11 @@ impl Files {
         {
             return None;
         }
-        let opened = accept(reader, node, self.open_meshes(&path, &identity));
-        let found = opened.and_then(|opened| accept(reader, part, opened.find(&wanted.part, &path)));
+        let opened = accept(reader, node, self.open_meshes(path, &identity));
+        let found = opened.and_then(|opened| accept(reader, part, opened.find(&wanted.part, path)));
         let placed = found.and_then(|(source, place)| {
-            let mesh = accept(reader, node, self.read_mesh(&path, &identity, source, wanted.crease))?;
+            let mesh = accept(reader, node, self.read_mesh(path, &identity, source, wanted.crease))?;
+            let place = place * DAffine3::from_translation(mesh.origin);
             Some((mesh, place))
         });
         self.meshes_of.entry(identity).or_default().wanted.insert(key, placed.clone());
@@ -212,7 +237,7 @@ impl Files {
         let opened = self.open_meshes(path, identity)?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let _stage = progress.stage(format!("building the mesh of {name}"));
-        let mesh = Arc::new(room.load(path, 0, || opened.mesh(&key.0, crease), Mesh::bytes)?);
+        let mesh = Arc::new(room.load(path, 0, || opened.mesh(&key.0, crease, path), Mesh::bytes)?);
         self.meshes_of.entry(identity.to_owned()).or_default().read.insert(key, Arc::clone(&mesh));
         Ok(mesh)
     }
@@ -235,6 +260,7 @@ impl Files {
         let _stage = self.reading(&path);
         let load = || IndexGrid::load(&path, used);
         let grid = Arc::new(accept(reader, node, self.room().load(&path, length(&path), load, IndexGrid::bytes))?);
+        self.others.extend(grid.data.clone());
         self.grid_of.insert(identity, (*used, Arc::clone(&grid)));
         Some(grid)
     }

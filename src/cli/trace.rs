@@ -94,6 +94,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut inputs = film.inputs();
     inputs.extend(arguments.rays.clone().map(|rays| (rays, "the table of rays")));
     paths::check(arguments.output.iter().chain(&arguments.plot).map(PathBuf::as_path), &inputs)?;
+    for words in &scene.left_out {
+        tell!("warning: {words}");
+    }
     let mut starts = Starts::of(arguments, scene.law.ignores_direction().is_none())?;
     let mut table = match &arguments.output {
         Some(output) if arguments.path => Some(Table::create::<PathRow>(output)?),

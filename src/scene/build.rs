@@ -39,6 +39,7 @@ impl Scene {
             occlusion: None,
             animation: None,
             pictures: Vec::new(),
+            left_out: Vec::new(),
         }
     }
 

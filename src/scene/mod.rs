@@ -85,6 +85,8 @@ pub struct Scene {
     pub animation: Option<Animation>,
     /// Every picture that a material or the sky uses, each loaded once.
     pub pictures: Vec<Picture>,
+    /// What the scene's meshes have that is not drawn, such as lines: a sentence for each file.
+    pub left_out: Vec<String>,
 }
 
 /// `[image]`: size and sampling.

@@ -27,7 +27,12 @@ impl Scene {
             let name = picture.name.clone();
             picture.notes.clone().into_iter().map(move |note| format!("{name}: {note}"))
         };
-        self.rounded_away().into_iter().chain(self.pictures.iter().flat_map(of_picture)).collect()
+        self.left_out
+            .iter()
+            .cloned()
+            .chain(self.rounded_away())
+            .chain(self.pictures.iter().flat_map(of_picture))
+            .collect()
     }
 
     /// What 32 bits cannot tell apart here, in words for a user; none where they suffice, or more are asked for.

@@ -2,10 +2,12 @@
 
 mod animation;
 mod cut;
+mod encodings;
 mod files;
 mod formats;
 mod gltf;
 mod inside;
+mod large;
 mod mistakes;
 mod normals;
 mod overrides;

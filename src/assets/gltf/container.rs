@@ -9,8 +9,9 @@ use base64::engine::general_purpose::STANDARD;
 use gltf_json::{Buffer, Index, Root, buffer::View};
 
 use super::Gltf;
+use super::nodes::Maps;
 use crate::assets::flaw::Flaw;
-use crate::document::{Mistake, SceneError};
+use crate::document::{Mistake, SceneError, unmarked};
 
 /// Extensions that a file may require: what they change is read here, or is not about meshes.
 const KNOWN: [&str; 7] = [
@@ -30,10 +31,11 @@ impl Gltf {
         let (json, own) = if is_binary {
             chunks(&bytes).map_err(|flaw| flaw.of(path))?
         } else {
-            (if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 }..bytes.len(), None)
+            let text = unmarked(&bytes, path)?;
+            (bytes.len() - text.len()..bytes.len(), None)
         };
         let start = json.start;
-        let root: Root = serde_json::from_slice(&bytes[json]).map_err(|error| {
+        let unreadable = |error: serde_json::Error| {
             if is_binary {
                 return Flaw::at(start, &format!("not what glTF says in JSON: {error}")).of(path);
             }
@@ -46,7 +48,9 @@ impl Gltf {
             let said = error.to_string();
             let problem = format!("not glTF: {}", said.split(" at line ").next().unwrap_or(&said));
             SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &text, at, at + 1, problem, String::new())])
-        })?;
+        };
+        let root: Root = serde_json::from_slice(&bytes[json.clone()]).map_err(unreadable)?;
+        let Maps { nodes: maps } = serde_json::from_slice(&bytes[json]).map_err(unreadable)?;
         let version = &root.asset.version;
         if !version.starts_with("2.") {
             return Err(Flaw(format!("it is of glTF {version}, and 2.0 is read")).of(path));
@@ -58,7 +62,7 @@ impl Gltf {
             );
         }
         let buffers = root.buffers.iter().map(|_| OnceLock::new()).collect();
-        Ok(Self { root, path: path.to_owned(), bytes, own, buffers, with_mesh: OnceLock::new() })
+        Ok(Self { root, maps, path: path.to_owned(), bytes, own, buffers, with_mesh: OnceLock::new() })
     }
 
     /// The bytes of a view.

@@ -21,7 +21,7 @@ use super::flaw::Flaw;
 pub(super) use accessor::Elements;
 pub use gltf_json as json;
 pub use images::{Stored, image_of};
-use nodes::WithMesh;
+use nodes::{Map, WithMesh};
 pub use nodes::{NodeName, Placed, names};
 
 /// A file, and the bytes that it speaks of.
@@ -29,6 +29,8 @@ pub use nodes::{NodeName, Placed, names};
 pub struct Gltf {
     /// What it says.
     pub root: Root,
+    /// Each node's map to its parent, in 64 bits.
+    maps: Vec<Map>,
     path: PathBuf,
     /// The bytes of the file, and where in them its own buffer is.
     bytes: Vec<u8>,

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use glam::{DAffine3, DMat4, DQuat, DVec3, Vec3};
+use glam::{DAffine3, DMat4, DQuat, DVec3};
 use gltf_json::{Index, Node};
+use serde::Deserialize;
 
 use super::Gltf;
 use crate::assets::flaw::Flaw;
@@ -51,7 +52,7 @@ impl Gltf {
             if std::mem::replace(&mut met[number], true) {
                 return Err(Flaw(format!("nodes[{number}] has two places: nodes are trees")));
             }
-            let world = parent * own(node);
+            let world = parent * self.maps.get(number).map_or(DAffine3::IDENTITY, Map::affine);
             if !world.is_finite() {
                 return Err(Flaw(format!("nodes[{number}] has no finite place")));
             }
@@ -146,14 +147,32 @@ impl WithMesh {
     }
 }
 
-/// The map from a node's space to its parent's.
-fn own(node: &Node) -> DAffine3 {
-    if let Some(matrix) = &node.matrix {
-        return DAffine3::from_mat4(DMat4::from_cols_array(&matrix.map(f64::from)));
+/// All nodes' maps, as the JSON has them.
+#[derive(Debug, Deserialize)]
+pub(super) struct Maps {
+    #[serde(default)]
+    pub nodes: Vec<Map>,
+}
+
+/// The map from a node's space to its parent's, in 64 bits: `gltf-json` rounds it to 32, in which a place on a map of a country is
+/// meters off.
+#[derive(Debug, Deserialize)]
+pub(super) struct Map {
+    matrix: Option<[f64; 16]>,
+    translation: Option<[f64; 3]>,
+    rotation: Option<[f64; 4]>,
+    scale: Option<[f64; 3]>,
+}
+
+impl Map {
+    fn affine(&self) -> DAffine3 {
+        if let Some(matrix) = &self.matrix {
+            return DAffine3::from_mat4(DMat4::from_cols_array(matrix));
+        }
+        let rotation = self.rotation.map_or(DQuat::IDENTITY, DQuat::from_array);
+        let rotation = if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY };
+        let scale = self.scale.map_or(DVec3::ONE, DVec3::from_array);
+        let translation = self.translation.map_or(DVec3::ZERO, DVec3::from_array);
+        DAffine3::from_scale_rotation_translation(scale, rotation, translation)
     }
-    let vector = |value: Option<[f32; 3]>, usual: DVec3| value.map_or(usual, |value| Vec3::from(value).as_dvec3());
-    let rotation = node.rotation.map_or(DQuat::IDENTITY, |rotation| DQuat::from_array(rotation.0.map(f64::from)));
-    let rotation = if rotation.length_squared() > 0.0 { rotation.normalize() } else { DQuat::IDENTITY };
-    let (scale, translation) = (vector(node.scale, DVec3::ONE), vector(node.translation, DVec3::ZERO));
-    DAffine3::from_scale_rotation_translation(scale, rotation, translation)
 }

@@ -9,7 +9,7 @@ mod tests;
 
 use crate::document::{SceneError, read_bytes};
 use glam::DVec3;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Samples of an index.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,31 +22,56 @@ pub struct IndexGrid {
     pub cell: DVec3,
     /// n at each point, above 0; x fastest, then y.
     pub samples: Vec<f32>,
+    /// The file that the samples are in, if the header is in another.
+    pub data: Option<PathBuf>,
 }
 
 /// How numbers are stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stored {
-    /// Bytes.
+    /// Whole numbers of 8 bits with a sign.
+    I8,
+    /// Whole numbers of 8 bits.
     U8,
-    /// Of 16 bits.
+    /// Whole numbers of 16 bits with a sign.
+    I16,
+    /// Whole numbers of 16 bits.
     U16,
-    /// Of 32 bits.
+    /// Whole numbers of 32 bits with a sign.
+    I32,
+    /// Whole numbers of 32 bits.
+    U32,
+    /// Whole numbers of 64 bits with a sign.
+    I64,
+    /// Whole numbers of 64 bits.
+    U64,
+    /// Floating-point numbers of 32 bits.
     F32,
-    /// Of 64 bits.
+    /// Floating-point numbers of 64 bits.
     F64,
 }
 
 impl Stored {
-    /// By the names that a scene has for them.
-    pub const NAMES: &[(&str, Self)] = &[("u8", Self::U8), ("u16", Self::U16), ("f32", Self::F32), ("f64", Self::F64)];
+    /// Each by its name in a scene.
+    pub const NAMES: &[(&str, Self)] = &[
+        ("i8", Self::I8),
+        ("u8", Self::U8),
+        ("i16", Self::I16),
+        ("u16", Self::U16),
+        ("i32", Self::I32),
+        ("u32", Self::U32),
+        ("i64", Self::I64),
+        ("u64", Self::U64),
+        ("f32", Self::F32),
+        ("f64", Self::F64),
+    ];
 
     fn bytes(self) -> usize {
         match self {
-            Self::U8 => 1,
-            Self::U16 => 2,
-            Self::F32 => 4,
-            Self::F64 => 8,
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::I32 | Self::U32 | Self::F32 => 4,
+            Self::I64 | Self::U64 | Self::F64 => 8,
         }
     }
 
@@ -59,8 +84,14 @@ impl Stored {
         }
         let [a, b, c, d, ..] = ordered;
         match self {
+            Self::I8 => f64::from(i8::from_le_bytes([a])),
             Self::U8 => f64::from(a),
+            Self::I16 => f64::from(i16::from_le_bytes([a, b])),
             Self::U16 => f64::from(u16::from_le_bytes([a, b])),
+            Self::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
+            Self::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
+            Self::I64 => i64::from_le_bytes(ordered) as f64,
+            Self::U64 => u64::from_le_bytes(ordered) as f64,
             Self::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
             Self::F64 => f64::from_le_bytes(ordered),
         }
@@ -98,6 +129,8 @@ struct Volume {
     /// The first sample's place, and the way to the next.
     place: Option<(DVec3, DVec3)>,
     bytes: Vec<u8>,
+    /// The file of the bytes, if the header is in another.
+    data: Option<PathBuf>,
 }
 
 /// More than 32-bit places could count.
@@ -109,7 +142,7 @@ impl IndexGrid {
         let bytes = read_bytes(path)?;
         let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
         let volume = match used.bare {
-            Some(bare) => Volume { bare, place: None, bytes },
+            Some(bare) => Volume { bare, place: None, bytes, data: None },
             None => nrrd::read(&bytes, path)?,
         };
         Self::from_volume(&volume, used).map_err(unusable)
@@ -153,7 +186,7 @@ impl IndexGrid {
             }
             samples.push(n);
         }
-        Ok(Self { size, origin, cell, samples })
+        Ok(Self { size, origin, cell, samples, data: volume.data.clone() })
     }
 }
 

@@ -1,15 +1,16 @@
 //! NRRD ("nearly raw raster data", <https://teem.sourceforge.net/nrrd/format.html>): a header of text lines, an empty line, and the
 //! samples.
 //!
-//! *Practice.* Read are volumes of three axes along x, y and z, with their samples behind the header, raw or by gzip. All else is
+//! *Practice.* Read are volumes of three axes along x, y and z, with their samples behind the header or in one file of their own, raw or by gzip. All else is
 //! refused, with its line. Fields that say nothing of where samples are and what they are (content, units, kinds, …) are passed
 //! over.
 
 use super::{Bare, Stored, Volume, count};
-use crate::document::{Mistake, SceneError};
+use crate::document::{Mistake, SceneError, lenient_text, read_bytes, unmarked};
 use glam::DVec3;
+use std::borrow::Cow;
 use std::io::Read as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A header's field: where its value stands in the file.
 type Field<'a> = (String, &'a str);
@@ -18,35 +19,71 @@ type Field<'a> = (String, &'a str);
 type Wrong<'a> = (&'a str, String, String);
 
 pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
-    let (header, data) = split(bytes);
+    let bytes = unmarked(bytes, path)?;
+    let (header, behind) = split(bytes);
     // Comments may be in any encoding, and come before nothing that matters by its place in bytes but the words found here.
-    let header = String::from_utf8_lossy(header);
-    let volume = Header::read(&header).map_err(|(word, problem, help)| {
+    let header = lenient_text(header, path)?;
+    let wrong = |(word, problem, help): Wrong| {
         // A word is a part of the text, so the distance of their addresses is its place there.
         let start = word.as_ptr() as usize - header.as_ptr() as usize;
         let end = start + word.len();
         SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &header, start, end, problem, help)])
-    })?;
-    let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
+    };
+    let volume = Header::read(&header).map_err(wrong)?;
+    // Of too many samples none are read; they are refused by their number.
+    let samples = count(volume.bare.size).unwrap_or(0);
+    let wanted = samples * volume.bare.stored.bytes();
+    let data = volume.data.map(|name| Ok((data_file(name, path)?, name))).transpose().map_err(wrong)?;
+    let stored = match &data {
+        None => Cow::Borrowed(behind),
+        Some((file, name)) => {
+            // Of a file of another length nothing is read.
+            let length = std::fs::metadata(file).map_or(wanted as u64, |file| file.len());
+            if samples > 0 && !volume.zipped && length != wanted as u64 {
+                let problem = format!("the file has {length} bytes, and the samples are {wanted}");
+                return Err(wrong((name, problem, "check `sizes`, `type` and `encoding`".to_owned())));
+            }
+            Cow::Owned(if samples > 0 { read_bytes(file)? } else { Vec::new() })
+        }
+    };
     let bytes = if volume.zipped {
-        let wanted = count(volume.bare.size).map_or(0, |count| count * volume.bare.stored.bytes());
         // One byte more, so that too many are noticed; no more, however much a file unfolds to.
         let mut unzipped = Vec::new();
-        flate2::read::MultiGzDecoder::new(data)
-            .take(wanted as u64 + 1)
-            .read_to_end(&mut unzipped)
-            .map_err(|error| unusable(format!("its samples cannot be unzipped: {error}")))?;
+        let unzip = flate2::read::MultiGzDecoder::new(&*stored).take(wanted as u64 + 1).read_to_end(&mut unzipped);
+        unzip.map_err(|error| SceneError::Grid {
+            path: path.to_owned(),
+            problem: format!("its samples cannot be unzipped: {error}"),
+        })?;
         unzipped
     } else {
-        data.to_vec()
+        stored.into_owned()
     };
-    Ok(Volume { bare: volume.bare, place: volume.place, bytes })
+    Ok(Volume { bare: volume.bare, place: volume.place, bytes, data: data.map(|(file, _)| file) })
 }
 
-/// Before and behind the first empty line.
+/// Returns the one file of samples that a header names, relative to the header's folder.
+fn data_file<'a>(name: &'a str, header: &Path) -> Result<PathBuf, Wrong<'a>> {
+    let is_list = name == "LIST" || name.starts_with("LIST ");
+    let is_pattern = name.contains('%') && name.contains(' ');
+    if is_list || is_pattern {
+        let problem = "samples in several files are not supported".to_owned();
+        return Err((name, problem, "join them, and give the name of that one file".to_owned()));
+    }
+    let file = header.parent().unwrap_or(Path::new("")).join(name);
+    if file.is_file() {
+        return Ok(file);
+    }
+    let help = "a data file is found relative to the folder of its header".to_owned();
+    Err((name, format!("there is no file `{}`", file.display()), help))
+}
+
+/// Before and behind the first empty line. Lines end as the first one does: behind the header any byte may stand.
 fn split(bytes: &[u8]) -> (&[u8], &[u8]) {
+    let first = bytes.iter().position(|byte| matches!(byte, b'\r' | b'\n'));
+    let is_old_mac = first.is_some_and(|at| bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n'));
+    let line_end = if is_old_mac { b'\r' } else { b'\n' };
     let mut start = 0;
-    while let Some(length) = bytes[start..].iter().position(|b| *b == b'\n') {
+    while let Some(length) = bytes[start..].iter().position(|byte| *byte == line_end) {
         let line = &bytes[start..start + length];
         if line.is_empty() || line == b"\r" {
             return (&bytes[..start], &bytes[start + length + 1..]);
@@ -56,14 +93,16 @@ fn split(bytes: &[u8]) -> (&[u8], &[u8]) {
     (bytes, &[])
 }
 
-struct Header {
+struct Header<'a> {
     bare: Bare,
     place: Option<(DVec3, DVec3)>,
     zipped: bool,
+    /// What the header says of another file that holds the samples.
+    data: Option<&'a str>,
 }
 
-impl Header {
-    fn read(text: &str) -> Result<Self, Wrong<'_>> {
+impl<'a> Header<'a> {
+    fn read(text: &'a str) -> Result<Self, Wrong<'a>> {
         let mut lines = text.lines();
         let magic = lines.next().unwrap_or("");
         if !magic.starts_with("NRRD000") {
@@ -83,13 +122,7 @@ impl Header {
             }
             fields.push((name, value.trim()));
         }
-        if let Some((_, file)) = find(&fields, &["data file", "datafile"]) {
-            return Err((
-                file,
-                "samples in another file are not supported".to_owned(),
-                "put them behind the header".to_owned(),
-            ));
-        }
+        let data = find(&fields, &["data file", "datafile"]).map(|(_, name)| *name);
         for skip in ["line skip", "lineskip", "byte skip", "byteskip"] {
             if let Some((_, count)) = find(&fields, &[skip]).filter(|(_, count)| *count != "0") {
                 return Err((count, format!("`{skip}` is not supported"), String::new()));
@@ -115,10 +148,10 @@ impl Header {
             Some((_, "little")) => true,
             Some((_, "big")) => false,
             Some((_, other)) => return Err((other, format!("unknown endian `{other}`"), "little or big".to_owned())),
-            None if stored == Stored::U8 => true,
+            None if stored.bytes() == 1 => true,
             None => required(&["endian"], "little").map(|_| true)?,
         };
-        Ok(Self { bare: Bare { size, stored, little }, place: place(&fields)?, zipped })
+        Ok(Self { bare: Bare { size, stored, little }, place: place(&fields)?, zipped, data })
     }
 }
 
@@ -146,12 +179,24 @@ fn size(value: &str) -> Result<[u32; 3], Wrong<'_>> {
 /// The format has several names for each type.
 fn stored(value: &str) -> Result<Stored, Wrong<'_>> {
     match value {
+        "signed char" | "int8" | "int8_t" => Ok(Stored::I8),
         "uchar" | "unsigned char" | "uint8" | "uint8_t" => Ok(Stored::U8),
+        "short" | "short int" | "signed short" | "signed short int" | "int16" | "int16_t" => Ok(Stored::I16),
         "ushort" | "unsigned short" | "unsigned short int" | "uint16" | "uint16_t" => Ok(Stored::U16),
+        "int" | "signed int" | "int32" | "int32_t" => Ok(Stored::I32),
+        "uint" | "unsigned int" | "uint32" | "uint32_t" => Ok(Stored::U32),
+        "longlong"
+        | "long long"
+        | "long long int"
+        | "signed long long"
+        | "signed long long int"
+        | "int64"
+        | "int64_t" => Ok(Stored::I64),
+        "ulonglong" | "unsigned long long" | "unsigned long long int" | "uint64" | "uint64_t" => Ok(Stored::U64),
         "float" => Ok(Stored::F32),
         "double" => Ok(Stored::F64),
         _ => {
-            let help = "supported: uint8, uint16, float, double".to_owned();
+            let help = "supported: int8 to int64, uint8 to uint64, float, double".to_owned();
             Err((value, format!("samples of type `{value}` are not supported"), help))
         }
     }

@@ -56,8 +56,18 @@ fn every_kind_of_number_is_read() {
         ("double", [bytes(|v| f64::from(v).to_le_bytes()), bytes(|v| f64::from(v).to_be_bytes())]),
         ("unsigned short", [bytes(|v| ((8.0 * v) as u16).to_le_bytes()), bytes(|v| ((8.0 * v) as u16).to_be_bytes())]),
         ("uint8", [bytes(|v| [(8.0 * v) as u8]), bytes(|v| [(8.0 * v) as u8])]),
+        ("unsigned int", [bytes(|v| ((8.0 * v) as u32).to_le_bytes()), bytes(|v| ((8.0 * v) as u32).to_be_bytes())]),
+        ("uint64", [bytes(|v| ((8.0 * v) as u64).to_le_bytes()), bytes(|v| ((8.0 * v) as u64).to_be_bytes())]),
+        ("int8", [bytes(|v| ((-8.0 * v) as i8).to_le_bytes()), bytes(|v| ((-8.0 * v) as i8).to_be_bytes())]),
+        ("short", [bytes(|v| ((-8.0 * v) as i16).to_le_bytes()), bytes(|v| ((-8.0 * v) as i16).to_be_bytes())]),
+        ("int32_t", [bytes(|v| ((-8.0 * v) as i32).to_le_bytes()), bytes(|v| ((-8.0 * v) as i32).to_be_bytes())]),
+        ("long long", [bytes(|v| ((-8.0 * v) as i64).to_le_bytes()), bytes(|v| ((-8.0 * v) as i64).to_be_bytes())]),
     ] {
-        let scale = if name.starts_with('u') { 0.125 } else { 1.0 };
+        let scale = match name {
+            "float" | "double" => 1.0,
+            unsigned if unsigned.starts_with('u') => 0.125,
+            _ => -0.125,
+        };
         for (endian, data) in little.iter().zip(data) {
             let header = HEADER.replace("type: float", &format!("type: {name}")).replace("endian: little", endian);
             let used = Use { scale: 2.0 * scale, offset: -1.0, ..AS_IT_IS };
@@ -69,6 +79,25 @@ fn every_kind_of_number_is_read() {
             let found = load(&format!("{zipped}\n"), &zipper.finish().unwrap(), &used).unwrap();
             assert_eq!(found.samples, want, "{name}, {endian}, by gzip");
         }
+    }
+}
+
+#[test]
+fn samples_may_be_in_a_file_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let header = HEADER.replace("content: a: b", "data file: ./the samples.raw");
+    let data = folder.path().join("the samples.raw");
+    for ending in ["", "\n"] {
+        let path = folder.path().join("a.nhdr");
+        std::fs::write(&path, header.clone() + ending).unwrap();
+        std::fs::write(&data, bytes(f32::to_le_bytes)).unwrap();
+        let grid = IndexGrid::load(&path, &AS_IT_IS).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!((grid.samples, grid.data), (values(), Some(folder.path().join("./the samples.raw"))));
+        let mut zipper = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        zipper.write_all(&bytes(f32::to_le_bytes)).unwrap();
+        std::fs::write(&path, header.replace("encoding: raw", "encoding: gzip")).unwrap();
+        std::fs::write(&data, zipper.finish().unwrap()).unwrap();
+        assert_eq!(IndexGrid::load(&path, &AS_IT_IS).unwrap().samples, values());
     }
 }
 
@@ -105,7 +134,12 @@ fn mistakes_have_their_line() {
         ),
         (mark("spacings: 0.5 1 2", "space directions: «none (0,1,0) (0,0,1)»"), "expected three directions"),
         (mark("content: a: b", "space origin: «0 0 0»"), "expected a place"),
-        (mark("content: a: b", "data file: «a.raw»"), "samples in another file are not supported"),
+        (mark("content: a: b", "data file: «LIST»"), "samples in several files are not supported"),
+        (mark("content: a: b", "data file: «LIST 2»"), "samples in several files are not supported"),
+        (mark("content: a: b", "datafile: «a%03d.raw 1 10 1»"), "samples in several files are not supported"),
+        (mark("content: a: b", "data file: «b.raw»"), "there is no file"),
+        // The header itself, which is of another length.
+        (mark("content: a: b", "data file: «a.nrrd»"), "the file has "),
         (mark("content: a: b", "byte skip: «-1»"), "`byte skip` is not supported"),
     ] {
         let start = marked.find('«').unwrap();

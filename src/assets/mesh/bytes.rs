@@ -32,7 +32,7 @@ impl<'a> Bytes<'a> {
     }
 }
 
-/// A coordinate that can be used: finite, and not too large.
-pub(super) fn usable(value: f32) -> bool {
-    value.abs() <= LARGEST
+/// Returns `true` for a coordinate that can be used: finite, and not too large.
+pub(super) fn usable(value: impl Into<f64>) -> bool {
+    (value.into() as f32).abs() <= LARGEST
 }

@@ -96,13 +96,13 @@ impl Mesh {
         open.flat_map(|(_, sides)| sides).map(|side| side.corner).min().map(|corner| self.middle(corner))
     }
 
-    /// The middle of the side of a triangle that starts at a corner.
+    /// The middle of the side of a triangle that starts at a corner, in the file's space.
     pub(super) fn middle(&self, corner: u32) -> [f32; 3] {
         let triangle = self.triangles[corner as usize / 3];
         let [a, b] = [corner, corner + 1].map(|k| {
             let next = if corner / 3 == k / 3 { k % 3 } else { 0 };
             self.vertices[triangle[next as usize] as usize].position
         });
-        ((a + b) / 2.0).to_array()
+        (self.origin.as_vec3() + (a + b) / 2.0).to_array()
     }
 }

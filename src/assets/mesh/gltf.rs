@@ -1,6 +1,6 @@
 //! The meshes of glTF: primitives of nodes, each in its place in the file's scene.
 //!
-//! *Theory.* A primitive is of triangles, a strip or a fan. Its texture coordinates are those that its material's colour uses, moved as
+//! *Theory.* A primitive is of triangles, a strip or a fan; those of points and lines are counted and not drawn. Its texture coordinates are those that its material's colour uses, moved as
 //! `KHR_texture_transform` says, with v counted from below as everywhere here.
 //!
 //! *Practice.* The bytes and their checks are [`Gltf`]'s. The mesh of one node stays in its own space, so that nodes which show the same
@@ -52,7 +52,7 @@ impl Gltf {
 
     /// The triangles there, with normals as `crease` says where the file has none.
     pub fn read(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
-        Ok(Parts::read(self, source)?.mesh(crease))
+        Parts::read(self, source)?.mesh(crease).map_err(|flaw| flaw.of(self.path()))
     }
 
     fn source(&self, part: &Part) -> Result<(Source, DAffine3), Flaw> {
@@ -98,7 +98,7 @@ impl Gltf {
         for (primitive, world, of) in primitives {
             self.primitive(&mut raw, primitive, world, &of)?;
         }
-        if raw.is_empty() { Err(Flaw("the mesh has no triangles with an area".to_owned())) } else { Ok(raw) }
+        if raw.is_empty() { Err(Flaw(raw.nothing())) } else { Ok(raw) }
     }
 
     /// The mesh of a node that has one: its place in the file, and what it is.
@@ -151,7 +151,16 @@ impl Gltf {
     }
 
     fn primitive(&self, raw: &mut Raw, primitive: &Primitive, world: DAffine3, of: &str) -> Result<(), Flaw> {
-        let mode = drawn(primitive, of)?;
+        let mode = mode(primitive, of)?;
+        let left_out = match mode {
+            Mode::Points => Some("primitives of points"),
+            Mode::Lines | Mode::LineLoop | Mode::LineStrip => Some("primitives of lines"),
+            Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan => None,
+        };
+        if let Some(kind) = left_out {
+            raw.leave_out(kind, 1);
+            return Ok(());
+        }
         let given = |semantic| primitive.attributes.get(&Valid(semantic)).copied();
         let named = |attribute: &str| format!("{of}.attributes.{attribute}");
         let positions = given(Semantic::Positions).ok_or_else(|| Flaw(format!("{of} has no POSITION")))?;
@@ -159,7 +168,7 @@ impl Gltf {
         let count = positions.count;
         let base = raw.positions.len();
         for i in 0..count {
-            let position = world.transform_point3(Vec3::from(positions.numbers(i)).as_dvec3()).as_vec3();
+            let position = world.transform_point3(Vec3::from(positions.numbers(i)).as_dvec3());
             if !position.to_array().into_iter().all(usable) {
                 return Err(Flaw(format!("{of}: vertex {i} is at {position}; numbers are finite, to 1e30")));
             }
@@ -258,11 +267,10 @@ fn same_count<'a>(elements: Option<Elements<'a>>, count: usize, of: &str) -> Res
     }
 }
 
-/// What a primitive is made of, if that has an area.
-fn drawn(primitive: &Primitive, of: &str) -> Result<Mode, Flaw> {
+/// What a primitive is made of.
+fn mode(primitive: &Primitive, of: &str) -> Result<Mode, Flaw> {
     match &primitive.mode {
-        Valid(mode @ (Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan)) => Ok(*mode),
-        Valid(mode) => Err(Flaw(format!("{of} is of {mode:?}; triangles, strips and fans are drawn"))),
+        Valid(mode) => Ok(*mode),
         Invalid => Err(Flaw(format!("{of} has a `mode` that there is not"))),
     }
 }

@@ -1,22 +1,25 @@
-//! What was read, as a mesh: corners that are equal in all are one vertex.
+//! What was read, as a mesh: positions are rounded to 32 bits, and corners that are equal in everything are one vertex.
 
 use std::collections::hash_map::Entry;
 
 use foldhash::{HashMap, HashMapExt};
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3};
 
 use super::raw::{Corner, Raw};
 use super::{Mesh, Vertex, normals};
+use crate::assets::flaw::Flaw;
 
 impl Raw {
     /// The mesh, with normals made where there are none: faces that meet at an angle below `crease` degrees share theirs.
-    pub(super) fn mesh(&self, crease: f64) -> Mesh {
-        let made = normals::made(self, crease);
+    pub(super) fn mesh(&self, crease: f64) -> Result<Mesh, Flaw> {
+        let origin = self.origin();
+        let place = |corner: Corner| (self.positions[corner.position as usize] - origin).as_vec3();
+        let made = normals::made(self, crease, origin);
         let mut index_of: HashMap<[u32; 8], u32> = HashMap::with_capacity(self.positions.len());
         let mut vertices = Vec::with_capacity(self.positions.len());
         let mut vertex = |corner: Corner, made: Option<Vec3>| {
             let vertex = Vertex {
-                position: self.positions[corner.position as usize],
+                position: place(corner),
                 normal: self.given_normal(corner).or(made).unwrap_or(Vec3::Z),
                 uv: self.uvs.get(corner.uv as usize).copied().unwrap_or(Vec2::ZERO),
             };
@@ -30,12 +33,20 @@ impl Raw {
                 }
             }
         };
-        let triangles = self.triangles().iter().enumerate().map(|(i, triangle)| {
+        let has_area = |corners: &[Corner; 3]| {
+            let [a, b, c] = corners.map(|corner| place(corner).as_dvec3());
+            (b - a).cross(c - a) != DVec3::ZERO
+        };
+        let rounded = self.triangles().iter().enumerate().filter(|(_, triangle)| has_area(&triangle.corners));
+        let triangles = rounded.map(|(i, triangle)| {
             let [a, b, c] = triangle.corners;
             let made = made.get(i).map_or([None; 3], |made| made.map(Some));
             [vertex(a, made[0]), vertex(b, made[1]), vertex(c, made[2])]
         });
-        let triangles = triangles.collect();
-        Mesh::new(vertices, triangles)
+        let triangles: Vec<[u32; 3]> = triangles.collect();
+        if triangles.is_empty() {
+            return Err(Flaw(self.nothing()));
+        }
+        Ok(Mesh { origin, left_out: self.left_out(), ..Mesh::new(vertices, triangles) })
     }
 }

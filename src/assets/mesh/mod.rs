@@ -31,13 +31,18 @@ use cells::Cells;
 use inside::Inside;
 use raw::Raw;
 
-/// Triangles.
+/// Triangles in a space of their own: that of the file, moved by [`Mesh::origin`] where the file's coordinates are large.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// Corners, each used by at least one triangle.
     pub vertices: Vec<Vertex>,
     /// Indices into the vertices, counter-clockwise seen from outside if the file winds them so; [`Mesh::solids`] always are.
     pub triangles: Vec<[u32; 3]>,
+    /// The point of the file's space at which the mesh's own space has its origin: positions in the file are `origin + position`.
+    /// It is zero along each axis on which the file's origin is nearer than the mesh is large.
+    pub origin: DVec3,
+    /// The elements of the file that are not drawn, such as `lines (3)`.
+    pub left_out: Vec<String>,
     /// The vertices, as [`Mesh::new`] had them.
     cells: Cells,
     radius: f64,
@@ -177,11 +182,12 @@ impl Opened {
     }
 
     /// The triangles there, with normals as `crease` says where the file has none.
-    pub(super) fn mesh(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
+    pub(super) fn mesh(&self, source: &Source, crease: f64, path: &Path) -> Result<Mesh, SceneError> {
         match self {
-            Self::Whole(raw) => Ok(raw.mesh(crease)),
-            Self::Parts(parts) => Ok(parts.read(source)?.mesh(crease)),
+            Self::Whole(raw) => raw.mesh(crease),
+            Self::Parts(parts) => parts.read(source)?.mesh(crease),
         }
+        .map_err(|flaw| flaw.of(path))
     }
 }
 
@@ -191,7 +197,8 @@ impl Mesh {
     pub fn new(vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Self {
         let cells = Cells::of(&vertices);
         let radius = cells.most(&vertices, DVec3::length).max(0.0);
-        Self { vertices, triangles, cells, radius, inside: Inside::default() }
+        let inside = Inside::default();
+        Self { vertices, triangles, origin: DVec3::ZERO, left_out: Vec::new(), cells, radius, inside }
     }
 
     /// The greatest distance of a vertex from the origin.
@@ -215,11 +222,11 @@ impl Mesh {
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let opened = Opened::read(path, &Stage::unwatched())?;
         let (source, _) = opened.find(&Part::default(), path)?;
-        opened.mesh(&source, Wanted::CREASE)
+        opened.mesh(&source, Wanted::CREASE, path)
     }
 
     /// Reads the text of an OBJ file; `path` names it in mistakes.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        Ok(obj::read(text, path, &Stage::unwatched())?.mesh(Wanted::CREASE))
+        obj::read(text, path, &Stage::unwatched())?.mesh(Wanted::CREASE).map_err(|flaw| flaw.of(path))
     }
 }

@@ -15,8 +15,8 @@ use super::raw::{Raw, Triangle};
 /// Faces at one edge that are compared with each other; surfaces have two.
 const AT_AN_EDGE: usize = 8;
 
-/// The normals of each triangle's corners; nothing if the file gives all.
-pub(super) fn made(raw: &Raw, crease: f64) -> Vec<[Vec3; 3]> {
+/// The normals of each triangle's corners; nothing if the file gives all. Positions are compared as they are rounded about `origin`.
+pub(super) fn made(raw: &Raw, crease: f64, origin: DVec3) -> Vec<[Vec3; 3]> {
     let lacks = |triangle: &Triangle| triangle.corners.iter().any(|corner| raw.given_normal(*corner).is_none());
     if !raw.triangles().iter().any(lacks) {
         return Vec::new();
@@ -24,7 +24,7 @@ pub(super) fn made(raw: &Raw, crease: f64) -> Vec<[Vec3; 3]> {
     let own = raw.triangles().iter().map(|triangle| [raw.face_normal(triangle).as_vec3(); 3]);
     let mut normals: Vec<[Vec3; 3]> = own.collect();
     if crease > 0.0 {
-        Smoother::new(raw, crease).smooth(&mut normals);
+        Smoother::new(raw, crease, origin).smooth(&mut normals);
     }
     normals
 }
@@ -41,8 +41,8 @@ struct Smoother<'a> {
 type At = (u32, u8);
 
 impl<'a> Smoother<'a> {
-    fn new(raw: &'a Raw, crease: f64) -> Self {
-        let same = welded(raw.positions.iter().copied());
+    fn new(raw: &'a Raw, crease: f64, origin: DVec3) -> Self {
+        let same = welded(raw.positions.iter().map(|position| (*position - origin).as_vec3()));
         Self { raw, least: crease.to_radians().cos(), same }
     }
 
@@ -106,7 +106,7 @@ impl<'a> Smoother<'a> {
     /// The angle of a triangle at a corner.
     fn angle(&self, (triangle, corner): At) -> f64 {
         let corners = self.raw.triangles()[triangle as usize].corners;
-        let point = |i: u8| self.raw.positions[corners[usize::from(i % 3)].position as usize].as_dvec3();
+        let point = |i: u8| self.raw.positions[corners[usize::from(i % 3)].position as usize];
         let (a, b) = (point(corner + 1) - point(corner), point(corner + 2) - point(corner));
         a.cross(b).length().atan2(a.dot(b))
     }

@@ -1,25 +1,27 @@
 //! OBJ: lines that begin with what they say.
 //!
-//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`; all others (groups, materials, lines, points, smoothing)
-//! are passed over.
+//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`. Those about groups, materials and smoothing are passed over; points,
+//! lines and free-form curves are counted, so that the user learns that they are not drawn. A comment begins at a `#` that
+//! begins a line or follows a blank: `-1.#IND` is how some programs write a number that is none.
 //!
 //! *Practice.* Every statement is read with its line, so that each mistake has its place. Words are found byte by byte and nothing is
 //! allocated for a line: a million triangles take less than a second.
 
 use std::path::Path;
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2};
 
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
-use super::text::{Mistakes, Wrong, numbers, words};
+use super::text::{Mistakes, Wrong, divides, numbers, words};
 use super::{Format, Read};
-use crate::document::SceneError;
+use crate::document::values::suggest;
+use crate::document::{SceneError, lenient_text};
 use crate::progress::Stage;
 
 pub(super) const FORMAT: Format = Format {
     extensions: &["obj"],
     // Names and comments may be in any encoding; they do not matter here.
-    read: Read::Whole(|bytes, path, stage| read(&String::from_utf8_lossy(bytes), path, stage)),
+    read: Read::Whole(|bytes, path, stage| read(&lenient_text(bytes, path)?, path, stage)),
 };
 
 /// Reads the text of an OBJ file, and reports its bytes to `stage`; `path` names it in mistakes.
@@ -65,8 +67,57 @@ fn statements(text: &str) -> impl Iterator<Item = &str> {
 }
 
 fn uncommented(line: &str) -> &str {
-    line.find('#').map_or(line, |comment| &line[..comment])
+    let follows_blank = |at: usize| at == 0 || divides(line.as_bytes()[at - 1]);
+    let comment = line.match_indices('#').map(|(at, _)| at).find(|at| follows_blank(*at));
+    comment.map_or(line, |comment| &line[..comment])
 }
+
+/// Keywords of the specification that say nothing about what is drawn: vertices of free-form geometry and its bodies, groups,
+/// materials, display and rendering attributes.
+const WITHOUT_EFFECT: &[&str] = &[
+    "vp",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "g",
+    "s",
+    "mg",
+    "o",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "usemtl",
+    "mtllib",
+    "usemap",
+    "maplib",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "csh",
+];
+/// Keywords of geometry that is not drawn, and its name.
+const NOT_DRAWN: &[(&str, &str)] = &[
+    ("p", "points"),
+    ("l", "lines"),
+    ("curv", "free-form curves"),
+    ("curv2", "free-form curves"),
+    ("surf", "free-form surfaces"),
+    ("bsp", "free-form surfaces"),
+    ("bzp", "free-form surfaces"),
+    ("cdc", "free-form curves"),
+    ("cdp", "free-form surfaces"),
+    ("res", "free-form surfaces"),
+];
 
 /// What has been read of a file.
 #[derive(Default)]
@@ -80,12 +131,13 @@ impl Loader {
     fn statement<'a>(&mut self, words: &[&'a str]) -> Result<(), Wrong<'a>> {
         match words {
             // A wrong line still takes its number, so that the faces below it mean what they meant.
-            ["v", ..] => push(&mut self.raw.positions, numbers(words).map(Vec3::from_array)),
-            ["vn", ..] => push(&mut self.raw.normals, numbers(words).map(Vec3::from_array)),
+            ["v", ..] => push(&mut self.raw.positions, numbers(words).map(DVec3::from_array)),
+            ["vn", ..] => push(&mut self.raw.normals, numbers(words).map(|n| DVec3::from_array(n).as_vec3())),
             // A texture may have one coordinate only.
-            ["vt", _] => push(&mut self.raw.uvs, numbers::<1>(words).map(|[u]| Vec2::new(u, 0.0))),
-            ["vt", ..] => push(&mut self.raw.uvs, numbers(words).map(Vec2::from_array)),
-            ["f", corners @ ..] => {
+            ["vt", _] => push(&mut self.raw.uvs, numbers::<1>(words).map(|[u]| Vec2::new(u as f32, 0.0))),
+            ["vt", ..] => push(&mut self.raw.uvs, numbers(words).map(|[u, v]| Vec2::new(u as f32, v as f32))),
+            // `fo` is what old files call a face.
+            ["f" | "fo", corners @ ..] => {
                 self.corners.clear();
                 for word in corners {
                     let corner = self.corner(word)?;
@@ -96,13 +148,33 @@ impl Loader {
                     return Err((words[0], problem, help));
                 }
                 // Some programs write points and lines as faces.
-                if self.corners.len() > 2 {
-                    self.raw.face(&self.corners);
+                match self.corners.len() {
+                    0 | 1 => self.raw.leave_out("points", 1),
+                    2 => self.raw.leave_out("lines", 1),
+                    _ => self.raw.face(&self.corners),
                 }
                 Ok(())
             }
-            _ => Ok(()),
+            [first, ..] => self.other(first),
+            [] => Ok(()),
         }
+    }
+
+    /// A statement that draws nothing.
+    fn other<'a>(&mut self, word: &'a str) -> Result<(), Wrong<'a>> {
+        if let Some((_, kind)) = NOT_DRAWN.iter().find(|(keyword, _)| *keyword == word) {
+            self.raw.leave_out(kind, 1);
+            return Ok(());
+        }
+        if WITHOUT_EFFECT.contains(&word) {
+            return Ok(());
+        }
+        if word == "call" {
+            let help = "put the lines of the other file here".to_owned();
+            return Err((word, "`call` reads another file, which is not supported".to_owned(), help));
+        }
+        let help = suggest(word, &["v", "vt", "vn", "f", "g", "o", "s", "usemtl", "mtllib"], "statements");
+        Err((word, format!("`{word}` is not a statement of OBJ"), help))
     }
 
     /// `position/texture/normal`, the last two optional; from 1, or back from the last given so far.

@@ -2,8 +2,13 @@
 //!
 //! *Theory.* A face may be any simple polygon; concave ones are cut by ears in the plane of Newell's normal.
 //!
+//! Positions are kept in 64 bits, as the file gives them: a map of a country has coordinates of millions, and details of
+//! millimeters. They are rounded to 32 bits once a mesh is made of them, about an origin of its own where the file's is far away.
+//!
 //! *Practice.* A triangle remembers the face that it was cut from: the face's normal is its own, and its corners' angles add up to the
 //! face's.
+
+use std::collections::BTreeMap;
 
 use earcut::Earcut;
 use glam::{DVec2, DVec3, Vec2, Vec3};
@@ -11,9 +16,11 @@ use glam::{DVec2, DVec3, Vec2, Vec3};
 /// Faces, cut to triangles.
 #[derive(Default)]
 pub(in crate::assets) struct Raw {
-    pub(super) positions: Vec<Vec3>,
+    pub(super) positions: Vec<DVec3>,
     pub(super) uvs: Vec<Vec2>,
     pub(super) normals: Vec<Vec3>,
+    /// Elements of the file that are not drawn, and how many there are of each kind.
+    left_out: BTreeMap<String, u64>,
     triangles: Vec<Triangle>,
     /// The unit normals of the faces that triangles were cut from.
     faces: Vec<DVec3>,
@@ -79,9 +86,43 @@ impl Raw {
         self.normals.get(corner.normal as usize)?.try_normalize()
     }
 
+    /// Counts elements of the file that are not drawn, such as `lines`.
+    pub(super) fn leave_out(&mut self, kind: &str, count: u64) {
+        if count > 0 {
+            *self.left_out.entry(kind.to_owned()).or_default() += count;
+        }
+    }
+
+    /// The elements of the file that are not drawn, each kind with its number.
+    pub(super) fn left_out(&self) -> Vec<String> {
+        self.left_out.iter().map(|(kind, count)| format!("{kind} ({count})")).collect()
+    }
+
+    /// What is wrong with a file that has nothing to draw.
+    pub(super) fn nothing(&self) -> String {
+        let has = match &self.left_out()[..] {
+            [] => String::new(),
+            kinds => format!(": it has {}", kinds.join(", ")),
+        };
+        format!("the mesh has no triangles with an area{has}")
+    }
+
+    /// Returns the origin about which positions are rounded to 32 bits: the file's own along each axis on which it is nearer
+    /// than the mesh is large, and the middle of the triangles along the others.
+    pub(super) fn origin(&self) -> DVec3 {
+        let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
+        let points = corners.map(|corner| self.positions[corner.position as usize]);
+        let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (lo, hi) = points.fold(nothing, |(lo, hi), x| (lo.min(x), hi.max(x)));
+        let size = (hi - lo).max_element();
+        let is_far = lo.max(-hi).cmpge(DVec3::splat(size));
+        // A number of 32 bits, so that positions of 32 bits stay exact: two numbers within a factor of two have an exact difference.
+        DVec3::select(is_far, lo.midpoint(hi).as_vec3().as_dvec3(), DVec3::ZERO)
+    }
+
     /// Adds a face of three corners or more. One without area is dropped.
     pub(super) fn face(&mut self, corners: &[Corner]) {
-        let point = |corner: &Corner| self.positions[corner.position as usize].as_dvec3();
+        let point = |corner: &Corner| self.positions[corner.position as usize];
         let face = self.faces.len() as u32;
         if let [a, b, c] = corners {
             let (p, q, r) = (point(a), point(b), point(c));

@@ -8,14 +8,14 @@
 
 use std::path::Path;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::bytes::{Bytes, usable};
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::{Mistakes, Wrong, numbers, words};
 use super::{Format, Read};
 use crate::assets::flaw::Flaw;
-use crate::document::SceneError;
+use crate::document::{SceneError, lenient_text, unmarked};
 use crate::progress::Stage;
 
 pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };
@@ -26,13 +26,17 @@ const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
 
 fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
-    let count = bytes.get(HEADER - 4..).and_then(|rest| rest.first_chunk()).map(|bytes| u32::from_le_bytes(*bytes));
+    let stated = bytes.get(HEADER - 4..).and_then(|rest| rest.first_chunk()).map(|bytes| u32::from_le_bytes(*bytes));
     let is_whole = |count: u32| HEADER + count as usize * TRIANGLE == bytes.len();
-    let has_words = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
-    match count {
-        Some(count) if !has_words || is_whole(count) => binary(bytes, count, stage).map_err(|flaw| flaw.of(path)),
-        _ if has_words => lines(&String::from_utf8_lossy(bytes), path, stage),
-        _ => {
+    if let Some(count) = stated.filter(|count| is_whole(*count)) {
+        return binary(bytes, count, stage).map_err(|flaw| flaw.of(path));
+    }
+    let text = unmarked(bytes, path)?;
+    let has_words = text.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    match stated {
+        _ if has_words => lines(&lenient_text(bytes, path)?, path, stage),
+        Some(count) => binary(bytes, count, stage).map_err(|flaw| flaw.of(path)),
+        None => {
             let found = bytes.len();
             let problem =
                 format!("it does not begin with `solid`, and has {found} bytes of the {HEADER} that a header has");
@@ -62,12 +66,12 @@ fn binary(bytes: &[u8], count: u32, stage: &Stage) -> Result<Raw, Flaw> {
             if !point.into_iter().all(usable) {
                 return Err(Flaw::at(at, &format!("a corner is {point:?}; numbers are finite, to 1e30")));
             }
-            raw.positions.push(Vec3::from_array(point));
+            raw.positions.push(Vec3::from_array(point).as_dvec3());
         }
         bytes.take::<2>()?;
         face(&mut raw, 3);
     }
-    if raw.is_empty() { Err(Flaw("the mesh has no triangles with an area".to_owned())) } else { Ok(raw) }
+    if raw.is_empty() { Err(Flaw(raw.nothing())) } else { Ok(raw) }
 }
 
 fn lines(text: &str, path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
@@ -99,7 +103,7 @@ fn statement<'a>(raw: &mut Raw, corners: &mut usize, line: &[&'a str]) -> Result
     if first.eq_ignore_ascii_case("vertex") {
         *corners += 1;
         let point = numbers(line);
-        raw.positions.push(point.as_ref().map_or(Vec3::ZERO, |point| Vec3::from_array(*point)));
+        raw.positions.push(point.as_ref().map_or(DVec3::ZERO, |point| DVec3::from_array(*point)));
         return point.map(|_| ());
     }
     if !KNOWN.iter().any(|known| first.eq_ignore_ascii_case(known)) {

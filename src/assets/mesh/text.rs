@@ -37,8 +37,7 @@ impl<'a> Mistakes<'a> {
     /// What was read, if nothing was wrong; `help` is what faces look like.
     pub fn or(mut self, raw: Raw, help: &str) -> Result<Raw, SceneError> {
         if self.all.is_empty() && raw.is_empty() {
-            let problem = "the mesh has no triangles with an area".to_owned();
-            self.add((&self.text[..0], problem, help.to_owned()));
+            self.add((&self.text[..0], raw.nothing(), help.to_owned()));
         }
         if self.all.is_empty() { Ok(raw) } else { Err(self.error()) }
     }
@@ -49,13 +48,17 @@ impl<'a> Mistakes<'a> {
     }
 }
 
-/// The words of a line; a backslash divides words too.
+/// Returns `true` for a byte between words; a backslash is one too.
+pub(super) fn divides(byte: u8) -> bool {
+    byte.is_ascii_whitespace() || matches!(byte, b'\\' | 0x0B)
+}
+
+/// The words of a line.
 pub(super) fn words(line: &str) -> impl Iterator<Item = &str> {
-    let divides = |byte: &u8| byte.is_ascii_whitespace() || matches!(byte, b'\\' | 0x0B);
     let mut rest = line;
     std::iter::from_fn(move || {
-        let start = rest.bytes().position(|byte| !divides(&byte))?;
-        let end = rest.bytes().skip(start).position(|byte| divides(&byte)).map_or(rest.len(), |length| start + length);
+        let start = rest.bytes().position(|byte| !divides(byte))?;
+        let end = rest.bytes().skip(start).position(divides).map_or(rest.len(), |length| start + length);
         let word = &rest[start..end];
         rest = &rest[end..];
         Some(word)
@@ -66,15 +69,15 @@ pub(super) fn words(line: &str) -> impl Iterator<Item = &str> {
 pub(super) const LARGEST: f32 = 1e30;
 
 /// A number.
-pub(super) fn number(word: &str) -> Result<f32, Wrong<'_>> {
-    match word.parse::<f32>() {
-        Ok(number) if number.abs() <= LARGEST => Ok(number),
+pub(super) fn number(word: &str) -> Result<f64, Wrong<'_>> {
+    match word.parse::<f64>() {
+        Ok(number) if (number as f32).abs() <= LARGEST => Ok(number),
         _ => Err((word, format!("expected a number, found `{word}`"), "numbers are finite, to 1e30".to_owned())),
     }
 }
 
 /// `N` numbers after a keyword; more are passed over (weights, vertex colours).
-pub(super) fn numbers<'a, const N: usize>(words: &[&'a str]) -> Result<[f32; N], Wrong<'a>> {
+pub(super) fn numbers<'a, const N: usize>(words: &[&'a str]) -> Result<[f64; N], Wrong<'a>> {
     let mut values = [0.0; N];
     for (i, value) in values.iter_mut().enumerate() {
         let Some(word) = words.get(i + 1) else {

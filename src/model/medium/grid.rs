@@ -15,14 +15,14 @@ pub static KIND: Kind = Kind {
     name: "grid",
     keys: keys! {
         file: "file" = "required",
-            "samples of the index, n = offset + scale · value, between which it is a Catmull-Rom spline: NRRD if it ends in .nrrd, else bare numbers, x fastest";
+            "samples of the index, n = offset + scale · value, between which it is a Catmull-Rom spline: NRRD if it ends in .nrrd or .nhdr, else bare numbers, x fastest";
         min: "[x, y, z]" = "as the NRRD file says, or required", "where the first sample is, scene units; with max";
         max: "[x, y, z]" = "as the NRRD file says, or required",
             "where the last sample is; beyond the grid the index is that at its border";
         scale: "number other than 0" = "1", "see file";
         offset: "number" = "0", "see file";
         size (", unless the file is NRRD"): "[nx, ny, nz], 2 or more" = "required", "samples along x, y and z";
-        type (", unless the file is NRRD"): "u8 | u16 | f32 | f64" = "required", "what a sample is";
+        type (", unless the file is NRRD"): "i8 | u8 | i16 | u16 | i32 | u32 | i64 | u64 | f32 | f64" = "required", "what a sample is";
         endian (", unless the file is NRRD"): "little | big" = "little", "which end of a number comes first";
     },
     read: |table, _, files| Some(Arc::new(Grid(samples(table, files)?))),
@@ -35,7 +35,7 @@ fn samples(table: &TableReader, files: &mut Files) -> Option<Arc<IndexGrid>> {
     let scale = table.or("scale", 1.0, not_zero);
     let offset = table.or("offset", 0.0, number);
     let name = table.reader.accept(text(file?))?;
-    let has_header = name.to_lowercase().ends_with(".nrrd");
+    let has_header = [".nrrd", ".nhdr"].iter().any(|end| name.to_lowercase().ends_with(end));
     let bare = if has_header { None } else { Some(bare(table)?) };
     if !corners_fit(table, min, max) {
         return None;

@@ -9,6 +9,7 @@ use crate::assets::{Mesh, NodeName, Part, Transform, Wanted};
 use crate::document::values::{Read, number_where, whole};
 use crate::document::{Node, Value, keys};
 use crate::model::cut::{Outline, OwnPlane, mesh};
+use crate::model::medium::Surroundings;
 
 pub static KIND: Kind = Kind {
     name: "mesh",
@@ -97,6 +98,11 @@ impl Shape for Triangles {
 
     fn radius(&self) -> f64 {
         self.0.radius()
+    }
+
+    fn surroundings(&self, place: &Transform) -> Surroundings {
+        // The file's own origin, wherever the mesh has its own.
+        Surroundings { center: place.0.transform_point3(-self.0.origin), ..Surroundings::default() }
     }
 
     fn cut(&self, plane: OwnPlane) -> Vec<Outline> {

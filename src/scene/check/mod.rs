@@ -184,6 +184,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
         occlusion,
         animation,
         pictures: files.pictures(),
+        left_out: files.left_out(),
     };
     if scene.rays.paths.is_none() {
         scene.output.clamp = None;

@@ -16,7 +16,7 @@ use std::collections::hash_map::Entry;
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::SceneError;
 use crate::assets::json::mesh::{Mode, Semantic};
@@ -139,7 +139,7 @@ fn objects(
                     free.insert(Triangles(Arc::new(mesh)))
                 }
             };
-            let (lo, hi) = triangles.bounds(place);
+            let (lo, hi) = triangles.bounds(place * DAffine3::from_translation(triangles.0.origin));
             let extent = extent.get_or_insert(Extent { lo, hi });
             (extent.lo, extent.hi) = (extent.lo.min(lo), extent.hi.max(hi));
             let key = match &node {

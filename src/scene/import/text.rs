@@ -6,11 +6,14 @@ use glam::DVec3;
 
 use crate::document::values::{LARGEST, SMALLEST};
 
-/// A number as a scene may have it, with the digits of 32 bits.
+/// A number as a scene may have it: with the digits of 32 bits, unless these are too few to place it.
 pub(super) fn number(value: f64) -> String {
+    /// How far rounding may move a point, scene units.
+    const TOO_FAR: f64 = 1e-6;
     let value = if value.is_finite() { value.clamp(-LARGEST, LARGEST) } else { 0.0 };
     let value = if value.abs() < SMALLEST { 0.0 } else { value };
-    (value as f32).to_string()
+    let rounded = value as f32;
+    if (f64::from(rounded) - value).abs() <= TOO_FAR { rounded.to_string() } else { value.to_string() }
 }
 
 pub(super) fn vector(value: DVec3) -> String {

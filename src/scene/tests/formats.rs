@@ -30,7 +30,8 @@ fn wrong(name: &str, bytes: &[u8]) -> String {
 
 /// Triangles as places, so that meshes can be compared however their vertices are numbered.
 fn places(mesh: &Mesh) -> Vec<[Vec3; 3]> {
-    mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i as usize].position)).collect()
+    let place = |i: u32| (mesh.origin + mesh.vertices[i as usize].position.as_dvec3()).as_vec3();
+    mesh.triangles.iter().map(|t| t.map(place)).collect()
 }
 
 /// A house: a square of four corners, and a roof of three.
@@ -155,6 +156,38 @@ fn what_a_ply_says_of_vertices_and_faces_is_taken() {
 }
 
 #[test]
+fn strips_of_a_ply_are_the_triangles_that_they_are_made_of() {
+    let header = |format: &str, kind: &str| {
+        format!(
+            "ply\nformat {format} 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+             element tristrips 2\nproperty list int {kind} vertex_indices\nend_header\n"
+        )
+    };
+    let points = POINTS.map(|[x, y, z]| format!("{x} {y} {z}\n")).concat();
+    // A square as a strip, its two triangles again as strips of one, and a strip that is too short, before and behind others.
+    let text = header("ascii", "int") + &points + "7 0 1 3 2 -1 4 3\n9 -1 0 1 3 -1 3 1 2 -1\n";
+    let faces = [[0, 1, 3], [3, 1, 2], [0, 1, 3], [3, 1, 2]];
+    let expected: Vec<_> = faces.map(|face| face.map(|i: usize| Vec3::from(POINTS[i]))).to_vec();
+    let mesh = good("a.ply", text.as_bytes());
+    assert_eq!(places(&mesh), expected);
+    assert_eq!(mesh.left_out, [""; 0]);
+    // In bytes, with indices that have no sign.
+    let mut bytes = header("binary_little_endian", "uint").into_bytes();
+    bytes.extend(POINTS.iter().flatten().flat_map(|x| x.to_le_bytes()));
+    let strips: [&[i32]; 2] = [&[0, 1, 3, 2, -1, 4, 3], &[-1, 0, 1, 3, -1, 3, 1, 2, -1]];
+    for strip in strips {
+        bytes.extend((strip.len() as u32).to_le_bytes());
+        bytes.extend(strip.iter().flat_map(|i| i.to_le_bytes()));
+    }
+    assert_eq!(places(&good("a.ply", &bytes)), expected);
+    let told = wrong("a.ply", text.replace("-1 4 3", "-2 4 3").as_bytes());
+    assert!(told.starts_with("a.ply:15:11: there is no vertex `-2`"), "{told}");
+    // Edges are counted.
+    let edges = ply_text().replace("end_header", "element edge 1\nproperty int vertex1\nend_header") + "7\n";
+    assert_eq!(good("a.ply", edges.as_bytes()).left_out, ["elements `edge` (1)"]);
+}
+
+#[test]
 fn mistakes_in_words_have_their_lines() {
     let text = ply_text();
     for (from, to, said) in [
@@ -166,8 +199,22 @@ fn mistakes_in_words_have_their_lines() {
         ("property float x", "property flot x", "a.ply:5:10: unknown type `flot`"),
         ("property float x", "property float w", "a.ply:1:1: vertices have no property `x`"),
         ("list uchar int", "list float int", "a.ply:10:15: a list's length is a whole number"),
-        ("vertex_indices", "vertices", "a.ply:1:1: faces have no list `vertex_indices`"),
-        ("element face", "element fase", "a.ply:1:1: a mesh has one element `face`, and the header 0"),
+        (
+            "vertex_indices",
+            "vertices",
+            "a.ply:1:1: the element `face` has `vertices`, and needs a list `vertex_indices`",
+        ),
+        (
+            "element face",
+            "element fase",
+            "a.ply:1:1: it is a cloud of points: the header names 5 `vertex`, 2 `fase`, and triangles need `face`",
+        ),
+        ("face 2", "face 0", "a.ply:1:1: it is a cloud of points: the header names 5 `vertex`, 0 `face`"),
+        (
+            "element vertex",
+            "element vertices",
+            "a.ply:1:1: a mesh has one element `vertex`, and the header names 5 `ver",
+        ),
         ("end_header\n", "", "a.ply:11:1: not a line of a header"),
         ("2 0 0 255", "2 x 0 255", "a.ply:13:3: expected a number, found `x`"),
         ("2 0 0 255", "2 0 1e39 255", "a.ply:13:5: expected a number, found `"),

@@ -13,7 +13,7 @@ use crate::scene::{Files, Mesh, Scene, SceneError};
 
 /// A file in the making: its numbers, and what says where they are.
 #[derive(Default)]
-struct Made {
+pub(super) struct Made {
     bytes: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
@@ -34,7 +34,7 @@ impl Made {
         self.accessors.len() - 1
     }
 
-    fn floats<const N: usize>(&mut self, all: &[[f32; N]]) -> usize {
+    pub fn floats<const N: usize>(&mut self, all: &[[f32; N]]) -> usize {
         let bytes = all.iter().flatten().flat_map(|x| x.to_le_bytes());
         self.accessor(5126, ["SCALAR", "VEC2", "VEC3"][N - 1], all.len(), bytes)
     }
@@ -53,7 +53,7 @@ impl Made {
         all
     }
 
-    fn glb(&self, rest: &Value) -> Vec<u8> {
+    pub fn glb(&self, rest: &Value) -> Vec<u8> {
         glb(&self.json(rest).to_string(), &self.bytes)
     }
 }
@@ -81,7 +81,8 @@ fn good(bytes: &[u8]) -> Mesh {
 }
 
 fn places(mesh: &Mesh) -> Vec<[Vec3; 3]> {
-    mesh.triangles.iter().map(|t| t.map(|i| mesh.vertices[i as usize].position)).collect()
+    let place = |i: u32| (mesh.origin + mesh.vertices[i as usize].position.as_dvec3()).as_vec3();
+    mesh.triangles.iter().map(|t| t.map(place)).collect()
 }
 
 fn one_node(primitives: &Value) -> Value {
@@ -252,8 +253,9 @@ fn parts_are_chosen_by_name_and_number() {
     let number = |number| Some(NodeName::Number(number));
     assert_eq!(ask(named("once"), Some(2)), Ok(2.0 * DVec3::Z));
     assert_eq!(ask(number(1), None), Ok(DVec3::Z));
+    assert_eq!(ask(None, None), Ok(DVec3::ZERO));
     for (asked, said) in [
-        (ask(None, None), "meshes[1].primitives[1] is of Points; triangles, strips and fans are drawn"),
+        (ask(named("once"), Some(1)), "the mesh has no triangles with an area: it has primitives of points (1)"),
         (ask(named("onze"), None), "there is no node `onze` with a mesh; did you mean `once`?"),
         (ask(named("eye"), None), "there is no node `eye` with a mesh"),
         (ask(number(9), None), "there is no node 9 with a mesh"),
@@ -274,6 +276,13 @@ fn parts_are_chosen_by_name_and_number() {
     };
     scene("node = \"once\"\nprimitive = 0").unwrap_or_else(|error| panic!("{error}"));
     scene("node = 0").unwrap_or_else(|error| panic!("{error}"));
+    let warnings = |keys: &str| scene(keys).unwrap_or_else(|error| panic!("{error}")).warnings();
+    assert_eq!(warnings("node = 0"), [""; 0]);
+    for keys in ["", "node = \"once\""] {
+        let told = warnings(keys);
+        let is_told = |told: &str| told.ends_with("a.glb: only triangles are drawn, and not primitives of points (1)");
+        assert!(told.len() == 1 && is_told(&told[0]), "{told:?}");
+    }
     assert!(scene("node = \"eye\"").expect_err("an error").contains("scene.toml:8:8: cannot use the mesh"));
     assert!(scene("node = true").expect_err("an error").contains("expected a whole number"));
     let obj = "file = \"scenes/stability/sheet.obj\"\nshape = \"mesh\"\nmaterial = \"m\"\nnode = 0\n";

@@ -121,6 +121,6 @@ impl Mesh {
                 *number
             }));
         }
-        Self::new(vertices, own)
+        Self { origin: self.origin, ..Self::new(vertices, own) }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::super::text::{Mistakes, Wrong, words};
-use crate::document::SceneError;
+use crate::document::{SceneError, unmarked};
 
 /// What a file holds.
 pub(super) struct Header {
@@ -11,7 +11,7 @@ pub(super) struct Header {
     pub elements: Vec<Element>,
     /// How many vertices there are.
     pub vertices: u64,
-    /// Its bytes.
+    /// Its bytes, with the byte-order mark before them.
     pub length: usize,
 }
 
@@ -86,18 +86,34 @@ impl Element {
     }
 }
 
+/// Elements that are drawn: polygons, and strips of triangles.
+const SURFACES: [&str; 2] = ["face", "tristrips"];
+/// The list of their vertices.
+pub(super) const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
+
 /// Longer headers are not looked for.
 const LONGEST: usize = 1 << 20;
 
 /// Reads the header of a file.
 pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Header, SceneError> {
-    let front = &bytes[..bytes.len().min(LONGEST)];
+    let unmarked = unmarked(bytes, path)?;
+    let mark = bytes.len() - unmarked.len();
+    let front = &unmarked[..unmarked.len().min(LONGEST)];
     let text = String::from_utf8_lossy(front);
-    parse(front, &text).map_err(|wrong| {
-        let mut mistakes = Mistakes::of(&text, path);
-        mistakes.add(wrong);
-        mistakes.error()
-    })
+    match parse(front, &text) {
+        Ok(header) => Ok(Header { length: mark + header.length, ..header }),
+        Err(wrong) => {
+            let mut mistakes = Mistakes::of(&text, path);
+            mistakes.add(wrong);
+            Err(mistakes.error())
+        }
+    }
+}
+
+/// How lines end: as the first one does, for behind the last one any byte may stand.
+fn line_end(bytes: &[u8]) -> char {
+    let is_old_mac = bytes.starts_with(b"ply\r") && bytes.get(4) != Some(&b'\n');
+    if is_old_mac { '\r' } else { '\n' }
 }
 
 fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
@@ -105,16 +121,19 @@ fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
     let mut encoding = None;
     let mut rest = text;
     let mut is_first = true;
+    let line_end = line_end(bytes);
     loop {
         if rest.is_empty() {
             return Err((rest, "the header does not end".to_owned(), "its last line is `end_header`".to_owned()));
         }
-        let end = rest.find('\n').map_or(rest.len(), |i| i + 1);
+        let end = rest.find(line_end).map_or(rest.len(), |i| i + 1);
         let (line, after) = rest.split_at(end);
         rest = after;
         // Bytes that are no text make the text longer; lines are counted in both.
-        header.length +=
-            bytes[header.length..].iter().position(|b| *b == b'\n').map_or(bytes.len() - header.length, |i| i + 1);
+        header.length += bytes[header.length..]
+            .iter()
+            .position(|b| char::from(*b) == line_end)
+            .map_or(bytes.len() - header.length, |i| i + 1);
         let words: Vec<&str> = words(line).collect();
         if std::mem::take(&mut is_first) {
             if words != ["ply"] {
@@ -147,20 +166,34 @@ fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
 
 /// How many vertices there are, if all is there that a mesh needs.
 fn checked(elements: &[Element]) -> Result<u64, String> {
-    let count = |name: &str| elements.iter().filter(|element| element.name == name).count();
-    if let Some(name) = ["vertex", "face"].into_iter().find(|name| count(name) != 1) {
-        return Err(format!("a mesh has one element `{name}`, and the header {}", count(name)));
-    }
-    let named = |name: &str| elements.iter().find(|element| element.name == name);
-    let has = |element: &Element, name: &str, list: bool| {
-        element.properties.iter().any(|property| property.name == name && property.length.is_some() == list)
+    let named = |name: &str| elements.iter().filter(|element| element.name == name).collect::<Vec<_>>();
+    let listed = || elements.iter().map(|e| format!("{} `{}`", e.count, e.name)).collect::<Vec<_>>().join(", ");
+    let [vertex] = named("vertex")[..] else {
+        return Err(format!("a mesh has one element `vertex`, and the header names {}", listed()));
     };
-    let (Some(vertex), Some(face)) = (named("vertex"), named("face")) else { return Ok(0) };
-    if let Some(name) = ["x", "y", "z"].into_iter().find(|name| !has(vertex, name, false)) {
+    let has = |element: &Element, names: &[&str], list: bool| {
+        let is_it = |p: &Property| names.contains(&p.name.as_str()) && p.length.is_some() == list;
+        element.properties.iter().any(is_it)
+    };
+    if let Some(name) = ["x", "y", "z"].into_iter().find(|name| !has(vertex, &[name], false)) {
         return Err(format!("vertices have no property `{name}`"));
     }
-    if !has(face, "vertex_indices", true) && !has(face, "vertex_index", true) {
-        return Err("faces have no list `vertex_indices`".to_owned());
+    let surfaces: Vec<&Element> = SURFACES.into_iter().flat_map(named).collect();
+    if surfaces.iter().all(|element| element.count == 0) {
+        return Err(format!(
+            "it is a cloud of points: the header names {}, and triangles need `face` or `tristrips`",
+            listed()
+        ));
+    }
+    for surface in surfaces {
+        if named(&surface.name).len() > 1 {
+            return Err(format!("a mesh has one element `{}`, and the header names {}", surface.name, listed()));
+        }
+        if !has(surface, &CORNERS, true) {
+            let lists: Vec<String> = surface.properties.iter().map(|property| format!("`{}`", property.name)).collect();
+            let has = if lists.is_empty() { "no property".to_owned() } else { lists.join(", ") };
+            return Err(format!("the element `{}` has {has}, and needs a list `vertex_indices`", surface.name));
+        }
     }
     Ok(vertex.count)
 }

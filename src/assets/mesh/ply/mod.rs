@@ -2,7 +2,8 @@
 //!
 //! *Theory.* The header names elements, how many of each there are, and their properties, each a number or a list. What a mesh is made
 //! of are vertices with `x`, `y` and `z`, perhaps `nx`, `ny` and `nz`, perhaps `s` and `t` or `u` and `v`, and faces with a list
-//! of vertices, perhaps one of texture coordinates. All else is read and passed over.
+//! of vertices, perhaps one of texture coordinates, or strips of triangles, which a list of vertices gives with −1 between them.
+//! All other elements are read and counted, so that the user learns that they are not drawn.
 //!
 //! *Practice.* Words and bytes have one way of reading elements and two sources of numbers. A count is believed only where as many bytes
 //! follow as it needs at least.
@@ -12,15 +13,15 @@ mod source;
 
 use std::path::Path;
 
-use glam::{Vec2, Vec3};
+use glam::{DVec3, Vec2};
 
 use super::bytes::usable;
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::Mistakes;
 use super::{Format, Read};
-use crate::document::SceneError;
+use crate::document::{SceneError, lenient_text};
 use crate::progress::Stage;
-use header::{Element, Encoding, Header, Property};
+use header::{CORNERS, Element, Encoding, Header, Property};
 use source::{Binary, Source, Words, Wrong};
 
 pub(super) const FORMAT: Format = Format { extensions: &["ply"], read: Read::Whole(read) };
@@ -30,9 +31,9 @@ fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
     let mut mesh = Assembled::default();
     match header.encoding {
         Encoding::Ascii => {
-            let whole = String::from_utf8_lossy(bytes);
+            let whole = lenient_text(bytes, path)?;
             // Bytes that are no text make the text longer, so its front is measured in it.
-            let front = String::from_utf8_lossy(&bytes[..header.length]).len();
+            let front = lenient_text(&bytes[..header.length], path)?.len();
             let mut words = Words::of(&whole[front..], stage);
             if let Err(Wrong { problem, help }) = mesh.elements(&header, &mut words) {
                 let mut mistakes = Mistakes::of(&whole, path);
@@ -67,7 +68,9 @@ impl Assembled {
             match element.name.as_str() {
                 "vertex" => self.vertices(element, source)?,
                 "face" => self.faces(element, header.vertices, source)?,
+                "tristrips" => self.strips(element, header.vertices, source)?,
                 _ => {
+                    self.raw.leave_out(&format!("elements `{}`", element.name), element.count);
                     for _ in 0..element.count {
                         source.begin(element)?;
                         for property in &element.properties {
@@ -96,23 +99,22 @@ impl Assembled {
         let (normals, uvs) = (has(3..6), has(6..8));
         for _ in 0..element.count {
             source.begin(element)?;
-            let mut values = [0.0_f32; 8];
+            let mut values = [0.0; 8];
             for (i, property) in element.properties.iter().enumerate() {
                 let slot = places.iter().position(|place| *place == Some(i));
                 list(property, source, |value| {
                     let Some(slot) = slot else { return Ok(()) };
-                    values[slot] = value as f32;
+                    values[slot] = value;
                     // Normals that are no numbers are made anew.
                     if usable(values[slot]) || (3..6).contains(&slot) { Ok(()) } else { Err(no_number(value)) }
                 })?;
             }
-            let [point, normal] = [0, 3].map(|i| Vec3::from_slice(&values[i..]));
-            self.raw.positions.push(point);
+            self.raw.positions.push(DVec3::from_slice(&values));
             if normals {
-                self.raw.normals.push(normal);
+                self.raw.normals.push(DVec3::from_slice(&values[3..]).as_vec3());
             }
             if uvs {
-                self.raw.uvs.push(Vec2::from_slice(&values[6..]));
+                self.raw.uvs.push(Vec2::new(values[6] as f32, values[7] as f32));
             }
         }
         Ok(())
@@ -124,13 +126,9 @@ impl Assembled {
             let (before, mut own) = (self.indices.len(), Vec::new());
             for property in &element.properties {
                 match property.name.as_str() {
-                    "vertex_indices" | "vertex_index" if property.length.is_some() => {
+                    name if CORNERS.contains(&name) && property.length.is_some() => {
                         list(property, source, |value| {
-                            if value < 0.0 || value >= vertices as f64 || value.fract() != 0.0 {
-                                let problem = format!("there is no vertex `{value}`");
-                                return Err(Wrong { problem, help: format!("{vertices} vertices, counted from 0") });
-                            }
-                            self.indices.push(value as u32);
+                            self.indices.push(vertex(value, vertices)?);
                             Ok(())
                         })?;
                     }
@@ -151,6 +149,37 @@ impl Assembled {
             self.faces_uvs.push(has_own);
             if has_own {
                 self.corner_uvs.extend(own.chunks_exact(2).map(|uv| Vec2::new(uv[0], uv[1])));
+            }
+        }
+        Ok(())
+    }
+
+    /// Strips of triangles: each index but the first two of a strip makes one with the two before it, every second one turned round.
+    fn strips(&mut self, element: &Element, vertices: u64, source: &mut impl Source) -> Result<(), Wrong> {
+        // Between two strips; where indices have no sign it is the largest.
+        let ends = |value: f64| [-1.0, f64::from(u32::MAX)].contains(&value);
+        for _ in 0..element.count {
+            source.begin(element)?;
+            for property in &element.properties {
+                if !CORNERS.contains(&property.name.as_str()) || property.length.is_none() {
+                    list(property, source, |_| Ok(()))?;
+                    continue;
+                }
+                let (mut before, mut count) = ([0; 2], 0);
+                list(property, source, |value| {
+                    if ends(value) {
+                        count = 0;
+                        return Ok(());
+                    }
+                    let (index, [a, b]) = (vertex(value, vertices)?, before);
+                    if count >= 2 {
+                        self.indices.extend(if count % 2 == 0 { [a, b, index] } else { [b, a, index] });
+                        self.sizes.push(3);
+                        self.faces_uvs.push(false);
+                    }
+                    (before, count) = ([b, index], count + 1);
+                    Ok(())
+                })?;
             }
         }
         Ok(())
@@ -177,11 +206,19 @@ impl Assembled {
             }
         }
         if raw.is_empty() {
-            let problem = "the mesh has no triangles with an area: its faces are lists of `vertex_indices`".to_owned();
-            return Err(SceneError::Mesh { path: path.to_owned(), problem });
+            return Err(SceneError::Mesh { path: path.to_owned(), problem: raw.nothing() });
         }
         Ok(raw)
     }
+}
+
+/// The vertex that an index names.
+fn vertex(index: f64, vertices: u64) -> Result<u32, Wrong> {
+    if index < 0.0 || index >= vertices as f64 || index.fract() != 0.0 {
+        let problem = format!("there is no vertex `{index}`");
+        return Err(Wrong { problem, help: format!("{vertices} vertices, counted from 0") });
+    }
+    Ok(index as u32)
 }
 
 fn no_number(value: f64) -> Wrong {

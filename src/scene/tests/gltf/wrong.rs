@@ -49,7 +49,11 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
             json!(3),
             "meshes[0].primitives[0]: index 5 is 3, and there are 3 vertices, counted from 0",
         ),
-        ("/meshes/0/primitives/0/mode", json!(1), "meshes[0].primitives[0] is of Lines"),
+        (
+            "/meshes/0/primitives/0/mode",
+            json!(1),
+            "the mesh has no triangles with an area: it has primitives of lines (1)",
+        ),
         ("/meshes/0/primitives/0/mode", json!(9), "meshes[0].primitives[0] has a `mode` that there is not"),
         ("/meshes/0/primitives/0/indices", json!(5), "meshes[0].primitives[0].indices: there is no accessors[5]"),
         ("/meshes/0/primitives/0/attributes", json!({}), "meshes[0].primitives[0] has no POSITION"),
