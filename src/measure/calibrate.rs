@@ -195,7 +195,11 @@ pub fn calibrate(
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
     let methods = fast_methods(scene);
     let stage = gpu.progress.measured(SEARCH, TRUTH + methods.len() as f64);
-    let rays = Trials::new(gpu, scene, settings, given, accuracy)?;
+    let rays = match Trials::new(gpu, scene, settings, given, accuracy) {
+        // Without 64 bits there is no truth to try methods on.
+        Err(RenderError::Gpu(GpuError::NoDouble { .. })) => return Ok(Some(unmeasured(scene, settings, accuracy))),
+        rays => rays?,
+    };
     stage.advance(TRUTH);
     let right = |trial: &&Trial| trial.error <= MARGIN * accuracy;
     let mut trials: Vec<Trial> = Vec::new();
