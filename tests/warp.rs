@@ -24,7 +24,7 @@ impl Bubble {
     }
 
     /// The rates of the position in the bubble's plane, (x − vt, y), and of the wave vector: Hamilton's equations of
-    /// H = |p| + v f pₓ, which is −p_t of light.
+    /// H = |p| + v f pₓ, which is light's `−p_t`.
     fn rates(&self, [x, y, px, py]: [f64; 4]) -> [f64; 4] {
         let (s, p) = (x.hypot(y), px.hypot(py));
         let (shape, slope) = self.shape(s);

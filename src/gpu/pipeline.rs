@@ -211,14 +211,15 @@ mod tests {
         let texture = |k: usize, name: &str, access: &str| {
             format!("@group(0) @binding({k}) var {name}: texture_storage_2d<r32uint, {access}>;\n")
         };
-        let mut text = texture(100, "written", "write") + &texture(0, name, "read_write");
-        let mut body = "textureStore(written, vec2u(), vec4u());\n".to_owned();
-        for k in 0..count {
-            let own = if k == 0 { name.to_owned() } else { format!("kept_{k}_a") };
-            text += &if k == 0 { String::new() } else { texture(k, &own, "read_write") };
-            body += &format!("textureStore({own}, vec2u(), textureLoad({own}, vec2u()));\n");
-        }
-        text += &format!("@compute @workgroup_size(1) fn shade() {{ {body} }}\n");
+        let names: Vec<String> =
+            (0..count).map(|k| if k == 0 { name.to_owned() } else { format!("kept_{k}_a") }).collect();
+        let declared = names.iter().enumerate().map(|(k, own)| texture(k, own, "read_write"));
+        let copied = names.iter().map(|own| format!("textureStore({own}, vec2u(), textureLoad({own}, vec2u()));\n"));
+        let (declared, copied) = (declared.collect::<Vec<_>>().concat(), copied.collect::<Vec<_>>().concat());
+        let text = format!(
+            "{}{declared}@compute @workgroup_size(1) fn shade() {{\ntextureStore(written, vec2u(), vec4u());\n{copied}}}\n",
+            texture(100, "written", "write")
+        );
         let parts = Parts { shared: vec![Unit::user("a.wgsl", text)], regions: Vec::new() };
         reflect(&link(&parts, "shade").unwrap()).unwrap()
     }
