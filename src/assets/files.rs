@@ -209,12 +209,11 @@ impl Files {
     }
 
     fn open_meshes(&mut self, path: &Path, identity: &Path) -> Result<&Opened, SceneError> {
-        let opened = match self.opened.take().filter(|(before, _)| before == identity) {
-            Some((_, opened)) => opened,
-            None => {
-                let stage = self.reading(path);
-                self.room().load(path, length(path), || Opened::read(path, &stage), |_| 0)?
-            }
+        let opened = if let Some((_, opened)) = self.opened.take().filter(|(before, _)| before == identity) {
+            opened
+        } else {
+            let stage = self.reading(path);
+            self.room().load(path, length(path), || Opened::read(path, &stage), |_| 0)?
         };
         self.others.extend(opened.others());
         Ok(&self.opened.insert((identity.to_owned(), opened)).1)

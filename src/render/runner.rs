@@ -252,6 +252,7 @@ mod tests {
     use super::*;
 
     #[test]
+    #[allow(clippy::float_cmp)] // ends of a sample are exact
     fn parts_of_a_sample_grow_to_the_whole() {
         for all in [1, 5, 1000] {
             let parts: Vec<f64> = (0..=all).map(|ended| part(ended, all, 1)).collect();

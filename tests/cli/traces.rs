@@ -279,7 +279,8 @@ fn every_path_begins_where_its_ray_does() {
     // Those in the circle that a fisheye's picture is.
     let pixels = (0..144_i32).map(|i| [i % 12, i / 12]);
     let pixels: Vec<[i32; 2]> = pixels.filter(|[x, y]| (2 * x - 11).pow(2) + (2 * y - 11).pow(2) < 136).collect();
-    let options: String = pixels.iter().map(|[x, y]| format!(" --pixel {x},{y}")).collect();
+    let options: Vec<_> = pixels.iter().map(|[x, y]| format!(" --pixel {x},{y}")).collect();
+    let options = options.concat();
     folder.run(&format!("trace scene.toml --path -o path.csv{options}")).succeeds();
     let paths = Rows::of(&folder.text("path.csv"), PATH_HEADER);
     let starts: Vec<usize> = (0..paths.0.len()).filter(|row| paths.0[*row][1] == "0").collect();

@@ -43,7 +43,7 @@ pub(super) struct Edges {
 
 impl Edges {
     /// Groups the sides of triangles, each a number with its three vertices, which are below `vertices`.
-    pub fn of(triangles: impl Iterator<Item = (u32, [u32; 3])> + Clone, vertices: usize) -> Self {
+    pub fn of(triangles: &(impl Iterator<Item = (u32, [u32; 3])> + Clone), vertices: usize) -> Self {
         let sides = || {
             triangles.clone().flat_map(|(i, [a, b, c])| {
                 let sides = [[a, b], [b, c], [c, a]].into_iter().zip(3 * i..);
@@ -91,7 +91,7 @@ impl Mesh {
     pub fn hole(&self) -> Option<[f32; 3]> {
         let same = welded(self.vertices.iter().map(|vertex| vertex.position));
         let triangles = self.triangles.iter().map(|corners| corners.map(|corner| same[corner as usize]));
-        let edges = Edges::of((0..).zip(triangles), same.len());
+        let edges = Edges::of(&(0..).zip(triangles), same.len());
         let open = edges.iter().filter(|(_, sides)| directions(sides)[0] != directions(sides)[1]);
         open.flat_map(|(_, sides)| sides).map(|side| side.corner).min().map(|corner| self.middle(corner))
     }

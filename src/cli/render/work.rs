@@ -174,16 +174,15 @@ impl Work<'_> {
 
     /// Makes a renderer, or has the one that there is go on to another frame.
     fn set_up(&mut self, scene: Scene, frame: Option<u32>, is_first: bool) -> Result<(), Error> {
-        match &mut self.renderer {
-            Some((renderer, first)) => match (renderer.set_scene(scene.clone()), *first, frame) {
+        if let Some((renderer, first)) = &mut self.renderer {
+            match (renderer.set_scene(scene.clone()), *first, frame) {
                 // A search's small picture may do with another program.
                 (Err(RenderError::OtherProgram), ..) if is_first => self.renderer = None,
                 (Err(RenderError::OtherProgram), Some(a), Some(b)) => {
                     return Err(self.other_program([a.into(), b.into()]));
                 }
                 (result, ..) => result?,
-            },
-            None => {}
+            }
         }
         if self.renderer.is_none() {
             self.renderer = Some((Renderer::keeping(self.gpu, scene, self.settings.clone())?, frame));

@@ -106,8 +106,8 @@ impl Mesh {
         let mut numbers = vec![[u32::MAX; 2]; self.vertices.len()];
         let mut own = Vec::new();
         for (i, is_turned) in triangles {
-            let [a, b, c] = self.triangles[i];
-            let corners = if is_turned { [a, c, b] } else { [a, b, c] };
+            let [first, second, third] = self.triangles[i];
+            let corners = if is_turned { [first, third, second] } else { [first, second, third] };
             let [p, q, r] = corners.map(|corner| self.vertices[corner as usize].position);
             let across = (q - p).cross(r - p);
             own.push(corners.map(|corner| {

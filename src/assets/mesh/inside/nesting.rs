@@ -194,7 +194,9 @@ impl Family {
                 overlaps[b as usize].push(a);
             }
         };
-        contacts.keys().for_each(|[a, b]| add(self.solid[*a as usize], self.solid[*b as usize]));
+        for [a, b] in contacts.keys() {
+            add(self.solid[*a as usize], self.solid[*b as usize]);
+        }
         for shell in self.order.iter().copied().filter(|shell| !self.cavity[*shell as usize]) {
             let solids = self.containers[shell as usize].iter().filter(|outer| !self.cavity[**outer as usize]);
             solids.filter(|outer| !self.is_in_cavity(shell, **outer)).for_each(|outer| add(shell, *outer));
@@ -208,7 +210,7 @@ impl Family {
                 let others = &overlaps[shell as usize];
                 if layer[shell as usize].is_none() {
                     let taken: HashSet<u32> = others.iter().filter_map(|other| layer[*other as usize]).collect();
-                    layer[shell as usize] = (0..).find(|own| !taken.contains(own));
+                    layer[shell as usize] = (0..=others.len() as u32).find(|own| !taken.contains(own));
                     waiting.extend(others.iter().filter(|other| layer[**other as usize].is_none()));
                 }
             }

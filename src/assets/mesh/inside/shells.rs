@@ -48,10 +48,10 @@ impl Shells {
         let corners: Vec<_> =
             mesh.triangles.iter().map(|corners| corners.map(|corner| same[corner as usize])).collect();
         let all = (0..).zip(corners.iter().copied());
-        let mut edges = Edges::of(all.clone(), same.len());
+        let mut edges = Edges::of(&all, same.len());
         let mut counts = vec![true; corners.len()];
         if cancel(&edges, &corners, &mut counts) {
-            edges = Edges::of(all.filter(|(i, _)| counts[*i as usize]), same.len());
+            edges = Edges::of(&all.filter(|(i, _)| counts[*i as usize]), same.len());
         }
         let mut groups = Groups::new(corners.len());
         let mut faults = [None, None];
@@ -110,7 +110,9 @@ fn cancel(edges: &Edges, corners: &[[u32; 3]], counts: &mut [bool]) -> bool {
             std::cmp::Ordering::Less => !ways(i),
             std::cmp::Ordering::Equal => false,
         });
-        copies.iter().for_each(|i| counts[*i as usize] = Some(i) == kept);
+        for i in copies {
+            counts[*i as usize] = Some(i) == kept;
+        }
     }
     some
 }

@@ -80,7 +80,7 @@ impl<'a> Tree<'a> {
 
     /// The corners of a triangle in 64 bits.
     pub fn triangle(&self, triangle: u32) -> [DVec3; 3] {
-        self.corners(triangle).map(|corner| corner.as_dvec3())
+        self.corners(triangle).map(Vec3::as_dvec3)
     }
 
     fn triangles(&self, node: &Node) -> &[u32] {
