@@ -42,7 +42,7 @@ fn parts_of_a_film_come_together_to_the_byte() {
     }
     folder.write("scene.farm/part-4.log", run("6").err + "part failed: exit code 1\n");
     let said = status("");
-    assert!(said.starts_with("4 of 5 parts are done\nfailed: 1 (4)\npart 4: error: --part auto: SLURM_"), "{said}");
+    assert!(said.starts_with("4 of 5 parts are done\nfailed: 1 (4)\npart 4: error: --part auto: Slurm"), "{said}");
     assert!(status("--set sky.color=[0,0,1]").starts_with("0 of 5 parts are done\n"));
     let finish = |more: &str| folder.run(&format!("farm finish {job} --parts 5 {more}"));
     finish("").fails(1, &["1 of 5 parts are missing, or of another scene: 4; run them again"]);

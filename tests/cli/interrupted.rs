@@ -1,7 +1,9 @@
-//! A file is written whole or not at all, also if the program is killed or asked to end.
+//! A file is written whole or not at all, also if the program is killed or asked to end. The tests start it by GNU `env`.
+
+#![cfg(target_os = "linux")]
 
 use std::io::{BufRead, BufReader, Read};
-use std::process::{Child, ChildStderr, Stdio};
+use std::process::{Child, ChildStderr, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -21,16 +23,23 @@ impl Drop for Killed {
 const LONG: &str =
     "render scene.toml -o a.png -o a.exr --size 800x600 --samples 4096 --set law.kind=schwarzschild --set law.mass=0.1";
 
+/// The program with signals that it is to ignore, and with all others as they are by default, whatever started the tests: `nohup` and
+/// a shell's `&` have them ignored.
+fn with_signals(folder: &Folder, ignored: &str, arguments: &str) -> Command {
+    let program = folder.command(arguments);
+    let mut command = Command::new("env");
+    command.arg("--default-signal=HUP,INT,TERM");
+    if !ignored.is_empty() {
+        command.arg(format!("--ignore-signal={ignored}"));
+    }
+    command.arg(program.get_program()).args(program.get_args()).current_dir(folder.path("."));
+    command.envs(program.get_envs().filter_map(|(name, value)| Some((name, value?)))).stdin(Stdio::null());
+    command
+}
+
 /// Starts the long render, with signals that it is to ignore, and waits until both files are under way.
 fn begin(folder: &Folder, ignored: &str) -> (Killed, BufReader<ChildStderr>) {
-    let mut command = folder.command(LONG);
-    if !ignored.is_empty() {
-        let mut shell = std::process::Command::new("sh");
-        shell.args(["-c", &format!("trap '' {ignored}; exec \"$@\""), "sh"]).arg(command.get_program());
-        shell.args(command.get_args()).current_dir(folder.path("."));
-        shell.envs(command.get_envs().filter_map(|(name, value)| Some((name, value?))));
-        command = shell;
-    }
+    let mut command = with_signals(folder, ignored, LONG);
     let mut child = Killed(command.stderr(Stdio::piped()).spawn().unwrap());
     let mut lines = BufReader::new(child.0.stderr.take().unwrap());
     let mut line = String::new();
@@ -69,7 +78,6 @@ fn a_render_that_is_killed_leaves_the_old_files_whole() {
     assert!(old != [folder.read("a.png"), folder.read("a.exr")]);
 }
 
-#[cfg(unix)]
 #[test]
 fn a_render_that_is_asked_to_end_leaves_nothing_behind() {
     let folder = Folder::with(BALL);
@@ -90,11 +98,10 @@ fn a_render_that_is_asked_to_end_leaves_nothing_behind() {
 }
 
 /// `nohup` has it ignore SIGHUP, and a shell without job control has commands in the background ignore SIGINT.
-#[cfg(unix)]
 #[test]
 fn signals_that_were_ignored_before_stay_so() {
     let folder = Folder::with(BALL);
-    let (mut child, mut lines) = begin(&folder, "HUP INT");
+    let (mut child, mut lines) = begin(&folder, "HUP,INT");
     for signal in ["HUP", "INT"] {
         send(signal, &child.0);
         sleep(Duration::from_millis(200));
@@ -107,14 +114,13 @@ fn signals_that_were_ignored_before_stay_so() {
     assert!(rest.contains("stopped by SIGTERM") && !rest.contains("SIGHUP") && !rest.contains("SIGINT"), "{rest}");
 }
 
-#[cfg(unix)]
 #[test]
 fn a_film_that_is_asked_to_end_finishes_the_frame_in_hand() {
     let animation =
         "[animation]\nframes = 500\n[[animation.tracks]]\nkey = \"camera.position\"\nvalues = [[0, 0, 5], [1, 0, 5]]\n";
     let folder = Folder::with(&(BALL.to_owned() + animation));
     let film = "render scene.toml -o {frame:3}.png --frames all --size 300x200 --samples 4";
-    let mut child = Killed(folder.command(film).stderr(Stdio::piped()).spawn().unwrap());
+    let mut child = Killed(with_signals(&folder, "", film).stderr(Stdio::piped()).spawn().unwrap());
     let mut lines = BufReader::new(child.0.stderr.take().unwrap()).lines().map_while(Result::ok);
     assert!(lines.any(|line| line.starts_with("frame 1: ")));
     send("INT", &child.0);
@@ -135,9 +141,8 @@ fn a_film_that_is_asked_to_end_finishes_the_frame_in_hand() {
     }
 }
 
-#[cfg(unix)]
 fn send(signal: &str, child: &Child) {
-    let status = std::process::Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
+    let status = Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
     assert!(status.success());
 }
 

@@ -13,7 +13,8 @@ const LONG: &str = "--size 800x600 --samples 4096 --set law.kind=schwarzschild -
 
 /// Starts the program on a terminal of this name, which `script` of util-linux makes.
 fn on_terminal(folder: &Folder, term: &str, arguments: &str) -> Child {
-    let line = format!("exec {} {arguments}", env!("CARGO_BIN_EXE_bentray"));
+    // When `script` is killed the terminal is gone, and the program with it, if nobody has it ignore that.
+    let line = format!("exec env --default-signal=HUP {} {arguments}", env!("CARGO_BIN_EXE_bentray"));
     Command::new("script")
         .args(["-qefc", &line, "/dev/null"])
         .current_dir(folder.path("."))
