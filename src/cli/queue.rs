@@ -3,8 +3,12 @@
 //! *Practice.* Queues tell each job its number in an environment variable of their own. Some count from 0, some from any number and in any
 //! steps, and only some say how many jobs there are. A queue's variables are used whole or rejected: a part that no job renders would be
 //! missing without an error.
-
-use super::share::Share;
+/// Part `number`, from 0, of `count`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Share {
+    pub number: u32,
+    pub count: u32,
+}
 
 /// The variables of a queue.
 struct Queue {

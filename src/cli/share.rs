@@ -10,6 +10,7 @@ use std::str::FromStr;
 
 use super::frame_names::path_of;
 use super::queue;
+pub(super) use super::queue::Share;
 use crate::error::Error;
 
 /// `--part` as it was given.
@@ -34,13 +35,6 @@ impl FromStr for Part {
         let number = number.parse().ok().filter(|number| count.is_some_and(|count| (1..=count).contains(number)));
         number.zip(count).map(|(number, count)| Self::Given(number, count)).ok_or_else(wrong)
     }
-}
-
-/// Part `number`, from 0, of `count`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Share {
-    pub number: u32,
-    pub count: u32,
 }
 
 /// A band of a picture: which, from 0, of how many.
