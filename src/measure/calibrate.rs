@@ -279,7 +279,7 @@ impl fmt::Display for Calibration {
             write!(f, "; {unsettled} of the {all} rays tried end elsewhere with finer steps")?;
         }
         if endless > 0 {
-            write!(f, "; {endless} of the {all} rays tried have no end that could be known")?;
+            write!(f, "; {endless} of the {all} rays tried have no end that could be known in full")?;
         }
         Ok(())
     }
