@@ -159,16 +159,11 @@ impl<'a, 's> Preparation<'a, 's> {
 fn trusted(scene: &Scene, settings: &RenderSettings, accuracy: f64, trying: &Trying, found: Found) -> Calibration {
     let Found { control, error, cost, rays } = found;
     let method = trying.method();
+    let chosen = Trial { method, control, error, cost };
     Calibration {
-        accuracy,
-        chosen: Trial { method, control, error, cost },
-        max_segments: segments(scene),
-        closed_forms: closed_forms(scene, method),
-        precision: scene.rays.precision,
-        in_double: None,
         rays,
-        compared: false,
         layers: compared_layers(&settings.choice.layers),
+        ..chosen_for(scene, settings, accuracy, chosen)
     }
 }
 
@@ -197,7 +192,9 @@ pub fn calibrate(
     let stage = gpu.progress.measured(SEARCH, TRUTH + methods.len() as f64);
     let rays = match Trials::new(gpu, scene, settings, given, accuracy) {
         // Without 64 bits there is no truth to try methods on.
-        Err(RenderError::Gpu(GpuError::NoDouble { .. })) => return Ok(Some(unmeasured(scene, settings, accuracy))),
+        Err(RenderError::Gpu(GpuError::NoDouble { .. })) => {
+            return Ok(Some(chosen_for(scene, settings, accuracy, unjudged())));
+        }
         rays => rays?,
     };
     stage.advance(TRUTH);
@@ -214,15 +211,9 @@ pub fn calibrate(
     let best = || trials.iter().min_by(|a, b| a.error.total_cmp(&b.error));
     let chosen = cheapest.or_else(best).filter(|trial| trial.error.is_finite()).copied().unwrap_or_else(unjudged);
     let mut found = Calibration {
-        accuracy,
-        chosen,
-        max_segments: segments(scene),
-        closed_forms: closed_forms(scene, chosen.method),
-        precision: scene.rays.precision,
-        in_double: None,
         rays: Settled { all: rays.truth.len(), unsettled: 0, endless: rays.truth.unresolved() },
         compared: true,
-        layers: settings.choice.layers.clone(),
+        ..chosen_for(scene, settings, accuracy, chosen)
     };
     if !found.reached() && rays.more_bits_help() {
         found.in_double = rays.in_double(&found.chosen)?;
@@ -234,9 +225,8 @@ pub fn calibrate(
     Ok(Some(found))
 }
 
-/// What is taken on devices without 64 bits where the picture's own program does not tell enough.
-fn unmeasured(scene: &Scene, settings: &RenderSettings, accuracy: f64) -> Calibration {
-    let chosen = unjudged();
+/// A method that was chosen, compared with no other.
+fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64, chosen: Trial) -> Calibration {
     Calibration {
         accuracy,
         chosen,
@@ -264,7 +254,7 @@ impl fmt::Display for Calibration {
         if self.precision == Precision::Double {
             write!(f, ", precision {}", self.precision.name())?;
         }
-        if !self.compared {
+        if !self.compared && self.chosen.error.is_finite() {
             write!(f, "; not compared with other methods, which takes longer than the picture")?;
         }
         if !self.reached() && self.chosen.error.is_finite() {

@@ -1,6 +1,6 @@
 // In flat space light's momentum is along its way.
 
-// Of light that goes into the past from x at v, but for a factor above 0.
+// Of light that goes into the past from x at v, up to a positive factor.
 fn law_momentum(x: Real3, v: Real3) -> Real4 {
     return Real4(v, length(v));
 }

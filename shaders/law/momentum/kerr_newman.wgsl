@@ -1,7 +1,7 @@
 // Round a hole with a spin and a charge. With U = (v, −1), which v = dx/dτ makes light, it is gU: of two ways that light
 // goes along a direction where nothing rests, v's length says which.
 
-// Of light that goes into the past from x at v, but for a factor above 0.
+// Of light that goes into the past from x at v, up to a positive factor.
 fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let g = kerr_schild(x - law.center);
     let dragged = g.f * (dot(g.l, v) - 1.0);

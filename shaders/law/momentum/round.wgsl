@@ -1,6 +1,6 @@
 // Round a hole without spin: g_rr is −1/g_tt. v is K's part in space, but for a factor, and K_t follows from K's being light.
 
-// Of light that goes into the past from x at v, but for a factor above 0.
+// Of light that goes into the past from x at v, up to a positive factor.
 fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let n = normalize(x - law.center);
     let clock = law_clock(x);

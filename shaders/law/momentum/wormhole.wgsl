@@ -1,6 +1,6 @@
 // Round a wormhole, where clocks at rest go as they do far away.
 
-// Of light that goes into the past from x at v, but for a factor above 0.
+// Of light that goes into the past from x at v, up to a positive factor.
 fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let y = mouth_offset(x);
     let away = length(y);
