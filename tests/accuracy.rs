@@ -142,7 +142,7 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
             calibrate_for(&gpu, &asked, &RenderSettings::default(), 5000).unwrap().expect("the scene names no method");
         println!("{found}");
         assert!(!found.compared && found.reached(), "{text}");
-        assert!(found.to_string().contains("not compared with other methods"));
+        assert!(found.to_string().contains("other methods were not tried"));
         let verified = verify(&gpu, &found.applied(&asked), &RenderSettings::default(), 2000).unwrap().found;
         let accuracy = asked.accuracy().unwrap();
         assert!(verified.seen.p99 <= accuracy, "{text}: {:e} where {accuracy:e} was asked for", verified.seen.p99);

@@ -1,10 +1,13 @@
 //! Shooting against closed forms, against straight shadows, and one way of it against the other.
 
+use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
+use bentray::measure::calibrate_paths;
 use bentray::render::{LightPath, RenderSettings, Renderer, light_paths};
 use glam::DVec3;
 
+use crate::shaders::Random;
 use crate::support::{gpu, scene};
 
 fn numbers(text: &str) -> Vec<f64> {
@@ -95,4 +98,63 @@ fn both_ways_to_shoot_agree() {
     assert!(part > 0.95, "{part}");
     let straight = picture(&lit(&law(&[CENTRE]), "straight", "inverse-square"));
     assert!(alike(&one, &straight, 2e-2) < 0.7);
+}
+
+/// Directions at the light and at the place of the logarithmic spiral between two places about the origin where n = k/r: the angle to
+/// the radius is the same all along. By the short way round, or by the other.
+fn spiral(light: DVec3, place: DVec3, long: bool) -> [DVec3; 2] {
+    let (radial, at_place) = (light.normalize(), place.normalize());
+    let normal = radial.cross(at_place).normalize() * if long { -1.0 } else { 1.0 };
+    let between = radial.angle_between(at_place);
+    let turn = if long { TAU - between } else { between };
+    let to_radius = turn.atan2((place.length() / light.length()).ln());
+    [radial, at_place].map(|radial| to_radius.cos() * radial + to_radius.sin() * normal.cross(radial))
+}
+
+/// Paths that `auto` finds are as accurate as is asked for, and the error that it tells is true: in 32 bits, and in 64.
+#[test]
+fn paths_are_as_accurate_as_is_asked_for() {
+    let gpu = gpu();
+    let mut random = Random::new(77);
+    let mut place = || random.direction() * random.within(0.7, 3.0);
+    let pairs: Vec<[DVec3; 2]> = (0..12).map(|_| [place(), place()]).collect();
+    for (accuracy, bits) in [(1e-4, 32), (1e-6, 64), (1e-9, 64)] {
+        let scene = scene(&format!(
+            "[law]\nkind = \"medium\"\nindex = {{ kind = \"inverse-r\", k = 3 }}\n\
+             [rays]\nmethod = \"auto\"\naccuracy = {accuracy:e}\nprecision = \"f{bits}\"\nbound = {{ radius = 20 }}\nmax_segments = 9000\n",
+        ));
+        let (found, renderer) = calibrate_paths(&gpu, &scene, &RenderSettings::default(), &pairs).unwrap().unwrap();
+        assert!(found.chosen.error <= accuracy, "{found}");
+        let (paths, _) = renderer.paths_between(&pairs).unwrap();
+        for ([place, light], paths) in pairs.iter().zip(&paths) {
+            // Light that goes in at once is swallowed.
+            let outward = |[leaves, _]: &[DVec3; 2]| leaves.dot(*light) > 0.0;
+            for [leaves, arrives] in
+                [false, true].map(|long| spiral(*light, *place, long)).iter().filter(|s| outward(s))
+            {
+                let near = paths.iter().min_by(|a, b| apart(a, *leaves).total_cmp(&apart(b, *leaves))).unwrap();
+                let off = apart(near, *leaves).max(arrives.distance(near.arrives.into()));
+                assert!(off < accuracy, "{accuracy:e}, {light} to {place}: {off:e}; {found}");
+            }
+        }
+    }
+}
+
+/// Where n² grows linearly two parabolas join two places: one leaves for the side where light comes back from.
+#[test]
+fn light_that_comes_back_is_found() {
+    let (light, place, gradient) = (DVec3::new(0.2, 0.1, 0.0), DVec3::new(1.5, -0.8, 0.6), DVec3::new(0.3, -0.6, 0.1));
+    let (way, pull, start) = (place - light, gradient / 4.0, 1.5 * 1.5 + gradient.dot(light));
+    let scene = scene(
+        "[law]\nkind = \"medium\"\nindex = { kind = \"linear\", n0 = 1.5, gradient = [0.3, -0.6, 0.1] }\n\
+         [rays]\nbound = { radius = 60 }\nmax_segments = 3000\n",
+    );
+    let (found, _) = light_paths(&gpu(), &scene, &RenderSettings::default(), &[[place, light]]).unwrap();
+    // |way − pull T²|² = n² T², for the time T of the flight.
+    let half = pull.length_squared().recip() * (way.dot(pull) + 0.5 * start);
+    let root = (half * half - way.length_squared() / pull.length_squared()).sqrt();
+    for square in [half - root, half + root] {
+        let leaves = (way - pull * square).normalize();
+        assert!(found[0].iter().any(|path| apart(path, leaves) < 1e-4), "{leaves}: {found:?}");
+    }
 }

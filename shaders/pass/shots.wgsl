@@ -1,11 +1,20 @@
-// The paths from lights to places, as numbers, for `bentray light`: each ray that is given is a place, and in place of a velocity its
-// light; and SHOTS in a row are one pair, of which each looks for one path.
+// The paths from lights to places, as numbers, for `bentray light`: each ray that is given is a place, and instead of a velocity its
+// light. So many pairs lie side by side and look for their first paths, then the same pairs for their second, and so on: invocations
+// that run in step share a limit of loop iterations, and are similar.
+
+const ABREAST: u32 = 8u;
 
 struct ShotRecord {
     // Unit directions, at the light and at the place.
     leaves: Real3,
     spread: Real,
     arrives: Real3,
+    error: Real,
+    // Of the search.
+    offset: Real3,
+    gap: Real,
+    passed: Real,
+    parts: u32,
     found: u32,
     // 1 if nothing opaque is on the path.
     clear: u32,
@@ -13,20 +22,33 @@ struct ShotRecord {
 
 @group(0) @binding(181) var<storage, read_write> records: array<ShotRecord>;
 
+// Runs again and again until every search is over: one part of it at a time, and a look along the path that it found.
 @compute @workgroup_size(GROUP)
 fn shots(own: Invocation) {
     begin_work(own.lane);
     let spot = grid_pixel(own);
     let pair = picture_ray(spot.pixel);
     let i = spot.pixel.y * frame.size.x + spot.pixel.x;
+    let r = records[i];
+    var search = ShotSearch(Shot(r.found == 1u, r.leaves, r.arrives, r.spread, r.error), r.offset, r.gap, r.passed, r.parts);
+    var clear = r.clear;
+    var over = false;
     forget_shots();
-    let shot = shot_at(pair.d, pair.x, i % SHOTS);
-    var clear = false;
-    if shot.found {
-        clear = shot_clear(pair.d, shot.leaves, pair.x);
+    // What fills up a row is a place at its light.
+    if spot.valid && any(pair.d != pair.x) && r.parts <= SEARCHED {
+        if r.parts < SEARCHED {
+            search = continued_search(search, pair.d, pair.x, (i / ABREAST) % SHOTS);
+            over = unfinished || (search.parts == SEARCHED && !search.shot.found);
+        } else {
+            clear = u32(shot_clear(pair.d, search.shot.leaves, pair.x));
+            over = true;
+        }
+        search.parts = select(search.parts, SEARCHED + 1u, over);
+        let shot = search.shot;
+        let found = u32(shot.found);
+        records[i] = ShotRecord(shot.leaves, shot.spread, shot.arrives, shot.error, search.offset, search.gap, search.passed, search.parts, found, clear);
     }
-    if spot.valid {
-        records[i] = ShotRecord(shot.leaves, shot.spread, shot.arrives, u32(shot.found), u32(clear));
+    if over {
         tally_status(lit_status(HIT, EXHAUSTED));
     }
     workgroupBarrier();

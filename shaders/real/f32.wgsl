@@ -18,6 +18,9 @@ const SURFACE_SLACK: Real = 1e-6;
 // Steps of a quarter turn and more that are as good as exact.
 const ASYMPTOTE_STEPS: u32 = 32u;
 
+// Steps of a whole turn about a centre that are as good as exact.
+const ROUND_STEPS: u32 = 128u;
+
 // Comparisons with NaN may be assumed away by a compiler; bits may not.
 fn finite(a: Real3) -> bool {
     return all((bitcast<vec3u>(a) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));

@@ -22,6 +22,9 @@ const SURFACE_SLACK: Real = 1e-14;
 // Steps of a quarter turn and more that are as good as exact.
 const ASYMPTOTE_STEPS: u32 = 1024u;
 
+// Steps of a whole turn about a centre that are as good as exact.
+const ROUND_STEPS: u32 = 1024u;
+
 // What f32 has no finite number for is beyond every scene.
 fn finite(a: Real3) -> bool {
     return all((bitcast<vec3u>(vec3f(a)) & vec3u(0x7f800000u)) != vec3u(0x7f800000u));

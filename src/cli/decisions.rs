@@ -13,6 +13,7 @@ use std::hash::Hash;
 use std::io::Write;
 use std::path::PathBuf;
 
+use glam::DVec3;
 use siphasher::sip128::{Hasher128, SipHasher24};
 
 use super::frames::Film;
@@ -29,6 +30,8 @@ pub(super) enum Rays<'r> {
     Given(&'r [[f64; 6]]),
     /// The camera's, so many.
     Camera(u64),
+    /// Those from lights to places, as pairs of a place and a light.
+    Between(&'r [[DVec3; 2]]),
 }
 
 /// What a search came to.
@@ -70,6 +73,7 @@ impl Place {
         format!("{:?} {} {frame:?} {settings:?}", gpu.info, gpu.f64).hash(&mut hasher);
         match rays {
             Rays::Camera(count) => count.hash(&mut hasher),
+            Rays::Between(pairs) => bytemuck::cast_slice::<_, u8>(pairs).hash(&mut hasher),
             Rays::Given(rays) => bytemuck::cast_slice::<_, u8>(rays).hash(&mut hasher),
         }
         film.hash(&mut hasher)?;

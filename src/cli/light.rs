@@ -51,14 +51,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let places: Vec<DVec3> = read_places(&arguments.at)?.into_iter().map(DVec3::from).collect();
     let mut table = Table::create::<LightRow>(&arguments.output)?;
     let gpu = opening.finish()?;
-    let aimed: Vec<[f64; 6]> = places.iter().map(|x| aimed(first.source, *x)).collect();
-    let settings = arguments.device.settings(Vec::new());
-    let Settled { scene, settings, .. } =
-        settle(&gpu, (&film, None), scene.clone(), settings, Rays::Given(&aimed), &mut StartUp::default())?;
     let pairs: Vec<[DVec3; 2]> =
         places.iter().flat_map(|place| shot.iter().map(|(_, source)| [*place, *source])).collect();
-    let (found, totals) =
-        if shot.is_empty() { Default::default() } else { light_paths(&gpu, &scene, &settings, &pairs)? };
+    let aimed: Vec<[f64; 6]> = places.iter().map(|x| aimed(first.source, *x)).collect();
+    let rays = if shot.is_empty() { Rays::Given(&aimed) } else { Rays::Between(&pairs) };
+    let settings = arguments.device.settings(Vec::new());
+    let Settled { scene, settings, renderer } =
+        settle(&gpu, (&film, None), scene.clone(), settings, rays, &mut StartUp::default())?;
+    let (found, totals) = match renderer {
+        _ if shot.is_empty() => Default::default(),
+        Some(renderer) => renderer.paths_between(&pairs)?,
+        None => light_paths(&gpu, &scene, &settings, &pairs)?,
+    };
     let grids = light_grids(&gpu, &scene, &settings)?;
     for (i, place) in places.iter().enumerate() {
         let (mut paths, mut fields) = (found.iter().skip(i * shot.len()), grids.iter());

@@ -4,7 +4,7 @@ use super::decisions::{Decision, Place, Rays};
 use super::frames::Film;
 use crate::error::Error;
 use crate::gpu::{Gpu, halved_pictures};
-use crate::measure::{Preparation, calibrate, compared_layers};
+use crate::measure::{Preparation, calibrate, calibrate_paths, compared_layers};
 use crate::render::{RenderSettings, Renderer, StartPart, StartUp};
 use crate::scene::Scene;
 
@@ -53,6 +53,7 @@ pub(super) fn settle<'a>(
             }
             None => (None, None),
         },
+        Rays::Between(pairs) => calibrate_paths(gpu, &scene, &settings, pairs)?.unzip(),
     };
     let Some(calibration) = calibration else { return Ok(Settled { scene, settings, renderer }) };
     let said = calibration.to_string();

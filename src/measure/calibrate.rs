@@ -226,7 +226,7 @@ pub fn calibrate(
 }
 
 /// A method that was chosen, compared with no other.
-fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64, chosen: Trial) -> Calibration {
+pub(super) fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64, chosen: Trial) -> Calibration {
     Calibration {
         accuracy,
         chosen,
@@ -241,7 +241,7 @@ fn chosen_for(scene: &Scene, settings: &RenderSettings, accuracy: f64, chosen: T
 }
 
 /// What is taken where no method can be judged.
-fn unjudged() -> Trial {
+pub(super) fn unjudged() -> Trial {
     Trial { method: TOLERANT, control: embedded::with(1e-5, 0.3), error: f64::INFINITY, cost: f64::INFINITY }
 }
 
@@ -255,7 +255,7 @@ impl fmt::Display for Calibration {
             write!(f, ", precision {}", self.precision.name())?;
         }
         if !self.compared && self.chosen.error.is_finite() {
-            write!(f, "; not compared with other methods, which takes longer than the picture")?;
+            write!(f, "; other methods were not tried")?;
         }
         if !self.reached() && self.chosen.error.is_finite() {
             let subject = if self.compared { "no method reaches" } else { "it does not reach" };

@@ -207,7 +207,7 @@ impl Budget {
 
 /// What the finer of two runs is off by, in parts of the distance between them, where each such distance is this part of the one
 /// before: the sum of all that would follow. Where distances do not shrink they are roundings, of which half is its own.
-fn remaining(ratio: f64) -> f64 {
+pub(super) fn remaining(ratio: f64) -> f64 {
     if ratio < 1.0 / 3.0 { ratio / (1.0 - ratio) } else { 0.5 }
 }
 

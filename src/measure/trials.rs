@@ -30,7 +30,7 @@ pub struct Trial {
     pub control: Control,
     /// 99 of 100 rays err by no more, in radians; infinite where that is not known.
     pub error: f64,
-    /// What a ray costs, in evaluations of a simple derivative: see [`cost`].
+    /// What a ray costs, in evaluations of a simple derivative: see [`cost`]; not finite where that is not known.
     pub cost: f64,
 }
 
@@ -143,9 +143,9 @@ impl fmt::Display for Trial {
         if !self.error.is_finite() {
             return write!(f, "{words}: the rule where no method can be judged");
         }
-        if self.error == 0.0 {
-            return write!(f, "{words}: 99 % end as they should, {:.0} evaluations' cost a ray", self.cost);
-        }
-        write!(f, "{words}: 99 % within {:.1e} rad, {:.0} evaluations' cost a ray", self.error, self.cost)
+        let within =
+            if self.error == 0.0 { "end as they should".to_owned() } else { format!("within {:.1e} rad", self.error) };
+        write!(f, "{words}: 99 % {within}")?;
+        if self.cost.is_finite() { write!(f, ", {:.0} evaluations' cost a ray", self.cost) } else { Ok(()) }
     }
 }

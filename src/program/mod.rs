@@ -46,7 +46,7 @@ pub use analysis::Analysis;
 pub use choice::{Choice, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
 
-pub use generated::shots;
+pub use generated::all_shots;
 pub use interface::{Access, Channel, Role, SceneValue, Slot, StatePart};
 pub use layer::Layer;
 pub use link::{link, link_all};

@@ -44,7 +44,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         Precision::Double => &["real/f64", "state/buffer"],
     });
     let regions = &analysis.regions;
-    names.make(generated::counts(scene, regions));
+    names.make(generated::counts(scene, choice, regions));
     names.add(if scene.law.throat().is_some() { "law/bound_mouths" } else { "law/bound" });
     phase_parts(scene, choice, &mut names);
     scatter_parts(scene, choice, regions, &mut names);

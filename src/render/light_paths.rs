@@ -8,7 +8,7 @@ use super::clock::Clock;
 use super::trace::{BATCH, ray_tile, read_rows};
 use super::{RenderError, RenderSettings, Renderer, Totals};
 use crate::gpu::Gpu;
-use crate::program::{Choice, Masks, Purpose, Schedule, shots};
+use crate::program::{Choice, Masks, Purpose, Schedule, all_shots, constant};
 use crate::scene::Scene;
 
 /// A path that leads from a light to a place.
@@ -20,6 +20,8 @@ pub struct LightPath {
     pub arrives: [f64; 3],
     /// The area of the bundle about it at the place, square to it, for each solid angle at the light.
     pub spread: f64,
+    /// What its directions are off by, in radians, as far as the search knows: what it misses the place by.
+    pub error: f64,
     /// Is nothing opaque on it?
     pub clear: bool,
 }
@@ -47,30 +49,49 @@ pub fn light_paths(
     settings: &RenderSettings,
     pairs: &[[DVec3; 2]],
 ) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
+    shooting(gpu, scene.clone(), settings)?.paths_between(pairs)
+}
+
+/// A renderer whose program finds paths from lights, for [`Renderer::paths_between`].
+pub fn shooting<'a>(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Renderer<'a>, RenderError> {
     let choice = Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: Masks::Off, layers: Vec::new() };
-    let renderer = Renderer::new(gpu, scene, RenderSettings { choice, ..settings.clone() })?;
-    let (each, started) = (shots(scene), Instant::now());
-    let mut clock = Clock::new(gpu, true);
-    let (mut found, mut totals) = (Vec::with_capacity(pairs.len()), Totals::default());
-    let stage = gpu.progress.measured("shooting rays at lights", pairs.len() as f64);
-    for batch in pairs.chunks(BATCH / each) {
-        // One ray for each path that is looked for.
-        let rays: Vec<[f64; 6]> = batch.iter().flat_map(|[x, s]| vec![[x.x, x.y, x.z, s.x, s.y, s.z]; each]).collect();
-        let (tile, sample) = ray_tile(&renderer, &rays)?;
-        renderer.run_sample(&tile, sample, &mut clock, &|_| {})?;
-        renderer.read_tally(&tile, &mut totals, None)?;
-        let rows = read_rows(&renderer, &tile, rays.len(), |row| {
-            let path = LightPath {
-                leaves: row.vector("leaves"),
-                arrives: row.vector("arrives"),
-                spread: row.float("spread", 0),
-                clear: row.uint("clear") == 1,
+    Renderer::keeping(gpu, scene, RenderSettings { choice, ..settings.clone() })
+}
+
+impl Renderer<'_> {
+    /// For each pair of a place and a light the paths between them, as [`light_paths`] does; the program's purpose is to find them.
+    pub fn paths_between(&self, pairs: &[[DVec3; 2]]) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
+        let (each, started) = (all_shots(&self.scene), Instant::now());
+        let mut clock = Clock::new(self.gpu, true);
+        let (mut found, mut totals) = (Vec::with_capacity(pairs.len()), Totals::default());
+        let stage = self.gpu.progress.measured("shooting rays at lights", pairs.len() as f64);
+        let abreast = constant("pass/shots", "ABREAST") as usize;
+        for batch in pairs.chunks(BATCH / each) {
+            // One ray for each path that is looked for. What fills up a row is a place at its light.
+            let row = |pair: Option<&[DVec3; 2]>| pair.map_or([0.0; 6], |[x, s]| [x.x, x.y, x.z, s.x, s.y, s.z]);
+            let rows = batch.chunks(abreast).map(|pairs| (0..abreast).map(|i| row(pairs.get(i))).collect::<Vec<_>>());
+            let rays: Vec<[f64; 6]> = rows.flat_map(|pairs| pairs.repeat(each)).collect();
+            let (tile, sample) = ray_tile(self, &rays)?;
+            self.run_sample(&tile, sample, &mut clock, &|_| {})?;
+            self.read_tally(&tile, &mut totals, None)?;
+            let rows = read_rows(self, &tile, rays.len(), |row| {
+                let path = LightPath {
+                    leaves: row.vector("leaves"),
+                    arrives: row.vector("arrives"),
+                    spread: row.float("spread", 0),
+                    error: row.float("error", 0),
+                    clear: row.uint("clear") == 1,
+                };
+                (row.uint("found") == 1).then_some(path)
+            })?;
+            stage.advance(batch.len() as f64);
+            let own = |pair: usize| {
+                let first = pair / abreast * each * abreast + pair % abreast;
+                distinct(rows[first..].iter().step_by(abreast).take(each).flatten())
             };
-            (row.uint("found") == 1).then_some(path)
-        })?;
-        stage.advance(batch.len() as f64);
-        found.extend(rows.chunks(each).map(|shots| distinct(shots.iter().flatten())));
+            found.extend((0..batch.len()).map(own));
+        }
+        self.finish_totals(&mut totals, &clock, started)?;
+        Ok((found, totals))
     }
-    renderer.finish_totals(&mut totals, &clock, started)?;
-    Ok((found, totals))
 }

@@ -45,7 +45,7 @@ pub use band::{Band, Plane, Rendering};
 pub use error::RenderError;
 pub use grids::{Gridded, LightReport};
 pub use light_grid::light_grids;
-pub use light_paths::{LightPath, light_paths};
+pub use light_paths::{LightPath, light_paths, shooting};
 pub use noise::Noise;
 pub use renderer::Renderer;
 pub use schedule::steps;

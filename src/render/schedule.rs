@@ -2,7 +2,7 @@
 
 use super::step::{Dispatch, PixelList, Step};
 use crate::gpu::Slots;
-use crate::program::{Choice, Masks, Pass, Purpose, Schedule, Work};
+use crate::program::{Choice, Masks, Pass, Purpose, Schedule, Work, constant};
 use crate::scene::{Scene, Segment};
 
 /// Every dispatch of one round of a sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
@@ -26,7 +26,9 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
             return recorded.steps;
         }
         Purpose::Lit => {
-            recorded.push(Pass::Shots, Slots::only(0), 0, 1);
+            for _ in 0..constant("surface/shot/shot", "SEARCH_PARTS") as u32 {
+                recorded.push(Pass::Shots, Slots::only(0), 0, 1);
+            }
             return recorded.steps;
         }
         Purpose::Picture | Purpose::Trace | Purpose::Pixels | Purpose::Light | Purpose::Caustics => {}

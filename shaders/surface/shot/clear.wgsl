@@ -4,6 +4,7 @@
 const REACH: Real = 1e-3;
 
 fn shot_clear(source: Real3, d: Real3, place: Real3) -> bool {
+    share_work();
     let reach = REACH * distance(source, place);
     var ray = shot_start(source, d);
     clear_last_hit();

@@ -1,6 +1,7 @@
 // Paths under any law, by Newton's method: two angles about a first direction are unknown, and the offset of the path from the place, square
-// to the path where it is nearest, shall vanish. Two neighbours travel along for the derivative. Each of several first directions may lead to
-// a path of its own: straight, past each of the law's sources on its other side, at three distances from it, or, where it has none, to the left, right, above and below.
+// to the path where it is nearest, is to vanish. Two neighbors travel along for the derivative. Each of several first directions may lead
+// to a path of its own: straight, past each of the law's sources on its other side, at three distances from it, or, if it has none, to the
+// left, right, above and below; and all around, where paths are wanted as numbers.
 
 struct Aim {
     position: Real3,
@@ -24,11 +25,15 @@ const LONGEST_PATH: Real = 5.0;
 // Tangents of the angles of first directions to the sides.
 const TILT: Real = 1.0;
 const STEEP: Real = 6.0;
+// Of a whole turn, from one of the directions all around to the next.
+const GOLDEN: f32 = 0.381966;
 // How far past a source, in parts of its distance from the straight line.
 const BEYOND: array<Real, 3> = array<Real, 3>(1.0, 0.35, 0.1);
-// Of the distance between light and place: a path this near is there.
-const THERE: Real = 2e-6;
+// Of the distance between light and place: a path is there when it is a few roundings off, and is one at all within this.
+const ROUNDINGS: Real = 10.0;
 const NEAR_ENOUGH: Real = 1e-4;
+// Where it is this near, whole steps lead nearer, or roundings keep it where it is.
+const CLOSE: Real = 1e-3;
 
 // The directions found for a light so far.
 var<private> found_directions: array<vec3f, SHOTS>;
@@ -39,18 +44,29 @@ struct Nearest {
     offset: Real3,
     v: Real3,
     gap: Real,
+    // Its length up to there, to within a segment.
+    passed: Real,
 }
 
-fn nearest_to(source: Real3, d: Real3, place: Real3) -> Nearest {
+// A path may go round for ever.
+fn longest_path(source: Real3, place: Real3) -> Real {
+    return LONGEST_PATH * (distance(source, place) + distance(source, bound.center) + distance(place, bound.center));
+}
+
+// How far neighbors of a path are followed: not much further than it takes to pass the place.
+fn neighbor_length(search: ShotSearch) -> Real {
+    return 1.25 * search.passed + 2.0 * search.gap;
+}
+
+fn nearest_to(source: Real3, d: Real3, place: Real3, longest: Real) -> Nearest {
+    share_work();
     var ray = shot_start(source, d);
-    let far = distance(source, place);
-    var best = far;
+    var best = infinite();
     var from_ray = ray;
     var to_ray = ray;
     var at: Real = 0.0;
-    // A path may go round for ever.
-    let longest = LONGEST_PATH * (far + distance(source, bound.center) + distance(place, bound.center));
     var passed: Real = 0.0;
+    var passed_there: Real = 0.0;
     for (var k = 0u; k < schedule.max_segments && passed < longest && shot_has_room(); k++) {
         work += 1u;
         var next = ray;
@@ -58,22 +74,24 @@ fn nearest_to(source: Real3, d: Real3, place: Real3) -> Nearest {
         passed += distance(s.x0, s.x1);
         let t = nearest_fraction(s, place);
         let gap = distance(segment_point(s, t), place);
-        if gap < best {
+        // A path that comes back is not nearest where it starts, however far it misses the place.
+        if t > 0.0 && gap < best {
             best = gap;
             from_ray = ray;
             to_ray = next;
             at = t;
+            passed_there = passed;
         }
         if open_status(s, next.tau, 0u) != ALIVE {
             break;
         }
         ray = next;
     }
-    return nearest_on(from_ray, to_ray, at, place);
+    return nearest_on(from_ray, to_ray, at, place, passed_there);
 }
 
 // The step retaken to where it is nearest: the arc's own place and direction would be off by up to 3e-4.
-fn nearest_on(start: Ray, end: Ray, t: Real, place: Real3) -> Nearest {
+fn nearest_on(start: Ray, end: Ray, t: Real, place: Real3, passed: Real) -> Nearest {
     let size = own_size(start, end);
     var h = own_fraction(start.phase, end.phase, t) * size;
     var p = retaken_step(start.phase, h);
@@ -84,7 +102,7 @@ fn nearest_on(start: Ray, end: Ray, t: Real, place: Real3) -> Nearest {
         p = retaken_step(start.phase, h);
     }
     let offset = p[0].xyz - place;
-    return Nearest(offset, normalize(p[1].xyz), length(offset));
+    return Nearest(offset, normalize(p[1].xyz), length(offset), passed);
 }
 
 fn tilted(d: Real3, base: mat2x3<Real>, by: Real2) -> Real3 {
@@ -96,7 +114,10 @@ fn first_direction(source: Real3, place: Real3, k: u32) -> Real3 {
     if k == 0u {
         return straight;
     }
-    if k + 1u == SHOTS && !HAS_AIMS {
+    if k >= USUAL_SHOTS {
+        return direction_around(straight, k - USUAL_SHOTS);
+    }
+    if k + 1u == USUAL_SHOTS && !HAS_AIMS {
         return -straight;
     }
     if HAS_AIMS {
@@ -111,54 +132,103 @@ fn first_direction(source: Real3, place: Real3, k: u32) -> Real3 {
     return tilted(straight, base, select(Real2(angle, 0.0), Real2(0.0, angle), ((k - 1u) & 2u) != 0u));
 }
 
+// The i-th of directions that are spread evenly, on a spiral of equal areas about d by golden angles.
+fn direction_around(d: Real3, i: u32) -> Real3 {
+    let base = square_to(d);
+    let along = 1.0 - (2.0 * Real(i) + 1.0) / Real(max(SHOTS - USUAL_SHOTS, 1u));
+    let turn = real_sin_cos(2.0 * PI * Real(fract(GOLDEN * f32(i))));
+    return along * d + sqrt(1.0 - along * along) * (turn.y * base[0] + turn.x * base[1]);
+}
+
 fn forget_shots() {
     found_count = 0u;
 }
 
 fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
-    let far = distance(source, place);
-    var d = first_direction(source, place, k);
-    var best = nearest_to(source, d, place);
-    for (var i = 0u; i < NEWTON_STEPS && best.gap > THERE * far; i++) {
+    var search = begun_search(source, place, k);
+    while search.parts <= NEWTON_STEPS {
         work += 1u;
-        if i == HOPELESS_AT && best.gap > HOPELESS * far {
-            break;
-        }
-        let base = square_to(d);
-        let across = square_to(best.v);
-        let a = nearest_to(source, tilted(d, base, Real2(NEIGHBOUR, 0.0)), place).offset - best.offset;
-        let b = nearest_to(source, tilted(d, base, Real2(0.0, NEIGHBOUR)), place).offset - best.offset;
-        let column_a = Real2(dot(a, across[0]), dot(a, across[1]));
-        let column_b = Real2(dot(b, across[0]), dot(b, across[1]));
-        let off = Real2(dot(best.offset, across[0]), dot(best.offset, across[1]));
-        let det = column_a.x * column_b.y - column_a.y * column_b.x;
-        if det == 0.0 {
-            break;
-        }
-        var step = (-NEIGHBOUR / det) * Real2(off.x * column_b.y - off.y * column_b.x, off.y * column_a.x - off.x * column_a.y);
-        step *= min(1.0, LONGEST / max(length(step), 1e-30));
-        var nearer = false;
-        for (var j = 0u; j < SHORTENINGS && !nearer; j++) {
-            work += 1u;
-            let trial = tilted(d, base, step);
-            let there = nearest_to(source, trial, place);
-            nearer = there.gap < best.gap;
-            if nearer {
-                best = there;
-                d = trial;
-            }
-            step *= 0.5;
-        }
-        if !nearer {
-            break;
-        }
+        search = nearer_search(search, source, place);
     }
+    return ended_search(search, source, place);
+}
+
+// The same, part by part.
+fn continued_search(search: ShotSearch, source: Real3, place: Real3, k: u32) -> ShotSearch {
+    var next = search;
+    if search.parts == 0u {
+        next = begun_search(source, place, k);
+    } else if search.parts <= NEWTON_STEPS {
+        next = nearer_search(search, source, place);
+    } else {
+        next.shot = ended_search(search, source, place);
+        next.parts = SEARCHED;
+    }
+    return next;
+}
+
+fn begun_search(source: Real3, place: Real3, k: u32) -> ShotSearch {
+    let d = first_direction(source, place, k);
+    return with_path(ShotSearch(NO_SHOT, Real3(0.0), 0.0, 0.0, 1u), d, nearest_to(source, d, place, longest_path(source, place)));
+}
+
+fn with_path(search: ShotSearch, d: Real3, path: Nearest) -> ShotSearch {
+    return ShotSearch(Shot(false, d, path.v, 0.0, 0.0), path.offset, path.gap, path.passed, search.parts);
+}
+
+// One step of Newton's method.
+fn nearer_search(search: ShotSearch, source: Real3, place: Real3) -> ShotSearch {
+    let far = distance(source, place);
+    let d = search.shot.leaves;
+    var over = search;
+    over.parts = NEWTON_STEPS + 1u;
+    let there = search.gap <= ROUNDINGS * LAST_PART * far;
+    if there || (search.parts > HOPELESS_AT && search.gap > HOPELESS * far) {
+        return over;
+    }
+    let base = square_to(d);
+    let across = square_to(search.shot.arrives);
+    let longest = neighbor_length(search);
+    let a = nearest_to(source, tilted(d, base, Real2(NEIGHBOUR, 0.0)), place, longest).offset - search.offset;
+    let b = nearest_to(source, tilted(d, base, Real2(0.0, NEIGHBOUR)), place, longest).offset - search.offset;
+    let column_a = Real2(dot(a, across[0]), dot(a, across[1]));
+    let column_b = Real2(dot(b, across[0]), dot(b, across[1]));
+    let off = Real2(dot(search.offset, across[0]), dot(search.offset, across[1]));
+    let det = column_a.x * column_b.y - column_a.y * column_b.x;
+    if det == 0.0 {
+        return over;
+    }
+    var step = (-NEIGHBOUR / det) * Real2(off.x * column_b.y - off.y * column_b.x, off.y * column_a.x - off.x * column_a.y);
+    step *= min(1.0, LONGEST / max(length(step), 1e-30));
+    let shortenings = select(SHORTENINGS, 1u, search.gap < CLOSE * far);
+    for (var j = 0u; j < shortenings; j++) {
+        work += 1u;
+        let trial = tilted(d, base, step);
+        let path = nearest_to(source, trial, place, longest);
+        if path.gap < search.gap {
+            var nearer = with_path(search, trial, path);
+            nearer.parts += 1u;
+            return nearer;
+        }
+        step *= 0.5;
+    }
+    return over;
+}
+
+fn ended_search(search: ShotSearch, source: Real3, place: Real3) -> Shot {
     var shot = NO_SHOT;
-    if best.gap <= NEAR_ENOUGH * far && is_new(vec3f(d)) {
-        shot = Shot(true, d, best.v, bundle_spread(source, d, place, best.v));
+    if search.gap <= NEAR_ENOUGH * distance(source, place) && is_new(vec3f(search.shot.leaves)) {
+        shot = search.shot;
+        shot.found = true;
+        shot.spread = bundle_spread(search, source, place);
+        shot.error = search.gap / sqrt(max(shot.spread, 1e-30));
     }
-    // A path or its bundle may have ended for want of room.
-    unfinished = unfinished || !shot_has_room();
+    // A path or its bundle may have ended for lack of room, where nothing is known of either.
+    share_work();
+    if !shot_has_room() {
+        unfinished = true;
+        return NO_SHOT;
+    }
     return shot;
 }
 
@@ -174,20 +244,31 @@ fn is_new(d: vec3f) -> bool {
     return true;
 }
 
-// By a neighbour on each of four sides.
-fn bundle_spread(source: Real3, d: Real3, place: Real3, v: Real3) -> Real {
-    let base = square_to(d);
-    let across = square_to(v);
-    var columns = mat2x3<Real>(Real3(0.0), Real3(0.0));
-    for (var i = 0u; i < 4u; i++) {
-        work += 1u;
-        let side = select(BUNDLE, -BUNDLE, (i & 1u) == 1u);
-        let to_side = select(Real2(side, 0.0), Real2(0.0, side), i > 1u);
-        let offset = nearest_to(source, tilted(d, base, to_side), place).offset / (2.0 * side);
-        columns[0] += select(Real3(0.0), offset, i < 2u);
-        columns[1] += select(Real3(0.0), offset, i > 1u);
+// By a neighbor on each of four sides; in 64 bits by one twice as far out as well, for a difference of the fourth order.
+fn bundle_spread(search: ShotSearch, source: Real3, place: Real3) -> Real {
+    var columns = bundle_change(search, source, place, BUNDLE);
+    if LAST_PART < 1e-10 {
+        columns = (4.0 / 3.0) * columns - (1.0 / 3.0) * bundle_change(search, source, place, 2.0 * BUNDLE);
     }
+    let across = square_to(search.shot.arrives);
     let a = Real2(dot(columns[0], across[0]), dot(columns[0], across[1]));
     let b = Real2(dot(columns[1], across[0]), dot(columns[1], across[1]));
     return abs(a.x * b.y - a.y * b.x);
+}
+
+// How the offset at the place changes with the two angles of the direction at the light.
+fn bundle_change(search: ShotSearch, source: Real3, place: Real3, apart: Real) -> mat2x3<Real> {
+    let d = search.shot.leaves;
+    let base = square_to(d);
+    let longest = neighbor_length(search);
+    var columns = mat2x3<Real>(Real3(0.0), Real3(0.0));
+    for (var i = 0u; i < 4u; i++) {
+        work += 1u;
+        let side = select(apart, -apart, (i & 1u) == 1u);
+        let to_side = select(Real2(side, 0.0), Real2(0.0, side), i > 1u);
+        let offset = nearest_to(source, tilted(d, base, to_side), place, longest).offset / (2.0 * side);
+        columns[0] += select(Real3(0.0), offset, i < 2u);
+        columns[1] += select(Real3(0.0), offset, i > 1u);
+    }
+    return columns;
 }

@@ -8,12 +8,12 @@ const LOOKS: u32 = 40u;
 const HALVINGS: u32 = 12u;
 const FEW_STEPS: u32 = 48u;
 const SECANTS: u32 = 6u;
-const MANY_STEPS: u32 = 128u;
+const MANY_STEPS: u32 = ROUND_STEPS;
 // For derivatives: first in parts of the angle, then so far apart that 1/r changes by this part.
 const APART: Real = 2e-3;
 const CHANGE: Real = 0.08;
 // Iterations of one path's search, at most, with those of its derivative.
-const SHOT_WORK: u32 = (LOOKS + HALVINGS) * (FEW_STEPS + 2u) + (SECANTS + 8u) * (MANY_STEPS + 1u);
+const SHOT_WORK: u32 = (LOOKS + HALVINGS) * (FEW_STEPS + 2u) + (SECANTS + 9u) * (MANY_STEPS + 1u);
 const NEVER_THERE: Real = -1.0;
 const SWALLOWED: Real = 1e30;
 
@@ -75,6 +75,11 @@ fn look_angle(k: u32) -> Real {
 
 // No path is found twice.
 fn forget_shots() {
+}
+
+// All of it is one part.
+fn continued_search(search: ShotSearch, source: Real3, place: Real3, k: u32) -> ShotSearch {
+    return ShotSearch(shot_at(source, place, k), Real3(0.0), 0.0, 0.0, SEARCHED);
 }
 
 // The which-th path by one side.
@@ -151,5 +156,8 @@ fn shot_along(plane: ShotPlane, off: Real, wanted: Real) -> Shot {
     let square = o.h * o.u / length(v);
     let wide = abs(real_sin_cos(plane.sweep).x) / (wanted * turn.x);
     let spread = abs(slope) / (wanted * wanted) * square * wide;
-    return Shot(true, turn.x * plane.t - turn.y * plane.n, normalize(v), spread);
+    // What half as many steps change, of which a fifteenth is their own error.
+    let change = abs(o.u - shot_orbit(plane, off, MANY_STEPS / 2u).u) / 15.0;
+    let error = (abs(o.u - wanted) + change) / max(abs(slope), 1e-30);
+    return Shot(true, turn.x * plane.t - turn.y * plane.n, normalize(v), spread, error);
 }

@@ -7,9 +7,27 @@ struct Shot {
     arrives: Real3,
     // The area that the bundle about it has at the place, square to it, for each solid angle at the light.
     spread: Real,
+    // What it misses the place by, as an angle at the light.
+    error: Real,
 }
 
-const NO_SHOT: Shot = Shot(false, Real3(0.0), Real3(0.0), 0.0);
+const NO_SHOT: Shot = Shot(false, Real3(0.0), Real3(0.0), 0.0, 0.0);
+
+// A search between two of its parts, each of which has room in an invocation.
+struct ShotSearch {
+    // As far as they are known.
+    shot: Shot,
+    // Where the path is nearest to the place: how far off, and its length up to there.
+    offset: Real3,
+    gap: Real,
+    passed: Real,
+    // How many parts are done, or that all are.
+    parts: u32,
+}
+
+const SEARCHED: u32 = 64u;
+// Parts that a search and a look along the path take, at most.
+const SEARCH_PARTS: u32 = 15u;
 
 // There is room for the next path, and for a step of it.
 fn shot_has_room() -> bool {

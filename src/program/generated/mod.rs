@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 
 use super::regions::Regions;
 use super::unit::Unit;
+use super::{Choice, Purpose};
 use crate::model::shape::SOLIDS;
 use crate::model::source;
 use crate::scene::Scene;
@@ -15,13 +16,22 @@ pub(super) use switch::{switch, unit};
 
 /// Paths that are looked for from a light to a place, at most: about one centre two by either side; else one from each first direction,
 /// straight and past each of the law's sources at three distances, or to four sides twice, and back.
-#[must_use]
-pub fn shots(scene: &Scene) -> usize {
+fn shots(scene: &Scene) -> usize {
     match scene.law.anchors().len() {
         _ if scene.law.orbit().is_some_and(|orbit| orbit.is_plane()) => 4,
         0 => 10,
         aims => 1 + 3 * aims,
     }
+}
+
+/// First directions all around the light, besides, where paths are wanted as numbers: what a picture does without for the sake of its time.
+const AROUND: usize = 48;
+
+/// The same with those.
+#[must_use]
+pub fn all_shots(scene: &Scene) -> usize {
+    let planar = scene.law.orbit().is_some_and(|orbit| orbit.is_plane());
+    shots(scene) + if planar { 0 } else { AROUND }
 }
 
 /// The way to a place from what a force comes from.
@@ -236,7 +246,7 @@ pub(super) fn chord(steps: u32) -> Unit {
 }
 
 /// How long the lists are that every step or segment walks: known to the compiler, which may unroll them.
-pub(super) fn counts(scene: &Scene, regions: &Regions) -> Unit {
+pub(super) fn counts(scene: &Scene, choice: &Choice, regions: &Regions) -> Unit {
     let mut text = String::new();
     let mut count = |name: &str, n: usize| {
         let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
@@ -250,6 +260,9 @@ pub(super) fn counts(scene: &Scene, regions: &Regions) -> Unit {
     count("TRAVEL", scene.travels().count());
     let aims = scene.law.anchors().len();
     count("AIM", aims.max(1));
-    let _ = writeln!(text, "const HAS_AIMS: bool = {};\nconst SHOTS: u32 = {}u;", aims > 0, shots(scene));
+    let _ = writeln!(text, "const HAS_AIMS: bool = {};", aims > 0);
+    let (few, all) = (shots(scene), all_shots(scene));
+    let own = if choice.purpose == Purpose::Lit { all } else { few };
+    let _ = writeln!(text, "const USUAL_SHOTS: u32 = {few}u;\nconst SHOTS: u32 = {own}u;");
     unit("generated/counts.wgsl", text)
 }
