@@ -1,8 +1,8 @@
 //! NRRD ("nearly raw raster data", <https://teem.sourceforge.net/nrrd/format.html>): a header of text lines, an empty line, and the
 //! samples.
 //!
-//! *Practice.* Read are volumes of three axes along x, y and z, with their samples behind the header or in one file of their own, raw or by gzip. All else is
-//! refused, with its line. Fields that say nothing of where samples are and what they are (content, units, kinds, …) are passed
+//! *Practice.* Read are volumes of three axes along x, y and z, with their samples behind the header or in one file of their own, raw
+//! or by gzip, behind as many lines and bytes as `line skip` and `byte skip` say. All else is refused, with its line. Fields that say nothing of where samples are and what they are (content, units, kinds, …) are passed
 //! over.
 
 use super::{Bare, Stored, Volume, count};
@@ -34,31 +34,104 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
     let samples = count(volume.bare.size).unwrap_or(0);
     let wanted = samples * volume.bare.stored.bytes();
     let data = volume.data.map(|name| Ok((data_file(name, path)?, name))).transpose().map_err(wrong)?;
+    let skip = volume.skip;
     let stored = match &data {
         None => Cow::Borrowed(behind),
         Some((file, name)) => {
-            // Of a file of another length nothing is read.
+            // If the file has another length, none of it is read.
             let length = std::fs::metadata(file).map_or(wanted as u64, |file| file.len());
-            if samples > 0 && !volume.zipped && length != wanted as u64 {
+            if samples > 0 && !volume.zipped && !skip.leaves(wanted as u64, length) {
                 let problem = format!("the file has {length} bytes, and the samples are {wanted}");
-                return Err(wrong((name, problem, "check `sizes`, `type` and `encoding`".to_owned())));
+                let help = "check `sizes`, `type`, `encoding`, `line skip` and `byte skip`".to_owned();
+                return Err(wrong((name, problem, help)));
             }
             Cow::Owned(if samples > 0 { read_bytes(file)? } else { Vec::new() })
         }
     };
+    let begin = if samples > 0 { skip.lines_end(&stored).map_err(wrong)? } else { 0 };
     let bytes = if volume.zipped {
-        // One byte more, so that too many are noticed; no more, however much a file unfolds to.
-        let mut unzipped = Vec::new();
-        let unzip = flate2::read::MultiGzDecoder::new(&*stored).take(wanted as u64 + 1).read_to_end(&mut unzipped);
-        unzip.map_err(|error| SceneError::Grid {
+        unzipped(&stored[begin..], skip, wanted).map_err(|error| SceneError::Grid {
             path: path.to_owned(),
             problem: format!("its samples cannot be unzipped: {error}"),
-        })?;
-        unzipped
+        })?
     } else {
-        stored.into_owned()
+        let mut bytes = stored.into_owned();
+        bytes.drain(..skip.begin(begin, wanted, bytes.len()));
+        bytes
     };
     Ok(Volume { bare: volume.bare, place: volume.place, bytes, data: data.map(|(file, _)| file) })
+}
+
+/// Unpacks the samples: one byte more than are wanted, so that too many are noticed, and no more, however much a file unfolds to.
+fn unzipped(stored: &[u8], skip: Skip, wanted: usize) -> std::io::Result<Vec<u8>> {
+    let mut unpacked = flate2::read::MultiGzDecoder::new(stored);
+    std::io::copy(&mut unpacked.by_ref().take(skip.bytes.unwrap_or(0)), &mut std::io::sink())?;
+    let mut bytes = Vec::new();
+    unpacked.take(wanted as u64 + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The front of the data that is not samples: lines first, then bytes, which are counted after unpacking.
+#[derive(Clone, Copy)]
+struct Skip<'a> {
+    lines: u64,
+    /// The field's value, for what is wrong with it.
+    lines_text: &'a str,
+    /// `None` if the samples are at the end of the file.
+    bytes: Option<u64>,
+}
+
+impl<'a> Skip<'a> {
+    fn read(fields: &[Field<'a>], zipped: bool) -> Result<Self, Wrong<'a>> {
+        let given = |names: &[&str]| find(fields, names).map_or("0", |(_, value)| *value);
+        let (lines_text, bytes_text) = (given(&["line skip", "lineskip"]), given(&["byte skip", "byteskip"]));
+        let lines = lines_text.parse().map_err(|_| {
+            let problem = format!("expected a number of lines, found `{lines_text}`");
+            (lines_text, problem, "the lines before the samples, 0 or more".to_owned())
+        })?;
+        let bytes = match bytes_text {
+            "-1" if zipped => {
+                let problem = "`byte skip: -1` is for samples that are not packed".to_owned();
+                return Err((bytes_text, problem, "give the number of bytes before the samples".to_owned()));
+            }
+            "-1" => None,
+            _ => Some(bytes_text.parse().map_err(|_| {
+                let problem = format!("expected a number of bytes, found `{bytes_text}`");
+                (bytes_text, problem, "0 or more, or -1 if the samples are at the end of the file".to_owned())
+            })?),
+        };
+        Ok(Self { lines, lines_text, bytes })
+    }
+
+    /// Returns `true` if `wanted` bytes may be left of a file that is not packed and has so many bytes.
+    fn leaves(&self, wanted: u64, length: u64) -> bool {
+        match (self.lines, self.bytes) {
+            (0, Some(bytes)) => length == wanted.saturating_add(bytes),
+            _ => length >= wanted,
+        }
+    }
+
+    /// Returns the place behind the lines. They may end in any of the ways of text.
+    fn lines_end(&self, data: &[u8]) -> Result<usize, Wrong<'a>> {
+        let mut at = 0;
+        for line in 0..self.lines {
+            let Some(length) = data[at..].iter().position(|byte| matches!(byte, b'\n' | b'\r')) else {
+                let problem = format!("the data has {line} lines");
+                return Err((self.lines_text, problem, String::new()));
+            };
+            at += length + if data[at + length..].starts_with(b"\r\n") { 2 } else { 1 };
+        }
+        Ok(at)
+    }
+
+    /// Returns where the samples begin in data of so many bytes that are not packed, if the lines end at `lines_end`.
+    fn begin(&self, lines_end: usize, wanted: usize, length: usize) -> usize {
+        let begin = match self.bytes {
+            Some(bytes) => usize::try_from(bytes).unwrap_or(length).saturating_add(lines_end),
+            None => length.saturating_sub(wanted).max(lines_end),
+        };
+        begin.min(length)
+    }
 }
 
 /// Returns the one file of samples that a header names, relative to the header's folder.
@@ -97,6 +170,7 @@ struct Header<'a> {
     bare: Bare,
     place: Option<(DVec3, DVec3)>,
     zipped: bool,
+    skip: Skip<'a>,
     /// What the header says of another file that holds the samples.
     data: Option<&'a str>,
 }
@@ -123,11 +197,6 @@ impl<'a> Header<'a> {
             fields.push((name, value.trim()));
         }
         let data = find(&fields, &["data file", "datafile"]).map(|(_, name)| *name);
-        for skip in ["line skip", "lineskip", "byte skip", "byteskip"] {
-            if let Some((_, count)) = find(&fields, &[skip]).filter(|(_, count)| *count != "0") {
-                return Err((count, format!("`{skip}` is not supported"), String::new()));
-            }
-        }
         let required = |names: &[&str], example: &str| {
             let missing = || {
                 (
@@ -144,6 +213,7 @@ impl<'a> Header<'a> {
         let size = size(required(&["sizes"], "64 64 64")?)?;
         let stored = stored(required(&["type"], "float")?)?;
         let zipped = is_zipped(required(&["encoding"], "raw")?)?;
+        let skip = Skip::read(&fields, zipped)?;
         let little = match find(&fields, &["endian"]) {
             Some((_, "little")) => true,
             Some((_, "big")) => false,
@@ -151,7 +221,7 @@ impl<'a> Header<'a> {
             None if stored.bytes() == 1 => true,
             None => required(&["endian"], "little").map(|_| true)?,
         };
-        Ok(Self { bare: Bare { size, stored, little }, place: place(&fields)?, zipped, data })
+        Ok(Self { bare: Bare { size, stored, little }, place: place(&fields)?, zipped, skip, data })
     }
 }
 

@@ -101,6 +101,45 @@ fn samples_may_be_in_a_file_of_their_own() {
     }
 }
 
+/// Lines come first and are never packed; bytes are counted after unpacking.
+#[test]
+fn samples_may_follow_lines_and_bytes_that_are_none() {
+    let zip = |data: &[u8]| {
+        let mut zipper = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        zipper.write_all(data).unwrap();
+        zipper.finish().unwrap()
+    };
+    let (samples, lines) = (bytes(f32::to_le_bytes), b"a scan\r\nof a\rhead\n".as_slice());
+    let after = |front: &[u8]| [front, &samples].concat();
+    for (fields, encoding, data) in [
+        ("byte skip: 5\n", "raw", after(b"\n\n\n\n\n")),
+        ("line skip: 3\n", "raw", after(lines)),
+        ("lineskip: 3\nbyteskip: 2\n", "raw", [lines, &after(b"\0\n")].concat()),
+        ("byte skip: -1\n", "raw", after(&[7; 1000])),
+        ("byte skip: -1\n", "raw", samples.clone()),
+        ("line skip: 1\nbyte skip: -1\n", "raw", after(lines)),
+        ("byte skip: 5\n", "gzip", zip(&after(b"\0\0\0\0\0"))),
+        ("line skip: 3\nbyte skip: 2\n", "gzip", [lines, &zip(&after(b"ab"))].concat()),
+    ] {
+        let header = HEADER.replace("encoding: raw", &format!("encoding: {encoding}")) + fields;
+        assert_eq!(good(&header, &data).samples, values(), "{fields}{encoding}, attached");
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.nhdr");
+        std::fs::write(&path, header + "data file: a.raw\n").unwrap();
+        std::fs::write(folder.path().join("a.raw"), data).unwrap();
+        let grid = IndexGrid::load(&path, &AS_IT_IS).unwrap_or_else(|error| panic!("{fields}{encoding}: {error}"));
+        assert_eq!(grid.samples, values(), "{fields}{encoding}, detached");
+    }
+    for (fields, front, found) in [("byte skip: 5\n", 6, 49), ("byte skip: 5\n", 4, 47), ("byte skip: 1000000\n", 0, 0)]
+    {
+        let error = load(&format!("{HEADER}{fields}\n"), &after(&vec![0; front]), &AS_IT_IS).unwrap_err().to_string();
+        assert!(
+            error.contains(&format!("it has {found} bytes of samples, and [2, 3, 2] of 4 bytes are 48")),
+            "{error}"
+        );
+    }
+}
+
 #[test]
 fn bare_numbers_need_what_the_scene_says() {
     let bare = Bare { size: [3, 2, 2], stored: Stored::F64, little: false };
@@ -140,7 +179,11 @@ fn mistakes_have_their_line() {
         (mark("content: a: b", "data file: «b.raw»"), "there is no file"),
         // The header itself, which is of another length.
         (mark("content: a: b", "data file: «a.nrrd»"), "the file has "),
-        (mark("content: a: b", "byte skip: «-1»"), "`byte skip` is not supported"),
+        (mark("content: a: b", "byte skip: «-2»"), "expected a number of bytes, found `-2`"),
+        (mark("content: a: b", "byte skip: «1.5»"), "expected a number of bytes, found `1.5`"),
+        (mark("content: a: b", "line skip: «-1»"), "expected a number of lines, found `-1`"),
+        (mark("content: a: b", "line skip: «2»"), "the data has 0 lines"),
+        (mark("content: a: b", "byteskip: «-1»").replace("raw", "gzip"), "is for samples that are not packed"),
     ] {
         let start = marked.find('«').unwrap();
         let end = marked.find('»').unwrap() - '«'.len_utf8();
