@@ -86,7 +86,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut sections = vec![opening(&device, &sweep)];
     for (name, scene) in &scenes {
         if scene.camera.is_none() {
-            return Err(crate::render::RenderError::NoCamera.into());
+            return Err(super::of_scene(name.as_ref(), crate::render::RenderError::NoCamera));
         }
         let chart = sweep.scene(name, scene, &|method| wanted(arguments, method), &|what| tell!("{name}: {what}"))?;
         print(&chart)?;

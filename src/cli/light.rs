@@ -7,6 +7,7 @@ use glam::{DVec3, Vec4};
 
 use super::decisions::Rays;
 use super::frames::Film;
+use super::of_scene;
 use super::options::{DeviceFlags, SceneOptions};
 use super::paths;
 use super::render::warn;
@@ -46,7 +47,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let Some((_, first)) = lights.first() else {
         let problem =
             "the scene has no light with shadows = \"shooting\" or \"grid\", and paths are found from such lights";
-        return Err(Error::Usage(problem.to_owned()));
+        return Err(of_scene(&arguments.scene, problem));
     };
     let places: Vec<DVec3> = read_places(&arguments.at)?.into_iter().map(DVec3::from).collect();
     let mut table = Table::create::<LightRow>(&arguments.output)?;

@@ -52,12 +52,14 @@ mod wgsl;
 mod words;
 mod written;
 
-use std::fmt::Arguments;
+use std::fmt::{Arguments, Display};
 use std::io::{self, ErrorKind};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
 
+use crate::document::given_name;
 use crate::error::Error;
 use crate::output::has_extension;
 
@@ -136,6 +138,11 @@ fn refuse(error: &clap::Error) -> ExitCode {
 /// Why a command failed, for whoever still reads it.
 pub fn tell_error(error: &Error) {
     tell!("error: {error}");
+}
+
+/// Returns the error that a command cannot use a scene, which may be right otherwise.
+fn of_scene(path: &Path, problem: impl Display) -> Error {
+    Error::Usage(format!("{}: {problem}", given_name(path).display()))
 }
 
 fn tell_line(line: Arguments) {

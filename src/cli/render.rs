@@ -21,9 +21,9 @@ use super::go_on::{Before, SUMS, is_continuable};
 use super::interrupt;
 use super::options::{DeviceFlags, SceneOptions, one_of, parse_bytes, parse_seconds, parse_window};
 use super::paths;
-use super::say_line;
 use super::settle::Settled;
 use super::share::{Part, Share, Target};
+use super::{of_scene, say_line};
 use crate::error::Error;
 use crate::measure::verify;
 use crate::output::{has_extension, is_film};
@@ -239,7 +239,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.prepare_films(&still)?;
     arguments.try_files(&still, &targets, &layers)?;
     if still.camera.is_none() {
-        return Err(RenderError::NoCamera.into());
+        return Err(of_scene(&arguments.scene, RenderError::NoCamera));
     }
     launch.count(StartPart::Scene);
     let gpu = opening.finish()?;

@@ -126,8 +126,7 @@ impl fmt::Display for Mistake {
             let carets = "^".repeat(self.excerpt.chars().count().clamp(1, WIDTH / 2));
             let rest: String = shown.chars().skip(skipped).take(WIDTH).collect();
             let more = if shown.chars().nth(skipped + WIDTH).is_some() { "…" } else { "" };
-            let shown = rest.replace('\t', " ");
-            write!(f, "\n    {dots}{shown}{more}\n    {pad}{carets}")?;
+            write!(f, "\n    {dots}{}{more}\n    {pad}{carets}", visible(&rest.replace('\t', " ")))?;
         }
         if !self.help.is_empty() {
             write!(f, "\n    help: {}", brief(&self.help))?;
@@ -136,13 +135,34 @@ impl fmt::Display for Mistake {
     }
 }
 
-/// A text that is too long without its middle.
+/// Returns a message that may quote a file, as it is printed: [`visible`], and without its middle if it is too long.
 pub fn brief(text: &str) -> Cow<'_, str> {
     if text.len() <= LONGEST {
-        return Cow::Borrowed(text);
+        return visible(text);
     }
     let (start, end) = (char_boundary(text, LONGEST / 2), char_boundary(text, text.len() - LONGEST / 2));
-    Cow::Owned(format!("{} … {}", &text[..start], &text[end..]))
+    Cow::Owned(format!("{} … {}", visible(&text[..start]), visible(&text[end..])))
+}
+
+/// Returns a text with a visible character for each one that would control the terminal, reorder the line or not be seen. Columns stay
+/// where they are.
+fn visible(text: &str) -> Cow<'_, str> {
+    /// Unicode's pictures of the control characters, in the order of their codes.
+    const PICTURES: u32 = 0x2400;
+    let is_hidden = |sign: char| match sign {
+        '\n' => false,
+        '\u{200B}' | '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2060}'..='\u{2069}' | '\u{FEFF}' => true,
+        _ => sign.is_control(),
+    };
+    if !text.contains(is_hidden) {
+        return Cow::Borrowed(text);
+    }
+    let picture = |sign: char| match sign {
+        '\0'..=' ' => char::from_u32(PICTURES + u32::from(sign)).unwrap_or(char::REPLACEMENT_CHARACTER),
+        '\x7F' => '\u{2421}',
+        _ => char::REPLACEMENT_CHARACTER,
+    };
+    Cow::Owned(text.chars().map(|sign| if is_hidden(sign) { picture(sign) } else { sign }).collect())
 }
 
 /// The last boundary of characters that is not beyond byte `at`.

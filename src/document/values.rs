@@ -24,7 +24,7 @@ impl Node {
     #[must_use]
     pub fn expected(&self, what: &str) -> Fault {
         let found = match &self.value {
-            Value::Text(text) => &format!("the string \"{text}\""),
+            Value::Text(text) => &format!("the string {text:?}"),
             Value::Integer(_) => "a whole number",
             Value::Float(_) => "a number",
             Value::Boolean(_) => "true or false",

@@ -1,6 +1,7 @@
 //! Scenes as a user writes them, right and wrong.
 
 mod animation;
+mod attacked;
 mod cut;
 mod encodings;
 mod files;

@@ -154,7 +154,7 @@ fn a_scene_without_camera_is_traced_but_not_rendered() {
     folder.write("out.png", "an old picture");
     let ran = folder.run("render scene.toml -o out.png");
     assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));
-    ran.says(&["error: the scene has no [camera]: add one, such as\n    [camera]\n    position = "]);
+    ran.says(&["error: scene.toml: the scene has no [camera]: add one, such as\n    [camera]\n    position = "]);
     assert_eq!(folder.text("out.png"), "an old picture");
     folder.run("check scene.toml").succeeds();
     assert_eq!(folder.names(), ["out.png", "scene.toml"]);

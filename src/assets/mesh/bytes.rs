@@ -20,6 +20,11 @@ impl<'a> Bytes<'a> {
         self.all.len().saturating_sub(self.at)
     }
 
+    /// Returns the bytes that are not taken yet.
+    pub fn rest(&self) -> &'a [u8] {
+        self.all.get(self.at..).unwrap_or_default()
+    }
+
     /// The next `N`.
     pub fn take<const N: usize>(&mut self) -> Result<[u8; N], Flaw> {
         match self.all.get(self.at..).and_then(|rest| rest.first_chunk()) {

@@ -48,7 +48,8 @@ fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
 fn binary(bytes: &[u8], count: u32, stage: &Stage) -> Result<Raw, Flaw> {
     let mut bytes = Bytes::from(bytes, HEADER);
     let fit = bytes.left() / TRIANGLE;
-    if count as usize > fit {
+    // Fewer than follow would leave the rest of the mesh out.
+    if count as usize != fit {
         let problem =
             format!("the header says {count} triangles of {TRIANGLE} bytes, and {} bytes follow", bytes.left());
         return Err(Flaw::at(HEADER - 4, &problem));
@@ -109,6 +110,10 @@ fn statement<'a>(raw: &mut Raw, corners: &mut usize, line: &[&'a str]) -> Result
     if !KNOWN.iter().any(|known| first.eq_ignore_ascii_case(known)) {
         let help = format!("lines begin with {}, vertex", KNOWN.join(", "));
         return Err((first, format!("unknown word `{first}`"), help));
+    }
+    if !first.eq_ignore_ascii_case("endloop") && *corners > 0 {
+        *corners = 0;
+        return Err((first, format!("`{first}` within a loop"), "`endloop` closes it".to_owned()));
     }
     if first.eq_ignore_ascii_case("endloop") {
         let count = std::mem::take(corners);

@@ -16,6 +16,7 @@ use exr::meta::attribute::{ChannelDescription, Chromaticities, IntegerBounds, Te
 use exr::meta::header::Header;
 use exr::prelude::{ReadLayers, read};
 
+use super::broken::broken;
 use super::encoding::{convert, matrix_of};
 use super::primaries::Primaries;
 use super::{DENSEST, Decoded};
@@ -48,7 +49,7 @@ pub(super) fn read_file(path: &Path, bytes: u64) -> Result<Decoded, String> {
         Channels::Rgb(names) => rgb(path, names, window),
         Channels::Gray(name) => gray(path, name, window),
     }
-    .map_err(|error| error.to_string())?;
+    .map_err(|error| broken(&error))?;
     let mut notes = Vec::new();
     if let Some(named) = &header.shared_attributes.chromaticities {
         match matrix_of(primaries(named), "chromaticities") {
@@ -60,7 +61,7 @@ pub(super) fn read_file(path: &Path, bytes: u64) -> Result<Decoded, String> {
 }
 
 fn meta(path: &Path) -> Result<MetaData, String> {
-    MetaData::read_from_file(path, false).map_err(|error| error.to_string())
+    MetaData::read_from_file(path, false).map_err(|error| broken(&error))
 }
 
 fn display_window(header: &Header) -> IntegerBounds {

@@ -14,6 +14,7 @@ use image::DynamicImage;
 use image::codecs::hdr::HdrDecoder;
 
 use super::Decoded;
+use super::broken::broken;
 use super::encoding::{convert, matrix_of};
 use super::primaries::Primaries;
 use crate::progress::{Stage, Watched};
@@ -41,8 +42,8 @@ pub(super) fn read(path: &Path, stage: &Stage) -> Result<Decoded, String> {
     let (Header { size, scale, to_rec709, mut notes }, rest) = open(path, stage)?;
     // The same header for all, in the form that `image` knows.
     let head = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", size[1], size[0]);
-    let decoder = HdrDecoder::new(Cursor::new(head).chain(rest)).map_err(|error| error.to_string())?;
-    let image = DynamicImage::from_decoder(decoder).map_err(|error| error.to_string())?;
+    let decoder = HdrDecoder::new(Cursor::new(head).chain(rest)).map_err(|error| broken(&error))?;
+    let image = DynamicImage::from_decoder(decoder).map_err(|error| broken(&error))?;
     let mut pixels: Vec<[f32; 3]> = image.into_rgb32f().pixels().map(|pixel| pixel.0).collect();
     notes.extend(convert(&mut pixels, to_rec709 * DMat3::from_diagonal(scale.recip())));
     Ok(Decoded { pixels, notes })
@@ -58,7 +59,7 @@ fn header(reader: &mut impl BufRead) -> Result<Header, String> {
     let mut lines = reader.take(LONGEST);
     let mut line = || -> Result<String, String> {
         let mut bytes = Vec::new();
-        lines.read_until(b'\n', &mut bytes).map_err(|error| error.to_string())?;
+        lines.read_until(b'\n', &mut bytes).map_err(|error| broken(&error))?;
         if bytes.pop() != Some(b'\n') {
             return Err("its header has no end".to_owned());
         }

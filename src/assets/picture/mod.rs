@@ -7,6 +7,7 @@
 //! *Practice.* The format is told by the file's content. Alpha is dropped, gray becomes RGB, and 16 bits carry both
 //! depths of PNG without loss. 12 bytes a pixel stay in memory.
 
+mod broken;
 mod encoding;
 mod exr;
 mod hdr;
@@ -23,6 +24,7 @@ use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 
 use crate::document::SceneError;
 use crate::progress::{Stage, Watched};
+use broken::broken;
 use encoding::{Encoding, convert};
 pub(crate) use exr::unlikely as unlikely_exr;
 
@@ -141,7 +143,7 @@ impl Format {
             Self::Exr => exr::size(path),
             Self::Png | Self::Jpeg => {
                 let (width, height) =
-                    self.reader(path, &Stage::unwatched())?.into_dimensions().map_err(|error| error.to_string())?;
+                    self.reader(path, &Stage::unwatched())?.into_dimensions().map_err(|error| broken(&error))?;
                 Ok([width, height])
             }
         }
@@ -157,7 +159,7 @@ impl Format {
         let mut reader = self.reader(path, stage)?;
         // By default a picture over 512 MiB is refused; a sky may well be larger.
         reader.no_limits();
-        let image: DynamicImage = reader.decode().map_err(|error| error.to_string())?;
+        let image: DynamicImage = reader.decode().map_err(|error| broken(&error))?;
         let mut pixels = encoding.decode(image);
         let mut notes = encoding.notes;
         notes.extend(convert(&mut pixels, encoding.to_rec709));
@@ -189,8 +191,8 @@ fn kind(start: &[u8]) -> String {
 /// Reads the profile of a JPEG, which says nothing else of its colors.
 fn jpeg_encoding(path: &Path) -> Result<Encoding, String> {
     let file = File::open(path).map_err(|error| error.to_string())?;
-    let mut decoder = JpegDecoder::new(BufReader::new(file)).map_err(|error| error.to_string())?;
-    let profile = decoder.icc_profile().map_err(|error| error.to_string())?;
+    let mut decoder = JpegDecoder::new(BufReader::new(file)).map_err(|error| broken(&error))?;
+    let profile = decoder.icc_profile().map_err(|error| broken(&error))?;
     Ok(profile.map_or_else(Encoding::default, |profile| Encoding::of_profile(&profile)))
 }
 

@@ -7,16 +7,17 @@ use std::path::Path;
 
 use ::png::{CodingIndependentCodePoints, Decoder, Info, ScaledFloat};
 
+use super::broken::broken;
 use super::encoding::{Curve, Encoding, decode_srgb, matrix_of};
 use super::primaries::Primaries;
 
 /// Reads what a file says before its pixels.
 pub(super) fn encoding(path: &Path) -> Result<Encoding, String> {
     let file = File::open(path).map_err(|error| error.to_string())?;
-    let reader = Decoder::new(BufReader::new(file)).read_info().map_err(|error| error.to_string())?;
+    let reader = Decoder::new(BufReader::new(file)).read_info().map_err(|error| broken(&error))?;
     let info = reader.info();
     let mut encoding = of(info);
-    let there = chunks(path).map_err(|error| error.to_string())?;
+    let there = chunks(path).map_err(|error| broken(&error))?;
     // `png` passes over chunks that are wrong.
     for (name, is_read) in [
         (b"cICP", info.coding_independent_code_points.is_some()),

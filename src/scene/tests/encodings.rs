@@ -117,7 +117,7 @@ fn an_unknown_statement_of_an_obj_is_a_mistake() {
     for (line, said) in [
         ("  w 1 2 3", "a.obj:7:3: `w` is not a statement of OBJ"),
         ("V 1 2 3", "a.obj:7:1: `V` is not a statement of OBJ"),
-        ("\u{feff}v 1 2 3", "a.obj:7:1: `\u{feff}v` is not a statement of OBJ"),
+        ("\u{feff}v 1 2 3", "a.obj:7:1: `\u{fffd}v` is not a statement of OBJ"),
         ("1 2 3", "a.obj:7:1: `1` is not a statement of OBJ"),
         ("call other.obj", "a.obj:7:1: `call` reads another file"),
     ] {

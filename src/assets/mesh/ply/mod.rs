@@ -80,7 +80,7 @@ impl Assembled {
                 }
             }
         }
-        Ok(())
+        source.end()
     }
 
     fn vertices(&mut self, element: &Element, source: &mut impl Source) -> Result<(), Wrong> {

@@ -28,6 +28,9 @@ pub(super) trait Source {
     /// The next element begins.
     fn begin(&mut self, element: &Element) -> Result<(), Wrong>;
 
+    /// Fails if more follows than the header says: the mesh would lack it.
+    fn end(&mut self) -> Result<(), Wrong>;
+
     /// The next number.
     fn number(&mut self, kind: Kind) -> Result<f64, Wrong>;
 
@@ -124,6 +127,14 @@ impl Source for Words<'_> {
         }
     }
 
+    fn end(&mut self) -> Result<(), Wrong> {
+        let more = self.next().or_else(|| {
+            self.line = (self.line.1, self.text.len());
+            self.next()
+        });
+        more.map_or(Ok(()), |word| Err(Wrong::new(format!("`{word}` follows the last element that the header names"))))
+    }
+
     fn number(&mut self, _: Kind) -> Result<f64, Wrong> {
         match self.next() {
             Some(word) => word.parse().map_err(|_| Wrong::new(format!("expected a number, found `{word}`"))),
@@ -175,6 +186,16 @@ impl Source for Binary<'_> {
     fn begin(&mut self, _: &Element) -> Result<(), Wrong> {
         self.stage.reach(self.bytes.at as f64);
         Ok(())
+    }
+
+    fn end(&mut self) -> Result<(), Wrong> {
+        self.last = self.bytes.at;
+        let is_padding = |byte: &u8| byte.is_ascii_whitespace() || *byte == 0;
+        let rest = self.bytes.rest();
+        if rest.iter().all(is_padding) {
+            return Ok(());
+        }
+        Err(Wrong::new(format!("{} bytes follow the last element that the header names", rest.len())))
     }
 
     fn number(&mut self, kind: Kind) -> Result<f64, Wrong> {
