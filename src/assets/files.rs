@@ -7,8 +7,8 @@ use std::sync::Arc;
 use glam::DAffine3;
 
 use super::Use;
-use super::mesh::Opened;
-use super::{IndexGrid, Mesh, Part, Picture, Profile, Source, Wanted};
+use super::mesh::{Opened, Reading};
+use super::{Capacity, IndexGrid, Mesh, Part, Picture, Profile, Source, Wanted};
 use crate::document::Node;
 use crate::document::reader::Reader;
 use crate::document::values::text;
@@ -33,6 +33,8 @@ pub struct Files {
     progress: Progress,
     /// Bytes of memory that meshes, pictures and grids may take; none where nothing bounds them.
     limit: Option<u64>,
+    /// The triangles that a mesh may have.
+    capacity: Capacity,
     /// The scene's own, in the order that indices count.
     pictures: Vec<(PathBuf, Picture)>,
     picture_of: HashMap<PathBuf, Option<Picture>>,
@@ -83,8 +85,14 @@ fn length(path: &Path) -> u64 {
 impl Files {
     /// What is loaded may take so many bytes of memory: what would take more is refused, before it is read where that is known.
     #[must_use]
-    pub fn within(limit: u64) -> Self {
-        Self { limit: Some(limit), ..Self::default() }
+    pub fn within(self, limit: u64) -> Self {
+        Self { limit: Some(limit), ..self }
+    }
+
+    /// Rejects meshes that have more triangles than this, as soon as their number is known.
+    #[must_use]
+    pub fn holding(self, capacity: Capacity) -> Self {
+        Self { capacity, ..self }
     }
 
     /// Reports the files that are read to `progress`.
@@ -213,7 +221,8 @@ impl Files {
             opened
         } else {
             let stage = self.reading(path);
-            self.room().load(path, length(path), || Opened::read(path, &stage), |_| 0)?
+            let reading = Reading { stage: &stage, capacity: &self.capacity };
+            self.room().load(path, length(path), || Opened::read(path, reading), |_| 0)?
         };
         self.others.extend(opened.others());
         Ok(&self.opened.insert((identity.to_owned(), opened)).1)
@@ -232,11 +241,11 @@ impl Files {
             return Ok(Arc::clone(mesh));
         }
         let room = self.room();
-        let progress = self.progress.clone();
+        let (progress, capacity) = (self.progress.clone(), self.capacity.clone());
         let opened = self.open_meshes(path, identity)?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let _stage = progress.stage(format!("building the mesh of {name}"));
-        let mesh = Arc::new(room.load(path, 0, || opened.mesh(&key.0, crease, path), Mesh::bytes)?);
+        let mesh = Arc::new(room.load(path, 0, || opened.mesh(&key.0, crease, path, &capacity), Mesh::bytes)?);
         self.meshes_of.entry(identity.to_owned()).or_default().read.insert(key, Arc::clone(&mesh));
         Ok(mesh)
     }

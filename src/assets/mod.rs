@@ -20,7 +20,7 @@ pub use expression::{
 pub use files::Files;
 pub use gltf::{Gltf, NodeName, Placed, Stored as StoredPicture, image_of, json, names};
 pub use grid::{Bare, IndexGrid, Stored, Use};
-pub use mesh::{Mesh, Part, Source, Vertex, Wanted};
+pub use mesh::{Capacity, Held, Mesh, Part, Source, Vertex, Wanted};
 pub use picture::Picture;
 pub(crate) use picture::unlikely_exr;
 pub use profile::{Flaw, Profile, ProfilePoint};

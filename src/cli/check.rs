@@ -60,7 +60,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Error> {
-    let scene = Scene::load(path, &arguments.changes.overrides()?)?;
+    let film = Film::new(path, arguments.changes.overrides()?).on(None);
+    let scene = film.load(None)?;
     let geometry = Geometry::new(&scene);
     let choice = choice(arguments.schedule);
     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
@@ -70,7 +71,7 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
         check_meshes(&program, &geometry, device)?;
     }
     let memory = memory(&program, choice.slots(&scene));
-    let frames_checked = check_frames(path, arguments, &choice, &scene)?;
+    let frames_checked = check_frames(&film, &choice, &scene)?;
     Ok(Modelled { path, scene, geometry, program, memory, frames_checked, names_parts: arguments.parts })
 }
 
@@ -78,9 +79,8 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
 const FRAMES: usize = 256;
 
 /// All frames are right, and run the first one's program. Says how many of them were looked at.
-fn check_frames(path: &Path, arguments: &Arguments, choice: &Choice, scene: &Scene) -> Result<u32, Error> {
+fn check_frames(film: &Film, choice: &Choice, scene: &Scene) -> Result<u32, Error> {
     let Some(animation) = &scene.animation else { return Ok(0) };
-    let film = Film::new(path, arguments.changes.overrides()?);
     film.look_ahead(choice, animation, &(0..animation.frames).collect::<Vec<_>>(), FRAMES)
 }
 

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::screen;
 use crate::document::read_given;
 use crate::error::Error;
-use crate::gpu::{Before, Geometry};
+use crate::gpu::{Before, Geometry, mesh_capacity};
 use crate::program::{Choice, Program};
 use crate::scene::{Animation, Files, Override, Scene, SceneError, follow_as};
 
@@ -41,9 +41,14 @@ impl<'a> Film<'a> {
         Self { path, overrides, files, hashes: RefCell::default(), before: RefCell::default() }
     }
 
+    /// Rejects meshes that the best device cannot hold, or the first whose name contains `device`, as soon as their size is known.
+    pub(super) fn on(self, device: Option<&str>) -> Self {
+        Self { files: self.files.into_inner().holding(mesh_capacity(device)).into(), ..self }
+    }
+
     /// The same, with files that may take no more memory than this.
     pub(super) fn within(self, memory: u64) -> Self {
-        Self { files: Files::within(memory).reporting(screen::progress()).into(), ..self }
+        Self { files: self.files.into_inner().within(memory).into(), ..self }
     }
 
     /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.

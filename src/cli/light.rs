@@ -37,7 +37,7 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.device.check()?;
     let opening = arguments.device.open();
-    let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
+    let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
     let scene = film.load(None)?;
     let mut inputs = film.inputs();
     inputs.push((arguments.at.clone(), "the table of places"));

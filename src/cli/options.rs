@@ -163,6 +163,11 @@ impl DeviceFlags {
         }
     }
 
+    /// The name that is asked for, or a part of it.
+    pub(super) fn name(&self) -> Option<&str> {
+        self.device.as_deref()
+    }
+
     /// Begins to open the device, while the scene is read.
     pub(super) fn open(&self) -> Opening {
         let name = self.device.clone();

@@ -222,7 +222,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let mut launch = StartUp::default();
     arguments.check()?;
     let opening = arguments.device.open();
-    let film = Film::new(&arguments.scene, arguments.changes.overrides()?).within(arguments.memory);
+    let film = Film::new(&arguments.scene, arguments.changes.overrides()?)
+        .on(arguments.device.name())
+        .within(arguments.memory);
     let before = arguments.earlier.as_deref().map(Before::read).transpose()?;
     let still = arguments.load(&film, None, before.as_ref())?;
     let layers = arguments.layers(&still, before.as_ref());

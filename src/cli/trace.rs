@@ -77,7 +77,7 @@ fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     arguments.device.check()?;
     let opening = arguments.device.open();
-    let film = Film::new(&arguments.scene, arguments.changes.overrides()?);
+    let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
     let scene = film.load(None)?;
     if arguments.drift && scene.rays.asymptotic {
         return Err(Error::Usage(

@@ -112,6 +112,11 @@ pub fn adapters() -> Vec<AdapterReport> {
     found().iter().map(report).collect()
 }
 
+/// Returns `true` if a device's name contains `name` (in any case), or if there is no `name`.
+pub(super) fn is_called(device: &AdapterInfo, name: Option<&str>) -> bool {
+    name.is_none_or(|name| device.name.to_lowercase().contains(&name.to_lowercase()))
+}
+
 impl Gpu {
     /// The device, with the driver and its version: on another one bits may differ.
     #[must_use]
@@ -123,11 +128,7 @@ impl Gpu {
     /// The best device, or the first whose name contains `name` (in any case).
     pub fn open(name: Option<&str>) -> Result<Self, GpuError> {
         let all = found();
-        let wanted = name.map(str::to_lowercase);
-        let matches = |adapter: &&Adapter| {
-            wanted.as_ref().is_none_or(|wanted| adapter.get_info().name.to_lowercase().contains(wanted))
-        };
-        let adapter = all.iter().find(matches).ok_or_else(|| match name {
+        let adapter = all.iter().find(|adapter| is_called(&adapter.get_info(), name)).ok_or_else(|| match name {
             Some(wanted) if !all.is_empty() => GpuError::NoSuchDevice {
                 wanted: wanted.to_owned(),
                 there: all.iter().map(|adapter| adapter.get_info().name).collect(),

@@ -37,7 +37,7 @@ pub use geometry::{Before, Geometry};
 pub use hierarchy::{Item, Node};
 pub use instances::{Instances, KeptMesh};
 pub use light_field::{LightField, LightVolume, light_bytes};
-pub use limits::check_meshes;
+pub use limits::{check_meshes, mesh_capacity};
 pub use pipeline::{METAL_READ_WRITE_TEXTURES, Pipelines};
 pub use records::pack;
 pub use slots::{List, Listed, SECTION, Sections, Selection, Slots};

@@ -53,7 +53,7 @@ pub use link::{link, link_all};
 pub use linked::{Linked, Place};
 pub use parts::{Part, all_parts, constant, part};
 pub use plan::plan;
-pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, reflect};
+pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, element_bytes, reflect};
 pub use regions::{Motion, Obstacle, Region, RegionKind, Regions};
 pub use structure::{Extent, PARTS, Search, Structure};
 pub use touching::Touching;

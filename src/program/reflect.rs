@@ -4,7 +4,10 @@ use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAcces
 
 use super::ProgramError;
 use super::interface::{PICTURE, Role, SceneValue};
+use super::link::link;
 use super::linked::Linked;
+use super::parts::part;
+use super::unit::{Parts, Unit};
 use super::validate::validated;
 
 /// A validated program and its interface.
@@ -131,6 +134,22 @@ pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
     Ok(Reflection { entry: linked.entry.clone(), bindings, doubles, overrides })
 }
 
+/// Returns the bytes of one element of a list that a part binds, such as `corners` of `shape/triangle`, with numbers in 32 bits.
+///
+/// # Errors
+///
+/// If there is no such part, or it binds no such list.
+pub fn element_bytes(part_name: &str, list: &str) -> Result<u32, ProgramError> {
+    let entry = format!("@compute @workgroup_size(1) fn entry() {{ _ = {list}[0]; }}\n");
+    let built_in = |name: &str| part(name).map(Unit::from).ok_or_else(|| ProgramError::NoPart(name.to_owned()));
+    let shared = vec![built_in("real/f32")?, built_in(part_name)?, Unit::generated("entry.wgsl", entry)];
+    let linked = link(&Parts { shared, regions: Vec::new() }, "entry")?;
+    match reflect(&linked)?.bindings.iter().find(|binding| binding.name == list).map(|binding| &binding.kind) {
+        Some(BindingKind::Storage { layout, .. }) => Ok(layout.span),
+        _ => Err(nothing_to_bind(&linked, 0, list)),
+    }
+}
+
 /// As [`reflect`], of a pass: it binds nothing but what has a role.
 pub(super) fn reflect_pass(linked: &Linked) -> Result<Reflection, ProgramError> {
     let reflection = reflect(linked)?;
@@ -237,7 +256,6 @@ fn field(module: &Module, member: &naga::StructMember) -> Option<Field> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::{Parts, Unit, link};
 
     #[test]
     fn what_has_no_role_is_refused_where_it_is_declared() {

@@ -2,6 +2,7 @@
 
 mod animation;
 mod attacked;
+mod capacity;
 mod cut;
 mod encodings;
 mod files;

@@ -19,7 +19,7 @@ use gltf_json::{Accessor, Index};
 
 use super::bytes::usable;
 use super::raw::{Corner, Raw};
-use super::{Format, Mesh, Part, Parts, Read, Source};
+use super::{Capacity, Format, Mesh, Part, Parts, Read, Source};
 use crate::assets::flaw::Flaw;
 use crate::assets::gltf::{Elements, Gltf, NodeName};
 use crate::document::SceneError;
@@ -35,8 +35,8 @@ impl Parts for Gltf {
         self.source(part).map_err(|flaw| flaw.of(self.path()))
     }
 
-    fn read(&self, source: &Source) -> Result<Raw, SceneError> {
-        self.raw(source).map_err(|flaw| flaw.of(self.path()))
+    fn read(&self, source: &Source, capacity: &Capacity) -> Result<Raw, SceneError> {
+        self.raw(source, capacity).map_err(|flaw| flaw.of(self.path()))
     }
 
     fn others(&self) -> Vec<PathBuf> {
@@ -52,7 +52,7 @@ impl Gltf {
 
     /// The triangles there, with normals as `crease` says where the file has none.
     pub fn read(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
-        Parts::read(self, source)?.mesh(crease).map_err(|flaw| flaw.of(self.path()))
+        Parts::read(self, source, &Capacity::default())?.mesh(crease).map_err(|flaw| flaw.of(self.path()))
     }
 
     fn source(&self, part: &Part) -> Result<(Source, DAffine3), Flaw> {
@@ -67,7 +67,7 @@ impl Gltf {
         Ok((Source::Placed(Part { node, primitive: part.primitive }), DAffine3::IDENTITY))
     }
 
-    fn raw(&self, source: &Source) -> Result<Raw, Flaw> {
+    fn raw(&self, source: &Source, capacity: &Capacity) -> Result<Raw, Flaw> {
         let shown = match source {
             Source::Own { mesh, primitive } => {
                 let count = self.root.meshes.get(*mesh).map_or(0, |mesh| mesh.primitives.len());
@@ -93,7 +93,7 @@ impl Gltf {
                 primitives.push((&self.root.meshes[mesh].primitives[number], world, of));
             }
         }
-        self.are_not_too_many(&primitives)?;
+        capacity.check(self.count_triangles(&primitives)?)?;
         let mut raw = Raw::default();
         for (primitive, world, of) in primitives {
             self.primitive(&mut raw, primitive, world, &of)?;
@@ -120,8 +120,8 @@ impl Gltf {
         }
     }
 
-    /// Counts what they are made of before any of it is read.
-    fn are_not_too_many(&self, primitives: &[(&Primitive, DAffine3, String)]) -> Result<(), Flaw> {
+    /// Counts their triangles before any are read, and fails if they are made of too much to be read.
+    fn count_triangles(&self, primitives: &[(&Primitive, DAffine3, String)]) -> Result<u64, Flaw> {
         let mut known: BTreeMap<usize, u64> = BTreeMap::new();
         let mut count = |index: Index<Accessor>, of: Type, name: &str| {
             if let Some(count) = known.get(&index.value()) {
@@ -131,13 +131,15 @@ impl Gltf {
             known.insert(index.value(), count);
             Ok(count)
         };
-        let (mut vertices, mut corners) = (0_u64, 0_u64);
+        let (mut vertices, mut corners, mut triangles) = (0_u64, 0_u64, 0_u64);
         for (primitive, _, of) in primitives {
             let Some(positions) = primitive.attributes.get(&Valid(Semantic::Positions)) else { continue };
             let own = count(*positions, Type::Vec3, &format!("{of}.attributes.POSITION"))?;
             vertices = vertices.saturating_add(own);
             let indices = primitive.indices.map(|index| count(index, Type::Scalar, &format!("{of}.indices")));
-            corners = corners.saturating_add(indices.transpose()?.unwrap_or(own));
+            let own = indices.transpose()?.unwrap_or(own);
+            corners = corners.saturating_add(own);
+            triangles = triangles.saturating_add(triangles_of(mode(primitive, of)?, own));
         }
         for (all, what) in [(vertices, "vertices"), (corners, "corners of triangles")] {
             if all > MOST {
@@ -147,7 +149,7 @@ impl Gltf {
                 )));
             }
         }
-        Ok(())
+        Ok(triangles)
     }
 
     fn primitive(&self, raw: &mut Raw, primitive: &Primitive, world: DAffine3, of: &str) -> Result<(), Flaw> {
@@ -225,8 +227,7 @@ impl Gltf {
                 }
             },
         };
-        let triangles = if mode == Mode::Triangles { count / 3 } else { count.saturating_sub(2) };
-        for i in 0..triangles {
+        for i in 0..triangles_of(mode, count as u64) as usize {
             let corners = match mode {
                 Mode::TriangleStrip => [i, i + 1 + i % 2, i + 2 - i % 2],
                 Mode::TriangleFan => [i + 1, i + 2, 0],
@@ -264,6 +265,15 @@ fn same_count<'a>(elements: Option<Elements<'a>>, count: usize, of: &str) -> Res
             Err(Flaw(format!("{of} has {} elements, and there are {count} vertices", elements.count)))
         }
         elements => Ok(elements),
+    }
+}
+
+/// Returns the number of triangles that this many corners make.
+fn triangles_of(mode: Mode, corners: u64) -> u64 {
+    match mode {
+        Mode::Triangles => corners / 3,
+        Mode::TriangleStrip | Mode::TriangleFan => corners.saturating_sub(2),
+        Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => 0,
     }
 }
 

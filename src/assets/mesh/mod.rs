@@ -4,10 +4,12 @@
 //! Normals that a file lacks are made where its faces meet at less than a crease's angle, and are the face's own elsewhere.
 //!
 //! *Practice.* [`FORMATS`] names each format once, by the ends of its files' names. Adding one is a file here and a line of that
-//! table. A reader believes no count before it has seen as many bytes. Triangles without area are dropped, and equal corners
+//! table. A reader believes no count before it has seen as many bytes, and goes no
+//! further once there are more triangles than the [`Capacity`] has room for. Triangles without area are dropped, and equal corners
 //! share a vertex.
 
 mod bytes;
+mod capacity;
 mod cells;
 mod edges;
 mod gltf;
@@ -27,6 +29,7 @@ use glam::{DAffine3, DVec3, Vec2, Vec3};
 use super::gltf::NodeName;
 use crate::document::{SceneError, read_bytes};
 use crate::progress::Stage;
+pub use capacity::{Capacity, Held};
 use cells::Cells;
 use inside::Inside;
 use raw::Raw;
@@ -113,10 +116,19 @@ struct Format {
 
 /// How a file is read.
 enum Read {
-    /// All of it is one mesh. Bytes that are read are reported.
-    Whole(fn(&[u8], &Path, &Stage) -> Result<Raw, SceneError>),
+    /// All of it is one mesh.
+    Whole(fn(&[u8], &Path, Reading) -> Result<Raw, SceneError>),
     /// It has parts, to be asked for one by one.
     Parts(fn(Vec<u8>, &Path) -> OpenedParts),
+}
+
+/// What reading a file goes along with.
+#[derive(Clone, Copy)]
+pub(super) struct Reading<'a> {
+    /// Where the bytes that are read are reported.
+    pub stage: &'a Stage,
+    /// The number of triangles that there may be.
+    pub capacity: &'a Capacity,
 }
 
 type OpenedParts = Result<Box<dyn Parts>, SceneError>;
@@ -129,8 +141,8 @@ pub(super) trait Parts: std::fmt::Debug + Send + Sync {
     /// Where one of them is read from, and the map from there to its place.
     fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError>;
 
-    /// The triangles there.
-    fn read(&self, source: &Source) -> Result<Raw, SceneError>;
+    /// The triangles there, if they are not more than there may be.
+    fn read(&self, source: &Source, capacity: &Capacity) -> Result<Raw, SceneError>;
 
     /// The other files that it is in.
     fn others(&self) -> Vec<PathBuf>;
@@ -146,8 +158,8 @@ pub(super) enum Opened {
 }
 
 impl Opened {
-    /// Reads a file, by the format that the end of its name tells, and reports its bytes to `stage`.
-    pub(super) fn read(path: &Path, stage: &Stage) -> Result<Self, SceneError> {
+    /// Reads a file, by the format that the end of its name tells.
+    pub(super) fn read(path: &Path, reading: Reading) -> Result<Self, SceneError> {
         let end = path.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
         let Some(format) = FORMATS.iter().find(|format| format.extensions.contains(&end.as_str())) else {
             let known: Vec<String> = FORMATS.iter().flat_map(|f| f.extensions).map(|end| format!(".{end}")).collect();
@@ -156,7 +168,7 @@ impl Opened {
         };
         let bytes = read_bytes(path)?;
         match format.read {
-            Read::Whole(read) => Ok(Self::Whole(Box::new(read(&bytes, path, stage)?))),
+            Read::Whole(read) => Ok(Self::Whole(Box::new(read(&bytes, path, reading)?))),
             Read::Parts(read) => Ok(Self::Parts(read(bytes, path)?)),
         }
     }
@@ -182,10 +194,16 @@ impl Opened {
     }
 
     /// The triangles there, with normals as `crease` says where the file has none.
-    pub(super) fn mesh(&self, source: &Source, crease: f64, path: &Path) -> Result<Mesh, SceneError> {
+    pub(super) fn mesh(
+        &self,
+        source: &Source,
+        crease: f64,
+        path: &Path,
+        capacity: &Capacity,
+    ) -> Result<Mesh, SceneError> {
         match self {
             Self::Whole(raw) => raw.mesh(crease),
-            Self::Parts(parts) => parts.read(source)?.mesh(crease),
+            Self::Parts(parts) => parts.read(source, capacity)?.mesh(crease),
         }
         .map_err(|flaw| flaw.of(path))
     }
@@ -220,13 +238,17 @@ impl Mesh {
 
     /// Reads all of a file; the end of its name says how.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let opened = Opened::read(path, &Stage::unwatched())?;
+        let (stage, capacity) = (Stage::unwatched(), Capacity::default());
+        let opened = Opened::read(path, Reading { stage: &stage, capacity: &capacity })?;
         let (source, _) = opened.find(&Part::default(), path)?;
-        opened.mesh(&source, Wanted::CREASE, path)
+        opened.mesh(&source, Wanted::CREASE, path, &capacity)
     }
 
     /// Reads the text of an OBJ file; `path` names it in mistakes.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        obj::read(text, path, &Stage::unwatched())?.mesh(Wanted::CREASE).map_err(|flaw| flaw.of(path))
+        let (stage, capacity) = (Stage::unwatched(), Capacity::default());
+        obj::read(text, path, Reading { stage: &stage, capacity: &capacity })?
+            .mesh(Wanted::CREASE)
+            .map_err(|flaw| flaw.of(path))
     }
 }

@@ -13,32 +13,32 @@ use glam::{DVec3, Vec2};
 
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::{Mistakes, Wrong, divides, numbers, words};
-use super::{Format, Read};
+use super::{Format, Read, Reading};
 use crate::document::values::suggest;
 use crate::document::{SceneError, lenient_text};
-use crate::progress::Stage;
 
 pub(super) const FORMAT: Format = Format {
     extensions: &["obj"],
     // Names and comments may be in any encoding; they do not matter here.
-    read: Read::Whole(|bytes, path, stage| read(&lenient_text(bytes, path)?, path, stage)),
+    read: Read::Whole(|bytes, path, reading| read(&lenient_text(bytes, path)?, path, reading)),
 };
 
-/// Reads the text of an OBJ file, and reports its bytes to `stage`; `path` names it in mistakes.
-pub(super) fn read(text: &str, path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
+/// Reads the text of an OBJ file; `path` names it in mistakes.
+pub(super) fn read(text: &str, path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     let mut loader = Loader::default();
     let mut mistakes = Mistakes::of(text, path);
     let mut line = Vec::new();
     for statement in statements(text) {
         line.clear();
         line.extend(words(statement));
-        stage.reach((statement.as_ptr() as usize - text.as_ptr() as usize) as f64);
+        reading.stage.reach((statement.as_ptr() as usize - text.as_ptr() as usize) as f64);
         if let Err(wrong) = loader.statement(&line) {
             mistakes.add(wrong);
         }
         if mistakes.are_enough() {
             break;
         }
+        reading.capacity.check(loader.raw.triangles().len() as u64).map_err(|flaw| flaw.of(path))?;
     }
     mistakes.or(loader.raw, "faces are lines such as `f 1 2 3`")
 }

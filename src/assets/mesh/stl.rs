@@ -13,10 +13,9 @@ use glam::{DVec3, Vec3};
 use super::bytes::{Bytes, usable};
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::{Mistakes, Wrong, numbers, words};
-use super::{Format, Read};
+use super::{Format, Read, Reading};
 use crate::assets::flaw::Flaw;
 use crate::document::{SceneError, lenient_text, unmarked};
-use crate::progress::Stage;
 
 pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };
 
@@ -25,17 +24,17 @@ const HEADER: usize = 84;
 /// Bytes of a triangle there.
 const TRIANGLE: usize = 50;
 
-fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
+fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     let stated = bytes.get(HEADER - 4..).and_then(|rest| rest.first_chunk()).map(|bytes| u32::from_le_bytes(*bytes));
     let is_whole = |count: u32| HEADER + count as usize * TRIANGLE == bytes.len();
     if let Some(count) = stated.filter(|count| is_whole(*count)) {
-        return binary(bytes, count, stage).map_err(|flaw| flaw.of(path));
+        return binary(bytes, count, reading).map_err(|flaw| flaw.of(path));
     }
     let text = unmarked(bytes, path)?;
     let has_words = text.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     match stated {
-        _ if has_words => lines(&lenient_text(bytes, path)?, path, stage),
-        Some(count) => binary(bytes, count, stage).map_err(|flaw| flaw.of(path)),
+        _ if has_words => lines(&lenient_text(bytes, path)?, path, reading),
+        Some(count) => binary(bytes, count, reading).map_err(|flaw| flaw.of(path)),
         None => {
             let found = bytes.len();
             let problem =
@@ -45,7 +44,7 @@ fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
     }
 }
 
-fn binary(bytes: &[u8], count: u32, stage: &Stage) -> Result<Raw, Flaw> {
+fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, Flaw> {
     let mut bytes = Bytes::from(bytes, HEADER);
     let fit = bytes.left() / TRIANGLE;
     // Fewer than follow would leave the rest of the mesh out.
@@ -54,9 +53,10 @@ fn binary(bytes: &[u8], count: u32, stage: &Stage) -> Result<Raw, Flaw> {
             format!("the header says {count} triangles of {TRIANGLE} bytes, and {} bytes follow", bytes.left());
         return Err(Flaw::at(HEADER - 4, &problem));
     }
+    reading.capacity.check(count.into())?;
     let mut raw = Raw::default();
     for _ in 0..count {
-        stage.reach(bytes.at as f64);
+        reading.stage.reach(bytes.at as f64);
         bytes.take::<12>()?;
         for _ in 0..3 {
             let at = bytes.at;
@@ -75,20 +75,21 @@ fn binary(bytes: &[u8], count: u32, stage: &Stage) -> Result<Raw, Flaw> {
     if raw.is_empty() { Err(Flaw(raw.nothing())) } else { Ok(raw) }
 }
 
-fn lines(text: &str, path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
+fn lines(text: &str, path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     let mut raw = Raw::default();
     let mut mistakes = Mistakes::of(text, path);
     let (mut corners, mut line) = (0, Vec::new());
     for text in text.lines() {
         line.clear();
         line.extend(words(text));
-        stage.advance(text.len() as f64);
+        reading.stage.advance(text.len() as f64);
         if let Err(wrong) = statement(&mut raw, &mut corners, &line) {
             mistakes.add(wrong);
         }
         if mistakes.are_enough() {
             break;
         }
+        reading.capacity.check(raw.triangles().len() as u64).map_err(|flaw| flaw.of(path))?;
     }
     if corners > 0 && !mistakes.are_enough() {
         let problem = "the file ends within a loop".to_owned();

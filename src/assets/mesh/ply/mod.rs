@@ -18,23 +18,25 @@ use glam::{DVec3, Vec2};
 use super::bytes::usable;
 use super::raw::{Corner, MOST_CORNERS, Raw, too_many};
 use super::text::Mistakes;
-use super::{Format, Read};
+use super::{Format, Read, Reading};
 use crate::document::{SceneError, lenient_text};
-use crate::progress::Stage;
 use header::{CORNERS, Element, Encoding, Header, Property};
 use source::{Binary, Source, Words, Wrong};
 
 pub(super) const FORMAT: Format = Format { extensions: &["ply"], read: Read::Whole(read) };
 
-fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
+fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     let header = header::read(bytes, path)?;
+    let faces = header.elements.iter().filter(|element| element.name == "face").map(|element| element.count).sum();
+    let check = |triangles: u64| reading.capacity.check(triangles).map_err(|flaw| flaw.of(path));
+    check(faces)?;
     let mut mesh = Assembled::default();
     match header.encoding {
         Encoding::Ascii => {
             let whole = lenient_text(bytes, path)?;
             // Bytes that are no text make the text longer, so its front is measured in it.
             let front = lenient_text(&bytes[..header.length], path)?.len();
-            let mut words = Words::of(&whole[front..], stage);
+            let mut words = Words::of(&whole[front..], reading.stage);
             if let Err(Wrong { problem, help }) = mesh.elements(&header, &mut words) {
                 let mut mistakes = Mistakes::of(&whole, path);
                 mistakes.add((words.last(), problem, help));
@@ -42,11 +44,12 @@ fn read(bytes: &[u8], path: &Path, stage: &Stage) -> Result<Raw, SceneError> {
             }
         }
         Encoding::Little | Encoding::Big => {
-            let mut source = Binary::of(bytes, header.length, header.encoding == Encoding::Big, stage);
+            let mut source = Binary::of(bytes, header.length, header.encoding == Encoding::Big, reading.stage);
             mesh.elements(&header, &mut source).map_err(|wrong| source.flaw(&wrong).of(path))?;
         }
     }
-    mesh.raw(path)
+    check(mesh.sizes.len() as u64)?;
+    mesh.raw(path, check)
 }
 
 /// What was read of the elements that matter.
@@ -185,7 +188,7 @@ impl Assembled {
         Ok(())
     }
 
-    fn raw(self, path: &Path) -> Result<Raw, SceneError> {
+    fn raw(self, path: &Path, check: impl Fn(u64) -> Result<(), SceneError>) -> Result<Raw, SceneError> {
         let Self { mut raw, indices, sizes, corner_uvs, faces_uvs } = self;
         let (has_normals, has_uvs) = (!raw.normals.is_empty(), !raw.uvs.is_empty());
         // The texture coordinates of faces stand behind those of vertices.
@@ -203,6 +206,7 @@ impl Assembled {
             next_uv += if own { *size } else { 0 };
             if corners.len() > 2 {
                 raw.face(&corners);
+                check(raw.triangles().len() as u64)?;
             }
         }
         if raw.is_empty() {

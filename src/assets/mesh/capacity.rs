@@ -1,0 +1,52 @@
+//! How many triangles a mesh may have: a file with more is rejected as soon as its header or what was read of it tells.
+//!
+//! *Practice.* Asking which devices there are takes longer than reading a small mesh, so it is put off until a mesh is larger than every
+//! device holds.
+
+use std::fmt;
+use std::sync::{Arc, OnceLock};
+
+use crate::assets::flaw::Flaw;
+
+/// The number of triangles that a mesh may have. Clones ask once.
+#[derive(Clone, Default)]
+pub struct Capacity(Option<Arc<Asked>>);
+
+struct Asked {
+    always: u64,
+    ask: Box<dyn Fn() -> Option<Held> + Send + Sync>,
+    answer: OnceLock<Option<Held>>,
+}
+
+/// The triangles that a device holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Held {
+    /// The device's name.
+    pub device: String,
+    /// The number of triangles of all meshes together.
+    pub triangles: u64,
+}
+
+impl fmt::Debug for Capacity {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_tuple("Capacity").field(&self.0.as_ref().map(|asked| asked.always)).finish()
+    }
+}
+
+impl Capacity {
+    /// Creates a capacity that is asked for when a mesh has more than `always` triangles; `None` is without limit.
+    pub fn new(always: u64, ask: impl Fn() -> Option<Held> + Send + Sync + 'static) -> Self {
+        Self(Some(Arc::new(Asked { always, ask: Box::new(ask), answer: OnceLock::new() })))
+    }
+
+    /// Checks the number of triangles that a file has, or that were read of it so far.
+    pub(super) fn check(&self, triangles: u64) -> Result<(), Flaw> {
+        let Some(asked) = self.0.as_ref().filter(|asked| triangles > asked.always) else { return Ok(()) };
+        match asked.answer.get_or_init(|| (asked.ask)()) {
+            Some(Held { device, triangles: most }) if triangles > *most => Err(Flaw(format!(
+                "it has {triangles} triangles or more, and {device} holds at most {most}: use a coarser mesh, or another device"
+            ))),
+            _ => Ok(()),
+        }
+    }
+}
