@@ -8,6 +8,7 @@
 
 use std::collections::VecDeque;
 use std::collections::hash_map::Entry;
+use std::iter::successors;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::Vec3;
@@ -173,16 +174,10 @@ impl Family {
         contacts.iter().filter(overlap).map(|([a, _], _)| *a).min()
     }
 
-    /// Is a solid that is inside of another shell outside of the solid which that shell bounds?
-    fn is_in_cavity(&self, inner: u32, outer: u32) -> bool {
-        let mut at = inner;
-        while let Some(parent) = self.parent[at as usize] {
-            if parent == outer {
-                return self.cavity[at as usize];
-            }
-            at = parent;
-        }
-        false
+    /// Returns the shells around a solid in whose cavities it is: it is outside of the solids that they bound.
+    fn with_cavity_around(&self, inner: u32) -> HashSet<u32> {
+        let outward = successors(Some(inner), |at| self.parent[*at as usize]);
+        outward.filter(|at| self.cavity[*at as usize]).filter_map(|at| self.parent[at as usize]).collect()
     }
 
     /// The layer of each shell.
@@ -198,8 +193,9 @@ impl Family {
             add(self.solid[*a as usize], self.solid[*b as usize]);
         }
         for shell in self.order.iter().copied().filter(|shell| !self.cavity[*shell as usize]) {
+            let outside_of = self.with_cavity_around(shell);
             let solids = self.containers[shell as usize].iter().filter(|outer| !self.cavity[**outer as usize]);
-            solids.filter(|outer| !self.is_in_cavity(shell, **outer)).for_each(|outer| add(shell, *outer));
+            solids.filter(|outer| !outside_of.contains(outer)).for_each(|outer| add(shell, *outer));
         }
         // Breadth first from the largest: where two layers suffice, two are found.
         let mut layer = vec![None; self.order.len()];
