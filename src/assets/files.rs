@@ -265,8 +265,9 @@ impl Files {
         }
         // One that was used otherwise is not kept beside it.
         self.grid_of.remove(&identity);
-        let _stage = self.reading(&path);
-        let load = || IndexGrid::load(&path, used);
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let stage = self.progress.measured(format!("reading {name}"), 1.0);
+        let load = || IndexGrid::read(&path, used, &stage);
         let grid = Arc::new(accept(reader, node, self.room().load(&path, length(&path), load, IndexGrid::bytes))?);
         self.others.extend(grid.data.clone());
         self.grid_of.insert(identity, (*used, Arc::clone(&grid)));

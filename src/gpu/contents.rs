@@ -44,6 +44,7 @@ impl SceneBuffers {
         let mut source = Source { scene, geometry, program, fields, segments, kinds: Vec::new() };
         source.kinds = source.of_kinds();
         let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
+        let stage = gpu.progress.measured("uploading the scene", program.bindings().count() as f64);
         for binding in program.bindings() {
             match &binding.role {
                 Role::Uniforms(_) | Role::Scene(_) if !made.buffers.contains_key(&binding.role) => {
@@ -64,6 +65,7 @@ impl SceneBuffers {
                 }
                 _ => {}
             }
+            stage.advance(1.0);
         }
         Ok(made)
     }

@@ -95,10 +95,8 @@ impl<'a> Renderer<'a> {
         let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
         let segments = settings.segments_a_pass();
-        let stage = gpu.progress.stage("uploading the scene");
         let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, (None, None))?;
-        drop(stage);
         if let Some(error) = pollster::block_on(scope.pop()) {
             let what = "the scene's objects, pictures and grids".to_owned();
             return Err(GpuError::Full { what, reason: error.to_string() }.into());

@@ -8,6 +8,7 @@ mod nrrd;
 mod tests;
 
 use crate::document::{SceneError, read_bytes};
+use crate::progress::Stage;
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 
@@ -139,13 +140,18 @@ const MOST_SAMPLES: u64 = 1 << 30;
 impl IndexGrid {
     /// Reads the samples of a file.
     pub fn load(path: &Path, used: &Use) -> Result<Self, SceneError> {
+        Self::read(path, used, &Stage::unwatched())
+    }
+
+    /// As [`load`](Self::load); samples are reported to `stage`, whose one unit they are together.
+    pub(super) fn read(path: &Path, used: &Use, stage: &Stage) -> Result<Self, SceneError> {
         let bytes = read_bytes(path)?;
         let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
         let volume = match used.bare {
             Some(bare) => Volume { bare, place: None, bytes, data: None },
             None => nrrd::read(&bytes, path)?,
         };
-        Self::from_volume(&volume, used).map_err(unusable)
+        Self::from_volume(&volume, used, stage).map_err(unusable)
     }
 
     /// What it takes of memory.
@@ -154,7 +160,7 @@ impl IndexGrid {
         size_of_val(&self.samples[..]) as u64
     }
 
-    fn from_volume(volume: &Volume, used: &Use) -> Result<Self, String> {
+    fn from_volume(volume: &Volume, used: &Use, stage: &Stage) -> Result<Self, String> {
         let Bare { size, stored, little } = volume.bare;
         if size.iter().any(|count| *count < 2) {
             return Err(format!("it has {size:?} samples, and two are needed along each side"));
@@ -185,6 +191,7 @@ impl IndexGrid {
                 ));
             }
             samples.push(n);
+            stage.reach(samples.len() as f64 / count as f64);
         }
         Ok(Self { size, origin, cell, samples, data: volume.data.clone() })
     }

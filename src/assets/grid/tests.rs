@@ -2,6 +2,7 @@
 
 use super::{Bare, IndexGrid, Stored, Use};
 use crate::document::{Mistake, SceneError};
+use crate::progress::Progress;
 use glam::DVec3;
 use proptest::prelude::*;
 use std::io::Write as _;
@@ -138,6 +139,17 @@ fn samples_may_follow_lines_and_bytes_that_are_none() {
             "{error}"
         );
     }
+}
+
+#[test]
+fn samples_are_reported_as_they_are_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.nrrd");
+    std::fs::write(&path, [HEADER.as_bytes(), b"\n", &bytes(f32::to_le_bytes)].concat()).unwrap();
+    let progress = Progress::watched();
+    let stage = progress.measured("reading", 1.0);
+    IndexGrid::read(&path, &AS_IT_IS, &stage).unwrap();
+    assert_eq!(progress.state().and_then(|state| state.done), Some(1.0));
 }
 
 #[test]

@@ -20,6 +20,7 @@ use super::broken::broken;
 use super::encoding::{convert, matrix_of};
 use super::primaries::Primaries;
 use super::{DENSEST, Decoded};
+use crate::progress::Stage;
 
 /// What every file begins with.
 pub(super) const MAGIC: &[u8] = b"\x76\x2f\x31\x01";
@@ -37,17 +38,18 @@ pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
     Ok([size.width() as u32, size.height() as u32])
 }
 
-/// Reads a file of so many bytes.
-pub(super) fn read_file(path: &Path, bytes: u64) -> Result<Decoded, String> {
+/// Reads a file of so many bytes, and reports as many to `stage`.
+pub(super) fn read_file(path: &Path, bytes: u64, stage: &Stage) -> Result<Decoded, String> {
     let headers = meta(path)?.headers;
     if let Some(problem) = headers.iter().find_map(|header| unlikely(header, bytes)) {
         return Err(problem);
     }
     let header = headers.first().ok_or("it has no header")?;
     let window = display_window(header);
+    let progress = |done: f64| stage.reach(done * bytes as f64);
     let mut pixels = match channels(&headers)? {
-        Channels::Rgb(names) => rgb(path, names, window),
-        Channels::Gray(name) => gray(path, name, window),
+        Channels::Rgb(names) => rgb(path, names, window, progress),
+        Channels::Gray(name) => gray(path, name, window, progress),
     }
     .map_err(|error| broken(&error))?;
     let mut notes = Vec::new();
@@ -161,23 +163,28 @@ fn place(window: IntegerBounds, position: Vec2<i32>, at: Vec2<usize>) -> Option<
 /// Pixels, and where their data window begins.
 struct Pixels(Vec<[f32; 3]>, Vec2<usize>);
 
-fn rgb(path: &Path, [red, green, blue]: [Text; 3], window: IntegerBounds) -> Result<Vec<[f32; 3]>, Error> {
+fn rgb(
+    path: &Path,
+    [red, green, blue]: [Text; 3],
+    window: IntegerBounds,
+    progress: impl FnMut(f64),
+) -> Result<Vec<[f32; 3]>, Error> {
     let channels = read().no_deep_data().largest_resolution_level().specific_channels();
     let channels = channels.required(red).required(green).required(blue).collect_pixels(
         |size, _| Pixels(vec![[0.0; 3]; size.area()], size),
         |Pixels(all, size), at, (r, g, b): (f32, f32, f32)| all[at.y() * size.width() + at.x()] = [r, g, b],
     );
-    let image = channels.first_valid_layer().all_attributes().from_file(path)?;
+    let image = channels.first_valid_layer().all_attributes().on_progress(progress).from_file(path)?;
     Ok(displayed(image.layer_data.channel_data.pixels, image.layer_data.attributes.layer_position, window))
 }
 
-fn gray(path: &Path, name: Text, window: IntegerBounds) -> Result<Vec<[f32; 3]>, Error> {
+fn gray(path: &Path, name: Text, window: IntegerBounds, progress: impl FnMut(f64)) -> Result<Vec<[f32; 3]>, Error> {
     let channels = read().no_deep_data().largest_resolution_level().specific_channels();
     let channels = channels.required(name).collect_pixels(
         |size, _| Pixels(vec![[0.0; 3]; size.area()], size),
         |Pixels(all, size), at, (y,): (f32,)| all[at.y() * size.width() + at.x()] = [y; 3],
     );
-    let image = channels.first_valid_layer().all_attributes().from_file(path)?;
+    let image = channels.first_valid_layer().all_attributes().on_progress(progress).from_file(path)?;
     Ok(displayed(image.layer_data.channel_data.pixels, image.layer_data.attributes.layer_position, window))
 }
 

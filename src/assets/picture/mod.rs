@@ -152,7 +152,7 @@ impl Format {
     fn read(self, path: &Path, bytes: u64, stage: &Stage) -> Result<Decoded, String> {
         let encoding = match self {
             Self::Hdr => return hdr::read(path, stage),
-            Self::Exr => return exr::read_file(path, bytes),
+            Self::Exr => return exr::read_file(path, bytes, stage),
             Self::Png => png::encoding(path)?,
             Self::Jpeg => jpeg_encoding(path)?,
         };
@@ -212,5 +212,30 @@ fn unlikely([width, height]: [u32; 2], bytes: u64) -> Option<String> {
         Some(format!("it has {width}×{height} pixels, {pixels}, and at most {MOST_PIXELS} are read: make it smaller"))
     } else {
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use image::{DynamicImage, Rgb, Rgb32FImage};
+
+    use super::*;
+    use crate::progress::Progress;
+
+    #[test]
+    fn every_format_reports_how_much_of_it_was_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let image = DynamicImage::from(Rgb32FImage::from_fn(64, 96, |x, y| Rgb([x as f32, y as f32, 1.0])));
+        for name in ["a.png", "a.jpg", "a.hdr", "a.exr"] {
+            let path = folder.path().join(name);
+            let is_float = name.ends_with("exr") || name.ends_with("hdr");
+            let image = if is_float { image.clone() } else { image.to_rgb8().into() };
+            image.save(&path).unwrap();
+            let progress = Progress::watched();
+            let stage = progress.measured("reading", std::fs::metadata(&path).unwrap().len() as f64);
+            Picture::read(&path, &stage).unwrap();
+            let done = progress.state().and_then(|state| state.done);
+            assert!(done.is_some_and(|done| done > 0.9), "{name}: {done:?}");
+        }
     }
 }
