@@ -1,6 +1,6 @@
 //! A tree of boxes over the triangles of a mesh's shells: which triangles of different shells are close, and what a ray crosses.
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3, Vec3Swizzles};
 
 use super::super::Mesh;
 use super::shells::{NONE, Shells};
@@ -26,14 +26,17 @@ pub(super) struct Tree<'a> {
     shells: &'a Shells,
     nodes: Vec<Node>,
     order: Vec<u32>,
+    /// The axis along which the mesh is shortest: rays along it cross the fewest shells.
+    shortest: usize,
 }
 
 impl<'a> Tree<'a> {
     /// Over all triangles that are part of a shell.
     pub fn new(mesh: &'a Mesh, shells: &'a Shells) -> Self {
         let order = (0..mesh.triangles.len() as u32).filter(|i| shells.of[*i as usize] != NONE).collect();
-        let mut tree = Self { mesh, shells, nodes: Vec::new(), order };
+        let mut tree = Self { mesh, shells, nodes: Vec::new(), order, shortest: 0 };
         tree.build();
+        tree.shortest = tree.nodes.first().map_or(0, |whole| (whole.hi - whole.lo).min_position());
         tree
     }
 
@@ -137,16 +140,26 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// Visits everything that the ray from a point along x crosses, except triangles of the shell `own`: a shell, and 1 if the
-    /// ray leaves through its triangle as the shell is wound, −1 if it enters.
+    /// Returns a place turned so that the shortest axis is x. This is a rotation, so it keeps which side of a triangle is which.
+    fn turned(&self, place: DVec3) -> DVec3 {
+        match self.shortest {
+            0 => place,
+            1 => place.yzx(),
+            _ => place.zxy(),
+        }
+    }
+
+    /// Visits everything that a ray from a point crosses, except triangles of the shell `own`: a shell, and 1 if the ray leaves through
+    /// its triangle as the shell is wound, −1 if it enters.
     ///
     /// No line passes between two triangles that share an edge, or meets both: on which side of an edge it passes is always computed
     /// from the edge's lesser end, and a line through the edge passes it on the side of a line that is shifted infinitesimally.
     pub fn crossings(&self, from: DVec3, own: u32, mut visit: impl FnMut(u32, i32)) {
+        let from = self.turned(from);
         let mut open = vec![0_u32];
         while let Some(i) = open.pop() {
             let node = &self.nodes[i as usize];
-            let (lo, hi) = (node.lo.as_dvec3(), node.hi.as_dvec3());
+            let [lo, hi] = [node.lo, node.hi].map(|corner| self.turned(corner.as_dvec3()));
             let misses = lo.y > from.y || hi.y < from.y || lo.z > from.z || hi.z < from.z || hi.x < from.x;
             if misses || node.shell == own {
                 continue;
@@ -157,7 +170,7 @@ impl<'a> Tree<'a> {
             }
             for triangle in self.triangles(node) {
                 let shell = self.shells.of[*triangle as usize];
-                let met = crossing(self.triangle(*triangle), from);
+                let met = crossing(self.triangle(*triangle).map(|corner| self.turned(corner)), from);
                 if let Some((_, winding)) = met.filter(|(distance, _)| *distance > 0.0 && shell != own) {
                     visit(shell, if self.shells.turned[*triangle as usize] { -winding } else { winding });
                 }
@@ -188,4 +201,40 @@ fn passes_left(p: DVec3, q: DVec3, at: DVec3) -> bool {
     let flat = |p: DVec3| DVec2::new(p.y, p.z);
     let side = (flat(q) - flat(p)).perp_dot(flat(at) - flat(p));
     (side >= 0.0) != swapped
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write;
+    use std::path::Path;
+
+    use super::*;
+
+    /// A row of tetrahedra along an axis.
+    fn row(axis: usize, count: usize) -> Mesh {
+        let mut text = String::new();
+        for i in 0..count {
+            for corner in [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z] {
+                let mut place = corner;
+                place[axis] += 2.0 * i as f32;
+                writeln!(text, "v {} {} {}", place.x, place.y, place.z).unwrap();
+            }
+            text += "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n";
+        }
+        Mesh::parse(&text, Path::new("a.obj")).unwrap()
+    }
+
+    #[test]
+    fn rays_from_a_row_of_shells_do_not_run_along_it() {
+        for axis in 0..3 {
+            let mesh = row(axis, 50);
+            let shells = Shells::of(&mesh).unwrap();
+            let tree = Tree::new(&mesh, &shells);
+            let from = DVec3::splat(0.2);
+            let mut crossed = 0;
+            tree.crossings(from, NONE - 1, |_, winding| crossed += winding.abs());
+            // It leaves the first one, in which it begins.
+            assert_eq!((shells.all.len(), crossed), (50, 1), "along axis {axis}");
+        }
+    }
 }
