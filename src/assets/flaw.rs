@@ -18,3 +18,8 @@ impl Flaw {
         SceneError::Mesh { path: path.to_owned(), problem: self.0 }
     }
 }
+
+/// Returns `true` for bytes that a writer, or a transfer, may put behind a file's end: zeros and blanks.
+pub(in crate::assets) fn are_padding(bytes: &[u8]) -> bool {
+    bytes.iter().all(|byte| byte.is_ascii_whitespace() || *byte == 0)
+}

@@ -10,7 +10,7 @@ use gltf_json::{Buffer, Index, Root, buffer::View};
 
 use super::Gltf;
 use super::nodes::Maps;
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::{Flaw, are_padding};
 use crate::document::{Mistake, SceneError, unmarked};
 
 /// Extensions that a file may require: what they change is read here, or is not about meshes.
@@ -138,15 +138,16 @@ fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
         return Err(Flaw::at(4, &format!("it is of glTF {version}, and 2 is read")));
     }
     let length = number(8)? as usize;
-    if length > bytes.len() {
+    // More than padding behind the end would be a part that is left out, or a file whose parts are not where it says.
+    if !bytes.get(length..).is_some_and(are_padding) {
         return Err(Flaw::at(8, &format!("the file is said to have {length} bytes, and has {}", bytes.len())));
     }
     let (mut at, mut json, mut own) = (12, None, None);
     while at < length {
         let (size, kind) = (number(at)? as usize, number(at + 4)?.to_le_bytes());
         let range = at + 8..at + 8 + size;
-        if range.end > bytes.len() {
-            let left = bytes.len().saturating_sub(range.start);
+        if range.end > length {
+            let left = length.saturating_sub(range.start);
             return Err(Flaw::at(at, &format!("a part is said to have {size} bytes, and {left} follow")));
         }
         at = range.end;

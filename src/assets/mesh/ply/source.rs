@@ -2,7 +2,7 @@
 
 use super::super::bytes::Bytes;
 use super::header::{Element, Kind, Property};
-use crate::assets::flaw::Flaw;
+use crate::assets::flaw::{Flaw, are_padding};
 use crate::progress::Stage;
 
 /// What is wrong where a source is.
@@ -190,9 +190,8 @@ impl Source for Binary<'_> {
 
     fn end(&mut self) -> Result<(), Wrong> {
         self.last = self.bytes.at;
-        let is_padding = |byte: &u8| byte.is_ascii_whitespace() || *byte == 0;
         let rest = self.bytes.rest();
-        if rest.iter().all(is_padding) {
+        if are_padding(rest) {
             return Ok(());
         }
         Err(Wrong::new(format!("{} bytes follow the last element that the header names", rest.len())))

@@ -89,6 +89,10 @@ fn what_is_wrong_is_named_as_the_file_names_it() {
     forged[12..16].copy_from_slice(&(many as u32).to_le_bytes());
     let told = load("a.glb", &forged).expect_err("an error").to_string();
     assert!(told.contains("at byte 12: a part is said to have 4000000000 bytes, and "), "{told}");
+    // Padding may follow, and nothing else.
+    assert!(load("a.glb", &[&file[..], b"\0\n"].concat()).is_ok());
+    let told = load("a.glb", &[&file[..], b"more"].concat()).expect_err("an error").to_string();
+    assert!(told.contains(&format!("is said to have {} bytes, and has {}", file.len(), file.len() + 4)), "{told}");
     let mut external = whole;
     external["buffers"][0]["uri"] = json!("none.bin");
     let told = load("a.gltf", external.to_string().as_bytes()).expect_err("an error").to_string();
