@@ -117,15 +117,21 @@ impl SceneOptions {
 
     /// All changes, as the scene reader takes them.
     pub(super) fn overrides(&self) -> Result<Vec<Override>, Error> {
-        let method = self.method_of.as_ref().map(|picture| {
-            follow_as(&said(picture, FOLLOWED)?)
-                .map_err(|error| Error::Usage(format!("{}: {error}", picture.display())))
+        let method = self.method_of.as_ref().map(|picture| -> Result<_, Error> {
+            let followed = said(picture, FOLLOWED)?;
+            let picture = picture.display();
+            let overrides = follow_as(&followed).map_err(|error| Error::Usage(format!("{picture}: {error}")))?;
+            Ok(overrides.into_iter().map(|over| over.from_option(format!("--method-of {picture}"))).collect())
         });
         let method: Vec<Override> = method.transpose()?.unwrap_or_default();
-        let size = self.size.map(|[w, h]| format!("image.size=[{w}, {h}]"));
-        let samples = self.samples.map(|n| format!("image.samples={n}"));
-        let precision = self.precision.map(|precision| format!("rays.precision=\"{}\"", precision.name()));
-        let own = size.into_iter().chain(samples).chain(precision).filter_map(|text| text.parse().ok());
+        let size = self.size.map(|[w, h]| (format!("image.size=[{w}, {h}]"), format!("--size {w}x{h}")));
+        let samples = self.samples.map(|n| (format!("image.samples={n}"), format!("--samples {n}")));
+        let precision = self.precision.map(|precision| {
+            let name = precision.name();
+            (format!("rays.precision=\"{name}\""), format!("--precision {name}"))
+        });
+        let parse = |(text, option): (String, String)| Some(text.parse::<Override>().ok()?.from_option(option));
+        let own = size.into_iter().chain(samples).chain(precision).filter_map(parse);
         Ok(method.into_iter().chain(self.set.iter().cloned()).chain(own).collect())
     }
 }

@@ -124,9 +124,7 @@ impl Document {
         }
         for over in overrides {
             let source = document.sources.len();
-            document
-                .sources
-                .push(Source { name: PathBuf::from(format!("--set {}", over.text())), text: over.text().to_owned() });
+            document.sources.push(Source { name: PathBuf::from(over.name()), text: over.text().to_owned() });
             if let Err(fault) = over.apply(&mut document.root, source) {
                 document.faults.push(fault);
             }

@@ -11,6 +11,8 @@ use toml::de::{DeTable, DeValue};
 pub struct Override {
     /// As given.
     text: String,
+    /// The option that it is from, as messages name it; `None` for its own, `--set`.
+    option: Option<String>,
     /// The names that lead to the key; a number counts the tables of an array, from 0.
     path: Vec<String>,
     change: Change,
@@ -47,7 +49,7 @@ impl FromStr for Override {
             }
             Err(_) => Change::Set(Node { place: base.place(0..trimmed.len()), value: Value::Text(trimmed.to_owned()) }),
         };
-        Ok(Self { text: text.to_owned(), path, change })
+        Ok(Self { text: text.to_owned(), option: None, path, change })
     }
 }
 
@@ -74,9 +76,21 @@ impl Override {
     pub fn without(table: &str, key: &str) -> Self {
         Self {
             text: format!("{table}.{key}"),
+            option: None,
             path: vec![table.to_owned(), key.to_owned()],
             change: Change::LeaveOutIfThere,
         }
+    }
+
+    /// Names another option that it is from, such as `--size 320x180`, in messages.
+    #[must_use]
+    pub fn from_option(self, option: String) -> Self {
+        Self { option: Some(option), ..self }
+    }
+
+    /// Returns the name under which messages give its mistakes.
+    pub(super) fn name(&self) -> String {
+        self.option.clone().unwrap_or_else(|| format!("--set {}", self.text))
     }
 
     /// `KEY=VALUE` as it was given.

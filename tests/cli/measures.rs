@@ -68,6 +68,11 @@ fn the_method_of_a_picture_is_repeated() {
             assert!(folder.read("a.exr") == folder.read("b.exr"), "{method} of {of}");
         }
     }
+    // What does not fit another scene is named as it was given.
+    folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.method=planar")).succeeds();
+    folder
+        .run("render scene.toml -o b.exr --method-of a.png")
+        .fails(1, &["--method-of a.png:1:13: planar needs a law with a single centre", "rays.method=\"planar\"\n"]);
     folder.write("no.png", "no picture");
     folder.run("render scene.toml -o b.exr --method-of no.png").fails(1, &["no.png: this is not a whole PNG"]);
     folder.run("render scene.toml -o b.exr --method-of none.exr").fails(1, &["none.exr: cannot read the file"]);
