@@ -37,8 +37,8 @@ fn a_terminal_shows_how_far_a_render_has_come() {
     let mut child = on_terminal(&folder, "xterm", &format!("render scene.toml -o a.png {LONG}"));
     let (mut text, mut bytes) = (String::new(), [0; 4096]);
     let until = Instant::now() + Duration::from_secs(60);
-    // After some samples the line has a percentage and the time that is left.
-    while !text.contains(" left") && Instant::now() < until {
+    // After the search for a method, and some samples, the line has a percentage and the time that is left.
+    while !text.contains(" %  rendering, about ") && Instant::now() < until {
         let count = child.stdout.as_mut().unwrap().read(&mut bytes).unwrap();
         assert_ne!(count, 0, "it ended: {text}");
         text.push_str(&String::from_utf8_lossy(&bytes[..count]));
