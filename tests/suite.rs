@@ -51,6 +51,7 @@ mod structure;
 mod transparency;
 mod travels;
 mod tree;
+mod vertex_colors;
 mod warp;
 mod worldlines;
 mod wormholes;

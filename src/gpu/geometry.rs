@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::hierarchy::{Item, LEAF, Node};
 use super::instances::{Instances, KeptMesh};
@@ -148,6 +148,14 @@ impl Geometry {
     pub fn clearance(&self, x: DVec3) -> f64 {
         let distance = |(lo, hi): &(DVec3, DVec3)| (x.clamp(*lo, *hi) - x).length();
         self.boxes.iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The linear colors of [`Self::vertices`]; white where a mesh has none.
+    pub fn vertex_colors<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = Vec3> + 'a {
+        let kept = self.instances.meshes().map(|kept| &*kept.mesh);
+        let placed = scene.objects.iter().filter_map(|object| object.shape.mesh()).map(|mesh| &**mesh);
+        let once = self.analysis.structure.once;
+        kept.filter(move |_| once).chain(placed.filter(move |_| !once)).flat_map(Mesh::colors_or_white)
     }
 
     /// The primitive that an object is to the shaders; meshes are many.

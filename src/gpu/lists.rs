@@ -152,6 +152,10 @@ impl Source<'_> {
                 }),
             )
             .map(Some),
+            "vertex_colors" => {
+                let row = |color: glam::Vec3| [("color", Vec3(color.into()))];
+                pack(name, layout, g.vertex_colors(self.scene).map(row)).map(Some)
+            }
             "items" => Ok(Some(bytemuck::cast_slice(&g.structure.items).to_vec())),
             "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
             "object_materials" => Ok(Some(bytemuck::cast_slice(&g.materials).to_vec())),
@@ -186,10 +190,12 @@ impl Source<'_> {
     /// A record for every kind, of which each has members of its own; behind the scene's one for each region, which says no more than
     /// whose surface it is.
     fn materials(&self, layout: &Layout) -> Result<Vec<u8>, GpuError> {
-        let code = |part: &str| Uint(constant(part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()) as u32);
+        let code = |part: &str| constant(part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()) as u32;
+        let vertex_colors = constant("surface/vertex_colors", "VERTEX_COLORS") as u32;
         let row = |material: &Material| -> Row {
-            let pattern = format!("surface/pattern/{}", material.color.part());
-            let kinds = vec![("kind".into(), code(self.scene.part_of(material))), ("pattern".into(), code(&pattern))];
+            let pattern = code(&format!("surface/pattern/{}", material.color.part()));
+            let pattern = pattern | if material.color.has_vertex_colors() { vertex_colors } else { 0 };
+            let kinds = row! { kind: Uint(code(self.scene.part_of(material))), pattern: Uint(pattern) };
             [kinds, material.color.values(), material.surface.values()].concat()
         };
         // A fan is told by its place among them.
@@ -199,8 +205,7 @@ impl Source<'_> {
         let side = |bit: usize| -> Row {
             let object = self.geometry.analysis.regions.regions[bit].object;
             let gloss = self.scene.objects[object].interior().map(|interior| interior.gloss).unwrap_or_default();
-            let kind = vec![("kind".into(), code(gloss.part()))];
-            [kind, row! { bit: Uint(bit as u32) }, gloss.values()].concat()
+            [row! { kind: Uint(code(gloss.part())), bit: Uint(bit as u32) }, gloss.values()].concat()
         };
         let own = self.scene.materials.iter().enumerate().map(|(i, m)| row(m).into_iter().chain(fan(i)).collect());
         let sides = (0..self.geometry.analysis.regions.regions.len()).map(side);

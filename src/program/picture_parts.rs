@@ -130,9 +130,15 @@ pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) 
     let mut kinds: Vec<&str> = ends().map(|material| scene.part_of(material)).collect();
     kinds.sort_unstable();
     kinds.dedup();
-    let patterns = Pattern::PARTS.into_iter().filter(|part| used().any(|material| material.color.part() == *part));
     let filtered = |part| if choice.keeps_footprints(scene) && part == "checker" { "checker_filtered" } else { part };
-    let patterns: Vec<&str> = patterns.map(filtered).collect();
+    let is_used = |part: &str, has_vertex_colors: bool| {
+        used().any(|material| (material.color.part(), material.color.has_vertex_colors()) == (part, has_vertex_colors))
+    };
+    let patterns = Pattern::PARTS.into_iter().flat_map(|part| [(part, false), (part, true)]);
+    let patterns: Vec<(&str, bool)> = patterns
+        .filter(|(part, has_vertex_colors)| is_used(part, *has_vertex_colors))
+        .map(|(part, has_vertex_colors)| (filtered(part), has_vertex_colors))
+        .collect();
     let lights = [
         ("point", scene.lights.iter().any(|light| light.is_point() && !light.shadows.follows_the_law())),
         ("directional", scene.lights.iter().any(|light| !light.is_point() && !light.shadows.follows_the_law())),
@@ -143,7 +149,10 @@ pub(super) fn material_parts(scene: &Scene, choice: &Choice, names: &mut Names) 
         lights.into_iter().filter(|(_, there)| *there && scene.is_lit()).map(|(name, _)| name).collect();
     names.add("surface/material");
     names.all(&kinds);
-    names.each("surface/pattern", patterns.iter().copied());
+    names.each("surface/pattern", patterns.iter().map(|(part, _)| *part));
+    if scene.uses_vertex_colors() {
+        names.add("surface/vertex_colors");
+    }
     names.each("surface/light", lights.iter().copied());
     names.add(if lights.is_empty() { "surface/light/none" } else { "surface/light/blinn_phong" });
     let falls = scene.lights.iter().any(|light| light.falls);

@@ -65,7 +65,7 @@ pub struct Parts {
 }
 
 /// Functions that parts call only if some part declares them. Each such call is a statement.
-const OPTIONAL: [&str; 35] = [
+const OPTIONAL: [&str; 36] = [
     "filter_step",
     "filter_last",
     "filter_left",
@@ -99,6 +99,7 @@ const OPTIONAL: [&str; 35] = [
     "see_through",
     "note_footprint",
     "note_place",
+    "note_corners",
     "note_spans",
     "span_pattern",
 ];

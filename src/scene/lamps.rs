@@ -30,7 +30,9 @@ impl Scene {
         }
         let lamp = |(i, object): (usize, &super::Object)| {
             let material = self.material_of(object)?;
-            let radiance = material.surface.emission(material.color.mean(&self.pictures));
+            let mesh = object.shape.mesh().filter(|_| material.color.has_vertex_colors());
+            let vertex_color = mesh.map_or(DVec3::ONE, |mesh| mesh.mean_color());
+            let radiance = material.surface.emission(vertex_color * material.color.mean(&self.pictures));
             let mean = radiance.element_sum() / 3.0;
             let (center, radius) = object.ball();
             let power = mean * std::f64::consts::PI * radius * radius;

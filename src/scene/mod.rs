@@ -22,6 +22,7 @@ mod rounding;
 mod shutter;
 mod sky_cells;
 mod throat;
+mod vertex_colors;
 
 #[cfg(test)]
 mod tests;
@@ -233,7 +234,7 @@ impl Scene {
     /// Are pictures and patterns averaged over what a pixel sees of them, and is there anything to average?
     #[must_use]
     pub fn has_footprints(&self) -> bool {
-        let varies = |material: &Material| !matches!(material.color, Pattern::Constant(_));
+        let varies = |material: &Material| material.color.is_averaged();
         self.image.footprints && (!self.pictures.is_empty() || self.used_materials().any(varies))
     }
 

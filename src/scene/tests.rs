@@ -3,6 +3,7 @@
 mod animation;
 mod attacked;
 mod capacity;
+mod colors;
 mod cut;
 mod encodings;
 mod files;

@@ -10,7 +10,7 @@ use crate::support::{
     probe::{Probe, Record},
 };
 
-const PARTS: [&str; 9] = [
+const PARTS: [&str; 10] = [
     "segment/ray",
     "state/work",
     "segment/walk_whole",
@@ -20,6 +20,7 @@ const PARTS: [&str; 9] = [
     "segment/order_same",
     "segment/curve_line",
     "shape/placed",
+    "surface/vertex_colors",
 ];
 
 /// A hierarchy of triangles alone.
@@ -156,6 +157,10 @@ impl Mesh {
             .bind("triangles", triangles.collect::<Vec<Record>>())
             .bind("corners", self.0.iter().zip(0..).map(|(t, k)| corners(*t, k % 3)).collect::<Vec<Record>>())
             .bind("vertices", all(&self.0).into_iter().map(vertex).collect::<Vec<Record>>())
+            .bind(
+                "vertex_colors",
+                all(&self.0).into_iter().map(|x| vec![("color", V3(x.as_dvec3()))]).collect::<Vec<Record>>(),
+            )
             .numbers("object_materials", &[7, 8, 9])
     }
 }
@@ -193,10 +198,12 @@ fn meshes_by_hierarchy_and_by_brute_force() {
         let surface = surface_triangle(select(hit.primitive & PRIMITIVE_INDEX, 0u, missed), p0.xyz + hit.t * (p1.xyz - p0.xyz));
         put(1u, vec4f(surface.across, surface.gap));
         put(2u, vec4f(surface.normal, 0.0));
-        put(3u, vec4f(surface.uv, f32(surface.material), f32(surface.object)));";
-    let out = mesh.probe().run::<2, 4>(&gpu(), body, &inputs);
-    let names = ["triangle's gap", "triangle's plane", "triangle's uv", "triangle's shading normal"];
-    let [mut gaps, mut planes, mut uvs, mut normals] = names.map(Errors::of);
+        put(3u, vec4f(surface.uv, f32(surface.material), f32(surface.object)));
+        put(4u, vec4f(vertex_color(), 0.0));";
+    let out = mesh.probe().run::<2, 5>(&gpu(), body, &inputs);
+    let names =
+        ["triangle's gap", "triangle's plane", "triangle's uv", "triangle's shading normal", "triangle's vertex color"];
+    let [mut gaps, mut planes, mut uvs, mut normals, mut colors] = names.map(Errors::of);
     let cases: Vec<_> = inputs
         .iter()
         .zip(&out)
@@ -231,6 +238,8 @@ fn meshes_by_hierarchy_and_by_brute_force() {
                 // Vertices have u = x and v = y, so that a point has them too; small triangles in far places lose digits.
                 uvs.check(output[3].x, x.x, 8.0 * off * thin, input);
                 uvs.check(output[3].y, x.y, 8.0 * off * thin, input);
+                // Their colors are their positions.
+                colors.check3(output[4], x, 8.0 * off * thin, input);
                 // Weights by Cramer's rule in the plane; a vertex's normal is its own direction.
                 let (e, f, g) = (t[1] - t[0], t[2] - t[0], x - t[0]);
                 let (ee, ef, ff) = (e.dot(e), e.dot(f), f.dot(f));
@@ -244,7 +253,7 @@ fn meshes_by_hierarchy_and_by_brute_force() {
         })
         .collect();
     check_hits("meshes", 0.03, cases);
-    for errors in [gaps, planes, uvs, normals] {
+    for errors in [gaps, planes, uvs, normals, colors] {
         errors.report();
     }
 }

@@ -46,6 +46,11 @@ impl Elements<'_> {
         }
     }
 
+    /// Returns `true` if its numbers are fractions: floating point, or normalized whole numbers.
+    pub fn are_fractions(&self) -> bool {
+        self.is_normalized || self.kind == ComponentType::F32
+    }
+
     /// The whole number of an element.
     pub fn index(&self, element: usize) -> u32 {
         let at = element * self.stride;

@@ -6,6 +6,8 @@
 //! *Practice.* The bytes and their checks are [`Gltf`]'s. The mesh of one node stays in its own space, so that nodes which show the same
 //! mesh share it; meshes of all nodes together, and those that a node turns inside out, are placed in 64 bits.
 
+mod colors;
+
 use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
@@ -191,6 +193,9 @@ impl Gltf {
         for i in 0..uvs.as_ref().map_or(0, |uvs| uvs.count) {
             let uv = transform(uvs.as_ref().map_or(Vec2::ZERO, |uvs| Vec2::from(uvs.numbers(i))));
             raw.uvs.push(if uv.to_array().into_iter().all(usable) { uv } else { Vec2::ZERO });
+        }
+        if let Some(index) = given(Semantic::Colors(0)) {
+            self.colors(raw, index, base, &named("COLOR_0")).unwrap_or_else(|flaw| raw.colors.reject(flaw.0));
         }
         let corner = |i: u32| {
             Corner::new(

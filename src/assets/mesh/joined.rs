@@ -15,8 +15,10 @@ impl Raw {
         let origin = self.origin();
         let place = |corner: Corner| (self.positions[corner.position as usize] - origin).as_vec3();
         let made = normals::made(self, crease, origin);
-        let mut index_of: HashMap<[u32; 8], u32> = HashMap::with_capacity(self.positions.len());
+        let mut index_of: HashMap<[u32; 11], u32> = HashMap::with_capacity(self.positions.len());
         let mut vertices = Vec::with_capacity(self.positions.len());
+        let has_colors = self.colors.are_there();
+        let mut colors = Vec::with_capacity(if has_colors { self.positions.len() } else { 0 });
         let mut vertex = |corner: Corner, made: Option<Vec3>| {
             let vertex = Vertex {
                 position: place(corner),
@@ -24,11 +26,14 @@ impl Raw {
                 uv: self.uvs.get(corner.uv as usize).copied().unwrap_or(Vec2::ZERO),
             };
             let ([x, y, z], [nx, ny, nz]) = (vertex.position.to_array(), vertex.normal.to_array());
-            let key = [x, y, z, nx, ny, nz, vertex.uv.x, vertex.uv.y].map(f32::to_bits);
+            let color = if has_colors { self.colors.get(corner.position) } else { Vec3::ONE };
+            let uv = vertex.uv;
+            let key = [x, y, z, nx, ny, nz, uv.x, uv.y, color.x, color.y, color.z].map(f32::to_bits);
             match index_of.entry(key) {
                 Entry::Occupied(known) => *known.get(),
                 Entry::Vacant(free) => {
                     vertices.push(vertex);
+                    colors.extend(has_colors.then_some(color));
                     *free.insert(vertices.len() as u32 - 1)
                 }
             }
@@ -47,6 +52,7 @@ impl Raw {
         if triangles.is_empty() {
             return Err(Flaw(self.nothing()));
         }
-        Ok(Mesh { origin, left_out: self.left_out(), ..Mesh::new(vertices, triangles) })
+        let color_flaw = self.colors.flaw().map(str::to_owned);
+        Ok(Mesh { origin, left_out: self.left_out(), colors, color_flaw, ..Mesh::new(vertices, triangles) })
     }
 }

@@ -11,6 +11,7 @@
 mod bytes;
 mod capacity;
 mod cells;
+mod colors;
 mod edges;
 mod gltf;
 mod inside;
@@ -41,11 +42,15 @@ pub struct Mesh {
     pub vertices: Vec<Vertex>,
     /// Indices into the vertices, counter-clockwise seen from outside if the file winds them so; [`Mesh::solids`] always are.
     pub triangles: Vec<[u32; 3]>,
+    /// The linear color of each vertex, its components from 0 to 1; empty if the file has none.
+    pub colors: Vec<Vec3>,
     /// The point of the file's space at which the mesh's own space has its origin: positions in the file are `origin + position`.
     /// It is zero along each axis on which the file's origin is nearer than the mesh is large.
     pub origin: DVec3,
     /// The elements of the file that are not drawn, such as `lines (3)`.
     pub left_out: Vec<String>,
+    /// What is wrong with the file's colors, if they cannot be used.
+    color_flaw: Option<String>,
     /// The vertices, as [`Mesh::new`] had them.
     cells: Cells,
     radius: f64,
@@ -216,7 +221,17 @@ impl Mesh {
         let cells = Cells::of(&vertices);
         let radius = cells.most(&vertices, DVec3::length).max(0.0);
         let inside = Inside::default();
-        Self { vertices, triangles, origin: DVec3::ZERO, left_out: Vec::new(), cells, radius, inside }
+        Self {
+            vertices,
+            triangles,
+            colors: Vec::new(),
+            origin: DVec3::ZERO,
+            left_out: Vec::new(),
+            color_flaw: None,
+            cells,
+            radius,
+            inside,
+        }
     }
 
     /// The greatest distance of a vertex from the origin.
@@ -233,7 +248,7 @@ impl Mesh {
     /// What it takes of memory.
     #[must_use]
     pub fn bytes(&self) -> u64 {
-        (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..])) as u64
+        (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..]) + size_of_val(&self.colors[..])) as u64
     }
 
     /// Reads all of a file; the end of its name says how.

@@ -1,6 +1,7 @@
 //! OBJ: lines that begin with what they say.
 //!
-//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`. Those about groups, materials and smoothing are passed over; points,
+//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`. Three numbers or more behind the coordinates of a `v` begin with a color; a single
+//! one is the weight of free-form geometry. Statements about groups, materials and smoothing are passed over; points,
 //! lines and free-form curves are counted, so that the user learns that they are not drawn. A comment begins at a `#` that
 //! begins a line or follows a blank: `-1.#IND` is how some programs write a number that is none.
 //!
@@ -131,7 +132,14 @@ impl Loader {
     fn statement<'a>(&mut self, words: &[&'a str]) -> Result<(), Wrong<'a>> {
         match words {
             // A wrong line still takes its number, so that the faces below it mean what they meant.
-            ["v", ..] => push(&mut self.raw.positions, numbers(words).map(DVec3::from_array)),
+            ["v", ..] => {
+                if let [_, _, _, _, color @ ..] = words
+                    && color.len() >= 3
+                {
+                    self.color([color[0], color[1], color[2]]);
+                }
+                push(&mut self.raw.positions, numbers(words).map(DVec3::from_array))
+            }
             ["vn", ..] => push(&mut self.raw.normals, numbers(words).map(|n| DVec3::from_array(n).as_vec3())),
             // A texture may have one coordinate only.
             ["vt", _] => push(&mut self.raw.uvs, numbers::<1>(words).map(|[u]| Vec2::new(u as f32, 0.0))),
@@ -158,6 +166,13 @@ impl Loader {
             [first, ..] => self.other(first),
             [] => Ok(()),
         }
+    }
+
+    /// The color of the position at hand.
+    fn color(&mut self, words: [&str; 3]) {
+        let numbers = words.map(str::parse::<f64>);
+        let color = numbers.map(|number| number.unwrap_or(f64::NAN));
+        self.raw.colors.set_srgb(self.raw.positions.len(), color);
     }
 
     /// A statement that draws nothing.

@@ -13,12 +13,15 @@ use std::collections::BTreeMap;
 use earcut::Earcut;
 use glam::{DVec2, DVec3, Vec2, Vec3};
 
+use super::colors::Colors;
+
 /// Faces, cut to triangles.
 #[derive(Default)]
 pub(in crate::assets) struct Raw {
     pub(super) positions: Vec<DVec3>,
     pub(super) uvs: Vec<Vec2>,
     pub(super) normals: Vec<Vec3>,
+    pub(super) colors: Colors,
     /// Elements of the file that are not drawn, and how many there are of each kind.
     left_out: BTreeMap<String, u64>,
     triangles: Vec<Triangle>,

@@ -76,7 +76,7 @@ pub(super) fn number(word: &str) -> Result<f64, Wrong<'_>> {
     }
 }
 
-/// `N` numbers after a keyword; more are passed over (weights, vertex colours).
+/// `N` numbers after a keyword; more are passed over.
 pub(super) fn numbers<'a, const N: usize>(words: &[&'a str]) -> Result<[f64; N], Wrong<'a>> {
     let mut values = [0.0; N];
     for (i, value) in values.iter_mut().enumerate() {

@@ -127,6 +127,6 @@ pub(super) fn matrix_of(primaries: Primaries, named: &str) -> Result<DMat3, Stri
 }
 
 /// IEC 61966-2-1.
-pub(super) fn decode_srgb(x: f64) -> f64 {
+pub(in crate::assets) fn decode_srgb(x: f64) -> f64 {
     if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
 }

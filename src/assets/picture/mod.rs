@@ -25,6 +25,7 @@ use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader};
 use crate::document::SceneError;
 use crate::progress::{Stage, Watched};
 use broken::broken;
+pub(in crate::assets) use encoding::decode_srgb;
 use encoding::{Encoding, convert};
 pub(crate) use exr::unlikely as unlikely_exr;
 

@@ -35,7 +35,13 @@ impl Found for Modelled<'_> {
         add(self.adaptive_words().into_iter().collect());
         add(structure_words(&self.geometry).into_iter().collect());
         add(self.pass_words());
-        add(self.remark().into_iter().chain(scene.mesh_remarks()).chain(self.halved_pictures()).collect());
+        add(self
+            .remark()
+            .into_iter()
+            .chain(scene.mesh_remarks())
+            .chain(scene.unused_vertex_colors())
+            .chain(self.halved_pictures())
+            .collect());
         add(scene.warnings().iter().map(|words| format!("warning: {words}")).collect());
         let swallowed = |light| format!("light {light} (from 0) is inside of what captures rays, and lights nothing");
         add(scene.swallowed_lights().into_iter().map(swallowed).collect());
@@ -69,7 +75,7 @@ impl Found for Modelled<'_> {
             "frames_checked": self.frames_checked,
             "moments": scene.moments(0).len(),
             "animated": scene.animation.as_ref().map_or(&[][..], |animation| &animation.keys),
-            "remarks": self.remark().into_iter().chain(scene.mesh_remarks()).chain(self.halved_pictures()).chain(random_words(scene)).collect::<Vec<_>>(),
+            "remarks": self.remark().into_iter().chain(scene.mesh_remarks()).chain(scene.unused_vertex_colors()).chain(self.halved_pictures()).chain(random_words(scene)).collect::<Vec<_>>(),
             "warnings": scene.warnings(),
         })
     }

@@ -17,7 +17,7 @@ pub static KIND: Kind = Kind {
         brightness: "number above 0" = "1", "the luminance of the hottest ring, at rest";
         opacity: "number above 0, at most 1" = "1",
             "the part of the light from behind that it holds back, and the part of a black body's light that it sends; below 1 rays see it wherever they cross it, each time with its own shift. Shadows take it as opaque";
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]", "its light times this";
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]", "its light times this";
     },
     read: |table, files| {
         let temperature = table.optional("temperature", positive);

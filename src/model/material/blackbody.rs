@@ -14,7 +14,7 @@ pub static KIND: Kind = Kind {
     keys: keys! {
         temperature: "number above 0" = "required", "kelvins";
         brightness: "number above 0" = "1", "its luminance";
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]", "its light times this";
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]", "its light times this";
     },
     read: |table, files| {
         let temperature = table.required("temperature", "5800", positive);

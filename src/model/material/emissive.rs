@@ -12,7 +12,7 @@ use crate::model::{Row, row};
 pub static KIND: Kind = Kind {
     name: "emissive",
     keys: keys! {
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "required", "radiance, linear";
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "required", "radiance, linear";
         diffuse: "[red, green, blue]" = "[0, 0, 0]", "what it gives back of other light, on paths";
         aim: "true | false" = "true", "whether paths aim at it";
     },

@@ -14,7 +14,7 @@ use crate::document::{Node, Value};
 pub static KIND: Kind = Kind {
     name: "fan",
     keys: keys! {
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]",
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]",
             "the part of the light that it gives back";
         rays: "[[x, y, z, weight], ...], formulas" = "required",
             "where rays go on, 1 to 8 of them, and what each weighs: functions of dx, dy, dz, the unit direction that comes in, nx, ny, nz, the unit normal on that side, and c, the cosine between; a direction to the other side goes through the surface";

@@ -12,7 +12,7 @@ use crate::model::{Row, row};
 pub static KIND: Kind = Kind {
     name: "glossy",
     keys: keys! {
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]",
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]",
             "the part of the light that it gives back";
         exponent: "number, 0 or above" = "required",
             "e: directions are as dense as cosᵉ of the angle to the mirror's; those below the surface are dropped, and their light is lost";

@@ -10,7 +10,7 @@ use crate::document::keys;
 pub static KIND: Kind = Kind {
     name: "mirror",
     keys: keys! {
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[1, 1, 1]",
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]",
             "the part of the light that it gives back";
     },
     read: |table, files| Some((pattern::read(table, "color", Some(DVec3::ONE), files)?, Arc::new(Mirror))),

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, Vec3};
 
 use crate::assets::{Files, Picture};
 use crate::document::reader::TableReader;
-use crate::document::values::{array, color, extents_2d};
+use crate::document::values::{array, boolean, color, extents_2d};
 use crate::document::{Node, Value};
 use crate::model::{Row, row};
 
@@ -27,11 +27,23 @@ pub enum Pattern {
         /// How often it repeats along u and v.
         repeat: DVec2,
     },
+    /// Another pattern, multiplied by vertex colors. Objects with it are meshes that have some.
+    VertexColors(Box<Self>),
 }
 
 impl Pattern {
     /// The names of their WGSL parts in `shaders/surface/pattern/`.
     pub const PARTS: [&'static str; 3] = ["constant", "checker", "image"];
+
+    /// Returns `true` if it varies in a way that pixels average over what they see of it.
+    #[must_use]
+    pub fn is_averaged(&self) -> bool {
+        match self {
+            Self::Constant(_) => false,
+            Self::Checker { .. } | Self::Picture { .. } => true,
+            Self::VertexColors(pattern) => pattern.is_averaged(),
+        }
+    }
 
     /// Does it give all colours the same part?
     #[must_use]
@@ -40,11 +52,17 @@ impl Pattern {
         match self {
             Self::Constant(color) => gray(color),
             Self::Checker { colors, .. } => colors.iter().all(gray),
-            Self::Picture { .. } => false,
+            Self::Picture { .. } | Self::VertexColors(_) => false,
         }
     }
 
-    /// Its mean over the surface; `pictures` are the scene's.
+    /// Returns `true` if it is multiplied by vertex colors.
+    #[must_use]
+    pub fn has_vertex_colors(&self) -> bool {
+        matches!(self, Self::VertexColors(_))
+    }
+
+    /// Its mean over the surface, where vertex colors are white; `pictures` are the scene's.
     #[must_use]
     pub fn mean(&self, pictures: &[Picture]) -> DVec3 {
         match self {
@@ -55,6 +73,7 @@ impl Pattern {
                 let sum: DVec3 = pixels.iter().map(|pixel| Vec3::from(*pixel).as_dvec3()).sum();
                 sum / pixels.len().max(1) as f64
             }
+            Self::VertexColors(pattern) => pattern.mean(pictures),
         }
     }
 
@@ -68,16 +87,19 @@ impl Pattern {
                 let pixels = pictures.get(*picture).map_or(&[][..], |picture| &picture.pixels);
                 pixels.iter().fold(DVec3::ZERO, |most, pixel| most.max(Vec3::from(*pixel).as_dvec3()))
             }
+            // Vertex colors are at most 1.
+            Self::VertexColors(pattern) => pattern.largest(pictures),
         }
     }
 
-    /// The name of its WGSL part.
+    /// The name of its WGSL part, without vertex colors.
     #[must_use]
     pub fn part(&self) -> &'static str {
         Self::PARTS[match self {
             Self::Constant(_) => 0,
             Self::Checker { .. } => 1,
             Self::Picture { .. } => 2,
+            Self::VertexColors(pattern) => return pattern.part(),
         }]
     }
 
@@ -90,6 +112,7 @@ impl Pattern {
                 row! { color: Vec3(*first), second_color: Vec3(*second), repeat: Vec2(*repeat) }
             }
             Self::Picture { picture, repeat } => row! { image: Uint(*picture as u32), repeat: Vec2(*repeat) },
+            Self::VertexColors(pattern) => pattern.values(),
         }
     }
 }
@@ -116,7 +139,8 @@ pub(super) fn read(
 
 /// A colour, or a table that says how it varies; `path` is the table's name in the reference.
 fn given(table: &TableReader, path: &'static str, node: &Node, files: &mut Files) -> Option<Pattern> {
-    const CHOICES: &str = "[red, green, blue], { checker = [[..], [..]] } or { image = \"file\" }";
+    const CHOICES: &str =
+        "[red, green, blue], { checker = [[..], [..]] }, { image = \"file\" } or { vertex_colors = true }";
     let reader = table.reader;
     match node.value {
         Value::Array(_) => return reader.accept(color(node).map(Pattern::Constant)),
@@ -127,7 +151,12 @@ fn given(table: &TableReader, path: &'static str, node: &Node, files: &mut Files
         }
     }
     let table = reader.open(path, node)?;
-    let pattern = match table.required_one_of(&["checker", "image"], CHOICES) {
+    // A value that is wrong is one mistake, and no second one is made of it.
+    let has_vertex_colors = table.optional("vertex_colors", boolean).unwrap_or(table.gives("vertex_colors"));
+    let kinds = ["color", "checker", "image"];
+    let kind = if has_vertex_colors { table.one_of(&kinds) } else { table.required_one_of(&kinds, CHOICES) };
+    let pattern = match kind {
+        Some(("color", node)) => reader.accept(color(node).map(Pattern::Constant)),
         Some(("checker", node)) => {
             let repeat = table.or("repeat", DVec2::splat(8.0), extents_2d);
             let colors = reader.accept(array("two colours", color)(node));
@@ -137,8 +166,8 @@ fn given(table: &TableReader, path: &'static str, node: &Node, files: &mut Files
             let repeat = table.or("repeat", DVec2::ONE, extents_2d);
             files.picture(reader, node).map(|picture| Pattern::Picture { picture, repeat })
         }
-        None => None,
+        None => has_vertex_colors.then_some(Pattern::Constant(DVec3::ONE)),
     };
     table.finish();
-    pattern
+    if has_vertex_colors { pattern.map(|pattern| Pattern::VertexColors(Box::new(pattern))) } else { pattern }
 }

@@ -12,7 +12,7 @@ use crate::model::{Row, row};
 pub static KIND: Kind = Kind {
     name: "phong",
     keys: keys! {
-        diffuse: "[red, green, blue], { checker, repeat }, { image, repeat }" = "[0.8, 0.8, 0.8]",
+        diffuse: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[0.8, 0.8, 0.8]",
             "the surface's colour, linear";
         ambient: "number from 0 to 1" = "0.1", "fraction of the colour that needs no light";
         specular: "[red, green, blue]" = "[0, 0, 0]", "colour of the highlight";

@@ -7,16 +7,19 @@ use crate::assets::{Files, Transform};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, direction, extents, positive, suggest, text, vector, whole};
 use crate::document::{Node, Place, Value};
-use crate::model::Law;
 use crate::model::medium::{self, Interior, Surroundings};
+use crate::model::{Law, Material};
 
 /// The bounding spheres: their centres, which is one but where light goes to another side, and their radius.
 type Balls<'a> = (&'a [DVec3], f64);
 
-/// All objects that can be used, each with its place, in the order of the file; `materials` are the names of the materials.
+/// The names of all materials, and those that can be used.
+type Materials<'a> = (&'a [&'a str], &'a [Material]);
+
+/// All objects that can be used, each with its place, in the order of the file.
 pub(crate) fn read(
     root: &TableReader,
-    materials: &[&str],
+    materials: Materials,
     bound: Option<Balls>,
     law: Option<&dyn Law>,
     files: &mut Files,
@@ -34,7 +37,7 @@ pub(crate) fn read(
 
 fn object(
     table: &TableReader,
-    materials: &[&str],
+    materials: Materials,
     bound: Option<Balls>,
     law: Option<&dyn Law>,
     files: &mut Files,
@@ -73,11 +76,15 @@ fn object(
 fn substance(
     table: &TableReader,
     object: Option<(&dyn Shape, Transform)>,
-    materials: &[&str],
+    materials: Materials,
     files: &mut Files,
 ) -> Option<Substance> {
     let Some(("interior", node)) = table.one_of(&["material", "interior"]) else {
-        return table.required("material", "\"red\"", |node| material(node, materials)).map(Substance::Opaque);
+        let index = table.required("material", "\"red\"", |node| material(node, materials.0))?;
+        if let Some((shape, _)) = object {
+            check_vertex_colors(table, shape, materials.0[index], materials.1);
+        }
+        return Some(Substance::Opaque(index));
     };
     let around = object.map_or_else(Surroundings::default, |(shape, place)| shape.surroundings(&place));
     let interior = medium::read_interior(table, node, around, files);
@@ -86,6 +93,22 @@ fn substance(
         table.fault(&["interior"], problem, "give it a `material`, or use a closed shape");
     }
     interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))
+}
+
+/// A material that is multiplied by vertex colors needs a mesh that has some.
+fn check_vertex_colors(table: &TableReader, shape: &dyn Shape, name: &str, materials: &[Material]) {
+    let asks = |material: &Material| material.name == name && material.color.has_vertex_colors();
+    if !materials.iter().any(asks) {
+        return;
+    }
+    let lacks =
+        shape.mesh().map_or_else(|| Some("only meshes have vertex colors".to_owned()), |mesh| mesh.lacks_colors());
+    if let Some(lacks) = lacks {
+        let problem = format!("the material `{name}` has `vertex_colors = true`, and {lacks}");
+        let help = "leave `vertex_colors` out there, or use a mesh that has them: lines `v x y z red green blue` of OBJ, properties \
+                    `red`, `green` and `blue` of PLY's vertices, or `COLOR_0` of glTF";
+        table.fault(&["material"], problem, help);
+    }
 }
 
 fn material(node: &Node, materials: &[&str]) -> Read<usize> {

@@ -54,7 +54,8 @@ pub(super) struct Answers<'a> {
     pub kinds: &'a [&'a str],
     pub tempered: &'a [&'a str],
     pub orbiting: &'a [&'a str],
-    pub patterns: &'a [&'a str],
+    /// The parts of patterns, each with whether it is multiplied by vertex colors.
+    pub patterns: &'a [(&'a str, bool)],
     pub lights: &'a [&'a str],
     /// Does each answer light, and none show it?
     pub paths: bool,
@@ -75,7 +76,11 @@ pub(super) fn materials(answers: &Answers) -> Unit {
         if beaming && !tempered.contains(&part) { format!("beamed({radiance})") } else { radiance }
     };
     let radiance = if paths { Vec::new() } else { each(&radiance) };
-    let colors: Vec<_> = patterns.iter().map(|p| (p.to_uppercase(), format!("pattern_{p}(material, uv)"))).collect();
+    let color = |(part, has_vertex_colors): &(&str, bool)| {
+        let (code, call) = (part.to_uppercase(), format!("pattern_{part}(material, uv)"));
+        if *has_vertex_colors { (code + " | VERTEX_COLORS", format!("vertex_color() * {call}")) } else { (code, call) }
+    };
+    let colors: Vec<_> = patterns.iter().map(color).collect();
     let mut text =
         switch("fn surface_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f", "material.kind", &radiance);
     if paths {

@@ -115,7 +115,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let (names, mut materials) = material::read(&root, files, paths.is_some());
     let centers = bound.map(|bound| bound.centers(law.as_deref()));
     let balls = centers.as_deref().zip(bound.map(|bound| bound.radius));
-    let placed = shape::read(&root, &names, balls, law.as_deref(), files);
+    let placed = shape::read(&root, (&names, &materials), balls, law.as_deref(), files);
     let placed = regions::solids(placed, &materials);
     regions::check(reader, &placed, &materials);
     if let Some(law) = &law {

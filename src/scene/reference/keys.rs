@@ -155,14 +155,18 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "the most radiance that one sample may add, in its brightest channel: less noise, and less light; what is lost is said";
         }
         "materials.NAME.diffuse" {
-            checker if "no image": "[color, color]" = "none", "two colours in turn";
-            image if "no checker": "file" = "none", "PNG, JPEG, EXR or HDR";
+            color if "no checker and no image": "[red, green, blue]" = "[1, 1, 1] with vertex_colors", "one color, linear";
+            checker if "no color and no image": "[color, color]" = "none", "two colours in turn";
+            image if "no color and no checker": "file" = "none", "PNG, JPEG, EXR or HDR";
+            vertex_colors: "true | false" = "false", "whether the color, checker or image is multiplied by the vertex colors of the mesh";
             repeat if "checker or image": "[u, v], above 0" = "[8, 8] for checker, [1, 1] for image",
                 "cells, or pictures, along u and v";
         }
         "materials.NAME.color" {
-            checker if "no image": "[color, color]" = "none", "two colours in turn";
-            image if "no checker": "file" = "none", "PNG, JPEG, EXR or HDR";
+            color if "no checker and no image": "[red, green, blue]" = "[1, 1, 1] with vertex_colors", "one color, linear";
+            checker if "no color and no image": "[color, color]" = "none", "two colours in turn";
+            image if "no color and no checker": "file" = "none", "PNG, JPEG, EXR or HDR";
+            vertex_colors: "true | false" = "false", "whether the color, checker or image is multiplied by the vertex colors of the mesh";
             repeat if "checker or image": "[u, v], above 0" = "[8, 8] for checker, [1, 1] for image",
                 "cells, or pictures, along u and v";
         }

@@ -16,7 +16,7 @@ use crate::scene::{Files, Mesh, Scene, SceneError};
 pub(super) struct Made {
     bytes: Vec<u8>,
     views: Vec<Value>,
-    accessors: Vec<Value>,
+    pub accessors: Vec<Value>,
 }
 
 impl Made {
@@ -28,7 +28,7 @@ impl Made {
         self.views.len() - 1
     }
 
-    fn accessor(&mut self, kind: u32, of: &str, count: usize, bytes: impl IntoIterator<Item = u8>) -> usize {
+    pub fn accessor(&mut self, kind: u32, of: &str, count: usize, bytes: impl IntoIterator<Item = u8>) -> usize {
         let view = self.view(bytes);
         self.accessors.push(json!({ "bufferView": view, "componentType": kind, "type": of, "count": count }));
         self.accessors.len() - 1
@@ -90,7 +90,7 @@ fn one_node(primitives: &Value) -> Value {
 }
 
 /// The corners of a square.
-const SQUARE: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+pub(super) const SQUARE: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
 
 /// A square of two triangles.
 fn square() -> (Made, Value) {

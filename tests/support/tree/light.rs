@@ -18,6 +18,7 @@ pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
             let place = DVec2::new(uv.x, 1.0 - uv.y) * *repeat;
             sample(&scene.pictures[*picture], place - place.floor())
         }
+        Pattern::VertexColors(_) => unimplemented!("a pattern of meshes, which are no part of this"),
     }
 }
 

@@ -101,7 +101,7 @@ impl Mesh {
     /// A mesh of some of its triangles, each given with whether it is turned. Normals of a turned triangle that would be on its back
     /// are turned too.
     fn part(&self, triangles: impl Iterator<Item = (usize, bool)>) -> Self {
-        let mut vertices: Vec<Vertex> = Vec::new();
+        let (mut vertices, mut colors): (Vec<Vertex>, _) = (Vec::new(), Vec::new());
         // For each vertex its number here, as it is and with its normal turned.
         let mut numbers = vec![[u32::MAX; 2]; self.vertices.len()];
         let mut own = Vec::new();
@@ -117,10 +117,11 @@ impl Mesh {
                 if *number == u32::MAX {
                     *number = vertices.len() as u32;
                     vertices.push(if is_behind { Vertex { normal: -vertex.normal, ..vertex } } else { vertex });
+                    colors.extend(self.colors.get(corner as usize));
                 }
                 *number
             }));
         }
-        Self { origin: self.origin, ..Self::new(vertices, own) }
+        Self { origin: self.origin, colors, color_flaw: self.color_flaw.clone(), ..Self::new(vertices, own) }
     }
 }

@@ -70,6 +70,15 @@ impl Kind {
         }
     }
 
+    /// The number that stands for 1 in a color: whole numbers are of eight bits, in whatever they are kept, unless they are `ushort`.
+    pub fn white(self) -> f64 {
+        match self {
+            Self::F32 | Self::F64 => 1.0,
+            Self::U16 => f64::from(u16::MAX),
+            Self::I8 | Self::U8 | Self::I16 | Self::I32 | Self::U32 => f64::from(u8::MAX),
+        }
+    }
+
     fn named(word: &str) -> Result<Self, Wrong<'_>> {
         let known = Self::NAMES.iter().find(|(name, other, _)| *name == word || *other == word);
         known.map(|(_, _, kind)| *kind).ok_or_else(|| {

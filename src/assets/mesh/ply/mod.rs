@@ -1,8 +1,8 @@
 //! PLY: a header that says what follows, in words or in bytes.
 //!
 //! *Theory.* The header names elements, how many of each there are, and their properties, each a number or a list. What a mesh is made
-//! of are vertices with `x`, `y` and `z`, perhaps `nx`, `ny` and `nz`, perhaps `s` and `t` or `u` and `v`, and faces with a list
-//! of vertices, perhaps one of texture coordinates, or strips of triangles, which a list of vertices gives with −1 between them.
+//! of are vertices with `x`, `y` and `z`, perhaps `nx`, `ny` and `nz`, perhaps `s` and `t` or `u` and `v`, perhaps `red`, `green` and `blue`, and
+//! faces with a list of vertices, perhaps one of texture coordinates, or strips of triangles, which a list of vertices gives with −1 between them.
 //! All other elements are read and counted, so that the user learns that they are not drawn.
 //!
 //! *Practice.* Words and bytes have one way of reading elements and two sources of numbers. A count is believed only where as many bytes
@@ -97,19 +97,24 @@ impl Assembled {
             place(&["nz"]),
             place(&["s", "u", "texture_u", "texture_s"]),
             place(&["t", "v", "texture_v", "texture_t"]),
+            place(&["red", "r", "diffuse_red"]),
+            place(&["green", "g", "diffuse_green"]),
+            place(&["blue", "b", "diffuse_blue"]),
         ];
         let has = |range: std::ops::Range<usize>| places[range].iter().all(Option::is_some);
-        let (normals, uvs) = (has(3..6), has(6..8));
+        let (normals, uvs, colors) = (has(3..6), has(6..8), has(8..11));
+        let white = [8, 9, 10].map(|slot| places[slot].map_or(1.0, |i| element.properties[i].kind.white()));
         for _ in 0..element.count {
             source.begin(element)?;
-            let mut values = [0.0; 8];
+            let mut values = [0.0; 11];
             for (i, property) in element.properties.iter().enumerate() {
                 let slot = places.iter().position(|place| *place == Some(i));
                 list(property, source, |value| {
                     let Some(slot) = slot else { return Ok(()) };
                     values[slot] = value;
-                    // Normals that are no numbers are made anew.
-                    if usable(values[slot]) || (3..6).contains(&slot) { Ok(()) } else { Err(no_number(value)) }
+                    // Normals that are no numbers are made anew, and colors may not be needed.
+                    let may_be_odd = (3..6).contains(&slot) || slot >= 8;
+                    if usable(values[slot]) || may_be_odd { Ok(()) } else { Err(no_number(value)) }
                 })?;
             }
             self.raw.positions.push(DVec3::from_slice(&values));
@@ -118,6 +123,10 @@ impl Assembled {
             }
             if uvs {
                 self.raw.uvs.push(Vec2::new(values[6] as f32, values[7] as f32));
+            }
+            if colors {
+                let color = [0, 1, 2].map(|k| values[8 + k] / white[k]);
+                self.raw.colors.set_srgb(self.raw.positions.len() - 1, color);
             }
         }
         Ok(())

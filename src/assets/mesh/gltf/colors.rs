@@ -1,0 +1,28 @@
+//! Vertex colors of a primitive: `COLOR_0`, linear, of which alpha is not used.
+
+use gltf_json::accessor::Type;
+use gltf_json::{Accessor, Index};
+
+use super::Raw;
+use crate::assets::flaw::Flaw;
+use crate::assets::gltf::Gltf;
+
+impl Gltf {
+    /// Reads the colors of the positions from `first` to the last; `of` is what has them.
+    pub(super) fn colors(&self, raw: &mut Raw, index: Index<Accessor>, first: usize, of: &str) -> Result<(), Flaw> {
+        let colors = self.elements(index, &[Type::Vec3, Type::Vec4], of)?;
+        let vertices = raw.positions.len() - first;
+        if colors.count != vertices {
+            return Err(Flaw(format!("{of} has {} elements, and there are {vertices} vertices", colors.count)));
+        }
+        if !colors.are_fractions() {
+            return Err(Flaw(format!("{of} has whole numbers that are not `normalized`")));
+        }
+        for i in 0..vertices {
+            // The specification clamps them.
+            let color = colors.numbers(i).map(|x: f32| f64::from(x.clamp(0.0, 1.0)));
+            raw.colors.set_linear(first + i, color);
+        }
+        Ok(())
+    }
+}
