@@ -148,7 +148,12 @@ fn objects(
             };
             let primitive_key = chosen.map(|chosen| format!("primitive = {chosen}\n")).unwrap_or_default();
             let is_closed = || triangles.opening().is_none();
-            let substance = surfaces.substance(primitive.material.map(|index| index.value()), is_closed, left);
+            let material = primitive.material.map(|index| index.value());
+            let has_vertex_colors = triangles.0.lacks_colors().is_none();
+            if !has_vertex_colors && primitive.attributes.contains_key(&Valid(Semantic::Colors(0))) {
+                left.out("vertex colors that cannot be used", &called);
+            }
+            let substance = surfaces.substance(material, has_vertex_colors, is_closed, left);
             text.extend([format!(
                 "[[objects]]\nshape = \"mesh\"\nfile = {}\nnode = {key}\n{primitive_key}{substance}\n\n",
                 quoted(name)
@@ -163,9 +168,6 @@ fn is_drawn(primitive: &Primitive) -> bool {
 }
 
 fn of_the_primitive(primitive: &Primitive, called: &str, left: &mut Left) {
-    if primitive.attributes.contains_key(&Valid(Semantic::Colors(0))) {
-        left.out("colours of vertices", called);
-    }
     if primitive.targets.as_ref().is_some_and(|targets| !targets.is_empty()) {
         left.out("morph targets", called);
     }

@@ -16,15 +16,17 @@ use crate::assets::json::validation::Checked::Valid;
 use crate::assets::json::{Index, Texture};
 use crate::assets::{Gltf, image_of};
 
+mod paint;
 mod pictures;
+use paint::{Base, Paint};
 use pictures::Pictures;
 
 /// The materials that objects use.
 pub(super) struct Surfaces<'a> {
     file: &'a Gltf,
     pictures: Pictures<'a>,
-    /// Those that are written, by their numbers in the file; none is what has none.
-    known: Vec<(Option<usize>, String)>,
+    /// Those that are written: their numbers in the file, whether vertex colors multiply them, and their names.
+    known: Vec<(Option<usize>, bool, String)>,
     text: String,
     shines: bool,
 }
@@ -34,7 +36,7 @@ const MATTE: f64 = 0.2;
 /// Below this one is a mirror.
 const SMOOTH: f64 = 0.05;
 /// The color of surfaces whose picture cannot be had.
-const MISSING: &str = "[1, 0, 1]";
+const MISSING: DVec3 = DVec3::new(1.0, 0.0, 1.0);
 /// What surfaces that are no metal reflect head on.
 const DIELECTRIC: f64 = 0.04;
 
@@ -54,8 +56,14 @@ impl<'a> Surfaces<'a> {
         (self.text, self.pictures.within)
     }
 
-    /// The key that says what an object is made of.
-    pub fn substance(&mut self, number: Option<usize>, is_closed: impl Fn() -> bool, left: &mut Left) -> String {
+    /// The key that says what an object is made of; `has_vertex_colors` if its mesh has some.
+    pub fn substance(
+        &mut self,
+        number: Option<usize>,
+        has_vertex_colors: bool,
+        is_closed: impl Fn() -> bool,
+        left: &mut Left,
+    ) -> String {
         let material = number.and_then(|number| self.file.root.materials.get(number));
         let extensions = material.and_then(|material| material.extensions.as_ref());
         let transmitted = extensions.and_then(|all| all.transmission.as_ref()).map_or(0.0, |t| t.transmission_factor.0);
@@ -79,45 +87,47 @@ impl<'a> Surfaces<'a> {
                 &name,
             );
         }
-        format!("material = {}", quoted(&self.named(number, left)))
+        format!("material = {}", quoted(&self.named(number, has_vertex_colors, left)))
     }
 
     /// The name of a material, which is written if it is not yet.
-    fn named(&mut self, index: Option<usize>, left: &mut Left) -> String {
-        if let Some((_, name)) = self.known.iter().find(|(known, _)| *known == index) {
+    fn named(&mut self, index: Option<usize>, has_vertex_colors: bool, left: &mut Left) -> String {
+        let is_it = |(known, colored, _): &&(_, _, String)| (*known, *colored) == (index, has_vertex_colors);
+        if let Some((.., name)) = self.known.iter().find(is_it) {
             return name.clone();
         }
         let material = index.and_then(|index| self.file.root.materials.get(index)).cloned().unwrap_or_default();
         let own = material.name.clone().filter(|name| !name.is_empty());
         let mut name = own.unwrap_or_else(|| index.map_or("default".to_owned(), |index| format!("material {index}")));
-        while self.known.iter().any(|(_, known)| *known == name) {
+        while self.known.iter().any(|(.., known)| *known == name) {
             name += "'";
         }
-        let keys = self.keys(&material, &name, left);
+        let keys = self.keys(&material, has_vertex_colors, &name, left);
         self.text.extend([format!("[materials.{}]\n{keys}\n", key(&name))]);
-        self.known.push((index, name.clone()));
+        self.known.push((index, has_vertex_colors, name.clone()));
         name
     }
 
     /// The keys of a material.
-    fn keys(&mut self, material: &Material, name: &str, left: &mut Left) -> String {
+    fn keys(&mut self, material: &Material, has_vertex_colors: bool, name: &str, left: &mut Left) -> String {
         let pbr = &material.pbr_metallic_roughness;
         let extensions = material.extensions.as_ref();
         let strength = extensions.and_then(|all| all.emissive_strength.as_ref()).map_or(1.0, |s| s.emissive_strength.0);
         let emission = Vec3::from(material.emissive_factor.0).as_dvec3() * f64::from(strength);
         let base = Vec4::from(pbr.base_color_factor.0).xyz().as_dvec3();
         let picture = pbr.base_color_texture.as_ref().map(|info| self.picture(info, base, name, left));
-        let pattern = picture.clone().unwrap_or_else(|| color(base));
+        let pattern = Paint { base: picture.unwrap_or(Base::Color(base)), has_vertex_colors };
         lost(material, name, left);
         if extensions.is_some_and(|all| all.unlit.is_some()) {
             self.shines = true;
             return format!("kind = \"emissive\"\ncolor = {pattern}\n");
         }
-        let is_black = picture.is_none() && base == DVec3::ZERO;
+        let is_black = matches!(pattern.base, Base::Color(DVec3::ZERO));
         if emission != DVec3::ZERO && is_black {
             self.shines = true;
             let glow = material.emissive_texture.as_ref().map(|info| self.picture(info, emission, name, left));
-            return format!("kind = \"emissive\"\ncolor = {}\n", glow.unwrap_or_else(|| color(emission)));
+            let glow = Paint { base: glow.unwrap_or(Base::Color(emission)), has_vertex_colors: false };
+            return format!("kind = \"emissive\"\ncolor = {glow}\n");
         }
         let (metal, rough) = self.metal_and_roughness(material, name, left);
         if metal >= 0.5 && rough < MATTE {
@@ -131,7 +141,7 @@ impl<'a> Surfaces<'a> {
         }
         let mut keys = if metal >= 0.5 {
             left.out("the reflections of rough metals, which are matte with a highlight", name);
-            matte_metal(picture.as_deref(), base, rough)
+            matte_metal(&pattern, rough)
         } else {
             matte(&pattern, rough)
         };
@@ -146,14 +156,14 @@ impl<'a> Surfaces<'a> {
         keys
     }
 
-    /// A picture as a pattern, and magenta if it cannot be had: nobody takes that for what was meant. `factor` is what it would be
+    /// The path of a picture, and magenta if it cannot be had: nobody takes that for what was meant. `factor` is what it would be
     /// multiplied with.
-    fn picture(&mut self, info: &Info, factor: DVec3, name: &str, left: &mut Left) -> String {
+    fn picture(&mut self, info: &Info, factor: DVec3, name: &str, left: &mut Left) -> Base {
         let texture: Option<&Texture> = self.file.root.get(info.index);
         let path = image_number(texture, name, left).and_then(|number| self.pictures.path(number, left));
         let Some(path) = path else {
             left.out("the color of surfaces whose image is not read: they are magenta", name);
-            return MISSING.to_owned();
+            return Base::Color(MISSING);
         };
         if !factor.abs_diff_eq(DVec3::ONE, 1e-3) {
             left.out("factors on the colours of pictures", name);
@@ -164,7 +174,7 @@ impl<'a> Surfaces<'a> {
         if sampler.is_some_and(|sampler| !repeats(sampler.wrap_s) || !repeats(sampler.wrap_t)) {
             left.out("pictures that do not repeat as they are", name);
         }
-        format!("{{ image = {} }}", quoted(&path))
+        Base::Image(path)
     }
 
     /// How much of a surface is metal, and how rough it is: on the mean.
@@ -207,17 +217,25 @@ fn blinn(rough: f64) -> f64 {
 }
 
 /// A matte surface with the highlight of its roughness.
-fn matte(pattern: &str, rough: f64) -> String {
+fn matte(pattern: &Paint, rough: f64) -> String {
     let exponent = blinn(rough).min(1e4);
     let height = (DIELECTRIC * (exponent + 8.0) / 8.0).min(0.5);
     highlight(&format!("diffuse = {pattern}\n"), DVec3::splat(height), exponent)
 }
 
 /// Half of what a rough metal gives back is matte, and half in its highlight.
-fn matte_metal(picture: Option<&str>, base: DVec3, rough: f64) -> String {
-    let half = 0.5 * base;
-    let diffuse = picture.map_or_else(|| color(half), str::to_owned);
-    highlight(&format!("diffuse = {diffuse}\n"), if picture.is_some() { DVec3::splat(0.3) } else { half }, blinn(rough))
+fn matte_metal(pattern: &Paint, rough: f64) -> String {
+    let base = match &pattern.base {
+        Base::Color(color) => Base::Color(0.5 * *color),
+        image @ Base::Image(_) => image.clone(),
+    };
+    // The highlight has one color.
+    let height = pattern.constant().map_or(DVec3::splat(0.3), |color| 0.5 * color);
+    highlight(
+        &format!("diffuse = {}\n", Paint { base, has_vertex_colors: pattern.has_vertex_colors }),
+        height,
+        blinn(rough),
+    )
 }
 
 fn highlight(diffuse: &str, height: DVec3, exponent: f64) -> String {

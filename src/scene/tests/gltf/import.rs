@@ -1,5 +1,7 @@
 //! Scenes from glTF files: what is taken over, what is left out, and that all of it is a scene.
 
+mod colors;
+
 use image::{ImageFormat, RgbImage};
 use serde_json::{Value, json};
 
