@@ -146,7 +146,7 @@ fn vertex_colors_multiply_the_color_of_any_material() {
 #[test]
 fn meshes_that_are_kept_once_have_their_colors_in_every_place() {
     let materials = "[materials]\nm = { kind = \"emissive\", color = { vertex_colors = true } }\n\
-                     plain = { kind = \"emissive\", color = [0.25, 0.5, 0.75] }";
+                     plain = { kind = \"emissive\", color = { checker = [[0.25, 0.5, 0.75], [0, 0, 0]] } }";
     let place = |i: u32| {
         let (turn, at) = (17 * i, [0.9 * f64::from(i % 4) - 1.4, 0.9 * f64::from(i / 4) - 1.4, 0.3 * f64::from(i)]);
         let material = if i.is_multiple_of(3) { "plain" } else { "m" };

@@ -151,6 +151,10 @@ fn colors_that_cannot_be_used_say_why() {
     );
     assert!(lacks(&obj([" 0 0 x", "", ""])).contains("vertex 0 (from 0) has the color [0, 0, NaN]"));
     assert!(lacks(&obj(["", "", " 0 -1 0"])).contains("vertex 2 (from 0) has the color [0, -1, 0]"));
+    let faces = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n\
+                 property list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n\
+                 end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 9 9 9\n";
+    assert!(lacks(&load("a.ply", faces.as_bytes())).ends_with("the file gives colors to faces, and none to vertices"));
     // Numbers may be rounded.
     assert_eq!(obj([" 1.000001 0 -1e-9"; 3]).colors, [Vec3::X; 3]);
     let of = "meshes[0].primitives[0].attributes.COLOR_0";
@@ -174,6 +178,26 @@ fn a_mean_color_counts_areas() {
     let mesh = Mesh::parse(text, Path::new("a.obj")).expect("a mesh");
     assert!(mesh.mean_color().abs_diff_eq(DVec3::new(0.1, 0.0, 0.9), 1e-12));
     assert_eq!(obj([""; 3]).mean_color(), DVec3::ONE);
+}
+
+/// Paths aim at a lamp by its mean radiance, and not at one whose vertex colors are black.
+#[test]
+fn a_lamp_is_as_bright_as_its_vertex_colors() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let lamps = |color: &str| {
+        let text = format!("v 0 0 0 {color}\nv 1 0 0 {color}\nv 0 1 0 {color}\nf 1 2 3\n");
+        std::fs::write(folder.path().join("lamp.obj"), text).expect("written");
+        let text = "[rays]\nbound = { radius = 10 }\ntransport = \"paths\"\n[materials.m]\nkind = \"emissive\"\n\
+                    color = { color = [3, 3, 3], vertex_colors = true }\n[[objects]]\nshape = \"mesh\"\n\
+                    file = \"lamp.obj\"\nmaterial = \"m\"\n";
+        let scene =
+            Scene::parse(text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
+        scene.lamps()
+    };
+    assert!(lamps("0 0 0").is_empty());
+    let [red] = lamps("1 0 0")[..] else { panic!("one lamp") };
+    let expected = std::f64::consts::PI * red.radius.powi(2);
+    assert!((red.power - expected).abs() < 1e-12 * expected, "{red:?}");
 }
 
 /// A scene of two meshes, one with colors; the second object has these keys.

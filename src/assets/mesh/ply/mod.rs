@@ -52,6 +52,10 @@ fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> 
     mesh.raw(path, check)
 }
 
+/// What the components of a color are called.
+const COLOR: [&[&str]; 3] =
+    [&["red", "r", "diffuse_red"], &["green", "g", "diffuse_green"], &["blue", "b", "diffuse_blue"]];
+
 /// What was read of the elements that matter.
 #[derive(Default)]
 struct Assembled {
@@ -62,6 +66,7 @@ struct Assembled {
     /// The texture coordinates of faces that have their own, as many as vertices, or none.
     corner_uvs: Vec<Vec2>,
     faces_uvs: Vec<bool>,
+    has_face_colors: bool,
 }
 
 impl Assembled {
@@ -97,9 +102,9 @@ impl Assembled {
             place(&["nz"]),
             place(&["s", "u", "texture_u", "texture_s"]),
             place(&["t", "v", "texture_v", "texture_t"]),
-            place(&["red", "r", "diffuse_red"]),
-            place(&["green", "g", "diffuse_green"]),
-            place(&["blue", "b", "diffuse_blue"]),
+            place(COLOR[0]),
+            place(COLOR[1]),
+            place(COLOR[2]),
         ];
         let has = |range: std::ops::Range<usize>| places[range].iter().all(Option::is_some);
         let (normals, uvs, colors) = (has(3..6), has(6..8), has(8..11));
@@ -133,6 +138,8 @@ impl Assembled {
     }
 
     fn faces(&mut self, element: &Element, vertices: u64, source: &mut impl Source) -> Result<(), Wrong> {
+        let has = |names: &&[&str]| element.properties.iter().any(|p| names.contains(&p.name.as_str()));
+        self.has_face_colors = COLOR.iter().all(has);
         for _ in 0..element.count {
             source.begin(element)?;
             let (before, mut own) = (self.indices.len(), Vec::new());
@@ -198,7 +205,10 @@ impl Assembled {
     }
 
     fn raw(self, path: &Path, check: impl Fn(u64) -> Result<(), SceneError>) -> Result<Raw, SceneError> {
-        let Self { mut raw, indices, sizes, corner_uvs, faces_uvs } = self;
+        let Self { mut raw, indices, sizes, corner_uvs, faces_uvs, has_face_colors } = self;
+        if has_face_colors && !raw.colors.are_there() {
+            raw.colors.reject("the file gives colors to faces, and none to vertices".to_owned());
+        }
         let (has_normals, has_uvs) = (!raw.normals.is_empty(), !raw.uvs.is_empty());
         // The texture coordinates of faces stand behind those of vertices.
         let mut next_uv = raw.uvs.len() as u32;
