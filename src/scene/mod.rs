@@ -20,7 +20,9 @@ mod rays;
 mod reference;
 mod rounding;
 mod shutter;
+mod sky;
 mod sky_cells;
+mod surfaces;
 mod throat;
 mod vertex_colors;
 
@@ -45,6 +47,7 @@ pub use lights::{Clear, Light, LightGrid, LightSource, Shadows};
 pub use output::{Output, Tonemap};
 pub use rays::{Accelerate, Accuracy, Auto, Bound, Branches, Paths, Precision, Rays, Segment};
 pub use reference::{REFERENCE, TEMPLATES, Template, reference_markdown};
+pub use sky::Sky;
 pub use sky_cells::SkyCells;
 
 use std::sync::Arc;
@@ -200,93 +203,6 @@ impl Scene {
         self.law.captures(clearance).into_iter().chain(interiors).collect()
     }
 
-    /// The material of an object, if it is opaque.
-    #[must_use]
-    pub fn material_of(&self, object: &Object) -> Option<&Material> {
-        Some(&self.materials[object.material()?])
-    }
-
-    /// Does a ray continue from the surface of an object that is opaque?
-    #[must_use]
-    pub fn continues_from(&self, object: &Object) -> bool {
-        self.material_of(object).is_some_and(|material| material.surface.continues())
-    }
-
-    /// Does a ray end on the surface of an object, and go on behind it as well?
-    #[must_use]
-    pub fn shows_through(&self, object: &Object) -> bool {
-        self.material_of(object).is_some_and(|material| material.surface.opacity() < 1.0)
-    }
-
-    /// Is there such a surface?
-    #[must_use]
-    pub fn has_translucent(&self) -> bool {
-        self.objects.iter().any(|object| self.shows_through(object))
-    }
-
-    /// Can it be told of which crossing of a translucent surface light is? So where rays branch nowhere else, and not at random.
-    #[must_use]
-    pub fn has_orders(&self) -> bool {
-        let counts = matches!(self.rays.branches, Branches::Enumerated(_)) && self.image.adaptive.is_none();
-        self.has_translucent() && counts && !self.splits() && self.fans().is_empty()
-    }
-
-    /// Are pictures and patterns averaged over what a pixel sees of them, and is there anything to average?
-    #[must_use]
-    pub fn has_footprints(&self) -> bool {
-        let varies = |material: &Material| material.color.is_averaged();
-        self.image.footprints && (!self.pictures.is_empty() || self.used_materials().any(varies))
-    }
-
-    /// The materials of its objects, each as often as it is used.
-    pub fn used_materials(&self) -> impl Iterator<Item = &Material> {
-        self.objects.iter().filter_map(|object| self.material_of(object))
-    }
-
-    /// Does a ray continue from some surface?
-    #[must_use]
-    pub fn scatters(&self) -> bool {
-        let goes_on = |object: &Object| self.continues_from(object) || self.shows_through(object);
-        self.rays.paths.is_some() || self.splits() || self.objects.iter().any(goes_on)
-    }
-
-    /// What surfaces send rays on in several directions by a law of the user's own, by their materials' places.
-    #[must_use]
-    pub fn fans(&self) -> Vec<(usize, &[FanRay])> {
-        let used = |i: usize| self.objects.iter().any(|object| object.material() == Some(i));
-        let all = self.materials.iter().enumerate().filter(|(i, _)| used(*i));
-        all.filter_map(|(i, material)| Some((i, material.surface.fan()?))).collect()
-    }
-
-    /// Is there a surface from which a ray goes on in more than one way?
-    #[must_use]
-    pub fn branches(&self) -> bool {
-        self.splits() || self.has_translucent() || self.fans().iter().any(|(_, rays)| rays.len() > 1)
-    }
-
-    /// Is there a surface from which a ray goes on in a direction that is drawn from a lobe?
-    #[must_use]
-    pub fn has_lobes(&self) -> bool {
-        self.used_materials().any(|material| material.surface.has_lobe()) || self.has_rough_glass()
-    }
-
-    /// How rough its clear objects are.
-    pub fn glosses(&self) -> impl Iterator<Item = Gloss> {
-        self.objects.iter().filter_map(|object| Some(object.interior()?.gloss))
-    }
-
-    /// Is there a clear object with a rough surface?
-    #[must_use]
-    pub fn has_rough_glass(&self) -> bool {
-        self.glosses().any(|gloss| gloss != Gloss::Smooth)
-    }
-
-    /// Is there a surface that both reflects and transmits?
-    #[must_use]
-    pub fn splits(&self) -> bool {
-        self.objects.iter().any(|object| object.interior().is_some())
-    }
-
     /// Is there a medium whose paths have a closed form, or may be integrated as well?
     #[must_use]
     pub fn has_closed_forms(&self) -> bool {
@@ -327,15 +243,6 @@ impl Scene {
         self.objects.iter().enumerate().filter_map(remark).collect()
     }
 
-    /// The WGSL part of a material here.
-    #[must_use]
-    pub fn part_of(&self, material: &Material) -> &'static str {
-        match material.surface.occluded_part() {
-            Some(part) if self.is_occluded() => part,
-            _ => material.surface.part(),
-        }
-    }
-
     /// Does light from the lights go where it goes in another scene? The camera, the sky and colours that show only there do not matter.
     #[must_use]
     pub fn is_lit_as(&self, other: &Self) -> bool {
@@ -345,13 +252,6 @@ impl Scene {
             && self.materials == other.materials
             && self.objects == other.objects
             && self.lights == other.lights
-    }
-
-    /// Is there a surface that shows a light?
-    #[must_use]
-    pub fn is_lit(&self) -> bool {
-        let lit = |object: &Object| self.material_of(object).is_some_and(|material| material.surface.is_lit());
-        !self.lights.is_empty() && self.objects.iter().any(lit)
     }
 
     /// The angle of a pixel at the picture's centre, in radians.
@@ -378,29 +278,4 @@ pub struct Occlusion {
     pub floor: f64,
     /// What clear things do to it.
     pub clear: Clear,
-}
-
-/// `[sky]`.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Sky {
-    /// One colour; black unless the scene says otherwise.
-    Color(DVec3),
-    /// Nothing: no light comes from it, and files carry how much of a pixel shows it, as alpha.
-    Transparent,
-    /// An equirectangular picture: index into [`Scene::pictures`], and a factor on its radiance.
-    Equirectangular(usize, f64),
-    /// Six faces +x −x +y −y +z −z, seen from inside: indices into [`Scene::pictures`], and a factor.
-    Faces([usize; 6], f64),
-}
-
-impl Sky {
-    /// The WGSL part that shows it.
-    #[must_use]
-    pub fn part(&self) -> &'static str {
-        match self {
-            Self::Color(_) | Self::Transparent => "picture/sky/color",
-            Self::Equirectangular(..) => "picture/sky/equirectangular",
-            Self::Faces(..) => "picture/sky/faces",
-        }
-    }
 }
