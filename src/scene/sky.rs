@@ -9,9 +9,9 @@ pub enum Sky {
     Color(DVec3),
     /// Nothing: no light comes from it, and files carry how much of a pixel shows it, as alpha.
     Transparent,
-    /// An equirectangular picture: index into [`Scene::pictures`], and a factor on its radiance.
+    /// An equirectangular picture: index into [`Scene::pictures`](super::Scene::pictures), and a factor on its radiance.
     Equirectangular(usize, f64),
-    /// Six faces +x −x +y −y +z −z, seen from inside: indices into [`Scene::pictures`], and a factor.
+    /// Six faces +x −x +y −y +z −z, seen from inside: indices into [`Scene::pictures`](super::Scene::pictures), and a factor.
     Faces([usize; 6], f64),
 }
 
