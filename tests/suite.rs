@@ -47,6 +47,7 @@ mod shaders;
 mod shifts;
 mod sky_light;
 mod spacetimes;
+mod steps;
 mod structure;
 mod transparency;
 mod travels;
