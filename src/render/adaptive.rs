@@ -10,7 +10,7 @@
 //! 36 bytes a pixel, and 8 for the lists.
 
 use super::clock::Clock;
-use super::readback::read_buffer;
+use super::records::Row;
 use super::sample::{Refines, Sample};
 use super::{Adaptive, RenderError, Renderer};
 use crate::gpu::{GpuError, Tile};
@@ -69,25 +69,26 @@ impl Renderer<'_> {
 
     /// How many pixels want more samples; those that stopped at the cap since this was read last are added to `sums`.
     fn read_refined(&self, tile: &Tile, sums: &mut Adaptive) -> Result<u64, GpuError> {
-        let Some(buffer) = tile.buffer(&Role::Refined) else { return Ok(0) };
-        let bytes = read_buffer(self.gpu, buffer, |_| {})?;
-        self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-        sums.capped += u64::from(words[1]);
-        Ok(words[0].into())
+        let records = self.take_records(tile, &Role::Refined)?;
+        let Some(refined) = records.rows().next() else { return Ok(0) };
+        sums.capped += u64::from(refined.uint("capped"));
+        Ok(refined.uint("open").into())
     }
 
     /// Of every pixel of the tile with its margin, row by row; none if the tile has none.
     pub(super) fn read_moments(&self, tile: &Tile) -> Result<Option<Vec<Moments>>, GpuError> {
-        let Some(buffer) = tile.buffer(&Role::Moments) else { return Ok(None) };
-        let bytes = read_buffer(self.gpu, buffer, |_| {})?;
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
+        if tile.buffer(&Role::Moments).is_none() {
+            return Ok(None);
+        }
         let rays = constant("picture/adaptive", "RAYS") as u32;
-        let moments = |words: &[u32]| {
-            let color = [words[0], words[1], words[2], words[3]].map(f32::from_bits);
-            let squares = [words[4], words[5], words[6]].map(f32::from_bits);
-            Moments { color, squares, rays: words[7] & rays }
+        let moments = |row: Row| {
+            let ([r, g, b], alpha) = (row.vector("color"), row.float("alpha"));
+            Moments {
+                color: [r, g, b, alpha].map(|value| value as f32),
+                squares: row.vector("squares").map(|value| value as f32),
+                rays: row.uint("state") & rays,
+            }
         };
-        Ok(Some(words.chunks_exact(8).map(moments).collect()))
+        Ok(Some(self.records(tile, &Role::Moments)?.rows().map(moments).collect()))
     }
 }

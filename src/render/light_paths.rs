@@ -5,10 +5,11 @@ use std::time::Instant;
 use glam::DVec3;
 
 use super::clock::Clock;
-use super::trace::{BATCH, ray_tile, read_rows};
+use super::records::Row;
+use super::trace::{BATCH, ray_tile};
 use super::{RenderError, RenderSettings, Renderer, Totals};
 use crate::gpu::Gpu;
-use crate::program::{Choice, Masks, Purpose, Schedule, all_shots, constant};
+use crate::program::{Choice, Masks, Purpose, Role, Schedule, all_shots, constant};
 use crate::scene::Scene;
 
 /// A path that leads from a light to a place.
@@ -74,16 +75,17 @@ impl Renderer<'_> {
             let (tile, sample) = ray_tile(self, &rays)?;
             self.run_sample(&tile, sample, &mut clock, &|_| {})?;
             self.read_tally(&tile, &mut totals, None)?;
-            let rows = read_rows(self, &tile, rays.len(), |row| {
+            let path = |row: Row| {
                 let path = LightPath {
                     leaves: row.vector("leaves"),
                     arrives: row.vector("arrives"),
-                    spread: row.float("spread", 0),
-                    error: row.float("error", 0),
+                    spread: row.float("spread"),
+                    error: row.float("error"),
                     clear: row.uint("clear") == 1,
                 };
                 (row.uint("found") == 1).then_some(path)
-            })?;
+            };
+            let rows: Vec<_> = self.records(&tile, &Role::Records)?.rows().map(path).collect();
             stage.advance(batch.len() as f64);
             let own = |pair: usize| {
                 let first = pair / abreast * each * abreast + pair % abreast;

@@ -24,6 +24,7 @@ mod picture;
 mod plan;
 mod planning;
 mod readback;
+mod records;
 mod renderer;
 mod runner;
 mod sample;

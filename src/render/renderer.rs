@@ -10,7 +10,6 @@ use wgpu::ErrorFilter;
 use super::clock::Clock;
 use super::grids::LightGrids;
 use super::plan::Plans;
-use super::readback::read_buffer;
 use super::sample::Sample;
 use super::{LightReport, RenderError, RenderSettings, Totals, Window};
 use crate::gpu::{
@@ -257,16 +256,14 @@ impl<'a> Renderer<'a> {
     /// `rays` is how many there are, where that is known beforehand: a software device that stops an invocation for its loops says nothing,
     /// and what a pass of whole paths then left out is only missing from the count.
     pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals, rays: Option<u64>) -> Result<Walks, GpuError> {
-        let Some(buffer) = tile.buffer(&Role::Tally) else { return Ok(Walks::Ended) };
-        let bytes = read_buffer(self.gpu, buffer, |_| {})?;
-        self.gpu.queue.write_buffer(buffer, 0, &vec![0; bytes.len()]);
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(&bytes);
-        let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&words) < rays);
-        let unfinished = missing || Totals::unfinished(&words) > 0;
+        let records = self.take_records(tile, &Role::Tally)?;
+        let Some(tally) = records.rows().next() else { return Ok(Walks::Ended) };
+        let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&tally) < rays);
+        let unfinished = missing || Totals::unfinished(&tally) > 0;
         if unfinished && (self.is_whole() || self.plan_longer()) {
             return Ok(Walks::Unfinished);
         }
-        totals.add_tally(&words);
+        totals.add_tally(&tally);
         Ok(Walks::Ended)
     }
 

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use std::time::Duration;
 
 use super::Noise;
+use super::records::Row;
 use crate::program::constant;
 
 /// How a ray ended.
@@ -174,6 +175,11 @@ impl fmt::Display for Clamped {
     }
 }
 
+/// What a tally counted of a status code, by its name in WGSL.
+fn counted(tally: &Row, code: &str) -> u64 {
+    tally.uint_at("statuses", constant("segment/ray", code) as usize).into()
+}
+
 impl Totals {
     /// Time of the passes that advance and intersect on the device, or the whole time where a device does not say.
     #[must_use]
@@ -200,34 +206,33 @@ impl Totals {
     }
 
     /// Rays in a tally whose walks did not end: left alive by passes that ran out, or stopped by the termination.
-    pub(super) fn unfinished(words: &[u32]) -> u32 {
-        let count = |name: &str| words[6 + constant("segment/ray", name) as usize];
-        count("ALIVE") + count("UNFINISHED")
+    pub(super) fn unfinished(tally: &Row) -> u64 {
+        counted(tally, "ALIVE") + counted(tally, "UNFINISHED")
     }
 
     /// Rays in a tally, by the code of how they ended.
-    fn ends(words: &[u32]) -> impl Iterator<Item = (u32, u64)> {
+    fn ends(tally: &Row) -> impl Iterator<Item = (u32, u64)> {
         let others = ["UNLIT", "LOST", "UNFILTERED"].map(|name| constant("segment/ray", name) as u32);
-        let codes = words[6..].iter().take(16).zip(0..).map(|(n, code)| (code, u64::from(*n)));
-        codes.filter(move |(code, _)| !others.contains(code))
+        let codes = 0..constant("state/tally", "STATUSES") as u32;
+        codes
+            .filter(move |code| !others.contains(code))
+            .map(|code| (code, tally.uint_at("statuses", code as usize).into()))
     }
 
     /// Rays in a tally, however they ended.
-    pub(super) fn counted(words: &[u32]) -> u64 {
-        Self::ends(words).map(|(_, n)| n).sum()
+    pub(super) fn counted(tally: &Row) -> u64 {
+        Self::ends(tally).map(|(_, n)| n).sum()
     }
 
-    /// Adds a tile's tally, the words of `Tally` in `shaders/state/tally.wgsl`.
-    pub(super) fn add_tally(&mut self, words: &[u32]) {
-        let wide = |i: usize| u64::from(words[i]) + (u64::from(words[i + 1]) << 32);
-        self.steps += wide(0);
-        self.segments += wide(2);
-        self.rejected += wide(4);
-        let besides = |name: &str| u64::from(words[6 + constant("segment/ray", name) as usize]);
-        self.unlit += besides("UNLIT");
-        self.lost += besides("LOST");
-        self.unfiltered += besides("UNFILTERED");
-        for (code, n) in Self::ends(words) {
+    /// Adds a tile's tally, the `Tally` of `shaders/state/tally.wgsl`.
+    pub(super) fn add_tally(&mut self, tally: &Row) {
+        self.steps += tally.wide("steps");
+        self.segments += tally.wide("segments");
+        self.rejected += tally.wide("rejected");
+        self.unlit += counted(tally, "UNLIT");
+        self.lost += counted(tally, "LOST");
+        self.unfiltered += counted(tally, "UNFILTERED");
+        for (code, n) in Self::ends(tally) {
             self.rays += n;
             let status = Status::from_code(code);
             match self.by_status.iter_mut().find(|(s, _)| *s == status) {

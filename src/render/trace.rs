@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::readback::read_buffer;
+use super::records::Row;
 use super::renderer::Walks;
 use super::sample::Sample;
 use super::step::Step;
@@ -10,7 +10,7 @@ use super::{RenderError, RenderSettings, Renderer, Status, Totals};
 use crate::gpu::{Gpu, Tile, pack};
 use crate::model::Object;
 use crate::model::Value::Vec3;
-use crate::program::{Analysis, Choice, Field, Layout, Masks, Pass, Purpose, Regions, Role, Schedule};
+use crate::program::{Analysis, Choice, Masks, Pass, Purpose, Regions, Role, Schedule};
 use crate::scene::{Precision, Scene};
 
 /// Where a ray ended.
@@ -320,66 +320,24 @@ fn list_tile(renderer: &Renderer, count: usize, row: u32, role: &Role, list: &[u
 }
 
 fn read_records(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<Traced>, RenderError> {
-    read_rows(renderer, tile, count, |row| Traced {
+    let traced = |row: Row| Traced {
         status: Status::from_code(row.uint("status")),
         x: row.vector("x"),
         v: row.vector("v"),
-        tau: row.float("tau", 0),
-        depth: row.float("depth", 0),
+        tau: row.float("tau"),
+        depth: row.float("depth"),
         steps: row.uint("steps"),
         rejected: row.uint("rejected"),
         object: row.uint("object").checked_sub(1),
-    })
+    };
+    Ok(renderer.records(tile, &Role::Records)?.rows().take(count).map(traced).collect())
 }
 
 /// Where rays start, after the setup alone: it knows of some that they end in their first segment, and records that end.
 fn read_starts(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<(Status, PathPoint)>, RenderError> {
-    read_rows(renderer, tile, count, |row| {
+    let begun = |row: Row| {
         let start = PathPoint { x: row.vector("from_x"), v: row.vector("from_v"), tau: 0.0 };
         (Status::from_code(row.uint("status")), start)
-    })
-}
-
-pub(super) fn read_rows<T>(
-    renderer: &Renderer,
-    tile: &Tile,
-    count: usize,
-    read: impl Fn(Row) -> T,
-) -> Result<Vec<T>, RenderError> {
-    let layout = renderer.layout(&Role::Records)?;
-    let Some(buffer) = tile.buffer(&Role::Records) else { return Ok(Vec::new()) };
-    let bytes = read_buffer(renderer.gpu, buffer, |_| {})?;
-    let rows = bytes.chunks_exact(layout.span as usize).take(count).map(|row| Row { layout, bytes: row });
-    Ok(rows.map(read).collect())
-}
-
-/// A record as bytes, read by its reflected layout.
-pub(super) struct Row<'a> {
-    layout: &'a Layout,
-    bytes: &'a [u8],
-}
-
-impl Row<'_> {
-    /// The scalar k of a member, as far as there is one.
-    fn scalar(&self, name: &str, k: usize) -> &[u8] {
-        let field = self.layout.fields.iter().find(|field: &&Field| field.name == name);
-        field.map_or(&[], |field| {
-            let at = field.offset as usize + k * field.width as usize;
-            &self.bytes[at..at + field.width as usize]
-        })
-    }
-
-    pub(super) fn uint(&self, name: &str) -> u32 {
-        self.scalar(name, 0).try_into().map_or(0, u32::from_ne_bytes)
-    }
-
-    pub(super) fn float(&self, name: &str, k: usize) -> f64 {
-        let bytes = self.scalar(name, k);
-        let single = || bytes.try_into().map_or(f64::NAN, |b| f32::from_ne_bytes(b).into());
-        bytes.try_into().map_or_else(|_| single(), f64::from_ne_bytes)
-    }
-
-    pub(super) fn vector(&self, name: &str) -> [f64; 3] {
-        [0, 1, 2].map(|k| self.float(name, k))
-    }
+    };
+    Ok(renderer.records(tile, &Role::Records)?.rows().take(count).map(begun).collect())
 }
