@@ -17,6 +17,7 @@ use super::Decoded;
 use super::broken::broken;
 use super::encoding::{convert, matrix_of};
 use super::primaries::Primaries;
+use crate::assets::flaw::are_padding;
 use crate::progress::{Stage, Watched};
 
 /// What every file begins with, whichever program's name follows.
@@ -39,13 +40,18 @@ pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
 
 /// Reads a file as radiance.
 pub(super) fn read(path: &Path, stage: &Stage) -> Result<Decoded, String> {
-    let (Header { size, scale, to_rec709, mut notes }, rest) = open(path, stage)?;
+    let (Header { size, scale, to_rec709, mut notes }, mut rest) = open(path, stage)?;
     // The same header for all, in the form that `image` knows.
     let head = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", size[1], size[0]);
-    let decoder = HdrDecoder::new(Cursor::new(head).chain(rest)).map_err(|error| broken(&error))?;
+    let decoder = HdrDecoder::new(Cursor::new(head).chain(&mut rest)).map_err(|error| broken(&error))?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| broken(&error))?;
     let mut pixels: Vec<[f32; 3]> = image.into_rgb32f().pixels().map(|pixel| pixel.0).collect();
     notes.extend(convert(&mut pixels, to_rec709 * DMat3::from_diagonal(scale.recip())));
+    let mut behind = Vec::new();
+    rest.take(LONGEST).read_to_end(&mut behind).map_err(|error| broken(&error))?;
+    if !are_padding(&behind) {
+        notes.push(format!("its header says {} rows, and what is behind them is not read", size[1]));
+    }
     Ok(Decoded { pixels, notes })
 }
 

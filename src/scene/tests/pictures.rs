@@ -79,6 +79,23 @@ fn what_an_hdr_file_was_multiplied_by_is_taken_out_of_it() {
     assert!(error.contains("its FORMAT is 32-bit_rle_xyze"), "{error}");
 }
 
+#[test]
+fn rows_that_a_header_leaves_out_are_told() {
+    let (_folder, path) = in_folder("f.hdr");
+    hdr(&path, [0.5, 2.0, 8.0], "#?RADIANCE", "");
+    let whole = fs::read(&path).expect("read");
+    let at = whole.windows(4).position(|part| part == b"-Y 2").expect("a size");
+    for (rows, behind, told) in
+        [(b'1', &b""[..], true), (b'2', b"", false), (b'2', b"\0\0\n", false), (b'2', b"more", true)]
+    {
+        let mut bytes = [&whole[..], behind].concat();
+        bytes[at + 3] = rows;
+        fs::write(&path, bytes).expect("written");
+        let notes = load(&path).notes.join("\n");
+        assert_eq!(notes.contains("what is behind them is not read"), told, "{rows} {behind:?}: {notes}");
+    }
+}
+
 /// The primaries of ACES in each format that has chromaticities: the same color becomes the same.
 #[test]
 fn primaries_become_those_of_rec_709() {
