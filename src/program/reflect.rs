@@ -99,6 +99,14 @@ pub struct Layout {
     pub count: Option<u32>,
 }
 
+impl Layout {
+    /// The member of this name.
+    #[must_use]
+    pub fn field(&self, name: &str) -> Option<&Field> {
+        self.fields.iter().find(|field| field.name == name)
+    }
+}
+
 /// A member of a struct.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {

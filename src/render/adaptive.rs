@@ -77,18 +77,17 @@ impl Renderer<'_> {
 
     /// Of every pixel of the tile with its margin, row by row; none if the tile has none.
     pub(super) fn read_moments(&self, tile: &Tile) -> Result<Option<Vec<Moments>>, GpuError> {
-        if tile.buffer(&Role::Moments).is_none() {
+        let records = self.records(tile, &Role::Moments)?;
+        let [color, alpha, squares, state] = ["color", "alpha", "squares", "state"].map(|name| records.field(name));
+        let (Some(color), Some(alpha), Some(squares), Some(state)) = (color, alpha, squares, state) else {
             return Ok(None);
-        }
+        };
         let rays = constant("picture/adaptive", "RAYS") as u32;
         let moments = |row: Row| {
-            let ([r, g, b], alpha) = (row.vector("color"), row.float("alpha"));
-            Moments {
-                color: [r, g, b, alpha].map(|value| value as f32),
-                squares: row.vector("squares").map(|value| value as f32),
-                rays: row.uint("state") & rays,
-            }
+            let ([r, g, b], [alpha], [state]) = (row.words(color), row.words(alpha), row.words(state));
+            let squares = row.words(squares).map(f32::from_bits);
+            Moments { color: [r, g, b, alpha].map(f32::from_bits), squares, rays: state & rays }
         };
-        Ok(Some(self.records(tile, &Role::Moments)?.rows().map(moments).collect()))
+        Ok(Some(records.rows().map(moments).collect()))
     }
 }

@@ -37,6 +37,11 @@ impl Records<'_> {
             rows.map(move |bytes| Row { layout, bytes })
         })
     }
+
+    /// A member, to be looked for once where there are many rows.
+    pub(super) fn field(&self, name: &str) -> Option<&Field> {
+        self.layout?.field(name)
+    }
 }
 
 /// A struct as bytes.
@@ -47,13 +52,21 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
+    /// The scalars of a member.
+    fn bytes_of(&self, field: &Field) -> impl Iterator<Item = &[u8]> {
+        let (at, width) = (field.offset as usize, field.width as usize);
+        self.bytes[at..at + width * field.components as usize].chunks_exact(width)
+    }
+
     /// The scalars of a member; none if there is no such member.
     fn scalars(&self, name: &str) -> impl Iterator<Item = &[u8]> {
-        let field = self.layout.fields.iter().find(|field: &&Field| field.name == name);
-        field.into_iter().flat_map(|field| {
-            let (at, width) = (field.offset as usize, field.width as usize);
-            self.bytes[at..at + width * field.components as usize].chunks_exact(width)
-        })
+        self.layout.field(name).into_iter().flat_map(|field| self.bytes_of(field))
+    }
+
+    /// The first words of a member of 32 bits.
+    pub(super) fn words<const N: usize>(&self, field: &Field) -> [u32; N] {
+        let mut words = self.bytes_of(field).map(|bytes| bytes.try_into().map_or(0, u32::from_ne_bytes));
+        [(); N].map(|()| words.next().unwrap_or(0))
     }
 
     pub(super) fn uint(&self, name: &str) -> u32 {
