@@ -10,7 +10,7 @@
 //! 36 bytes a pixel, and 8 for the lists.
 
 use super::clock::Clock;
-use super::records::Row;
+use super::records::{Records, Row};
 use super::sample::{Refines, Sample};
 use super::{Adaptive, RenderError, Renderer};
 use crate::gpu::{GpuError, Tile};
@@ -69,7 +69,7 @@ impl Renderer<'_> {
 
     /// How many pixels want more samples; those that stopped at the cap since this was read last are added to `sums`.
     fn read_refined(&self, tile: &Tile, sums: &mut Adaptive) -> Result<u64, GpuError> {
-        let records = self.take_records(tile, &Role::Refined)?;
+        let records = Records::take(self.gpu, &self.program, tile, &Role::Refined)?;
         let Some(refined) = records.rows().next() else { return Ok(0) };
         sums.capped += u64::from(refined.uint("capped"));
         Ok(refined.uint("open").into())
@@ -77,7 +77,7 @@ impl Renderer<'_> {
 
     /// Of every pixel of the tile with its margin, row by row; none if the tile has none.
     pub(super) fn read_moments(&self, tile: &Tile) -> Result<Option<Vec<Moments>>, GpuError> {
-        let records = self.records(tile, &Role::Moments)?;
+        let records = Records::read(self.gpu, &self.program, tile, &Role::Moments)?;
         let [color, alpha, squares, state] = ["color", "alpha", "squares", "state"].map(|name| records.field(name));
         let (Some(color), Some(alpha), Some(squares), Some(state)) = (color, alpha, squares, state) else {
             return Ok(None);

@@ -5,7 +5,7 @@ use std::time::Instant;
 use glam::DVec3;
 
 use super::clock::Clock;
-use super::records::Row;
+use super::records::{Records, Row};
 use super::trace::{BATCH, ray_tile};
 use super::{RenderError, RenderSettings, Renderer, Totals};
 use crate::gpu::Gpu;
@@ -85,7 +85,8 @@ impl Renderer<'_> {
                 };
                 (row.uint("found") == 1).then_some(path)
             };
-            let rows: Vec<_> = self.records(&tile, &Role::Records)?.rows().map(path).collect();
+            let rows: Vec<_> =
+                Records::read(self.gpu, &self.program, &tile, &Role::Records)?.rows().map(path).collect();
             stage.advance(batch.len() as f64);
             let own = |pair: usize| {
                 let first = pair / abreast * each * abreast + pair % abreast;

@@ -1,9 +1,8 @@
 //! What passes write for the host, read by the names that it has in WGSL.
 
-use super::Renderer;
 use super::readback::read_buffer;
-use crate::gpu::{GpuError, Tile};
-use crate::program::{Field, Layout, Role};
+use crate::gpu::{Gpu, GpuError, Tile};
+use crate::program::{Field, Layout, Program, Role};
 
 /// The structs of a buffer.
 pub(super) struct Records<'a> {
@@ -11,26 +10,24 @@ pub(super) struct Records<'a> {
     bytes: Vec<u8>,
 }
 
-impl Renderer<'_> {
-    /// Waits for the device and reads what a tile's buffer of this role holds: nothing where no pass binds one.
-    pub(super) fn records(&self, tile: &Tile, role: &Role) -> Result<Records<'_>, GpuError> {
-        let layout = self.program.layout(role);
+impl<'a> Records<'a> {
+    /// Waits for the device and reads what a tile's buffer of this role holds: nothing where no pass of the program binds one.
+    pub(super) fn read(gpu: &Gpu, program: &'a Program, tile: &Tile, role: &Role) -> Result<Self, GpuError> {
+        let layout = program.layout(role);
         let buffer = tile.buffer(role).filter(|_| layout.is_some());
-        let bytes = buffer.map(|buffer| read_buffer(self.gpu, buffer, |_| {})).transpose()?;
-        Ok(Records { layout, bytes: bytes.unwrap_or_default() })
+        let bytes = buffer.map(|buffer| read_buffer(gpu, buffer, |_| {})).transpose()?;
+        Ok(Self { layout, bytes: bytes.unwrap_or_default() })
     }
 
-    /// As [`records`](Self::records), and sets all of it to 0 for the next time.
-    pub(super) fn take_records(&self, tile: &Tile, role: &Role) -> Result<Records<'_>, GpuError> {
-        let records = self.records(tile, role)?;
+    /// As [`read`](Self::read), and sets all of it to 0 for the next time.
+    pub(super) fn take(gpu: &Gpu, program: &'a Program, tile: &Tile, role: &Role) -> Result<Self, GpuError> {
+        let records = Self::read(gpu, program, tile, role)?;
         if let Some(buffer) = tile.buffer(role) {
-            self.gpu.queue.write_buffer(buffer, 0, &vec![0; records.bytes.len()]);
+            gpu.queue.write_buffer(buffer, 0, &vec![0; records.bytes.len()]);
         }
         Ok(records)
     }
-}
 
-impl Records<'_> {
     pub(super) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.layout.into_iter().flat_map(|layout| {
             let rows = self.bytes.chunks_exact(layout.span as usize);

@@ -10,6 +10,7 @@ use wgpu::ErrorFilter;
 use super::clock::Clock;
 use super::grids::LightGrids;
 use super::plan::Plans;
+use super::records::Records;
 use super::sample::Sample;
 use super::{LightReport, RenderError, RenderSettings, Totals, Window};
 use crate::gpu::{
@@ -256,7 +257,7 @@ impl<'a> Renderer<'a> {
     /// `rays` is how many there are, where that is known beforehand: a software device that stops an invocation for its loops says nothing,
     /// and what a pass of whole paths then left out is only missing from the count.
     pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals, rays: Option<u64>) -> Result<Walks, GpuError> {
-        let records = self.take_records(tile, &Role::Tally)?;
+        let records = Records::take(self.gpu, &self.program, tile, &Role::Tally)?;
         let Some(tally) = records.rows().next() else { return Ok(Walks::Ended) };
         let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&tally) < rays);
         let unfinished = missing || Totals::unfinished(&tally) > 0;

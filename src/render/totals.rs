@@ -176,8 +176,8 @@ impl fmt::Display for Clamped {
 }
 
 /// What a tally counted of a status code, by its name in WGSL.
-fn counted(tally: &Row, code: &str) -> u64 {
-    tally.uint_at("statuses", constant("segment/ray", code) as usize).into()
+fn counted(tally: &Row, name: &str) -> u64 {
+    tally.uint_at("statuses", constant("segment/ray", name) as usize).into()
 }
 
 impl Totals {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::records::Row;
+use super::records::{Records, Row};
 use super::renderer::Walks;
 use super::sample::Sample;
 use super::step::Step;
@@ -330,7 +330,7 @@ fn read_records(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<Tr
         rejected: row.uint("rejected"),
         object: row.uint("object").checked_sub(1),
     };
-    Ok(renderer.records(tile, &Role::Records)?.rows().take(count).map(traced).collect())
+    Ok(Records::read(renderer.gpu, &renderer.program, tile, &Role::Records)?.rows().take(count).map(traced).collect())
 }
 
 /// Where rays start, after the setup alone: it knows of some that they end in their first segment, and records that end.
@@ -339,5 +339,5 @@ fn read_starts(renderer: &Renderer, tile: &Tile, count: usize) -> Result<Vec<(St
         let start = PathPoint { x: row.vector("from_x"), v: row.vector("from_v"), tau: 0.0 };
         (Status::from_code(row.uint("status")), start)
     };
-    Ok(renderer.records(tile, &Role::Records)?.rows().take(count).map(begun).collect())
+    Ok(Records::read(renderer.gpu, &renderer.program, tile, &Role::Records)?.rows().take(count).map(begun).collect())
 }
