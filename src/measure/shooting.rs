@@ -20,7 +20,7 @@ use super::methods::{Candidate, fast_methods};
 use super::refined::remaining;
 use super::trials::{MARGIN, Trial, segments};
 use crate::gpu::Gpu;
-use crate::model::control::embedded;
+use crate::model::control::{embedded, four_digits};
 use crate::model::method::TOLERANT;
 use crate::render::{LightPath, RenderError, RenderSettings, Renderer, shooting};
 use crate::scene::{Control, Precision, Scene};
@@ -127,7 +127,7 @@ impl<'a> Trying<'a, '_> {
         let tolerances = successors(Some(first), |tolerance| Some(FINER * tolerance));
         tolerances
             .take_while(|tolerance| *tolerance > 0.5 * finest)
-            .map(|tolerance| embedded::with(tolerance, CAP))
+            .map(|tolerance| embedded::with(four_digits(tolerance), CAP))
             .collect()
     }
 }

@@ -163,7 +163,8 @@ pub(super) fn falling(first: f64, factor: f64, count: i32) -> impl Iterator<Item
     (0..count).map(move |k| four_digits(first * factor.powi(k)))
 }
 
-fn four_digits(x: f64) -> f64 {
+/// Rounds a setting to the digits that it is written with.
+pub(crate) fn four_digits(x: f64) -> f64 {
     // Printed and read again: what is written is the number itself.
     format!("{x:.3e}").parse().unwrap_or(x)
 }
