@@ -24,7 +24,7 @@ use crate::scene::{Method, Precision, Scene};
 const WORTH_A_SEARCH: f64 = 4e10;
 
 /// The stage that is reported meanwhile.
-const SEARCH: &str = "searching for a method";
+pub(super) const SEARCH: &str = "searching for a method";
 /// What the true ends of the rays take, in methods that are tried.
 const TRUTH: f64 = 2.0;
 

@@ -54,13 +54,18 @@ impl End {
         if (self.status, self.object) != (truth.status, truth.object) {
             return f64::INFINITY;
         }
-        let angle = self.way.cross(truth.way).length().atan2(self.way.dot(truth.way));
+        let angle = angle(self.way, truth.way);
         match truth.status {
             Status::Captured => 0.0,
             Status::Escaped => angle,
             _ => angle.max(self.place.distance(truth.place) / truth.way.length()),
         }
     }
+}
+
+/// Returns the angle between two vectors, in radians, exact for small ones too.
+pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
 }
 
 /// Rays whose directions differ by more than this, in radians, have nothing to do with each other any more.

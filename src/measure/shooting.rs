@@ -14,11 +14,12 @@ use std::iter::successors;
 use glam::DVec3;
 
 use super::Quantiles;
-use super::calibrate::{Calibration, chosen_for, unjudged};
-use super::ends::Settled;
+use super::calibrate::{Calibration, SEARCH, chosen_for, unjudged};
+use super::ends::{Settled, angle};
 use super::methods::{Candidate, fast_methods};
 use super::refined::remaining;
 use super::trials::{MARGIN, Trial, segments};
+use super::truth::FINEST;
 use crate::gpu::Gpu;
 use crate::model::control::{embedded, four_digits};
 use crate::model::method::TOLERANT;
@@ -31,8 +32,8 @@ const PAIRS: usize = 200;
 const LOOSE: f64 = 100.0;
 /// The largest tolerance that is tried.
 const COARSEST: f64 = 1e-3;
-/// The least tolerances that numbers of 32 and of 64 bits are sure to keep.
-const FINEST: [f64; 2] = [1e-7, 1e-13];
+/// The least tolerance that 32 bits are sure to keep; of 64 bits it is [`FINEST`].
+const FINEST_SINGLE: f64 = 1e-7;
 /// The next tolerance, in parts of the one before.
 const FINER: f64 = 0.1;
 /// Of the law's length, a step at most.
@@ -49,13 +50,14 @@ pub fn calibrate_paths<'a>(
     pairs: &[[DVec3; 2]],
 ) -> Result<Option<(Calibration, Renderer<'a>)>, RenderError> {
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
-    let _stage = gpu.progress.stage("searching for a method");
+    let _stage = gpu.progress.stage(SEARCH);
     let tried: Vec<_> = pairs.iter().step_by(pairs.len().div_ceil(PAIRS).max(1)).copied().collect();
     let mut candidates = fast_methods(scene);
     let at = candidates.iter().position(|candidate| candidate.method == TOLERANT).unwrap_or(0);
     let trying = Trying { gpu, scene, settings, accuracy, pairs: &tried, candidate: candidates.swap_remove(at) };
     let (mut found, renderer) = trying.search(scene.rays.precision)?;
-    if found.reached() || scene.rays.precision == Precision::Double || !gpu.f64 {
+    let is_settled = found.reached() || found.rays.all == 0;
+    if is_settled || scene.rays.precision == Precision::Double || !gpu.f64 {
         return Ok(Some((found, renderer)));
     }
     let (double, double_renderer) = trying.search(Precision::Double)?;
@@ -84,7 +86,8 @@ fn count(paths: &Paths) -> usize {
 }
 
 impl<'a> Trying<'a, '_> {
-    /// The first setting that is right in numbers of this precision or, if none is, the one with the most paths that are; and a renderer that is set to it.
+    /// Finds the first setting that is right in numbers of this precision or, if none is, the one with the most right paths; and returns a
+    /// renderer that uses it.
     fn search(&self, precision: Precision) -> Result<(Calibration, Renderer<'a>), RenderError> {
         let (method, max_segments) = (self.candidate.method, segments(self.scene));
         let controls = self.controls(precision);
@@ -122,7 +125,7 @@ impl<'a> Trying<'a, '_> {
         if self.candidate.method != TOLERANT {
             return vec![self.candidate.controls[0]; 2];
         }
-        let finest = FINEST[usize::from(precision == Precision::Double)];
+        let finest = if precision == Precision::Double { FINEST } else { FINEST_SINGLE };
         let first = (LOOSE * self.accuracy).clamp(finest / FINER, COARSEST);
         let tolerances = successors(Some(first), |tolerance| Some(FINER * tolerance));
         tolerances
@@ -172,13 +175,8 @@ impl Compared {
 
 /// How far a path is from the same one of a coarser run, at both ends and in what they miss the place by; none if there is none.
 fn distance_to(path: &LightPath, coarse: &[LightPath]) -> Option<f64> {
-    let same = coarse.iter().min_by(|a, b| angle(a.leaves, path.leaves).total_cmp(&angle(b.leaves, path.leaves)))?;
-    let leaves = angle(same.leaves, path.leaves);
-    (leaves < ONE_PATH).then(|| leaves.max(angle(same.arrives, path.arrives)) + same.error.max(path.error))
-}
-
-/// Between two unit vectors, in radians.
-fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let (a, b) = (DVec3::from(a), DVec3::from(b));
-    a.cross(b).length().atan2(a.dot(b))
+    let apart = |a: [f64; 3], b: [f64; 3]| angle(a.into(), b.into());
+    let same = coarse.iter().min_by(|a, b| apart(a.leaves, path.leaves).total_cmp(&apart(b.leaves, path.leaves)))?;
+    let leaves = apart(same.leaves, path.leaves);
+    (leaves < ONE_PATH).then(|| leaves.max(apart(same.arrives, path.arrives)) + same.error.max(path.error))
 }

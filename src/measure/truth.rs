@@ -8,7 +8,7 @@ use crate::render::{RenderError, RenderSettings, Renderer, Starts, Status, Trace
 use crate::scene::{Precision, Scene, Segment};
 
 /// The least tolerance that f64 is sure to keep.
-const FINEST: f64 = 1e-13;
+pub(super) const FINEST: f64 = 1e-13;
 /// Directions (radians) and places (in parts of the bound's radius) that two runs agree on.
 const AGREES: f64 = 1e-6;
 /// So many times the scene's own segments may a path have that is followed so closely, within limits.

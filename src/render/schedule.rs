@@ -26,7 +26,8 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
             return recorded.steps;
         }
         Purpose::Lit => {
-            for _ in 0..constant("surface/shot/shot", "SEARCH_PARTS") as u32 {
+            // Newton's steps, what begins and ends a search, and a look along the path that it found.
+            for _ in 0..constant("surface/shot/newton", "NEWTON_STEPS") as u32 + 3 {
                 recorded.push(Pass::Shots, Slots::only(0), 0, 1);
             }
             return recorded.steps;

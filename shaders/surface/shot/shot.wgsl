@@ -26,8 +26,6 @@ struct ShotSearch {
 }
 
 const SEARCHED: u32 = 64u;
-// Parts that a search and a look along the path take, at most.
-const SEARCH_PARTS: u32 = 15u;
 
 // There is room for the next path, and for a step of it.
 fn shot_has_room() -> bool {

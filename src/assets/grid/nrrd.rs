@@ -75,7 +75,7 @@ fn unzipped(stored: &[u8], skip: Skip, wanted: usize) -> std::io::Result<Vec<u8>
 #[derive(Clone, Copy)]
 struct Skip<'a> {
     lines: u64,
-    /// The field's value, for what is wrong with it.
+    /// The value of `line skip` as written, which error messages point at.
     lines_text: &'a str,
     /// `None` if the samples are at the end of the file.
     bytes: Option<u64>,
@@ -103,7 +103,7 @@ impl<'a> Skip<'a> {
         Ok(Self { lines, lines_text, bytes })
     }
 
-    /// Returns `true` if `wanted` bytes may be left of a file that is not packed and has so many bytes.
+    /// Returns `true` if an unpacked file of `length` bytes can hold `wanted` bytes of samples behind what is skipped.
     fn leaves(&self, wanted: u64, length: u64) -> bool {
         match (self.lines, self.bytes) {
             (0, Some(bytes)) => length == wanted.saturating_add(bytes),
@@ -124,7 +124,7 @@ impl<'a> Skip<'a> {
         Ok(at)
     }
 
-    /// Returns where the samples begin in data of so many bytes that are not packed, if the lines end at `lines_end`.
+    /// Returns the offset of the samples in `length` bytes of unpacked data whose skipped lines end at `lines_end`.
     fn begin(&self, lines_end: usize, wanted: usize, length: usize) -> usize {
         let begin = match self.bytes {
             Some(bytes) => usize::try_from(bytes).unwrap_or(length).saturating_add(lines_end),

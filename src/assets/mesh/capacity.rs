@@ -1,4 +1,4 @@
-//! How many triangles a mesh may have: a file with more is rejected as soon as its header or what was read of it tells.
+//! How many triangles a mesh may have. A file with more is rejected as soon as its header, or the part read so far, shows it.
 //!
 //! *Practice.* Asking which devices there are takes longer than reading a small mesh, so it is put off until a mesh is larger than every
 //! device holds.

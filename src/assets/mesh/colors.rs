@@ -45,7 +45,7 @@ impl Colors {
         self.linear.push(DVec3::from(color.map(|x| decoded(x.clamp(0.0, 1.0)))).as_vec3());
     }
 
-    /// Keeps what is wrong, unless something was before.
+    /// Records why the colors cannot be used; the first reason stays.
     pub fn reject(&mut self, flaw: String) {
         self.flaw.get_or_insert(flaw);
     }

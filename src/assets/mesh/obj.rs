@@ -73,7 +73,7 @@ fn uncommented(line: &str) -> &str {
     comment.map_or(line, |comment| &line[..comment])
 }
 
-/// Keywords of the specification that say nothing about what is drawn: vertices of free-form geometry and its bodies, groups,
+/// Keywords of the specification that do not change the triangles: free-form geometry, its vertices and bodies, groups,
 /// materials, display and rendering attributes.
 const WITHOUT_EFFECT: &[&str] = &[
     "vp",

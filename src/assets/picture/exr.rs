@@ -38,7 +38,7 @@ pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
     Ok([size.width() as u32, size.height() as u32])
 }
 
-/// Reads a file of so many bytes, and reports as many to `stage`.
+/// Reads a file of `bytes` bytes, and advances `stage` by that amount in all.
 pub(super) fn read_file(path: &Path, bytes: u64, stage: &Stage) -> Result<Decoded, String> {
     let headers = meta(path)?.headers;
     if let Some(problem) = headers.iter().find_map(|header| unlikely(header, bytes)) {

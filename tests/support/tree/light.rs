@@ -7,7 +7,11 @@ use std::f64::consts::PI;
 
 /// The colour of a material at (u, v).
 pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
-    match &material.color {
+    shown(scene, &material.color, uv)
+}
+
+fn shown(scene: &Scene, pattern: &Pattern, uv: DVec2) -> DVec3 {
+    match pattern {
         Pattern::Constant(color) => *color,
         Pattern::Checker { colors, repeat } => {
             let cell = (uv * *repeat).floor();
@@ -18,7 +22,8 @@ pub fn color(scene: &Scene, material: &Material, uv: DVec2) -> DVec3 {
             let place = DVec2::new(uv.x, 1.0 - uv.y) * *repeat;
             sample(&scene.pictures[*picture], place - place.floor())
         }
-        Pattern::VertexColors(_) => unimplemented!("a pattern of meshes, which are no part of this"),
+        // Vertex colors are those of meshes, and white on all other shapes.
+        Pattern::VertexColors(pattern) => shown(scene, pattern, uv),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::assets::flaw::Flaw;
 use crate::assets::gltf::Gltf;
 
 impl Gltf {
-    /// Reads the colors of the positions from `first` to the last; `of` is what has them.
+    /// Reads the colors of all positions from index `first` on; `of` names the attribute in error messages.
     pub(super) fn colors(&self, raw: &mut Raw, index: Index<Accessor>, first: usize, of: &str) -> Result<(), Flaw> {
         let colors = self.elements(index, &[Type::Vec3, Type::Vec4], of)?;
         let vertices = raw.positions.len() - first;
