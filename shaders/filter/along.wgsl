@@ -106,7 +106,6 @@ fn filter_part(p: Phase, h: Real) {
     var a: Real = 0.0;
     filter_slips = false;
     for (var k = 0u; k <= FILTER_PIECES && a < h; k++) {
-        work += 1u;
         let rest = h - a;
         let own = select(min(size, rest), rest, k == FILTER_PIECES || size >= 0.999 * rest);
         let depths = depths_over(filter_at, p, a, own);
@@ -138,7 +137,6 @@ fn depths_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> Depths {
     var depths = Depths(vec4f(0.0), vec4f(0.0));
     // In a loop, for a texture's density is long: two points of the whole, then two of either half.
     for (var i = 0u; i < 6u; i++) {
-        work += 1u;
         let in_halves = i >= 2u;
         let middle = select(0.5, select(0.25, 0.75, i >= 4u), in_halves);
         let part = select(1.0, 0.5, in_halves);

@@ -27,7 +27,6 @@ fn smaller_piece(filter_at: Filter, p: Phase, a: Real, own: Real) -> Real {
     var moved = 0u;
     // Both ends first, in the same loop: what looks is written out once, for it is long.
     for (var i = 0u; i < JUMP_LOOKS && behind - before > 1.5 * beside; i++) {
-        work += 1u;
         let slope = near - far;
         let line = before + (behind - before) * near / select(slope, 1.0, slope == 0.0);
         let between = clamp(line, before + beside, max(behind - beside, before + beside));

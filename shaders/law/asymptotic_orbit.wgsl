@@ -16,11 +16,9 @@ fn orbit_onto(start: Orbit, aim: Real, outbound: bool) -> Orbit {
     var o = start;
     // The estimate is off by the deflection on the way, and what is left of it by the next order.
     for (var round = 0u; round < 4u; round++) {
-        work += 1u;
         let s = orbit_estimate(o, aim, outbound);
         let steps = select(1u, ASYMPTOTE_STEPS, round == 0u);
         for (var i = 0u; i < steps; i++) {
-            work += 1u;
             o = orbit_step(o, s / Real(steps));
         }
     }

@@ -14,7 +14,6 @@ struct CaptureSphere {
 fn law_captured(x: Real3, v: Real3) -> bool {
     var captured = false;
     for (var i = 0u; i < CAPTURE_COUNT; i++) {
-        work += 1u;
         let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
         captured = captured || (dot(d, d) < capture_spheres[i].radius * capture_spheres[i].radius && dot(d, v) < 0.0);
     }
@@ -25,7 +24,6 @@ fn law_captured(x: Real3, v: Real3) -> bool {
 fn inside_capture(x: Real3) -> bool {
     var within = false;
     for (var i = 0u; i < CAPTURE_COUNT; i++) {
-        work += 1u;
         let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
         within = within | (dot(d, d) < capture_spheres[i].radius * capture_spheres[i].radius);
     }
@@ -41,7 +39,6 @@ fn captured_within() -> Real {
 fn capture_gap(x: Real3) -> Real4 {
     var nearest = Real4(0.0, 0.0, 0.0, 1e30);
     for (var i = 0u; i < CAPTURE_COUNT; i++) {
-        work += 1u;
         let d = anchor_offset(capture_spheres[i].kind, x - capture_spheres[i].center, capture_spheres[i].along);
         let gap = length(d) - capture_spheres[i].radius;
         if gap < nearest.w {

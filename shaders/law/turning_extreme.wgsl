@@ -19,7 +19,6 @@ fn orbit_turns(o: Orbit) -> bool {
     var y = -slope / bend;
     var least: Real = 1.0;
     for (var i = 0u; i <= TURN_STEPS; i++) {
-        work += 1u;
         let p = through + o.energy * y * (2.0 * horizon + y);
         let rise = 2.0 * o.energy * (horizon + y);
         least = p * p - o.carter * y * (y + width);

@@ -65,7 +65,6 @@ fn explosion(x: Real3) -> Real4 {
     var frequency = medium.frequency;
     var weight: Real = 1.0;
     for (var j = 0u; j < medium.octaves; j++) {
-        work += 1u;
         let noise = lattice_noise(LATTICE_TURN * (frequency * d) + LATTICE_SHIFT);
         sum += weight * Real4(frequency * (noise.xyz * LATTICE_TURN), noise.w);
         frequency *= 2.0;

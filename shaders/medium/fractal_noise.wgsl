@@ -46,7 +46,6 @@ fn cubic_noise(p: Real3, seed: u32) -> Real4 {
     let into_slope = spline_slopes(t.z);
     var sum = Real4(0.0);
     for (var k = 0; k < 4; k++) {
-        work += 1u;
         let layer = cell + vec3i(0, 0, k - 1);
         let a = lattice_row(layer - vec3i(0, 1, 0), seed);
         let b = lattice_row(layer, seed);
@@ -66,7 +65,6 @@ fn fractal_noise(p: Real3, octaves: u32, seed: u32) -> Real4 {
     var place_in_octave = p;
     var weight: Real = 1.0;
     for (var j = 0u; j < octaves; j++) {
-        work += 1u;
         let noise = cubic_noise(place_in_octave, seed);
         sum += Real4(noise.xyz, weight * noise.w);
         place_in_octave *= 2.0;

@@ -53,7 +53,6 @@ fn index_spline(x: Real3) -> Real4 {
     let border = vec3i(medium.size.xyz) - 1;
     var sum = Real4(0.0);
     for (var row = 0; row < 16; row++) {
-        work += 1u;
         let b = row & 3;
         let c = row >> 2u;
         let j = u32(clamp(i.y + b - 1, 0, border.y));

@@ -27,7 +27,6 @@ fn profile_piece(y: Real) -> u32 {
     var low = media[place].first;
     var high = low + media[place].points - 1u;
     while high - low > 1u {
-        work += 1u;
         let middle = (low + high) / 2u;
         if profile[middle].height <= y {
             low = middle;

@@ -3,7 +3,6 @@
 fn bare_steps(ray: Ray, most: u32) -> Ray {
     var next = ray;
     for (var i = 0u; i < most; i++) {
-        work += 1u;
         if work >= WORK_LIMIT {
             break;
         }

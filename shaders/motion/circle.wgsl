@@ -48,9 +48,7 @@ fn circle_tau(p: Phase, alpha: Real) -> Real {
     let c = circle_of(p);
     var sum: Real = 0.0;
     for (var i = 0u; i < 4u; i++) {
-        work += 1u;
         for (var k = 0u; k < 3u; k++) {
-            work += 1u;
             let node = 0.5 + 0.3872983346207417 * (Real(k) - 1.0);
             let turn = real_sin_cos(alpha * 0.25 * (Real(i) + node));
             let weight = select(Real(5.0 / 72.0), Real(8.0 / 72.0), k == 1u);

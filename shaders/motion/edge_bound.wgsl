@@ -7,7 +7,6 @@ const CUTS: u32 = 4u;
 fn orbit_cut(o: Orbit, size: Real, edge: Real) -> Real {
     var s = size;
     for (var i = 0u; i < CUTS; i++) {
-        work += 1u;
         let end = orbit_step(o, s);
         s = clamp(s - (end.u - edge) / min(end.w, -1e-30), 0.0, size);
     }

@@ -39,7 +39,6 @@ fn accepted_step(ray: Ray) -> Ray {
         passed += orbit_time(here, end, s);
         here = end;
     }
-    work += steps + 1u;
     // The step that ends is taken again here: to keep it through the loop costs more.
     if steps == 0u {
         let s = orbit_size(start, edge, calm);

@@ -43,7 +43,6 @@ fn box_near(lo: vec3f, hi: vec3f, first: u32) -> u32 {
     var node = first;
     var near = dot(far, far) > f32(bound.radius) * f32(bound.radius);
     for (var k = 0u; k < VISITS && node < count && !near; k++) {
-        work += 1u;
         let own = object_nodes[node];
         let overlaps = all(lo <= own.hi) && all(hi >= own.lo);
         near = overlaps && own.leaf == 1u;
@@ -75,7 +74,6 @@ fn next_piece(p: Phase) -> Piece {
     var first = 0u;
     var parts_end = 0u;
     for (var k = 0u; k < NODES && node < count; k++) {
-        work += 1u;
         let own = ray_nodes[node];
         first = select(0u, first, node < parts_end);
         let passed = own.end <= reached + unit;

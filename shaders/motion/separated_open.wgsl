@@ -29,7 +29,6 @@ fn accepted_step(ray: Ray) -> Ray {
     var cuts = 0u;
     var passed: Real = 0.0;
     for (var i = 0u; (i < STEPS) & (cuts <= CUTS); i++) {
-        work += 1u;
         let end = orbit_step(here, s);
         let stop = orbit_stop(end);
         let beyond = (end.u - stop) * end.w > 0.0;

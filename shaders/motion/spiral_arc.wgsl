@@ -58,7 +58,6 @@ fn stride(p: Phase) -> Stride {
     var way = select(select(fall, rise, s.climb > 0.0), NEVER, s.climb == 0.0);
     way = select(way, way - 0.5 * ARC, s.climb > 0.0);
     for (var i = 0u; i < OBSTACLE_COUNT; i++) {
-        work += 1u;
         way = min(way, select(NEVER, way_to(s, obstacles[i]), obstacles[i].place == place));
     }
     let free = LEAPS && way > ARC && way < NEVER;

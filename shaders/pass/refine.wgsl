@@ -34,7 +34,6 @@ fn from_corners(pixel: vec2u) -> Moments {
     var low = vec4f(1.0);
     var high = vec4f(0.0);
     for (var i = 0u; i < 4u; i++) {
-        work += 1u;
         let corner = pixel + vec2u(i & 1u, i >> 1u);
         let c = load_color(corner);
         let covered = load_coverage(corner);

@@ -11,7 +11,6 @@ fn whole(own: Invocation) {
     var ends = no_ends();
     let pixels = lane_pixels();
     for (var k = 0u; k < pixels; k++) {
-        work += 1u;
         let place = round_pixel(lane_invocation(own, pixels, k));
         let pixel = place.pixel;
         var ray = path_start(pixel);

@@ -14,7 +14,6 @@ fn hue_temperature(color: vec3f) -> f32 {
     var low = REDDEST;
     var high = BLUEST;
     for (var i = 0u; i < HALVINGS; i++) {
-        work += 1u;
         let middle = sqrt(low * high);
         let body = black_body_row(middle).color;
         let redder = color.z * body.x < color.x * body.z;

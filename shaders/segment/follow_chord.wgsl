@@ -9,7 +9,6 @@ struct Chord {
 fn follow_segment(ray: ptr<function, Ray>) -> Segment {
     let start = (*ray).phase;
     for (var i = 0u; i < chord.steps; i++) {
-        work += 1u;
         if path_over(*ray) {
             break;
         }
@@ -24,7 +23,6 @@ fn last_step(ray: Ray) -> LastStep {
     var before = ray;
     var next = ray;
     for (var i = 0u; i < chord.steps; i++) {
-        work += 1u;
         if path_over(next) {
             break;
         }

@@ -5,7 +5,6 @@ fn follow_path(spot: ActiveRay, ray: ptr<function, Ray>) -> Hit {
     var end = Hit(0.0, NOTHING);
     var segments = 0u;
     loop {
-        work += 1u;
         follow_segments(spot, ray, &end, &segments);
         // Those that met a surface go on from it together, when none has a segment left to its own.
         if !may_scatter((*ray).status) || !spot.alive {

@@ -45,7 +45,6 @@ fn is_near_moving(own: Travel, s: Segment) -> bool {
 fn nearby(s: Segment) -> u32 {
     var near = items_near(s);
     for (var i = 0u; i < TRAVEL_COUNT; i++) {
-        work += 1u;
         near |= select(0u, NEAR_STRUCTURE, is_near_moving(travels[i], s));
     }
     return near;
@@ -55,13 +54,11 @@ fn first_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
     let still = walked_hit(s, near, pixel);
     var hit = Hit(select(still.t, 2.0, still.primitive == NOTHING), still.primitive);
     for (var i = 0u; i < TRAVEL_COUNT; i++) {
-        work += 1u;
         let own = travels[i];
         let pieces = u32(clamp(ceil(sqrt(moving_sag(own, s) / moving_arcs.tolerance)), 1.0, MOVING_PIECES));
         var k = select(pieces, 0u, is_near_moving(own, s));
         var a = resting_place(own, s.x0, segment_tau);
         while k < pieces {
-            work += 1u;
             let b = resting_place(own, piece_end(s, k, pieces), segment_tau + s.h * (Real(k + 1u) / Real(pieces)));
             let t = moving_fraction(own.item, a, b - a);
             hit = nearer_hit(hit, select(segment_fraction(k, pieces, t), 2.0, t > 1.5), own.item);

@@ -50,7 +50,6 @@ fn leave_light(s: Segment, until: Real, share: f32) {
     let chords = u32(clamp(ceil(sqrt(f32(min(off, 1e8)))), 1.0, MOST_CHORDS));
     var a = vec3f((s.x0 - lo) / Real(light_volume.h));
     for (var k = 1u; k <= chords; k++) {
-        work += 1u;
         let b = vec3f((segment_point(s, until * Real(k) / Real(chords)) - lo) / Real(light_volume.h));
         leave_chord(a, b, share);
         a = b;
@@ -71,7 +70,6 @@ fn leave_chord(a: vec3f, b: vec3f, share: f32) {
     let last = min(1.0, min(leaves.x, min(leaves.y, leaves.z)));
     let nudge = NUDGE / max(size, NUDGE);
     while t < last {
-        work += 1u;
         if work > WORK_LIMIT {
             tally_at_once(LOST);
             break;

@@ -5,13 +5,11 @@ fn listed_hit(s: Segment, pieces: u32, near: u32) -> Hit {
     var hit = Hit(2.0, NOTHING);
     var left = select(0u, near & NEAR_LISTED, pieces > 0u);
     while left != 0u {
-        work += 1u;
         let item = firstTrailingBit(left);
         left &= left - 1u;
         var a = s.x0;
         var t: Real = 2.0;
         for (var k = 0u; k < pieces && t > 1.5; k++) {
-            work += 1u;
             let b = piece_end(s, k, pieces);
             t = listed_fraction(item, a, b - a);
             t = select(segment_fraction(k, pieces, t), 2.0, t > 1.5);

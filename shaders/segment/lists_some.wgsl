@@ -5,7 +5,6 @@ fn listed_hit(s: Segment, pieces: u32, near: u32) -> Hit {
     var hit = Hit(2.0, NOTHING);
     var a = s.x0;
     for (var k = 0u; k < pieces && hit.primitive == NOTHING; k++) {
-        work += 1u;
         let b = piece_end(s, k, pieces);
         hit = piece_hit(a, b, Hit(2.0, NOTHING));
         hit.t = select(segment_fraction(k, pieces, hit.t), 2.0, hit.primitive == NOTHING);

@@ -17,7 +17,6 @@ fn pass_top(code: u32, hit: Hit, step: LastStep, h: ptr<function, Real>) {
     let side = select(surface.gap, 0.0, abs(surface.gap) < ON_SURFACE * (length(start) + surface.depth));
     var further = RISE * step.h;
     for (var i = 0u; i < RISES; i++) {
-        work += 1u;
         let p = retaken_step(step.phase, *h);
         if side * dot(stop_gap(code, hit, p[0].xyz).xyz, p[1].xyz) <= 0.0 {
             break;

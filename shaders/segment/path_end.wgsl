@@ -17,7 +17,6 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     var p = step.end;
     var there = false;
     for (var i = 0u; i <= STOP_STEPS; i++) {
-        work += 1u;
         p = retaken_step(step.phase, h);
         note_passage(p, step.tau + own_tau(step.phase, p, h));
         if there {

@@ -55,11 +55,9 @@ fn items_hit(s: Segment, pieces: u32, span: Span, first: u32, count: u32, neares
     let last = piece_at(span.leaves * Real(pieces) + PIECE_SLACK, pieces);
     var k = piece_at(span.enters * Real(pieces) - PIECE_SLACK, pieces);
     while k <= last && count > 0u {
-        work += 1u;
         let a = piece_start(s, k, pieces);
         let d = piece_end(s, k, pieces) - a;
         for (var i = 0u; i < count; i++) {
-            work += 1u;
             let item = item_at(first + i);
             let t = item_fraction(item, a, d);
             hit = nearer_hit(hit, select(segment_fraction(k, pieces, t), 2.0, t > 1.5), item);

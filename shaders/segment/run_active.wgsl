@@ -4,13 +4,11 @@
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
     while (*ray).status == ALIVE {
-        work += 1u;
         var next = *ray;
         var quick: Quick;
         var near = 0u;
         var full = false;
         loop {
-            work += 1u;
             full = *segments >= schedule.segments || work + schedule.segment_work > WORK_LIMIT;
             if full {
                 break;

@@ -5,7 +5,6 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
     // What runs on: the same as long as the ray lives.
     var path = *ray;
     while *segments < schedule.segments && spot.valid && !may_scatter((*ray).status) {
-        work += 1u;
         if work + schedule.segment_work > WORK_LIMIT {
             break;
         }

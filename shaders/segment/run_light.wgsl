@@ -2,7 +2,6 @@
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
     while (*ray).status == ALIVE {
-        work += 1u;
         if *segments >= schedule.segments || work + schedule.segment_work > WORK_LIMIT {
             break;
         }

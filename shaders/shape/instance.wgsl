@@ -34,7 +34,6 @@ fn instance_of(number: u32, of_walk: bool) -> u32 {
     let last = arrayLength(&instances) - 1u;
     var found = 0u;
     for (var bit = 1u << firstLeadingBit(last + 1u); bit > 0u; bit >>= 1u) {
-        work += 1u;
         let next = min(found + bit, last);
         let begins = select(instances[next].primitives, instances[next].places, of_walk);
         found = select(found, next, begins <= number);

@@ -58,7 +58,6 @@ fn resting_place(own: Travel, x: Real3, tau: Real) -> Real3 {
 fn travel_of(primitive: u32) -> u32 {
     var found = TRAVEL_COUNT;
     for (var i = 0u; i < TRAVEL_COUNT; i++) {
-        work += 1u;
         found = select(found, i, travels[i].item == primitive);
     }
     return found;

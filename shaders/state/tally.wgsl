@@ -81,7 +81,6 @@ fn with_end(ends: Ends, code: u32) -> Ends {
 fn tally_ends(ends: Ends) {
     var rest = ends.counts;
     while any(rest != vec4u(0u)) {
-        work += 1u;
         var word = 3u;
         word = select(word, 2u, rest.z != 0u);
         word = select(word, 1u, rest.y != 0u);

@@ -47,7 +47,6 @@ fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
     let along = select(seen[1], seen[0], is_first);
     var sum = vec3f(0.0);
     for (var k = 0.0; k < taps; k += 1.0) {
-        work += 1u;
         let at = uv + ((k + 0.5) / taps - 0.5) * along;
         sum += mix(image_level(image, lower, at, repeats), image_level(image, upper, at, repeats), level - f32(lower));
     }

@@ -64,7 +64,6 @@ fn store_region(pixel: vec2u) {
 fn start_region(x: Real3, v: Real3, pixel: vec2u) {
     var bits = 0u;
     for (var i = 0u; i < REGION_COUNT; i++) {
-        work += 1u;
         let start = regions[i];
         var within = false;
         if start.primitive != NOTHING {

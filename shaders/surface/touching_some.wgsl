@@ -33,7 +33,6 @@ fn alignment(a: Surface, b: Surface, x: Real3) -> Real {
 fn met_surface(met: ptr<function, Hit>, x: Real3) -> Surface {
     let first = hit_surface((*met).primitive, x);
     for (var i = 0u; i < TOUCHING_OPAQUE; i++) {
-        work += 1u;
         let other = hit_surface(touching[i].primitive, x);
         // Flat shapes have an edge.
         let reaches = all(other.uv >= vec2f(0.0)) && all(other.uv <= vec2f(1.0));
@@ -50,7 +49,6 @@ fn set_beyond(own: u32, surface: Surface, x: Real3) -> u32 {
     let leaves = (inside & own) != 0u;
     var bits = inside ^ own;
     for (var i = TOUCHING_OPAQUE; i < TOUCHING_COUNT; i++) {
-        work += 1u;
         let other = touching[i];
         let cosine = alignment(surface, hit_surface(other.primitive, x), x);
         let enters = (cosine < 0.0) == leaves;

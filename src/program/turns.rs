@@ -1,51 +1,56 @@
-//! The turn in which a loop ends, counted as those before it.
+//! Counting the iterations of loops, for devices that stop an invocation after so many.
 //!
-//! *Theory.* Lavapipe stops an invocation after so many turns of all its loops together, and a loop of n turns has n + 1 there: the last
-//! finds that it is over. Short loops one in the other come to twice what their bodies count.
+//! *Theory.* Lavapipe stops an invocation after so many iterations of all its loops together, and a loop of n iterations has n + 1 there:
+//! the last finds that it is over.
 //!
-//! *Practice.* Behind every loop whose body begins with `work += 1u;` stands the same once more, in its closing line.
+//! *Practice.* Where `state/work` is among the parts, every loop adds one to `work` at the beginning of its body and one behind its end.
 
 use std::borrow::Cow;
 
 use super::tokens::Tokens;
-use super::unit::{Author, Parts, Unit};
+use super::unit::{Parts, Unit};
 
-const COUNT: [&str; 5] = ["work", "+", "=", "1u", ";"];
+/// What adds one.
+const COUNT: &str = " work += 1u;";
+/// The part that declares what is counted.
+const PART: &str = "state/work.wgsl";
 
-/// The parts with the ends of their loops counted.
+/// The parts with the iterations of their loops counted, if they are to be.
 pub(super) fn counted(parts: Parts) -> Parts {
+    if !parts.shared.iter().any(|unit| unit.file == PART) {
+        return parts;
+    }
     let all = |units: Vec<Unit>| units.into_iter().map(counted_unit).collect();
     Parts { shared: all(parts.shared), regions: parts.regions.into_iter().map(all).collect() }
 }
 
 fn counted_unit(unit: Unit) -> Unit {
-    if unit.author == Author::User || !unit.text.contains("work") {
+    let tokens = Tokens::of(&unit.text);
+    let mut places: Vec<usize> = (0..tokens.len()).filter_map(|at| body_of_loop(&tokens, at)).flatten().collect();
+    if places.is_empty() {
         return unit;
     }
-    let tokens = Tokens::of(&unit.text);
-    let mut ends: Vec<usize> = (0..tokens.len()).filter_map(|at| end_of_loop(&tokens, at)).collect();
-    ends.sort_unstable();
-    let mut text = String::with_capacity(unit.text.len() + 14 * ends.len());
+    places.sort_unstable();
+    let mut text = String::with_capacity(unit.text.len() + COUNT.len() * places.len());
     let mut done = 0;
-    for end in ends {
-        text += &unit.text[done..end];
-        text += " work += 1u;";
-        done = end;
+    for place in places {
+        text += &unit.text[done..place];
+        text += COUNT;
+        done = place;
     }
     text += &unit.text[done..];
     Unit { text: Cow::Owned(text), ..unit }
 }
 
-/// Where the loop ends that begins with this token, if one does that counts.
-fn end_of_loop(tokens: &Tokens, at: usize) -> Option<usize> {
-    let head = match tokens.word(at) {
+/// Where the body begins of the loop at this token, if there is one, and where the loop ends.
+fn body_of_loop(tokens: &Tokens, at: usize) -> Option<[usize; 2]> {
+    let body = match tokens.word(at) {
         "for" => tokens.closing(at + 1)? + 1,
         "while" => (at..tokens.len()).find(|&i| tokens.word(i) == "{")?,
         "loop" => at + 1,
         _ => return None,
     };
-    let counts = (0..COUNT.len()).all(|k| tokens.word(head + 1 + k) == COUNT[k]);
-    Some(tokens.range(tokens.closing(head)?).end).filter(|_| counts)
+    Some([body, tokens.closing(body)?].map(|brace| tokens.range(brace).end))
 }
 
 #[cfg(test)]
@@ -53,15 +58,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_loop_that_counts_counts_its_end() {
-        let text = "fn f() {\n    for (var i = 0u; i < n(2u); i++) {\n        work += 1u;\n        while i < 3u {\n            work += 1u; // a turn\n        }\n    }\n    loop { work += 1u; break; }\n    loop { break; }\n}\n";
-        let unit = Unit::generated("a.wgsl", text.to_owned());
-        let expected = text.replacen("        }\n", "        } work += 1u;\n", 1).replacen(
-            "\n    }\n",
-            "\n    } work += 1u;\n",
-            1,
-        );
-        let expected = expected.replace("work += 1u; break; }", "work += 1u; break; } work += 1u;");
-        assert_eq!(counted_unit(unit).text, expected);
+    fn every_iteration_and_every_end_of_a_loop_counts() {
+        let text = "fn f() {\n    for (var i = 0u; i < n(2u); i++) {\n        while i < 3u {\n            g();\n        }\n    }\n    \
+                    loop { break; }\n}\n";
+        let unit = |text: &str| Unit::generated("a.wgsl", text.to_owned());
+        let expected = text.replace("++) {", "++) { work += 1u;").replace("3u {", "3u { work += 1u;");
+        let expected = expected.replace("        }\n    }\n", "        } work += 1u;\n    } work += 1u;\n");
+        let expected = expected.replace("loop { break; }", "loop { work += 1u; break; } work += 1u;");
+        let work = Unit::generated(PART, "var<private> work: u32;\n".to_owned());
+        let parts = Parts { shared: vec![unit(text), work], regions: vec![vec![unit(text)]] };
+        let counted = super::counted(parts);
+        assert_eq!([&counted.shared[0].text, &counted.regions[0][0].text], [&expected; 2]);
+        let uncounted = Parts { shared: vec![unit(text)], regions: Vec::new() };
+        assert_eq!(super::counted(uncounted.clone()), uncounted);
     }
 }

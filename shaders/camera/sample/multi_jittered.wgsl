@@ -18,7 +18,6 @@ fn permuted(index: u32, l: u32, p: u32) -> u32 {
     mask |= mask >> 16u;
     var i = index;
     loop {
-        work += 1u;
         i ^= p;
         i *= 0xe170893du;
         i ^= p >> 16u;

@@ -29,7 +29,6 @@ fn texture_sum(filter_at: Filter, q: Real3) -> f32 {
     var weight: Real = 1.0;
     var place_in_octave = Real(filter_at.frequency) * q;
     for (var j = 0u; j < filter_at.octaves; j++) {
-        work += 1u;
         sum += weight * noise_value(place_in_octave, filter_at.seed);
         place_in_octave *= 2.0;
         weight *= 0.5;

@@ -16,7 +16,6 @@ struct Cubic {
 fn cubic_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);
     for (var i = 0u; i < CUBIC_COUNT; i++) {
-        work += 1u;
         let d = anchor_offset(cubic[i].kind, x - cubic[i].position, cubic[i].along);
         let r = length(d);
         let q = min(r / cubic[i].radius, 1.0);
@@ -29,7 +28,6 @@ fn cubic_acceleration(x: Real3) -> Real3 {
 fn cubic_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < CUBIC_COUNT; i++) {
-        work += 1u;
         nearest = min(nearest, max(length(anchor_offset(cubic[i].kind, x - cubic[i].position, cubic[i].along)), 0.02 * cubic[i].radius));
     }
     return nearest;

@@ -13,7 +13,6 @@ struct InverseSquare {
 fn inverse_square_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);
     for (var i = 0u; i < INVERSE_SQUARE_COUNT; i++) {
-        work += 1u;
         let d = anchor_offset(inverse_square[i].kind, x - inverse_square[i].position, inverse_square[i].along);
         let r2 = dot(d, d);
         sum -= (inverse_square[i].strength / (r2 * sqrt(r2))) * d;
@@ -24,7 +23,6 @@ fn inverse_square_acceleration(x: Real3) -> Real3 {
 fn inverse_square_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < INVERSE_SQUARE_COUNT; i++) {
-        work += 1u;
         nearest = min(nearest, length(anchor_offset(inverse_square[i].kind, x - inverse_square[i].position, inverse_square[i].along)));
     }
     return nearest;

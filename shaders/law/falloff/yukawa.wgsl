@@ -15,7 +15,6 @@ struct Yukawa {
 fn yukawa_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);
     for (var i = 0u; i < YUKAWA_COUNT; i++) {
-        work += 1u;
         let d = anchor_offset(yukawa[i].kind, x - yukawa[i].position, yukawa[i].along);
         let r = length(d);
         let m = yukawa[i].mu * r;
@@ -27,7 +26,6 @@ fn yukawa_acceleration(x: Real3) -> Real3 {
 fn yukawa_distance(x: Real3) -> Real {
     var nearest = FAR_AWAY;
     for (var i = 0u; i < YUKAWA_COUNT; i++) {
-        work += 1u;
         nearest = min(nearest, length(anchor_offset(yukawa[i].kind, x - yukawa[i].position, yukawa[i].along)));
     }
     return nearest;

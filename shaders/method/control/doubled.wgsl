@@ -27,7 +27,6 @@ fn capped_step(ray: Ray) -> Real {
 fn half_steps(p: Phase, h: Real) -> Phase {
     var q = p;
     for (var half = 0u; half < 2u; half++) {
-        work += 1u;
         q = step_ray(q, 0.5 * h);
     }
     return q;
@@ -37,7 +36,6 @@ fn doubled_step(p: Phase, h: Real) -> DoubledStep {
     var whole = p;
     var halves = p;
     for (var k = 0u; k < 3u; k++) {
-        work += 1u;
         let q = step_ray(halves, select(0.5 * h, h, k == 0u));
         if k == 0u {
             whole = q;

@@ -24,7 +24,6 @@ fn accepted_step(ray: Ray) -> Ray {
     var lost = false;
     next.taken = 0.0;
     for (var tries = 0u; tries < MAX_TRIES; tries++) {
-        work += 1u;
         let step = doubled_step(ray.phase, h);
         if step.error <= control.tolerance {
             next.phase = opaque_phase(law_projected(step.end));

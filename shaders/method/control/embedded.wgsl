@@ -57,7 +57,6 @@ fn accepted_step(ray: Ray) -> Ray {
     var lost = false;
     next.taken = 0.0;
     for (var tries = 0u; tries < MAX_TRIES; tries++) {
-        work += 1u;
         let step = pair_step(ray.phase, ray.memory.rate, h);
         let error = scaled_error(ray.phase, step.error);
         let factor = error_factor(error);

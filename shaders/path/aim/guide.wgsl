@@ -37,7 +37,6 @@ fn guide_at(light: GridLight, vertex: PathVertex) -> Guide {
 fn guide_brightness(vertex: PathVertex) -> f32 {
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {
-        work += 1u;
         guides[i] = guide_at(grid_lights[i], vertex);
         sum += guides[i].brightness;
     }
@@ -50,7 +49,6 @@ fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     var at = 0.0;
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {
-        work += 1u;
         let guide = guides[i];
         if guide.brightness > 0.0 && u.x * total >= sum {
             chosen = guide;
@@ -65,7 +63,6 @@ fn guide_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
 fn guide_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     var sum = 0.0;
     for (var i = 0u; i < GUIDES; i++) {
-        work += 1u;
         let guide = guides[i];
         // 1 less the cosine.
         let apart = d - guide.axis;

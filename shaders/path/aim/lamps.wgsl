@@ -29,7 +29,6 @@ fn lamps_brightness(vertex: PathVertex) -> f32 {
     let x = vec3f(vertex.x);
     var sum = 0.0;
     for (var i = 0u; i < arrayLength(&lamps); i++) {
-        work += 1u;
         sum += brightness(lamps[i], lamps[i].center - x);
     }
     return max(sum, 1e-30);
@@ -48,7 +47,6 @@ fn lamps_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     var within = 1.0;
     var sum = 0.0;
     for (var i = 0u; i < arrayLength(&lamps); i++) {
-        work += 1u;
         let share = lamp_share(lamps[i], lamps[i].center - x, total);
         let reached = u.x >= sum;
         chosen = select(chosen, i, reached);
@@ -67,7 +65,6 @@ fn lamps_density(vertex: PathVertex, total: f32, d: vec3f) -> f32 {
     let x = vec3f(vertex.x);
     var sum = 0.0;
     for (var i = 0u; i < arrayLength(&lamps); i++) {
-        work += 1u;
         let way = lamps[i].center - x;
         let wide = cone(lamps[i], way);
         let off = cross(d, normalize(way));

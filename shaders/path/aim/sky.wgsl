@@ -24,12 +24,10 @@ fn sky_brightness(vertex: PathVertex) -> f32 {
 fn sky_way(vertex: PathVertex, total: f32, u: vec2f) -> vec3f {
     var row = 0u;
     for (var half = SKY_ROWS / 2u; half > 0u; half /= 2u) {
-        work += 1u;
         row += select(0u, half, sky_cells.rows[row + half - 1u] <= u.x);
     }
     var column = 0u;
     for (var half = SKY_COLUMNS / 2u; half > 0u; half /= 2u) {
-        work += 1u;
         column += select(0u, half, sky_cells.cells[row * SKY_COLUMNS + column + half - 1u] <= u.y);
     }
     let down = sky_row(row);

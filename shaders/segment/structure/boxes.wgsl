@@ -70,7 +70,6 @@ fn next_leaf(begin: u32, end: u32, sweep: Sweep, limit: Real) -> Leaf {
     var span = Span(0.0, 0.0);
     var leaf = 0u;
     while node < end && leaf == 0u && walk_has_room() {
-        work += 1u;
         let box = nodes[node];
         span = box_span(corner(box.lo_skip), corner(box.hi_leaf), sweep, limit);
         let met = span.enters <= span.leaves;

@@ -11,7 +11,6 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var node = select(count, walk_begin(), pieces > 0u);
     // In turns: every ray to its next leaf, then all of them through their items, for neighbours run side by side.
     while node < count && walk_has_room() {
-        work += 1u;
         let leaf = next_leaf(node, count, sweep, hit.t);
         node = leaf.next;
         walk_turn();

@@ -18,7 +18,6 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
         own_sweep = instance_sweep(s, own);
     }
     while node < end && walk_has_room() {
-        work += 1u;
         let leaf = next_leaf(node, end, own_sweep, hit.t);
         node = leaf.next;
         walk_turn();

@@ -59,7 +59,6 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var begun = kept & CELL_MASK;
     // A piece with a hit is the last one.
     while k < pieces && hit.t * Real(pieces) >= Real(k) - PIECE_SLACK && walk_has_room() {
-        work += 1u;
         let a = piece_start(s, k, pieces);
         let d = piece_end(s, k, pieces) - a;
         let inverse = 1.0 / select(d, Real3(1e-30), abs(d) < Real3(1e-30));
@@ -71,7 +70,6 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
         begun = 0u;
         var walking = inside.enters <= inside.leaves;
         while walking {
-            work += 1u;
             if !walk_has_room() {
                 begun = cell_index(cell) + 1u;
                 break;

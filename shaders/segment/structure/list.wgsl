@@ -5,7 +5,6 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     let count = item_count();
     var item = select(count, walk_begin(), pieces > 0u);
     while item < count && walk_has_room() {
-        work += 1u;
         hit = items_hit(s, pieces, Span(0.0, 1.0), item, 1u, hit);
         item += 1u;
         walk_turn();

@@ -13,7 +13,6 @@ struct DirectionalLight {
 fn lit_by_directional(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < arrayLength(&directional_lights); i++) {
-        work += 1u;
         let to_light = -directional_lights[i].direction;
         let faces = dot(lit.normal, to_light) > 0.0;
         let share = light_share(directional_lights[i].shadows, faces, lit.start, way_out(lit.start, to_light));

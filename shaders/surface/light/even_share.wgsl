@@ -16,7 +16,6 @@ fn brightest_around(light: GridLight, x: vec3f, cut: f32) -> f32 {
     let corner = floor(x * cut);
     var most = 0.0;
     for (var k = 0u; k < 27u; k++) {
-        work += 1u;
         let by = vec3f(vec3u(k % 3u, (k / 3u) % 3u, k / 9u)) - 1.0;
         most = max(most, light_in(light, corner + by, cut).w);
     }

@@ -4,7 +4,6 @@
 fn lit_by_grid(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < arrayLength(&grid_lights); i++) {
-        work += 1u;
         let light = grid_lights[i];
         let x = (vec3f(lit.x) - light.lo) / light.h;
         // In bricks as far as there are any where the light is looked for.
@@ -32,7 +31,6 @@ fn light_between(light: GridLight, x: vec3f, normal: vec3f, cut: f32) -> vec4f {
     var sum = vec4f(0.0);
     var open = 0.0;
     for (var k = 0u; k < 8u; k++) {
-        work += 1u;
         let by = vec3f(vec3u(k & 1u, (k >> 1u) & 1u, k >> 2u));
         let shares = mix(1.0 - part, part, by);
         let share = shares.x * shares.y * shares.z;

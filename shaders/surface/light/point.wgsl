@@ -14,7 +14,6 @@ struct PointLight {
 fn lit_by_point(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < arrayLength(&point_lights); i++) {
-        work += 1u;
         let way = point_lights[i].position - lit.x;
         let to_light = normalize(way);
         let faces = dot(lit.normal, to_light) > 0.0;

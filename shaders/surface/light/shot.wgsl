@@ -15,13 +15,11 @@ struct ShotLight {
 fn lit_by_shot(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);
     for (var i = 0u; i < arrayLength(&shot_lights); i++) {
-        work += 1u;
         let light = shot_lights[i];
         let source = Real3(light.position);
         var reached = false;
         forget_shots();
         for (var k = 0u; k < SHOTS; k++) {
-            work += 1u;
             let shot = shot_at(source, lit.start, k);
             reached = reached || shot.found;
             let to_light = -vec3f(shot.arrives);

@@ -13,7 +13,6 @@ fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32,
     let count = fan_count(material.bit);
     var total: Real = 0.0;
     for (var i = 0u; i < count; i++) {
-        work += 1u;
         total += max(fan_ray(material.bit, i, d, n).w, 0.0);
     }
     var taken = Real4(0.0);
@@ -21,7 +20,6 @@ fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32,
     var share = 1.0;
     var rest = total;
     for (var i = 0u; i < count; i++) {
-        work += 1u;
         let own = fan_ray(material.bit, i, d, n);
         let part = max(own.w, 0.0) / rest;
         if !(part > 0.0) {

@@ -18,7 +18,6 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     var share = Share(1.0);
     var there = false;
     for (var k = 0u; k < CROSSINGS && !there && line_has_room(); k++) {
-        work += 1u;
         let rest = start + way - at;
         let s = Segment(at, rest, at + rest, rest, 1.0);
         var hit = first_met(s, 1u);

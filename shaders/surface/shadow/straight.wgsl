@@ -15,7 +15,6 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
     var at = start;
     var share = 1.0;
     for (var k = 0u; k < CROSSINGS && walk_has_room(); k++) {
-        work += 1u;
         let rest = start + way - at;
         let s = Segment(at, rest, at + rest, rest, 1.0);
         let near = items_near(s);

@@ -11,7 +11,6 @@ fn shot_clear(source: Real3, d: Real3, place: Real3) -> bool {
     var there = false;
     var clear = true;
     for (var k = 0u; k < schedule.max_segments && clear && !there; k++) {
-        work += 1u;
         if !shot_has_room() {
             unfinished = true;
             break;

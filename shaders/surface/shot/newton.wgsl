@@ -68,7 +68,6 @@ fn nearest_to(source: Real3, d: Real3, place: Real3, longest: Real) -> Nearest {
     var passed: Real = 0.0;
     var passed_there: Real = 0.0;
     for (var k = 0u; k < schedule.max_segments && passed < longest && shot_has_room(); k++) {
-        work += 1u;
         var next = ray;
         let s = follow_segment(&next);
         passed += distance(s.x0, s.x1);
@@ -96,7 +95,6 @@ fn nearest_on(start: Ray, end: Ray, t: Real, place: Real3, passed: Real) -> Near
     var h = own_fraction(start.phase, end.phase, t) * size;
     var p = retaken_step(start.phase, h);
     for (var i = 0u; i < 3u; i++) {
-        work += 1u;
         let v = p[1].xyz;
         h = clamp(h - dot(p[0].xyz - place, v) / (dot(v, v) * own_pace(p)), 0.0, size);
         p = retaken_step(start.phase, h);
@@ -147,7 +145,6 @@ fn forget_shots() {
 fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     var search = begun_search(source, place, k);
     while search.parts <= NEWTON_STEPS {
-        work += 1u;
         search = nearer_search(search, source, place);
     }
     return ended_search(search, source, place);
@@ -202,7 +199,6 @@ fn nearer_search(search: ShotSearch, source: Real3, place: Real3) -> ShotSearch 
     step *= min(1.0, LONGEST / max(length(step), 1e-30));
     let shortenings = select(SHORTENINGS, 1u, search.gap < CLOSE * far);
     for (var j = 0u; j < shortenings; j++) {
-        work += 1u;
         let trial = tilted(d, base, step);
         let path = nearest_to(source, trial, place, longest);
         if path.gap < search.gap {
@@ -234,7 +230,6 @@ fn ended_search(search: ShotSearch, source: Real3, place: Real3) -> Shot {
 
 fn is_new(d: vec3f) -> bool {
     for (var i = 0u; i < found_count; i++) {
-        work += 1u;
         if distance(found_directions[i], d) < SAME {
             return false;
         }
@@ -263,7 +258,6 @@ fn bundle_change(search: ShotSearch, source: Real3, place: Real3, apart: Real) -
     let longest = neighbor_length(search);
     var columns = mat2x3<Real>(Real3(0.0), Real3(0.0));
     for (var i = 0u; i < 4u; i++) {
-        work += 1u;
         let side = select(apart, -apart, (i & 1u) == 1u);
         let to_side = select(Real2(side, 0.0), Real2(0.0, side), i > 1u);
         let offset = nearest_to(source, tilted(d, base, to_side), place, longest).offset / (2.0 * side);

@@ -49,7 +49,6 @@ fn shot_orbit(plane: ShotPlane, off: Real, steps: u32) -> Orbit {
     // What each sum rounds away is added to the next: where two paths are nearly one, their angle hangs on the last digits.
     var rest = Real2(0.0);
     for (var i = 0u; i < steps; i++) {
-        work += 1u;
         let more = orbit_change(o, s) + rest;
         let sum = Real2(opaque(o.u + more.x), opaque(o.w + more.y));
         rest = more - Real2(opaque(sum.x - o.u), opaque(sum.y - o.w));
@@ -96,7 +95,6 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     var before = false;
     var seen = 0u;
     for (var i = 0u; i <= LOOKS; i++) {
-        work += 1u;
         let off = select(look_angle(i), PI, i == LOOKS);
         // Straight away from the centre it never comes round.
         let inside = i < LOOKS && shot_orbit(plane, off, FEW_STEPS).u > wanted;
@@ -116,7 +114,6 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
         return NO_SHOT;
     }
     for (var i = 0u; i < HALVINGS; i++) {
-        work += 1u;
         let middle = 0.5 * (low + high);
         let inside = shot_orbit(plane, middle, FEW_STEPS).u > wanted;
         low = select(middle, low, inside == rises);
@@ -126,7 +123,6 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
     var gap = shot_orbit(plane, low, MANY_STEPS).u - wanted;
     var off = high;
     for (var i = 0u; i < SECANTS; i++) {
-        work += 1u;
         let there = shot_orbit(plane, off, MANY_STEPS).u - wanted;
         let next = off - there * (off - low) / select(there - gap, 1.0, there == gap);
         low = off;

@@ -241,7 +241,6 @@ pub(super) fn media(count: usize) -> Unit {
 pub(super) fn chord(steps: u32) -> Unit {
     let mut text =
         String::from("fn chord_steps(start: Ray) -> ChordSteps {\n    var ray = start;\n    var over = false;\n");
-    let _ = writeln!(text, "    work += {steps}u;");
     for step in 0..steps {
         let test = if step > 0 { "    over = over | may_be_over(ray);\n" } else { "" };
         let _ = writeln!(text, "{test}    ray = accepted_step(ray);");

@@ -157,7 +157,7 @@ fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
     };
     let Some(count) = count else {
         let count = if sided { format!("SIDED_{code}_COUNT") } else { format!("{code}_COUNT") };
-        return format!("    for (var i = 0u; i < {count}; i++) {{\n        work += 1u;\n    {}    }}\n", item("i"));
+        return format!("    for (var i = 0u; i < {count}; i++) {{\n    {}    }}\n", item("i"));
     };
     (0..count).map(|i| item(&format!("{i}u"))).collect()
 }
