@@ -265,7 +265,7 @@ fn chosen_pixels_are_the_pictures_own() {
     let scene = scene(&format!("{HOLE}method = \"rk4\"\n[sky]\ncolor = [1, 1, 1]\n"));
     let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
     let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-    let renderer = Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap();
+    let mut renderer = Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap();
     let pixels: Vec<[u32; 2]> = (0..72).flat_map(|y| (0..96).map(move |x| [95 - x, y])).collect();
     let (rays, _) = renderer.follow(Starts::Pixels(&pixels, 96)).unwrap();
     for ([x, y], ray) in pixels.iter().zip(&rays) {

@@ -7,14 +7,7 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` that make up what they ask for, and all that this can be.
-const COMPUTED: [(&str, &[(&str, &str)]); 11] = [
-    ("part, \"ASYMPTOTE_STEPS\"", &[("real/f32", "ASYMPTOTE_STEPS"), ("real/f64", "ASYMPTOTE_STEPS")]),
-    (
-        "part, \"MAX_TRIES\"",
-        &[("method/control/embedded", "MAX_TRIES"), ("method/control/doubling_rejecting", "MAX_TRIES")],
-    ),
-    ("steps, \"STEPS\"", &[("motion/orbit_open", "STEPS"), ("motion/separated_open", "STEPS")]),
-    ("cuts, \"CUTS\"", &[("motion/edge_bound", "CUTS"), ("motion/separated_open", "CUTS")]),
+const COMPUTED: [(&str, &[(&str, &str)]); 7] = [
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[

@@ -107,7 +107,7 @@ fn nothing_can_be_taken_out_of_any_program() {
         for (_, schedule) in Schedule::ALL.into_iter().enumerate().filter(taken) {
             for (masks, layers) in [(Masks::List, Vec::new()), (Masks::Off, Layer::ALL.to_vec())] {
                 for &purpose in purposes(schedule) {
-                    let choice = Choice { schedule, masks, purpose, layers: layers.clone() };
+                    let choice = Choice { schedule, masks, purpose, layers: layers.clone(), ..Choice::default() };
                     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
                     for (pass, linked, reflection) in &program.passes {
                         if !seen.insert(linked.source.clone()) {
@@ -227,7 +227,7 @@ fn no_pass_asks_for_the_number_of_workgroups() {
 }
 
 /// Branches that stay: each its file, its condition, and the reason.
-const ALLOWED: [(&str, &str, &str); 7] = [
+const ALLOWED: [(&str, &str, &str); 6] = [
     ("generated/images.wgsl", "image", "each of two skies has its own picture"),
     ("generated/kinds.wgsl", "region", "the kind of a region of a list, which has one here"),
     ("generated/shapes.wgsl", "primitive & ~PRIMITIVE_INDEX", "the surface of a region of a list, which has one here"),
@@ -241,7 +241,6 @@ const ALLOWED: [(&str, &str, &str); 7] = [
         "start.primitive != NOTHING",
         "each region of a list has its own, and the list has one here",
     ),
-    ("shaders/state/lanes.wgsl", "LANES > 0u", "the device's own number, known when the program is compiled for it"),
     ("shaders/motion/spiral_arc.wgsl", "LEAPS", "generated for a scene: one word instead of a part for each answer"),
 ];
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use bentray::gpu::Geometry;
-use bentray::program::{Analysis, Choice, Program, Schedule};
+use bentray::program::{Analysis, Choice, DeviceProfile, Program, Schedule};
 use bentray::render::{RenderSettings, Renderer, Status, Traced, trace};
 use bentray::scene::Scene;
 
@@ -136,8 +136,9 @@ fn long_walks_through_meshes_that_are_kept_once_go_on() {
         "[camera]\nposition = [0, 0, 14]\nfov = 0.5\n[image]\nsize = [4, 3]\n[law]\nkind = \"straight\"\n[rays]\n";
     let scene = scene(folder.path(), keys, "bvh", &objects);
     let geometry = Geometry::new(&scene);
-    let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()).unwrap();
-    assert!(geometry.analysis.structure.once && program.work.passes_per_segment > 1);
+    let choice = Choice { device: DeviceProfile::cpu(8), ..Choice::default() };
+    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
+    assert!(geometry.analysis.structure.once && program.suspends);
     let rays: Vec<[f64; 6]> = (0..10).map(|i| [-0.05 + 0.01 * f64::from(i), 0.0, 14.0, 0.0, 0.0, -1.0]).collect();
     for schedule in [Schedule::Fused, Schedule::Segment, Schedule::Whole] {
         for end in ends(&scene, schedule, &rays) {

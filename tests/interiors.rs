@@ -258,7 +258,7 @@ fn nothing_can_be_taken_out_of_the_programs_of_interiors() {
             for (purpose, masks) in
                 [(Purpose::Picture, Masks::List), (Purpose::Picture, Masks::Off), (Purpose::Trace, Masks::Grid)]
             {
-                let choice = Choice { schedule, masks, purpose, layers: Vec::new() };
+                let choice = Choice { schedule, masks, purpose, ..Choice::default() };
                 let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
                 for (pass, linked, reflection) in &program.passes {
                     let uniform =

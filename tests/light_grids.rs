@@ -163,7 +163,7 @@ fn grids_are_kept_while_the_light_stays() {
     for (change, keeps) in [(("[0, 0.3, 6]", "[1, 0.3, 6]"), true), (("[0.3, 0.2, -0.4]", "[0.5, 0.2, -0.4]"), false)] {
         let next = scene(&text.replace(change.0, change.1));
         renderer.set_scene(next.clone()).unwrap();
-        let fresh = Renderer::new(&gpu, &next, RenderSettings::default()).unwrap();
+        let mut fresh = Renderer::new(&gpu, &next, RenderSettings::default()).unwrap();
         assert!(renderer.picture().unwrap().band == fresh.picture().unwrap().band);
         // The times that they took are never the same.
         assert_eq!(renderer.light_reports().into_iter().eq(&before), keeps, "{change:?}");

@@ -123,7 +123,7 @@ fn paths_are_as_accurate_as_is_asked_for() {
             "[law]\nkind = \"medium\"\nindex = {{ kind = \"inverse-r\", k = 3 }}\n\
              [rays]\nmethod = \"auto\"\naccuracy = {accuracy:e}\nprecision = \"f{bits}\"\nbound = {{ radius = 20 }}\nmax_segments = 9000\n",
         ));
-        let (found, renderer) = calibrate_paths(&gpu, &scene, &RenderSettings::default(), &pairs).unwrap().unwrap();
+        let (found, mut renderer) = calibrate_paths(&gpu, &scene, &RenderSettings::default(), &pairs).unwrap().unwrap();
         assert!(found.chosen.error <= accuracy, "{found}");
         let (paths, _) = renderer.paths_between(&pairs).unwrap();
         for ([place, light], paths) in pairs.iter().zip(&paths) {

@@ -3,10 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use bentray::gpu::Geometry;
 use bentray::model::Law;
 use bentray::model::law::{FlowOrder, InMedium, Lorenz, Rossler, Schwarzschild, SchwarzschildForm, Straight};
-use bentray::program::{Analysis, Choice, Layer, Masks, Purpose, Schedule, Work, link_all, plan};
+use bentray::program::{Analysis, Choice, Layer, Masks, Purpose, Schedule, link_all, plan};
 use bentray::scene::{Precision, Rays, Scene};
 
 use crate::exactness::unused;
@@ -130,6 +129,7 @@ fn choices() -> Vec<Choice> {
                 masks: if purpose == Purpose::Picture { Masks::List } else { Masks::Off },
                 purpose,
                 layers,
+                ..Choice::default()
             });
         }
     }
@@ -138,11 +138,10 @@ fn choices() -> Vec<Choice> {
 
 /// Every pass of the scene's program: nothing in it is unused, and of steps, controls, memories, numbers and states all of them
 /// together have what is needed, and no more.
-fn check(scene: &Scene, geometry: &Geometry, choice: &Choice, needed: &str, at: &str) {
+fn check(scene: &Scene, choice: &Choice, needed: &str, at: &str) {
     let analysis = Analysis::of(scene);
-    let work = Work::of(scene, &analysis, geometry.extent()).unwrap();
     let choice = &choice.settled(scene);
-    let planned = plan(scene, &analysis, choice, &work).unwrap();
+    let planned = plan(scene, &analysis, choice, false).unwrap();
     let mut parts = BTreeSet::new();
     let entries: Vec<&str> = choice.passes(scene).iter().map(|pass| pass.entry()).collect();
     for linked in link_all(&planned, &entries).unwrap_or_else(|error| panic!("{at}: {error}")) {
@@ -161,7 +160,6 @@ fn check(scene: &Scene, geometry: &Geometry, choice: &Choice, needed: &str, at: 
 
 /// Every setting under one form of the law: those that it allows in these precisions, the others are refused. How many of both.
 fn check_settings(path: &Path, full: &Scene, form: &str, precisions: &[State]) -> [usize; 2] {
-    let geometry = Geometry::new(full);
     let law = bare(path, form).unwrap().law;
     let mut choices = choices().into_iter().cycle();
     let [mut allowed, mut refused] = [0, 0];
@@ -177,7 +175,7 @@ fn check_settings(path: &Path, full: &Scene, form: &str, precisions: &[State]) -
             let scene = Scene { law: bare.law.clone(), rays, ..full.clone() };
             let choice = choices.next().unwrap();
             let at = format!("{}: {form} {setting} in {precision:?} under {choice:?}", path.display());
-            check(&scene, &geometry, &choice, &format!("{steps} {state}"), &at);
+            check(&scene, &choice, &format!("{steps} {state}"), &at);
             allowed += 1;
         }
     }

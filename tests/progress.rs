@@ -57,7 +57,7 @@ fn tiles_that_end_are_reported_though_a_sample_is_one_submission() {
         let ball = ball(&[keys]);
         let choice = Choice { schedule, ..Choice::default() };
         let settings = RenderSettings { choice, tile_pixels: 32 * 8, ..RenderSettings::default() };
-        let renderer = Renderer::new(&gpu, &ball, settings).unwrap();
+        let mut renderer = Renderer::new(&gpu, &ball, settings).unwrap();
         let mut rows = 0;
         let mut at_band = |band: Band| {
             let before = f64::from(rows) / 24.0;
@@ -91,7 +91,7 @@ fn samples_that_end_are_reported() {
     let (gpu, progress) = watched();
     let ball = ball(&["image.samples=5", "rays.transport=paths"]);
     let looks = Looks(&progress, RefCell::default());
-    let renderer = Renderer::new(&gpu, &ball, RenderSettings::default()).unwrap();
+    let mut renderer = Renderer::new(&gpu, &ball, RenderSettings::default()).unwrap();
     renderer.render_watched(&mut |_| Ok(()), &Watch { preview: Some(&looks), earlier: None }).unwrap();
     let looks = looks.1.into_inner();
     assert!(looks.len() > 2, "{looks:?}");

@@ -225,7 +225,7 @@ fn what_outlives_a_pass_is_followed_on() {
         RenderSettings { choice, tile_pixels: 300, ..RenderSettings::default() }
     };
     let render = |schedule: Schedule| {
-        let renderer = Renderer::new(&gpu, &scene, tiled(schedule)).unwrap();
+        let mut renderer = Renderer::new(&gpu, &scene, tiled(schedule)).unwrap();
         assert_eq!(renderer.program.choice.schedule, schedule);
         [renderer.picture().unwrap(), renderer.picture().unwrap()]
     };

@@ -33,6 +33,8 @@ struct Filter {
 
 // Half the distance between Gauss's two points, in parts of a piece.
 const GAUSS: Real = 0.28867513459481287;
+// Pieces that a step is cut into, at most.
+const FILTER_PIECES: u32 = 1024u;
 // Of what a whole step may err a piece may this part, however short it is.
 const LEAST_SHARE: f32 = 0.25;
 // What rounding makes of an optical depth.
@@ -107,7 +109,8 @@ fn filter_part(p: Phase, h: Real) {
     filter_slips = false;
     for (var k = 0u; k <= FILTER_PIECES && a < h; k++) {
         let rest = h - a;
-        let own = select(min(size, rest), rest, k == FILTER_PIECES || size >= 0.999 * rest);
+        let is_last = k == FILTER_PIECES || is_spent();
+        let own = select(min(size, rest), rest, is_last || size >= 0.999 * rest);
         let depths = depths_over(filter_at, p, a, own);
         let whole = depths.whole;
         let halves = depths.halves;
@@ -117,8 +120,8 @@ fn filter_part(p: Phase, h: Real) {
         // Of what a step may err a piece may by its length, down to a part.
         let share = max(f32(own / h), LEAST_SHARE);
         let agrees = apart <= max(share * filter_at.tolerance, FILTER_ROUNDING * deep);
-        filter_slips = filter_slips || (!agrees && k == FILTER_PIECES);
-        if agrees || k == FILTER_PIECES {
+        filter_slips = filter_slips || (!agrees && is_last);
+        if agrees || is_last {
             let depth = max(halves + (halves - whole) / 15.0, vec4f(0.0));
             take_piece(filter_at, track_place(p, a + 0.5 * own).xyz, depth);
             a += own;

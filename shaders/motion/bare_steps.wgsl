@@ -3,7 +3,7 @@
 fn bare_steps(ray: Ray, most: u32) -> Ray {
     var next = ray;
     for (var i = 0u; i < most; i++) {
-        if work >= WORK_LIMIT {
+        if is_spent() {
             break;
         }
         next = accepted_step(next);

@@ -20,7 +20,7 @@ fn bare_steps(ray: Ray, most: u32) -> Ray {
     var o = orbit_of(ray.phase[0], ray.phase[1]);
     var passed: Real = 0.0;
     for (var i = 0u; i < most; i++) {
-        if work >= WORK_LIMIT {
+        if is_spent() {
             break;
         }
         let s = orbit_stride(o, control.eta, o.u);

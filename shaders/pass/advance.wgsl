@@ -4,7 +4,6 @@
 
 @compute @workgroup_size(GROUP)
 fn advance(own: Invocation) {
-    begin_work(own.lane);
     let spot = active_ray(own);
     load_weight(spot.pixel);
     load_waiting(spot.pixel);

@@ -2,7 +2,6 @@
 
 @compute @workgroup_size(GROUP)
 fn intersect(own: Invocation) {
-    begin_work(own.lane);
     let spot = active_ray(own);
     load_last_hit(spot.pixel, spot.index);
     if spot.valid && ray_wanted(spot.code) && walk_needed(spot.pixel) {

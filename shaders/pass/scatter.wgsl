@@ -3,7 +3,6 @@
 
 @compute @workgroup_size(GROUP)
 fn scatter(own: Invocation) {
-    begin_work(own.lane);
     let spot = active_ray(own);
     if spot.valid && may_scatter(spot.code) {
         load_weight(spot.pixel);

@@ -2,7 +2,6 @@
 
 @compute @workgroup_size(GROUP)
 fn shade(own: Invocation) {
-    begin_work(own.lane);
     let spot = round_pixel(own);
     let pixel = spot.pixel;
     let followed = spot.valid && status_code(load_status(pixel)) != RESTING;

@@ -25,7 +25,6 @@ struct ShotRecord {
 // Runs again and again until every search is over: one part of it at a time, and a look along the path that it found.
 @compute @workgroup_size(GROUP)
 fn shots(own: Invocation) {
-    begin_work(own.lane);
     let spot = grid_pixel(own);
     let pair = picture_ray(spot.pixel);
     let i = spot.pixel.y * frame.size.x + spot.pixel.x;

@@ -4,7 +4,6 @@
 
 @compute @workgroup_size(GROUP)
 fn whole(own: Invocation) {
-    begin_work(own.lane);
     var steps = 0u;
     var segments = 0u;
     var rejected = 0u;

@@ -1,5 +1,5 @@
 // Numbers of 32 bits: what a path is followed in, unless the scene asks for more. Functions whose built-in forms are inaccurate
-// on some devices are written out (atan2 is wrong by 3e-6 on lavapipe).
+// on some devices are written out (atan2 is wrong by 3e-6 in Mesa's on a processor).
 
 alias Real = f32;
 alias Real2 = vec2<f32>;
@@ -45,7 +45,7 @@ fn real_exp(a: Real) -> Real {
     return exp(a);
 }
 
-// ln x for a normal x > 0 (the built-in form is wrong by 7e-5 near 1 on lavapipe): x = 2^k m with m from √½ to √2, and ln m by the
+// ln x for a normal x > 0 (the built-in form is wrong by 7e-5 near 1 in Mesa's on a processor): x = 2^k m with m from √½ to √2, and ln m by the
 // minimax polynomial of FreeBSD's logf (Sun's fdlibm, with the terms that f32 needs).
 fn real_log(x: Real) -> Real {
     // The distance from √2's fraction to the next exponent's carries everything above √2 over.

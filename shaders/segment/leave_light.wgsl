@@ -70,7 +70,7 @@ fn leave_chord(a: vec3f, b: vec3f, share: f32) {
     let last = min(1.0, min(leaves.x, min(leaves.y, leaves.z)));
     let nudge = NUDGE / max(size, NUDGE);
     while t < last {
-        if work > WORK_LIMIT {
+        if is_spent() {
             tally_at_once(LOST);
             break;
         }

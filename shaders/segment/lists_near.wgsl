@@ -1,5 +1,5 @@
 // Shapes of which there are few, in lists: those that are near, one after the other, each against the pieces up to the first that
-// meets it. Lavapipe leaves the loop at once where no ray beside this one has any.
+// meets it. A processor leaves the loop at once where no ray beside this one has any.
 
 fn listed_hit(s: Segment, pieces: u32, near: u32) -> Hit {
     var hit = Hit(2.0, NOTHING);

@@ -77,6 +77,8 @@ const UNLIT: u32 = 13u;
 const LOST: u32 = 14u;
 // Nor this: a stretch of a path whose filter could not be had to its tolerance, or is none: below 0, or above 1.
 const UNFILTERED: u32 = 15u;
+// Nor this: a segment that needs more loop iterations than the device runs in one pass.
+const OVERRUN: u32 = 16u;
 
 // Did the path end on a surface?
 fn ends_on_surface(code: u32) -> bool {

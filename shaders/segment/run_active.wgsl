@@ -9,7 +9,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         var near = 0u;
         var full = false;
         loop {
-            full = *segments >= schedule.segments || work + schedule.segment_work > WORK_LIMIT;
+            full = *segments >= schedule.segments || !has_room();
             if full {
                 break;
             }
@@ -17,7 +17,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             note_segment(next.tau);
             quick = follow_quickly(&next);
             near = nearby(quick.segment);
-            if !quick.sure || near != 0u || open_status(quick.segment, next.tau, (*ray).index) != ALIVE {
+            if !quick.sure || near != 0u || is_spent() || open_status(quick.segment, next.tau, (*ray).index) != ALIVE {
                 break;
             }
             clear_last_hit();
@@ -33,10 +33,10 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         var segment = quick.segment;
         near = follow_surely(*ray, &next, &segment, near);
         let hit = first_hit(segment, near, spot.pixel);
-        if walk_suspended() {
+        if walk_suspended() || overran(*segments) {
             break;
         }
-        let code = segment_status(segment, next.tau, (*ray).index, hit);
+        let code = known_status(segment_status(segment, next.tau, (*ray).index, hit));
         clear_last_hit();
         *segments += 1u;
         if code == ALIVE {
@@ -51,6 +51,6 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             // As exact as the record of hits.
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }
-        share_work();
+        rejoin();
     }
 }

@@ -5,17 +5,17 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
     // What runs on: the same as long as the ray lives.
     var path = *ray;
     while *segments < schedule.segments && spot.valid && !may_scatter((*ray).status) {
-        if work + schedule.segment_work > WORK_LIMIT {
+        if !has_room() {
             break;
         }
         var next = path;
         note_segment(next.tau);
         let segment = follow_segment(&next);
         let hit = first_hit(segment, nearby(segment), spot.pixel);
-        if walk_suspended() {
+        if walk_suspended() || overran(*segments) {
             break;
         }
-        let code = segment_status(segment, next.tau, path.index, hit);
+        let code = known_status(segment_status(segment, next.tau, path.index, hit));
         clear_last_hit();
         next.index += 1u;
         *segments += 1u;
@@ -33,6 +33,6 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             }
         }
         path = next;
-        share_work();
+        rejoin();
     }
 }

@@ -2,16 +2,16 @@
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
     while (*ray).status == ALIVE {
-        if *segments >= schedule.segments || work + schedule.segment_work > WORK_LIMIT {
+        if *segments >= schedule.segments || !has_room() {
             break;
         }
         var next = *ray;
         let segment = follow_segment(&next);
         let hit = first_hit(segment, nearby(segment), spot.pixel);
-        if walk_suspended() {
+        if walk_suspended() || overran(*segments) {
             break;
         }
-        let code = segment_status(segment, next.tau, (*ray).index, hit);
+        let code = known_status(segment_status(segment, next.tau, (*ray).index, hit));
         clear_last_hit();
         *segments += 1u;
         leave_light(segment, select(1.0, hit.t, hit.primitive != NOTHING), light_weight());
@@ -26,7 +26,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             // As exact as the record of hits.
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }
-        share_work();
+        rejoin();
     }
     if spot.valid {
         keep_reach(spot.pixel);

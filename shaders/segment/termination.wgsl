@@ -17,3 +17,28 @@ fn open_status(s: Segment, tau: Real, index: u32) -> u32 {
     code = select(code, ESCAPED, left_bound(s.x1, s.v1));
     return select(FAILED, code, finite(s.x1) && finite(s.v1));
 }
+
+// Were loops cut short in a segment that was not a pass's first? A pass of its own has more room for it.
+fn overran(segments: u32) -> bool {
+    return is_spent() && segments > 0u;
+}
+
+// A segment's status, unless its loops may have been cut short: then what it came to is not known.
+fn known_status(code: u32) -> u32 {
+    if is_spent() {
+        tally_at_once(OVERRUN);
+        return FAILED;
+    }
+    return code;
+}
+
+// The ray after a pass of steps, in the same way: not finite.
+fn known_ray(ray: Ray) -> Ray {
+    var known = ray;
+    if is_spent() {
+        tally_at_once(OVERRUN);
+        known.phase[0] *= infinite();
+        known.phase[1] *= infinite();
+    }
+    return known;
+}

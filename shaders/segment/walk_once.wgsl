@@ -5,12 +5,12 @@ var<private> walk_stopped: bool;
 
 // There is room for the next place, and for all that follows the walk.
 fn walk_has_room() -> bool {
-    return work + schedule.segment_work < WORK_LIMIT;
+    return has_room();
 }
 
 // Some loop of the walk, or before it, is done by all that took it together.
 fn walk_turn() {
-    share_work();
+    rejoin();
 }
 
 // From the beginning, as for another segment.

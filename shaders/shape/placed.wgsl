@@ -4,7 +4,7 @@
 // x² + z² ≤ 1) and where that is.
 //
 // What every segment is tested against lies apart, in uniform arrays of a length that is known when the program is compiled:
-// lavapipe loads storage lane by lane, and that alone would cost more than the test.
+// a processor loads storage lane by lane, and that alone would cost more than the test.
 struct Placed {
     // Spheres only.
     center: Real3,

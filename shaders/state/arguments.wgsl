@@ -31,8 +31,6 @@ struct Schedule {
     max_segments: u32,
     // Segments a pass, at most (fused).
     segments: u32,
-    // Loop iterations that one more segment may need.
-    segment_work: u32,
 }
 
 @group(0) @binding(1) var<uniform> schedule: Schedule;

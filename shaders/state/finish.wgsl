@@ -1,8 +1,9 @@
 // What passes over segments leave behind: the rays, and the counts of what was done. Called by every lane of the group.
 
 // After steps. before: the ray as the pass found it.
-fn finish_steps(spot: ActiveRay, before: Ray, ray: Ray, lane: u32) {
+fn finish_steps(spot: ActiveRay, before: Ray, next: Ray, lane: u32) {
     if spot.alive {
+        let ray = known_ray(next);
         store_ray(spot.pixel, ray);
         store_counts(spot.pixel, ray);
         store_taken(spot.pixel, ray.taken);

@@ -1,7 +1,7 @@
 // Totals over all rays, summed on the device.
 
-// Room for every status code.
-const STATUSES: u32 = 16u;
+// Room for every status code, and for what is counted beside them.
+const STATUSES: u32 = 17u;
 
 struct Tally {
     // Counts beyond 32 bits: the low word, and how often it has run over.

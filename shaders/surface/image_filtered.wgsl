@@ -12,7 +12,7 @@ fn note_spans(a: vec2f, b: vec2f) {
 }
 
 // Below the picture lie its smaller copies side by side, each half as wide and as high as the one before. (A texture's own levels would do, but
-// on lavapipe they come out wrong where neighbouring invocations ask for several.)
+// with Mesa's on a processor they come out wrong where neighbouring invocations ask for several.)
 fn image_size(image: u32) -> vec2u {
     let extent = image_extent(image);
     return vec2u(extent.x, 2u * (extent.y / 3u) + extent.y % 3u);

@@ -1,7 +1,7 @@
 //! What compaction is worth, a dense list of the active rays: where few go on, scattered over the picture, and where all do.
 
 use super::{Bench, Cell, Report, Table, Times};
-use crate::program::{Choice, Masks, Purpose, Schedule};
+use crate::program::{Choice, Masks, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
 
@@ -59,12 +59,12 @@ pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, R
 /// Without masks, once, for that takes many times as long; with masks alone and with the list, by turns.
 fn times(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 3], RenderError> {
     let renderer = |masks: Masks| {
-        let choice = Choice { schedule, masks, purpose: Purpose::Picture, layers: Vec::new() };
+        let choice = Choice { schedule, masks, ..Choice::default() };
         Renderer::new(bench.gpu, scene, RenderSettings { choice, segments, ..RenderSettings::default() })
     };
-    let (off, grid, list) = (renderer(Masks::Off)?, renderer(Masks::Grid)?, renderer(Masks::List)?);
-    let run = |renderer: &Renderer| Ok(renderer.picture()?.totals.advance());
-    let [off] = Times::by_turns(1, [&mut || run(&off)])?;
-    let [grid, list] = Times::by_turns(bench.repeats, [&mut || run(&grid), &mut || run(&list)])?;
+    let (mut off, mut grid, mut list) = (renderer(Masks::Off)?, renderer(Masks::Grid)?, renderer(Masks::List)?);
+    let run = |renderer: &mut Renderer| Ok(renderer.picture()?.totals.advance());
+    let [off] = Times::by_turns(1, [&mut || run(&mut off)])?;
+    let [grid, list] = Times::by_turns(bench.repeats, [&mut || run(&mut grid), &mut || run(&mut list)])?;
     Ok([off, grid, list])
 }

@@ -55,12 +55,12 @@ pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
     for count in COUNTS {
         let used: Vec<Way> = ways().into_iter().filter(|way| way.structured || count <= MOST_UNSTRUCTURED).collect();
         let scenes = used.iter().map(|way| scene(size, count, &way.keys)).collect::<Result<Vec<_>, _>>()?;
-        let renderers = scenes
+        let mut renderers = scenes
             .iter()
             .map(|scene| Renderer::new(bench.gpu, scene, RenderSettings::default()))
             .collect::<Result<Vec<_>, _>>()?;
         let mut runs: Vec<_> = renderers
-            .iter()
+            .iter_mut()
             .map(|renderer| {
                 || {
                     let totals = renderer.picture()?.totals;

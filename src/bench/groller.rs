@@ -111,7 +111,7 @@ fn measured(bench: &Bench, scene: &Scene) -> Result<Measured, RenderError> {
     drop(Geometry::new(scene));
     let build = started.elapsed().as_secs_f64();
     let choice = Choice { schedule: Schedule::Segment, ..Choice::default() };
-    let renderer =
+    let mut renderer =
         Renderer::new(bench.gpu, scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;
     let mut segments = 0;
     let slow = scene.rays.accelerate == Accelerate::None;

@@ -159,7 +159,7 @@ fn mebibytes(bytes: u64) -> f64 {
 
 /// One colour of a picture, the whole time that it took, and that of the grid.
 fn picture(bench: &Bench, scene: &Scene) -> Result<(Vec<f32>, f64), RenderError> {
-    let renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
+    let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings::default())?;
     let grid = renderer.light_reports().iter().map(|report| report.wall.as_secs_f64()).sum();
     let [red, ..] = renderer.picture()?.band.color;
     Ok((red, grid))

@@ -10,7 +10,7 @@ use crate::program::{Choice, Purpose, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts};
 use crate::scene::Scene;
 
-/// Iterations that a bare loop has room for: lavapipe's limit over the loops of one step.
+/// Iterations that a bare loop has room for on any device.
 const MOST_STEPS: u32 = 20_000;
 
 /// The device's ceilings, and for each of the scenes, by name, what share of its advance passes its bare steps are.
@@ -74,7 +74,7 @@ fn rows(bench: &Bench, name: &str, scene: &Scene) -> Result<[Vec<Cell>; 2], Rend
         Renderer::new(bench.gpu, &scene, RenderSettings { choice, ..RenderSettings::default() })
     };
     let mut fused = renderer(Purpose::Picture, Schedule::Fused)?;
-    let whole = renderer(Purpose::Picture, Schedule::Whole)?;
+    let mut whole = renderer(Purpose::Picture, Schedule::Whole)?;
     let segments = fused.choose_segments()?;
     let rays = f64::from(bench.size[0]) * f64::from(bench.size[1]);
     let mut stages: Vec<[Duration; 5]> = Vec::new();
@@ -129,7 +129,7 @@ fn steps(bench: &Bench, scene: &Scene) -> Result<Option<Vec<u32>>, RenderError> 
         return Ok(None);
     }
     let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-    let renderer = Renderer::new(bench.gpu, scene, RenderSettings { choice, ..RenderSettings::default() })?;
+    let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings { choice, ..RenderSettings::default() })?;
     let (rays, _) = renderer.follow(Starts::Pixels(&every_pixel(scene.image.size), scene.image.size[0]))?;
     Ok(Some(rays.iter().map(|ray| ray.steps.min(MOST_STEPS)).collect()))
 }

@@ -13,7 +13,7 @@ use super::times::slope;
 use super::{Bench, CRITICAL, Cell, Report, Table, Times, shadow_edge};
 use crate::measure::{calibrate, method_words};
 use crate::output::plot::{Chart, Series};
-use crate::program::{Choice, Masks, Purpose, Schedule};
+use crate::program::{Choice, Masks, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Scene, SceneError};
 
@@ -205,7 +205,7 @@ fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings
 
 /// Passes that advance apart from those before and after: with ended rays skipped, or every pixel in every pass.
 pub(super) fn by_fused(masks: Masks) -> RenderSettings {
-    let choice = Choice { schedule: Schedule::Fused, masks, purpose: Purpose::Picture, layers: Vec::new() };
+    let choice = Choice { schedule: Schedule::Fused, masks, ..Choice::default() };
     RenderSettings { choice, ..RenderSettings::default() }
 }
 
@@ -215,7 +215,7 @@ pub(super) fn run<'s>(
     scene: &'s Scene,
     settings: RenderSettings,
 ) -> Result<impl FnMut() -> Result<Duration, RenderError> + 's, RenderError> {
-    let renderer = Renderer::new(bench.gpu, scene, settings)?;
+    let mut renderer = Renderer::new(bench.gpu, scene, settings)?;
     Ok(move || Ok(renderer.picture()?.totals.advance()))
 }
 

@@ -35,7 +35,7 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
         for doubling in 0..DOUBLINGS {
             let factor = 1 << doubling;
             let scene = grow(bench, factor)?;
-            let renderer = Renderer::new(bench.gpu, &scene, by_fused(Masks::List))?;
+            let mut renderer = Renderer::new(bench.gpu, &scene, by_fused(Masks::List))?;
             let mut all = 0.0;
             let advance = Times::of(bench.repeats, || {
                 let totals = renderer.picture()?.totals;

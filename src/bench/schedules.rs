@@ -3,7 +3,7 @@
 use super::paper::{GEODESIC, How, scene};
 use super::{Bench, Cell, Report, Table, Times};
 use crate::output::plot::{Chart, Series};
-use crate::program::{Choice, Masks, Purpose, Schedule};
+use crate::program::{Choice, Masks, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Accelerate, Scene};
 
@@ -65,10 +65,10 @@ pub fn schedules(bench: &Bench) -> Result<Report, RenderError> {
 /// Without masks and with them, by turns.
 fn by_masks(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 2], RenderError> {
     let renderer = |masks: Masks| {
-        let choice = Choice { schedule, masks, purpose: Purpose::Picture, layers: Vec::new() };
+        let choice = Choice { schedule, masks, ..Choice::default() };
         Renderer::new(bench.gpu, scene, RenderSettings { choice, segments, ..RenderSettings::default() })
     };
-    let (plain, masked) = (renderer(Masks::Off)?, renderer(schedule.masks())?);
+    let (mut plain, mut masked) = (renderer(Masks::Off)?, renderer(schedule.masks())?);
     let mut plain = || Ok(plain.picture()?.totals.advance());
     let mut masked = || Ok(masked.picture()?.totals.advance());
     Times::by_turns(bench.repeats, [&mut plain, &mut masked])

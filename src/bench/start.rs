@@ -100,6 +100,6 @@ fn second(bench: &Bench, path: &Path) -> Result<Times, RenderError> {
         settings.choice.layers.clone_from(&found.layers);
         scene = found.applied(&scene);
     }
-    let renderer = Renderer::new(bench.gpu, &scene, settings)?;
+    let mut renderer = Renderer::new(bench.gpu, &scene, settings)?;
     Times::of(bench.repeats, || Ok(renderer.picture()?.totals.wall))
 }

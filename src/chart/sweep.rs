@@ -168,7 +168,7 @@ impl Sweep<'_> {
             all.retune(control, SEGMENTS.min(2 * longest as u32 + 8))?;
             let expected =
                 points.last().map_or(0.0, |last| last.time * (steps + rejected) / (last.steps + last.rejected));
-            let measured = timed(&all, if expected > self.slowest * *fastest { 1 } else { self.repeats })?;
+            let measured = timed(&mut all, if expected > self.slowest * *fastest { 1 } else { self.repeats })?;
             let time = measured.seconds / (f64::from(scene.image.size[0]) * f64::from(scene.image.size[1]));
             *fastest = fastest.min(time);
             points.push(Point {
@@ -192,7 +192,7 @@ impl Sweep<'_> {
 }
 
 /// Renders the picture a few times: seconds of the advance passes.
-fn timed(renderer: &Renderer, repeats: usize) -> Result<Measured, RenderError> {
+fn timed(renderer: &mut Renderer, repeats: usize) -> Result<Measured, RenderError> {
     let mut seconds = Vec::new();
     let mut colors = Vec::new();
     for _ in 0..repeats {

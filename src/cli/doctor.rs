@@ -111,7 +111,7 @@ fn double(adapters: &[AdapterReport]) -> Option<String> {
     Some(match other {
         Some(_) if best.f64 => "yes: --precision f64, --verify and the best checks of `auto`".to_owned(),
         Some(other) => format!("only on {0}: --precision f64 with --device '{0}'", other.info.name),
-        None => "no: --precision f64 and --verify cannot be had; lavapipe has them".to_owned(),
+        None => "no: --precision f64 and --verify cannot be had; Mesa's device on the processor has them".to_owned(),
     })
 }
 

@@ -61,7 +61,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         settle(&gpu, (&film, None), scene.clone(), settings, rays, &mut StartUp::default())?;
     let (found, totals) = match renderer {
         _ if shot.is_empty() => Default::default(),
-        Some(renderer) => renderer.paths_between(&pairs)?,
+        Some(mut renderer) => renderer.paths_between(&pairs)?,
         None => light_paths(&gpu, &scene, &settings, &pairs)?,
     };
     let grids = light_grids(&gpu, &scene, &settings)?;

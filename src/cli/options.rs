@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::gpu::{Gpu, GpuError};
 use crate::output::origin::{COMPARED, FOLLOWED};
 use crate::output::said;
-use crate::program::{Choice, Layer, Masks, Purpose, Schedule};
+use crate::program::{Choice, Layer, Masks, Schedule};
 use crate::render::{RenderSettings, Window};
 use crate::scene::{Override, Precision, follow_as};
 
@@ -237,5 +237,5 @@ impl Drop for Opening {
 
 /// A schedule with masks, for pictures without layers.
 pub(super) fn choice(schedule: Schedule) -> Choice {
-    Choice { schedule, masks: schedule.masks(), purpose: Purpose::Picture, layers: Vec::new() }
+    Choice { schedule, masks: schedule.masks(), ..Choice::default() }
 }

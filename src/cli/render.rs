@@ -308,6 +308,13 @@ pub(super) fn warn(totals: &Totals) {
             totals.unfiltered
         );
     }
+    if totals.overrun > 0 {
+        tell!(
+            "warning: {} segments need more loop iterations than this device runs in one pass, and their rays failed: use \
+             `accelerate = \"bvh\"`, fewer sources of force, shorter loops in WGSL of your own, or fewer steps a segment; or render on a GPU",
+            totals.overrun
+        );
+    }
     for (status, what) in advice {
         let count = totals.count(status);
         if count > 0 {

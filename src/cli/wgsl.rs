@@ -4,11 +4,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 
 use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
-use crate::gpu::Geometry;
-use crate::program::{Program, Schedule};
+use crate::gpu::{Geometry, adapters};
+use crate::program::{Choice, DeviceProfile, Program, Schedule};
 use crate::scene::Scene;
 
 /// Print the linked program of a scene, pass by pass, with the part's file over each piece
@@ -24,12 +25,22 @@ pub(super) struct Arguments {
     /// The schedule to link for
     #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
     schedule: Schedule,
+    /// The kind of device to link for [default: that of the best device here]
+    #[arg(long, value_name = "DEVICE", value_parser = PossibleValuesParser::new(DeviceProfile::NAMES))]
+    for_device: Option<String>,
+}
+
+/// What the program is linked for: the kind of device that is asked for, or the one that would render here.
+fn profile(asked: Option<&str>) -> DeviceProfile {
+    let here = || adapters().first().map(|device| device.profile);
+    asked.map_or_else(here, DeviceProfile::named).unwrap_or_default()
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides()?)?;
     let geometry = Geometry::new(&scene);
-    let program = Program::new(&scene, &geometry.analysis, &choice(arguments.schedule), geometry.extent())?;
+    let choice = Choice { device: profile(arguments.for_device.as_deref()), ..choice(arguments.schedule) };
+    let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
     let names: Vec<_> = program.passes.iter().map(|(pass, _, _)| pass.entry()).collect();
     if let Some(wanted) = arguments.pass.as_deref().filter(|wanted| !names.contains(wanted)) {
         return Err(Error::Usage(format!("this program has no pass `{wanted}`; it has {}", names.join(", "))));

@@ -161,7 +161,7 @@ impl Source<'_> {
                 let bound = &self.scene.rays.bound;
                 one(&[("center", Vec3(bound.center)), ("radius", Float(bound.radius))])
             }
-            "schedule" => one(&schedule_values(self.scene.rays.max_segments, self.segments, &self.program.work)),
+            "schedule" => one(&schedule_values(self.scene.rays.max_segments, self.segments)),
             "sampling" => {
                 let columns = f64::from(self.scene.image.samples).sqrt().ceil() as u32;
                 one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])

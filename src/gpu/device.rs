@@ -8,14 +8,12 @@ use wgpu::{
 use super::GpuError;
 use super::compiled::Compiled;
 use super::quiet::quietly;
-use crate::program::constant;
+use crate::program::{DeviceProfile, constant};
 use crate::progress::Progress;
 
-/// The number of `shaders/state/active.wgsl` that a device has its own of.
+/// The numbers of `shaders/state/active.wgsl` that a device may have its own of.
 pub(super) const GROUP_WIDTH: &str = "GROUP_WIDTH";
 pub(super) const LANE_PIXELS: &str = "LANE_PIXELS";
-/// That of `shaders/state/lanes.wgsl`.
-pub(super) const LANES: &str = "LANES";
 
 /// An open device.
 #[derive(Debug)]
@@ -34,10 +32,8 @@ pub struct Gpu {
     pub f64: bool,
     /// Width and height of the block of pixels that one workgroup takes.
     pub group: [u32; 2],
-    /// Pixels that one invocation of a pass over whole paths follows, one below the other.
-    pub lane_pixels: u32,
-    /// Invocations that share a limit of loop iterations; 0 where there is none.
-    pub lanes: u32,
+    /// What programs and passes have to know of it.
+    pub profile: DeviceProfile,
     /// Where work on it reports how far it has come; unless [`Gpu::reporting`] says otherwise, to nobody.
     pub progress: Progress,
     pub(super) compiled: Compiled,
@@ -52,6 +48,8 @@ pub struct AdapterReport {
     pub timestamps: bool,
     /// Does WGSL have f64 there?
     pub f64: bool,
+    /// What programs and passes have to know of it.
+    pub profile: DeviceProfile,
     /// The largest side of a texture.
     pub texture_side: u32,
     /// The largest storage buffer, in bytes.
@@ -81,18 +79,13 @@ fn found() -> Vec<Adapter> {
     all
 }
 
-/// A processor runs the lanes of a row side by side and fetches memory ahead along it: there a workgroup is one row, by which
-/// passes are 1.03 to 1.1 times as fast as by squares.
-fn group_extent(device: DeviceType) -> [u32; 2] {
-    let number = |name| constant("state/active", name) as u32;
-    let pixels = number("GROUP");
-    let across = if device == DeviceType::Cpu { pixels } else { number(GROUP_WIDTH) };
-    [across, pixels / across]
-}
-
-/// A GPU needs every invocation that it can get; a processor has few, and does what a group does once for each eight lanes of it.
-fn lane_pixels(device: DeviceType) -> u32 {
-    if device == DeviceType::Cpu { 8 } else { 1 }
+/// What is known of a device by what it is. Any processor is taken to run programs as Mesa does.
+fn profile(device: &AdapterInfo) -> DeviceProfile {
+    if device.device_type == DeviceType::Cpu {
+        DeviceProfile::cpu(device.subgroup_max_size)
+    } else {
+        DeviceProfile::GPU
+    }
 }
 
 /// Every adapter and what it can do, in the order in which they would be chosen.
@@ -101,6 +94,7 @@ pub fn adapters() -> Vec<AdapterReport> {
     let report = |adapter: &Adapter| {
         let (features, limits) = (adapter.features(), adapter.limits());
         AdapterReport {
+            profile: profile(&adapter.get_info()),
             info: adapter.get_info(),
             timestamps: features.contains(Features::TIMESTAMP_QUERY),
             f64: features.contains(Features::SHADER_F64),
@@ -148,10 +142,12 @@ impl Gpu {
             .map_err(|error| GpuError::Refused { device: info.name.clone(), reason: error.to_string() })?;
         let timestamps = features.contains(Features::TIMESTAMP_QUERY);
         let f64 = features.contains(Features::SHADER_F64);
-        let (group, lane_pixels) = (group_extent(info.device_type), lane_pixels(info.device_type));
-        let lanes = if info.device_type == DeviceType::Cpu { info.subgroup_max_size } else { 0 };
+        let profile = profile(&info);
+        let number = |name| constant("state/active", name) as u32;
+        let across = profile.group_width.unwrap_or(number(GROUP_WIDTH));
+        let group = [across, number("GROUP") / across];
         let (progress, compiled) = (Progress::default(), Compiled::default());
-        Ok(Self { device, queue, info, limits, timestamps, f64, group, lane_pixels, lanes, progress, compiled })
+        Ok(Self { device, queue, info, limits, timestamps, f64, group, profile, progress, compiled })
     }
 
     /// Returns the device with all work on it reported to `progress`.

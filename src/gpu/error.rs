@@ -20,7 +20,7 @@ fn remedy(limit: &str) -> &'static str {
 pub enum GpuError {
     /// No adapter at all.
     #[error(
-        "no Vulkan, Metal or DX12 device found; for one in software, install lavapipe: `apt-get install \
+        "no Vulkan, Metal or DX12 device found; for one on the processor, install Mesa's: `apt-get install \
          mesa-vulkan-drivers` (Debian, Ubuntu), `dnf install mesa-vulkan-drivers` (Fedora), `pacman -S vulkan-swrast` (Arch)"
     )]
     NoDevice,

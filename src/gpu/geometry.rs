@@ -116,12 +116,7 @@ impl Geometry {
     #[must_use]
     pub fn extent(&self) -> Extent {
         let own = self.structure.extent();
-        Extent {
-            places: own.places + self.instances.nodes(),
-            items: own.items + self.instances.triangles(),
-            instances: self.instances.places().len() as u64,
-            at_once: if self.instances.is_empty() { own.at_once } else { LEAF.into() },
-        }
+        Extent { places: own.places + self.instances.nodes(), items: own.items + self.instances.triangles() }
     }
 
     /// The nodes of the structure, and behind them those of each mesh that is kept once, whose items are triangles.

@@ -9,7 +9,7 @@ use wgpu::{
     TextureViewDimension,
 };
 
-use super::device::{GROUP_WIDTH, LANE_PIXELS, LANES};
+use super::device::{GROUP_WIDTH, LANE_PIXELS};
 use super::{Gpu, GpuError, Pipeline, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection, Role};
 
@@ -81,11 +81,7 @@ impl Pipeline {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        let mut known = vec![
-            (GROUP_WIDTH, f64::from(across)),
-            (LANE_PIXELS, f64::from(gpu.lane_pixels)),
-            (LANES, f64::from(gpu.lanes)),
-        ];
+        let mut known = vec![(GROUP_WIDTH, f64::from(across)), (LANE_PIXELS, f64::from(gpu.profile.lane_pixels))];
         known.retain(|(known, _)| reflection.overrides.iter().any(|name| name == known));
         let compilation_options =
             PipelineCompilationOptions { constants: &known, ..PipelineCompilationOptions::default() };

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
 
-use super::hierarchy::{Item, LEAF, Node, hierarchy};
+use super::hierarchy::{Item, Node, hierarchy};
 use super::ray_tree;
 use crate::program::{Extent, PARTS, Search, constant};
 
@@ -119,15 +119,12 @@ impl Built {
     #[must_use]
     pub fn extent(&self) -> Extent {
         let items = self.items.len() as u64;
-        let (places, at_once) = match (self.search(), &self.grid) {
-            (_, Some(grid)) => {
-                let fullest = grid.cells.windows(2).map(|ends| ends[1] - ends[0]).max();
-                (grid.count.iter().map(|&n| u64::from(n)).sum(), fullest.unwrap_or(0).into())
-            }
-            (Search::Hierarchy, _) => (2 * items, LEAF.into()),
-            _ => (items, 1),
+        let places = match (self.search(), &self.grid) {
+            (_, Some(grid)) => grid.count.iter().map(|&n| u64::from(n)).sum(),
+            (Search::Hierarchy, _) => 2 * items,
+            _ => items,
         };
-        Extent { places, items, at_once, instances: 0 }
+        Extent { places, items }
     }
 }
 

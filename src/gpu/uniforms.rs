@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::source::Source;
 use crate::model::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
-use crate::program::Work;
 use crate::scene::{Clear, Scene, Sky};
 
 impl Source<'_> {
@@ -58,8 +57,8 @@ pub(super) fn sky_values(sky: &Sky) -> Vec<(&'static str, Value)> {
 
 /// The members of `schedule`.
 #[must_use]
-pub fn schedule_values(max_segments: u32, segments: u32, work: &Work) -> [(&'static str, Value); 3] {
+pub fn schedule_values(max_segments: u32, segments: u32) -> [(&'static str, Value); 2] {
     // Where no mask holds an ended ray back it runs on to the end of the pass: no further than a path may go.
     let segments = segments.min(max_segments);
-    [("max_segments", Uint(max_segments)), ("segments", Uint(segments)), ("segment_work", Uint(work.segment as u32))]
+    [("max_segments", Uint(max_segments)), ("segments", Uint(segments))]
 }

@@ -92,10 +92,10 @@ const SORTED: usize = 12;
 /// cheapest of [`fast_methods`] takes no longer than the others, but for noise. They do not tell how long another scene takes.
 #[must_use]
 pub fn cost(scene: &Scene, method: Method, control: Control, steps: f64, rejected: f64) -> f64 {
-    let loops = scene.law.loops().derivative.max(1) as f64;
+    let terms = f64::from(scene.law.terms().max(1));
     let objects = OBJECT_COST * scene.objects.len().min(SORTED) as f64;
     let own = method.kind.step_cost.unwrap_or(0.0);
-    loops * evaluations(method, control, steps, rejected) + own * (steps + rejected) + objects * steps
+    terms * evaluations(method, control, steps, rejected) + own * (steps + rejected) + objects * steps
 }
 
 /// Evaluations of the law's derivative in a path of so many accepted and rejected steps.

@@ -238,6 +238,6 @@ mod tests {
         assert_eq!(reduced([64, 64]), [64, 64]);
         assert_eq!(reduced([30, 20]), [30, 20]);
         assert_eq!(reduced([1600, 900]), [85, 48]);
-        assert_eq!(reduced([60_000, 1]), [15_677, 1]);
+        assert_eq!(reduced([6 * 10_000, 1]), [15_677, 1]);
     }
 }

@@ -36,7 +36,7 @@ pub use material::{Material, Pattern, Surface};
 pub use medium::{Gloss, Interior, Medium};
 pub use method::Method;
 pub use motion::{CIRCLE, ClosedForm, HARMONIC, PARABOLA, SPIRAL, STRAIGHT, Start};
-pub use part::{Loops, OwnWgsl, Promise, Wgsl};
+pub use part::{OwnWgsl, Promise, Wgsl};
 pub use same::Same;
 pub use shape::{Object, Shape, Substance, Travel};
 pub use source::{Anchor, Capture, Source};

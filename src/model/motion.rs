@@ -16,8 +16,6 @@ pub struct ClosedForm {
     pub is_line: bool,
     /// Has its stride to know what it may meet, besides the surface that it leaves by?
     pub meets_obstacles: bool,
-    /// Iterations of its own loops.
-    pub loops: u64,
     /// How a ray starts there: by a part, or as the region's index has it.
     pub start: Start,
 }
@@ -40,7 +38,6 @@ pub static STRAIGHT: ClosedForm = ClosedForm {
     strides: None,
     is_line: true,
     meets_obstacles: false,
-    loops: 0,
     start: Start::ByIndexIfAny,
 };
 
@@ -51,7 +48,6 @@ pub static HARMONIC: ClosedForm = ClosedForm {
     strides: Some(["motion/harmonic_arc", "motion/harmonic_leap"]),
     is_line: false,
     meets_obstacles: false,
-    loops: 0,
     start: Start::ByIndex,
 };
 
@@ -62,7 +58,6 @@ pub static SPIRAL: ClosedForm = ClosedForm {
     strides: Some(["motion/spiral_arc", "motion/spiral_leap"]),
     is_line: false,
     meets_obstacles: true,
-    loops: 0,
     start: Start::Own,
 };
 
@@ -73,7 +68,6 @@ pub static CIRCLE: ClosedForm = ClosedForm {
     strides: Some(["motion/circle_arc", "motion/circle_leap"]),
     is_line: false,
     meets_obstacles: false,
-    loops: 16,
     start: Start::ByIndex,
 };
 
@@ -84,7 +78,6 @@ pub static PARABOLA: ClosedForm = ClosedForm {
     strides: None,
     is_line: false,
     meets_obstacles: false,
-    loops: 0,
     start: Start::ByIndex,
 };
 

@@ -73,20 +73,3 @@ impl From<&'static str> for Wgsl {
         Self::Part(part.into())
     }
 }
-
-/// Iterations of the loops in a law or an index, at most: software devices stop an invocation that takes too many.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Loops {
-    /// Of one evaluation of the derivative.
-    pub derivative: u64,
-    /// Of one evaluation of the scale.
-    pub scale: u64,
-}
-
-impl Loops {
-    /// The larger of each.
-    #[must_use]
-    pub fn max(self, other: Self) -> Self {
-        Self { derivative: self.derivative.max(other.derivative), scale: self.scale.max(other.scale) }
-    }
-}

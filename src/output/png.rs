@@ -94,7 +94,7 @@ impl Shown {
                 out.extend(alpha.map(|alpha| (f64::from(alpha) * 255.0).round() as u8));
             } else {
                 for value in color.map(srgb_from_linear).into_iter().chain(alpha.map(f64::from)) {
-                    out.extend(((value * 65535.0).round() as u16).to_be_bytes());
+                    out.extend(((value * f64::from(u16::MAX)).round() as u16).to_be_bytes());
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::Layer;
+use super::{DeviceProfile, Layer};
 use crate::scene::{Branches, Precision, Scene, Segment, Shadows};
 
 /// How the stages of a segment are spread over passes. All schedules give the same picture.
@@ -167,11 +167,19 @@ pub struct Choice {
     pub purpose: Purpose,
     /// Layers to keep, each once.
     pub layers: Vec<Layer>,
+    /// What the device is like.
+    pub device: DeviceProfile,
 }
 
 impl Default for Choice {
     fn default() -> Self {
-        Self { schedule: Schedule::Whole, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() }
+        Self {
+            schedule: Schedule::Whole,
+            masks: Masks::List,
+            purpose: Purpose::Picture,
+            layers: Vec::new(),
+            device: DeviceProfile::default(),
+        }
     }
 }
 

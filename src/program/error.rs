@@ -57,19 +57,6 @@ pub enum ProgramError {
         /// The variable.
         name: String,
     },
-    /// One segment may need more loop iterations than a software device grants an invocation.
-    #[error(
-        "one segment of this scene may need {needed} loop iterations, and an invocation has {limit}: \
-         use fewer {what}, or fewer steps a segment"
-    )]
-    TooMuchWork {
-        /// Iterations of the worst segment.
-        needed: u64,
-        /// Iterations there may be.
-        limit: u64,
-        /// What there are too many of.
-        what: &'static str,
-    },
     /// More items than a primitive's word tells apart.
     #[error(
         "the scene shows {items} triangles and other shapes in its structure, and {most} can be told apart: show fewer"

@@ -16,9 +16,9 @@ use super::ProgramError;
 use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
 use super::linked::{Copy, Edit, Linked};
+use super::loop_counts::counted;
 use super::lower::Lowering;
 use super::selections::selected;
-use super::turns::counted;
 use super::unit::{Author, Parts, Unit};
 use super::unroll::unrolled;
 

@@ -17,6 +17,7 @@ mod interface;
 mod layer;
 mod link;
 mod linked;
+mod loop_counts;
 mod lower;
 mod names;
 mod onward_parts;
@@ -24,6 +25,7 @@ mod own;
 mod parts;
 mod picture_parts;
 mod plan;
+mod profile;
 mod reflect;
 mod region_parts;
 mod regions;
@@ -36,11 +38,9 @@ mod spacetime;
 mod structure;
 mod tokens;
 mod touching;
-mod turns;
 mod unit;
 mod unroll;
 mod validate;
-mod work;
 
 pub use analysis::Analysis;
 pub use choice::{Choice, Masks, Pass, Purpose, Schedule};
@@ -53,13 +53,13 @@ pub use link::{link, link_all};
 pub use linked::{Linked, Place};
 pub use parts::{Part, all_parts, constant, part};
 pub use plan::plan;
+pub use profile::{DeviceProfile, LoopBudget};
 pub use reflect::{Binding, BindingKind, BlockMember, Field, Layout, Reflection, element_bytes, reflect};
 pub use regions::{Motion, Obstacle, Region, RegionKind, Regions};
 pub use structure::{Extent, PARTS, Search, Structure};
 pub use touching::Touching;
 pub use unit::{Author, Parts, Unit};
 pub use validate::validated;
-pub use work::Work;
 
 use crate::scene::Scene;
 use reflect::reflect_pass;
@@ -71,8 +71,8 @@ pub struct Program {
     pub passes: Vec<(Pass, Linked, Reflection)>,
     /// What they are linked from.
     parts: Parts,
-    /// How much work its segments may be.
-    pub work: Work,
+    /// May a walk over the structure be suspended, and continued by a later pass?
+    pub suspends: bool,
     /// What it was made for, with the schedule that the scene can have.
     pub choice: Choice,
 }
@@ -92,16 +92,16 @@ impl Program {
         extent: Extent,
     ) -> Result<Self, ProgramError> {
         let choice = choice.settled(scene);
-        let work = Work::of(scene, analysis, extent)?;
-        let work = if choice.purpose.leaves_light() { work.leaving_light(scene) } else { work };
-        let parts = plan(scene, analysis, &choice, &work)?;
+        extent.check(&analysis.structure)?;
+        let suspends = choice.device.loop_budget.is_some() && extent.is_long(scene, &analysis.regions);
+        let parts = plan(scene, analysis, &choice, suspends)?;
         let wanted = choice.passes(scene);
         let is_same = |other: &&Self| other.parts == parts && other.passes.iter().map(|(pass, ..)| pass).eq(&wanted);
         let passes = match before.filter(is_same) {
             Some(other) => other.passes.clone(),
             None => made(&parts, &wanted)?,
         };
-        Ok(Self { passes, parts, work, choice })
+        Ok(Self { passes, parts, suspends, choice })
     }
 
     /// What its passes bind; what several bind comes several times.

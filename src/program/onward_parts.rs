@@ -3,12 +3,12 @@
 use super::names::Names;
 use super::region_parts::joins_whole;
 use super::regions::Regions;
-use super::{Choice, Purpose, Work, formula, generated};
+use super::{Choice, Purpose, formula, generated};
 use crate::model::{Filter, Gloss, Material};
 use crate::scene::{Branches, Scene};
 
 /// What media take from light on its way.
-pub(super) fn filter_parts(scene: &Scene, choice: &Choice, (regions, work): (&Regions, &Work), names: &mut Names) {
+pub(super) fn filter_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
     names.add("filter/along");
     names.add(if regions.regions.is_empty() { "filter/place_space" } else { "filter/place_regions" });
     names.add(if choice.sees_glow(scene) { "filter/glowing" } else { "filter/dark" });
@@ -29,7 +29,7 @@ pub(super) fn filter_parts(scene: &Scene, choice: &Choice, (regions, work): (&Re
         names.make(formula::filters(&formulas));
         names.add("medium/formula");
     }
-    names.make(generated::filters(&kinds, work.filter_pieces));
+    names.make(generated::filters(&kinds));
 }
 
 /// Which medium a ray is in, and what becomes of it at surfaces that it goes on from.

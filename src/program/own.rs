@@ -14,7 +14,7 @@ use super::linked::Place;
 use super::tokens::{Tokens, whole_number};
 use super::unit::Unit;
 use super::{ProgramError, all_parts};
-use crate::model::{OwnWgsl, Promise, Wgsl};
+use crate::model::{OwnWgsl, Promise};
 
 /// Functions of WGSL that devices compute badly, or in 64 bits with 32, and what the program has in their place.
 const INEXACT: [(&[&str], &str); 4] = [
@@ -23,9 +23,6 @@ const INEXACT: [(&[&str], &str); 4] = [
     (&["log", "log2", "pow"], "`real_log` and `real_exp`"),
     (&["atan", "atan2", "asin", "acos"], "`arc_tangent(y, x)`"),
 ];
-
-/// Iterations that the loops of one call may come to.
-const MOST: u64 = 4096;
 
 /// The file, and the parts that have what it leaves out.
 pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), ProgramError> {
@@ -58,24 +55,6 @@ pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), Progra
         }
     }
     Ok((unit, usual))
-}
-
-/// Loop iterations of one call of a user's function among these pieces of WGSL, at most. What cannot be read counts as none here:
-/// [`checked`] refuses it.
-pub(super) fn loops(parts: &[Wgsl]) -> Result<u64, ProgramError> {
-    let mut sum = 0;
-    for part in parts {
-        let Wgsl::Own(own) = part else { continue };
-        let found = declarations(&own.text).unwrap_or_default();
-        let most = own.promises.iter().map(|promise| iterations(&found, promise.name(), 0)).max().unwrap_or(0);
-        if most > MOST {
-            let place = Place::of(&Unit::user(own.file.clone(), own.text.to_string()), 0);
-            let message = format!("its loops come to {most} iterations in one call: up to {MOST} are allowed");
-            return Err(ProgramError::invalid(place, message));
-        }
-        sum += most;
-    }
-    Ok(sum)
 }
 
 /// What the parts of `shaders/` name, their own and WGSL's.
@@ -144,27 +123,6 @@ fn length(tokens: &Tokens, at: usize) -> Option<u64> {
         return None;
     }
     Some(u64::from(whole_number(to)?.saturating_sub(whole_number(from)?)))
-}
-
-/// The loop iterations of one call of a function, with those of the functions that it calls. Recursion is naga's to find.
-fn iterations(found: &[Declaration], name: &str, depth: usize) -> u64 {
-    let function = found.iter().find(|declaration| declaration.keyword == "fn" && declaration.name == name);
-    let Some(Declaration { tokens, .. }) = function.filter(|_| depth < found.len()) else { return 0 };
-    let mut open: Vec<(usize, u64)> = Vec::new();
-    let mut sum = 0_u64;
-    for i in 0..tokens.len() {
-        open.retain(|(end, _)| *end >= i);
-        let times = open.iter().fold(1_u64, |product, (_, times)| product.saturating_mul(*times));
-        if tokens.word(i) == "for" {
-            let times_here = length(tokens, i).unwrap_or(0);
-            let body = tokens.closing(i + 1).and_then(|close| tokens.closing(close + 1));
-            open.push((body.unwrap_or(i), times_here));
-            sum = sum.saturating_add(times.saturating_mul(times_here));
-        } else if tokens.word(i + 1) == "(" && tokens.before(i) != "fn" && tokens.word(i) != name {
-            sum = sum.saturating_add(times.saturating_mul(iterations(found, tokens.word(i), depth + 1)));
-        }
-    }
-    sum
 }
 
 /// Has the declaration the promised types?

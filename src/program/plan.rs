@@ -7,7 +7,7 @@ use super::region_parts::{ends_with_steps, joins_whole, region_parts};
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, Work, generated, short_lists};
+use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, generated, short_lists};
 use crate::model::method::Path;
 use crate::model::source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment, Shadows};
@@ -15,14 +15,12 @@ use crate::scene::{Precision, Scene, Segment, Shadows};
 /// Steps of a chord up to which they are written out.
 const WRITTEN_OUT: u32 = 16;
 
-/// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
-pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) -> Result<Parts, ProgramError> {
+/// The parts of `scene`'s program; its walks through the structure may be suspended if `suspends`. Parts of a contract that a pass does not call are left out when it is linked.
+pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, suspends: bool) -> Result<Parts, ProgramError> {
     let mut names = Names::default();
     names.all(&[
         "segment/ray",
         "state/arguments",
-        "state/work",
-        "state/lanes",
         "law/leaving",
         "real/math",
         "state/tally",
@@ -32,6 +30,13 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         "segment/follow_path",
         "picture/colors",
     ]);
+    match choice.device.loop_budget {
+        Some(budget) => {
+            names.add("state/loop_budget");
+            names.make(generated::loop_budget(budget));
+        }
+        None => names.add("state/loops_free"),
+    }
     names.add(match (choice.follows_paths(scene), choice.sees_glow(scene)) {
         (true, _) => "picture/shade_path",
         (false, true) => "picture/shade_glow",
@@ -52,7 +57,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
     schedule_parts(scene, choice, regions, &mut names);
     camera_parts(scene, choice, &mut names);
     end_parts(scene, choice, &mut names)?;
-    surface_parts(scene, choice, work, analysis, &mut names);
+    surface_parts(scene, choice, suspends, analysis, &mut names);
     if choice.purpose == Purpose::Picture {
         picture_parts(scene, choice, &mut names)?;
     }
@@ -69,7 +74,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, work: &Work) ->
         spectrum_parts(scene, choice, &mut names);
     }
     if choice.filters(scene) {
-        filter_parts(scene, choice, (regions, work), &mut names);
+        filter_parts(scene, choice, regions, &mut names);
     }
     let of_kind = |kind: &RegionKind| region_parts(scene, choice, regions, kind);
     let lengths = short_lists::lengths(scene, regions);
@@ -166,7 +171,7 @@ fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut
     names.add(samples_part(scene, choice));
     names.add(if choice.slots(scene) == 3 { "state/slots_three" } else { "state/slots_two" });
     names.add(if choice.keeps_counts() { "state/counts_kept" } else { "state/counts_none" });
-    names.add(if scene.rays.control.kind.tries.is_some() { "state/rejections_some" } else { "state/rejections_none" });
+    names.add(if scene.rays.control.kind.rejects { "state/rejections_some" } else { "state/rejections_none" });
     names.add(if keeps_taken(scene, regions) { "state/taken_kept" } else { "state/taken_none" });
 }
 
@@ -220,7 +225,7 @@ fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), Pr
             });
         }
         Segment::Chord { steps } => {
-            let planned = scene.rays.control.kind.tries.is_none() && scene.rays.method.kind.path == Path::Steps;
+            let planned = !scene.rays.control.kind.rejects && scene.rays.method.kind.path == Path::Steps;
             if planned && steps <= WRITTEN_OUT {
                 names.add("segment/quick_chord");
                 names.make(generated::chord(steps));
@@ -234,7 +239,7 @@ fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), Pr
     Ok(())
 }
 
-fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysis, names: &mut Names) {
+fn surface_parts(scene: &Scene, choice: &Choice, suspends: bool, analysis: &Analysis, names: &mut Names) {
     let all = solids(scene.objects.iter());
     if all.is_empty() {
         names.all(&["segment/no_surfaces"]);
@@ -242,7 +247,7 @@ fn surface_parts(scene: &Scene, choice: &Choice, work: &Work, analysis: &Analysi
     }
     let Analysis { regions, structure } = analysis;
     names.all(&["segment/pieces", "segment/hits", "shape/placed"]);
-    names.all(match (work.resumed, choice.schedule) {
+    names.all(match (suspends, choice.schedule) {
         (false, _) => &["segment/walk_in_one", "segment/walk_whole"],
         (true, Schedule::Whole) => &["segment/walk_in_one", "segment/walk_once"],
         (true, _) => &["segment/walk_resumed"],

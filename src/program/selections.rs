@@ -1,6 +1,6 @@
 //! Entries of the lists that segments are held against, at a place that is not known beforehand: chosen from all of them.
 //!
-//! *Theory.* A list in a uniform that is read at a place of each lane's own is read lane by lane: on lavapipe some hundred and twenty
+//! *Theory.* A list in a uniform that is read at a place of each lane's own is read lane by lane: on a processor some hundred and twenty
 //! instructions a number for eight lanes. All entries of a short list, each read once for all lanes, and one choice a number and
 //! entry cost a few instructions.
 //!

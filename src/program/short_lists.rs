@@ -1,7 +1,7 @@
 //! Short lists in uniforms.
 //!
 //! *Theory.* Lists of the scene lie in storage, which has room for any number. A device that runs lanes side by side reads a storage
-//! buffer for each lane by itself; a uniform it reads for all of them at once where they ask for the same, and on lavapipe at half the
+//! buffer for each lane by itself; a uniform it reads for all of them at once where they ask for the same, and on a processor at half the
 //! cost where they do not. And a list whose length the linker knows may be walked without a loop.
 //!
 //! *Practice.* `var<storage, read> lights: array<Light>` becomes `var<uniform> lights: array<Light, 3>`, and `arrayLength(&lights)`

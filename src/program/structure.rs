@@ -7,11 +7,12 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::regions::Regions;
+use super::regions::{RegionKind, Regions};
+use super::{ProgramError, constant};
 use crate::model::shape::Solid;
-use crate::scene::{Accelerate, Object, Scene};
+use crate::scene::{Accelerate, Object, Scene, Segment};
 
-/// More triangles than this are not copied: each mesh is kept once. On lavapipe copies are up to twice as fast, for no ray has to be
+/// More triangles than this are not copied: each mesh is kept once. On a processor copies are up to twice as fast, for no ray has to be
 /// mapped to the meshes' spaces; so many take 30 MB.
 const COPIES: usize = 1 << 18;
 
@@ -39,14 +40,21 @@ impl Search {
     }
 }
 
-/// Up to so many shapes stand in lists. On lavapipe sixteen spheres take the same time by lists written out and by hierarchy, as
+/// Up to so many shapes stand in lists. On a processor sixteen spheres take the same time by lists written out and by hierarchy, as
 /// many shapes of four kinds 0.8 of it.
 const FEW: usize = 16;
-/// More shapes of a kind than this are in a hierarchy where the scene does not say. On lavapipe spheres take the same time by list
+/// More shapes of a kind than this are in a hierarchy where the scene does not say. On a processor spheres take the same time by list
 /// and by hierarchy up to eight, 1.4 times as long by list from sixteen on.
 const MANY: usize = 6;
 /// More than this are no list of a uniform any more.
 const LONG: usize = 512;
+
+/// Loop iterations of a walk up to which it needs no more room than every segment has.
+const LONG_WALK: u64 = 4_000;
+/// Items that a hierarchy's leaf, or a primitive, has bits for.
+const MOST_ITEMS: u64 = 1 << 28;
+/// Those of meshes that are kept once, in all their places, beside the word for nothing; and the nodes that a walk is at have bits for.
+const MOST_ONCE: u64 = (1 << 31) - 1;
 
 /// Shapes in lists that a mask has bits for, beside the structure's.
 const BITS: usize = 31;
@@ -156,8 +164,27 @@ pub struct Extent {
     pub places: u64,
     /// Items met on it, at most.
     pub items: u64,
-    /// Places of meshes that are kept once.
-    pub instances: u64,
-    /// Items tested in one place, at most: a walk stops between places.
-    pub at_once: u64,
+}
+
+impl Extent {
+    /// Checks that a primitive's word can tell the structure's items apart.
+    ///
+    /// # Errors
+    ///
+    /// Returns how many there may be.
+    pub(super) fn check(self, structure: &Structure) -> Result<(), ProgramError> {
+        let most = if structure.once { MOST_ONCE } else { MOST_ITEMS };
+        let items = self.items.max(self.places);
+        if items > most { Err(ProgramError::TooManyItems { items, most }) } else { Ok(()) }
+    }
+
+    /// May a segment's walk through the structure, with the walks of the shadows at its end, take many loop iterations?
+    pub(super) fn is_long(self, scene: &Scene, regions: &Regions) -> bool {
+        let is_arc =
+            matches!(scene.rays.segment, Segment::Arc { .. }) && !regions.kinds.iter().all(RegionKind::is_line);
+        let pieces = if is_arc { constant("segment/curve_arc", "MAX_PIECES") as u64 } else { 1 };
+        let part = if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" };
+        let shadows = scene.lines().count() as u64 * constant(part, "CROSSINGS") as u64;
+        (pieces + 2 + 2 * shadows) * (self.places + self.items) > LONG_WALK
+    }
 }

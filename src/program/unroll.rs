@@ -1,6 +1,6 @@
 //! Loops whose count is known, written out (W04 §7 unrolls its own).
 //!
-//! *Theory.* Every loop costs a pass a counter, naga's bound on the number of its turns, and on lavapipe a mask of the lanes that
+//! *Theory.* Every loop costs a pass a counter, naga's bound on the number of its turns, and on a processor a mask of the lanes that
 //! are still in it; and a uniform read at a place that changes is read once for every lane. A loop of a few turns over a list whose
 //! length the linker knows needs none of that.
 //!

@@ -1,9 +1,9 @@
 //! Timing passes on the device.
 //!
 //! *Idea.* A pass takes the time from the end of the one before it to its own end; the first of a submission is preceded by an
-//! empty one. Beginnings are written but not read: Mesa's lavapipe takes a timestamp only when something flushes after it, and
+//! empty one. Beginnings are written but not read: Mesa's software driver takes a timestamp only when something flushes after it, and
 //! nothing need do so between the beginning of a pass and its first dispatch, whose time was then lost. An end is flushed by the
-//! next beginning, or by the end of the submission. Another thread of lavapipe's then takes it, which on a busy core is late by as
+//! next beginning, or by the end of the submission. Another thread of the driver's then takes it, which on a busy core is late by as
 //! much as the next pass takes. A copy of the timestamp waits for it, so a CPU copies each one behind its pass.
 
 use std::time::Duration;

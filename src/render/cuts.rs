@@ -19,9 +19,6 @@ impl Renderer<'_> {
     /// Renders another part of the picture from now on; all of it without one. It has to be inside.
     pub fn set_window(&mut self, window: Option<Window>) {
         self.settings.window = window;
-        if let Some(fused) = self.fused.get_mut() {
-            fused.set_window(window);
-        }
     }
 
     /// The rows at which so many bands begin, and after them the picture's height. Every band has a row at least, so that there may be

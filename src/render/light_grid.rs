@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use super::clock::Clock;
 use super::grids::{Gridded, LightGrids, LightReport};
 use super::readback::read_buffer;
-use super::renderer::Walks;
+use super::renderer::TileEnd;
 use super::trace::{BATCH, ray_tile};
 use super::{RenderError, RenderSettings, Renderer, Totals};
 use crate::gpu::{Aim, Emission, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
@@ -147,13 +147,13 @@ fn fields(
         let voxels = volumes.iter().map(LightVolume::voxels).sum();
         return Err(RenderError::LightGrid { voxels, needed: all, allowed: settings.memory });
     }
-    let choice = Choice { purpose, schedule: Schedule::Fused, masks: Masks::List, layers: Vec::new() };
+    let choice = Choice { purpose, schedule: Schedule::Fused, masks: Masks::List, ..Choice::default() };
     // A leap does not tell where it went.
     if std::mem::take(&mut followed.rays.leaps) && !guides {
         followed.rays.max_segments = followed.rays.max_segments.max(ARCS);
     }
     let own = RenderSettings { choice, window: None, ..settings.clone() };
-    let maker = Maker { renderer: Renderer::new(gpu, &followed, own)? };
+    let mut maker = Maker { renderer: Renderer::new(gpu, &followed, own)? };
     // Each light's share of what bricks may take: of the memory, and of a buffer.
     let limit = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
     let coarse: u64 = volumes.iter().map(|volume| volume.voxels() as u64).sum();
@@ -179,7 +179,12 @@ struct Maker<'a> {
 
 impl Maker<'_> {
     /// A light's grid, with at most `room` parts in bricks.
-    fn make(&self, wanted: &Wanted, volume: LightVolume, room: u64) -> Result<(LightField, LightReport), RenderError> {
+    fn make(
+        &mut self,
+        wanted: &Wanted,
+        volume: LightVolume,
+        room: u64,
+    ) -> Result<(LightField, LightReport), RenderError> {
         let (started, mut totals, mut clock) =
             (Instant::now(), Totals::default(), Clock::new(self.renderer.gpu, false));
         let guides = wanted.guides();
@@ -235,7 +240,7 @@ impl Maker<'_> {
 
     /// What all paths together leave in `count` voxels, or parts of them.
     fn shine(
-        &self,
+        &mut self,
         emission: &Emission,
         aim: &Aim,
         (volume, refine, bricks): (&LightVolume, u32, &[u32]),
@@ -261,7 +266,7 @@ impl Maker<'_> {
             let told = Cell::new(0.0);
             let progress = |done: f64| stage.advance((done - told.replace(done)) * paths);
             self.renderer.run_sample(&tile, sample, clock, &progress)?;
-            if self.renderer.read_tally(&tile, totals, None)? == Walks::Unfinished {
+            if self.renderer.read_tally(&tile, totals, None)? == TileEnd::Again {
                 stage.advance(-paths);
                 continue;
             }

@@ -55,13 +55,13 @@ pub fn light_paths(
 
 /// A renderer whose program finds paths from lights, for [`Renderer::paths_between`].
 pub fn shooting<'a>(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Renderer<'a>, RenderError> {
-    let choice = Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: Masks::Off, layers: Vec::new() };
+    let choice = Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: Masks::Off, ..Choice::default() };
     Renderer::keeping(gpu, scene, RenderSettings { choice, ..settings.clone() })
 }
 
 impl Renderer<'_> {
     /// For each pair of a place and a light the paths between them, as [`light_paths`] does; the program's purpose is to find them.
-    pub fn paths_between(&self, pairs: &[[DVec3; 2]]) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
+    pub fn paths_between(&mut self, pairs: &[[DVec3; 2]]) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
         let (each, started) = (all_shots(&self.scene), Instant::now());
         let mut clock = Clock::new(self.gpu, true);
         let (mut found, mut totals) = (Vec::with_capacity(pairs.len()), Totals::default());

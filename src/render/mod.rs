@@ -22,7 +22,6 @@ mod moments;
 mod noise;
 mod picture;
 mod plan;
-mod planning;
 mod readback;
 mod records;
 mod renderer;
@@ -39,7 +38,6 @@ mod totals;
 mod trace;
 mod values;
 mod watch;
-mod whole;
 mod window;
 
 pub use band::{Band, Plane, Rendering};

@@ -25,7 +25,7 @@ impl Renderer<'_> {
             let grids = self.grids_for(&scene)?;
             self.add_moment(scene, grids, &mut stored)?;
         }
-        self.plan_steps();
+        self.plan_passes(self.passes);
         Ok(())
     }
 
@@ -50,7 +50,6 @@ impl Renderer<'_> {
             return Err(GpuError::Full { what, reason: error.to_string() }.into());
         }
         self.before = geometry.into_before();
-        self.program.work = self.program.work.with(&program.work);
         self.moments.push(Moment { scene, grids, buffers });
         Ok(())
     }

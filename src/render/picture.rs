@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use super::band::{Band, Bands, Rendering};
 use super::clock::Clock;
-use super::renderer::Walks;
+use super::renderer::TileEnd;
 use super::sample::Sample;
 use super::watch::{Earlier, Preview, Round, Watch};
 use super::{Adaptive, Clamped, Noise, RenderError, Renderer, Totals, Window};
@@ -13,13 +13,13 @@ use crate::progress::Stage;
 
 impl Renderer<'_> {
     /// Renders the picture tile by tile; `rows` is given bands of full rows from top to bottom.
-    pub fn render(&self, rows: &mut dyn FnMut(Band) -> Result<(), RenderError>) -> Result<Totals, RenderError> {
+    pub fn render(&mut self, rows: &mut dyn FnMut(Band) -> Result<(), RenderError>) -> Result<Totals, RenderError> {
         self.render_watched(rows, &Watch::default())
     }
 
     /// As [`render`](Self::render), with samples that there are already, and looked at while it is made.
     pub fn render_watched(
-        &self,
+        &mut self,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
         watch: &Watch,
     ) -> Result<Totals, RenderError> {
@@ -43,7 +43,7 @@ impl Renderer<'_> {
     /// Renders some samples of the whole picture, shows it, and goes on so until too few are left for another look. What comes back is
     /// what there is then, if there was any look.
     fn preview(
-        &self,
+        &mut self,
         (preview, stage): (&dyn Preview, &Stage),
         watch: &Watch,
         clock: &mut Clock,
@@ -71,76 +71,69 @@ impl Renderer<'_> {
         }
     }
 
-    /// Renders a round, by another schedule from where it has to be.
+    /// Renders a round, band by band.
     fn render_round(
-        &self,
+        &mut self,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
         clock: &mut Clock,
         round: &Round,
         totals: &mut Totals,
     ) -> Result<(), RenderError> {
-        let next = self.current().render_rows(0, rows, clock, round, totals)?;
-        if next < self.window().size[1] {
-            self.go_over()?.render_rows(next, rows, clock, round, totals)?;
-        }
-        Ok(())
-    }
-
-    /// Renders from a row on. Returns the row that comes next: none of the picture, unless a path there outlived the pass that was to
-    /// follow all of it.
-    fn render_rows(
-        &self,
-        first: u32,
-        rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
-        clock: &mut Clock,
-        round: &Round,
-        totals: &mut Totals,
-    ) -> Result<u32, RenderError> {
-        let [width, height] = self.window().size;
-        let [tile_width, tile_height] = self.tile_size()?;
-        let margin = self.settings.choice.margin(&self.scene);
-        let mut tile: Option<Tile> = None;
-        let all = f64::from(width) * f64::from(height);
-        let mut pixels_done = f64::from(width) * f64::from(first);
-        for first_row in (first..height).step_by(tile_height as usize) {
-            let tile_rows = tile_height.min(height - first_row);
-            let mut band = self.band(first_row, tile_rows);
-            let before_band = totals.clone();
-            for left in (0..width).step_by(tile_width as usize) {
-                let size = [tile_width.min(width - left), tile_rows];
-                let mut made = match &tile {
-                    Some(made) if made.size == size.map(|side| side + margin) => made,
-                    _ => tile.insert(self.tile(size.map(|side| side + margin))?),
-                };
-                let pixels = f64::from(size[0]) * f64::from(size[1]);
-                let at = Window { origin: [left, first_row], size };
-                let progress = |done| round.tell((pixels_done + done * pixels) / all);
-                let before = totals.clone();
-                self.render_tile(made, at, clock, (round, &progress), totals)?;
-                // Adaptive sampling takes as many as it needs.
-                let rays = self.scene.image.adaptive.is_none().then(|| self.rays_of(size, round));
-                while self.read_tally(made, totals, rays)? == Walks::Unfinished {
-                    if self.is_whole() {
-                        *totals = before_band;
-                        return Ok(first_row);
-                    }
-                    *totals = before.clone();
-                    made = tile.insert(self.tile(size.map(|side| side + margin))?);
-                    self.render_tile(made, at, clock, (round, &progress), totals)?;
-                }
-                pixels_done += pixels;
-                let noise = totals.noise.as_mut().filter(|_| round.is_last);
-                self.read_tile(made, left, round, &mut band, noise)?;
-                if let Some(clamped) = &mut totals.clamped {
-                    self.read_clamped(made, round, clamped)?;
-                }
-            }
+        let mut tile = None;
+        let mut first_row = 0;
+        while first_row < self.window().size[1] {
+            let before = totals.clone();
+            let Some(mut band) = self.render_band(first_row, &mut tile, clock, round, totals)? else {
+                (*totals, tile) = (before, None);
+                continue;
+            };
+            first_row += band.rows;
             if let Some(earlier) = round.earlier {
                 earlier.put_first(&mut band);
             }
             rows(band)?;
         }
-        Ok(height)
+        Ok(())
+    }
+
+    /// Renders the rows of one tile's height, tile by tile. `None` if they are to be rendered again, with more room for their rays.
+    fn render_band(
+        &mut self,
+        first_row: u32,
+        tile: &mut Option<Tile>,
+        clock: &mut Clock,
+        round: &Round,
+        totals: &mut Totals,
+    ) -> Result<Option<Band>, RenderError> {
+        let [width, height] = self.window().size;
+        let [tile_width, tile_height] = self.tile_size()?;
+        let margin = self.settings.choice.margin(&self.scene);
+        let tile_rows = tile_height.min(height - first_row);
+        let mut band = self.band(first_row, tile_rows);
+        for left in (0..width).step_by(tile_width as usize) {
+            let size = [tile_width.min(width - left), tile_rows];
+            let made = match &*tile {
+                Some(made) if made.size == size.map(|side| side + margin) => made,
+                _ => tile.insert(self.tile(size.map(|side| side + margin))?),
+            };
+            let [all, done, own] =
+                [[width, height], [width, first_row], size].map(|[x, y]| f64::from(x) * f64::from(y));
+            let done = done + f64::from(left) * f64::from(tile_rows);
+            let progress = |part| round.tell((done + part * own) / all);
+            let at = Window { origin: [left, first_row], size };
+            self.render_tile(made, at, clock, (round, &progress), totals)?;
+            // Adaptive sampling takes as many as it needs.
+            let rays = self.scene.image.adaptive.is_none().then(|| self.rays_of(size, round));
+            if self.read_tally(made, totals, rays)? == TileEnd::Again {
+                return Ok(None);
+            }
+            let noise = totals.noise.as_mut().filter(|_| round.is_last);
+            self.read_tile(made, left, round, &mut band, noise)?;
+            if let Some(clamped) = &mut totals.clamped {
+                self.read_clamped(made, round, clamped)?;
+            }
+        }
+        Ok(Some(band))
     }
 
     /// Rays of a tile in a round of samples.
@@ -151,7 +144,7 @@ impl Renderer<'_> {
     }
 
     /// The whole picture at once.
-    pub fn picture(&self) -> Result<Rendering, RenderError> {
+    pub fn picture(&mut self) -> Result<Rendering, RenderError> {
         let mut all = Bands::default();
         let totals = self.render(&mut all.sink())?;
         let band = all.whole.unwrap_or_else(|| self.band(0, 0));
@@ -167,26 +160,28 @@ impl Renderer<'_> {
         image.adaptive.map(new)
     }
 
-    /// The layers of the picture's first sample, on one tile: for pictures that are no larger. None where a path outlives the pass
-    /// that was to follow all of it.
-    pub fn first_sample(&self) -> Result<Option<Rendering>, RenderError> {
+    /// The layers of the picture's first sample, on one tile: for pictures that are no larger. `None` if a path outlives the pass that was
+    /// to follow all of it.
+    pub fn first_sample(&mut self) -> Result<Option<Rendering>, RenderError> {
         let size = self.scene.image.size;
         let margin = self.settings.choice.margin(&self.scene);
-        let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
         let started = Instant::now();
+        let rays = self.scene.image.adaptive.is_none().then(|| size.map(u64::from).into_iter().product());
         loop {
+            let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
             let tile = self.tile(size.map(|side| side + margin))?;
             self.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
-            let rays = self.scene.image.adaptive.is_none().then(|| size.map(u64::from).into_iter().product());
-            if self.read_tally(&tile, &mut totals, rays)? == Walks::Ended {
-                let mut band = self.band(0, size[1]);
-                self.read_tile(&tile, 0, &Round::new(None, 1, true), &mut band, None)?;
-                self.finish_totals(&mut totals, &clock, started)?;
-                return Ok(Some(Rendering { band, totals }));
-            }
-            if self.is_whole() {
+            let unfinished = self.add_tally(&tile, &mut totals, rays)?;
+            if unfinished && self.is_whole() {
                 return Ok(None);
             }
+            if unfinished && self.make_room()? {
+                continue;
+            }
+            let mut band = self.band(0, size[1]);
+            self.read_tile(&tile, 0, &Round::new(None, 1, true), &mut band, None)?;
+            self.finish_totals(&mut totals, &clock, started)?;
+            return Ok(Some(Rendering { band, totals }));
         }
     }
 

@@ -1,7 +1,5 @@
 //! A schedule's steps, and what the device is told of each.
 
-use std::cell::{Cell, OnceCell};
-
 use super::batch::Batch;
 use super::step::Step;
 use crate::gpu::Sections;
@@ -34,35 +32,6 @@ impl Plan {
     /// The section in which a step's parameters are.
     pub(super) fn parameters_of(&self, step: &Step) -> u64 {
         self.parameters.binary_search(&DispatchParameters::of(step)).unwrap_or(0) as u64
-    }
-}
-
-/// How many plans there are.
-const PLANS: usize = 5;
-/// The plans of a renderer, each made where the one before was too short.
-#[derive(Debug, Default)]
-pub(super) struct Plans {
-    made: [OnceCell<Plan>; PLANS],
-    used: Cell<usize>,
-}
-
-impl Plans {
-    /// The one that is used.
-    pub fn current(&self, made: impl FnOnce() -> Plan) -> &Plan {
-        self.made[self.used.get()].get_or_init(made)
-    }
-
-    /// How many were too short.
-    pub fn longer(&self) -> u32 {
-        self.used.get() as u32
-    }
-
-    /// Goes over to the next, if there is one.
-    pub fn advance(&self) -> bool {
-        let next = self.used.get() + 1;
-        let is_one = next < PLANS;
-        self.used.set(next.min(PLANS - 1));
-        is_one
     }
 }
 

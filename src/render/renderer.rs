@@ -1,7 +1,6 @@
 //! A scene made ready for a device.
 
 use std::borrow::Cow;
-use std::cell::OnceCell;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -9,15 +8,16 @@ use wgpu::ErrorFilter;
 
 use super::clock::Clock;
 use super::grids::LightGrids;
-use super::plan::Plans;
+use super::plan::Plan;
 use super::records::Records;
 use super::sample::Sample;
+use super::schedule::{PassCounts, steps};
 use super::{LightReport, RenderError, RenderSettings, Totals, Window};
 use crate::gpu::{
     Before, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
 use crate::model::{Control, Value};
-use crate::program::{BindingKind, Layout, Program, Purpose, Regions, Role};
+use crate::program::{BindingKind, Choice, Layout, Program, Purpose, Regions, Role, Schedule};
 use crate::scene::Scene;
 
 /// In so many rounds of a sample and more most pixels rest, so that a pass costs more than the ended rays that it drops: passes
@@ -43,10 +43,9 @@ pub struct Renderer<'a> {
     /// Kept for the next frame.
     pub(super) before: Before,
     pub(super) max_segments: u32,
-    /// What runs, by how long walks are.
-    pub(super) plans: Plans,
-    /// The same by the schedule `fused`, made where a path outlived the pass that was to follow all of it.
-    pub(super) fused: OnceCell<Box<Self>>,
+    pub(super) passes: PassCounts,
+    /// What runs for each round of a sample.
+    pub(super) plan: Plan,
 }
 
 /// A scene that some of a picture's samples show, of the same program.
@@ -57,12 +56,12 @@ pub(super) struct Moment {
     pub buffers: SceneBuffers,
 }
 
-/// What became of a tile's rays.
+/// What became of a tile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Walks {
-    Ended,
-    /// More passes are needed than were recorded, for walks over the scene's structure or for whole paths.
-    Unfinished,
+pub(super) enum TileEnd {
+    Done,
+    /// Rays were still under way when the passes ended. There is more room for them now, and the tile is to be rendered again.
+    Again,
 }
 
 impl<'a> Renderer<'a> {
@@ -74,6 +73,7 @@ impl<'a> Renderer<'a> {
         grids: LightGrids,
     ) -> Result<Self, RenderError> {
         // Whatever rays are followed for besides a picture, they end where they meet a surface.
+        settings.choice.device = gpu.profile;
         if settings.choice.purpose != Purpose::Picture && scene.rays.paths.is_some() {
             scene.to_mut().rays.paths = None;
         }
@@ -102,7 +102,8 @@ impl<'a> Renderer<'a> {
             return Err(GpuError::Full { what, reason: error.to_string() }.into());
         }
         let max_segments = scene.rays.max_segments;
-        let (plans, fused) = (Plans::default(), OnceCell::new());
+        let passes = PassCounts::of(&gpu.profile);
+        let plan = planned(&scene, &settings, passes, max_segments);
         let regions = geometry.analysis.regions.clone();
         Ok(Self {
             gpu,
@@ -116,8 +117,8 @@ impl<'a> Renderer<'a> {
             grids,
             before: geometry.into_before(),
             max_segments,
-            plans,
-            fused,
+            passes,
+            plan,
         })
     }
 
@@ -135,9 +136,6 @@ impl<'a> Renderer<'a> {
         if !program.runs_as(&self.program) {
             return Err(RenderError::OtherProgram);
         }
-        if let Some(fused) = self.fused.get_mut() {
-            fused.change_scene(scene.clone(), grids.clone())?;
-        }
         self.grids = grids;
         self.moments.clear();
         let (segments, fields, before) = (self.settings.segments_a_pass(), &self.grids.fields, Some(&self.buffers));
@@ -147,16 +145,13 @@ impl<'a> Renderer<'a> {
         self.program = program;
         self.max_segments = scene.rays.max_segments;
         self.scene = Cow::Owned(scene);
-        self.plan_steps();
+        self.plan_passes(PassCounts::of(&self.gpu.profile));
         Ok(())
     }
 
     /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
     /// is compiled again.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
-        if let Some(fused) = self.fused.get_mut() {
-            fused.retune(control, max_segments)?;
-        }
         // What is made of the scene later is made with these.
         let rays = &mut self.scene.to_mut().rays;
         (rays.control, rays.max_segments) = (control, max_segments);
@@ -168,8 +163,8 @@ impl<'a> Renderer<'a> {
     pub(super) fn set_segments(&mut self, max_segments: u32, segments: u32) -> Result<(), GpuError> {
         self.max_segments = max_segments;
         self.settings.segments = segments;
-        self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments_a_pass(), &self.program.work))?;
-        self.plan_steps();
+        self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments_a_pass()))?;
+        self.plan_passes(PassCounts::of(&self.gpu.profile));
         Ok(())
     }
 
@@ -221,7 +216,7 @@ impl<'a> Renderer<'a> {
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
         let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let slots = self.settings.choice.slots(&self.scene);
-        let plan = self.plan();
+        let plan = &self.plan;
         let tile = Tile::new(self.gpu, &self.program, size, slots, &plan.sections())?;
         if let Some(error) = pollster::block_on(scope.pop()) {
             let what = format!("a tile of {}×{} pixels", size[0], size[1]);
@@ -250,22 +245,58 @@ impl<'a> Renderer<'a> {
         Ok(())
     }
 
-    /// Adds the tile's tally to `totals`, and clears it. Where a walk did not end nothing is added, and there is more time for the
-    /// next tile: this one is to be made anew.
-    #[must_use = "a tile may have to be rendered again"]
+    /// Records so many passes from now on.
+    pub(super) fn plan_passes(&mut self, passes: PassCounts) {
+        self.passes = passes;
+        self.plan = planned(&self.scene, &self.settings, passes, self.max_segments);
+    }
+
+    /// Adds the tile's tally to `totals`, and clears it. Returns `true` if rays are still under way.
     ///
-    /// `rays` is how many there are, where that is known beforehand: a software device that stops an invocation for its loops says nothing,
+    /// `rays` is how many there are, where that is known beforehand: a device that stops an invocation for its loops says nothing,
     /// and what a pass of whole paths then left out is only missing from the count.
-    pub(super) fn read_tally(&self, tile: &Tile, totals: &mut Totals, rays: Option<u64>) -> Result<Walks, GpuError> {
+    pub(super) fn add_tally(&self, tile: &Tile, totals: &mut Totals, rays: Option<u64>) -> Result<bool, GpuError> {
         let records = Records::take(self.gpu, &self.program, tile, &Role::Tally)?;
-        let Some(tally) = records.rows().next() else { return Ok(Walks::Ended) };
-        let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&tally) < rays);
-        let unfinished = missing || Totals::unfinished(&tally) > 0;
-        if unfinished && (self.is_whole() || self.plan_longer()) {
-            return Ok(Walks::Unfinished);
-        }
+        let Some(tally) = records.rows().next() else { return Ok(false) };
         totals.add_tally(&tally);
-        Ok(Walks::Ended)
+        let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&tally) < rays);
+        Ok(missing || Totals::unfinished(&tally) > 0)
+    }
+
+    /// As [`add_tally`](Self::add_tally), unless rays are still under way for which there can be more room.
+    pub(super) fn read_tally(
+        &mut self,
+        tile: &Tile,
+        totals: &mut Totals,
+        rays: Option<u64>,
+    ) -> Result<TileEnd, RenderError> {
+        let before = totals.clone();
+        if self.add_tally(tile, totals, rays)? && self.make_room()? {
+            *totals = before;
+            return Ok(TileEnd::Again);
+        }
+        Ok(TileEnd::Done)
+    }
+
+    /// Makes room for rays that outlived the passes that were to follow them: whole paths are followed by the schedule `fused` from now on, and
+    /// that has more passes. Returns `false` if there is as much room as there can be.
+    pub(super) fn make_room(&mut self) -> Result<bool, RenderError> {
+        if self.is_whole() {
+            let choice = Choice { schedule: Schedule::Fused, ..self.settings.choice.clone() };
+            let settings = RenderSettings { choice, ..self.settings.clone() };
+            let mut fused = Self::of(self.gpu, self.scene.clone(), settings, self.grids.clone())?;
+            fused.take_moments(&self.moments)?;
+            *self = fused;
+            return Ok(true);
+        }
+        let Some(more) = self.passes.more(&self.gpu.profile, self.program.suspends) else { return Ok(false) };
+        self.plan_passes(more);
+        Ok(true)
+    }
+
+    /// Are paths followed in one pass?
+    pub(super) fn is_whole(&self) -> bool {
+        self.settings.choice.schedule == Schedule::Whole
     }
 
     /// Begins the totals of a render.
@@ -274,6 +305,12 @@ impl<'a> Renderer<'a> {
         totals.wall = started.elapsed();
         Ok(())
     }
+}
+
+/// What runs for each round of a sample.
+fn planned(scene: &Scene, settings: &RenderSettings, passes: PassCounts, max_segments: u32) -> Plan {
+    let steps = steps(scene, &settings.choice, passes, max_segments, settings.segments);
+    Plan::new(steps, settings.choice.rounds(scene))
 }
 
 /// Places a scene's objects, and builds what is searched for them.

@@ -36,7 +36,7 @@ impl Renderer<'_> {
         progress: &dyn Fn(f64),
     ) -> Result<(), GpuError> {
         let rounds = self.settings.choice.rounds(&self.scene);
-        let all = u64::from(rounds) * self.plan().steps.iter().map(|step| step.weight).sum::<u64>();
+        let all = u64::from(rounds) * self.plan.steps.iter().map(|step| step.weight).sum::<u64>();
         let allowed = SUBMISSION / (u64::from(tile.size[0]) * u64::from(tile.size[1]));
         let told = |ended: u64| progress(part(ended, all, allowed));
         let mut runner = Runner::new(self, tile, sample, &told);
@@ -48,7 +48,7 @@ impl Renderer<'_> {
                 weight = 0;
                 self.write_sample(tile, sample, round)?;
             }
-            for step in &self.plan().steps {
+            for step in &self.plan.steps {
                 weight += step.weight;
                 if weight > allowed {
                     runner.submit(clock)?;
@@ -140,7 +140,7 @@ impl<'r, 'a> Runner<'r, 'a> {
             drop(encoder.begin_compute_pass(&descriptor));
             clock.settle(&mut encoder);
         }
-        let lists = self.renderer.plan().batch;
+        let lists = self.renderer.plan.batch;
         let batch = |round: u32| u64::from(round) / lists.rounds;
         let key = |(round, step): &(u32, Step)| {
             (batch(*round), stage_of(step.pass, *round, apart), step.pass == Pass::Refine)
@@ -180,7 +180,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     fn prepare(&mut self, i: usize) -> Result<(), GpuError> {
         let (round, step) = self.recorded[i];
         let renderer = self.renderer;
-        let key = (step.pass, renderer.plan().batch.selection(&step, round));
+        let key = (step.pass, renderer.plan.batch.selection(&step, round));
         if let (false, Some(pipeline)) = (self.groups.contains_key(&key), renderer.pipelines.get(step.pass)) {
             let group = self.tile.bind_group(renderer.gpu, pipeline, self.buffers, key.1)?;
             self.groups.insert(key, group);
@@ -191,7 +191,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// No ray is active before a round's setup says so, and no pixel is open in the next round before its shading says so. What
     /// the batch before has left open stays.
     fn clear_lists(&self, encoder: &mut CommandEncoder, batch: u64) {
-        let half = self.renderer.plan().batch.rounds * SECTION;
+        let half = self.renderer.plan.batch.rounds * SECTION;
         for (of, offset, size) in [(Listed::Active, 0, None), (Listed::Open, batch % 2 * half, Some(half))] {
             for list in List::both(of) {
                 if let Some(buffer) = self.tile.arguments(list) {
@@ -203,7 +203,7 @@ impl<'r, 'a> Runner<'r, 'a> {
 
     /// Where the step's own sections lie in the buffers that are cut into such, in the order of the bindings.
     fn offsets(&self, step: &Step, round: u32) -> Vec<u32> {
-        let plan = self.renderer.plan();
+        let plan = &self.renderer.plan;
         let bindings = self.renderer.pipelines.get(step.pass).map_or(&[][..], |pipeline| &pipeline.bindings);
         let offset = |role: &Role| match role {
             Role::Parameters => Some(plan.parameters_of(step) * SECTION),
@@ -220,12 +220,12 @@ impl<'r, 'a> Runner<'r, 'a> {
             Dispatch::Listed => true,
             Dispatch::ListedLater => round > 0,
         };
-        let read = self.renderer.plan().batch.place(step.read, round);
+        let read = self.renderer.plan.batch.place(step.read, round);
         match self.tile.arguments(read.list) {
             Some(buffer) if indirect => pass.dispatch_workgroups_indirect(buffer, read.offset()),
             _ => {
                 let [across, down] = self.renderer.pipelines.group;
-                let rows = down * if step.pass == Pass::Whole { self.renderer.gpu.lane_pixels } else { 1 };
+                let rows = down * if step.pass == Pass::Whole { self.renderer.gpu.profile.lane_pixels } else { 1 };
                 pass.dispatch_workgroups(self.tile.size[0].div_ceil(across), self.tile.size[1].div_ceil(rows), 1);
             }
         }

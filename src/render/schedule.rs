@@ -2,12 +2,43 @@
 
 use super::step::{Dispatch, PixelList, Step};
 use crate::gpu::Slots;
-use crate::program::{Choice, Masks, Pass, Purpose, Schedule, Work, constant};
+use crate::program::{Choice, DeviceProfile, Masks, Pass, Purpose, Schedule, constant};
 use crate::scene::{Scene, Segment};
+
+/// How many passes are recorded, where a device's loop budget may end one before its work is done. Passes that find nothing left to do
+/// cost next to nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PassCounts {
+    /// Passes of `fused` for as many segments as one may take.
+    pub fused: u64,
+    /// Passes over which one segment's walk through the structure may be spread.
+    pub walk: u64,
+}
+
+impl PassCounts {
+    /// How many times as many there are when a render has shown that there were too few.
+    const MORE: u64 = 8;
+    /// The most that there may be of each.
+    const MOST: u64 = 1024;
+
+    /// As many as nearly all scenes need on a device.
+    #[must_use]
+    pub fn of(device: &DeviceProfile) -> Self {
+        Self { fused: if device.loop_budget.is_some() { 2 } else { 1 }, walk: 1 }
+    }
+
+    /// More of both, or of the first alone if walks are never suspended. `None` if there are enough already.
+    #[must_use]
+    pub fn more(self, device: &DeviceProfile, suspends: bool) -> Option<Self> {
+        let walk = if suspends { Self::MORE * self.walk } else { self.walk };
+        let more = Self { fused: Self::MORE * self.fused, walk };
+        (device.loop_budget.is_some() && more.fused <= Self::MOST).then_some(more)
+    }
+}
 
 /// Every dispatch of one round of a sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
 #[must_use]
-pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, segments: u32) -> Vec<Step> {
+pub fn steps(scene: &Scene, choice: &Choice, passes: PassCounts, max_segments: u32, segments: u32) -> Vec<Step> {
     let open = choice.lists_open(scene);
     let mut recorded = Recorder { choice, max_segments, open, steps: Vec::new() };
     let n = match scene.rays.segment {
@@ -35,9 +66,9 @@ pub fn steps(scene: &Scene, choice: &Choice, work: &Work, max_segments: u32, seg
         Purpose::Picture | Purpose::Trace | Purpose::Pixels | Purpose::Light | Purpose::Caustics => {}
     }
     match choice.schedule {
-        Schedule::Fused | Schedule::Whole => recorded.fused(work, segments, n),
-        Schedule::Segment => recorded.by_segment(scene, work, n),
-        Schedule::Paper => recorded.by_step(scene, work, n, choice.slots(scene)),
+        Schedule::Fused | Schedule::Whole => recorded.fused(passes, segments, n),
+        Schedule::Segment => recorded.by_segment(scene, passes, n),
+        Schedule::Paper => recorded.by_step(scene, passes, n, choice.slots(scene)),
     }
     let passes = choice.passes(scene);
     let last = *passes.iter().rfind(|pass| **pass != Pass::Refine).unwrap_or(&Pass::Shade);
@@ -73,29 +104,24 @@ impl Recorder<'_> {
     }
 
     /// As many iterations as are needed; those in which no ray is active any more cost next to nothing.
-    fn fused(&mut self, work: &Work, segments: u32, n: u64) {
-        /// Iterations for walks that are gone on with, where few are.
-        const SPARE: u64 = 4;
-        let sure = work.segments_per_pass(segments);
-        let iterations = u64::from(self.max_segments.div_ceil(sure)) * work.passes_per_segment;
-        let iterations = iterations + if work.resumed { SPARE } else { 0 };
-        for iteration in 0..iterations {
+    fn fused(&mut self, passes: PassCounts, segments: u32, n: u64) {
+        for iteration in 0..u64::from(self.max_segments.div_ceil(segments)) * passes.fused {
             let start = (iteration % 2) as usize;
             self.push(Pass::Advance, Slots::segment(start, 1 - start), iteration, u64::from(segments) * n);
         }
     }
 
-    fn by_segment(&mut self, scene: &Scene, work: &Work, n: u64) {
+    fn by_segment(&mut self, scene: &Scene, passes: PassCounts, n: u64) {
         for iteration in 0..u64::from(self.max_segments) {
             let start = (iteration % 2) as usize;
             let slots = Slots::segment(start, 1 - start);
             self.push(Pass::Integrate, slots, iteration, n);
-            self.finish_segment(scene, work, slots, iteration);
+            self.finish_segment(scene, passes, slots, iteration);
         }
     }
 
     /// Within a segment of many steps two slots ping-pong while a third keeps the segment's start.
-    fn by_step(&mut self, scene: &Scene, work: &Work, n: u64, slots: usize) {
+    fn by_step(&mut self, scene: &Scene, passes: PassCounts, n: u64, slots: usize) {
         let mut start = 0;
         for iteration in 0..u64::from(self.max_segments) {
             let mut at = start;
@@ -104,14 +130,14 @@ impl Recorder<'_> {
                 self.push(Pass::SingleStep, Slots::step(start, at, next), iteration, 1);
                 at = next;
             }
-            self.finish_segment(scene, work, Slots::segment(start, at), iteration);
+            self.finish_segment(scene, passes, Slots::segment(start, at), iteration);
             start = at;
         }
     }
 
-    fn finish_segment(&mut self, scene: &Scene, work: &Work, slots: Slots, iteration: u64) {
+    fn finish_segment(&mut self, scene: &Scene, passes: PassCounts, slots: Slots, iteration: u64) {
         if !scene.objects.is_empty() {
-            for walk in 0..work.passes_per_segment {
+            for walk in 0..passes.walk {
                 self.push(Pass::Intersect, slots, iteration, 1).again = walk > 0;
             }
         }
@@ -126,7 +152,6 @@ impl Recorder<'_> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::program::{Analysis, Extent, Purpose};
 
     fn scene(segment: &str, image: &str) -> Scene {
         let text = format!(
@@ -140,9 +165,9 @@ pub(super) mod tests {
 
     pub(in crate::render) fn recorded(schedule: Schedule, segment: &str, image: &str) -> Vec<Step> {
         let scene = scene(segment, image);
-        let choice = Choice { schedule, masks: Masks::List, purpose: Purpose::Picture, layers: Vec::new() };
-        let work = Work::of(&scene, &Analysis::of(&scene), Extent::default()).unwrap();
-        steps(&scene, &choice, &work, scene.rays.max_segments, 4)
+        let choice = Choice { schedule, masks: Masks::List, ..Choice::default() };
+        let passes = PassCounts::of(&choice.device);
+        steps(&scene, &choice, passes, scene.rays.max_segments, 4)
     }
 
     #[test]

@@ -22,7 +22,7 @@ impl Renderer<'_> {
     }
 
     /// How long all samples of the picture will take, about, or of an adaptive one those that every pixel has.
-    pub fn expected_time(&self) -> Result<Duration, RenderError> {
+    pub fn expected_time(&mut self) -> Result<Duration, RenderError> {
         let size = self.small_size();
         let mut taken = Duration::ZERO;
         let _stage = self.gpu.progress.stage("estimating the time");

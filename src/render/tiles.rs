@@ -23,7 +23,7 @@ impl Renderer<'_> {
 
     /// Bytes on the device that are the same for every size of tile.
     fn fixed_memory(&self) -> u64 {
-        SceneBuffers::bytes(self.all_buffers()) + self.plan().sections().bytes()
+        SceneBuffers::bytes(self.all_buffers()) + self.plan.sections().bytes()
     }
 
     /// The largest tile that the budget and the device allow for the window.

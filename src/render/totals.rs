@@ -143,6 +143,8 @@ pub struct Totals {
     pub adaptive: Option<Adaptive>,
     /// Stretches of paths whose filter could not be had to its tolerance, or was none.
     pub unfiltered: u64,
+    /// Segments that need more loop iterations than the device runs in one pass; their rays failed.
+    pub overrun: u64,
     /// How noisy the picture is, if it is made of random paths.
     pub noise: Option<Noise>,
     /// What samples that were too bright have lost, where the scene limits them.
@@ -212,7 +214,7 @@ impl Totals {
 
     /// Rays in a tally, by the code of how they ended.
     fn ends(tally: &Row) -> impl Iterator<Item = (u32, u64)> {
-        let others = ["UNLIT", "LOST", "UNFILTERED"].map(|name| constant("segment/ray", name) as u32);
+        let others = ["UNLIT", "LOST", "UNFILTERED", "OVERRUN"].map(|name| constant("segment/ray", name) as u32);
         let codes = 0..constant("state/tally", "STATUSES") as u32;
         codes
             .filter(move |code| !others.contains(code))
@@ -232,6 +234,7 @@ impl Totals {
         self.unlit += counted(tally, "UNLIT");
         self.lost += counted(tally, "LOST");
         self.unfiltered += counted(tally, "UNFILTERED");
+        self.overrun += counted(tally, "OVERRUN");
         for (code, n) in Self::ends(tally) {
             self.rays += n;
             let status = Status::from_code(code);
@@ -262,6 +265,9 @@ impl fmt::Display for Totals {
         }
         if self.unfiltered > 0 {
             write!(f, "; filters not known on {} stretches of paths", self.unfiltered)?;
+        }
+        if self.overrun > 0 {
+            write!(f, "; {} segments of more loop iterations than this device runs in one pass", self.overrun)?;
         }
         if let Some(adaptive) = &self.adaptive {
             write!(f, "; {adaptive}")?;

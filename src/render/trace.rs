@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::records::{Records, Row};
-use super::renderer::Walks;
+use super::renderer::TileEnd;
 use super::sample::Sample;
 use super::step::Step;
 use super::{RenderError, RenderSettings, Renderer, Status, Totals};
@@ -108,7 +108,7 @@ pub fn trace_pixels(
 
 impl Renderer<'_> {
     /// Follows rays to their ends; the program's purpose is to record them.
-    pub fn follow(&self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
+    pub fn follow(&mut self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
         let mut totals = Totals::default();
         let mut clock = super::clock::Clock::new(self.gpu, true);
         let started = std::time::Instant::now();
@@ -126,7 +126,7 @@ impl Renderer<'_> {
             };
             let told = |done: f64| stage.reach(part.start as f64 + done * part.len() as f64);
             self.run_sample(&tile, sample, &mut clock, &told)?;
-            if self.read_tally(&tile, &mut totals, None)? == Walks::Ended {
+            if self.read_tally(&tile, &mut totals, None)? == TileEnd::Done {
                 traced.extend(read_records(self, &tile, part.len())?);
             }
             if let Starts::Given(rays) = starts {
@@ -168,7 +168,7 @@ pub fn trace_paths(
     rays: &[[f64; 6]],
 ) -> Result<Vec<Path>, RenderError> {
     let choice =
-        Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, layers: Vec::new(), masks: Masks::List };
+        Choice { purpose: Purpose::Trace, schedule: Schedule::Segment, masks: Masks::List, ..Choice::default() };
     let leaping = Analysis::of(scene).regions.kinds.iter().any(|kind| kind.leaps);
     let mut scene = scene.clone();
     if std::mem::take(&mut scene.rays.leaps) && leaping {
@@ -177,12 +177,12 @@ pub fn trace_paths(
             scene.rays.precision = Precision::Double;
         }
     }
-    let renderer = Renderer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() })?;
+    let mut renderer = Renderer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() })?;
     let batch = (PATH_RECORDS / (scene.rays.max_segments as usize + 1)).clamp(1, BATCH);
     let mut paths = Vec::with_capacity(rays.len());
     let stage = gpu.progress.measured("following paths", rays.len() as f64);
     for batch in rays.chunks(batch) {
-        paths.extend(trace_batch_paths(&renderer, batch)?);
+        paths.extend(trace_batch_paths(&mut renderer, batch)?);
         stage.advance(batch.len() as f64);
     }
     Ok(paths)
@@ -199,12 +199,12 @@ pub fn pixel_starts(
     pixels: &[[u32; 2]],
 ) -> Result<Vec<[f64; 6]>, RenderError> {
     let choice =
-        Choice { purpose: Purpose::Pixels, schedule: Schedule::Segment, layers: Vec::new(), masks: Masks::Off };
+        Choice { purpose: Purpose::Pixels, schedule: Schedule::Segment, masks: Masks::Off, ..Choice::default() };
     let mut scene = scene.clone();
     scene.image.samples = 1;
     let renderer = Renderer::new(gpu, &scene, RenderSettings { choice, ..settings.clone() })?;
     let (tile, sample) = pixel_tile(&renderer, pixels, ROW)?;
-    let steps = &renderer.plan().steps;
+    let steps = &renderer.plan.steps;
     let started = steps.iter().filter(|step| matches!(step.pass, Pass::Setup | Pass::Record)).copied();
     renderer.run_steps(&tile, sample, &started.collect::<Vec<_>>())?;
     let starts = read_starts(&renderer, &tile, pixels.len())?;
@@ -215,17 +215,17 @@ pub fn pixel_starts(
 }
 
 /// Until no walk is cut short.
-fn trace_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
+fn trace_batch_paths(renderer: &mut Renderer, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
     loop {
         let paths = try_batch_paths(renderer, batch)?;
-        if paths.iter().all(|(status, _)| *status != Status::Alive) || !renderer.plan_longer() {
+        if paths.iter().all(|(status, _)| *status != Status::Alive) || !renderer.make_room()? {
             return Ok(paths);
         }
     }
 }
 
 fn try_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
-    let plan = renderer.plan();
+    let plan = &renderer.plan;
     let (tile, sample) = ray_tile(renderer, batch)?;
     let begun = |ray: &[f64; 6]| {
         let Traced { x, v, tau, .. } = captured_at(ray);

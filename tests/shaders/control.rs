@@ -26,7 +26,7 @@ pub const ETA: f64 = 0.5;
 
 pub fn probe(step: &str, control: &[&str], limit: &str, values: Record) -> Probe {
     let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
-    let mut parts = vec!["segment/ray", "state/work", "law/phase_space", "law/schwarzschild_path", step, limit];
+    let mut parts = vec!["segment/ray", "state/loops_free", "law/phase_space", "law/schwarzschild_path", step, limit];
     parts.extend(control);
     Probe::new(&parts).bind("law", [law]).bind("control", [values]).bind("limit", [vec![("length", Float(10.0))]])
 }

@@ -102,7 +102,7 @@ impl Setting {
     fn run(&self, limit: &str, inputs: &[Input]) -> Vec<Output> {
         let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
         let mut parts =
-            vec!["segment/ray", "state/work", "method/memory_pair", "law/phase_space", "law/schwarzschild_path"];
+            vec!["segment/ray", "state/loops_free", "method/memory_pair", "law/phase_space", "law/schwarzschild_path"];
         parts.extend(["method/control/embedded", self.part, "method/control/embedded", limit, self.real]);
         let rows = Probe::new(&parts)
             .stub(REALS)

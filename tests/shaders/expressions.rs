@@ -1,6 +1,6 @@
 //! Formulas as WGSL: the functions that they call, what is generated for them, and what becomes of places without a value.
 
-use bentray::program::{Analysis, Choice, Extent, Work, plan};
+use bentray::program::{Analysis, Choice, plan};
 use glam::{DVec3, Vec4};
 
 use super::numbers::SINE_BOUND;
@@ -16,8 +16,7 @@ fn generated(name: &str, formula: &str) -> String {
     );
     let scene = scene(&text);
     let analysis = Analysis::of(&scene);
-    let work = Work::of(&scene, &analysis, Extent::default()).unwrap();
-    let parts = plan(&scene, &analysis, &Choice::default(), &work).unwrap();
+    let parts = plan(&scene, &analysis, &Choice::default(), false).unwrap();
     let unit = parts
         .shared
         .into_iter()
@@ -29,7 +28,7 @@ fn generated(name: &str, formula: &str) -> String {
 }
 
 fn with_formulas<'f>(real: &str, formulas: impl IntoIterator<Item = &'f str>) -> Probe {
-    let probe = Probe::new(&["state/work", "medium/formula", "medium/finite", real]);
+    let probe = Probe::new(&["state/loops_free", "medium/formula", "medium/finite", real]);
     formulas
         .into_iter()
         .enumerate()

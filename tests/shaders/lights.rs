@@ -104,7 +104,7 @@ fn lights_add_up() {
         })
         .collect();
     let parts = [
-        "state/work",
+        "state/loops_free",
         "surface/material",
         "surface/material/phong",
         "surface/material/emissive",

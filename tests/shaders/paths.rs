@@ -66,7 +66,7 @@ fn fates_in_their_order() {
     let spheres = about_a_point(vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))]);
     let parts = [
         "segment/ray",
-        "state/work",
+        "state/loops_free",
         "law/bound",
         "law/leaving",
         "law/phase_space",
@@ -77,7 +77,7 @@ fn fates_in_their_order() {
     let probe = bounded(&parts, DVec3::ZERO)
         .list("capture_spheres", "CAPTURE_COUNT", [spheres])
         .bind("limit", [vec![("length", Float(100.0))]])
-        .bind("schedule", [vec![("max_segments", Uint(10)), ("segments", Uint(1)), ("segment_work", Uint(1))]]);
+        .bind("schedule", [vec![("max_segments", Uint(10)), ("segments", Uint(1))]]);
     let body = "let s = Segment(p0.xyz, vec3f(1.0), p1.xyz, p2.xyz, 1.0);
         let ray = Ray(Phase(p1.xyz, p2.xyz), p0.w, 0.0, Memory(0.0), 0.0, 0u, 0u, 0u, ALIVE);
         put(0u, vec4f(f32(open_status(s, p0.w, u32(p1.w))), f32(path_over(ray)), 0.0, 0.0));";
@@ -114,7 +114,7 @@ fn fates_in_their_order() {
 fn path_end(step: f64) -> Probe {
     let parts = [
         "segment/ray",
-        "state/work",
+        "state/loops_free",
         "law/bound",
         "law/leaving",
         "law/phase_space",

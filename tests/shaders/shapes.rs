@@ -12,7 +12,7 @@ use crate::support::{
 
 pub const PARTS: [&str; 10] = [
     "segment/ray",
-    "state/work",
+    "state/loops_free",
     "segment/pieces",
     "shape/placed",
     "shape/sphere",

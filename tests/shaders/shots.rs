@@ -74,7 +74,7 @@ fn shots_about_a_centre_are_conics() {
             vec![("position", V3(DVec3::ZERO)), ("strength", Float(m)), ("along", V3(DVec3::Z)), ("kind", Uint(0))];
         let probe = Probe::new(&[
             "segment/ray",
-            "state/work",
+            "state/loops_free",
             "real/math",
             "law/phase_space",
             "law/orbit",
@@ -86,7 +86,7 @@ fn shots_about_a_centre_are_conics() {
             "surface/shot/planar",
         ])
         .generated(SCENE, "generated/source_counts.wgsl")
-        .bind("schedule", [vec![("max_segments", Uint(1000)), ("segments", Uint(1000)), ("segment_work", Uint(10))]])
+        .bind("schedule", [vec![("max_segments", Uint(1000)), ("segments", Uint(1000))]])
         .bind("inverse_square", [centre]);
         let body = "let shot = shot_at(p0.xyz, p1.xyz, u32(p0.w));
             put(0u, vec4f(shot.leaves, f32(shot.found)));

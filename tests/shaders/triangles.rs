@@ -12,7 +12,7 @@ use crate::support::{
 
 const PARTS: [&str; 10] = [
     "segment/ray",
-    "state/work",
+    "state/loops_free",
     "segment/walk_whole",
     "segment/pieces",
     "segment/structure/boxes",

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use bentray::gpu::{Gpu, Pipeline, pack};
 use bentray::model::{Row, Value};
 use bentray::program::{
-    Analysis, BindingKind, Choice, Extent, Layout, Linked, Parts, Reflection, Unit, Work, link, part, plan, reflect,
+    Analysis, BindingKind, Choice, Layout, Linked, Parts, Reflection, Unit, link, part, plan, reflect,
 };
 use glam::{DVec3, Vec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -114,9 +114,7 @@ impl Probe {
     pub fn generated(mut self, scene: &str, file: &str) -> Self {
         let scene = super::scene(scene);
         let analysis = Analysis::of(&scene);
-        let work = Work::of(&scene, &analysis, Extent { places: 1, items: 1, at_once: 1, instances: 0 })
-            .unwrap_or_else(|error| panic!("{error}"));
-        let parts = plan(&scene, &analysis, &Choice::default(), &work).unwrap_or_else(|error| panic!("{error}"));
+        let parts = plan(&scene, &analysis, &Choice::default(), false).unwrap_or_else(|error| panic!("{error}"));
         let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);
         self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
         self

@@ -1,6 +1,6 @@
 // Nodes of a hierarchy of boxes, and a segment as they see it.
 
-// Two reads of four words, which lavapipe makes lane by lane, each at nearly the price of one word. Boxes are of 32 bits in any program.
+// Two reads of four words, which a processor makes lane by lane, each at nearly the price of one word. Boxes are of 32 bits in any program.
 struct Node {
     // The lower corner's bits, and the node after this one's whole subtree.
     lo_skip: vec4u,

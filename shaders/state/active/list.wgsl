@@ -14,7 +14,7 @@ struct ActiveRead {
 @group(0) @binding(7) var<storage, read> list_in: array<u32>;
 @group(0) @binding(8) var<storage, read_write> list_out: array<u32>;
 
-// Groups in one row of a dispatch that has several: under the limit of 65,535 for any number of pixels.
+// Groups in one row of a dispatch that has several: under WebGPU's limit for any number of pixels.
 const ROW: u32 = 32768u;
 
 var<workgroup> group_active: atomic<u32>;

@@ -16,7 +16,7 @@ fn open_share(lit: Lit, way: vec3f) -> Share {
     var passed: Real = 0.0;
     var met = false;
     for (var k = 0u; k < schedule.max_segments && passed < ambient.distance && !met && ray.status == ALIVE; k++) {
-        if !line_has_room() {
+        if !has_room() {
             unfinished = true;
             break;
         }

@@ -17,7 +17,7 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     var at = start;
     var share = Share(1.0);
     var there = false;
-    for (var k = 0u; k < CROSSINGS && !there && line_has_room(); k++) {
+    for (var k = 0u; k < CROSSINGS && !there && has_room(); k++) {
         let rest = start + way - at;
         let s = Segment(at, rest, at + rest, rest, 1.0);
         var hit = first_met(s, 1u);
@@ -32,7 +32,7 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
             there = all(share <= Share(0.0));
         }
     }
-    unfinished = unfinished || !line_has_room();
+    unfinished = unfinished || !has_room();
     walk_anew();
     mark_line(false);
     enter_set(before);

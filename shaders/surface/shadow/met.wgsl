@@ -8,8 +8,3 @@ fn first_met(s: Segment, pieces: u32) -> Hit {
     unfinished = unfinished || walk_suspended();
     return hit;
 }
-
-// There is room for one more segment.
-fn line_has_room() -> bool {
-    return work + 2u * schedule.segment_work < WORK_LIMIT;
-}

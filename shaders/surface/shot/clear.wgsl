@@ -4,14 +4,14 @@
 const REACH: Real = 1e-3;
 
 fn shot_clear(source: Real3, d: Real3, place: Real3) -> bool {
-    share_work();
+    rejoin();
     let reach = REACH * distance(source, place);
     var ray = shot_start(source, d);
     clear_last_hit();
     var there = false;
     var clear = true;
     for (var k = 0u; k < schedule.max_segments && clear && !there; k++) {
-        if !shot_has_room() {
+        if !has_room() {
             unfinished = true;
             break;
         }

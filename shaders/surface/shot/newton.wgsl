@@ -59,7 +59,7 @@ fn neighbor_length(search: ShotSearch) -> Real {
 }
 
 fn nearest_to(source: Real3, d: Real3, place: Real3, longest: Real) -> Nearest {
-    share_work();
+    rejoin();
     var ray = shot_start(source, d);
     var best = infinite();
     var from_ray = ray;
@@ -67,7 +67,7 @@ fn nearest_to(source: Real3, d: Real3, place: Real3, longest: Real) -> Nearest {
     var at: Real = 0.0;
     var passed: Real = 0.0;
     var passed_there: Real = 0.0;
-    for (var k = 0u; k < schedule.max_segments && passed < longest && shot_has_room(); k++) {
+    for (var k = 0u; k < schedule.max_segments && passed < longest && has_room(); k++) {
         var next = ray;
         let s = follow_segment(&next);
         passed += distance(s.x0, s.x1);
@@ -220,8 +220,8 @@ fn ended_search(search: ShotSearch, source: Real3, place: Real3) -> Shot {
         shot.error = search.gap / sqrt(max(shot.spread, 1e-30));
     }
     // A path or its bundle may have ended for lack of room, where nothing is known of either.
-    share_work();
-    if !shot_has_room() {
+    rejoin();
+    if !has_room() {
         unfinished = true;
         return NO_SHOT;
     }

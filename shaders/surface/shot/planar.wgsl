@@ -12,8 +12,6 @@ const MANY_STEPS: u32 = ROUND_STEPS;
 // For derivatives: first in parts of the angle, then so far apart that 1/r changes by this part.
 const APART: Real = 2e-3;
 const CHANGE: Real = 0.08;
-// Iterations of one path's search, at most, with those of its derivative.
-const SHOT_WORK: u32 = (LOOKS + HALVINGS) * (FEW_STEPS + 2u) + (SECANTS + 9u) * (MANY_STEPS + 1u);
 const NEVER_THERE: Real = -1.0;
 const SWALLOWED: Real = 1e30;
 
@@ -83,7 +81,7 @@ fn continued_search(search: ShotSearch, source: Real3, place: Real3, k: u32) -> 
 
 // The which-th path by one side.
 fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
-    if work + SHOT_WORK + schedule.segment_work > WORK_LIMIT {
+    if !has_room() {
         unfinished = true;
         return NO_SHOT;
     }
@@ -129,7 +127,12 @@ fn shot_at(source: Real3, place: Real3, k: u32) -> Shot {
         gap = there;
         off = clamp(next, 0.5 * off, min(2.0 * off, PI));
     }
-    return shot_along(plane, off, wanted);
+    let shot = shot_along(plane, off, wanted);
+    if is_spent() {
+        unfinished = true;
+        return NO_SHOT;
+    }
+    return shot;
 }
 
 // The path that leaves at this angle, if it is one: between what is swallowed and what escapes there is none.

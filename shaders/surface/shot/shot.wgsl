@@ -27,11 +27,6 @@ struct ShotSearch {
 
 const SEARCHED: u32 = 64u;
 
-// There is room for the next path, and for a step of it.
-fn shot_has_room() -> bool {
-    return work + 2u * schedule.segment_work + 512u < WORK_LIMIT;
-}
-
 // Two unit vectors square to d and to each other.
 fn square_to(d: Real3) -> mat2x3<Real> {
     let other = select(Real3(1.0, 0.0, 0.0), Real3(0.0, 1.0, 0.0), abs(d.x) > 0.7);

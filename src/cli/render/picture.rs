@@ -114,6 +114,7 @@ fn counts(made: &Made) -> Value {
         "unfollowed": made.unfollowed(),
         "unlit": totals.unlit,
         "unfiltered": totals.unfiltered,
+        "overrun": totals.overrun,
     })
 }
 

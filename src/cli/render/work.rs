@@ -129,7 +129,7 @@ impl Work<'_> {
         self.set_up(scene.clone(), frame, is_first)?;
         self.open_shutter(&scene, frame)?;
         let window = self.window(&scene, band)?;
-        let Some((renderer, _)) = &self.renderer else { return Ok(None) };
+        let Some((renderer, _)) = &mut self.renderer else { return Ok(None) };
         let mut writers = self.arguments.open(&scene, (target, window), &layers, &said)?;
         let ready = begun.elapsed();
         screen::advise(self.arguments.preview_advice(&scene, target));
@@ -138,6 +138,7 @@ impl Work<'_> {
         let stage = screen::progress().stage("finishing the files");
         writers.into_iter().try_for_each(ImageWriter::finish)?;
         drop(stage);
+        let lights = self.renderer.as_ref().map(|(renderer, _)| renderer.light_reports()).unwrap_or_default();
         let made = Made {
             scene: &scene,
             again: &self.again,
@@ -146,7 +147,7 @@ impl Work<'_> {
             ready,
             launch: is_first.then_some(&self.launch),
             totals,
-            lights: &renderer.light_reports(),
+            lights: &lights,
             verification: self.verification.as_ref(),
         };
         self.tell(target, Some(&made))?;
@@ -222,7 +223,7 @@ impl Work<'_> {
 const MANY: u64 = 1 << 27;
 
 /// How long a large picture will take, and of how much room.
-fn expected(renderer: &Renderer, scene: &Scene, memory: u64) -> Result<Option<String>, RenderError> {
+fn expected(renderer: &mut Renderer, scene: &Scene, memory: u64) -> Result<Option<String>, RenderError> {
     let [width, height] = renderer.window().size;
     let rays = u64::from(width) * u64::from(height) * u64::from(scene.image.samples);
     if rays < MANY {
@@ -256,7 +257,7 @@ fn settled(mut scene: Scene, first: &Scene) -> Scene {
 }
 
 fn render(
-    renderer: &Renderer,
+    renderer: &mut Renderer,
     writers: &mut [Box<dyn ImageWriter>],
     launch: &mut StartUp,
     (earlier, preview): (Option<&Earlier>, Option<&PreviewFile>),

@@ -15,14 +15,13 @@ pub static KIND: Kind = Kind {
     memory: "method/memory_step",
     values: |control| row! { turn: Float(control.setting), eta: Float(control.cap) },
     // The derivative once more, for the curvature.
-    loops: |step| (step.evaluations + 1) * step.derivative + step.scale,
     evaluations: |step, steps, _| (step + 1.0) * steps,
     suffix: "",
     setting: |control| control.setting.to_degrees(),
     from_file: f64::to_radians,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined), 0.2 * 0.5_f64.powi(refined)),
     divides: false,
-    tries: None,
+    rejects: false,
     keeps_errors: false,
     has_tolerance: false,
 };

@@ -3,7 +3,7 @@
 //! The paper changes only the next step, by two thresholds, and keeps the one whose difference is too large; `REJECTING` tries such a
 //! step again, shorter.
 
-use super::{Control, Kind, StepLoops, falling};
+use super::{Control, Kind, falling};
 use crate::document::reader::TableReader;
 use crate::document::values::{positive, word};
 use crate::document::{Key, keys};
@@ -32,14 +32,13 @@ pub static REJECTING: Kind = Kind {
     parts: &["method/control/doubled", "method/control/doubling_rejecting"],
     memory: "method/memory_step",
     values,
-    loops,
     evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
     suffix: "-doubling",
     setting: |control| control.setting,
     from_file: |written| written,
     usual,
     divides: false,
-    tries: Some("method/control/doubling_rejecting"),
+    rejects: true,
     keeps_errors: false,
     has_tolerance: true,
 };
@@ -53,22 +52,17 @@ pub static PAPER: Kind = Kind {
     keys: KEYS,
     memory: "method/memory_step",
     values,
-    loops,
     evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
     setting: |control| control.setting,
     from_file: |written| written,
     usual,
     divides: false,
-    tries: Some("method/control/doubling_rejecting"),
+    rejects: true,
     has_tolerance: true,
 };
 
 fn values(control: &Control) -> Row {
     row! { tolerance: Float(control.setting), grow_below: Float(control.grow_below), eta: Float(control.cap) }
-}
-
-fn loops(step: &StepLoops) -> u64 {
-    step.scale + step.tries * (4 + 3 * step.evaluations * step.derivative + step.scale)
 }
 
 fn usual(control: &Control, refined: i32) -> Control {

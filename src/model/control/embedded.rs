@@ -16,16 +16,13 @@ pub static KIND: Kind = Kind {
     memory: "method/memory_pair",
     values: |control| row! { tolerance: Float(control.setting), eta: Float(control.cap) },
     // The first evaluation of a path, and then those of each try.
-    loops: |step| {
-        step.derivative + step.scale + step.tries * (1 + (step.evaluations + 1) * step.derivative + step.scale)
-    },
     evaluations: |step, steps, rejected| 1.0 + step * (steps + rejected),
     suffix: "",
     setting: |control| control.setting,
     from_file: |written| written,
     usual: |_, refined| with(1e-5 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined)),
     divides: true,
-    tries: Some("method/control/embedded"),
+    rejects: true,
     keeps_errors: false,
     has_tolerance: true,
 };

@@ -10,7 +10,6 @@ pub static KIND: Kind = Kind {
     name: "iterated",
     parts: &["method/control/iterated"],
     values: |control| row! { step: Float(control.setting) },
-    loops: |step| step.evaluations * step.derivative,
     ..fixed::KIND
 };
 

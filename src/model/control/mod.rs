@@ -26,6 +26,7 @@ use crate::document::values::positive;
 const PLANNED: [&Kind; 2] = [&fixed::KIND, &curvature::KIND];
 
 /// What is known of a kind of control.
+#[allow(clippy::struct_excessive_bools)] // facts, each by itself
 pub struct Kind {
     /// Its name.
     pub name: &'static str,
@@ -37,8 +38,6 @@ pub struct Kind {
     pub memory: &'static str,
     /// The members of `control` in WGSL.
     pub values: fn(&Control) -> Row,
-    /// Loop iterations of one accepted step at most, by those of an evaluation of the law's derivative and of its scale.
-    pub loops: fn(&StepLoops) -> u64,
     /// Evaluations of the law's derivative in a path, by those of a step, and by accepted and rejected steps.
     pub evaluations: fn(step: f64, steps: f64, rejected: f64) -> f64,
     /// What follows a method's name where it has this control.
@@ -51,25 +50,12 @@ pub struct Kind {
     pub usual: fn(&Control, refined: i32) -> Control,
     /// May a setting between two be tried, their geometric mean?
     pub divides: bool,
-    /// The part whose `MAX_TRIES` says how often a step may be tried again when its error is too large; none if it never is.
-    pub tries: Option<&'static str>,
+    /// Is a step tried again when its error is too large?
+    pub rejects: bool,
     /// Are steps over the tolerance kept, and counted as rejected?
     pub keeps_errors: bool,
     /// Is the setting a tolerance?
     pub has_tolerance: bool,
-}
-
-/// What the loops of a step are made of.
-#[derive(Debug, Clone, Copy)]
-pub struct StepLoops {
-    /// Evaluations of the derivative in a step of the method.
-    pub evaluations: u64,
-    /// Loop iterations of one evaluation.
-    pub derivative: u64,
-    /// Loop iterations of the law's scale.
-    pub scale: u64,
-    /// Times that a step may be tried.
-    pub tries: u64,
 }
 
 /// A control at a setting.

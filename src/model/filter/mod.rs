@@ -89,18 +89,6 @@ impl Filter {
         }
     }
 
-    /// Does its density jump from place to place?
-    #[must_use]
-    pub fn jumps(&self) -> bool {
-        self.texture().is_some_and(|texture| matches!(texture.look, Look::Wrapped(..)))
-    }
-
-    /// Loop iterations that one evaluation takes.
-    #[must_use]
-    pub fn loops(&self) -> u64 {
-        self.texture().map_or(0, |texture| u64::from(texture.octaves))
-    }
-
     /// The members of its `Filter` in WGSL that are its own; its formulas are those of this number.
     #[must_use]
     pub fn values(&self, formulas: usize) -> Row {

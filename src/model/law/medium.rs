@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Invariant, Kind, Landmark, Law, Order};
 use crate::document::keys;
 use crate::model::medium::{self, Surroundings};
-use crate::model::{Loops, Medium, Wgsl};
+use crate::model::{Medium, Wgsl};
 
 /// The parts of a ray's way through a medium without a closed form.
 pub const SOLVED_PARTS: [&str; 5] =
@@ -49,8 +49,8 @@ impl Law for InMedium {
         Order::Place
     }
 
-    fn loops(&self) -> Loops {
-        self.0.loops()
+    fn terms(&self) -> u32 {
+        self.0.terms()
     }
 
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {

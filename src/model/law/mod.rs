@@ -32,7 +32,7 @@ use std::sync::Arc;
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use super::same::same;
-use super::{Anchor, Binding, Capture, ClosedForm, Filter, Loops, Medium, Same, Wgsl, filter};
+use super::{Anchor, Binding, Capture, ClosedForm, Filter, Medium, Same, Wgsl, filter};
 use crate::assets::{Files, LineElement};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
@@ -134,9 +134,9 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         false
     }
 
-    /// How long its loops are.
-    fn loops(&self) -> Loops {
-        Loops::default()
+    /// How many terms one evaluation of its derivative adds up, each about as long as a simple law.
+    fn terms(&self) -> u32 {
+        1
     }
 
     /// What its force comes from, for the parts that know the way there.

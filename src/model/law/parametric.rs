@@ -46,7 +46,6 @@ static FORM: ClosedForm = ClosedForm {
     is_line: false,
     meets_obstacles: false,
     // `NODES` of the ray in one step, each held against `VISITS` of the objects.
-    loops: 64 * 49,
     start: Start::Own,
 };
 

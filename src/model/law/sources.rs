@@ -11,7 +11,7 @@ use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector, word};
 use crate::model::falloff::{self, FALLOFFS, Falloff};
 use crate::model::source::SOURCES;
-use crate::model::{Anchor, Binding, Capture, Loops, Row, Source, Wgsl, row};
+use crate::model::{Anchor, Binding, Capture, Row, Source, Wgsl, row};
 
 pub static KIND: Kind = Kind {
     name: "sources",
@@ -136,8 +136,8 @@ impl Law for Sources {
         Order::Place
     }
 
-    fn loops(&self) -> Loops {
-        Loops { derivative: self.0.len() as u64, scale: self.0.len() as u64 }
+    fn terms(&self) -> u32 {
+        self.0.len() as u32
     }
 
     fn anchors(&self) -> Vec<Anchor> {
@@ -217,8 +217,8 @@ impl Law for ByLength {
         ["law/by_length", "motion/pace_length"]
     }
 
-    fn loops(&self) -> Loops {
-        self.0.loops()
+    fn terms(&self) -> u32 {
+        self.0.terms()
     }
 
     fn anchors(&self) -> Vec<Anchor> {

@@ -8,7 +8,7 @@ use super::noise::{FREQUENCY, OCTAVES, SEED};
 use super::{CENTER, Kind, Medium, RADIUS, center, length};
 use crate::document::keys;
 use crate::document::values::{number_where, positive, whole};
-use crate::model::{Loops, Row, Wgsl, row};
+use crate::model::{Row, Wgsl, row};
 
 pub static KIND: Kind = Kind {
     name: "explosion",
@@ -75,7 +75,7 @@ impl Medium for Explosion {
         Some((self.center, self.radius))
     }
 
-    fn loops(&self) -> Loops {
-        Loops { derivative: u64::from(self.octaves), scale: 0 }
+    fn terms(&self) -> u32 {
+        self.octaves
     }
 }

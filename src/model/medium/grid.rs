@@ -9,7 +9,7 @@ use crate::assets::{Bare, Files, IndexGrid, Stored, Use};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{array, not_zero, number, text, vector, whole, word};
-use crate::model::{Loops, Row, Wgsl, row};
+use crate::model::{Row, Wgsl, row};
 
 pub static KIND: Kind = Kind {
     name: "grid",
@@ -92,8 +92,8 @@ impl Medium for Grid {
     }
 
     /// Rows of samples round a place.
-    fn loops(&self) -> Loops {
-        Loops { derivative: 16, scale: 0 }
+    fn terms(&self) -> u32 {
+        16
     }
 
     fn samples(&self) -> &[f32] {

@@ -30,7 +30,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::same::same;
-use super::{Capture, ClosedForm, Filter, Loops, Row, Same, Wgsl, filter};
+use super::{Capture, ClosedForm, Filter, Row, Same, Wgsl, filter};
 use crate::assets::{Files, Formula};
 use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive, suggest, vector};
@@ -144,9 +144,9 @@ pub trait Medium: fmt::Debug + Send + Sync + Same {
         None
     }
 
-    /// How long its loops are.
-    fn loops(&self) -> Loops {
-        Loops::default()
+    /// How many terms one evaluation of the index with its gradient adds up, each about as long as a simple medium.
+    fn terms(&self) -> u32 {
+        1
     }
 
     /// A formula that the index is written by, to be turned into WGSL with its gradient.

@@ -8,7 +8,7 @@ use super::{CENTER, Kind, Medium, Surroundings, center};
 use crate::document::reader::TableReader;
 use crate::document::values::{number, positive, whole};
 use crate::document::{Key, keys};
-use crate::model::{Loops, Row, Wgsl, row};
+use crate::model::{Row, Wgsl, row};
 
 /// `amplitude` of a sum about n₀.
 pub(super) const AMPLITUDE: Key = keys! {
@@ -94,11 +94,6 @@ impl Noise {
             seed: Uint(self.seed),
         }
     }
-
-    /// Four layers of points an octave.
-    pub(super) fn sum_loops(&self) -> Loops {
-        Loops { derivative: 5 * u64::from(self.octaves), scale: 0 }
-    }
 }
 
 impl Medium for Noise {
@@ -114,7 +109,8 @@ impl Medium for Noise {
         None
     }
 
-    fn loops(&self) -> Loops {
-        self.sum_loops()
+    /// An octave is four layers of points, and their sum.
+    fn terms(&self) -> u32 {
+        5 * self.octaves
     }
 }

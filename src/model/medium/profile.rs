@@ -9,7 +9,7 @@ use crate::assets::{Files, Flaw, Profile, ProfilePoint};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, array, number};
 use crate::document::{Node, Value, keys};
-use crate::model::{Loops, Row, Wgsl, row};
+use crate::model::{Row, Wgsl, row};
 
 pub static KIND: Kind = Kind {
     name: "profile",
@@ -84,9 +84,8 @@ impl Medium for Layers {
     }
 
     /// The point below a height is found by halving.
-    fn loops(&self) -> Loops {
-        let halvings = u64::from(self.profile.points.len().next_power_of_two().ilog2());
-        Loops { derivative: halvings, scale: halvings }
+    fn terms(&self) -> u32 {
+        self.profile.points.len().next_power_of_two().ilog2()
     }
 
     fn points(&self) -> Vec<Row> {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::noise::{AMPLITUDE, FREQUENCY, Noise, OCTAVES, SEED};
 use super::{CENTER, Kind, Medium, constant};
 use crate::document::values::positive;
-use crate::model::{ClosedForm, Loops, Row, STRAIGHT, Wgsl};
+use crate::model::{ClosedForm, Row, STRAIGHT, Wgsl};
 
 pub static KIND: Kind = Kind {
     name: "textured",
@@ -48,7 +48,7 @@ impl Medium for Textured {
         true
     }
 
-    fn loops(&self) -> Loops {
-        self.0.sum_loops()
+    fn terms(&self) -> u32 {
+        self.0.terms()
     }
 }

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use super::regions::Regions;
 use super::unit::Unit;
-use super::{Choice, Purpose};
+use super::{Choice, LoopBudget, Purpose};
 use crate::model::shape::SOLIDS;
 use crate::model::source;
 use crate::scene::Scene;
@@ -146,8 +146,8 @@ pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
     unit("generated/aims.wgsl", text)
 }
 
-/// What filters leave of light, by their kinds, and how many pieces a step is cut into at most.
-pub(super) fn filters(kinds: &[&str], pieces: u64) -> Unit {
+/// What filters leave of light, by their kinds.
+pub(super) fn filters(kinds: &[&str]) -> Unit {
     let textured = |part: &str| part.starts_with("texture/");
     let call = |part: &&str| {
         let kind = own_name(part);
@@ -156,7 +156,7 @@ pub(super) fn filters(kinds: &[&str], pieces: u64) -> Unit {
     };
     let calls: Vec<_> = kinds.iter().map(call).collect();
     // A texture's sum, which is long, stands once, whatever is made of it.
-    let mut text = if kinds.iter().any(|part| textured(part)) {
+    let text = if kinds.iter().any(|part| textured(part)) {
         let signature = "fn textured_density(filter_at: Filter, q: Real3, sum: f32) -> vec3f";
         switch(signature, "filter_at.kind", &calls)
             + "\nfn filter_density(filter_at: Filter, q: Real3) -> vec3f {\n    \
@@ -164,7 +164,6 @@ pub(super) fn filters(kinds: &[&str], pieces: u64) -> Unit {
     } else {
         switch("fn filter_density(filter_at: Filter, q: Real3) -> vec3f", "filter_at.kind", &calls)
     };
-    let _ = writeln!(text, "\nconst FILTER_PIECES: u32 = {pieces}u;");
     unit("generated/filters.wgsl", text)
 }
 
@@ -230,6 +229,12 @@ pub(super) fn regions(regions: &Regions) -> Unit {
 pub(super) fn obstacles(count: usize, leaps: bool) -> Unit {
     let text = format!("const OBSTACLE_COUNT: u32 = {count}u;\nconst LEAPS: bool = {leaps};\n");
     unit("generated/obstacles.wgsl", text)
+}
+
+/// How many loop iterations the device runs in an invocation, and how many invocations share them.
+pub(super) fn loop_budget(LoopBudget { iterations, lanes }: LoopBudget) -> Unit {
+    let text = format!("const LOOP_BUDGET: u32 = {iterations}u;\nconst LOOP_LANES: u32 = {lanes}u;\n");
+    unit("generated/loop_budget.wgsl", text)
 }
 
 /// How many media a kind of region has.

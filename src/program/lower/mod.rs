@@ -1,12 +1,12 @@
 //! Lowering: a pass's uniforms, written as the driver bears and runs them best. One buffer for all of the scene's, each read once.
 //!
 //! *Theory.* Every part declares the uniform it reads, by its own name. A pass that binds each apart soon needs more than a
-//! device has to give (twelve are sure), and more than lavapipe bears: looking for branches that depend on uniforms alone,
+//! device has to give (twelve are sure), and more than some drivers can take: looking for branches that depend on uniforms alone,
 //! Mesa 22.3 counts in steps of 32 through a table with room for 4 a buffer, and a branch on the fifth buffer or a later one
 //! writes past its end, into whatever the heap has there. So the uniforms become members of one block; what a tile or a turn
 //! writes stays apart.
 //!
-//! Inside a loop lavapipe reads a uniform once for every lane, each read with a test of its bounds: some 25 instructions for one
+//! Inside a loop a processor reads a uniform once for every lane, each read with a test of its bounds: some 25 instructions for one
 //! number, and half the time of a Runge–Kutta step. So a pass copies them into variables of its own before it does anything else,
 //! where one read serves all lanes. An array that is only read at places written as numbers is copied place by place, and one of
 //! a single place as that. Other arrays stay where they are: a copy of an array is memory, which is read no faster.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::program::tokens::Tokens;
-use crate::program::{Choice, Parts, Unit, Work, link, plan, reflect, validated};
+use crate::program::{Choice, Parts, Unit, link, plan, reflect, validated};
 use crate::scene::Scene;
 
 /// One uniform of every shape: whole, of one element, of two that are read at written places, walked, and apart.
@@ -107,8 +107,7 @@ fn formatting_changes_no_scene() {
         let scene = Scene::load(&path, &[]).unwrap();
         let choice = Choice::default();
         let analysis = crate::program::Analysis::of(&scene);
-        let work = Work::of(&scene, &analysis, crate::program::Extent::default()).unwrap();
-        let parts = plan(&scene, &analysis, &choice, &work).unwrap();
+        let parts = plan(&scene, &analysis, &choice, false).unwrap();
         let spaced = |unit: &Unit, gap: &str| Unit { text: with_gaps(&unit.text, gap).into(), ..unit.clone() };
         for pass in choice.passes(&scene) {
             let golden = link(&parts, pass.entry()).unwrap().source;
