@@ -252,7 +252,9 @@ fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
         let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
         let totals = Renderer::new(&gpu, &scene, settings).unwrap().picture().unwrap().totals;
         if gpu.profile.loop_budget.is_some() {
-            assert_eq!((totals.count(Status::Failed), totals.overrun), (2, 2), "{schedule:?}: {totals}");
+            let failed = totals.count(Status::Failed);
+            assert!(failed > 0, "{schedule:?}: {totals}");
+            assert_eq!((totals.overrun, totals.unfollowed()), (failed, failed), "{schedule:?}: {totals}");
         } else {
             assert_eq!((totals.unfollowed(), totals.overrun), (0, 0), "{schedule:?}: {totals}");
         }

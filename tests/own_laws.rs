@@ -112,12 +112,6 @@ fn what_is_wrong_with_a_law_is_said_at_its_place() {
             "law.wgsl:2:5: the length of a loop",
         ),
         (
-            "a loop that calls another",
-            after("fn turn() {\n    for (var j = 0u; j < 90u; j++) { }\n}\n")
-                .replace("return", "for (var i = 0u; i < 90u; i++) { turn(); }\n    return"),
-            "8190 iterations in one call",
-        ),
-        (
             "a clash",
             after("fn law_captured() -> f32 {\n    return 1.0;\n}\n"),
             "law.wgsl:4:4: `law_captured` is a name that programs use",
