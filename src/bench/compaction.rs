@@ -1,8 +1,9 @@
 //! What compaction is worth, a dense list of the active rays: where few go on, scattered over the picture, and where all do.
 
-use super::{Bench, Cell, Report, Table, Times};
-use crate::program::{Choice, Masks, Schedule};
-use crate::render::{RenderError, RenderSettings, Renderer};
+use super::paper::{by, fused_segments, run};
+use super::{Bench, Report, Table, Times};
+use crate::program::{Masks, Schedule};
+use crate::render::RenderError;
 use crate::scene::Scene;
 
 /// The schedules that are compared, with K where it counts.
@@ -11,36 +12,19 @@ const SCHEDULES: [(Schedule, u32); 4] =
 
 /// Each of the scenes, by name, without masks, with masks, and with masks and the list.
 pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
-    let header = [
-        "scene",
-        "schedule",
-        "K",
-        "no masks (s)",
-        "masks (s)",
-        "list (s)",
-        "spread (masks)",
-        "spread (list)",
-        "list over masks",
-    ];
+    let header =
+        "scene | schedule | K | no masks (s) | masks (s) | list (s) | spread (masks) | spread (list) | list over masks";
     let caption = "Ended rays run along, skipped where they lie, and left out of a list of the active ones";
-    let mut table = Table::new("compaction", caption, &header);
+    let mut table = Table::new("compaction", caption, header);
     for (name, scene) in scenes {
         let mut scene = scene.clone();
         scene.image.size = bench.size;
         for (schedule, segments) in SCHEDULES {
             let [off, grid, list] = times(bench, &scene, schedule, segments)?;
-            let k = segments.min(scene.rays.max_segments);
-            table.rows.push(vec![
-                name.as_str().into(),
-                schedule.name().into(),
-                if schedule == Schedule::Fused { Cell::from(k) } else { Cell::None },
-                off.median.into(),
-                grid.median.into(),
-                list.median.into(),
-                grid.spread.into(),
-                list.spread.into(),
-                (grid.median / list.median).into(),
-            ]);
+            let ratio = grid.median / list.median;
+            let numbers = [off.median, grid.median, list.median, grid.spread, list.spread, ratio].map(Some);
+            let k = fused_segments(&scene, schedule, segments);
+            table.row(&[name, schedule.name()], [k].into_iter().chain(numbers));
         }
     }
     let [width, height] = bench.size;
@@ -58,13 +42,9 @@ pub fn compaction(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, R
 
 /// Without masks, once, for that takes many times as long; with masks alone and with the list, by turns.
 fn times(bench: &Bench, scene: &Scene, schedule: Schedule, segments: u32) -> Result<[Times; 3], RenderError> {
-    let renderer = |masks: Masks| {
-        let choice = Choice { schedule, masks, ..Choice::default() };
-        Renderer::new(bench.gpu, scene, RenderSettings { choice, segments, ..RenderSettings::default() })
-    };
-    let (mut off, mut grid, mut list) = (renderer(Masks::Off)?, renderer(Masks::Grid)?, renderer(Masks::List)?);
-    let run = |renderer: &mut Renderer| Ok(renderer.picture()?.totals.advance());
-    let [off] = Times::by_turns(1, [&mut || run(&mut off)])?;
-    let [grid, list] = Times::by_turns(bench.repeats, [&mut || run(&mut grid), &mut || run(&mut list)])?;
+    let run = |masks| run(bench, scene, by(schedule, masks, segments));
+    let (mut off, mut grid, mut list) = (run(Masks::Off)?, run(Masks::Grid)?, run(Masks::List)?);
+    let [off] = Times::by_turns(1, [&mut off])?;
+    let [grid, list] = Times::by_turns(bench.repeats, [&mut grid, &mut list])?;
     Ok([off, grid, list])
 }

@@ -4,9 +4,9 @@
 //! are, as long as keeps them as near to the curve as the tree's pieces stay. The whole picture is timed.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
-use super::{Bench, Table, Times};
+use super::times::device_time;
+use super::{Bench, Table, Times, own_scene};
 use crate::output::plot::{Chart, Series};
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::Scene;
@@ -47,8 +47,8 @@ fn ways() -> [Way; 6] {
 
 /// Times by number of boxes and way, and over that of bvh/hier; and a chart of them.
 pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
-    let header = ["boxes", "rays / objects", "device (s)", "spread", "microseconds a ray", "over bvh/hier"];
-    let mut table = Table::new("curves", "Rays along helices", &header);
+    let header = "boxes | rays / objects | device (s) | spread | microseconds a ray | over bvh/hier";
+    let mut table = Table::new("curves", "Rays along helices", header);
     let mut series: Vec<Series> = Vec::new();
     let size = bench.size.map(|side| (side / 4).max(8));
     let rays = f64::from(size[0]) * f64::from(size[1]);
@@ -59,36 +59,18 @@ pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
             .iter()
             .map(|scene| Renderer::new(bench.gpu, scene, RenderSettings::default()))
             .collect::<Result<Vec<_>, _>>()?;
-        let mut runs: Vec<_> = renderers
-            .iter_mut()
-            .map(|renderer| {
-                || {
-                    let totals = renderer.picture()?.totals;
-                    Ok(totals.device.map_or(totals.wall, |device| device.iter().sum()))
-                }
-            })
-            .collect();
+        let mut runs: Vec<_> =
+            renderers.iter_mut().map(|renderer| || Ok(device_time(&renderer.picture()?.totals))).collect();
         let times = Times::all_by_turns(bench.repeats, &mut runs)?;
         let first = times[0].median;
         for (way, times) in used.iter().zip(&times) {
             let each = 1e6 * times.median / rays;
             let numbers = [times.median, times.spread, each, times.median / first].map(Into::into);
             table.rows.push([count.into(), way.name.into()].into_iter().chain(numbers).collect());
-            match series.iter_mut().find(|series| series.name == way.name) {
-                Some(series) => series.points.push([f64::from(count), each]),
-                None => series.push(Series { name: way.name.to_owned(), points: vec![[f64::from(count), each]] }),
-            }
+            Series::extend(&mut series, way.name, [f64::from(count), each]);
         }
     }
-    let chart = Chart {
-        title: "Rays along helices".to_owned(),
-        x_label: "boxes".to_owned(),
-        y_label: "microseconds a ray".to_owned(),
-        log_x: true,
-        log_y: true,
-        series,
-    };
-    Ok((table, chart))
+    Ok((table, Chart::logarithmic("Rays along helices", ["boxes", "microseconds a ray"], series)))
 }
 
 fn scene([width, height]: [u32; 2], count: u32, keys: &str) -> Result<Scene, RenderError> {
@@ -109,5 +91,5 @@ fn scene([width, height]: [u32; 2], count: u32, keys: &str) -> Result<Scene, Ren
             "[[objects]]\nshape = \"box\"\ncenter = {at:?}\nsize = [{side}, {side}, {side}]\nmaterial = \"m\""
         );
     }
-    Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)
+    own_scene(&text)
 }

@@ -6,13 +6,12 @@
 //! Intersection is timed by itself, in passes of its own.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
 use glam::{IVec3, Vec2, Vec3};
 
-use super::{Bench, Cell, Report, Table, Times};
+use super::{Bench, Cell, Report, Table, Times, own_scene};
 use crate::gpu::Geometry;
 use crate::model::shape::Triangles;
 use crate::output::plot::{Chart, Series};
@@ -37,10 +36,10 @@ const LAWS: [(&str, &str, u32); 2] = [
 
 /// Times by law, number and structure, on this mesh.
 pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
-    let header = ["law", "triangles", "structure", "intersect (s)", "spread", "ns a segment", "build (s)"];
-    let mut times = Table::new("times", "Intersection alone", &header);
+    let header = "law | triangles | structure | intersect (s) | spread | ns a segment | build (s)";
+    let mut times = Table::new("times", "Intersection alone", header);
     let growth = "Intersection with the most triangles, over that with a thousand";
-    let mut growth = Table::new("growth", growth, &["law", "structure", "triangles", "times as long"]);
+    let mut growth = Table::new("growth", growth, "law | structure | triangles | times as long");
     let mut plots = Vec::new();
     for ((law, keys, part), plot) in LAWS.into_iter().zip(["straight", "schwarzschild"]) {
         let mut series: BTreeMap<&str, Vec<[f64; 2]>> = BTreeMap::new();
@@ -63,11 +62,12 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
         for (name, points) in &series {
             let thousand = points.iter().min_by(|a, b| away(a[0]).total_cmp(&away(b[0])));
             if let (Some(first), Some(last)) = (thousand, points.last()) {
-                growth.rows.push(vec![law.into(), (*name).into(), last[0].into(), (last[1] / first[1]).into()]);
+                growth.row(&[law, name], [last[0], last[1] / first[1]]);
             }
         }
-        let series = series.into_iter().map(|(name, points)| Series { name: name.to_owned(), points }).collect();
-        plots.push((plot, chart(law, series)));
+        let series = series.into_iter().map(|(name, points)| Series::new(name, points)).collect();
+        let title = format!("Intersection alone, {law}");
+        plots.push((plot, Chart::logarithmic(title, ["triangles", "nanoseconds a segment"], series)));
     }
     let (curves, curves_chart) = super::curves::curves(bench)?;
     plots.push(("curves", curves_chart));
@@ -85,17 +85,6 @@ pub fn groller(bench: &Bench, mesh: &Mesh) -> Result<Report, RenderError> {
 /// How far a number of triangles is from a thousand.
 fn away(count: f64) -> f64 {
     (count / 1e3).ln().abs()
-}
-
-fn chart(law: &str, series: Vec<Series>) -> Chart {
-    Chart {
-        title: format!("Intersection alone, {law}"),
-        x_label: "triangles".to_owned(),
-        y_label: "nanoseconds a segment".to_owned(),
-        log_x: true,
-        log_y: true,
-        series,
-    }
 }
 
 struct Measured {
@@ -134,7 +123,7 @@ fn scene(
          [materials.m]\ndiffuse = [0.8, 0.6, 0.4]\n[[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n\
          [[objects]]\nshape = \"sphere\"\nradius = 4\nmaterial = \"m\"\n"
     );
-    let mut scene = Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)?;
+    let mut scene = own_scene(&text)?;
     scene.objects[0].shape = Arc::new(Triangles(mesh.clone()));
     scene.rays.accelerate = accelerate;
     Ok(scene)

@@ -5,12 +5,11 @@
 //! timed as a whole: the grid made, the passes run, the picture read.
 
 use std::cell::{self, RefCell};
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use glam::DVec3;
 
-use super::{Bench, Cell, Report, Table, Times};
+use super::{Bench, Report, Table, Times, own_scene};
 use crate::output::plot::{Chart, Series};
 use crate::render::{RenderError, RenderSettings, Renderer, light_grids, light_paths};
 use crate::scene::{Light, LightGrid, Precision, Scene, Shadows};
@@ -32,6 +31,9 @@ const LAMP: DVec3 = DVec3::new(-3.0, 3.6, 2.0);
 const VOXELS: [u32; 4] = [16, 32, 64, 128];
 /// Those of grids with parts.
 const REFINED: [u32; 3] = [16, 32, 64];
+/// Bytes of one.
+const MEBIBYTE: f64 = 1_048_576.0;
+
 /// Places at which directions are compared.
 const PLACES: u32 = 4000;
 /// Places that get less than this part of what the lamp would give them on a straight line are not compared: they lie in shadow.
@@ -41,36 +43,20 @@ const LIT: f32 = 0.05;
 
 /// Directions by voxel size, and time against error.
 pub fn lights(bench: &Bench) -> Result<Report, RenderError> {
-    let header = [
-        "law",
-        "voxels",
-        "mean angle (rad)",
-        "over the last",
-        "by light (rad)",
-        "places",
-        "made in (s)",
-        "MiB",
-        "paths",
-    ];
-    let mut angles = Table::new("directions", "The grid's directions against shooting", &header);
     let header =
-        ["law", "light", "time (s)", "spread", "mean error", "lit or not as it should be (%)", "of it the grid (s)"];
-    let mut pictures = Table::new("pictures", "Pictures against shooting", &header);
+        "law | voxels | mean angle (rad) | over the last | by light (rad) | places | made in (s) | MiB | paths";
+    let mut angles = Table::new("directions", "The grid's directions against shooting", header);
+    let header = "law | light | time (s) | spread | mean error | lit or not as it should be (%) | of it the grid (s)";
+    let mut pictures = Table::new("pictures", "Pictures against shooting", header);
     let mut by_size = Vec::new();
     let mut plots = Vec::new();
     for ((name, law), plot) in LAWS.into_iter().zip(["centre", "centres", "lens"]) {
         let scene = room(bench.size, law)?;
-        by_size.push(Series { name: name.to_owned(), points: directions(bench, name, &scene, &mut angles)? });
+        by_size.push(Series::new(name, directions(bench, name, &scene, &mut angles)?));
         plots.push((plot, errors(bench, name, &scene, &mut pictures)?));
     }
-    let chart = Chart {
-        title: "Directions in a grid".to_owned(),
-        x_label: "voxels along the longest side".to_owned(),
-        y_label: "mean angle to shooting's (rad)".to_owned(),
-        log_x: true,
-        log_y: true,
-        series: by_size,
-    };
+    let labels = ["voxels along the longest side", "mean angle to shooting's (rad)"];
+    let chart = Chart::logarithmic("Directions in a grid", labels, by_size);
     plots.insert(0, ("directions", chart));
     let intro = vec![
         "The room is 6 wide. What shooting finds is the truth: in 32 bits for directions, in 64 for pictures where the device has them."
@@ -97,7 +83,7 @@ fn room([width, height]: [u32; 2], law: &str) -> Result<Scene, RenderError> {
          [[objects]]\nshape = \"cylinder\"\nmaterial = \"wall\"\ncenter = [-1.9, 0.8, -1.2]\naxis = [0, 1, 0]\nheight = 1.6\nradius = 0.25\n\
          [[lights]]\nkind = \"point\"\nposition = [{x}, {y}, {z}]\ncolor = [9, 9, 9]\nfalloff = \"inverse-square\"\nshadows = \"grid\"\n"
     );
-    Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)
+    own_scene(&text)
 }
 
 /// The scene with its light in another way.
@@ -143,18 +129,13 @@ fn directions(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Re
         let mean = angles.iter().map(|(angle, _)| angle).sum::<f64>() / angles.len().max(1) as f64;
         let light: f64 = angles.iter().map(|(_, light)| light).sum();
         let by_light = angles.iter().map(|(angle, light)| angle * light).sum::<f64>() / light;
-        let over = points.last().map_or(Cell::None, |[_, last]| (mean / last).into());
-        let numbers =
-            [angles.len() as f64, report.wall.as_secs_f64(), mebibytes(report.bytes), report.totals.rays as f64];
-        let row = [name.into(), voxels.into(), mean.into(), over, by_light.into()];
-        table.rows.push(row.into_iter().chain(numbers.map(Cell::from)).collect());
+        let over = points.last().map(|[_, last]| mean / last);
+        let (count, made, mebibytes) = (angles.len() as f64, report.wall.as_secs_f64(), report.bytes as f64 / MEBIBYTE);
+        let numbers = [by_light, count, made, mebibytes, report.totals.rays as f64].map(Some);
+        table.row(&[name], [Some(f64::from(voxels)), Some(mean), over].into_iter().chain(numbers));
         points.push([f64::from(voxels), mean]);
     }
     Ok(points)
-}
-
-fn mebibytes(bytes: u64) -> f64 {
-    bytes as f64 / f64::from(1 << 20)
 }
 
 /// One colour of a picture, the whole time that it took, and that of the grid.
@@ -208,25 +189,14 @@ fn errors(bench: &Bench, name: &str, scene: &Scene, table: &mut Table) -> Result
     let mut series: Vec<Series> = Vec::new();
     for (way, times) in ways.iter().zip(times) {
         let compared = Compared::new(&way.picture.borrow(), &truth, &open);
-        let grid = if way.grid.get() > 0.0 { way.grid.get().into() } else { Cell::None };
-        let numbers = [times.median, times.spread, compared.error, 100.0 * compared.agree].map(Cell::from);
-        table.rows.push([name.into(), way.name.as_str().into()].into_iter().chain(numbers).chain([grid]).collect());
+        let grid = Some(way.grid.get()).filter(|seconds| *seconds > 0.0);
+        let numbers = [times.median, times.spread, compared.error, 100.0 * compared.agree].map(Some);
+        table.row(&[name, &way.name], numbers.into_iter().chain([grid]));
         // All sizes of a grid are one line.
         let kind = way.name.replace(|c: char| c.is_ascii_digit(), "").replace(" ,", ",").trim_end().to_owned();
-        let point = [times.median, compared.error];
-        match series.iter_mut().find(|series| series.name == kind) {
-            Some(series) => series.points.push(point),
-            None => series.push(Series { name: kind, points: vec![point] }),
-        }
+        Series::extend(&mut series, &kind, [times.median, compared.error]);
     }
-    Ok(Chart {
-        title: format!("Light about {name}"),
-        x_label: "time (s)".to_owned(),
-        y_label: "mean error".to_owned(),
-        log_x: true,
-        log_y: true,
-        series,
-    })
+    Ok(Chart::logarithmic(format!("Light about {name}"), ["time (s)", "mean error"], series))
 }
 
 /// How far a picture is from the truth.

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use super::ceiling::ceilings;
-use super::{Bench, Cell, Report, Table, Times};
-use crate::measure::{calibrate, evaluations, every_pixel, method_words};
+use super::{Bench, Report, Table, Times};
+use crate::measure::{evaluations, every_pixel, method_words};
 use crate::model::method::CLOSED_FORMS;
 use crate::program::{Choice, Purpose, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer, Starts};
@@ -15,30 +15,15 @@ const MOST_STEPS: u32 = 20_000;
 
 /// The device's ceilings, and for each of the scenes, by name, what share of its advance passes its bare steps are.
 pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
-    let header = [
-        "scene",
-        "method",
-        "K",
-        "rays",
-        "steps a ray",
-        "evaluations a ray",
-        "bare (ns a step)",
-        "fused (ns a step)",
-        "whole (ns a step)",
-        "faster over bare",
-        "spread (bare)",
-        "spread (fused)",
-        "spread (whole)",
-    ];
+    let header = "scene | method | K | rays | steps a ray | evaluations a ray | bare (ns a step) | fused (ns a step) | \
+                  whole (ns a step) | faster over bare | spread (bare) | spread (fused) | spread (whole)";
     let caption = "Steps in a bare loop of registers, as many for every ray as its path takes, and two schedules";
-    let mut table = Table::new("scenes", caption, &header);
-    let header = ["scene", "whole (ns a ray)", "fused (ns a ray)", "setup", "bare steps", "segments", "shading"];
+    let mut table = Table::new("scenes", caption, header);
+    let header = "scene | whole (ns a ray) | fused (ns a ray) | setup | bare steps | segments | shading";
     let caption = "Where the time of a ray goes by the schedule of several passes, in parts of one";
-    let mut shares = Table::new("shares", caption, &header);
+    let mut shares = Table::new("shares", caption, header);
     for (name, scene) in scenes {
-        let [limit, parts] = rows(bench, name, scene)?;
-        table.rows.push(limit);
-        shares.rows.push(parts);
+        add(bench, name, scene, [&mut table, &mut shares])?;
     }
     Ok(Report {
         name: "limit",
@@ -58,15 +43,12 @@ pub fn limit(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Render
     })
 }
 
-/// The scene's rows of both tables.
-fn rows(bench: &Bench, name: &str, scene: &Scene) -> Result<[Vec<Cell>; 2], RenderError> {
+/// Adds the scene's rows to both tables.
+fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2]) -> Result<(), RenderError> {
     let mut scene = scene.clone();
-    scene.image.size = bench.size;
     scene.image.samples = 1;
     scene.image.adaptive = None;
-    if let Some(found) = calibrate(bench.gpu, &scene, &RenderSettings::default(), None)? {
-        scene = found.applied(&scene);
-    }
+    let scene = bench.prepared(scene)?;
     let words = method_words(scene.rays.method, scene.rays.control);
     let steps = steps(bench, &scene)?;
     let renderer = |purpose, schedule| {
@@ -76,7 +58,7 @@ fn rows(bench: &Bench, name: &str, scene: &Scene) -> Result<[Vec<Cell>; 2], Rend
     let mut fused = renderer(Purpose::Picture, Schedule::Fused)?;
     let mut whole = renderer(Purpose::Picture, Schedule::Whole)?;
     let segments = fused.choose_segments()?;
-    let rays = f64::from(bench.size[0]) * f64::from(bench.size[1]);
+    let rays = bench.pixels();
     let mut stages: Vec<[Duration; 5]> = Vec::new();
     let mut run_fused = || {
         let totals = fused.picture()?.totals;
@@ -86,41 +68,34 @@ fn rows(bench: &Bench, name: &str, scene: &Scene) -> Result<[Vec<Cell>; 2], Rend
     let mut run_whole = || Ok(whole.picture()?.totals.advance());
     let Some(steps) = steps else {
         let [_, c] = Times::by_turns(bench.repeats, [&mut run_fused, &mut run_whole])?;
-        let limit = [name.into(), words.into()].into_iter().chain(vec![Cell::None; 11]).collect();
-        return Ok([limit, shares(name, &stages, 0.0, c.median, rays)]);
+        table.row(&[name, &words], [None::<f64>; 11]);
+        shares.row(&[name], times_and_shares(&stages, 0.0, c.median, rays));
+        return Ok(());
     };
     let bare = renderer(Purpose::Bare, Schedule::Fused)?;
     let mut run_bare = || bare.bare(&steps);
     let [a, b, c] = Times::by_turns(bench.repeats, [&mut run_bare, &mut run_fused, &mut run_whole])?;
     let all: f64 = steps.iter().map(|n| f64::from(*n)).sum();
     let mean = all / rays;
-    let limit = vec![
-        name.into(),
-        words.into(),
-        segments.into(),
-        rays.into(),
-        mean.into(),
-        evaluations(scene.rays.method, scene.rays.control, mean, 0.0).into(),
-        (1e9 * a.median / all).into(),
-        (1e9 * b.median / all).into(),
-        (1e9 * c.median / all).into(),
-        (b.median.min(c.median) / a.median).into(),
-        a.spread.into(),
-        b.spread.into(),
-        c.spread.into(),
-    ];
-    Ok([limit, shares(name, &stages, a.median, c.median, rays)])
+    let counts = [segments.into(), rays, mean, evaluations(scene.rays.method, scene.rays.control, mean, 0.0)];
+    let times = [a, b, c].map(|times| 1e9 * times.median / all);
+    let faster = b.median.min(c.median) / a.median;
+    let spreads = [a, b, c].map(|times| times.spread);
+    table.row(&[name, &words], counts.into_iter().chain(times).chain([faster]).chain(spreads));
+    shares.row(&[name], times_and_shares(&stages, a.median, c.median, rays));
+    Ok(())
 }
 
-/// What parts of a ray's time the stages take, by the medians of each; empty without timestamps.
-fn shares(name: &str, stages: &[[Duration; 5]], bare: f64, whole: f64, rays: f64) -> Vec<Cell> {
+/// Returns the time per ray of both schedules in nanoseconds, and the fraction that each stage takes, from the medians of each; they are
+/// not finite without timestamps.
+fn times_and_shares(stages: &[[Duration; 5]], bare: f64, whole: f64, rays: f64) -> [f64; 6] {
     let stage =
         |k: usize| Times::from(stages.iter().skip(1).map(|stages| stages[k].as_secs_f64()).collect::<Vec<_>>()).median;
     let [setup, advance, shade] = [stage(0), stage(1) + stage(2) + stage(3), stage(4)];
     let all = setup + advance + shade;
-    let parts = [setup, bare, advance - bare, shade].map(|part| Cell::from(part / all));
-    let times = [whole, all].map(|time| Cell::from(1e9 * time / rays));
-    [name.into()].into_iter().chain(times).chain(parts).collect()
+    let [setup, bare, segments, shade] = [setup, bare, advance - bare, shade].map(|part| part / all);
+    let [whole, all] = [whole, all].map(|time| 1e9 * time / rays);
+    [whole, all, setup, bare, segments, shade]
 }
 
 /// How many steps the ray of each pixel takes, if it takes any and no surface bends it.

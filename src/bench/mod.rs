@@ -20,7 +20,12 @@ mod shadow;
 mod start;
 mod times;
 
+use std::path::Path;
+
 use crate::gpu::Gpu;
+use crate::measure::calibrate;
+use crate::render::{RenderError, RenderSettings};
+use crate::scene::Scene;
 
 pub use compaction::compaction;
 pub use groller::groller;
@@ -45,4 +50,23 @@ pub struct Bench<'a> {
     pub repeats: usize,
     /// Width and height of pictures: the paper's 800×600 unless it is a trial.
     pub size: [u32; 2],
+}
+
+impl Bench<'_> {
+    /// Returns the number of pixels of a picture.
+    fn pixels(&self) -> f64 {
+        f64::from(self.size[0]) * f64::from(self.size[1])
+    }
+
+    /// Returns the scene at the size of this measurement, with the method that `auto` finds if the scene leaves it open.
+    fn prepared(&self, mut scene: Scene) -> Result<Scene, RenderError> {
+        scene.image.size = self.size;
+        let found = calibrate(self.gpu, &scene, &RenderSettings::default(), None)?;
+        Ok(found.map_or_else(|| scene.clone(), |found| found.applied(&scene)))
+    }
+}
+
+/// Parses the text of a scene that is part of a measurement.
+fn own_scene(text: &str) -> Result<Scene, RenderError> {
+    Scene::parse(text, Path::new("bench"), &[]).map_err(|error| RenderError::Output(Box::new(error)))
 }

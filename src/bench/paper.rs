@@ -10,12 +10,12 @@ use std::fmt::Write as _;
 use std::time::Duration;
 
 use super::times::slope;
-use super::{Bench, CRITICAL, Cell, Report, Table, Times, shadow_edge};
+use super::{Bench, CRITICAL, Cell, Report, Table, Times, own_scene, shadow_edge};
 use crate::measure::{calibrate, method_words};
 use crate::output::plot::{Chart, Series};
 use crate::program::{Choice, Masks, Schedule};
 use crate::render::{RenderError, RenderSettings, Renderer};
-use crate::scene::{Scene, SceneError};
+use crate::scene::Scene;
 
 /// A law of Table 1: its name there, its keys, those that leave us the choice between its forms, and the seconds that the paper
 /// took without and with acceleration.
@@ -65,14 +65,10 @@ pub(super) enum How {
 pub fn paper(bench: &Bench) -> Result<Report, RenderError> {
     let figure = figure(bench)?;
     let spheres = |row: usize| figure.rows.iter().map(move |cells| [number(&cells[0]), number(&cells[row])]).collect();
-    let series = |name: &str, row: usize| Series { name: name.to_owned(), points: spheres(row) };
-    let chart = Chart {
-        title: "500 steps in 50 segments, Schwarzschild (W04, Figure 5)".to_owned(),
-        x_label: "spheres".to_owned(),
-        y_label: "seconds on the device".to_owned(),
-        series: vec![series("no acceleration", 1), series("2004", 2), series("here", 3)],
-        ..Chart::default()
-    };
+    let series = [("no acceleration", 1), ("2004", 2), ("here", 3)];
+    let series = series.map(|(name, row)| Series::new(name, spheres(row))).to_vec();
+    let title = "500 steps in 50 segments, Schwarzschild (W04, Figure 5)";
+    let chart = Chart::linear(title, ["spheres", "seconds on the device"], series);
     let [width, height] = bench.size;
     Ok(Report {
         name: "paper",
@@ -92,56 +88,30 @@ fn number(cell: &Cell) -> f64 {
 
 /// Table 1: four laws, 300 steps in 30 segments over 10 spheres, by the fused schedule.
 fn table(bench: &Bench) -> Result<Table, RenderError> {
-    let header = [
-        "law",
-        "2004: none (s)",
-        "none (s)",
-        "spread",
-        "2004: accelerated (s)",
-        "accelerated as in 2004 (s)",
-        "spread",
-        "gain in 2004",
-        "gain",
-        "here (s)",
-        "spread",
-        "method",
-        "error (rad, 99 %)",
-        "gain here",
-    ];
-    let mut table = Table::new("table1", "Table 1: 300 steps in 30 segments over 10 spheres", &header);
+    let header = "law | 2004: none (s) | none (s) | spread | 2004: accelerated (s) | accelerated as in 2004 (s) | spread | \
+                  gain in 2004 | gain | here (s) | spread | method | error (rad, 99 %) | gain here";
+    let mut table = Table::new("table1", "Table 1: 300 steps in 30 segments over 10 spheres", header);
     for Law { name, keys, own: own_keys, published } in LAWS {
-        let scenes = [How::Plain, How::Published].map(|how| scene(bench.size, keys, 10, 30, how));
-        let [plain, accelerated] = scenes;
-        let (plain, accelerated) = (plain?, accelerated?);
+        let scene = |how| scene(bench.size, keys, 10, 30, how);
+        let (plain, accelerated) = (scene(How::Plain)?, scene(How::Published)?);
         let (ours, settings, words, error) = own(bench, own_keys, 10)?;
         let (mut a, mut b) =
             (run(bench, &plain, by_fused(Masks::Off))?, run(bench, &accelerated, by_fused(Masks::List))?);
         let mut c = run(bench, &ours, settings)?;
         let [a, b, c] = Times::by_turns(bench.repeats, [&mut a, &mut b, &mut c])?;
-        table.rows.push(vec![
-            name.into(),
-            published[0].into(),
-            a.median.into(),
-            a.spread.into(),
-            published[1].into(),
-            b.median.into(),
-            b.spread.into(),
-            (published[0] / published[1]).into(),
-            (a.median / b.median).into(),
-            c.median.into(),
-            c.spread.into(),
-            words.into(),
-            error,
-            (a.median / c.median).into(),
-        ]);
+        let [none, fast] = published;
+        let gains = [none / fast, a.median / b.median];
+        let times = [none, a.median, a.spread, fast, b.median, b.spread, gains[0], gains[1], c.median, c.spread];
+        table
+            .row(&[name], times.map(Cell::from).into_iter().chain([words.into(), error, (a.median / c.median).into()]));
     }
     Ok(table)
 }
 
 /// Figure 5: 500 steps in 50 segments over a growing number of spheres.
 fn figure(bench: &Bench) -> Result<Table, RenderError> {
-    let header = ["spheres", "none (s)", "accelerated as in 2004 (s)", "here (s)", "spread (none)", "spread (here)"];
-    let mut table = Table::new("figure5", "Figure 5: 500 steps in 50 segments, Schwarzschild", &header);
+    let header = "spheres | none (s) | accelerated as in 2004 (s) | here (s) | spread (none) | spread (here)";
+    let mut table = Table::new("figure5", "Figure 5: 500 steps in 50 segments, Schwarzschild", header);
     let mut scenes = Vec::new();
     for spheres in SPHERES {
         scenes.push((scene(bench.size, GEODESIC, spheres, 50, How::Plain)?, by_fused(Masks::Off)));
@@ -155,18 +125,18 @@ fn figure(bench: &Bench) -> Result<Table, RenderError> {
     }
     let times = Times::all_by_turns(bench.repeats, &mut runs)?;
     for (spheres, times) in SPHERES.iter().zip(times.chunks_exact(3)) {
-        let cells = times.iter().map(|t| t.median).chain([times[0].spread, times[2].spread]).map(Cell::from);
-        table.rows.push(std::iter::once((*spheres).into()).chain(cells).collect());
+        let medians = times.iter().map(|times| times.median);
+        table.row(&[], [f64::from(*spheres)].into_iter().chain(medians).chain([times[0].spread, times[2].spread]));
     }
     Ok(table)
 }
 
 /// What one more sphere costs, by the straight line nearest to the figure's times.
 fn slopes(figure: &Table) -> Table {
-    let mut table = Table::new("slopes", "Figure 5: what one more sphere costs", &["how", "ms a sphere", "of none"]);
+    let mut table = Table::new("slopes", "Figure 5: what one more sphere costs", "how | ms a sphere | of none");
     let each = |column: usize| slope(figure.rows.iter().map(|cells| [number(&cells[0]), number(&cells[column])]));
     for (how, column) in [("none", 1), ("accelerated as in 2004", 2), ("here", 3)] {
-        table.rows.push(vec![how.into(), (1e3 * each(column)).into(), (each(column) / each(1)).into()]);
+        table.row(&[how], [1e3 * each(column), each(column) / each(1)]);
     }
     table
 }
@@ -183,11 +153,11 @@ fn shadow(bench: &Bench) -> Result<Table, RenderError> {
         ("RK4, h = 0.1 r", "method = \"rk4\"\nscaled_step = 0.1"),
     ];
     let caption = format!("The shadow's edge from r = 50 M, whose impact parameter is {CRITICAL:.3} M");
-    let mut table = Table::new("shadow", caption, &["method", "edge (M)", "off by (%)"]);
+    let mut table = Table::new("shadow", caption, "method | edge (M) | off by (%)");
     for (name, keys) in methods {
         let edge = shadow_edge(bench.gpu, keys)?;
         let off = edge.map(|b| 100.0 * (b / CRITICAL - 1.0));
-        table.rows.push(vec![name.into(), edge.into(), off.into()]);
+        table.row(&[name], [edge, off]);
     }
     Ok(table)
 }
@@ -205,8 +175,18 @@ fn own(bench: &Bench, keys: &str, spheres: u32) -> Result<(Scene, RenderSettings
 
 /// Passes that advance apart from those before and after: with ended rays skipped, or every pixel in every pass.
 pub(super) fn by_fused(masks: Masks) -> RenderSettings {
-    let choice = Choice { schedule: Schedule::Fused, masks, ..Choice::default() };
-    RenderSettings { choice, ..RenderSettings::default() }
+    by(Schedule::Fused, masks, RenderSettings::default().segments)
+}
+
+/// Returns settings for a schedule; `segments` is K, which only `fused` uses.
+pub(super) fn by(schedule: Schedule, masks: Masks, segments: u32) -> RenderSettings {
+    let choice = Choice { schedule, masks, ..Choice::default() };
+    RenderSettings { choice, segments, ..RenderSettings::default() }
+}
+
+/// Returns K as a table shows it: at most the scene's `max_segments`, and `None` for schedules other than `fused`.
+pub(super) fn fused_segments(scene: &Scene, schedule: Schedule, segments: u32) -> Option<f64> {
+    (schedule == Schedule::Fused).then(|| segments.min(scene.rays.max_segments).into())
 }
 
 /// What renders a scene once more, and says how long the passes that advance and intersect took.
@@ -245,10 +225,5 @@ pub(super) fn scene(size: [u32; 2], law: &str, spheres: u32, segments: u32, how:
             "[[objects]]\nshape = \"sphere\"\ncenter = [{x}, {y}, {z}]\nradius = 0.9\nmaterial = \"red\"\n"
         );
     }
-    Scene::parse(&text, std::path::Path::new("bench"), &[]).map_err(own_scene)
-}
-
-/// A mistake in a scene of our own.
-pub(super) fn own_scene(error: SceneError) -> RenderError {
-    RenderError::Output(Box::new(error))
+    own_scene(&text)
 }

@@ -5,10 +5,10 @@
 //! picture read. The truth is a picture of many more samples with all aims; its own noise is in a table of its own.
 
 use std::cell::RefCell;
-use std::path::Path;
 use std::time::{Duration, Instant};
 
-use super::{Bench, Cell, Report, Table, Times};
+use super::times::device_time;
+use super::{Bench, Cell, Report, Table, Times, own_scene};
 use crate::output::plot::{Chart, Series};
 use crate::render::{Noise, RenderError, RenderSettings, Renderer, Rendering};
 use crate::scene::{Paths, Scene};
@@ -27,45 +27,28 @@ const WAYS: [(&str, bool, bool); 3] =
 
 /// Time for the same error by the lamp's size.
 pub fn paths(bench: &Bench) -> Result<Report, RenderError> {
-    let header = [
-        "lamp's radius",
-        "light found by",
-        "time (s)",
-        "spread",
-        "error",
-        "time × error²",
-        "of own rays",
-        "ns a segment",
-    ];
+    let header =
+        "lamp's radius | light found by | time (s) | spread | error | time × error² | of own rays | ns a segment";
     let caption = format!("{SAMPLES} samples a pixel against {TRUTH}");
-    let mut table = Table::new("lamps", caption, &header);
-    let header = ["lamp's radius", "noise of the truth"];
-    let mut truths = Table::new("truths", "What pictures are held against", &header);
-    let mut series: Vec<Series> =
-        WAYS.iter().map(|(name, ..)| Series { name: (*name).to_owned(), points: Vec::new() }).collect();
+    let mut table = Table::new("lamps", caption, header);
+    let mut truths = Table::new("truths", "What pictures are held against", "lamp's radius | noise of the truth");
+    let mut series: Vec<Series> = Vec::new();
     for radius in LAMPS {
         let scene = room(bench.size, radius)?;
         let truth = picture(bench, &sampled(&scene, TRUTH, true, true))?.0;
-        let noise = truth.totals.noise.as_ref().and_then(Noise::mean).map_or(Cell::None, Cell::from);
-        truths.rows.push(vec![radius.into(), noise]);
+        truths.row(&[], [Some(radius), truth.totals.noise.as_ref().and_then(Noise::mean)]);
         let mut plain = None;
-        for (found, series) in measure(bench, &scene, &truth)?.into_iter().zip(&mut series) {
+        for found in measure(bench, &scene, &truth)? {
             let cost = found.times.median * found.error * found.error;
             let ratio = cost / *plain.get_or_insert(cost);
             let numbers = [found.times.median, found.times.spread, found.error, cost, ratio, found.segment];
             table.rows.push([radius.into(), found.name.into()].into_iter().chain(numbers.map(Cell::from)).collect());
-            series.points.push([radius, cost]);
+            Series::extend(&mut series, found.name, [radius, cost]);
         }
     }
     let [width, height] = bench.size;
-    let chart = Chart {
-        title: "Paths to a lamp".to_owned(),
-        x_label: "radius of the lamp, in a box 2 wide".to_owned(),
-        y_label: "time × error² (s)".to_owned(),
-        log_x: true,
-        log_y: true,
-        series,
-    };
+    let labels = ["radius of the lamp, in a box 2 wide", "time × error² (s)"];
+    let chart = Chart::logarithmic("Paths to a lamp", labels, series);
     Ok(Report {
         name: "paths",
         title: "Light from surface to surface".to_owned(),
@@ -125,8 +108,7 @@ fn measure(bench: &Bench, scene: &Scene, truth: &Rendering) -> Result<Vec<Found>
     let pictures = last.iter().map(RefCell::take);
     let found = WAYS.iter().zip(times).zip(pictures).filter_map(|(((name, ..), times), picture)| {
         let picture = picture?;
-        let device: Option<Duration> = picture.totals.device.as_ref().map(|stages| stages.iter().sum());
-        let segment = 1e9 * device.unwrap_or(picture.totals.wall).as_secs_f64() / picture.totals.segments as f64;
+        let segment = 1e9 * device_time(&picture.totals).as_secs_f64() / picture.totals.segments as f64;
         Some(Found { name, times, error: error(&picture, truth), segment })
     });
     Ok(found.collect())
@@ -167,5 +149,5 @@ fn room([width, height]: [u32; 2], radius: f64) -> Result<Scene, RenderError> {
          [[objects]]\nshape = \"sphere\"\nmaterial = \"lamp\"\ncenter = [0, 1.55, 0]\nradius = {radius}\n",
         walls.concat()
     );
-    Scene::parse(&text, Path::new("bench"), &[]).map_err(super::paper::own_scene)
+    own_scene(&text)
 }

@@ -1,6 +1,5 @@
 //! A measurement's result, for people and for scripts.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -99,11 +98,17 @@ pub struct Table {
 }
 
 impl Table {
-    /// With these columns and no rows.
+    /// Creates a table with no rows; `header` has the columns' names with ` | ` between them.
     #[must_use]
-    pub fn new(name: &'static str, caption: impl Into<String>, header: &[&str]) -> Self {
-        let header = header.iter().map(|name| (*name).to_owned()).collect();
+    pub fn new(name: &'static str, caption: impl Into<String>, header: &str) -> Self {
+        let header = header.split(" | ").map(str::to_owned).collect();
         Self { name, caption: caption.into(), header, rows: Vec::new() }
+    }
+
+    /// Appends a row of words followed by numbers.
+    pub fn row(&mut self, words: &[&str], numbers: impl IntoIterator<Item = impl Into<Cell>>) {
+        let words = words.iter().map(|word| Cell::from(*word));
+        self.rows.push(words.chain(numbers.into_iter().map(Into::into)).collect());
     }
 
     fn texts(&self) -> Vec<Vec<String>> {
@@ -156,9 +161,7 @@ impl Report {
     pub fn write(&self, folder: &Path) -> Result<Section, OutputError> {
         let mut images = Vec::new();
         for table in &self.tables {
-            let mut file = AtomicFile::create(&folder.join(format!("{}_{}.csv", self.name, table.name)))?;
-            file.write_all(table.csv().as_bytes()).map_err(|e| file.failed(e))?;
-            file.finish()?;
+            AtomicFile::write_whole(&folder.join(format!("{}_{}.csv", self.name, table.name)), table.csv().as_bytes())?;
         }
         for (name, chart) in &self.plots {
             for format in ["svg", "png"] {

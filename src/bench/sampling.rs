@@ -1,12 +1,11 @@
 //! What samples are worth: the error of a picture against the samples that it took, uniform, with footprints and adaptive.
 
-use std::time::Duration;
-
+use super::times::device_time;
 use super::{Bench, Cell, Report, Table, Times};
-use crate::measure::{calibrate, method_words};
+use crate::measure::method_words;
 use crate::output::color::display;
 use crate::output::plot::{Chart, Series};
-use crate::render::{RenderError, RenderSettings, Renderer, Rendering, Totals};
+use crate::render::{RenderError, RenderSettings, Renderer, Rendering};
 use crate::scene::{SamplePattern, Scene};
 
 /// Samples of the pictures that others are compared with.
@@ -56,42 +55,31 @@ struct Measured {
 
 /// Every scene, by name, with each sampling.
 pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, RenderError> {
-    let header = [
-        "scene",
-        "method",
-        "sampling",
-        "tolerance",
-        "samples a pixel",
-        "RMSE",
-        "of uniform 16",
-        "at the cap (%)",
-        "device (s)",
-        "spread",
-    ];
+    let header = "scene | method | sampling | tolerance | samples a pixel | RMSE | of uniform 16 | at the cap (%) | device (s) | \
+                  spread";
     let caption = format!("Error against {REFERENCE} samples a pixel; adaptive pictures take up to {MOST}");
-    let mut table = Table::new("scenes", caption, &header);
+    let mut table = Table::new("scenes", caption, header);
     let caption = format!("Adaptive at {USUAL} in every scene, against {AIM} samples a pixel");
-    let header = ["scene", "uniform 16 (RMSE)", "adaptive (RMSE)", "samples a pixel", "as good with 6 at most"];
-    let mut judged = Table::new("judged", caption, &header);
+    let header = "scene | uniform 16 (RMSE) | adaptive (RMSE) | samples a pixel | as good with 6 at most";
+    let mut judged = Table::new("judged", caption, header);
     let mut series = Vec::new();
     for (name, scene) in scenes {
         let (words, measured) = measure(bench, scene)?;
         let aim = measured.iter().find(|m| m.sampling == Sampling::Uniform(AIM)).map_or(f64::NAN, |m| m.rmse);
-        table.rows.extend(measured.iter().map(|m| row(name, &words, m, aim)));
-        let usual = measured.iter().filter(|m| m.sampling == Sampling::Adaptive(USUAL));
-        judged.rows.extend(usual.map(|m| {
-            let reached = m.rmse <= aim && m.samples <= FEW;
-            vec![
-                name.as_str().into(),
-                aim.into(),
-                m.rmse.into(),
-                m.samples.into(),
-                if reached { "yes" } else { "no" }.into(),
-            ]
-        }));
+        for m in &measured {
+            let tolerance = if let Sampling::Adaptive(tolerance) = m.sampling { Some(tolerance) } else { None };
+            let numbers = [m.samples, m.rmse, m.rmse / aim].map(Some);
+            let times = [m.capped, Some(m.times.median), Some(m.times.spread)];
+            table.row(&[name, &words, m.sampling.name()], [tolerance].into_iter().chain(numbers).chain(times));
+        }
+        for m in measured.iter().filter(|m| m.sampling == Sampling::Adaptive(USUAL)) {
+            let reached = if m.rmse <= aim && m.samples <= FEW { "yes" } else { "no" };
+            judged.row(&[name], [aim, m.rmse, m.samples].map(Cell::from).into_iter().chain([reached.into()]));
+        }
         series.extend(curves(name, &measured));
     }
     let [width, height] = bench.size;
+    let labels = ["samples a pixel", "RMSE of displayed values"];
     Ok(Report {
         name: "sampling",
         title: "Sampling".to_owned(),
@@ -102,37 +90,8 @@ pub fn sampling(bench: &Bench, scenes: &[(String, Scene)]) -> Result<Report, Ren
              such as a star, is not seen by adaptive sampling."
         )],
         tables: vec![judged, table],
-        plots: vec![(
-            "error",
-            Chart {
-                title: "Error of sampling".to_owned(),
-                x_label: "samples a pixel".to_owned(),
-                y_label: "RMSE of displayed values".to_owned(),
-                log_x: true,
-                log_y: true,
-                series,
-            },
-        )],
+        plots: vec![("error", Chart::logarithmic("Error of sampling", labels, series))],
     })
-}
-
-fn row(name: &str, words: &str, m: &Measured, aim: f64) -> Vec<Cell> {
-    let tolerance = match m.sampling {
-        Sampling::Uniform(_) | Sampling::Footprints(_) => Cell::None,
-        Sampling::Adaptive(tolerance) => Cell::from(tolerance),
-    };
-    vec![
-        name.into(),
-        words.into(),
-        m.sampling.name().into(),
-        tolerance,
-        m.samples.into(),
-        m.rmse.into(),
-        (m.rmse / aim).into(),
-        m.capped.into(),
-        m.times.median.into(),
-        m.times.spread.into(),
-    ]
 }
 
 fn curves(name: &str, measured: &[Measured]) -> impl Iterator<Item = Series> {
@@ -144,11 +103,7 @@ fn curves(name: &str, measured: &[Measured]) -> impl Iterator<Item = Series> {
 
 /// All samplings of a scene, and its method in words.
 fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), RenderError> {
-    let mut scene = sampled(scene, Sampling::Uniform(1));
-    scene.image.size = bench.size;
-    if let Some(found) = calibrate(bench.gpu, &scene, &RenderSettings::default(), None)? {
-        scene = found.applied(&scene);
-    }
+    let scene = bench.prepared(sampled(scene, Sampling::Uniform(1)))?;
     let truth = sampled(&scene, Sampling::Uniform(REFERENCE));
     let truth = shown(&scene, &Renderer::new(bench.gpu, &truth, RenderSettings::default())?.picture()?);
     let mut measured = Vec::new();
@@ -162,13 +117,12 @@ fn measure(bench: &Bench, scene: &Scene) -> Result<(String, Vec<Measured>), Rend
         let picture = renderer.picture()?;
         let off = shown(&scene, &picture).iter().zip(&truth).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
         let adaptive = picture.totals.adaptive;
-        let pixels = f64::from(bench.size[0]) * f64::from(bench.size[1]);
         measured.push(Measured {
             sampling,
             rmse: (off / truth.len() as f64).sqrt(),
             samples: adaptive.map_or_else(|| rays(&scene), |adaptive| adaptive.mean()),
-            capped: adaptive.map(|adaptive| 100.0 * adaptive.capped as f64 / pixels),
-            times: Times::of(bench.repeats, || Ok(time(&renderer.picture()?.totals)))?,
+            capped: adaptive.map(|adaptive| 100.0 * adaptive.capped as f64 / bench.pixels()),
+            times: Times::of(bench.repeats, || Ok(device_time(&renderer.picture()?.totals)))?,
         });
     }
     Ok((method_words(scene.rays.method, scene.rays.control), measured))
@@ -195,8 +149,4 @@ fn shown(scene: &Scene, picture: &Rendering) -> Vec<f64> {
     let [red, green, blue] = &picture.band.color;
     let colors = red.iter().zip(green).zip(blue).map(|((r, g), b)| [*r, *g, *b]);
     colors.flat_map(|color| display(color, scene.output.exposure.exp2(), scene.output.tonemap)).collect()
-}
-
-fn time(totals: &Totals) -> Duration {
-    totals.device.map_or(totals.wall, |stages| stages.iter().sum())
 }

@@ -4,7 +4,7 @@
 //! the logarithms is the exponent: 1 where time is proportional.
 
 use super::paper::{How, SCHWARZSCHILD, by_fused, scene};
-use super::times::slope;
+use super::times::{device_time, slope};
 use super::{Bench, Report, Table, Times};
 use crate::model::control::scaled;
 use crate::model::method;
@@ -23,12 +23,9 @@ const GROWN: [(&str, Grow); 5] =
 
 /// Times and exponents.
 pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
-    let mut times = Table::new(
-        "times",
-        "Time of the advance passes and of all",
-        &["what", "times as many", "advance (s)", "all (s)", "spread"],
-    );
-    let mut exponents = Table::new("exponents", "Time grows with this power", &["what", "advance", "all"]);
+    let header = "what | times as many | advance (s) | all (s) | spread";
+    let mut times = Table::new("times", "Time of the advance passes and of all", header);
+    let mut exponents = Table::new("exponents", "Time grows with this power", "what | advance | all");
     let mut series = Vec::new();
     for (name, grow) in GROWN {
         let mut points = Vec::new();
@@ -39,24 +36,17 @@ pub fn scaling(bench: &Bench) -> Result<Report, RenderError> {
             let mut all = 0.0;
             let advance = Times::of(bench.repeats, || {
                 let totals = renderer.picture()?.totals;
-                all = totals.device.map_or(totals.wall, |stages| stages.iter().sum()).as_secs_f64();
+                all = device_time(&totals).as_secs_f64();
                 Ok(totals.advance())
             })?;
-            times.rows.push(vec![name.into(), factor.into(), advance.median.into(), all.into(), advance.spread.into()]);
+            times.row(&[name], [factor.into(), advance.median, all, advance.spread]);
             points.push([f64::from(factor), advance.median, all]);
         }
         let slope = |k: usize| exponent(points.iter().map(|point| [point[0], point[k]]));
-        exponents.rows.push(vec![name.into(), slope(1).into(), slope(2).into()]);
-        series.push(Series { name: name.to_owned(), points: points.iter().map(|p| [p[0], p[2]]).collect() });
+        exponents.row(&[name], [slope(1), slope(2)]);
+        series.push(Series::new(name, points.iter().map(|p| [p[0], p[2]]).collect()));
     }
-    let chart = Chart {
-        title: "How time grows".to_owned(),
-        x_label: "times as many".to_owned(),
-        y_label: "seconds on the device".to_owned(),
-        log_x: true,
-        log_y: true,
-        series,
-    };
+    let chart = Chart::logarithmic("How time grows", ["times as many", "seconds on the device"], series);
     let intro =
         vec!["RK4 in Schwarzschild spacetime over ten spheres; what is named is doubled, and nothing else.".to_owned()];
     Ok(Report {

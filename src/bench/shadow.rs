@@ -1,10 +1,8 @@
 //! Where a method sees the edge of a black hole's shadow.
 
-use std::path::Path;
-
+use super::own_scene;
 use crate::gpu::Gpu;
 use crate::render::{RenderError, RenderSettings, Status, trace};
-use crate::scene::Scene;
 
 /// The impact parameter of the photon sphere: √27 M.
 pub const CRITICAL: f64 = 5.196_152_422_706_632;
@@ -15,7 +13,7 @@ pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
     let text = format!(
         "[law]\nkind = \"schwarzschild\"\nform = \"geodesic\"\n[rays]\n{rays}\nmax_segments = 20000\nbound = {{ radius = 50 }}\n"
     );
-    let scene = Scene::parse(&text, Path::new("bench"), &[]).map_err(|error| RenderError::Output(Box::new(error)))?;
+    let scene = own_scene(&text)?;
     let impact: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();
     let starts: Vec<[f64; 6]> = impact.iter().map(|b| ray(50.0, *b)).collect();
     let (ends, _) = trace(gpu, &scene, &RenderSettings::default(), &starts)?;

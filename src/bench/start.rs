@@ -10,7 +10,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use super::{Bench, Cell, Report, Table, Times};
+use super::{Bench, Report, Table, Times};
 use crate::measure::calibrate_for;
 use crate::render::{RenderError, RenderSettings, Renderer, StartUp};
 use crate::scene::{Override, Scene};
@@ -29,8 +29,8 @@ const CACHES: [&str; 5] = [
 
 /// Starts of `program`, which is this one, for each of the scenes.
 pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report, RenderError> {
-    let header = ["scene", "cache", "launch to first pixel (s)", "spread"].into_iter().chain(StartUp::PARTS);
-    let header: Vec<&str> = header.chain(["second picture (s)"]).collect();
+    let parts = StartUp::PARTS.join(" | ");
+    let header = format!("scene | cache | launch to first pixel (s) | spread | {parts} | second picture (s)");
     let mut table = Table::new("start", "From launch to the first pixel", &header);
     for path in scenes {
         let name = path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -44,11 +44,9 @@ pub fn start(bench: &Bench, program: &Path, scenes: &[PathBuf]) -> Result<Report
         let second = second(bench, path)?;
         for (cache, starts) in [("empty", cold), ("filled", warm)] {
             let times = |k: usize| Times::from(starts.iter().map(|parts| parts[k]).collect::<Vec<f64>>());
-            let mut row: Vec<Cell> = vec![name.as_str().into(), cache.into()];
-            row.extend([times(0).median.into(), times(0).spread.into()]);
-            row.extend((1..=StartUp::PARTS.len()).map(|k| Cell::from(times(k).median)));
-            row.push(second.median.into());
-            table.rows.push(row);
+            let whole = [times(0).median, times(0).spread];
+            let parts = (1..=StartUp::PARTS.len()).map(|k| times(k).median);
+            table.row(&[&name, cache], whole.into_iter().chain(parts).chain([second.median]));
         }
     }
     let intro = format!(

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::render::RenderError;
+use crate::render::{RenderError, Totals};
 
 /// What some runs of the same took.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,6 +55,11 @@ impl From<Vec<f64>> for Times {
         };
         Self { median: seconds[seconds.len() / 2], spread: last / first }
     }
+}
+
+/// Returns the time of a picture's passes on the device, or the wall-clock time if the device has no timestamps.
+pub(super) fn device_time(totals: &Totals) -> Duration {
+    totals.device.map_or(totals.wall, |stages| stages.iter().sum())
 }
 
 /// Of the straight line nearest to the points.

@@ -54,13 +54,11 @@ pub fn fresnel_chart(etas: &[f64]) -> Chart {
             curve("transmitted", &|degrees| 1.0 - reflectance(degrees, eta)),
         ]
     };
-    Chart {
-        title: "Fresnel's reflectance and transmittance".to_owned(),
-        x_label: "angle of incidence (degrees)".to_owned(),
-        y_label: "part of the light".to_owned(),
-        series: etas.iter().flat_map(series).collect(),
-        ..Chart::default()
-    }
+    Chart::linear(
+        "Fresnel's reflectance and transmittance",
+        ["angle of incidence (degrees)", "part of the light"],
+        etas.iter().flat_map(series).collect(),
+    )
 }
 
 /// The angle of refraction against that of incidence, for each η.
@@ -71,13 +69,11 @@ pub fn snell_chart(etas: &[f64]) -> Chart {
         name: format!("η = {eta}"),
         points: angles(eta).into_iter().filter_map(|degrees| point(degrees, eta)).collect(),
     };
-    Chart {
-        title: "Snell's law: no light is transmitted beyond a curve's end".to_owned(),
-        x_label: "angle of incidence (degrees)".to_owned(),
-        y_label: "angle of refraction (degrees)".to_owned(),
-        series: etas.iter().map(series).collect(),
-        ..Chart::default()
-    }
+    Chart::linear(
+        "Snell's law: no light is transmitted beyond a curve's end",
+        ["angle of incidence (degrees)", "angle of refraction (degrees)"],
+        etas.iter().map(series).collect(),
+    )
 }
 
 /// Degrees from 0 to 90, with the critical angle if there is one: curves have a corner there.
@@ -97,15 +93,13 @@ fn angles(eta: f64) -> Vec<f64> {
 pub fn beer_chart(filters: &[f64], farthest: f64) -> Chart {
     let series = |&c: &f64| {
         let distances = (0..=SAMPLES).map(|i| farthest * f64::from(i) / f64::from(SAMPLES));
-        Series { name: format!("c = {c}"), points: distances.map(|d| [d, c.powf(d)]).collect() }
+        Series::new(format!("c = {c}"), distances.map(|d| [d, c.powf(d)]).collect())
     };
-    Chart {
-        title: "Beer and Lambert's law".to_owned(),
-        x_label: "distance d in the medium".to_owned(),
-        y_label: "part of the light, c to the power d".to_owned(),
-        series: filters.iter().map(series).collect(),
-        ..Chart::default()
-    }
+    Chart::linear(
+        "Beer and Lambert's law",
+        ["distance d in the medium", "part of the light, c to the power d"],
+        filters.iter().map(series).collect(),
+    )
 }
 
 /// The angle ln(R/S) cot ψ in radians by which a ray has gone round the centre of an inverse-r sphere where it leaves
@@ -123,13 +117,11 @@ pub fn spiral_chart(ratio: f64) -> Chart {
         let points = angles.map(|psi| [psi, spiral_angle(ratio, psi)]).filter(|point| point[1].abs() <= STEEPEST);
         Series { name: name.to_owned(), points: points.collect() }
     };
-    Chart {
-        title: format!("Rays in an inverse-r sphere: from S to R = {ratio:.4} S"),
-        x_label: "angle to the circle at the start (degrees)".to_owned(),
-        y_label: "angle gone round (radians)".to_owned(),
-        series: vec![branch("I and II: outwards", 0.0), branch("III and IV: inwards", 180.0)],
-        ..Chart::default()
-    }
+    Chart::linear(
+        format!("Rays in an inverse-r sphere: from S to R = {ratio:.4} S"),
+        ["angle to the circle at the start (degrees)", "angle gone round (radians)"],
+        vec![branch("I and II: outwards", 0.0), branch("III and IV: inwards", 180.0)],
+    )
 }
 
 /// Rays from [S, 0] in a sphere of radius R = 1, at angles ψ (degrees) to the circle there (T Figs. 38 and 40): outwards to R,

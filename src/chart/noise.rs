@@ -66,13 +66,7 @@ fn curve(name: String, length: f64, octaves: u32, value: impl Fn(f64) -> f64) ->
 }
 
 fn chart(title: &str, y_label: &str, series: Vec<Series>) -> Chart {
-    Chart {
-        title: title.to_owned(),
-        x_label: "cells of the first octave".to_owned(),
-        y_label: y_label.to_owned(),
-        series,
-        ..Chart::default()
-    }
+    Chart::linear(title, ["cells of the first octave", y_label], series)
 }
 
 #[cfg(test)]

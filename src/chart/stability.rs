@@ -23,7 +23,7 @@ const TOLERANCE: f64 = 1e-13;
 const SEGMENTS: u32 = 40_000;
 
 /// What became of a place's rays under one method.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Outcome {
     /// The place.
     pub place: String,
@@ -91,17 +91,7 @@ impl<'a> Place<'a> {
             Ok(renderer.follow(Starts::Given(&self.rays))?.0)
         };
         let runs = [follow(settings[0])?, follow(settings[1])?, follow(settings[2])?];
-        let mut found = Outcome {
-            place: self.name.clone(),
-            method: candidate.name,
-            right: 0,
-            given_up: 0,
-            over: 0,
-            disagreeing: 0,
-            unresolved: 0,
-            silent: 0,
-            diverged: None,
-        };
+        let mut found = Outcome { place: self.name.clone(), method: candidate.name, ..Outcome::default() };
         for (i, truth) in self.truth.0.iter().enumerate() {
             let keeps = settings[0].kind.keeps_errors;
             let ends = [&runs[0][i], &runs[1][i], &runs[2][i]];
@@ -176,18 +166,7 @@ impl Outcome {
     /// The names of the cells.
     #[must_use]
     pub fn header() -> Vec<String> {
-        [
-            "place",
-            "method",
-            "right",
-            "given up",
-            "over tolerance",
-            "settings differ",
-            "unresolved",
-            "silent",
-            "right until τ",
-        ]
-        .map(str::to_owned)
-        .to_vec()
+        let names = "place | method | right | given up | over tolerance | settings differ | unresolved | silent | right until τ";
+        names.split(" | ").map(str::to_owned).collect()
     }
 }

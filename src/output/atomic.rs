@@ -76,6 +76,13 @@ impl AtomicFile {
         Ok(Self { path: path.to_owned(), target, kept_permissions, file, listed: Listed(temporary) })
     }
 
+    /// Writes a file with these bytes.
+    pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+        let mut file = Self::create(path)?;
+        file.write_all(bytes).map_err(|error| file.failed(error))?;
+        file.finish()
+    }
+
     /// The path that was asked for.
     #[must_use]
     pub fn path(&self) -> &Path {

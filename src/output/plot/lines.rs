@@ -31,6 +31,20 @@ pub struct Chart {
     pub series: Vec<Series>,
 }
 
+impl Chart {
+    /// Creates a chart with linear axes, whose labels are those of x and y.
+    #[must_use]
+    pub fn linear(title: impl Into<String>, [x, y]: [&str; 2], series: Vec<Series>) -> Self {
+        Self { title: title.into(), x_label: x.to_owned(), y_label: y.to_owned(), series, ..Self::default() }
+    }
+
+    /// Creates a chart with logarithmic axes, whose labels are those of x and y.
+    #[must_use]
+    pub fn logarithmic(title: impl Into<String>, labels: [&str; 2], series: Vec<Series>) -> Self {
+        Self { log_x: true, log_y: true, ..Self::linear(title, labels, series) }
+    }
+}
+
 /// A line of a chart.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Series {
@@ -42,6 +56,20 @@ pub struct Series {
 }
 
 impl Series {
+    /// Creates a series.
+    #[must_use]
+    pub fn new(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), points }
+    }
+
+    /// Appends a point to the series called `name`, which is created if there is none.
+    pub fn extend(all: &mut Vec<Self>, name: &str, point: [f64; 2]) {
+        match all.iter_mut().find(|series| series.name == name) {
+            Some(series) => series.points.push(point),
+            None => all.push(Self::new(name, vec![point])),
+        }
+    }
+
     /// The points in plot coordinates, if they have any.
     pub(super) fn placed(&self, [log_x, log_y]: [bool; 2]) -> Vec<Option<[f64; 2]>> {
         self.points.iter().map(|[x, y]| Some([place(*x, log_x)?, place(*y, log_y)?])).collect()
