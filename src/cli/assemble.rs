@@ -1,7 +1,6 @@
 //! `bentray assemble`: parts of a picture to the whole.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 
@@ -20,10 +19,9 @@ pub(super) struct Arguments {
     output: Vec<PathBuf>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let parts: Vec<_> = arguments.parts.iter().map(|part| (part.clone(), "one of the parts")).collect();
     paths::check(arguments.output.iter().map(PathBuf::as_path), &parts)?;
     let _stage = screen::progress().stage("assembling the parts");
-    assemble(&arguments.parts, &arguments.output)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(assemble(&arguments.parts, &arguments.output)?)
 }

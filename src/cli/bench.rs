@@ -3,7 +3,6 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
@@ -83,7 +82,7 @@ enum Name {
     All,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let given = Given::read(arguments)?;
     if let Some(folder) = &arguments.output {
         let unwritable = |cause| OutputError::Write { path: folder.clone(), cause };
@@ -116,7 +115,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if let Some(folder) = &arguments.output {
         write_report(&folder.join("index.html"), "Bentray: measurements", &sections)?;
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }
 
 /// A measurement, with where and how it was made.
@@ -168,8 +167,8 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
         Name::Limit | Name::All => limit(bench, scenes)?,
         Name::Compaction => compaction(bench, scenes)?,
         Name::Start => {
-            let program = std::env::current_exe()
-                .map_err(|cause| Error::Usage(format!("this program cannot be started again: {cause}")))?;
+            let program =
+                std::env::current_exe().map_err(|cause| usage!("this program cannot be started again: {cause}"))?;
             start(bench, &program, &given.started)?
         }
     })
@@ -191,7 +190,7 @@ impl Given {
         let (meshes, paths): (Vec<PathBuf>, Vec<PathBuf>) = arguments.files.iter().cloned().partition(is_mesh);
         let about = [Name::Limit, Name::Sampling, Name::Compaction];
         let takes_scenes = names.iter().any(|name| about.contains(name) || *name == Name::Start);
-        let refused = |path: &PathBuf, problem: &str| Err(Error::Usage(format!("{}: {problem}", path.display())));
+        let refused = |path: &PathBuf, problem: &str| Err(usage!("{}: {problem}", path.display()));
         match (paths.first(), meshes.as_slice()) {
             (Some(path), _) if !takes_scenes => {
                 refused(path, "only `limit`, `sampling`, `compaction` and `start` measure given scenes")

@@ -1,6 +1,5 @@
 //! `bentray chart`: speed against accuracy.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -133,12 +132,8 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
     }
     let header = Outcome::header();
     say!("{}", text_table(&header, &rows).trim_end());
-    let mut file = AtomicFile::create(&arguments.output.join("stability.csv"))?;
-    for row in std::iter::once(&header).chain(&rows) {
-        writeln!(file, "{}", row.join(","))
-            .map_err(|cause| OutputError::Write { path: file.path().to_owned(), cause })?;
-    }
-    file.finish()?;
+    let csv: String = [&header].into_iter().chain(&rows).map(|row| row.join(",") + "\n").collect();
+    AtomicFile::write_whole(&arguments.output.join("stability.csv"), csv.as_bytes())?;
     let intro = vec![
         format!("Measured on {device}, each method at its default setting and at two finer ones."),
         "Right: the end is the true one, within 1e-3. Given up: the ray itself says that it was not followed to an end. \
@@ -167,10 +162,9 @@ fn are_methods<'a>(arguments: &Arguments, scenes: impl Iterator<Item = &'a Scene
     }
     let unknown = arguments.methods.iter().flatten().find(|name| !known.contains(&name.as_str()));
     match unknown {
-        Some(name) => Err(Error::Usage(format!(
-            "--methods: there is no `{name}` for these scenes; {}",
-            suggest(name, &known, "methods")
-        ))),
+        Some(name) => {
+            Err(usage!("--methods: there is no `{name}` for these scenes; {}", suggest(name, &known, "methods")))
+        }
         None => Ok(()),
     }
 }
@@ -190,14 +184,13 @@ fn scenes(arguments: &Arguments) -> Result<Vec<PathBuf>, Error> {
 
 /// The scenes of a folder, by name.
 pub(super) fn scenes_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let missing =
-        |error| Error::Usage(format!("{} holds no scenes: {error}; name the folder with --scenes", folder.display()));
+    let missing = |error| usage!("{} holds no scenes: {error}; name the folder with --scenes", folder.display());
     let entries = std::fs::read_dir(folder).map_err(missing)?;
     let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
     paths.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     paths.sort();
     if paths.is_empty() {
-        return Err(Error::Usage(format!("{} holds no scenes; name the folder with --scenes", folder.display())));
+        return Err(usage!("{} holds no scenes; name the folder with --scenes", folder.display()));
     }
     Ok(paths)
 }

@@ -17,7 +17,7 @@ use super::options::{SceneOptions, choice, schedules};
 use crate::error::Error;
 use crate::gpu::{Geometry, adapters, check_meshes, memory};
 use crate::program::{Choice, Program, Schedule};
-use crate::scene::{KeyReference, REFERENCE, Scene, reference_markdown};
+use crate::scene::{REFERENCE, Scene, reference_markdown};
 
 /// Validate scenes, and say what will be modelled: parts, passes, bytes per pixel
 #[derive(Debug, Args)]
@@ -93,16 +93,6 @@ impl Found for Reference {
     }
 
     fn json(&self) -> Value {
-        let row = |key: &KeyReference| {
-            json!({
-                "table": key.table,
-                "key": key.key,
-                "when": key.when,
-                "value": key.value,
-                "default": key.default,
-                "meaning": key.meaning,
-            })
-        };
-        json!({ "keys": REFERENCE.iter().map(row).collect::<Vec<_>>() })
+        json!({ "keys": *REFERENCE })
     }
 }

@@ -14,6 +14,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use siphasher::sip128::{Hasher128, SipHasher24};
 
 use super::frames::Film;
@@ -35,6 +36,7 @@ pub(super) enum Rays<'r> {
 }
 
 /// What a search came to.
+#[derive(Serialize, Deserialize)]
 pub(super) struct Decision {
     /// What was said of it.
     pub said: String,
@@ -82,24 +84,15 @@ impl Place {
 
     /// What is kept there.
     pub(super) fn find(&self) -> Option<Decision> {
-        let table: toml::Table = fs::read_to_string(&self.0).ok()?.parse().ok()?;
-        let text = |key: &str| Some(table.get(key)?.as_str()?.to_owned());
-        let compared_layers = table.get("compared_layers")?.as_bool()?;
-        Some(Decision { said: text("said")?, warning: text("warning"), followed: text("followed")?, compared_layers })
+        toml::from_str(&fs::read_to_string(&self.0).ok()?).ok()
     }
 
     /// Keeps a decision, if that can be done.
-    pub(super) fn keep(&self, decision: Decision) {
-        let Decision { said, warning, followed, compared_layers } = decision;
-        let mut table = toml::Table::new();
-        table.insert("said".to_owned(), said.into());
-        table.extend(warning.map(|warning| ("warning".to_owned(), warning.into())));
-        table.insert("followed".to_owned(), followed.into());
-        table.insert("compared_layers".to_owned(), compared_layers.into());
+    pub(super) fn keep(&self, decision: &Decision) {
         let written = self.0.parent().and_then(|folder| {
             fs::create_dir_all(folder).ok()?;
             let mut file = tempfile::NamedTempFile::new_in(folder).ok()?;
-            file.write_all(table.to_string().as_bytes()).ok()?;
+            file.write_all(toml::to_string(decision).ok()?.as_bytes()).ok()?;
             file.persist(&self.0).ok()
         });
         // Without it the search is made again.

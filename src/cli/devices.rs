@@ -1,7 +1,5 @@
 //! `bentray devices`: what could render.
 
-use std::process::ExitCode;
-
 use clap::Args;
 use serde_json::{Value, json};
 
@@ -16,13 +14,12 @@ pub(super) struct Arguments {
     format: Format,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let adapters = adapters();
     if adapters.is_empty() {
         return Err(GpuError::NoDevice.into());
     }
-    arguments.format.say(&Devices(adapters))?;
-    Ok(ExitCode::SUCCESS)
+    arguments.format.say(&Devices(adapters))
 }
 
 /// What could render, best first.

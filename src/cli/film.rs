@@ -1,7 +1,6 @@
 //! `bentray film`: pictures to a film.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 
@@ -28,7 +27,7 @@ fn parse_rate(text: &str) -> Result<f64, String> {
     rate.ok_or_else(|| format!("`{text}` is not a number of frames a second, from 0.1 to 1000"))
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let frames: Vec<_> = arguments.frames.iter().map(|path| (path.clone(), "one of the frames")).collect();
     paths::check(arguments.output.iter().map(PathBuf::as_path), &frames)?;
     for path in &arguments.output {
@@ -37,5 +36,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             tell!("warning: {} has no alpha: {words} (an animated .png keeps it)", path.display());
         }
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }

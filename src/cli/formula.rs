@@ -1,7 +1,6 @@
 //! `bentray formula`: what the formulas look like, without a scene or a device.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::{Args, Subcommand};
 
@@ -92,7 +91,7 @@ enum Formula {
     },
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let (chart, drawing) = match &arguments.formula {
         Formula::Fresnel { eta, drawing } => (fresnel_chart(eta), drawing),
         Formula::Snell { eta, drawing } => (snell_chart(eta), drawing),
@@ -107,11 +106,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         Formula::Spirals { psi, ratio, drawing } => {
             let names: Vec<String> = psi.iter().map(|psi| format!("{psi}° to the circle")).collect();
             plot_paths(&drawing.output, &spiral_plot(*ratio, psi, &names))?;
-            return Ok(ExitCode::SUCCESS);
+            return Ok(());
         }
     };
-    plot_lines(&drawing.output, &chart)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(plot_lines(&drawing.output, &chart)?)
 }
 
 fn positive(text: &str) -> Result<f64, String> {

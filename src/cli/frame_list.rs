@@ -56,9 +56,8 @@ impl Frames {
     /// Returns the frames of the scene's animation, in ascending order.
     pub(super) fn of(&self, scene: &Scene) -> Result<Vec<u32>, Error> {
         let Some(animation) = &scene.animation else {
-            return Err(Error::Usage(
+            return Err(usage!(
                 "--frames: the scene has no [animation], such as `[animation] frames = 24`: `bentray help films`"
-                    .to_owned(),
             ));
         };
         let end = animation.frames - 1;
@@ -67,9 +66,7 @@ impl Frames {
             let run = ends.clone().unwrap_or(0..=end);
             if *run.end() > end {
                 let beyond = run.end();
-                return Err(Error::Usage(format!(
-                    "--frames: there is no frame {beyond}: the scene's frames are 0..{end}"
-                )));
+                return Err(usage!("--frames: there is no frame {beyond}: the scene's frames are 0..{end}"));
             }
             frames.extend(run.step_by(*step));
         }

@@ -141,9 +141,9 @@ impl<'a> Film<'a> {
         };
         let named: Vec<String> = keys.iter().filter(changes).map(|key| format!("`{key}`")).collect();
         let cause = if named.is_empty() { "several keys together".to_owned() } else { named.join(", ") };
-        Error::Usage(format!(
+        usage!(
             "frame {frame} needs another program than frame {first}, because of {cause}: keep what is modelled the same, or \
              render the frames from {frame} on by a command of their own"
-        ))
+        )
     }
 }

@@ -64,7 +64,7 @@ impl Before {
     }
 
     fn wrong(&self, problem: &str) -> Result<(), Error> {
-        Err(Error::Usage(format!("--continue {}: {problem}", self.path.display())))
+        Err(usage!("--continue {}: {problem}", self.path.display()))
     }
 
     /// Refuses a picture that another scene, method or device made, or another version.

@@ -1,8 +1,6 @@
 //! `bentray import`: a scene from a file of another program.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use clap::Args;
 
@@ -25,7 +23,7 @@ pub(super) struct Arguments {
     output: PathBuf,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let Arguments { file: path, output } = arguments;
     check_scene_name(output)?;
     let bytes = read_bytes(path)?;
@@ -39,7 +37,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         }
         say!("{}", imported.text.trim_end());
         tell_left_out();
-        return Ok(ExitCode::SUCCESS);
+        return Ok(());
     }
     let folder = output.parent().unwrap_or(Path::new(""));
     let pictures = imported.pictures.iter().map(|(name, bytes)| (folder.join(name), bytes.as_slice()));
@@ -50,11 +48,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         return Err(OutputError::Setting { path: path.clone(), problem }.into());
     }
     for (path, bytes) in &files {
-        let mut file = AtomicFile::create(path)?;
-        file.write_all(bytes).map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
-        file.finish()?;
+        AtomicFile::write_whole(path, bytes)?;
     }
     tell_left_out();
-    say_written(output)?;
-    Ok(ExitCode::SUCCESS)
+    say_written(output)
 }

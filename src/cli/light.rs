@@ -1,7 +1,6 @@
 //! `bentray light`: the paths that lead from a scene's lights to given places.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use glam::{DVec3, Vec4};
 
@@ -34,7 +33,7 @@ pub(super) struct Arguments {
     device: DeviceFlags,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     arguments.device.check()?;
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
@@ -84,8 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let found = found.iter().map(Vec::len).sum::<usize>();
     tell!("{found} paths from {} lights to {} places", shot.len(), places.len());
     warn(&totals);
-    table.finish()?;
-    Ok(ExitCode::SUCCESS)
+    Ok(table.finish()?)
 }
 
 /// The lights that are found by shooting, each with its place in the scene file.

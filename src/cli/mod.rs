@@ -17,6 +17,13 @@ macro_rules! tell {
     };
 }
 
+/// The error for words of the command line that only a scene or a file shows to be wrong.
+macro_rules! usage {
+    ($($format:tt)*) => {
+        $crate::error::Error::Usage(format!($($format)*))
+    };
+}
+
 mod assemble;
 mod bench;
 mod chart;
@@ -102,26 +109,27 @@ pub fn run() -> Result<ExitCode, Error> {
     };
     interrupt::listen();
     let _drawing = screen::Drawing::begin();
-    match command {
-        Command::Render(arguments) => render::run(&arguments),
+    let done = match command {
+        Command::Render(arguments) => return render::run(&arguments),
+        Command::Check(arguments) => return check::run(&arguments),
+        Command::Doctor(arguments) => return doctor::run(&arguments),
+        Command::Chart(arguments) => return chart::run(&arguments),
+        Command::Help(arguments) => return help::run(&arguments, &Cli::command()),
         Command::Assemble(arguments) => assemble::run(&arguments),
         Command::Farm(arguments) => farm::run(&arguments),
         Command::Film(arguments) => film::run(&arguments),
-        Command::Check(arguments) => check::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Light(arguments) => light::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),
-        Command::Doctor(arguments) => doctor::run(&arguments),
         Command::Wgsl(arguments) => wgsl::run(&arguments),
-        Command::Chart(arguments) => chart::run(&arguments),
         Command::Bench(arguments) => bench::run(&arguments),
         Command::Formula(arguments) => formula::run(&arguments),
         Command::New(arguments) => new::run(&arguments),
         Command::Import(arguments) => import::run(&arguments),
         Command::Completions(arguments) => shell::complete(&arguments, Cli::command()),
         Command::Man(arguments) => shell::man(&arguments, &Cli::command()),
-        Command::Help(arguments) => help::run(&arguments, &Cli::command()),
-    }
+    };
+    done.map(|()| ExitCode::SUCCESS)
 }
 
 /// Help where it was asked for, and else what is wrong with the words of the command line; a scene in a command's place is to be rendered.
@@ -142,7 +150,7 @@ pub fn tell_error(error: &Error) {
 
 /// Returns the error that a command cannot use a scene, which may be right otherwise.
 fn of_scene(path: &Path, problem: impl Display) -> Error {
-    Error::Usage(format!("{}: {problem}", given_name(path).display()))
+    usage!("{}: {problem}", given_name(path).display())
 }
 
 fn tell_line(line: Arguments) {

@@ -1,8 +1,6 @@
 //! `bentray new`: a scene to start from.
 
-use std::io::Write;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 use clap::builder::TypedValueParser;
@@ -28,21 +26,17 @@ fn templates() -> impl TypedValueParser<Value = &'static Template> {
     one_of(TEMPLATES, |template| template.name, |template| template.about)
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let path = &arguments.file;
     if is_standard(path) {
         say!("{}", arguments.template.text.trim_end());
-        return Ok(ExitCode::SUCCESS);
+        return Ok(());
     }
     check_scene_name(path)?;
     if path.exists() {
         let problem = "this file exists; name another, or remove it first".to_owned();
         return Err(OutputError::Setting { path: path.clone(), problem }.into());
     }
-    let mut file = AtomicFile::create(path)?;
-    file.write_all(arguments.template.text.as_bytes())
-        .map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
-    file.finish()?;
-    say_written(path)?;
-    Ok(ExitCode::SUCCESS)
+    AtomicFile::write_whole(path, arguments.template.text.as_bytes())?;
+    say_written(path)
 }

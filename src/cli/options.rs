@@ -120,7 +120,7 @@ impl SceneOptions {
         let method = self.method_of.as_ref().map(|picture| -> Result<_, Error> {
             let followed = said(picture, FOLLOWED)?;
             let picture = picture.display();
-            let overrides = follow_as(&followed).map_err(|error| Error::Usage(format!("{picture}: {error}")))?;
+            let overrides = follow_as(&followed).map_err(|error| usage!("{picture}: {error}"))?;
             Ok(overrides.into_iter().map(|over| over.from_option(format!("--method-of {picture}"))).collect())
         });
         let method: Vec<Override> = method.transpose()?.unwrap_or_default();
@@ -161,10 +161,10 @@ impl DeviceFlags {
     /// Refuses what would be of no effect.
     pub(super) fn check(&self) -> Result<(), Error> {
         match self.schedule.filter(|schedule| self.segments_per_pass.is_some() && !schedule.fuses()) {
-            Some(schedule) => Err(Error::Usage(format!(
+            Some(schedule) => Err(usage!(
                 "--segments-per-pass is for --schedule fused: in `{}` a pass is never of several segments",
                 schedule.name()
-            ))),
+            )),
             None => Ok(()),
         }
     }

@@ -43,9 +43,7 @@ pub(super) fn check<'a>(
 ) -> Result<(), Error> {
     let (streams, files): (Vec<_>, Vec<_>) = inputs.iter().partition(|(path, _)| is_standard(path));
     if let [(_, one), (_, other), ..] = streams[..] {
-        return Err(Error::Usage(format!(
-            "-: standard input cannot be {one} and {other}: name a file for one of them"
-        )));
+        return Err(usage!("-: standard input cannot be {one} and {other}: name a file for one of them"));
     }
     let read: HashMap<PathBuf, &str> = files.into_iter().map(|(path, what)| (identity(path), *what)).collect();
     let mut written: HashMap<PathBuf, &Path> = HashMap::new();
@@ -53,11 +51,11 @@ pub(super) fn check<'a>(
         let own = identity(path);
         let shown = path.display();
         if let Some(what) = read.get(&own) {
-            return Err(Error::Usage(format!("{shown}: this is {what}, which would be lost: name another file")));
+            return Err(usage!("{shown}: this is {what}, which would be lost: name another file"));
         }
         if let Some(other) = written.insert(own, path) {
             let other = if other == path { String::new() } else { format!(" as {}", other.display()) };
-            return Err(Error::Usage(format!("{shown} is named twice{other}: a file holds one thing")));
+            return Err(usage!("{shown} is named twice{other}: a file holds one thing"));
         }
     }
     Ok(())

@@ -27,35 +27,18 @@ enum Numbers {
 }
 
 const QUEUES: [Queue; 7] = [
-    Queue {
-        name: "Slurm",
-        number: "SLURM_ARRAY_TASK_ID",
-        numbers: Numbers::Asked {
-            first: "SLURM_ARRAY_TASK_MIN",
-            last: "SLURM_ARRAY_TASK_MAX",
-            step: "SLURM_ARRAY_TASK_STEP",
-            count: Some("SLURM_ARRAY_TASK_COUNT"),
-        },
-    },
-    Queue { name: "Kubernetes", number: "JOB_COMPLETION_INDEX", numbers: Numbers::From(0, None) },
-    Queue {
-        name: "AWS Batch",
-        number: "AWS_BATCH_JOB_ARRAY_INDEX",
-        numbers: Numbers::From(0, Some("AWS_BATCH_JOB_ARRAY_SIZE")),
-    },
-    Queue { name: "PBS", number: "PBS_ARRAY_INDEX", numbers: Numbers::From(1, None) },
-    Queue { name: "Torque", number: "PBS_ARRAYID", numbers: Numbers::From(1, None) },
-    Queue {
-        name: "SGE",
-        number: "SGE_TASK_ID",
-        numbers: Numbers::Asked {
-            first: "SGE_TASK_FIRST",
-            last: "SGE_TASK_LAST",
-            step: "SGE_TASK_STEPSIZE",
-            count: None,
-        },
-    },
-    Queue { name: "GNU parallel", number: "PARALLEL_SEQ", numbers: Numbers::From(1, None) },
+    Queue::asked(
+        "Slurm",
+        "SLURM_ARRAY_TASK_ID",
+        ["SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_MAX", "SLURM_ARRAY_TASK_STEP"],
+        Some("SLURM_ARRAY_TASK_COUNT"),
+    ),
+    Queue::from("Kubernetes", "JOB_COMPLETION_INDEX", 0, None),
+    Queue::from("AWS Batch", "AWS_BATCH_JOB_ARRAY_INDEX", 0, Some("AWS_BATCH_JOB_ARRAY_SIZE")),
+    Queue::from("PBS", "PBS_ARRAY_INDEX", 1, None),
+    Queue::from("Torque", "PBS_ARRAYID", 1, None),
+    Queue::asked("SGE", "SGE_TASK_ID", ["SGE_TASK_FIRST", "SGE_TASK_LAST", "SGE_TASK_STEPSIZE"], None),
+    Queue::from("GNU parallel", "PARALLEL_SEQ", 1, None),
 ];
 
 /// The environment.
@@ -87,6 +70,19 @@ fn number(variables: Variables, name: &str) -> Result<Option<u32>, String> {
 }
 
 impl Queue {
+    const fn from(name: &'static str, number: &'static str, first: u32, size: Option<&'static str>) -> Self {
+        Self { name, number, numbers: Numbers::From(first, size) }
+    }
+
+    const fn asked(
+        name: &'static str,
+        number: &'static str,
+        [first, last, step]: [&'static str; 3],
+        count: Option<&'static str>,
+    ) -> Self {
+        Self { name, number, numbers: Numbers::Asked { first, last, step, count } }
+    }
+
     fn named(&self) -> String {
         format!("{} ({})", self.number, self.name)
     }

@@ -104,17 +104,15 @@ impl Arguments {
     fn check(&self) -> Result<(), Error> {
         self.device.check()?;
         if self.layers.is_some() && !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
-            return Err(Error::Usage("--layers are written to an EXR: name one with -o".to_owned()));
+            return Err(usage!("--layers are written to an EXR: name one with -o"));
         }
         if self.layers.as_ref().is_some_and(|layers| layers.len() > 1 && layers.contains(&None)) {
-            return Err(Error::Usage("--layers: `none` stands alone, for it says that there are no others".to_owned()));
+            return Err(usage!("--layers: `none` stands alone, for it says that there are no others"));
         }
         let only_films = |path: &&PathBuf| self.frames.is_none() && is_film(path) && !has_extension(path, "png");
         if let Some(path) = self.output.iter().find(only_films) {
             let path = path.display();
-            return Err(Error::Usage(format!(
-                "{path}: a film is of frames: add --frames all, for a scene with [animation]"
-            )));
+            return Err(usage!("{path}: a film is of frames: add --frames all, for a scene with [animation]"));
         }
         self.output.iter().try_for_each(|path| self.check_name(path))
     }
@@ -130,7 +128,7 @@ impl Arguments {
             }
             _ => return Ok(()),
         };
-        Err(Error::Usage(format!("{}: {problem}", path.display())))
+        Err(usage!("{}: {problem}", path.display()))
     }
 
     /// The frames that are asked for; without any, the picture.
@@ -145,7 +143,7 @@ impl Arguments {
     pub(super) fn check_for_farm(&self) -> Result<(), Error> {
         self.check()?;
         if paths::is_standard(&self.scene) {
-            return Err(Error::Usage(format!("-: {}", paths::NO_STREAM)));
+            return Err(usage!("-: {}", paths::NO_STREAM));
         }
         let alone = [
             (self.part.is_some(), "--part"),
@@ -155,9 +153,7 @@ impl Arguments {
             (self.preview.is_some(), "--preview"),
         ];
         match alone.into_iter().find(|(is_given, _)| *is_given) {
-            Some((_, name)) => {
-                Err(Error::Usage(format!("{name} is for one render, and a farm has many: leave it out")))
-            }
+            Some((_, name)) => Err(usage!("{name} is for one render, and a farm has many: leave it out")),
             None => Ok(()),
         }
     }
@@ -179,23 +175,26 @@ impl Arguments {
         };
         let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
         if asked(Layer::Error) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
-            let problem = "the layer `error` is of pictures that take random samples: with transport = \"paths\" or image.adaptive";
-            return Err(Error::Usage(problem.to_owned()));
+            return Err(usage!(
+                "the layer `error` is of pictures that take random samples: with transport = \"paths\" or image.adaptive"
+            ));
         }
         if SUMS.into_iter().any(asked) && !is_continuable(&scene) {
-            let problem =
-                "the layers `sums` and `spread` are of pictures with transport = \"paths\" and without image.adaptive";
-            return Err(Error::Usage(problem.to_owned()));
+            return Err(usage!(
+                "the layers `sums` and `spread` are of pictures with transport = \"paths\" and without image.adaptive"
+            ));
         }
         if asked(Layer::Shift) && !scene.has_frequencies() {
-            let problem = "the layer `shift` is of pictures without paths that an observer sees: with camera.frame, and a law of \
-                           spacetime without t";
-            return Err(Error::Usage(problem.to_owned()));
+            return Err(usage!(
+                "the layer `shift` is of pictures without paths that an observer sees: with camera.frame, and a law of \
+                           spacetime without t"
+            ));
         }
         if asked(Layer::Orders) && !scene.has_orders() {
-            let problem = "the layer `orders` is of surfaces with `opacity` below 1, without clear objects, fans, image.adaptive and \
-                           random rays.branches";
-            return Err(Error::Usage(problem.to_owned()));
+            return Err(usage!(
+                "the layer `orders` is of surfaces with `opacity` below 1, without clear objects, fans, image.adaptive and \
+                           random rays.branches"
+            ));
         }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
             Some(window) => Err(RenderError::Window { window, picture: scene.image.size }.into()),
@@ -213,7 +212,7 @@ pub(super) fn targets_of(share: Share, frames: &[Option<u32>], scene: &Scene) ->
     let rows = scene.image.size[1];
     let too_many = |target: &&Target| target.band.is_some_and(|band| band.count > rows);
     match targets.iter().find(too_many) {
-        Some(_) => Err(Error::Usage(format!("--part: these are more parts than the {rows} rows of each picture"))),
+        Some(_) => Err(usage!("--part: these are more parts than the {rows} rows of each picture")),
         None => Ok(targets),
     }
 }

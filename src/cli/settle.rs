@@ -62,7 +62,7 @@ pub(super) fn settle<'a>(
     let scene = calibration.applied(&scene);
     if let Some(place) = place {
         let compared_layers = calibration.layers != settings.choice.layers;
-        place.keep(Decision { said, warning, followed: scene.rays.followed(), compared_layers });
+        place.keep(&Decision { said, warning, followed: scene.rays.followed(), compared_layers });
     }
     settings.choice.layers = calibration.layers;
     Ok(Settled { scene, settings, renderer })

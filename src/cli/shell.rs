@@ -1,7 +1,5 @@
 //! `bentray completions` and `bentray man`: what shells and man know of the command line.
 
-use std::process::ExitCode;
-
 use clap::{Args, Command};
 use clap_complete::Shell;
 
@@ -25,19 +23,19 @@ pub(super) struct Man {
     command: Option<String>,
 }
 
-pub(super) fn complete(arguments: &Completions, mut cli: Command) -> Result<ExitCode, Error> {
+pub(super) fn complete(arguments: &Completions, mut cli: Command) -> Result<(), Error> {
     let mut text = Vec::new();
     let name = cli.get_name().to_owned();
     clap_complete::generate(arguments.shell, &mut cli, name, &mut text);
     print(&text)
 }
 
-pub(super) fn man(arguments: &Man, cli: &Command) -> Result<ExitCode, Error> {
+pub(super) fn man(arguments: &Man, cli: &Command) -> Result<(), Error> {
     let page = match &arguments.command {
         None => clap_mangen::Man::new(cli.clone()),
         Some(name) => {
             let found = cli.find_subcommand(name).cloned();
-            let unknown = || Error::Usage(format!("there is no command `{name}`: `bentray help` lists them"));
+            let unknown = || usage!("there is no command `{name}`: `bentray help` lists them");
             let full = format!("{} {name}", cli.get_name());
             clap_mangen::Man::new(found.ok_or_else(unknown)?.bin_name(full.clone())).title(full.replace(' ', "-"))
         }
@@ -47,7 +45,6 @@ pub(super) fn man(arguments: &Man, cli: &Command) -> Result<ExitCode, Error> {
     print(&text)
 }
 
-fn print(text: &[u8]) -> Result<ExitCode, Error> {
-    say_line(format_args!("{}", String::from_utf8_lossy(text).trim_end()))?;
-    Ok(ExitCode::SUCCESS)
+fn print(text: &[u8]) -> Result<(), Error> {
+    say_line(format_args!("{}", String::from_utf8_lossy(text).trim_end()))
 }

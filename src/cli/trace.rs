@@ -5,7 +5,6 @@ mod diagram;
 mod pairs;
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 use glam::DVec3;
@@ -21,7 +20,7 @@ use super::settle::{Settled, settle};
 use crate::error::Error;
 use crate::gpu::Gpu;
 use crate::measure::{Curve, drift};
-use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
+use crate::output::csv::{Table, read_rays};
 use crate::output::plot::check_plot;
 use crate::render::{PathPoint, RenderSettings, StartUp, Traced, pixel_starts, trace, trace_paths};
 use crate::scene::{CutPlane, Scene};
@@ -74,22 +73,20 @@ fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
     parsed().ok_or_else(|| format!("`{text}` is not a pixel such as 320,240: its column and its row"))
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     arguments.device.check()?;
     let opening = arguments.device.open();
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
     let scene = film.load(None)?;
     if arguments.drift && scene.rays.asymptotic {
-        return Err(Error::Usage(
-            "--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity".into(),
-        ));
+        return Err(usage!("--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity"));
     }
     if arguments.diagram.attractor.is_some() && scene.law.ignores_direction().is_none() {
-        return Err(Error::Usage("--attractor is of flows, such as lorenz, and this scene's law is none".into()));
+        return Err(usage!("--attractor is of flows, such as lorenz, and this scene's law is none"));
     }
     if let Some([x, y]) = arguments.pixel.iter().find(|[x, y]| *x >= scene.image.size[0] || *y >= scene.image.size[1]) {
         let [width, height] = scene.image.size;
-        return Err(Error::Usage(format!("pixel {x},{y} is not in the picture of {width} by {height} pixels")));
+        return Err(usage!("pixel {x},{y} is not in the picture of {width} by {height} pixels"));
     }
     let mut inputs = film.inputs();
     inputs.extend(arguments.rays.clone().map(|rays| (rays, "the table of rays")));
@@ -99,8 +96,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     }
     let mut starts = Starts::of(arguments, scene.law.ignores_direction().is_none())?;
     let mut table = match &arguments.output {
-        Some(output) if arguments.path => Some(Table::create::<PathRow>(output)?),
-        Some(output) => Some(Table::create::<ResultRow>(output)?),
+        Some(output) if arguments.path => Some(Table::create::<(usize, usize, &PathPoint)>(output)?),
+        Some(output) => Some(Table::create::<(usize, &Traced)>(output)?),
         None => None,
     };
     arguments.plot.as_deref().map_or(Ok(()), check_plot)?;
@@ -113,7 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if !arguments.path && (table.is_some() || arguments.drift) {
         let (traced, totals) = trace(&gpu, &scene, &settings, rays)?;
         for (i, ray) in traced.iter().enumerate() {
-            table.as_mut().map_or(Ok(()), |table| table.write(&result_row(i, ray)))?;
+            table.as_mut().map_or(Ok(()), |table| table.write(&(i, ray)))?;
         }
         tell!("{totals}");
         warn(&totals);
@@ -127,7 +124,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         if let Some(table) = table.as_mut().filter(|_| arguments.path) {
             for (i, (_, points)) in paths.iter().enumerate() {
                 for (index, point) in points.iter().enumerate() {
-                    table.write(&path_row(i, index, point))?;
+                    table.write(&(i, index, point))?;
                 }
             }
         }
@@ -138,8 +135,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             diagram.finish(&scene, arguments.plot.as_deref(), attractor)?;
         }
     }
-    table.map_or(Ok(()), Table::finish)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(table.map_or(Ok(()), Table::finish)?)
 }
 
 /// All rays in the order of the results: the file's, then the fans', the bundles', the camera's.
@@ -212,22 +208,4 @@ fn print_drift(scene: &Scene, rays: &[[f64; 6]], traced: &[Traced]) {
     for (name, q) in found {
         tell!("{name:<18}{q}");
     }
-}
-
-fn result_row(ray: usize, end: &Traced) -> ResultRow<'static> {
-    ResultRow {
-        ray,
-        status: end.status.name(),
-        position: end.x,
-        velocity: end.v,
-        tau: end.tau,
-        depth: end.depth,
-        steps: end.steps,
-        rejected: end.rejected,
-        object: end.object,
-    }
-}
-
-fn path_row(ray: usize, index: usize, point: &PathPoint) -> PathRow {
-    PathRow { ray, index, position: point.x, velocity: point.v, tau: point.tau }
 }

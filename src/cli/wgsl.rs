@@ -1,7 +1,6 @@
 //! `bentray wgsl`: what a scene really runs.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -36,19 +35,19 @@ fn profile(asked: Option<&str>) -> DeviceProfile {
     asked.map_or_else(here, DeviceProfile::named).unwrap_or_default()
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let scene = Scene::load(&arguments.scene, &arguments.changes.overrides()?)?;
     let geometry = Geometry::new(&scene);
     let choice = Choice { device: profile(arguments.for_device.as_deref()), ..choice(arguments.schedule) };
     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent())?;
     let names: Vec<_> = program.passes.iter().map(|(pass, _, _)| pass.entry()).collect();
     if let Some(wanted) = arguments.pass.as_deref().filter(|wanted| !names.contains(wanted)) {
-        return Err(Error::Usage(format!("this program has no pass `{wanted}`; it has {}", names.join(", "))));
+        return Err(usage!("this program has no pass `{wanted}`; it has {}", names.join(", ")));
     }
     for (pass, linked, _) in &program.passes {
         if arguments.pass.as_deref().is_none_or(|wanted| wanted == pass.entry()) {
             say!("// ==== pass {}\n\n{}", pass.entry(), linked.source);
         }
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
 }

@@ -2,6 +2,8 @@
 //!
 //! A kind of law, medium, shape, … lists its own [`Key`]s; the reference says of each with which kinds it goes.
 
+use serde::Serialize;
+
 /// A key as its kind documents it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Key {
@@ -32,7 +34,7 @@ macro_rules! keys {
 pub(crate) use keys;
 
 /// A row of the reference: what there is to know of a key.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct KeyReference {
     /// The table it stands in, such as `rays.bound`; empty for the top level, NAME for a name of the user's.
     pub table: &'static str,

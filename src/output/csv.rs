@@ -11,6 +11,7 @@ use std::{
 
 use super::{AtomicFile, OutputError};
 use crate::document::{SceneError, given_name, read_given, strict_text};
+use crate::render::{PathPoint, Traced};
 
 /// The columns of a file of rays: a place and a velocity.
 pub const RAY_COLUMNS: [&str; 6] = ["x", "y", "z", "vx", "vy", "vz"];
@@ -145,44 +146,6 @@ fn parse_row<const N: usize>(row: &str, order: &[usize], columns: &[&str; N]) ->
     Ok(numbers)
 }
 
-/// How one ray ended.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ResultRow<'a> {
-    /// Which ray, in the order of the input.
-    pub ray: usize,
-    /// The name of how it ended.
-    pub status: &'a str,
-    /// Where it ended, in scene coordinates.
-    pub position: [f64; 3],
-    /// Its velocity there.
-    pub velocity: [f64; 3],
-    /// The parameter along the ray.
-    pub tau: f64,
-    /// The depth there.
-    pub depth: f64,
-    /// Steps taken.
-    pub steps: u32,
-    /// Steps tried and thrown away.
-    pub rejected: u32,
-    /// The object hit, by its place in the scene file from 0; empty if there is none.
-    pub object: Option<u32>,
-}
-
-/// One point on the path of a ray.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PathRow {
-    /// Which ray, in the order of the input.
-    pub ray: usize,
-    /// Which point of its path, from 0.
-    pub index: usize,
-    /// Where, in scene coordinates.
-    pub position: [f64; 3],
-    /// Its velocity there.
-    pub velocity: [f64; 3],
-    /// The parameter along the ray.
-    pub tau: f64,
-}
-
 /// A path from a light to a place, or that there is none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightRow {
@@ -209,37 +172,25 @@ pub trait Row {
     fn line(&self) -> String;
 }
 
-impl Row for ResultRow<'_> {
+/// A ray by its place in the input, and how it ended; without an object the last field is empty.
+impl Row for (usize, &Traced) {
     const HEADER: &'static str = "ray,status,x,y,z,vx,vy,vz,tau,depth,steps,rejected,object";
 
     fn line(&self) -> String {
-        format!(
-            "{},{},{},{},{},{},{},{},{}",
-            self.ray,
-            quoted(self.status),
-            numbers(self.position),
-            numbers(self.velocity),
-            number(self.tau),
-            number(self.depth),
-            self.steps,
-            self.rejected,
-            self.object.map(|object| object.to_string()).unwrap_or_default()
-        )
+        let (ray, Traced { status, x, v, tau, depth, steps, rejected, object }) = self;
+        let [x, v, tau, depth] = [numbers(*x), numbers(*v), number(*tau), number(*depth)];
+        let object = object.map(|object| object.to_string()).unwrap_or_default();
+        format!("{ray},{},{x},{v},{tau},{depth},{steps},{rejected},{object}", status.name())
     }
 }
 
-impl Row for PathRow {
+/// A ray by its place in the input, and a point of its path, counted from 0.
+impl Row for (usize, usize, &PathPoint) {
     const HEADER: &'static str = "ray,index,x,y,z,vx,vy,vz,tau";
 
     fn line(&self) -> String {
-        format!(
-            "{},{},{},{},{}",
-            self.ray,
-            self.index,
-            numbers(self.position),
-            numbers(self.velocity),
-            number(self.tau)
-        )
+        let (ray, index, PathPoint { x, v, tau }) = self;
+        format!("{ray},{index},{},{},{}", numbers(*x), numbers(*v), number(*tau))
     }
 }
 
@@ -267,10 +218,6 @@ fn number(value: f64) -> String {
 
 fn numbers([x, y, z]: [f64; 3]) -> String {
     format!("{},{},{}", number(x), number(y), number(z))
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
 /// A table being written to a file, whole or not at all, or to standard output.

@@ -63,7 +63,7 @@ impl PngWriter {
         }
         let file = AtomicFile::create(path)?;
         let (sender, encoded) = channel();
-        let encoder = encoder(Outbox(sender), settings).map_err(|e| encode_error(path, &e))?;
+        let encoder = encoder(Outbox(sender), settings).map_err(|e| encode_error(path, e))?;
         Ok(Self {
             rows: Rows::new(path.to_owned(), settings.window.size, settings.alpha, Vec::new()),
             shown: Shown {
@@ -112,7 +112,7 @@ impl ImageWriter for PngWriter {
     fn write_band(&mut self, band: &Band) -> Result<(), OutputError> {
         self.rows.accept(band)?;
         for row in self.shown.band_bytes(band) {
-            self.encoder.write_all(&row).map_err(|e| encode_error(&self.rows.path, &e.into()))?;
+            self.encoder.write_all(&row).map_err(|e| encode_error(&self.rows.path, e.into()))?;
         }
         drain(&self.encoded, &mut self.file)
     }
@@ -120,7 +120,7 @@ impl ImageWriter for PngWriter {
     fn finish(self: Box<Self>) -> Result<(), OutputError> {
         let mut this = *self;
         this.rows.complete()?;
-        this.encoder.finish().map_err(|e| encode_error(&this.rows.path, &e))?;
+        this.encoder.finish().map_err(|e| encode_error(&this.rows.path, e))?;
         drain(&this.encoded, &mut this.file)?;
         this.file.finish()
     }
@@ -164,6 +164,11 @@ fn encoder(outbox: Outbox, settings: &FileSettings) -> Result<StreamWriter<'stat
     encoder.write_header()?.into_stream_writer()
 }
 
-fn encode_error(path: &Path, error: &EncodingError) -> OutputError {
-    OutputError::Encode { path: path.to_owned(), problem: error.to_string() }
+/// Names the path in an error of the encoder.
+pub(super) fn encode_error(path: &Path, error: EncodingError) -> OutputError {
+    let path = path.to_owned();
+    match error {
+        EncodingError::IoError(cause) => OutputError::Write { path, cause },
+        other => OutputError::Encode { path, problem: other.to_string() },
+    }
 }

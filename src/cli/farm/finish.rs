@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use serde_json::{Value, json};
 
@@ -13,7 +12,7 @@ use crate::error::Error;
 use crate::output::origin::{LINES, SCENE, difference};
 use crate::output::{OutputError, assemble, settings_of};
 
-pub(super) fn run(job: &Job) -> Result<ExitCode, Error> {
+pub(super) fn run(job: &Job) -> Result<(), Error> {
     let loaded = job.load()?;
     let shares = &loaded.shares;
     let mut missing: Vec<u32> = Vec::new();
@@ -43,8 +42,7 @@ pub(super) fn run(job: &Job) -> Result<ExitCode, Error> {
     check_alike(&pictures)?;
     let frames: Vec<Target> = bands.keys().map(|frame| Target { frame: *frame, band: None }).collect();
     loaded.make_films(&frames)?;
-    job.format().say(&Whole { count: bands.len(), files: pictures })?;
-    Ok(ExitCode::SUCCESS)
+    job.format().say(&Whole { count: bands.len(), files: pictures })
 }
 
 /// The pictures that were put together.

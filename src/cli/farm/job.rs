@@ -2,7 +2,6 @@
 
 use std::env;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -92,9 +91,7 @@ impl Job {
         let path = folder.join(name);
         let failed = |cause| OutputError::Create { path: path.clone(), folder: folder.clone(), cause };
         fs::create_dir_all(&folder).map_err(failed)?;
-        let mut file = AtomicFile::create(&path)?;
-        file.write_all(text.as_bytes()).map_err(|cause| OutputError::Write { path: path.clone(), cause })?;
-        file.finish()?;
+        AtomicFile::write_whole(&path, text.as_bytes())?;
         Ok(path)
     }
 }

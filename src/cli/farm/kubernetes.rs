@@ -3,8 +3,6 @@
 //! *Practice.* Manifests are JSON, which kubectl takes as it takes YAML. All pods work in one volume, where the scene is and the pictures
 //! go.
 
-use std::process::ExitCode;
-
 use clap::Args;
 use serde_json::{Value, json};
 
@@ -33,7 +31,7 @@ pub(super) struct Kubernetes {
     job: Job,
 }
 
-pub(super) fn run(arguments: &Kubernetes) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Kubernetes) -> Result<(), Error> {
     let job = &arguments.job;
     let parts = job.parts();
     job.load()?;
@@ -51,8 +49,7 @@ pub(super) fn run(arguments: &Kubernetes) -> Result<ExitCode, Error> {
     let files = [job.write("parts.json", &part)?, job.write("finish.json", &last)?];
     let [apply, apply_last] = [0, 1].map(|i| format!("kubectl apply -f {}", quoted(&[files[i].display().to_string()])));
     let wait = format!("kubectl wait --for=condition=complete --timeout=-1s job/{}", name(&job.name(), ""));
-    job.format().say(&Written::new(parts, files.to_vec(), vec![apply, wait, apply_last]))?;
-    Ok(ExitCode::SUCCESS)
+    job.format().say(&Written::new(parts, files.to_vec(), vec![apply, wait, apply_last]))
 }
 
 /// A name that Kubernetes takes: small letters, digits and hyphens.

@@ -11,8 +11,6 @@ mod parallel;
 mod slurm;
 mod status;
 
-use std::process::ExitCode;
-
 use clap::{Args, Subcommand};
 
 use crate::error::Error;
@@ -34,30 +32,24 @@ enum Command {
     Slurm(slurm::Slurm),
     Kubernetes(kubernetes::Kubernetes),
     Parallel(parallel::Parallel),
-    Status(Plain),
-    Finish(Finish),
+    /// Say which parts are done, failed, under way and missing
+    Status {
+        #[command(flatten)]
+        job: Job,
+    },
+    /// Put the parts together, and make sure that none is missing and all were made alike
+    Finish {
+        #[command(flatten)]
+        job: Job,
+    },
 }
 
-/// Say which parts are done, failed, under way and missing
-#[derive(Debug, Args)]
-struct Plain {
-    #[command(flatten)]
-    job: Job,
-}
-
-/// Put the parts together, and make sure that none is missing and all were made alike
-#[derive(Debug, Args)]
-struct Finish {
-    #[command(flatten)]
-    job: Job,
-}
-
-pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     match &arguments.command {
         Command::Slurm(arguments) => slurm::run(arguments),
         Command::Kubernetes(arguments) => kubernetes::run(arguments),
         Command::Parallel(arguments) => parallel::run(arguments),
-        Command::Status(arguments) => status::run(&arguments.job),
-        Command::Finish(arguments) => finish::run(&arguments.job),
+        Command::Status { job } => status::run(job),
+        Command::Finish { job } => finish::run(job),
     }
 }

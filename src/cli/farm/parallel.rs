@@ -1,7 +1,6 @@
 //! `bentray farm parallel`: GNU parallel on this machine, or on a few that share its folder.
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 
 use clap::Args;
 
@@ -24,7 +23,7 @@ pub(super) struct Parallel {
     job: Job,
 }
 
-pub(super) fn run(arguments: &Parallel) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Parallel) -> Result<(), Error> {
     let job = &arguments.job;
     let parts = job.parts();
     job.load()?;
@@ -43,6 +42,5 @@ pub(super) fn run(arguments: &Parallel) -> Result<ExitCode, Error> {
     );
     let script = job.write("run.sh", &script)?;
     let command = format!("bash {}", quoted(&[script.display().to_string()]));
-    job.format().say(&Written::new(parts, vec![script], vec![command]))?;
-    Ok(ExitCode::SUCCESS)
+    job.format().say(&Written::new(parts, vec![script], vec![command]))
 }

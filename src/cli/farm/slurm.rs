@@ -5,7 +5,7 @@
 
 use std::io::stderr;
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::Command;
 
 use clap::Args;
 
@@ -26,7 +26,7 @@ pub(super) struct Slurm {
     job: Job,
 }
 
-pub(super) fn run(arguments: &Slurm) -> Result<ExitCode, Error> {
+pub(super) fn run(arguments: &Slurm) -> Result<(), Error> {
     let job = &arguments.job;
     let (name, parts, folder) = (job.name(), job.parts(), job.folder());
     job.load()?;
@@ -55,13 +55,12 @@ pub(super) fn run(arguments: &Slurm) -> Result<ExitCode, Error> {
     }
     let command = format!("bash {}", quoted(&[submit.display().to_string()]));
     let commands = if arguments.submit { Vec::new() } else { vec![command] };
-    job.format().say(&Written::new(parts, [&scripts[..], &[submit]].concat(), commands))?;
-    Ok(ExitCode::SUCCESS)
+    job.format().say(&Written::new(parts, [&scripts[..], &[submit]].concat(), commands))
 }
 
 /// Submits the jobs. What sbatch says of them is a message, and no result.
 fn run_script(submit: &Path) -> Result<(), Error> {
-    let failed = |why: String| Error::Usage(format!("{}: {why}", submit.display()));
+    let failed = |why: String| usage!("{}: {why}", submit.display());
     let status = Command::new("bash").arg(submit).stdout(stderr()).status();
     let status = status.map_err(|error| failed(error.to_string()))?;
     if status.success() { Ok(()) } else { Err(failed("sbatch failed, with what it said above".to_owned())) }

@@ -1,7 +1,6 @@
 //! `bentray farm status`: how far a film or a picture is that is rendered in parts.
 
 use std::fs;
-use std::process::ExitCode;
 
 use serde_json::{Value, json};
 
@@ -54,12 +53,11 @@ struct Part {
 /// All parts of a job.
 struct Progress(Vec<Part>);
 
-pub(super) fn run(job: &Job) -> Result<ExitCode, Error> {
+pub(super) fn run(job: &Job) -> Result<(), Error> {
     let loaded = job.load()?;
     let part = |(number, targets): (u32, &Vec<Target>)| Part::look(job, &loaded, number, targets);
     let parts: Vec<Part> = (1..).zip(&loaded.shares).map(part).collect::<Result<_, _>>()?;
-    job.format().say(&Progress(parts))?;
-    Ok(ExitCode::SUCCESS)
+    job.format().say(&Progress(parts))
 }
 
 impl Part {

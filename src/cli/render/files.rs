@@ -89,8 +89,9 @@ impl Arguments {
         }
         let Some(path) = &self.preview else { return Ok(()) };
         if still.image.adaptive.is_some() {
-            let problem = "--preview: an adaptive picture has none, for its pixels do not take their samples together";
-            return Err(Error::Usage(problem.to_owned()));
+            return Err(usage!(
+                "--preview: an adaptive picture has none, for its pixels do not take their samples together"
+            ));
         }
         drop(open(path, &file_settings(still, (path, window), layers, &[]))?);
         Ok(())

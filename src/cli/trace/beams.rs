@@ -102,7 +102,7 @@ pub(super) fn rays(beams: &[Beam], plane: Option<&CutPlane>) -> Result<Vec<Vec<[
     if let Some(plane) = plane {
         if let Some(beam) = beams.iter().find(|beam| !beam.lies_in(plane)) {
             let problem = "does not lie in the plane of --cut; move its `from` and `toward` there, or leave --cut out";
-            return Err(Error::Usage(format!("{} {problem}", beam.name())));
+            return Err(usage!("{} {problem}", beam.name()));
         }
         return Ok(beams.iter().map(|beam| beam.rays(plane)).collect());
     }

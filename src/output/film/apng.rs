@@ -1,8 +1,9 @@
 //! Animated PNG: nothing is lost, and files are large.
 
-use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
+use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
 
 use super::Frames;
+use crate::output::png::encode_error;
 use crate::output::{AtomicFile, OutputError};
 
 /// A second in the parts that a frame's time is counted in, where the rate is no whole number.
@@ -10,10 +11,7 @@ const PARTS: f64 = 1000.0;
 
 pub(super) fn write(file: &mut AtomicFile, frames: &mut Frames, _: &'static str) -> Result<(), OutputError> {
     let path = file.path().to_owned();
-    let failed = |error: EncodingError| match error {
-        EncodingError::IoError(cause) => OutputError::Write { path: path.clone(), cause },
-        other => OutputError::Encode { path: path.clone(), problem: other.to_string() },
-    };
+    let failed = |error| encode_error(&path, error);
     let mut encoder = Encoder::new(file, frames.size[0], frames.size[1]);
     encoder.set_color(ColorType::Rgba);
     encoder.set_depth(BitDepth::Eight);

@@ -123,19 +123,19 @@ fn legend(chart: &PrecisionPlot, placed: &[Vec<Option<[f64; 2]>>], wrong: &[Vec<
     let missing = placed.iter().flatten().filter(|p| p.is_none()).count() - wrong.iter().flatten().count();
     let mut legend = Legend::of(chart.curves.iter().map(|c| &c.name), missing);
     if placed.iter().flatten().any(Option::is_some) {
-        legend.entries.push(("Pareto front".into(), Look::best()));
+        legend.entries.push(("Pareto front".into(), Look::BEST));
     }
     legend
 }
 
 /// Lines first and markers last, so that none of them is hidden.
 fn draw_curves(canvas: &mut Canvas, curves: &[Vec<Option<Point>>], front: &[Point]) {
-    Look::best().join(canvas, stairs(front));
+    Look::BEST.join(canvas, stairs(front));
     for (i, curve) in curves.iter().enumerate() {
         draw_line(canvas, curve, Look::of(i));
     }
     for at in front {
-        Look::best().mark(canvas, *at);
+        Look::BEST.mark(canvas, *at);
     }
     for (i, curve) in curves.iter().enumerate() {
         curve.iter().flatten().for_each(|at| Look::of(i).mark(canvas, *at));
@@ -152,7 +152,7 @@ fn stairs(front: &[Point]) -> Vec<Point> {
 /// An upright line with its name at the foot, where little is: a small error takes its time.
 fn draw_limit(canvas: &mut Canvas, sheet: &Sheet, error: f64, name: &str) {
     let [foot, head] = [sheet.y.range.start, sheet.y.range.end].map(|time| sheet.at([error, time]));
-    Look::limit().join(canvas, [foot, head]);
+    Look::LIMIT.join(canvas, [foot, head]);
     let fits = foot.x + GAP + text_width(name) <= sheet.window().x1;
     let (align, aside) = if fits { (Align::Start, GAP) } else { (Align::End, -GAP) };
     canvas.write(name, foot + (aside, -GAP - TEXT_SIZE / 2.0), align);

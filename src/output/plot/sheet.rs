@@ -9,7 +9,7 @@ use super::axis::Axis;
 use super::canvas::{Align, CANVAS, Canvas, Pen, TEXT_SIZE};
 use super::legend::{Legend, MARGIN};
 use super::style::joined;
-use crate::output::{AtomicFile, OutputError};
+use crate::output::{AtomicFile, OutputError, has_extension};
 
 /// Room for the numbers and name of the x axis below the plot, and of the y axis beside it.
 const LABEL_ROOM: [f64; 2] = [90.0, 140.0];
@@ -22,28 +22,19 @@ const GAP: f64 = 10.0;
 const AXIS: Pen = Pen { color: "black", width: 1.0, dash: None };
 const GRID: Pen = Pen { color: "#cccccc", width: 1.0, dash: None };
 
-/// The formats of a plot.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Format {
-    Svg,
-    Png,
-}
-
-impl Format {
-    /// The format that the name of a file asks for.
-    fn of(path: &Path) -> Result<Self, OutputError> {
-        let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
-        match extension.as_deref() {
-            Some("svg") => Ok(Self::Svg),
-            Some("png") => Ok(Self::Png),
-            _ => Err(OutputError::PlotFormat { path: path.to_owned() }),
-        }
+/// Returns `true` for the name of an SVG, and `false` for that of a PNG.
+fn is_svg(path: &Path) -> Result<bool, OutputError> {
+    let is_svg = has_extension(path, "svg");
+    if is_svg || has_extension(path, "png") {
+        Ok(is_svg)
+    } else {
+        Err(OutputError::PlotFormat { path: path.to_owned() })
     }
 }
 
 /// Makes sure that a plot can be written at `path`, before the work that it will show.
 pub fn check_plot(path: &Path) -> Result<(), OutputError> {
-    Format::of(path)?;
+    is_svg(path)?;
     AtomicFile::create(path).map(drop)
 }
 
@@ -78,15 +69,16 @@ impl Sheet<'_> {
 
     /// Draws axes, what `draw` draws and the legend, and writes the file.
     pub fn save(&self, path: &Path, draw: impl FnOnce(&mut Canvas)) -> Result<(), OutputError> {
-        let format = Format::of(path)?;
+        let is_svg = is_svg(path)?;
         let mut file = AtomicFile::create(path)?;
         let mut canvas = Canvas::new();
         self.draw_axes(&mut canvas);
         draw(&mut canvas);
         self.legend.draw(&mut canvas);
-        let bytes = match format {
-            Format::Svg => canvas.svg().into_bytes(),
-            Format::Png => canvas.png().map_err(|problem| OutputError::Plot { path: path.to_owned(), problem })?,
+        let bytes = if is_svg {
+            canvas.svg().into_bytes()
+        } else {
+            canvas.png().map_err(|problem| OutputError::Plot { path: path.to_owned(), problem })?
         };
         file.write_all(&bytes).map_err(|e| file.failed(e))?;
         file.finish()

@@ -82,53 +82,27 @@ impl Look {
         Self { pen, marker: Some(MARKERS[series % MARKERS.len()]) }
     }
 
-    fn line(color: &'static str, width: f64) -> Self {
-        Self { pen: Pen { color, width, dash: None }, marker: None }
-    }
-
     /// A grey line, for what is not data.
-    pub fn aside() -> Self {
-        Self::line(GREY, STROKE_WIDTH)
-    }
-
+    pub const ASIDE: Self = Self::line(GREY, STROKE_WIDTH);
     /// A fine light line, for what lies behind the data.
-    pub fn behind() -> Self {
-        Self::line(LIGHT, FINE)
-    }
-
+    pub const BEHIND: Self = Self::line(LIGHT, FINE);
     /// A thin dashed grey line, for a limit.
-    pub fn limit() -> Self {
-        Self { pen: Pen { color: GREY, width: THIN, dash: Some([14.0, 8.0]) }, marker: None }
-    }
-
+    pub const LIMIT: Self = Self { pen: Pen { color: GREY, width: THIN, dash: Some([14.0, 8.0]) }, marker: None };
     /// A thin grey line through wide rings, for the best of the data.
-    pub fn best() -> Self {
-        Self { marker: Some(Marker(Shape::Halo, true)), ..Self::line(GREY, THIN) }
-    }
-
+    pub const BEST: Self = Self { marker: Some(Marker(Shape::Halo, true)), ..Self::line(GREY, THIN) };
     /// A dark line, for an opaque surface.
-    pub fn solid() -> Self {
-        Self::line(DARK, STROKE_WIDTH)
-    }
-
+    pub const SOLID: Self = Self::line(DARK, STROKE_WIDTH);
     /// A light line, for the surface of a medium.
-    pub fn glass() -> Self {
-        Self::line(GLASS, STROKE_WIDTH)
-    }
-
+    pub const GLASS: Self = Self::line(GLASS, STROKE_WIDTH);
     /// A thin dark line, for what swallows rays.
-    pub fn hole() -> Self {
-        Self::line(DARK, THIN)
-    }
-
+    pub const HOLE: Self = Self::line(DARK, THIN);
     /// A black cross, for a place that was found.
-    pub fn focus() -> Self {
-        Self { marker: Some(Marker(Shape::Cross, false)), ..Self::line("black", STROKE_WIDTH) }
-    }
-
+    pub const FOCUS: Self = Self { marker: Some(Marker(Shape::Cross, false)), ..Self::line("black", STROKE_WIDTH) };
     /// A black plus, for a place that was given.
-    pub fn center() -> Self {
-        Self { marker: Some(Marker(Shape::Plus, false)), ..Self::focus() }
+    pub const CENTER: Self = Self { marker: Some(Marker(Shape::Plus, false)), ..Self::FOCUS };
+
+    const fn line(color: &'static str, width: f64) -> Self {
+        Self { pen: Pen { color, width, dash: None }, marker: None }
     }
 
     /// What an area of its colour is filled with.

@@ -8,7 +8,6 @@ mod text;
 
 use std::{
     fmt::Write as _,
-    io::Write as _,
     path::{Path, PathBuf},
 };
 
@@ -45,9 +44,7 @@ pub struct ReportTable {
 
 /// Writes a report at `path`, as one page of HTML.
 pub fn write_report(path: &Path, title: &str, sections: &[Section]) -> Result<(), OutputError> {
-    let mut file = AtomicFile::create(path)?;
-    file.write_all(page(title, sections).as_bytes()).map_err(|e| file.failed(e))?;
-    file.finish()
+    AtomicFile::write_whole(path, page(title, sections).as_bytes())
 }
 
 fn page(title: &str, sections: &[Section]) -> String {

@@ -3,7 +3,8 @@
 use std::fs;
 
 use super::folder;
-use crate::output::csv::{PathRow, ResultRow, Table, read_rays};
+use crate::output::csv::{Table, read_rays};
+use crate::render::{PathPoint, Status, Traced};
 
 /// Reads a rays file of this text; an error as its message without the path.
 fn rays(text: &str) -> Result<Vec<[f64; 6]>, String> {
@@ -56,20 +57,18 @@ fn says_what_is_wrong_and_where() {
 fn rows_are_written_to_the_last_bit() {
     let folder = folder();
     let path = folder.path().join("out.csv");
-    let mut table = Table::create::<ResultRow>(&path).unwrap();
-    table
-        .write(&ResultRow {
-            ray: 7,
-            status: "hit",
-            position: [f64::from(0.1_f32 + 0.2_f32), 0.1 + 0.2, 1e30],
-            velocity: [1.0, f64::from(1e-45_f32), f64::NAN],
-            tau: 2.5,
-            depth: f64::INFINITY,
-            steps: 10,
-            rejected: 1,
-            object: Some(3),
-        })
-        .unwrap();
+    let mut table = Table::create::<(usize, &Traced)>(&path).unwrap();
+    let end = Traced {
+        status: Status::Hit,
+        x: [f64::from(0.1_f32 + 0.2_f32), 0.1 + 0.2, 1e30],
+        v: [1.0, f64::from(1e-45_f32), f64::NAN],
+        tau: 2.5,
+        depth: f64::INFINITY,
+        steps: 10,
+        rejected: 1,
+        object: Some(3),
+    };
+    table.write(&(7, &end)).unwrap();
     table.finish().unwrap();
     assert_eq!(
         fs::read_to_string(&path).unwrap(),
@@ -77,9 +76,8 @@ fn rows_are_written_to_the_last_bit() {
          7,hit,0.3,0.30000000000000004,1e30,1.0,1e-45,NaN,2.5,inf,10,1,3\n"
     );
 
-    let mut table = Table::create::<PathRow>(&path).unwrap();
-    let row = PathRow { ray: 0, index: 3, position: [1.0, 2.0, 3.0], velocity: [4.0, 5.0, 6.0], tau: 0.5 };
-    table.write(&row).unwrap();
+    let mut table = Table::create::<(usize, usize, &PathPoint)>(&path).unwrap();
+    table.write(&(0, 3, &PathPoint { x: [1.0, 2.0, 3.0], v: [4.0, 5.0, 6.0], tau: 0.5 })).unwrap();
     table.finish().unwrap();
     assert_eq!(fs::read_to_string(&path).unwrap(), "ray,index,x,y,z,vx,vy,vz,tau\n0,3,1.0,2.0,3.0,4.0,5.0,6.0,0.5\n");
 }

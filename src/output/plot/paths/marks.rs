@@ -77,7 +77,7 @@ pub(super) fn foci(canvas: &mut Canvas, view: &View, plot: &PathPlot, labels: &m
         plot.foci.iter().map(|focus| Some(view.at(focus.place)).filter(|at| view.shows(*at))).collect();
     for at in places.iter().flatten() {
         labels.keep_off(*at);
-        Look::focus().mark(canvas, *at);
+        Look::FOCUS.mark(canvas, *at);
     }
     for (i, at) in places.iter().enumerate() {
         if let Some(at) = at {
@@ -99,7 +99,7 @@ pub(super) fn windings(
     let about = view.at(*about);
     if view.shows(about) {
         labels.keep_off(about);
-        Look::center().mark(canvas, about);
+        Look::CENTER.mark(canvas, about);
     }
     let ends_at = |line: &PathLine, at: Point| line.curve.end().is_some_and(|p| view.at(p).distance(at) < 1.0);
     let seen =

@@ -50,8 +50,8 @@ fn legend(plot: &PathPlot, bound: bool) -> Legend {
             entries.push((surface.kind.name().to_owned(), strokes::look(surface.kind)));
         }
     }
-    entries.extend(plot.attractor.is_some().then(|| ("attractor".to_owned(), Look::behind())));
-    entries.extend(bound.then(|| ("bound".to_owned(), Look::aside())));
+    entries.extend(plot.attractor.is_some().then(|| ("attractor".to_owned(), Look::BEHIND)));
+    entries.extend(bound.then(|| ("bound".to_owned(), Look::ASIDE)));
     let points = || plot.lines.iter().flat_map(|line| &line.curve.0).map(|arc| arc[3]);
     let extent = points().map(|p| p.distance(plot.plane.point)).fold(0.0, f64::max);
     let leaves = points().any(|p| plot.plane.height(p).abs() > OFF_PLANE * extent);
@@ -65,13 +65,13 @@ fn draw(canvas: &mut Canvas, view: &View, plot: &PathPlot) {
     let mut ends = Vec::new();
     canvas.clipped(view.window, |canvas| {
         if let Some(attractor) = &plot.attractor {
-            strokes::line(canvas, view, attractor, Look::behind());
+            strokes::line(canvas, view, attractor, Look::BEHIND);
         }
         for surface in &plot.surfaces {
             strokes::fill(canvas, view, surface);
         }
         if let Some(bound) = plot.bound {
-            Look::aside().stroke(canvas, &strokes::bound(view, bound));
+            Look::ASIDE.stroke(canvas, &strokes::bound(view, bound));
         }
         for surface in &plot.surfaces {
             strokes::outline(canvas, view, surface);

@@ -128,10 +128,10 @@ fn direction(segment: &PathSeg, t: f64) -> Vec2 {
 /// How something that crosses the plane is drawn.
 pub(super) fn look(kind: SurfaceKind) -> Look {
     match kind {
-        SurfaceKind::Opaque => Look::solid(),
-        SurfaceKind::Medium => Look::glass(),
-        SurfaceKind::Capture(_) => Look::hole(),
-        SurfaceKind::Limit(_) => Look::limit(),
+        SurfaceKind::Opaque => Look::SOLID,
+        SurfaceKind::Medium => Look::GLASS,
+        SurfaceKind::Capture(_) => Look::HOLE,
+        SurfaceKind::Limit(_) => Look::LIMIT,
     }
 }
 
