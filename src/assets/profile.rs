@@ -108,10 +108,7 @@ impl Profile {
 
     /// Reads the text of a CSV file; `path` names it in mistakes.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
-        let mistake = |part: &str, problem: String, help: &str| {
-            let start = part.as_ptr() as usize - text.as_ptr() as usize;
-            Mistake::locate(path.to_owned(), text, start, start + part.len(), problem, help.to_owned())
-        };
+        let mistake = |part: &str, problem: String, help: &str| Mistake::of(path, text, part, problem, help.to_owned());
         let lines = text.lines().map(str::trim);
         let mut lines = lines.filter(|line| !line.is_empty());
         let header = lines.next().unwrap_or(&text[..0]);

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Mistakes that are looked for in one run, at most.
 pub(super) const ENOUGH: usize = 1000;
@@ -109,6 +109,14 @@ impl Mistake {
             problem,
             help,
         }
+    }
+
+    /// Locates a mistake in `part`, which must be a slice of `text`.
+    #[must_use]
+    pub fn of(file: &Path, text: &str, part: &str, problem: String, help: String) -> Self {
+        // A slice's offset is the distance between the two addresses.
+        let start = part.as_ptr() as usize - text.as_ptr() as usize;
+        Self::locate(file.to_owned(), text, start, start + part.len(), problem, help)
     }
 }
 

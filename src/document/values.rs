@@ -5,6 +5,7 @@
 use super::{Fault, Node, Value};
 use glam::{DVec2, DVec3};
 use std::ops::RangeInclusive;
+use strsim::levenshtein;
 
 /// A value, or what is wrong with the node.
 pub type Read<T> = Result<T, Fault>;
@@ -107,13 +108,8 @@ pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
 
 /// `N` values that `read` reads; `what` describes them.
 pub fn array<T, const N: usize>(what: &'static str, read: impl Fn(&Node) -> Read<T>) -> impl Fn(&Node) -> Read<[T; N]> {
-    move |node| {
-        let Value::Array(items) = &node.value else {
-            return Err(node.expected(what));
-        };
-        let values = items.iter().map(&read).collect::<Read<Vec<T>>>()?;
-        values.try_into().map_err(|_| node.expected(what))
-    }
+    let list = list(what, N..=N, read);
+    move |node| list(node)?.try_into().map_err(|_| node.expected(what))
 }
 
 /// As many values as the range says, each read by `read`; `what` describes them.
@@ -185,8 +181,8 @@ pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
 /// Help for a name that is none of `names`: the one that was probably meant, then all of them.
 #[must_use]
 pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
-    let nearest = names.iter().min_by_key(|n| distance(name, n));
-    let near = nearest.filter(|n| distance(name, n) <= 1 + name.chars().count() / 4);
+    let nearest = names.iter().min_by_key(|n| levenshtein(name, n));
+    let near = nearest.filter(|n| levenshtein(name, n) <= 1 + name.chars().count() / 4);
     // `kerr` for `kerr-newman`.
     let begun = || names.iter().find(|n| name.len() >= 3 && (n.starts_with(name) || n.contains(&format!("-{name}"))));
     let meant = near.or_else(begun);
@@ -195,20 +191,4 @@ pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
         Some(nearest) => format!("did you mean `{nearest}`? {kind}: {list}"),
         None => format!("{kind}: {list}"),
     }
-}
-
-/// How many letters to change, add or drop to make one name the other (Levenshtein).
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, from) in a.chars().enumerate() {
-        let mut diagonal = i;
-        row[0] = i + 1;
-        for (j, to) in b.iter().enumerate() {
-            let change = diagonal + usize::from(from != *to);
-            diagonal = row[j + 1];
-            row[j + 1] = change.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::DMat3;
 
 use super::graph::Term;
+use super::tokens::wrong;
 use super::tree::{Name, Tree};
 use super::{FormulaError, Function, Graph, Id, Language, Node, Variable, parse};
 
@@ -152,7 +153,7 @@ impl Reader {
                 Field::TermName(MOST_NAMES - parameters)
             };
             let problem = format!("{named} names for numbers and formulas, and at most {MOST_NAMES} are read");
-            return Err((field, FormulaError { place: 0..0, problem, help: String::new() }));
+            return Err((field, wrong(0..0, problem, "")));
         }
         for (k, (name, value)) in written.parameters.iter().enumerate() {
             self.is_new(name).map_err(|error| (Field::Parameter(k), error))?;
@@ -189,13 +190,12 @@ impl Reader {
         let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
             && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         if !is_name {
-            let help = "use letters, digits and underscores, a letter first".to_owned();
-            return Err(FormulaError { place, problem: format!("`{name}` is no name"), help });
+            let help = "use letters, digits and underscores, a letter first";
+            return Err(wrong(place, format!("`{name}` is no name"), help));
         }
         let mut functions = Function::WRITTEN.iter().map(|(text, _)| *text).chain(["min", "max"]);
         if self.language(&ALL).named(name).is_some() || functions.any(|known| known == name) {
-            let problem = format!("`{name}` has a meaning already");
-            return Err(FormulaError { place, problem, help: "use another name".to_owned() });
+            return Err(wrong(place, format!("`{name}` has a meaning already"), "use another name"));
         }
         Ok(())
     }
@@ -204,8 +204,8 @@ impl Reader {
     pub fn comparison(&self, text: &str) -> Result<[Tree; 2], FormulaError> {
         let signs: Vec<(usize, char)> = text.char_indices().filter(|(_, c)| matches!(c, '<' | '>')).collect();
         let [(at, sign)] = signs[..] else {
-            let problem = "expected one < or > between two formulas".to_owned();
-            return Err(FormulaError { place: 0..text.len(), problem, help: "for example r < 2.02".to_owned() });
+            let problem = "expected one < or > between two formulas";
+            return Err(wrong(0..text.len(), problem, "for example r < 2.02"));
         };
         let side = |part: Range<usize>| {
             let moved = |place: Range<usize>| part.start + place.start..part.start + place.end;

@@ -67,7 +67,8 @@ impl Stored {
         ("f64", Self::F64),
     ];
 
-    fn bytes(self) -> usize {
+    /// How many bytes a number has.
+    pub(super) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
             Self::I16 | Self::U16 => 2,
@@ -77,7 +78,7 @@ impl Stored {
     }
 
     /// The number in so many bytes as it has; `little` end first.
-    fn number(self, bytes: &[u8], little: bool) -> f64 {
+    pub(super) fn number(self, bytes: &[u8], little: bool) -> f64 {
         let mut ordered = [0; 8];
         ordered[..bytes.len()].copy_from_slice(bytes);
         if !little {

@@ -25,9 +25,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
     let header = lenient_text(header, path)?;
     let wrong = |(word, problem, help): Wrong| {
         // A word is a part of the text, so the distance of their addresses is its place there.
-        let start = word.as_ptr() as usize - header.as_ptr() as usize;
-        let end = start + word.len();
-        SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), &header, start, end, problem, help)])
+        SceneError::Mistakes(vec![Mistake::of(path, &header, word, problem, help)])
     };
     let volume = Header::read(&header).map_err(wrong)?;
     // Of too many samples none are read; they are refused by their number.

@@ -25,15 +25,19 @@ impl<'a> Bytes<'a> {
         self.all.get(self.at..).unwrap_or_default()
     }
 
-    /// The next `N`.
+    /// Takes the next `N` bytes.
     pub fn take<const N: usize>(&mut self) -> Result<[u8; N], Flaw> {
-        match self.all.get(self.at..).and_then(|rest| rest.first_chunk()) {
-            Some(bytes) => {
-                self.at += N;
-                Ok(*bytes)
-            }
-            None => Err(Flaw::at(self.at, &format!("the file ends; {N} more bytes were expected"))),
-        }
+        let mut bytes = [0; N];
+        bytes.copy_from_slice(self.take_some(N)?);
+        Ok(bytes)
+    }
+
+    /// Takes the next `count` bytes.
+    pub fn take_some(&mut self, count: usize) -> Result<&'a [u8], Flaw> {
+        let short = || Flaw::at(self.at, &format!("the file ends; {count} more bytes were expected"));
+        let bytes = self.rest().get(..count).ok_or_else(short)?;
+        self.at += count;
+        Ok(bytes)
     }
 }
 

@@ -75,37 +75,8 @@ fn uncommented(line: &str) -> &str {
 
 /// Keywords of the specification that do not change the triangles: free-form geometry, its vertices and bodies, groups,
 /// materials, display and rendering attributes.
-const WITHOUT_EFFECT: &[&str] = &[
-    "vp",
-    "cstype",
-    "deg",
-    "bmat",
-    "step",
-    "parm",
-    "trim",
-    "hole",
-    "scrv",
-    "sp",
-    "end",
-    "con",
-    "g",
-    "s",
-    "mg",
-    "o",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "usemtl",
-    "mtllib",
-    "usemap",
-    "maplib",
-    "shadow_obj",
-    "trace_obj",
-    "ctech",
-    "stech",
-    "csh",
-];
+const WITHOUT_EFFECT: &str = "vp cstype deg bmat step parm trim hole scrv sp end con g s mg o bevel c_interp d_interp lod \
+                             usemtl mtllib usemap maplib shadow_obj trace_obj ctech stech csh";
 /// Keywords of geometry that is not drawn, and its name.
 const NOT_DRAWN: &[(&str, &str)] = &[
     ("p", "points"),
@@ -181,7 +152,7 @@ impl Loader {
             self.raw.leave_out(kind, 1);
             return Ok(());
         }
-        if WITHOUT_EFFECT.contains(&word) {
+        if WITHOUT_EFFECT.split(' ').any(|keyword| keyword == word) {
             return Ok(());
         }
         if word == "call" {

@@ -25,9 +25,7 @@ impl<'a> Mistakes<'a> {
     }
 
     pub fn add(&mut self, (word, problem, help): Wrong<'a>) {
-        // A word is a part of the text, so the distance of their addresses is its place there.
-        let start = word.as_ptr() as usize - self.text.as_ptr() as usize;
-        self.all.push(Mistake::locate(self.path.to_owned(), self.text, start, start + word.len(), problem, help));
+        self.all.push(Mistake::of(self.path, self.text, word, problem, help));
     }
 
     pub fn are_enough(&self) -> bool {

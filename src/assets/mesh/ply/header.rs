@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::super::text::{Mistakes, Wrong, words};
+use crate::assets::Stored;
 use crate::document::{SceneError, unmarked};
 
 /// What a file holds.
@@ -31,66 +32,43 @@ pub(super) struct Element {
 
 pub(super) struct Property {
     pub name: String,
-    pub kind: Kind,
+    pub kind: Stored,
     /// The kind of its length, if it is a list.
-    pub length: Option<Kind>,
+    pub length: Option<Stored>,
 }
 
-/// Kinds of number.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-    F32,
-    F64,
+/// The kinds of number, by both of their names.
+const KINDS: [(&str, &str, Stored); 8] = [
+    ("char", "int8", Stored::I8),
+    ("uchar", "uint8", Stored::U8),
+    ("short", "int16", Stored::I16),
+    ("ushort", "uint16", Stored::U16),
+    ("int", "int32", Stored::I32),
+    ("uint", "uint32", Stored::U32),
+    ("float", "float32", Stored::F32),
+    ("double", "float64", Stored::F64),
+];
+
+/// Returns the number that stands for 1 in a color: whole numbers are of eight bits, in whatever they are kept, unless they are `ushort`.
+pub(super) fn white(kind: Stored) -> f64 {
+    match kind {
+        Stored::F32 | Stored::F64 => 1.0,
+        Stored::U16 => f64::from(u16::MAX),
+        _ => f64::from(u8::MAX),
+    }
 }
 
-impl Kind {
-    const NAMES: [(&str, &str, Self); 8] = [
-        ("char", "int8", Self::I8),
-        ("uchar", "uint8", Self::U8),
-        ("short", "int16", Self::I16),
-        ("ushort", "uint16", Self::U16),
-        ("int", "int32", Self::I32),
-        ("uint", "uint32", Self::U32),
-        ("float", "float32", Self::F32),
-        ("double", "float64", Self::F64),
-    ];
-
-    pub fn bytes(self) -> u64 {
-        match self {
-            Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
-            Self::I32 | Self::U32 | Self::F32 => 4,
-            Self::F64 => 8,
-        }
-    }
-
-    /// The number that stands for 1 in a color: whole numbers are of eight bits, in whatever they are kept, unless they are `ushort`.
-    pub fn white(self) -> f64 {
-        match self {
-            Self::F32 | Self::F64 => 1.0,
-            Self::U16 => f64::from(u16::MAX),
-            Self::I8 | Self::U8 | Self::I16 | Self::I32 | Self::U32 => f64::from(u8::MAX),
-        }
-    }
-
-    fn named(word: &str) -> Result<Self, Wrong<'_>> {
-        let known = Self::NAMES.iter().find(|(name, other, _)| *name == word || *other == word);
-        known.map(|(_, _, kind)| *kind).ok_or_else(|| {
-            let names = Self::NAMES.map(|(name, ..)| name).join(", ");
-            (word, format!("unknown type `{word}`"), format!("types: {names}"))
-        })
-    }
+fn kind_named(word: &str) -> Result<Stored, Wrong<'_>> {
+    let known = KINDS.iter().find(|(name, other, _)| *name == word || *other == word);
+    known.map(|(.., kind)| *kind).ok_or_else(|| {
+        let names = KINDS.map(|(name, ..)| name).join(", ");
+        (word, format!("unknown type `{word}`"), format!("types: {names}"))
+    })
 }
 
 impl Element {
     /// The fewest bytes that one has, each number having as many as `bytes` says.
-    pub fn least(&self, bytes: impl Fn(Kind) -> u64) -> u64 {
+    pub fn least(&self, bytes: impl Fn(Stored) -> u64) -> u64 {
         self.properties.iter().map(|property| bytes(property.length.unwrap_or(property.kind))).sum()
     }
 }
@@ -231,15 +209,15 @@ fn element<'a>(name: &str, count: &'a str) -> Result<Element, Wrong<'a>> {
 fn property<'a>(keyword: &'a str, words: &[&'a str]) -> Result<Property, Wrong<'a>> {
     match *words {
         ["list", length, kind, name] => {
-            let length = match Kind::named(length)? {
-                Kind::F32 | Kind::F64 => {
+            let length = match kind_named(length)? {
+                Stored::F32 | Stored::F64 => {
                     return Err((length, "a list's length is a whole number".to_owned(), String::new()));
                 }
                 whole => Some(whole),
             };
-            Ok(Property { name: name.to_owned(), kind: Kind::named(kind)?, length })
+            Ok(Property { name: name.to_owned(), kind: kind_named(kind)?, length })
         }
-        [kind, name] => Ok(Property { name: name.to_owned(), kind: Kind::named(kind)?, length: None }),
+        [kind, name] => Ok(Property { name: name.to_owned(), kind: kind_named(kind)?, length: None }),
         _ => {
             let help = "`property TYPE NAME`, or `property list TYPE TYPE NAME`".to_owned();
             Err((keyword, "not a property".to_owned(), help))

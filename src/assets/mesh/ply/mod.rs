@@ -108,7 +108,7 @@ impl Assembled {
         ];
         let has = |range: std::ops::Range<usize>| places[range].iter().all(Option::is_some);
         let (normals, uvs, colors) = (has(3..6), has(6..8), has(8..11));
-        let white = [8, 9, 10].map(|slot| places[slot].map_or(1.0, |i| element.properties[i].kind.white()));
+        let white = [8, 9, 10].map(|slot| places[slot].map_or(1.0, |i| header::white(element.properties[i].kind)));
         for _ in 0..element.count {
             source.begin(element)?;
             let mut values = [0.0; 11];

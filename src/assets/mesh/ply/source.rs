@@ -1,7 +1,8 @@
 //! Where numbers come from: words of lines, or bytes.
 
 use super::super::bytes::Bytes;
-use super::header::{Element, Kind, Property};
+use super::header::{Element, Property};
+use crate::assets::Stored;
 use crate::assets::flaw::{Flaw, are_padding};
 use crate::progress::Stage;
 
@@ -20,7 +21,7 @@ impl Wrong {
 /// Numbers, one after the other.
 pub(super) trait Source {
     /// The bytes that a number has at least.
-    fn least(kind: Kind) -> u64;
+    fn least(kind: Stored) -> u64;
 
     /// The bytes that are left.
     fn left(&self) -> u64;
@@ -32,7 +33,7 @@ pub(super) trait Source {
     fn end(&mut self) -> Result<(), Wrong>;
 
     /// The next number.
-    fn number(&mut self, kind: Kind) -> Result<f64, Wrong>;
+    fn number(&mut self, kind: Stored) -> Result<f64, Wrong>;
 
     /// May there be as many elements as the header says?
     fn has(&self, element: &Element) -> Result<(), Wrong> {
@@ -51,7 +52,7 @@ pub(super) trait Source {
     }
 
     /// The length of a list.
-    fn length(&mut self, kind: Kind, property: &Property) -> Result<u64, Wrong> {
+    fn length(&mut self, kind: Stored, property: &Property) -> Result<u64, Wrong> {
         let (count, left) = (self.number(kind)?, self.left());
         if !(0.0..=left as f64 / Self::least(property.kind) as f64 + 1.0).contains(&count) || count.fract() != 0.0 {
             let name = &property.name;
@@ -97,7 +98,7 @@ impl<'a> Words<'a> {
 
 impl Source for Words<'_> {
     /// A digit, and what divides it from the next.
-    fn least(_: Kind) -> u64 {
+    fn least(_: Stored) -> u64 {
         2
     }
 
@@ -135,7 +136,7 @@ impl Source for Words<'_> {
         more.map_or(Ok(()), |word| Err(Wrong::new(format!("`{word}` follows the last element that the header names"))))
     }
 
-    fn number(&mut self, _: Kind) -> Result<f64, Wrong> {
+    fn number(&mut self, _: Stored) -> Result<f64, Wrong> {
         match self.next() {
             Some(word) => word.parse().map_err(|_| Wrong::new(format!("expected a number, found `{word}`"))),
             None => Err(Wrong::new("the line ends; the header says more numbers".to_owned())),
@@ -162,21 +163,11 @@ impl<'a> Binary<'a> {
         let help = if wrong.help.is_empty() { String::new() } else { format!(" ({})", wrong.help) };
         Flaw::at(self.last, &format!("{}{help}", wrong.problem))
     }
-
-    /// The next `N` bytes, the lowest first.
-    fn take<const N: usize>(&mut self) -> Result<[u8; N], Wrong> {
-        let short = || Wrong::new(format!("the file ends; {N} more bytes were expected"));
-        let mut bytes = self.bytes.take().map_err(|_| short())?;
-        if self.is_big {
-            bytes.reverse();
-        }
-        Ok(bytes)
-    }
 }
 
 impl Source for Binary<'_> {
-    fn least(kind: Kind) -> u64 {
-        kind.bytes()
+    fn least(kind: Stored) -> u64 {
+        kind.bytes() as u64
     }
 
     fn left(&self) -> u64 {
@@ -197,17 +188,10 @@ impl Source for Binary<'_> {
         Err(Wrong::new(format!("{} bytes follow the last element that the header names", rest.len())))
     }
 
-    fn number(&mut self, kind: Kind) -> Result<f64, Wrong> {
+    fn number(&mut self, kind: Stored) -> Result<f64, Wrong> {
         self.last = self.bytes.at;
-        Ok(match kind {
-            Kind::I8 => f64::from(i8::from_le_bytes(self.take()?)),
-            Kind::U8 => f64::from(u8::from_le_bytes(self.take()?)),
-            Kind::I16 => f64::from(i16::from_le_bytes(self.take()?)),
-            Kind::U16 => f64::from(u16::from_le_bytes(self.take()?)),
-            Kind::I32 => f64::from(i32::from_le_bytes(self.take()?)),
-            Kind::U32 => f64::from(u32::from_le_bytes(self.take()?)),
-            Kind::F32 => f64::from(f32::from_le_bytes(self.take()?)),
-            Kind::F64 => f64::from_le_bytes(self.take()?),
-        })
+        let size = kind.bytes();
+        let short = |_| Wrong::new(format!("the file ends; {size} more bytes were expected"));
+        Ok(kind.number(self.bytes.take_some(size).map_err(short)?, !self.is_big))
     }
 }
