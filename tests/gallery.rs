@@ -1,9 +1,15 @@
 //! The figures of scenes/thesis and scenes/groller: every command of their pages, rendered small and compared with a picture that was looked at.
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-use bentray::scene::{Scene, Shadows};
+use bentray::gpu::Gpu;
+use bentray::measure::calibrate_for;
+use bentray::output::save;
+use bentray::program::{Choice, Schedule};
+use bentray::render::{RenderSettings, Renderer};
+use bentray::scene::{Files, Override, Scene, Shadows};
+
+use crate::support::gpu;
 
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name)
@@ -35,65 +41,95 @@ fn difference(a: &image::RgbImage, b: &image::RgbImage) -> f64 {
     off.sum::<f64>() / a.as_raw().len() as f64
 }
 
-/// The scene of a page's command.
-fn scene(folder: &Path, words: &[String]) -> Scene {
-    let sets = words.iter().zip(&words[1..]).filter(|(flag, _)| *flag == "--set");
-    let overrides: Vec<_> = sets.map(|(_, value)| value.parse().unwrap()).collect();
-    Scene::load(&folder.join(&words[0]), &overrides).unwrap()
+/// What a page's command asks for.
+struct Asked {
+    scene: PathBuf,
+    sets: Vec<Override>,
+    schedule: Schedule,
+    /// Of a film the last of its frames.
+    frame: Option<f64>,
+    name: String,
+}
+
+impl Asked {
+    /// Reads the words behind `bentray render`.
+    fn read(folder: &Path, words: &[String]) -> Self {
+        let (scene, options) = words.split_first().expect("a scene");
+        let mut asked = Self {
+            scene: folder.join(scene),
+            sets: Vec::new(),
+            schedule: Schedule::Whole,
+            frame: None,
+            name: String::new(),
+        };
+        for option in options.chunks(2) {
+            match [option[0].as_str(), option[1].as_str()] {
+                ["--set", key] => asked.sets.push(key.parse().unwrap()),
+                ["-o", name] => asked.name = name.replace("{frame:2}", LAST_FRAME),
+                ["--frames", "all"] => asked.frame = LAST_FRAME.parse().ok(),
+                ["--schedule", name] => {
+                    asked.schedule = Schedule::ALL.into_iter().find(|schedule| schedule.name() == name).unwrap();
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+        asked
+    }
+
+    /// The scene at a time, if it is one of a film's.
+    fn load(&self, time: Option<f64>) -> Scene {
+        let at = |time: f64| move |_: &str| time;
+        let at = time.map(at);
+        let frame_of = at.as_ref().map(|at| -> &dyn Fn(&str) -> f64 { at });
+        Scene::load_with(&mut Files::default(), &self.scene, &self.sets, frame_of)
+            .unwrap_or_else(|error| panic!("{error}"))
+    }
 }
 
 /// What makes a picture small: one sample of a few pixels, or where directions on the way of its light are drawn at random, so that
 /// few samples are noise, of fewer pixels and some samples. (References of these have so many that their own noise is near 1 % of
 /// the mean.) Rays are as accurate as such a pixel
 /// can show, and a grid of light has as many paths as make no noise that is seen.
-fn smaller(scene: &Scene, words: &[String]) -> Vec<String> {
+fn smaller(asked: &Asked) -> Vec<Override> {
+    let scene = asked.load(None);
     let (samples, size) = if scene.rays.paths.is_some() {
-        ("64", "32x32")
+        (64, 32)
     } else if scene.has_lobes() || scene.is_occluded() {
-        ("16", "32x32")
+        (16, 32)
     } else {
-        ("1", "96x96")
+        (1, 96)
     };
-    let mut more = vec!["--samples".to_owned(), samples.to_owned()];
-    if !words.iter().any(|word| word.starts_with("image.size")) {
-        more.extend(["--size", size].map(str::to_owned));
+    let mut more = vec![format!("image.samples={samples}")];
+    if !asked.sets.iter().any(|set| set.text().starts_with("image.size")) {
+        more.push(format!("image.size=[{size}, {size}]"));
     }
-    let mut set = |key: String| more.extend(["--set".to_owned(), key]);
     if scene.rays.auto.is_some() {
-        set("rays.accuracy=1e-2".to_owned());
+        more.push("rays.accuracy=1e-2".to_owned());
     }
-    for (k, light) in scene.lights.iter().enumerate() {
-        if light.shadows == Shadows::Grid {
-            set(format!("lights.{k}.paths=300000"));
-        }
-    }
-    more
+    let lights = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Grid);
+    more.extend(lights.map(|(k, _)| format!("lights.{k}.paths=300000")));
+    more.iter().map(|set| set.parse().unwrap()).collect()
 }
 
-/// A picture as the page's command makes it, but small.
-fn rendered(folder: &Path, words: &[String], to: &Path) -> image::RgbImage {
-    let at = words.iter().position(|word| word == "-o").expect("an output") + 1;
-    let (picture, name) = (to.join(&words[at]), shown(&words[at]));
-    let mut words = words.to_owned();
-    words[at] = picture.to_string_lossy().into_owned();
-    // Of a film the frame that is compared.
-    if let Some(frames) = words.iter().position(|word| word == "--frames") {
-        LAST_FRAME.clone_into(&mut words[frames + 1]);
+/// A picture as the page's command makes it, but small: by the stages of `render`, on one device.
+fn rendered(gpu: &Gpu, mut asked: Asked, to: &Path) -> image::RgbImage {
+    asked.sets.extend(smaller(&asked));
+    let (first, mut scene) = (asked.load(asked.frame.map(|_| 0.0)), asked.load(asked.frame));
+    let choice = Choice { schedule: asked.schedule, masks: asked.schedule.masks(), ..Choice::default() };
+    let settings = RenderSettings { choice, ..RenderSettings::default() };
+    let [width, height] = scene.image.size.map(u64::from);
+    let rays = width * height * u64::from(scene.image.samples);
+    if let Some(found) = calibrate_for(gpu, &first, &settings, rays).unwrap() {
+        scene = found.applied(&scene);
     }
-    let mut command = Command::new(env!("CARGO_BIN_EXE_bentray"));
-    command.current_dir(folder).env("BENTRAY_CACHE", "").arg("render").args(&words);
-    let output = command.args(smaller(&scene(folder, &words), &words)).output().unwrap();
-    assert!(output.status.success(), "{words:?}: {}", String::from_utf8_lossy(&output.stderr));
-    image::open(to.join(name)).unwrap().to_rgb8()
+    let picture = Renderer::new(gpu, &scene, settings).unwrap().picture().unwrap();
+    let path = to.join(&asked.name);
+    save(&path, &scene, &picture).unwrap();
+    image::open(path).unwrap().to_rgb8()
 }
 
 /// Films of the pages have 48 frames.
 const LAST_FRAME: &str = "47";
-
-/// Of a film its last frame.
-fn shown(name: &str) -> String {
-    name.replace("{frame:2}", LAST_FRAME)
-}
 
 fn figures_are_as_they_were_looked_at(name: &str, least: usize) {
     let folder = folder(name);
@@ -101,12 +137,13 @@ fn figures_are_as_they_were_looked_at(name: &str, least: usize) {
     let all = commands(&folder);
     assert!(all.len() >= least, "{}", all.len());
     let mut off = Vec::new();
+    let gpu = gpu();
     for words in &all {
-        let name = &words[words.iter().position(|word| word == "-o").expect("an output") + 1];
-        let name = &shown(name);
-        let reference = image::open(folder.join("pictures").join(name));
+        let asked = Asked::read(&folder, words);
+        let name = asked.name.clone();
+        let reference = image::open(folder.join("pictures").join(&name));
         let reference = reference.unwrap_or_else(|error| panic!("no reference for {name}: {error}")).to_rgb8();
-        off.push((difference(&reference, &rendered(&folder, words, to.path())), name.clone()));
+        off.push((difference(&reference, &rendered(&gpu, asked, to.path())), name));
     }
     let far: Vec<_> = off.iter().filter(|(off, _)| *off > 4.0).collect();
     assert!(far.is_empty(), "off by so many of 255: {far:?}");

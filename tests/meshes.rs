@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::process::Command;
 
-use bentray::gpu::{Geometry, Gpu};
+use bentray::gpu::Geometry;
 use bentray::program::Program;
 use bentray::program::{Choice, DeviceProfile, Purpose};
 use bentray::render::{RenderSettings, Status, trace};
@@ -248,7 +248,7 @@ fn suspended_walks_go_on() {
 /// Meshes of 100,000 triangles are usable, and the program stays the same size.
 #[test]
 fn large_meshes_are_usable() {
-    let gpu: Gpu = gpu();
+    let gpu = gpu();
     let folder = with_mesh(&box_obj(9.0, 92));
     let scene = bent_scene(folder.path(), "[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 17 }");
     assert!(Geometry::new(&scene).triangles.len() > 100_000);

@@ -9,7 +9,7 @@ use bentray::progress::Progress;
 use bentray::render::{Band, Preview, RenderError, RenderSettings, Renderer, Watch};
 use bentray::scene::Scene;
 
-use crate::support::gpu;
+use crate::support::open;
 
 /// A ball in straight space.
 const BALL: &str = r#"
@@ -30,7 +30,7 @@ material = "white"
 /// A device, and the progress of all work on it.
 fn watched() -> (Gpu, Progress) {
     let progress = Progress::watched();
-    (gpu().reporting(progress.clone()), progress)
+    (open().reporting(progress.clone()), progress)
 }
 
 fn ball(keys: &[&str]) -> Scene {

@@ -5,18 +5,47 @@ pub mod lens;
 pub mod probe;
 pub mod tree;
 
+use std::ops::Deref;
 use std::path::Path;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use bentray::gpu::{Geometry, Gpu};
 use bentray::program::{Choice, Program};
 use bentray::render::Rendering;
 use bentray::scene::Scene;
 
-/// The device that `render` would take. Without one the tests fail, and the message says which package to install; those that
+/// Opens the device that `render` would take. Without one the tests fail, and the message says which package to install; those that
 /// compute in f64 fail on a device that cannot.
-pub fn gpu() -> Gpu {
+pub fn open() -> Gpu {
     Gpu::open(None).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A device that is not in use, with the passes that it has compiled: opening one takes longer than most tests need it for.
+pub fn gpu() -> Lent {
+    let idle = idle().pop();
+    Lent(Some(idle.unwrap_or_else(open)))
+}
+
+/// A device that goes back to the others when it is dropped.
+pub struct Lent(Option<Gpu>);
+
+impl Deref for Lent {
+    type Target = Gpu;
+
+    fn deref(&self) -> &Gpu {
+        self.0.as_ref().unwrap()
+    }
+}
+
+impl Drop for Lent {
+    fn drop(&mut self) {
+        idle().extend(self.0.take());
+    }
+}
+
+fn idle() -> MutexGuard<'static, Vec<Gpu>> {
+    static IDLE: Mutex<Vec<Gpu>> = Mutex::new(Vec::new());
+    IDLE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// A scene from its text; files load relative to `scenes/`.
