@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use bentray::gpu::Gpu;
-use bentray::model::law::{Invariant, Law, Order};
+use bentray::model::law::{Invariant, Law};
 use bentray::model::{Binding, Value, Wgsl};
 use bentray::render::{RenderSettings, trace};
 use bentray::scene::Scene;
@@ -50,10 +50,6 @@ impl Law for Trap {
 
     fn values(&self) -> Vec<Binding> {
         vec![Binding::one("law", vec![("stiffness".into(), Value::Float(self.stiffness))])]
-    }
-
-    fn order(&self) -> Order {
-        Order::Place
     }
 
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {

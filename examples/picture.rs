@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use bentray::gpu::Gpu;
 use bentray::model::camera::Pinhole;
-use bentray::model::law::Schwarzschild;
+use bentray::model::law::RoundHole;
 use bentray::model::material::Phong;
 use bentray::model::shape::{Plane, Sphere};
 use bentray::output::save;
@@ -15,7 +15,7 @@ use bentray::scene::{Camera, Light, LightSource, Pattern, Scene, Shadows, Transf
 use glam::{DVec2, DVec3};
 
 fn scene() -> Scene {
-    let hole = Schwarzschild::new(1.0, DVec3::ZERO);
+    let hole = RoundHole::new(1.0, DVec3::ZERO);
     let mut scene = Scene::new(hole, 40.0);
     scene.image.size = [320, 200];
     let checker =

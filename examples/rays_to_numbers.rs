@@ -3,14 +3,14 @@
 use std::error::Error;
 
 use bentray::gpu::Gpu;
-use bentray::model::law::Schwarzschild;
+use bentray::model::law::RoundHole;
 use bentray::render::{RenderSettings, Status, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open(None)?;
-    let hole = Schwarzschild::new(1.0, DVec3::ZERO);
+    let hole = RoundHole::new(1.0, DVec3::ZERO);
     let mut scene = Scene::new(hole, 1000.0);
     // To infinity at both ends, in closed form.
     scene.rays.asymptotic = true;

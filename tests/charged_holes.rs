@@ -1,7 +1,7 @@
 //! Light round holes with a charge and without spin.
 
 use bentray::model::Law;
-use bentray::model::law::{ChargedHole, KerrNewman};
+use bentray::model::law::{HoleForm, KerrNewman, RoundHole};
 use bentray::render::{RenderSettings, Status, trace};
 use glam::DVec3;
 
@@ -62,12 +62,26 @@ fn charged_holes_have_their_landmarks() {
         (0.8, 2.484_885_780_179_610_5, 4.545_986_272_128_442, 1.6),
         (1.0, 2.0, 4.0, 1.0),
     ] {
-        let hole = ChargedHole { mass: 1.0, charge, cosmological: 0.0, center: DVec3::ZERO, axis: DVec3::Z };
+        let hole = RoundHole {
+            mass: 1.0,
+            charge,
+            cosmological: 0.0,
+            center: DVec3::ZERO,
+            axis: DVec3::Z,
+            form: HoleForm::Charged,
+        };
         let found = hole.photon_sphere().unwrap();
         assert!((found - sphere).abs() < 1e-14 && (found / hole.clock(found).sqrt() - impact).abs() < 1e-14);
         assert!((hole.horizon().unwrap() - horizon).abs() < 1e-7, "{:?}", hole.horizon());
     }
-    let vast = ChargedHole { mass: 1.0, charge: 0.0, cosmological: 0.1, center: DVec3::ZERO, axis: DVec3::Z };
+    let vast = RoundHole {
+        mass: 1.0,
+        charge: 0.0,
+        cosmological: 0.1,
+        center: DVec3::ZERO,
+        axis: DVec3::Z,
+        form: HoleForm::Charged,
+    };
     let horizon = vast.horizon().unwrap();
     assert!(horizon > 2.0 && vast.clock(horizon).abs() < 1e-12 && vast.clock(3.0) > 0.0, "{horizon}");
 }

@@ -105,7 +105,7 @@ fn observers_round_holes_without_spin_move_as_they_should() {
         .law;
         let axis = DVec3::new(0.0, 0.6, 0.8);
         let x = 11.0 * DVec3::new(0.0, 0.8, -0.6);
-        let metric = law.metric(DVec3::new(1.0, 2.0, 3.0) + x).unwrap();
+        let metric = law.metric(DVec3::new(1.0, 2.0, 3.0) + x, 0.0).unwrap();
         let of = |frame: CameraFrame| law.observer(frame, DVec3::new(1.0, 2.0, 3.0) + x).unwrap().unwrap();
         for frame in [CameraFrame::Orbiting, CameraFrame::CounterOrbiting, CameraFrame::Falling, CameraFrame::Zamo] {
             let u = of(frame);
@@ -114,7 +114,7 @@ fn observers_round_holes_without_spin_move_as_they_should() {
         let orbit = of(CameraFrame::Orbiting);
         assert!(orbit.truncate().dot(axis.cross(x)) > 0.0);
         // Of a geodesic: ∂g_tt/∂r + Ω² ∂g_φφ/∂r = 0.
-        let clock = |r: f64| -law.metric(DVec3::new(1.0, 2.0, 3.0) + r / 11.0 * x).unwrap().w_axis.w;
+        let clock = |r: f64| -law.metric(DVec3::new(1.0, 2.0, 3.0) + r / 11.0 * x, 0.0).unwrap().w_axis.w;
         let slope = (clock(11.001) - clock(10.999)) / 0.002;
         let turning = orbit.truncate().length() / (11.0 * orbit.w);
         assert!((turning * turning / (0.5 * slope / 11.0) - 1.0).abs() < 1e-6, "{turning}");
@@ -135,7 +135,7 @@ fn matter_falls_in_from_the_innermost_stable_orbit() {
         for orbit in orbits[..edge].iter().rev().take_while(|orbit| orbit.rho > 2.2) {
             let (at, around) = (orbit.rho * out, axis.cross(out));
             let u = (orbit.u.x * out + orbit.u.y * around).extend(orbit.u.z);
-            let lowered = law.metric(at).unwrap() * u;
+            let lowered = law.metric(at, 0.0).unwrap() * u;
             let kept = [lowered.dot(u) + 1.0, lowered.w + orbits[edge].energy];
             assert!(kept.iter().all(|off| off.abs() < 1e-9), "{kept:?}");
             let momentum = orbit.rho * lowered.dot(around.extend(0.0));

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use bentray::model::Law;
-use bentray::model::law::{FlowOrder, InMedium, Lorenz, Rossler, Schwarzschild, SchwarzschildForm, Straight};
+use bentray::model::law::{FlowOrder, HoleForm, InMedium, Lorenz, Rossler, RoundHole, Straight};
 use bentray::program::{Analysis, Choice, Layer, Masks, Purpose, Schedule, link_all, plan};
 use bentray::scene::{Precision, Rays, Scene};
 
@@ -91,8 +91,8 @@ fn flow_order(law: &dyn Law) -> Option<FlowOrder> {
 }
 
 /// The form of a hole's law.
-fn form(law: &dyn Law) -> Option<SchwarzschildForm> {
-    law.downcast().map(|Schwarzschild { form, .. }| *form)
+fn form(law: &dyn Law) -> Option<HoleForm> {
+    law.downcast().map(|RoundHole { form, .. }| *form)
 }
 
 fn allows(law: &dyn Law, wanted: For) -> bool {
@@ -100,9 +100,7 @@ fn allows(law: &dyn Law, wanted: For) -> bool {
         For::All => true,
         For::Medium => law.downcast::<InMedium>().is_some(),
         For::Straight => law.downcast::<Straight>().is_some(),
-        For::SecondOrder => {
-            flow_order(law) != Some(FlowOrder::Velocity) && form(law) != Some(SchwarzschildForm::Geodesic)
-        }
+        For::SecondOrder => flow_order(law) != Some(FlowOrder::Velocity) && form(law) != Some(HoleForm::Geodesic),
     }
 }
 

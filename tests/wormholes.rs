@@ -63,7 +63,7 @@ fn rays_end_on_the_side_and_where_quadratures_say() {
                 let kept = drift(&*law, [([x, law.starting_velocity(x, v)], &end)].into_iter());
                 // In lengths of space.
                 let n = place.normalize();
-                let (metric, v) = (law.metric(DVec3::from(end.x)).unwrap(), DVec3::from(end.v));
+                let (metric, v) = (law.metric(DVec3::from(end.x), 0.0).unwrap(), DVec3::from(end.v));
                 let across = v - n.dot(v) * n;
                 let wider = (metric * across.extend(0.0)).truncate().dot(across).sqrt() / across.length().max(1e-300);
                 let direction = (n.dot(v) * n + wider * across).normalize();

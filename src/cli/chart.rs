@@ -111,7 +111,7 @@ fn open(arguments: &Arguments) -> Result<(Gpu, String), Error> {
 fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error> {
     let load = |path: &PathBuf| {
         let scene = Scene::load(path, &arguments.changes.overrides()?)?;
-        let aimed = scene.law.ignores_direction().is_none();
+        let aimed = scene.law.facts().ignores_direction.is_none();
         Ok((name(path), scene, read_rays(&path.with_extension("csv"), aimed)?))
     };
     let places = paths.iter().map(load).collect::<Result<Vec<_>, Error>>()?;

@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     if arguments.drift && scene.rays.asymptotic {
         return Err(usage!("--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity"));
     }
-    if arguments.diagram.attractor.is_some() && scene.law.ignores_direction().is_none() {
+    if arguments.diagram.attractor.is_some() && scene.law.facts().ignores_direction.is_none() {
         return Err(usage!("--attractor is of flows, such as lorenz, and this scene's law is none"));
     }
     if let Some([x, y]) = arguments.pixel.iter().find(|[x, y]| *x >= scene.image.size[0] || *y >= scene.image.size[1]) {
@@ -94,7 +94,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     for words in &scene.left_out {
         tell!("warning: {words}");
     }
-    let mut starts = Starts::of(arguments, scene.law.ignores_direction().is_none())?;
+    let mut starts = Starts::of(arguments, scene.law.facts().ignores_direction.is_none())?;
     let mut table = match &arguments.output {
         Some(output) if arguments.path => Some(Table::create::<(usize, usize, &PathPoint)>(output)?),
         Some(output) => Some(Table::create::<(usize, &Traced)>(output)?),

@@ -100,7 +100,7 @@ impl Source<'_> {
         match name {
             "surroundings" => pack(name, layout, self.surroundings()).map(Some),
             "aims" => {
-                let anchors = self.scene.law.anchors();
+                let anchors = self.scene.law.facts().anchors;
                 let positions = anchors.iter().map(|anchor| anchor.position).chain([DVec3::ZERO]);
                 let rows = positions.take(anchors.len().max(1)).map(|position| [("position", Vec3(position))]);
                 pack(name, layout, rows).map(Some)
@@ -314,7 +314,7 @@ impl Source<'_> {
             Segment::Chord { .. } => f64::INFINITY,
         };
         let length = rays.length.unwrap_or(f64::MAX);
-        let nodes = self.scene.law.curve().map(|curve| ray_tree(curve, length, tolerance)).unwrap_or_default();
+        let nodes = self.scene.law.facts().curve().map(|curve| ray_tree(curve, length, tolerance)).unwrap_or_default();
         let row = |node: &RayNode| {
             // Larger than these are by what 32 bits hide of them.
             let corner = |at: DVec3, sign: f64| at + sign * 1e-6 * at.abs();

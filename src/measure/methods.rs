@@ -66,7 +66,7 @@ pub fn fast_methods(scene: &Scene) -> Vec<Candidate> {
 #[must_use]
 pub fn usual_method(scene: &Scene) -> Option<Candidate> {
     let mut all = fast_methods(scene);
-    let is_usual = |candidate: &Candidate| match scene.law.usual_steps() {
+    let is_usual = |candidate: &Candidate| match scene.law.facts().usual_steps {
         UsualSteps::Orbit => candidate.method.kind.path != Path::Steps || candidate.method == TOLERANT,
         UsualSteps::Tolerant => candidate.method.kind.path == Path::Closed || candidate.method == TOLERANT,
         UsualSteps::Scaled => true,
@@ -92,7 +92,7 @@ const SORTED: usize = 12;
 /// cheapest of [`fast_methods`] takes no longer than the others, but for noise. They do not tell how long another scene takes.
 #[must_use]
 pub fn cost(scene: &Scene, method: Method, control: Control, steps: f64, rejected: f64) -> f64 {
-    let terms = f64::from(scene.law.terms().max(1));
+    let terms = f64::from(scene.law.facts().terms.max(1));
     let objects = OBJECT_COST * scene.objects.len().min(SORTED) as f64;
     let own = method.kind.step_cost.unwrap_or(0.0);
     terms * evaluations(method, control, steps, rejected) + own * (steps + rejected) + objects * steps

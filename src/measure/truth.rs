@@ -33,7 +33,7 @@ pub fn reference(scene: &Scene, tolerance: f64) -> Scene {
     rays.closed_forms = true;
     rays.method = TOLERANT;
     rays.control = embedded::with(tolerance.max(FINEST), 0.3);
-    if scene.law.closed_form().is_some() && !scene.demands().needs_solver {
+    if scene.law.facts().closed_form.is_some() && !scene.demands().needs_solver {
         scene.rays.method = CLOSED_FORMS;
         scene.rays.control = exact::CONTROL;
     }

@@ -60,7 +60,7 @@ impl<'a> Plane<'a> {
 
     /// g between the way out, the way round and time.
     fn metric(&self, rho: f64) -> Option<DMat3> {
-        let g = self.law.metric(self.at(rho))?;
+        let g = self.law.metric(self.at(rho), 0.0)?;
         let ways = [self.out.extend(0.0), self.around.extend(0.0), DVec4::W];
         Some(DMat3::from_cols_array_2d(&ways.map(|a| ways.map(|b| a.dot(g * b)))))
     }
@@ -68,7 +68,7 @@ impl<'a> Plane<'a> {
     /// The circular orbit there, without its light.
     fn circular(&self, rho: f64) -> Option<Orbit> {
         let u = self.law.observer(CameraFrame::Orbiting, self.at(rho))?.ok()?;
-        let g = self.law.metric(self.at(rho))?;
+        let g = self.law.metric(self.at(rho), 0.0)?;
         let lowered = g * u;
         let momentum = rho * lowered.dot(self.around.extend(0.0));
         let u = DVec3::new(u.dot(self.out.extend(0.0)), u.dot(self.around.extend(0.0)), u.w);

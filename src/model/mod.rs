@@ -1,7 +1,7 @@
 //! The rooms: everything that the program knows of a kind of law, medium, material, shape, camera, falloff, method or control.
 //!
 //! *Theory.* A kind is one Rust file here beside one WGSL file in `shaders/`. The Rust file says how its keys are read and what they
-//! mean, which WGSL parts keep its contract and what values those are fed, how long their loops are, and every property that anything
+//! mean, which WGSL parts keep its contract and what values those are fed, and every property that anything
 //! else asks for: invariants, captures, outlines, the order of a law, the closed form of a medium. The traits [`Law`], [`Medium`],
 //! [`Surface`], [`Shape`] and [`Projection`] and the rows [`method::Kind`], [`control::Kind`] and [`falloff::Kind`] are those
 //! questions; the rest of the program asks them and knows no kind by name.

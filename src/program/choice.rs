@@ -273,7 +273,7 @@ impl Choice {
     /// Does its shift have to be followed along each path, for nothing keeps it?
     #[must_use]
     pub fn follows_shift(&self, scene: &Scene) -> bool {
-        self.purpose == Purpose::Picture && self.knows_shift(scene) && !scene.law.is_stationary()
+        self.purpose == Purpose::Picture && self.knows_shift(scene) && scene.law.facts().changes_with_time
     }
 
     /// Is it asked what light is of which crossing, and is there an answer?

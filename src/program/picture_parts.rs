@@ -13,9 +13,12 @@ pub(super) fn camera_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
     };
     let is_anywhere = choice.purpose.is_given() || scene.animation.as_ref().is_some_and(moves);
     let eye = scene.camera.as_ref().filter(|_| !is_anywhere).map(|camera| camera.position);
-    if let Some(part) = scene.law.below_part(eye) {
+    let facts = scene.law.facts();
+    if let Some((part, horizon)) = facts.below
+        && eye.is_none_or(|eye| horizon.distance(eye) < 0.0)
+    {
         names.all(&[part]);
-        names.all(scene.law.momentum_parts());
+        names.all(facts.momentum_parts);
     }
     names.add(if choice.purpose == Purpose::Pixels { "camera/pixels_chosen" } else { "camera/pixels_all" });
     if choice.purpose.is_given() {
@@ -79,7 +82,7 @@ pub(super) fn picture_parts(scene: &Scene, choice: &Choice, names: &mut Names) -
     }
     if choice.knows_shift(scene) {
         shift_parts(scene, choice, names);
-        names.all(scene.law.momentum_parts());
+        names.all(scene.law.facts().momentum_parts);
     } else if choice.layers.contains(&Layer::Shift) {
         names.add("picture/shift_unknown");
     }

@@ -50,7 +50,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, suspends: bool)
     });
     let regions = &analysis.regions;
     names.make(generated::counts(scene, choice, regions));
-    names.add(if scene.law.throat().is_some() { "law/bound_mouths" } else { "law/bound" });
+    names.add(if scene.law.facts().throat.is_some() { "law/bound_mouths" } else { "law/bound" });
     phase_parts(scene, choice, &mut names);
     scatter_parts(scene, choice, regions, &mut names);
     names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
@@ -92,7 +92,7 @@ fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut N
     let status = if looks || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
     names.all(&[starts, status]);
     if shot {
-        let planar = scene.law.orbit().is_some_and(|orbit| orbit.is_plane());
+        let planar = scene.law.facts().orbit.is_some_and(|orbit| orbit.is_plane());
         names.all(&["surface/shot/shot", "surface/shot/path"]);
         names.add(if planar { "surface/shot/planar" } else { "surface/shot/newton" });
         names.add(if scene.objects.is_empty() { "surface/shot/clear_space" } else { "surface/shot/clear" });
@@ -183,7 +183,7 @@ fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
 
 /// What a state is, and what the control remembers of it.
 fn phase_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
-    names.add(match scene.law.carries_time() {
+    names.add(match scene.law.facts().carries_time {
         true if choice.follows_shift(scene) => "law/phase_stretched",
         true => "law/phase_spacetime",
         false => "law/phase_space",
@@ -193,13 +193,13 @@ fn phase_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
 
 fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), ProgramError> {
     let captures = scene.captures(None);
-    let by_formula = scene.law.line_element().is_some_and(|element| element.graph().4.is_some());
+    let by_formula = scene.law.facts().line_element().is_some_and(|element| element.graph().4.is_some());
     names.add(match captures.is_empty() {
         _ if by_formula => "law/capture_formula",
         true => "law/capture_none",
-        false => scene.law.capture_part().unwrap_or("law/capture_spheres"),
+        false => scene.law.facts().capture_part.unwrap_or("law/capture_spheres"),
     });
-    let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.anchors());
+    let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.facts().anchors);
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
     let kinds: Vec<_> = ANCHORS.into_iter().filter(|kind| anchors.contains(kind)).collect();
     names.wgsl(kinds.iter().map(|kind| kind.part()))?;

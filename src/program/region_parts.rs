@@ -66,7 +66,7 @@ fn closed_motion(
 ) -> Result<(), ProgramError> {
     names.all(form.parts);
     names.add("law/path_as_velocity");
-    if let Some(curve) = scene.law.curve() {
+    if let Some(curve) = scene.law.facts().curve() {
         names.wgsl(scene.law.parts())?;
         names.make(formula::curve(&curve.curve));
     }
@@ -87,8 +87,8 @@ fn closed_motion(
 /// The scene's own law, by the scene's own method.
 fn law_motion(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), ProgramError> {
     let on_orbit = scene.rays.method.kind.path == Path::Orbit;
-    let [path, pace] = scene.law.pace();
-    let orbit = scene.law.orbit();
+    let [path, pace] = scene.law.facts().pace;
+    let orbit = scene.law.facts().orbit;
     match orbit.filter(|_| on_orbit) {
         Some(orbit) => {
             names.all(&[path, "motion/orbit"]);
@@ -97,7 +97,7 @@ fn law_motion(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), P
         None => names.all(&[path, pace]),
     }
     let shoots = choice.purpose == Purpose::Lit || scene.has_shadows(Shadows::Shooting);
-    let asked = scene.rays.asymptotic || shoots || scene.law.capture_part().is_some();
+    let asked = scene.rays.asymptotic || shoots || scene.law.facts().capture_part.is_some();
     if let Some(orbit) = orbit.filter(|_| on_orbit || asked) {
         names.all(&orbit.parts());
     }
@@ -106,10 +106,10 @@ fn law_motion(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), P
         if follows { Wgsl::Part("law/by_time_stretched".into()) } else { part }
     };
     names.wgsl(scene.law.parts().into_iter().map(stretched))?;
-    if let Some(curve) = scene.law.curve() {
+    if let Some(curve) = scene.law.facts().curve() {
         names.make(formula::curve(&curve.curve));
     }
-    if let Some(element) = scene.law.line_element() {
+    if let Some(element) = scene.law.facts().line_element() {
         names.make(spacetime::line_element(element));
     }
     if let Some(orbit) = orbit.filter(|_| on_orbit) {
@@ -125,7 +125,7 @@ fn law_motion(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), P
 
 /// Does the last step of a path end where the path does? So where orbits separate and there is nothing to hit.
 pub(super) fn ends_with_steps(scene: &Scene) -> bool {
-    let separates = scene.law.orbit().is_some_and(|orbit| !orbit.is_plane());
+    let separates = scene.law.facts().orbit.is_some_and(|orbit| !orbit.is_plane());
     let on_orbit = scene.rays.method.kind.path == Path::Orbit;
     on_orbit && separates && !scene.needs_arcs() && is_about_center(scene)
 }
@@ -134,7 +134,7 @@ pub(super) fn ends_with_steps(scene: &Scene) -> bool {
 fn is_about_center(scene: &Scene) -> bool {
     let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bound");
     let is_still = scene.animation.as_ref().is_none_or(|animation| !animation.keys.iter().any(moves));
-    is_still && scene.law.orbit().is_some_and(|orbit| orbit.center == scene.rays.bound.center)
+    is_still && scene.law.facts().orbit.is_some_and(|orbit| orbit.center == scene.rays.bound.center)
 }
 
 /// τ is integrated only where something asks for it: arcs, and the numbers of a trace.

@@ -162,14 +162,14 @@ fn is_closed_mirror(scene: &Scene, object: &Object) -> bool {
 /// The space outside of all objects.
 fn outside(scene: &Scene) -> RegionKind {
     let straight = Motion::Closed(&STRAIGHT);
-    if scene.law.is_straight() && scene.scatters() {
+    if scene.law.facts().is_straight && scene.scatters() {
         let vacuum: Arc<dyn Medium> = Arc::new(medium::VACUUM);
         return RegionKind { motion: straight, leaps: false, index: Some(vacuum.parts()), media: vec![vacuum] };
     }
-    if let Some(form) = scene.law.closed_form().filter(|_| scene.rays.method.kind.path == Path::Closed) {
+    if let Some(form) = scene.law.facts().closed_form.filter(|_| scene.rays.method.kind.path == Path::Closed) {
         return RegionKind { motion: Motion::Closed(form), leaps: false, index: None, media: Vec::new() };
     }
-    let Some(medium) = scene.law.medium() else {
+    let Some(medium) = scene.law.facts().medium() else {
         return RegionKind { motion: Motion::Law, leaps: false, index: None, media: Vec::new() };
     };
     let motion = match motion(scene, &**medium) {

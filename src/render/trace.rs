@@ -10,6 +10,7 @@ use super::{RenderError, RenderSettings, Renderer, Status, Totals};
 use crate::gpu::{Gpu, Tile, pack};
 use crate::model::Object;
 use crate::model::Value::Vec3;
+use crate::model::law::Facts;
 use crate::program::{Analysis, Choice, Masks, Pass, Purpose, Regions, Role, Schedule};
 use crate::scene::{Precision, Scene};
 
@@ -131,7 +132,8 @@ impl Renderer<'_> {
             }
             if let Starts::Given(rays) = starts {
                 let ends = traced[part.start..].iter_mut().zip(&rays[part.start..]);
-                ends.filter(|(_, ray)| is_swallowed(&self.scene, ray)).for_each(|(end, ray)| *end = captured_at(ray));
+                let law = self.scene.law.facts();
+                ends.filter(|(_, ray)| is_swallowed(&law, ray)).for_each(|(end, ray)| *end = captured_at(ray));
             }
         }
         self.finish_totals(&mut totals, &clock, started)?;
@@ -143,8 +145,8 @@ impl Renderer<'_> {
 }
 
 /// Does a ray start where nothing comes out?
-fn is_swallowed(scene: &Scene, ray: &[f64; 6]) -> bool {
-    scene.law.swallows(DVec3::from_slice(&ray[..3]))
+fn is_swallowed(law: &Facts, ray: &[f64; 6]) -> bool {
+    law.swallows(DVec3::from_slice(&ray[..3]))
 }
 
 /// The end of a ray that starts there.
@@ -227,9 +229,10 @@ fn trace_batch_paths(renderer: &mut Renderer, batch: &[[f64; 6]]) -> Result<Vec<
 fn try_batch_paths(renderer: &Renderer, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
     let plan = &renderer.plan;
     let (tile, sample) = ray_tile(renderer, batch)?;
+    let law = renderer.scene.law.facts();
     let begun = |ray: &[f64; 6]| {
         let Traced { x, v, tau, .. } = captured_at(ray);
-        let swallowed = is_swallowed(&renderer.scene, ray);
+        let swallowed = is_swallowed(&law, ray);
         if swallowed { (Status::Captured, vec![PathPoint { x, v, tau }]) } else { (Status::Alive, Vec::new()) }
     };
     let mut paths: Vec<_> = batch.iter().map(begun).collect();

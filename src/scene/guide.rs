@@ -25,12 +25,12 @@ impl Scene {
     /// The light that guides paths: the eight brightest beams, and none where cones about lamps lead to all light.
     #[must_use]
     pub fn beams(&self) -> Vec<Beam> {
-        if !self.rays.paths.is_some_and(|paths| paths.guide) || self.law.refuses_sent_light().is_some() {
+        if !self.rays.paths.is_some_and(|paths| paths.guide) || self.law.facts().refuses_sent_light.is_some() {
             return Vec::new();
         }
         let lamps = self.lamps();
         let outside = |lamp: &Lamp, x: glam::DVec3| lamp.center.distance(x) > lamp.radius;
-        let mut all: Vec<(f64, Beam)> = if self.law.is_straight() {
+        let mut all: Vec<(f64, Beam)> = if self.law.facts().is_straight {
             let sends = |object: &super::Object| object.interior().is_some() || self.continues_from(object);
             let objects = || self.objects.iter().enumerate().filter(|(_, object)| sends(object));
             let beam = |lamp: &Lamp, (i, object): (usize, &super::Object)| {

@@ -138,7 +138,7 @@ impl Scene {
     pub fn has_frequencies(&self) -> bool {
         let knows = |camera: &Camera| camera.frame != CameraFrame::Coordinate && camera.is_at_one_place();
         let is_seen = self.camera.as_ref().is_some_and(knows);
-        is_seen && !self.law.momentum_parts().is_empty() && self.rays.paths.is_none()
+        is_seen && !self.law.facts().momentum_parts.is_empty() && self.rays.paths.is_none()
     }
 
     /// The accuracy that the scene asks for, in radians; none if it names a method. A plane camera's pixels have no angle:
@@ -175,7 +175,7 @@ impl Scene {
     /// Every medium: of all space, and of objects.
     pub fn media(&self) -> impl Iterator<Item = &dyn Medium> {
         let interiors = self.objects.iter().filter_map(|object| Some(&object.interior()?.medium));
-        self.law.medium().into_iter().chain(interiors).map(|medium| &**medium)
+        self.law.facts().medium().into_iter().chain(interiors).map(|medium| &**medium)
     }
 
     /// Has some medium another index for each wavelength?
@@ -207,7 +207,7 @@ impl Scene {
     #[must_use]
     pub fn has_closed_forms(&self) -> bool {
         let ends = self.rays.length.is_some();
-        let of_law = !self.law.is_straight() && self.law.closed_form().is_some();
+        let of_law = !self.law.facts().is_straight && self.law.facts().closed_form.is_some();
         of_law || self.media().any(|medium| medium.bends() && medium.closed_form(ends).is_some())
     }
 
@@ -225,7 +225,7 @@ impl Scene {
     #[must_use]
     pub fn swallowed_lights(&self) -> Vec<usize> {
         let captures = self.law.captures(None);
-        let inside = |position: DVec3| captures.iter().any(|c| c.anchor.offset(position).length() <= c.radius);
+        let inside = |position: DVec3| captures.iter().any(|capture| capture.distance(position) <= 0.0);
         let swallowed = |light: &Light| match light.source {
             LightSource::Point(position) => light.shadows != Shadows::None && inside(position),
             LightSource::Directional(_) => false,

@@ -51,7 +51,7 @@ impl Optics<'_> {
     }
 
     fn media(&self) -> impl Iterator<Item = &dyn Medium> {
-        let of_law = self.law.and_then(Law::medium);
+        let of_law = self.law.and_then(|law| law.facts().medium());
         of_law.into_iter().map(|medium| &**medium).chain(self.interiors())
     }
 
@@ -67,15 +67,15 @@ impl Optics<'_> {
 
     /// Is light bent anywhere?
     pub fn bends(&self) -> bool {
-        self.law.is_none_or(|law| !law.is_straight()) || self.interiors().any(Medium::bends)
+        self.law.is_none_or(|law| !law.facts().is_straight) || self.interiors().any(Medium::bends)
     }
 
     /// How far an arc's chords are from it, scene units, where the scene does not say, in a bounding sphere of this radius. A curve in
     /// closed form is cut where something is near, and nowhere else: there little is saved by a coarser one.
     pub fn arc_tolerance(&self, radius: f64) -> f64 {
-        let part = if self.law.is_some_and(|law| law.curve().is_some()) { 1e-7 } else { 1e-4 };
+        let part = if self.law.is_some_and(|law| law.facts().curve().is_some()) { 1e-7 } else { 1e-4 };
         // Of one between a throat and its sphere none may lead back.
-        let throat = self.law.and_then(Law::throat).map_or(f64::INFINITY, |throat| 0.1 * throat.depth);
+        let throat = self.law.and_then(|law| law.facts().throat).map_or(f64::INFINITY, |throat| 0.1 * throat.depth);
         throat.min(part * radius)
     }
 
@@ -83,16 +83,16 @@ impl Optics<'_> {
     pub fn demands(&self, ends: bool, has_chords: bool) -> Demands {
         let is_solved = |medium: &dyn Medium| medium.closed_form(ends).is_none();
         let has_solved_interior = self.interiors().any(is_solved);
-        let solved_law = |law: &dyn Law| match law.medium() {
+        let solved_law = |law: &dyn Law| match law.facts().medium() {
             // A spiral's closed form is for the inside of objects.
             Some(medium) => medium.closed_form(ends).is_none_or(|form| form.meets_obstacles),
-            None => law.closed_form().is_none(),
+            None => law.facts().closed_form.is_none(),
         };
-        let fills_space = self.law.is_some_and(|law| law.medium().is_some());
+        let fills_space = self.law.is_some_and(|law| law.facts().medium().is_some());
         Demands {
-            order: self.law.map_or(Order::Place, Law::order),
-            has_plane: self.law.is_none_or(|law| law.orbit().is_some_and(|orbit| orbit.is_plane())),
-            separates: self.law.is_none_or(|law| law.orbit().is_some_and(|orbit| !orbit.is_plane())),
+            order: self.law.map_or(Order::Place, |law| law.facts().order),
+            has_plane: self.law.is_none_or(|law| law.facts().orbit.is_some_and(|orbit| orbit.is_plane())),
+            separates: self.law.is_none_or(|law| law.facts().orbit.is_some_and(|orbit| !orbit.is_plane())),
             needs_solver: has_solved_interior || self.law.is_some_and(solved_law),
             has_solved_interior,
             has_medium: fills_space || self.interiors().any(Medium::bends),
@@ -119,7 +119,7 @@ impl Optics<'_> {
             let problem = "16 bits are too few for rays that go on from surfaces";
             table.fault(&["precision"], problem, "use f32 or f64");
         }
-        if let Some(problem) = self.law.and_then(|law| law.refuses_surfaces(has_interiors)) {
+        if let Some(problem) = self.law.and_then(|law| law.facts().refuses_surfaces(has_interiors)) {
             table.fault(&[], problem, "take the interiors and mirrors out of the scene, or change its law");
         }
     }

@@ -136,7 +136,7 @@ impl Bound {
     /// Its centre, and where the law leads to another side that of the sphere there.
     #[must_use]
     pub fn centers(&self, law: Option<&dyn Law>) -> Vec<DVec3> {
-        let throat = law.and_then(Law::throat);
+        let throat = law.and_then(|law| law.facts().throat);
         let there = throat.map(|throat| self.center + throat.mouths[1] - throat.mouths[0]);
         std::iter::once(self.center).chain(there).collect()
     }

@@ -11,7 +11,7 @@ use crate::model::{Law, Material, Object, Pattern, Substance};
 
 /// Adds a sphere round each mouth, behind the scene's own objects, if the law has any.
 pub fn add_throat(law: &dyn Law, materials: &mut Vec<Material>, objects: &mut Vec<Object>) {
-    let Some(throat) = law.throat() else { return };
+    let Some(throat) = law.facts().throat else { return };
     let color = Pattern::Constant(DVec3::ONE);
     materials.push(Material { name: "throat".to_owned(), color, surface: Arc::new(Throat) });
     let substance = Substance::Opaque(materials.len() - 1);

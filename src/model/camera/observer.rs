@@ -30,18 +30,18 @@ fn tetrad(metric: &DMat4, u: DVec4, camera: &Camera) -> [DVec4; 3] {
 /// is seen in. Under a stationary law these are the two that are conserved, `K_t` and, about the law's axis, `K_φ`; the axis is 0
 /// unless `turning_is_kept`. Under a law that changes with t nothing is conserved, and it is −Kᵗ, the ratio of K to the ray's velocity.
 pub fn frequency(law: &dyn Law, camera: &Camera, turning_is_kept: bool) -> Option<Row> {
-    let metric = law.metric(camera.position)?;
+    let metric = law.metric(camera.position, 0.0)?;
     let axes = axes(law, camera)?;
     let linear = |of: &dyn Fn(DVec4) -> f64| {
         let [x, y, z, rest] = axes.map(of);
         (DVec3::new(x, y, z), rest)
     };
-    if !law.is_stationary() {
+    if law.facts().changes_with_time {
         let (along, rest) = linear(&|k| -k.w);
         return Some(row! { along: Vec3(along), rest: Float(rest) });
     }
     let [center, axis] = law.equator().filter(|_| turning_is_kept).unwrap_or_default();
-    let arm = law.throat().map_or(camera.position - center, |throat| throat.offset(camera.position).0);
+    let arm = law.facts().throat.map_or(camera.position - center, |throat| throat.offset(camera.position).0);
     let around = axis.cross(arm).extend(0.0);
     let (energy_along, energy_rest) = linear(&|k| metric.w_axis.dot(k));
     let (turning_along, turning_rest) = linear(&|k| around.dot(metric * k));
@@ -63,7 +63,7 @@ pub fn observer(law: &dyn Law, camera: &Camera) -> Option<Row> {
 /// K's parts along the scene's three directions, and what it has besides: −u.
 fn axes(law: &dyn Law, camera: &Camera) -> Option<[DVec4; 4]> {
     let u = law.observer(camera.frame, camera.position)?.ok()?;
-    let metric = law.metric(camera.position)?;
+    let metric = law.metric(camera.position, 0.0)?;
     let [right, up, forward] = tetrad(&metric, u, camera);
     let along =
         |axis: DVec3| right * camera.right.dot(axis) + up * camera.up.dot(axis) + forward * camera.forward.dot(axis);

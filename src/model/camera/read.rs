@@ -19,7 +19,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let up = table.or("up", DVec3::Y, direction);
     let shift = table.or("shift", false, boolean);
     let hues = shift && table.or("hues", false, word(&[("kept", false), ("black-body", true)]));
-    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.momentum_parts().is_empty()) {
+    if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.facts().momentum_parts.is_empty()) {
         let problem = "light has a frequency only for an observer, and by a law that says it";
         let help = "choose a `frame`, with a law of a hole, of a wormhole or by a line element";
         table.fault(&["shift"], problem, help);
@@ -30,7 +30,7 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
         Some(Camera { position, forward, right, up, projection: projection?, frame, time, shift, hues, stereo })
     });
     if let (Some(camera), Some(law)) = (&camera, law) {
-        let then = law.later(camera.time);
+        let then = law.seen(None, camera.time);
         check_against_law(&table, camera, then.as_deref().unwrap_or(law));
     }
     table.finish();
@@ -86,7 +86,7 @@ fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Op
         table.fault(&["proper_time"], "time goes by for an observer, and there is none", help);
         return None;
     }
-    let then = law.later(seat.time);
+    let then = law.seen(None, seat.time);
     let law = then.as_deref().unwrap_or(law);
     // What is wrong with where he begins is for others to say.
     let Some(Ok(u)) = law.observer(seat.frame, seat.position) else { return Some(seat) };
@@ -118,7 +118,7 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
         return None;
     }
     let (points, law) = (points?, law?);
-    if law.metric(points[0].truncate()).is_none() {
+    if law.metric(points[0].truncate(), 0.0).is_none() {
         let help = "use a law of a hole, of a wormhole or by a line element, or straight lines";
         table.fault(&["worldline"], "this law knows no observers", help);
         return None;
@@ -204,8 +204,8 @@ fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
     if let Some([problem, help]) = eyes.iter().find_map(refused) {
         table.fault(&["position"], format!("{who} {problem}"), help);
     }
-    if let Some(why) = law.ignores_direction().filter(|_| camera.projection.is_from_a_point()) {
-        let help = match law.order() {
+    if let Some(why) = law.facts().ignores_direction.filter(|_| camera.projection.is_from_a_point()) {
+        let help = match law.facts().order {
             Order::Flow => "use kind = \"plane\" here, or order = 2 in [law]",
             Order::Place | Order::General => "use kind = \"plane\" here",
         };

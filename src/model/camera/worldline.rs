@@ -31,7 +31,7 @@ impl Event {
     /// light's speed.
     #[must_use]
     pub fn velocity(&self, law: &dyn Law) -> Option<DVec3> {
-        let metric = law.metric_later(self.x, self.t)?;
+        let metric = law.metric(self.x, self.t)?;
         let normal = -metric.inverse().w_axis;
         let normal = normal / (-normal.dot(metric * normal)).sqrt();
         let stretch = -self.u.dot(metric * normal);
@@ -43,12 +43,12 @@ impl Event {
 
 /// Where an observer comes to who is left to himself for so long by his own clock; or how far he came before his path had no place to go.
 pub fn fall(law: &dyn Law, start: Event, proper: f64) -> Result<Event, f64> {
-    let lowered = law.metric_later(start.x, start.t).ok_or(0.0)? * start.u;
+    let lowered = law.metric(start.x, start.t).ok_or(0.0)? * start.u;
     let mut state = State { x: start.x.extend(start.t), p: lowered };
     let (mut s, mut h) = (0.0, 1e-3 * law.length_scale(start.x).min(proper));
     for _ in 0..STEPS {
         if s >= proper {
-            let metric = law.metric_later(state.x.truncate(), state.x.w).ok_or(s)?;
+            let metric = law.metric(state.x.truncate(), state.x.w).ok_or(s)?;
             return Ok(Event { x: state.x.truncate(), t: state.x.w, u: metric.inverse() * state.p });
         }
         let size = h.min(proper - s);
@@ -84,9 +84,9 @@ impl State {
 
     /// Its rate by s; none where there is no metric.
     fn rate(self, law: &dyn Law) -> Option<Self> {
-        let u = law.metric_later(self.x.truncate(), self.x.w)?.inverse() * self.p;
+        let u = law.metric(self.x.truncate(), self.x.w)?.inverse() * self.p;
         let h = 2e-3 * law.length_scale(self.x.truncate());
-        let square = |x: DVec4| law.metric_later(x.truncate(), x.w).map_or(f64::NAN, |metric| u.dot(metric * u));
+        let square = |x: DVec4| law.metric(x.truncate(), x.w).map_or(f64::NAN, |metric| u.dot(metric * u));
         let slope = |axis: DVec4| {
             let apart = |k: f64| square(self.x + k * h * axis) - square(self.x - k * h * axis);
             (45.0 * apart(1.0) - 9.0 * apart(2.0) + apart(3.0)) / (60.0 * h)
@@ -168,7 +168,7 @@ impl Path {
     fn pace(&self, law: &dyn Law, i: usize, t: f64) -> Option<f64> {
         let (place, velocity) = self.at(i, t);
         let way = velocity.extend(1.0);
-        let square = -way.dot(law.metric_later(place, t)? * way);
+        let square = -way.dot(law.metric(place, t)? * way);
         (square > 0.0).then(|| square.sqrt())
     }
 

@@ -1,10 +1,11 @@
 //! What the flows share: a dynamical system's vector field F as a ray's velocity, or as its acceleration.
 
-use super::USUAL_PARTS;
+use super::sources::OWN_SPEED;
+use super::{Facts, USUAL_PARTS};
 use crate::document::reader::TableReader;
 use crate::document::values::whole;
 use crate::document::{Key, keys};
-use crate::model::{Order, Wgsl};
+use crate::model::Wgsl;
 
 /// What a vector field F is to the ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,17 +37,10 @@ impl FlowOrder {
         }
     }
 
-    pub(super) fn order(self) -> Order {
+    pub(super) fn facts<'a>(self) -> Facts<'a> {
         match self {
-            Self::Velocity => Order::Flow,
-            Self::Acceleration => Order::Place,
-        }
-    }
-
-    pub(super) fn refuses_surfaces(self, interiors: bool) -> Option<&'static str> {
-        match self {
-            Self::Velocity => Some("an orbit of a flow has no direction of its own"),
-            Self::Acceleration => interiors.then_some(super::sources::OWN_SPEED),
+            Self::Velocity => Facts::flow(),
+            Self::Acceleration => Facts { refuses_interiors: Some(OWN_SPEED), ..Facts::default() },
         }
     }
 }

@@ -11,8 +11,8 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{OBSERVER_PART, light_speed, moving, normal, normalised};
-use super::{CameraFrame, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
+use super::observer::{four_velocity, light_speed};
+use super::{CameraFrame, Facts, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
 use crate::model::source::spheroid;
@@ -95,6 +95,14 @@ impl KerrNewman {
         Some((self.spin * self.spin + self.charge * self.charge) / self.horizon()?)
     }
 
+    /// The surface of equal r.
+    fn spheroid(&self, radius: f64) -> Capture {
+        Capture {
+            anchor: Anchor { kind: &spheroid::KIND, position: self.center, along: self.spin * self.axis },
+            radius,
+        }
+    }
+
     /// r of the circular orbit of light that goes round with the hole: what moves inwards below it never comes back.
     #[must_use]
     pub fn photon_orbit(&self) -> Option<f64> {
@@ -155,10 +163,6 @@ impl KerrNewman {
     }
 }
 
-fn says_inside() -> [String; 2] {
-    ["is where there can be no such observer".to_owned(), "move it away from the hole".to_owned()]
-}
-
 impl Law for KerrNewman {
     fn parts(&self) -> Vec<Wgsl> {
         Wgsl::parts(&["law/by_velocity", "law/projected_as_is", "law/spheroid", "law/light_speed", "law/kerr_newman"])
@@ -174,12 +178,25 @@ impl Law for KerrNewman {
         vec![Binding::one("law", row)]
     }
 
-    fn order(&self) -> Order {
-        Order::General
-    }
-
-    fn keeps_time(&self) -> bool {
-        true
+    /// The orbit's equation is with a horizon: without one rays come as far as r = 0, where u has no end.
+    fn facts(&self) -> Facts<'_> {
+        let is_extreme = self.is_extreme();
+        let turning = if is_extreme { "law/turning_extreme" } else { "law/turning_none" };
+        let orbit = Orbit { center: self.center, form: OrbitForm::Separated(turning), is_free_far_away: true };
+        Facts {
+            order: Order::General,
+            keeps_time: true,
+            orbit: self.horizon().map(|_| orbit),
+            capture_part: is_extreme.then_some("law/capture_extreme"),
+            momentum_parts: &["law/momentum/kerr_newman"],
+            below: self.horizon().map(|horizon| ("law/below_kerr_newman", self.spheroid(horizon))),
+            swallows: self.inner_horizon().map(|inner| self.spheroid(inner)),
+            refuses_interiors: Some("light has speeds of its own round a spinning hole"),
+            refuses_sent_light: Some(
+                "it goes other ways round a spinning hole than what is followed back from the camera",
+            ),
+            ..Facts::default()
+        }
     }
 
     /// At the orbit of light that is nearest to the hole, or where something lies further in just outside the horizon.
@@ -193,21 +210,7 @@ impl Law for KerrNewman {
             }
             _ => near,
         };
-        vec![Capture {
-            anchor: Anchor { kind: &spheroid::KIND, position: self.center, along: self.spin * self.axis },
-            radius,
-        }]
-    }
-
-    /// With a horizon: without one rays come as far as r = 0, where u has no end.
-    fn orbit(&self) -> Option<Orbit> {
-        let turning = if self.is_extreme() { "law/turning_extreme" } else { "law/turning_none" };
-        let orbit = Orbit { center: self.center, form: OrbitForm::Separated(turning), is_free_far_away: true };
-        self.horizon().map(|_| orbit)
-    }
-
-    fn capture_part(&self) -> Option<&'static str> {
-        self.is_extreme().then_some("law/capture_extreme")
+        vec![self.spheroid(radius)]
     }
 
     /// The null condition; L/E along the axis; and Carter's constant over E², regular on the axis. All but the first of rays that
@@ -278,11 +281,7 @@ impl Law for KerrNewman {
         v / light_speed(1.0 - f, f * along, f * along * along + v.length_squared())
     }
 
-    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        (frame != CameraFrame::Coordinate).then_some(OBSERVER_PART)
-    }
-
-    fn metric(&self, x: DVec3) -> Option<DMat4> {
+    fn metric(&self, x: DVec3, _: f64) -> Option<DMat4> {
         let KerrSchild { l, f, .. } = self.at(x);
         let l = l.extend(1.0);
         let flat = DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, -1.0));
@@ -294,56 +293,29 @@ impl Law for KerrNewman {
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
-        let metric = self.metric(at)?;
-        let around = self.axis.cross(at - self.center);
-        let way = |turning: f64| normalised(&metric, (turning * around).extend(1.0));
         let found = match frame {
             CameraFrame::Coordinate => return None,
-            CameraFrame::Static => way(0.0).ok_or_else(|| self.says_static()),
-            CameraFrame::Normal => normal(&metric).ok_or_else(says_inside),
-            CameraFrame::Moving(velocity) => moving(&metric, velocity).ok_or_else(says_inside),
-            CameraFrame::Zamo => {
-                let around = around.extend(0.0);
-                let (mixed, own) = (around.dot(metric.col(3)), around.dot(metric * around));
-                way(if own > 0.0 { -mixed / own } else { 0.0 }).ok_or_else(says_inside)
+            CameraFrame::Falling => self.falling(at),
+            _ => {
+                let around = self.axis.cross(at - self.center);
+                four_velocity(&self.metric(at, 0.0)?, frame, around, &|sense| self.orbiting(at, sense))
             }
-            CameraFrame::Orbiting => self.orbiting(at, 1.0).and_then(way).ok_or_else(|| self.says_orbiting(1.0)),
-            CameraFrame::CounterOrbiting => {
-                self.orbiting(at, -1.0).and_then(way).ok_or_else(|| self.says_orbiting(-1.0))
-            }
-            CameraFrame::Falling => self.falling(at).ok_or_else(says_inside),
         };
-        Some(found)
-    }
-
-    fn below_part(&self, eye: Option<DVec3>) -> Option<&'static str> {
-        let horizon = self.horizon()?;
-        eye.is_none_or(|eye| self.at(eye).r < horizon).then_some("law/below_kerr_newman")
-    }
-
-    fn momentum_parts(&self) -> &'static [&'static str] {
-        &["law/momentum/kerr_newman"]
+        Some(found.ok_or_else(|| match frame {
+            CameraFrame::Static => self.says_static(),
+            CameraFrame::Orbiting => self.says_orbiting(1.0),
+            CameraFrame::CounterOrbiting => self.says_orbiting(-1.0),
+            _ => ["is where there can be no such observer", "move it away from the hole"].map(str::to_owned),
+        }))
     }
 
     fn equator(&self) -> Option<[DVec3; 2]> {
         Some([self.center, self.axis])
     }
 
-    fn swallows(&self, x: DVec3) -> bool {
-        self.inner_horizon().is_some_and(|inner| self.at(x).r < inner)
-    }
-
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         let (r, inner) = (self.at(at).r, self.inner_horizon()?.max(NEAR * self.mass));
         let problem = || format!("is inside the inner horizon: r = {r:.4} ≤ {inner:.4}");
         (r <= inner).then(|| [problem(), "move it away from the hole".to_owned()])
-    }
-
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        interiors.then_some("light has speeds of its own round a spinning hole")
-    }
-
-    fn refuses_sent_light(&self) -> Option<&'static str> {
-        Some("it goes other ways round a spinning hole than what is followed back from the camera")
     }
 }

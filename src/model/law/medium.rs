@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Invariant, Kind, Landmark, Law, Order};
+use super::{Facts, Form, Invariant, Kind, Landmark, Law};
 use crate::document::keys;
 use crate::model::medium::{self, Surroundings};
 use crate::model::{Medium, Wgsl};
@@ -45,12 +45,8 @@ impl Law for InMedium {
         Wgsl::parts(&SOLVED_PARTS)
     }
 
-    fn order(&self) -> Order {
-        Order::Place
-    }
-
-    fn terms(&self) -> u32 {
-        self.0.terms()
+    fn facts(&self) -> Facts<'_> {
+        Facts { form: Form::Medium(&self.0), terms: self.0.terms(), ..Facts::default() }
     }
 
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
@@ -66,10 +62,6 @@ impl Law for InMedium {
     /// As long as the index (as 1, where the host does not know that).
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         self.0.index(x).unwrap_or(1.0) * v.normalize_or_zero()
-    }
-
-    fn medium(&self) -> Option<&Arc<dyn Medium>> {
-        Some(&self.0)
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {

@@ -9,6 +9,7 @@
 
 mod charged;
 mod flow;
+mod hole;
 mod kerr_newman;
 mod landmark;
 mod lorenz;
@@ -37,8 +38,8 @@ use crate::assets::{Files, LineElement};
 use crate::document::reader::TableReader;
 use crate::document::{self, Kinds};
 
-pub use charged::ChargedHole;
 pub use flow::FlowOrder;
+pub use hole::{HoleForm, RoundHole};
 pub use kerr_newman::{KerrNewman, KerrSchild};
 pub use landmark::Landmark;
 pub use lorenz::Lorenz;
@@ -49,7 +50,6 @@ pub use orbit::{Orbit, OrbitForm, Throat};
 pub use own::{Depends, OwnLaw};
 pub use parametric::Parametric;
 pub use rossler::Rossler;
-pub use schwarzschild::{Schwarzschild, SchwarzschildForm};
 pub use sources::{ByLength, Sources};
 pub use straight::Straight;
 pub use wormhole::Wormhole;
@@ -84,6 +84,68 @@ pub static KINDS: Kinds<Read> = Kinds {
 const USUAL_PARTS: [&str; 5] =
     ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is", "law/next_by_force"];
 
+/// What is known of a law whatever the place.
+#[derive(Debug, Clone)]
+pub struct Facts<'a> {
+    /// What the derivative depends on.
+    pub order: Order,
+    /// Does a state carry time, as a fourth number beside place and velocity?
+    pub carries_time: bool,
+    /// Is it another law at another time?
+    pub changes_with_time: bool,
+    /// Is its τ the time that light takes, in the scene's units?
+    pub keeps_time: bool,
+    /// Are rays straight lines at a speed of their own, whatever their place?
+    pub is_straight: bool,
+    /// The steps by which its rays are usually followed in the least time.
+    pub usual_steps: UsualSteps,
+    /// How many terms one evaluation of its derivative adds up, each about as long as a simple law.
+    pub terms: u32,
+    /// The medium, the curve or the line element that it is, if it is one.
+    pub form: Form<'a>,
+    /// What its force comes from, for the parts that know the way there.
+    pub anchors: Vec<Anchor>,
+    /// The orbit about its only center, if it has one whose r has an equation of its own.
+    pub orbit: Option<Orbit>,
+    /// What joins two places of its space, if something does.
+    pub throat: Option<Throat>,
+    /// The closed form of all its paths, if they have one, and if that is not a medium's.
+    pub closed_form: Option<&'static ClosedForm>,
+    /// The τ at which its rays end of themselves.
+    pub length: Option<f64>,
+    /// What its τ is to the path: the parts that know how fast a place moves, and what a step is measured in.
+    pub pace: [&'static str; 2],
+    /// The part that captures rays, where its one sphere alone does not say it.
+    pub capture_part: Option<&'static str>,
+    /// The part that ends light from below a horizon, and the horizon.
+    pub below: Option<(&'static str, Capture)>,
+    /// The surface within which rays are not followed, and that nothing comes out of.
+    pub swallows: Option<Capture>,
+    /// The parts that give the momentum of light, if light has a frequency under this law; else none.
+    pub momentum_parts: &'static [&'static str],
+    /// Why it does not matter where a ray points, if that is so.
+    pub ignores_direction: Option<&'static str>,
+    /// Why light cannot be followed from where it shines, if it cannot.
+    pub refuses_sent_light: Option<&'static str>,
+    /// Why rays cannot go on from surfaces.
+    pub refuses_surfaces: Option<&'static str>,
+    /// Why rays cannot go on through what objects are filled with, where they can go on from mirrors.
+    pub refuses_interiors: Option<&'static str>,
+}
+
+/// What a law is, where others have to know it.
+#[derive(Debug, Clone, Copy)]
+pub enum Form<'a> {
+    /// None of these.
+    Other,
+    /// A medium that fills all space.
+    Medium(&'a Arc<dyn Medium>),
+    /// A curve that all rays follow.
+    Curve(&'a Parametric),
+    /// A line element; rays end where that says.
+    LineElement(&'a LineElement),
+}
+
 /// Steps that take the least time for most pictures, as charts have shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UsualSteps {
@@ -93,6 +155,81 @@ pub enum UsualSteps {
     Tolerant,
     /// A fixed part of the law's scale, which is so short that it seldom has to be a small one.
     Scaled,
+}
+
+impl Default for Facts<'_> {
+    /// Returns the facts of a law of the second order that makes no demands and knows no observers.
+    fn default() -> Self {
+        Self {
+            order: Order::Place,
+            carries_time: false,
+            changes_with_time: false,
+            keeps_time: false,
+            is_straight: false,
+            usual_steps: UsualSteps::Orbit,
+            terms: 1,
+            form: Form::Other,
+            anchors: Vec::new(),
+            orbit: None,
+            throat: None,
+            closed_form: None,
+            length: None,
+            pace: ["law/path_as_velocity", "motion/pace_tau"],
+            capture_part: None,
+            below: None,
+            swallows: None,
+            momentum_parts: &[],
+            ignores_direction: None,
+            refuses_sent_light: None,
+            refuses_surfaces: None,
+            refuses_interiors: None,
+        }
+    }
+}
+
+impl<'a> Facts<'a> {
+    /// Returns the facts of a flow: a law of the first order.
+    #[must_use]
+    pub fn flow() -> Self {
+        const SAME: &str = "all rays from there follow the same orbit";
+        Self {
+            order: Order::Flow,
+            ignores_direction: Some(SAME),
+            refuses_sent_light: Some(SAME),
+            refuses_surfaces: Some("an orbit of a flow has no direction of its own"),
+            ..Self::default()
+        }
+    }
+
+    /// Returns the medium that fills all space, if that is what the law is.
+    #[must_use]
+    pub fn medium(&self) -> Option<&'a Arc<dyn Medium>> {
+        if let Form::Medium(medium) = self.form { Some(medium) } else { None }
+    }
+
+    /// Returns the curve that all rays follow, if they do.
+    #[must_use]
+    pub fn curve(&self) -> Option<&'a Parametric> {
+        if let Form::Curve(curve) = self.form { Some(curve) } else { None }
+    }
+
+    /// Returns the line element that the law is written as, if it is.
+    #[must_use]
+    pub fn line_element(&self) -> Option<&'a LineElement> {
+        if let Form::LineElement(element) = self.form { Some(element) } else { None }
+    }
+
+    /// Returns why rays cannot go on from surfaces: from mirrors, and with `interiors` through what objects are filled with.
+    #[must_use]
+    pub fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
+        self.refuses_surfaces.or(self.refuses_interiors.filter(|_| interiors))
+    }
+
+    /// Returns `true` if rays are not followed from this place, which nothing comes out of.
+    #[must_use]
+    pub fn swallows(&self, x: DVec3) -> bool {
+        self.swallows.is_some_and(|surface| surface.distance(x) < 0.0)
+    }
 }
 
 /// How light travels.
@@ -105,60 +242,22 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         Vec::new()
     }
 
-    /// What the derivative depends on.
-    fn order(&self) -> Order;
-
-    /// Does a state carry time, as a fourth number beside place and velocity?
-    fn carries_time(&self) -> bool {
-        false
+    /// What is known of it whatever the place.
+    fn facts(&self) -> Facts<'_> {
+        Facts::default()
     }
 
-    /// The steps by which its rays are usually followed in the least time.
-    fn usual_steps(&self) -> UsualSteps {
-        UsualSteps::Orbit
-    }
-
-    /// Is it the same at all times?
-    fn is_stationary(&self) -> bool {
-        true
-    }
-
-    /// The law at a time so much later, where that is another.
-    fn later(&self, time: f64) -> Option<Arc<dyn Law>> {
-        let _ = time;
+    /// The law at a time so much later, in a camera's axes, which are columns: to the right, up and backwards; none if it is the same.
+    fn seen(&self, axes: Option<DMat3>, time: f64) -> Option<Arc<dyn Law>> {
+        let _ = (axes, time);
         None
-    }
-
-    /// Is its τ the time that light takes, in the scene's units?
-    fn keeps_time(&self) -> bool {
-        false
-    }
-
-    /// How many terms one evaluation of its derivative adds up, each about as long as a simple law.
-    fn terms(&self) -> u32 {
-        1
-    }
-
-    /// What its force comes from, for the parts that know the way there.
-    fn anchors(&self) -> Vec<Anchor> {
-        Vec::new()
     }
 
     /// Where rays end. `clearance` is how far the objects of the scene are at least from a place; none where a ray is to be
     /// followed as far as it goes.
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let _ = clearance;
-        self.medium().and_then(|medium| medium.capture()).into_iter().collect()
-    }
-
-    /// The part that captures rays, where its one sphere alone does not say it.
-    fn capture_part(&self) -> Option<&'static str> {
-        None
-    }
-
-    /// The orbit about its only centre, if it has one whose r has an equation of its own.
-    fn orbit(&self) -> Option<Orbit> {
-        None
+        self.facts().medium().and_then(|medium| medium.capture()).into_iter().collect()
     }
 
     /// What is kept along a ray.
@@ -169,7 +268,7 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
 
     /// Spheres that a drawing shows: horizons, spheres that capture, edges.
     fn landmarks(&self) -> Vec<Landmark> {
-        Vec::new()
+        self.facts().throat.map_or_else(Vec::new, |throat| throat.landmarks())
     }
 
     /// The velocity that a given one at x stands for, where the law does not take it as it is.
@@ -178,78 +277,11 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         v
     }
 
-    /// The line element that it is written as, if it is; rays then end where that says.
-    fn line_element(&self) -> Option<&LineElement> {
+    /// The metric of spacetime at a place and so much later, if the law is that of one: of vectors of the place's components, then
+    /// the time's.
+    fn metric(&self, x: DVec3, time: f64) -> Option<DMat4> {
+        let _ = (x, time);
         None
-    }
-
-    /// The medium that fills all space, if that is what the law is.
-    fn medium(&self) -> Option<&Arc<dyn Medium>> {
-        None
-    }
-
-    /// What its τ is to the path: the parts that know how fast a place moves, and what a step is measured in.
-    fn pace(&self) -> [&'static str; 2] {
-        ["law/path_as_velocity", "motion/pace_tau"]
-    }
-
-    /// The closed form of all its paths, if they have one, and if that is not a medium's.
-    fn closed_form(&self) -> Option<&'static ClosedForm> {
-        None
-    }
-
-    /// The curve that all rays follow, if they do.
-    fn curve(&self) -> Option<&Parametric> {
-        None
-    }
-
-    /// The τ at which its rays end of themselves.
-    fn length(&self) -> Option<f64> {
-        None
-    }
-
-    /// Why it does not matter where a ray points, if that is so.
-    fn ignores_direction(&self) -> Option<&'static str> {
-        (self.order() == Order::Flow).then_some("all rays from there follow the same orbit")
-    }
-
-    /// Why light cannot be followed from where it shines, if it cannot.
-    fn refuses_sent_light(&self) -> Option<&'static str> {
-        self.ignores_direction()
-    }
-
-    /// Has it the camera's axes?
-    fn is_of_camera(&self) -> bool {
-        false
-    }
-
-    /// The law of a camera with these axes in columns, to the right, up and backwards; none if it is the same for all.
-    fn turned(&self, axes: DMat3) -> Option<Arc<dyn Law>> {
-        let _ = axes;
-        None
-    }
-
-    /// Are rays straight lines at a speed of their own, whatever their place?
-    fn is_straight(&self) -> bool {
-        false
-    }
-
-    /// The part that knows the directions of an observer, if they are not the coordinates'; none under laws that know no such observer.
-    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        let _ = frame;
-        None
-    }
-
-    /// The metric of spacetime at a place, if the law is that of one: of vectors of the place's components, then the time's.
-    fn metric(&self, x: DVec3) -> Option<DMat4> {
-        let _ = x;
-        None
-    }
-
-    /// That at a time so much later.
-    fn metric_later(&self, x: DVec3, time: f64) -> Option<DMat4> {
-        let _ = time;
-        self.metric(x)
     }
 
     /// The length over which its metric changes at a place.
@@ -258,62 +290,31 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         1.0
     }
 
-    /// The four-velocity of an observer there, under laws that have a metric; or why there can be none, as what follows the camera's
-    /// name in the message, and what to do.
+    /// The four-velocity of an observer there; none, whatever the place, under laws that know no such observer. Or why there can be
+    /// none, as what follows the camera's name in the message, and what to do.
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let _ = (frame, at);
         None
     }
 
-    /// The part that ends light from below a horizon, if it can come to such a place; or with none to any.
-    fn below_part(&self, eye: Option<DVec3>) -> Option<&'static str> {
-        let _ = eye;
-        None
+    /// The part that knows the directions of an observer, if they are not the coordinates'; none under laws that know no such observer.
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        self.observer(frame, DVec3::ZERO).map(|_| OBSERVER_PART)
     }
 
-    /// The parts that give the momentum of light, if light has a frequency under this law; else none.
-    fn momentum_parts(&self) -> &'static [&'static str] {
-        &[]
-    }
-
-    /// The centre and the axis about which matter goes round, if it does: on the orbits of [`CameraFrame::Orbiting`].
+    /// The center and the axis about which matter goes round, if it does: on the orbits of [`CameraFrame::Orbiting`].
     fn equator(&self) -> Option<[DVec3; 2]> {
         None
     }
 
-    /// What joins two places of its space, if something does.
-    fn throat(&self) -> Option<Throat> {
-        None
-    }
-
-    /// Why rays cannot be followed within a bounding sphere of this radius: the law's key that is wrong beside it, the mistake, and
-    /// what to do.
-    fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
-        let _ = radius;
-        None
-    }
-
-    /// Is it a place that nothing comes out of, and where rays are not followed?
-    fn swallows(&self, x: DVec3) -> bool {
-        let _ = x;
-        false
-    }
-
     /// Why no eye can be at a place: what follows the eye's name in the message, and what to do.
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
-        let _ = at;
-        None
+        self.facts().throat?.refuses_eye(at)
     }
 
-    /// What whoever chose it should know of it within a sphere of space, if that is out of the ordinary.
+    /// A warning about the law within a sphere of space, if it is out of the ordinary there.
     fn remark(&self, center: DVec3, radius: f64) -> Option<String> {
         let _ = (center, radius);
-        None
-    }
-
-    /// Why rays cannot go on from surfaces: from mirrors, and with `interiors` through what objects are filled with.
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        let _ = interiors;
         None
     }
 }

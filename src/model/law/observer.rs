@@ -44,19 +44,19 @@ impl CameraFrame {
 }
 
 /// The four-velocity that is along k; none if that is no way of anything slower than light.
-pub(super) fn normalised(metric: &DMat4, k: DVec4) -> Option<DVec4> {
+fn normalised(metric: &DMat4, k: DVec4) -> Option<DVec4> {
     let length = -k.dot(*metric * k);
     (length > 0.0).then(|| k / length.sqrt())
 }
 
 /// At rest in the slices of equal time.
-pub(super) fn normal(metric: &DMat4) -> Option<DVec4> {
+fn normal(metric: &DMat4) -> Option<DVec4> {
     let inverse = metric.inverse();
     normalised(metric, -inverse.col(3))
 }
 
 /// Moving past that one, along `velocity` and as fast as it is long.
-pub(super) fn moving(metric: &DMat4, velocity: DVec3) -> Option<DVec4> {
+fn moving(metric: &DMat4, velocity: DVec3) -> Option<DVec4> {
     let along = velocity.extend(0.0);
     let length = along.dot(*metric * along).sqrt();
     let stretched = if length > 0.0 { velocity.length() / length } else { 0.0 };
@@ -80,66 +80,33 @@ pub(super) fn spherical(n: DVec3, along: f64, across: f64, clock: f64) -> DMat4 
     metric
 }
 
-/// A hole that is the same all round, −A dt² + dr²/A + r² dΩ², as observers at a place know it.
-pub(super) struct RoundHole {
-    /// From the centre.
-    pub offset: DVec3,
-    /// What orbits go round.
-    pub axis: DVec3,
-    /// A there.
-    pub clock: f64,
-    /// A′ there.
-    pub slope: f64,
-    /// r of the circular orbits of light, within which matter has none.
-    pub photon_sphere: f64,
+/// Returns the four-velocity of an observer at a place with this metric, where `around` is the way round the law's axis and `orbiting`
+/// gives dφ/dt of the circular orbit, with φ (1) or against it (−1). `None` if nothing can move so, or if only the law knows how.
+pub(super) fn four_velocity(
+    metric: &DMat4,
+    frame: CameraFrame,
+    around: DVec3,
+    orbiting: &dyn Fn(f64) -> Option<f64>,
+) -> Option<DVec4> {
+    let way = |turning: f64| normalised(metric, (turning * around).extend(1.0));
+    match frame {
+        CameraFrame::Coordinate | CameraFrame::Falling => None,
+        CameraFrame::Static => way(0.0),
+        CameraFrame::Normal => normal(metric),
+        CameraFrame::Moving(velocity) => moving(metric, velocity),
+        CameraFrame::Zamo => {
+            let around = around.extend(0.0);
+            let (mixed, own) = (around.dot(metric.w_axis), around.dot(*metric * around));
+            way(if own > 0.0 { -mixed / own } else { 0.0 })
+        }
+        CameraFrame::Orbiting => orbiting(1.0).and_then(way),
+        CameraFrame::CounterOrbiting => orbiting(-1.0).and_then(way),
+    }
 }
 
-impl RoundHole {
-    /// The frames of [`Self::observer`].
-    pub fn knows(frame: CameraFrame) -> bool {
-        frame != CameraFrame::Coordinate
-    }
-
-    pub fn metric(&self) -> DMat4 {
-        spherical(self.offset.normalize(), 1.0 / self.clock, 1.0, self.clock)
-    }
-
-    /// As [`Law::observer`](super::Law::observer). Without spin who rests has no angular momentum, and is at rest in the slices of equal time.
-    pub fn observer(&self, frame: CameraFrame) -> Option<Result<DVec4, [String; 2]>> {
-        let metric = self.metric();
-        let found = match frame {
-            CameraFrame::Coordinate => return None,
-            CameraFrame::Static | CameraFrame::Normal | CameraFrame::Zamo => normalised(&metric, DVec4::W),
-            CameraFrame::Moving(velocity) => moving(&metric, velocity),
-            CameraFrame::Orbiting => return Some(self.orbiting(1.0)),
-            CameraFrame::CounterOrbiting => return Some(self.orbiting(-1.0)),
-            CameraFrame::Falling => return Some(self.falling()),
-        };
-        Some(found.ok_or_else(|| ["is where nothing is at rest".to_owned(), "move it".to_owned()]))
-    }
-
-    /// Ω² = A′/2r, in the plane across the axis.
-    fn orbiting(&self, sense: f64) -> Result<DVec4, [String; 2]> {
-        let r = self.offset.length();
-        let turning = sense * (0.5 * self.slope / r).sqrt();
-        let is_level = self.offset.dot(self.axis).abs() <= 1e-9 * r;
-        let way = (turning * self.axis.cross(self.offset)).extend(1.0);
-        let found = if is_level && turning.is_finite() { normalised(&self.metric(), way) } else { None };
-        found.ok_or_else(|| {
-            let help = "those are in the plane through the hole across law.axis";
-            ["is on no circular orbit".to_owned(), format!("{help}, beyond r = {:.4}", self.photon_sphere)]
-        })
-    }
-
-    /// With E = 1 and L = 0.
-    fn falling(&self) -> Result<DVec4, [String; 2]> {
-        let inwards = (1.0 - self.clock).sqrt();
-        let u = (-inwards * self.offset.normalize()).extend(1.0 / self.clock);
-        let help = "there charge or Λ has turned it round: use frame = \"moving\" and camera.velocity";
-        if inwards.is_finite() {
-            Ok(u)
-        } else {
-            Err(["is where nothing has fallen from rest".to_owned(), help.to_owned()])
-        }
-    }
+/// Returns the four-velocity of an observer in a space whose clocks all go alike: at rest, or moving. `None` for the other frames.
+pub(super) fn in_space(metric: &DMat4, frame: CameraFrame) -> Option<Result<DVec4, [String; 2]>> {
+    let is_known = matches!(frame, CameraFrame::Static | CameraFrame::Normal | CameraFrame::Moving(_));
+    let found = || four_velocity(metric, frame, DVec3::ZERO, &|_| None);
+    is_known.then(|| found().ok_or_else(|| ["is nowhere", "move it"].map(str::to_owned)))
 }

@@ -75,8 +75,9 @@ impl Throat {
         if there.length_squared() < here.length_squared() { (there, -1.0) } else { (here, 1.0) }
     }
 
-    /// As [`Law::refuses_bound`](super::Law::refuses_bound).
-    pub(super) fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
+    /// Returns why rays cannot be followed within a bounding sphere of this radius: the law's key that is wrong beside it, the mistake,
+    /// and what to do.
+    pub(crate) fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
         let (apart, enough) = (self.mouths[0].distance(self.mouths[1]), 2.0 * radius);
         let problem = || format!("the bounding spheres round the two mouths overlap: they are {apart} apart");
         (apart <= enough).then(|| ("other", [problem(), format!("move it to more than {enough} from law.center")]))

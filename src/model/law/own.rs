@@ -18,7 +18,8 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::{Kind, Landmark, Law, Order, UsualSteps};
+use super::sources::OWN_SPEED;
+use super::{Facts, Kind, Landmark, Law, Order, UsualSteps};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, array, number, positive, word};
 use crate::document::{Node, Value as Written, keys};
@@ -210,20 +211,16 @@ impl Law for OwnLaw {
     }
 
     /// Its author has said over what time it changes.
-    fn usual_steps(&self) -> UsualSteps {
-        UsualSteps::Scaled
-    }
-
-    fn order(&self) -> Order {
-        match self.depends {
-            Depends::Place => Order::Place,
-            Depends::Velocity | Depends::Time => Order::General,
-            Depends::Flow => Order::Flow,
-        }
-    }
-
-    fn carries_time(&self) -> bool {
-        self.depends == Depends::Time
+    fn facts(&self) -> Facts<'_> {
+        let time = "behind a surface a law that depends on τ would begin again at 0";
+        let by = |order| Facts { order, refuses_interiors: Some(OWN_SPEED), ..Facts::default() };
+        let facts = match self.depends {
+            Depends::Place => by(Order::Place),
+            Depends::Velocity => by(Order::General),
+            Depends::Time => Facts { carries_time: true, refuses_surfaces: Some(time), ..by(Order::General) },
+            Depends::Flow => Facts::flow(),
+        };
+        Facts { usual_steps: UsualSteps::Scaled, ..facts }
     }
 
     fn captures(&self, _: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
@@ -233,13 +230,5 @@ impl Law for OwnLaw {
     fn landmarks(&self) -> Vec<Landmark> {
         let sphere = |capture: &Capture| Landmark::sphere("capture", capture.anchor.position, capture.radius, true);
         self.captures.iter().map(sphere).collect()
-    }
-
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        match self.depends {
-            Depends::Flow => Some("an orbit of a flow has no direction of its own"),
-            Depends::Time => Some("behind a surface a law that depends on τ would begin again at 0"),
-            _ => interiors.then_some(super::sources::OWN_SPEED),
-        }
     }
 }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
 
-use super::{Kind, Law, Order};
+use super::{Facts, Form, Kind, Law, Order};
 use crate::assets::{Curve, Interval};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, array, number, text, word};
@@ -166,44 +166,27 @@ impl Law for Parametric {
         [law].into_iter().chain(axes).collect()
     }
 
-    fn order(&self) -> Order {
-        Order::General
+    fn facts(&self) -> Facts<'_> {
+        const SAME: &str = "all rays from there follow the same curve";
+        Facts {
+            order: Order::General,
+            carries_time: true,
+            closed_form: Some(&FORM),
+            form: Form::Curve(self),
+            length: Some(self.last - self.first),
+            ignores_direction: Some(SAME),
+            refuses_sent_light: Some(SAME),
+            refuses_surfaces: Some("a parametric ray has no direction of its own to go on in"),
+            ..Facts::default()
+        }
     }
 
-    fn carries_time(&self) -> bool {
-        true
-    }
-
-    fn closed_form(&self) -> Option<&'static ClosedForm> {
-        Some(&FORM)
-    }
-
-    fn curve(&self) -> Option<&Parametric> {
-        Some(self)
-    }
-
-    fn length(&self) -> Option<f64> {
-        Some(self.last - self.first)
-    }
-
-    fn ignores_direction(&self) -> Option<&'static str> {
-        Some("all rays from there follow the same curve")
-    }
-
-    fn is_of_camera(&self) -> bool {
-        self.turned.is_some()
-    }
-
-    fn turned(&self, axes: DMat3) -> Option<Arc<dyn Law>> {
-        let turned = Self { turned: Some(axes), ..self.clone() };
-        self.turned.map(|_| Arc::new(turned) as Arc<dyn Law>)
+    fn seen(&self, axes: Option<DMat3>, _: f64) -> Option<Arc<dyn Law>> {
+        self.turned?;
+        Some(Arc::new(Self { turned: Some(axes?), ..self.clone() }))
     }
 
     fn starting_velocity(&self, _: DVec3, _: DVec3) -> DVec3 {
         self.at(0.0)[1]
-    }
-
-    fn refuses_surfaces(&self, _: bool) -> Option<&'static str> {
-        Some("a parametric ray has no direction of its own to go on in")
     }
 }

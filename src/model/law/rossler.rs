@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::flow::{FlowOrder, ORDER};
-use super::{Kind, Law, Order};
+use super::{Facts, Kind, Law};
 use crate::document::keys;
 use crate::document::values::number;
 use crate::model::{Binding, Wgsl, row};
@@ -49,11 +49,7 @@ impl Law for Rossler {
         vec![Binding::one("flow", row)]
     }
 
-    fn order(&self) -> Order {
-        self.order.order()
-    }
-
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        self.order.refuses_surfaces(interiors)
+    fn facts(&self) -> Facts<'_> {
+        self.order.facts()
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order, USUAL_PARTS, UsualSteps};
+use super::{Facts, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order, USUAL_PARTS, UsualSteps};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{choice, not_negative, not_zero, vector, word};
@@ -97,6 +97,18 @@ impl Sources {
         [parts.clone().sum(), parts.map(f64::abs).sum()]
     }
 
+    /// The orbit about the only centre, if there is one.
+    fn orbit(&self) -> Option<Orbit> {
+        let [only] = self.0.as_slice() else { return None };
+        let falloff = only.falloff.kind;
+        let orbit = Orbit {
+            center: only.anchor.position,
+            form: OrbitForm::Plane(falloff.orbit),
+            is_free_far_away: falloff.is_free_far_away,
+        };
+        only.anchor.kind.is_point.then_some(orbit)
+    }
+
     /// How long the lists are: known to the compiler, which may unroll them.
     fn counts(&self) -> String {
         let mut text = String::new();
@@ -128,36 +140,20 @@ impl Law for Sources {
     }
 
     /// Rays pass close by a source, where steps of its orbit's equation are no longer than others and cost more.
-    fn usual_steps(&self) -> UsualSteps {
-        UsualSteps::Tolerant
-    }
-
-    fn order(&self) -> Order {
-        Order::Place
-    }
-
-    fn terms(&self) -> u32 {
-        self.0.len() as u32
-    }
-
-    fn anchors(&self) -> Vec<Anchor> {
-        self.0.iter().map(|source| source.anchor).collect()
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            usual_steps: UsualSteps::Tolerant,
+            terms: self.0.len() as u32,
+            anchors: self.0.iter().map(|source| source.anchor).collect(),
+            orbit: self.orbit(),
+            refuses_interiors: Some(OWN_SPEED),
+            ..Facts::default()
+        }
     }
 
     fn captures(&self, _: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let capture = |source: &Source| Capture { anchor: source.anchor, radius: source.capture };
         self.0.iter().filter(|source| source.capture > 0.0).map(capture).collect()
-    }
-
-    fn orbit(&self) -> Option<Orbit> {
-        let [only] = self.0.as_slice() else { return None };
-        let falloff = only.falloff.kind;
-        let orbit = Orbit {
-            center: only.anchor.position,
-            form: OrbitForm::Plane(falloff.orbit),
-            is_free_far_away: falloff.is_free_far_away,
-        };
-        only.anchor.kind.is_point.then_some(orbit)
     }
 
     /// The energy ½|v|² + V, and about a single centre x × v.
@@ -182,15 +178,10 @@ impl Law for Sources {
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
-        let inside = |source: &&Source| source.anchor.offset(at).length() <= source.capture && source.capture > 0.0;
-        let source = self.0.iter().find(inside)?;
-        let [x, y, z] = source.anchor.position.to_array();
-        let problem = format!("is inside the capture radius {} of the source at [{x}, {y}, {z}]", source.capture);
+        let capture = self.captures(None).into_iter().find(|capture| capture.distance(at) <= 0.0)?;
+        let [x, y, z] = capture.anchor.position.to_array();
+        let problem = format!("is inside the capture radius {} of the source at [{x}, {y}, {z}]", capture.radius);
         Some([problem, "move it away from the source".to_owned()])
-    }
-
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        interiors.then_some(OWN_SPEED)
     }
 }
 
@@ -209,20 +200,14 @@ impl Law for ByLength {
         self.0.values()
     }
 
-    fn order(&self) -> Order {
-        Order::General
-    }
-
-    fn pace(&self) -> [&'static str; 2] {
-        ["law/by_length", "motion/pace_length"]
-    }
-
-    fn terms(&self) -> u32 {
-        self.0.terms()
-    }
-
-    fn anchors(&self) -> Vec<Anchor> {
-        self.0.anchors()
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            order: Order::General,
+            pace: ["law/by_length", "motion/pace_length"],
+            usual_steps: UsualSteps::Orbit,
+            orbit: None,
+            ..self.0.facts()
+        }
     }
 
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
@@ -241,9 +226,5 @@ impl Law for ByLength {
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
         self.0.refuses_eye(at)
-    }
-
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        self.0.refuses_surfaces(interiors)
     }
 }

@@ -5,14 +5,14 @@
 //!
 //! *Practice.* Each side is drawn round a mouth of its own, as x = R n̂ with R = ρ₀ + |l|: so both are in the same coordinates, objects on either
 //! side are objects like any other, and no ray has to know where it is. A little beyond the throat is a surface that rays go on from,
-//! which [`Law::throat`] has the scene put round each mouth; and there is a bounding sphere round each.
+//! which [`Facts::throat`] has the scene put round each mouth; and there is a bounding sphere round each.
 
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::observer::{OBSERVER_PART, moving, normalised, spherical};
-use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order, Throat};
+use super::observer::{in_space, spherical};
+use super::{CameraFrame, Facts, Invariant, Kind, Law, Order, Throat};
 use crate::document::keys;
 use crate::document::values::{not_negative, positive, vector};
 use crate::model::{Binding, Wgsl, row};
@@ -99,16 +99,16 @@ impl Law for Wormhole {
         vec![Binding::one("law", row)]
     }
 
-    fn order(&self) -> Order {
-        Order::General
-    }
-
-    fn keeps_time(&self) -> bool {
-        true
-    }
-
-    fn throat(&self) -> Option<Throat> {
-        Some(self.joint())
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            order: Order::General,
+            keeps_time: true,
+            throat: Some(self.joint()),
+            momentum_parts: &["law/momentum/wormhole"],
+            refuses_interiors: Some("light has speeds of its own round a wormhole's mouth"),
+            refuses_sent_light: Some("it has more ways through a wormhole than are looked for"),
+            ..Facts::default()
+        }
     }
 
     /// The speed of light, and L/E = r v⊥ r/R.
@@ -123,21 +123,13 @@ impl Law for Wormhole {
         ]
     }
 
-    fn landmarks(&self) -> Vec<Landmark> {
-        self.joint().landmarks()
-    }
-
     fn starting_velocity(&self, x: DVec3, v: DVec3) -> DVec3 {
         let (n, wider) = self.drawn(x);
         let rising = n.dot(v);
         v / rising.hypot((v - rising * n).length() * wider)
     }
 
-    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        matches!(frame, CameraFrame::Static | CameraFrame::Moving(_)).then_some(OBSERVER_PART)
-    }
-
-    fn metric(&self, x: DVec3) -> Option<DMat4> {
+    fn metric(&self, x: DVec3, _: f64) -> Option<DMat4> {
         let (n, wider) = self.drawn(x);
         Some(spherical(n, 1.0, wider * wider, 1.0))
     }
@@ -147,32 +139,6 @@ impl Law for Wormhole {
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
-        let metric = self.metric(at)?;
-        let found = match frame {
-            CameraFrame::Static => normalised(&metric, DVec4::W),
-            CameraFrame::Moving(velocity) => moving(&metric, velocity),
-            _ => return None,
-        };
-        Some(found.ok_or_else(|| ["is nowhere".to_owned(), "move it".to_owned()]))
-    }
-
-    fn momentum_parts(&self) -> &'static [&'static str] {
-        &["law/momentum/wormhole"]
-    }
-
-    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
-        self.joint().refuses_eye(at)
-    }
-
-    fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
-        self.joint().refuses_bound(radius)
-    }
-
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        interiors.then_some("light has speeds of its own round a wormhole's mouth")
-    }
-
-    fn refuses_sent_light(&self) -> Option<&'static str> {
-        Some("it has more ways through a wormhole than are looked for")
+        in_space(&self.metric(at, 0.0)?, frame).filter(|_| frame != CameraFrame::Normal)
     }
 }

@@ -103,7 +103,7 @@ pub(super) fn read(table: &TableReader, law: Option<&dyn Law>, middle: Option<DV
         Travel::straight(table.reader.accept(vector(node))?)
     };
     let k = travel.velocity_at(middle).extend(1.0);
-    if law.metric(middle).is_some_and(|metric| k.dot(metric * k) >= 0.0) {
+    if law.metric(middle, 0.0).is_some_and(|metric| k.dot(metric * k) >= 0.0) {
         let help = "move it more slowly, or elsewhere";
         table.fault(&[key], "the object would move as fast as light, or faster", help);
     }

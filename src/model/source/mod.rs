@@ -91,6 +91,14 @@ impl Anchor {
     }
 }
 
+impl Capture {
+    /// Returns how far a place is from the surface, in the measure of its kind: below 0 within.
+    #[must_use]
+    pub fn distance(&self, x: DVec3) -> f64 {
+        self.anchor.offset(x).length() - self.radius
+    }
+}
+
 impl Kind {
     /// Its WGSL.
     #[must_use]

@@ -17,8 +17,8 @@ pub(super) use switch::{switch, unit};
 /// Paths that are looked for from a light to a place, at most: about one centre two by either side; else one from each first direction,
 /// straight and past each of the law's sources at three distances, or to four sides twice, and back.
 fn shots(scene: &Scene) -> usize {
-    match scene.law.anchors().len() {
-        _ if scene.law.orbit().is_some_and(|orbit| orbit.is_plane()) => 4,
+    match scene.law.facts().anchors.len() {
+        _ if scene.law.facts().orbit.is_some_and(|orbit| orbit.is_plane()) => 4,
         0 => 10,
         aims => 1 + 3 * aims,
     }
@@ -30,7 +30,7 @@ const AROUND: usize = 48;
 /// The same with those.
 #[must_use]
 pub fn all_shots(scene: &Scene) -> usize {
-    let planar = scene.law.orbit().is_some_and(|orbit| orbit.is_plane());
+    let planar = scene.law.facts().orbit.is_some_and(|orbit| orbit.is_plane());
     shots(scene) + if planar { 0 } else { AROUND }
 }
 
@@ -267,7 +267,7 @@ pub(super) fn counts(scene: &Scene, choice: &Choice, regions: &Regions) -> Unit 
     }
     count("CAPTURE", scene.captures(None).len());
     count("TRAVEL", scene.travels().count());
-    let aims = scene.law.anchors().len();
+    let aims = scene.law.facts().anchors.len();
     count("AIM", aims.max(1));
     let _ = writeln!(text, "const HAS_AIMS: bool = {};", aims > 0);
     let (few, all) = (shots(scene), all_shots(scene));

@@ -2,17 +2,16 @@
 
 use crate::document::reader::TableReader;
 use crate::document::values::{number_where, positive, word};
-use crate::model::Law;
 use crate::scene::optics::Optics;
 use crate::scene::{Clear, Occlusion};
 
 /// What cannot be looked along.
 fn check_law(table: &TableReader, optics: &Optics, chords: bool) {
     let help = "use rays = \"straight\"";
-    if let Some(why) = optics.law.and_then(Law::ignores_direction) {
+    if let Some(why) = optics.law.and_then(|law| law.facts().ignores_direction) {
         table.fault(&["rays"], format!("ambient light cannot be followed under this law: {why}"), help);
     }
-    if optics.law.is_some_and(|law| law.throat().is_some()) {
+    if optics.law.is_some_and(|law| law.facts().throat.is_some()) {
         table.fault(&["rays"], "ambient light is not followed through a wormhole", help);
     }
     if chords {

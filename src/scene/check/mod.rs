@@ -107,9 +107,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let paths = paths::read(&root, table.as_ref(), law.as_deref());
     let image = image::read(&root, paths.is_some());
     let camera = camera::read(&root, law.as_deref(), image.size);
-    let law = law.and_then(|law| turned(&root, law, camera.as_ref()));
-    let time = camera.as_ref().map_or(0.0, |camera| camera.time);
-    let law = law.map(|law| law.later(time).unwrap_or(law));
+    let law = law.and_then(|law| seen(&root, law, camera.as_ref()));
     let (sky, beyond) = sky::read(&root, files, law.as_deref(), paths.is_some());
     let output = output(&root, paths.is_some());
     let (names, mut materials) = material::read(&root, files, paths.is_some());
@@ -124,7 +122,9 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let mut objects: Vec<_> = placed.into_iter().map(|(_, object)| object).collect();
     if let Some(law) = &law {
         add_throat(&**law, &mut materials, &mut objects);
-        if let Some((key, [problem, help])) = bound.and_then(|bound| law.refuses_bound(bound.radius)) {
+        if let Some((key, [problem, help])) =
+            law.facts().throat.zip(bound).and_then(|(throat, bound)| throat.refuses_bound(bound.radius))
+        {
             root.fault_within("law", key, problem, help);
         }
     }
@@ -206,20 +206,18 @@ fn check_bound(root: &TableReader, law: &dyn Law, bound: Bound) {
     }
 }
 
-/// The law with the camera's axes, where it has those.
-fn turned(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Option<Arc<dyn Law>> {
-    if !law.is_of_camera() {
-        return Some(law);
-    }
-    let Some(camera) = camera else {
+/// The law as the camera sees it: at its time, and with its axes if they are the law's.
+fn seen(root: &TableReader, law: Arc<dyn Law>, camera: Option<&Camera>) -> Option<Arc<dyn Law>> {
+    if camera.is_none() && law.facts().curve().is_some_and(|curve| curve.turned.is_some()) {
         // A camera that cannot be used is reported as such.
         if root.node("camera").is_none() {
             let problem = "the law has the camera's axes, and the scene has no camera";
             root.fault(&["law"], problem, "write axes = \"scene\", or add [camera]");
         }
         return None;
-    };
-    law.turned(DMat3::from_cols(camera.right, camera.up, -camera.forward))
+    }
+    let axes = camera.map(|camera| DMat3::from_cols(camera.right, camera.up, -camera.forward));
+    Some(law.seen(axes, camera.map_or(0.0, |camera| camera.time)).unwrap_or(law))
 }
 
 /// `by_paths`: is the picture made of random paths?
@@ -270,7 +268,7 @@ fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
 
 /// Under some laws no light can be sent anywhere.
 fn check_aimed(table: &TableReader, optics: &Optics) {
-    if let Some(why) = optics.law.and_then(Law::refuses_sent_light) {
+    if let Some(why) = optics.law.and_then(|law| law.facts().refuses_sent_light) {
         let help = "use shadows = \"straight\"";
         table.fault(&["shadows"], format!("light cannot be aimed under this law: {why}"), help);
     }

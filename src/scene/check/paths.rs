@@ -8,7 +8,7 @@ use crate::scene::{Light, Paths};
 /// The paths that light takes from surface to surface, if it does.
 pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law>) -> Option<Paths> {
     let follows = rays.is_some_and(|rays| rays.or("transport", false, word(&[("lights", false), ("paths", true)])));
-    if let (true, Some(rays), Some(why)) = (follows, rays, law.and_then(Law::ignores_direction)) {
+    if let (true, Some(rays), Some(why)) = (follows, rays, law.and_then(|law| law.facts().ignores_direction)) {
         let problem = format!("light cannot go from surface to surface under this law: {why}");
         rays.fault(&["transport"], problem, "use transport = \"lights\"");
     }

@@ -40,7 +40,7 @@ pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> 
 /// All but the bound, which was read before. None without it.
 pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option<Rays> {
     let length = table.optional("length", positive);
-    let own = optics.law.and_then(Law::length);
+    let own = optics.law.and_then(|law| law.facts().length);
     let length = length.into_iter().chain(own).reduce(f64::min);
     let segment = segment(&table, optics.arc_tolerance(bound.map_or(1.0, |bound| bound.radius)), is_polygon(&table));
     let demands = optics.demands(length.is_some(), segment.has_chords());
@@ -148,7 +148,7 @@ fn branches(node: &Node) -> Read<Branches> {
 
 /// Beyond the bound one centre's orbits go on in closed form, which has to be about the bound's own centre.
 fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
-    let Some(center) = law.orbit().filter(|orbit| orbit.is_free_far_away).map(|orbit| orbit.center) else {
+    let Some(center) = law.facts().orbit.filter(|orbit| orbit.is_free_far_away).map(|orbit| orbit.center) else {
         let problem = "`asymptotic` is for a hole's own law or one inverse-square source";
         table.fault(&["asymptotic"], problem, "leave it out");
         return;

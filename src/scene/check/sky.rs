@@ -19,7 +19,7 @@ pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths:
     let Some(table) = root.reader.open("sky", node) else { return (BLACK, None) };
     let sky = one(&table, files);
     let beyond = table.subtable("beyond", "sky.beyond").map(|beyond| {
-        if law.is_some_and(|law| law.throat().is_none()) {
+        if law.is_some_and(|law| law.facts().throat.is_none()) {
             let problem = "only a wormhole has another side";
             table.fault(&["beyond"], problem, "leave it out, or use law.kind = \"wormhole\" or law.throat");
         }

@@ -12,7 +12,7 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, bound: Option<Bound>, 
         return;
     }
     let fault = |problem: &str, help: &str| root.fault(&["objects"], format!("an object moves, and {problem}"), help);
-    if optics.law.is_some_and(|law| !law.keeps_time()) {
+    if optics.law.is_some_and(|law| !law.facts().keeps_time) {
         let help = "use law.kind = \"straight\", \"kerr-newman\", \"wormhole\" or \"metric\"; a Schwarzschild hole is kerr-newman without spin";
         fault("this law does not say how long light takes", help);
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::model::Law;
-use crate::model::law::{KerrNewman, Schwarzschild};
+use crate::model::law::{KerrNewman, RoundHole};
 use crate::model::shape::{Cuboid, Plane, Sphere, Triangles};
 use crate::scene::{CutPlane, Mesh, Object, Outline, Shape, Substance, Transform};
 
@@ -166,7 +166,7 @@ fn a_real_mesh_has_as_much_outline_as_edges() {
 
 #[test]
 fn a_horizon_is_cut_like_a_sphere() {
-    let hole = Schwarzschild::new(1.5, DVec3::X);
+    let hole = RoundHole::new(1.5, DVec3::X);
     let [horizon] = &hole.landmarks()[..] else { panic!() };
     assert_eq!(horizon.name, "horizon");
     let cut = |height: f64| horizon.cut(&plane([0.0, 0.0, height], [0.0, 0.0, 1.0]));

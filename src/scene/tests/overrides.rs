@@ -2,7 +2,7 @@
 
 use super::{Override, RAYS, Scene, mistakes_of};
 use crate::model::camera::Pinhole;
-use crate::model::law::{Schwarzschild, SchwarzschildForm};
+use crate::model::law::{HoleForm, RoundHole};
 use crate::scene::{Bound, SceneError};
 use glam::DVec3;
 use std::path::Path;
@@ -32,8 +32,8 @@ fn values_are_replaced_and_added() {
     assert_eq!(scene.image.size, [10, 12]);
     let projection = scene.camera.expect("a camera").projection;
     assert_eq!(projection.downcast(), Some(&Pinhole { fov: 40.0 }));
-    let Schwarzschild { form, center, .. } = scene.law.downcast().expect("a hole");
-    assert_eq!(*form, SchwarzschildForm::Geodesic);
+    let RoundHole { form, center, .. } = scene.law.downcast().expect("a hole");
+    assert_eq!(*form, HoleForm::Geodesic);
     assert_eq!(*center, DVec3::Z);
     assert_eq!(scene.objects[0].transform.uniform_scale(), Some(2.0));
     let center = DVec3::ZERO;

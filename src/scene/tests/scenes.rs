@@ -7,7 +7,7 @@ use crate::document::reader::Reader;
 use crate::model::camera::{Corners, Fisheye, Panorama, Pinhole};
 use crate::model::control::{self, doubling, scaled};
 use crate::model::falloff::Falloff;
-use crate::model::law::{FlowOrder, Lorenz, Schwarzschild, Sources, Straight};
+use crate::model::law::{FlowOrder, Lorenz, RoundHole, Sources, Straight};
 use crate::model::material::Phong;
 use crate::model::method::{self, Method};
 use crate::model::shape::Plane;
@@ -108,7 +108,7 @@ fn the_templates_parse() {
         assert!(template.text.starts_with("# A scene for bentray: "), "{}", template.name);
     }
     let usual = TEMPLATES[0].text;
-    assert!(good(usual).law.downcast::<Schwarzschild>().is_some());
+    assert!(good(usual).law.downcast::<RoundHole>().is_some());
     for line in usual.lines().filter(|l| !l.is_empty() && !l.starts_with('[')) {
         assert!(line.contains('#'), "no comment: {line}");
     }

@@ -11,8 +11,8 @@ use std::sync::Arc;
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-use super::observer::{OBSERVER_PART, light_speed, moving, normal, normalised};
-use super::{CameraFrame, Invariant, Kind, Landmark, Law, Order, Throat};
+use super::observer::{four_velocity, light_speed};
+use super::{CameraFrame, Facts, Form, Invariant, Kind, Law, Order, Throat};
 use crate::assets::{LineElement, Spot};
 use crate::document::keys;
 use crate::model::{Binding, Wgsl, row};
@@ -49,6 +49,10 @@ pub struct Metric {
 }
 
 impl Metric {
+    fn carries_time(&self) -> bool {
+        self.element.depends_on_time()
+    }
+
     fn at(&self, x: DVec3) -> DMat4 {
         self.element.metric(self.spot(x, 0.0))
     }
@@ -179,40 +183,31 @@ impl Law for Metric {
         vec![Binding::one("law", row)]
     }
 
-    fn order(&self) -> Order {
-        Order::General
+    fn facts(&self) -> Facts<'_> {
+        let in_time = self.element.depends_on_time();
+        let sent = match self.throat {
+            Some(_) => Some("it has more ways through a throat than are looked for"),
+            None => {
+                (!self.element.is_static()).then_some("it goes other ways than what is followed back from the camera")
+            }
+        };
+        Facts {
+            order: Order::General,
+            carries_time: in_time,
+            changes_with_time: in_time,
+            keeps_time: true,
+            throat: self.throat,
+            form: Form::LineElement(&self.element),
+            momentum_parts: if in_time { &["law/momentum/metric_in_time"] } else { &["law/momentum/metric"] },
+            refuses_surfaces: in_time.then_some("behind a surface a law that depends on t would begin again"),
+            refuses_interiors: Some("light has speeds of its own in a spacetime"),
+            refuses_sent_light: sent,
+            ..Facts::default()
+        }
     }
 
-    fn carries_time(&self) -> bool {
-        self.element.depends_on_time()
-    }
-
-    fn is_stationary(&self) -> bool {
-        !self.element.depends_on_time()
-    }
-
-    fn later(&self, time: f64) -> Option<Arc<dyn Law>> {
+    fn seen(&self, _: Option<DMat3>, time: f64) -> Option<Arc<dyn Law>> {
         Some(Arc::new(Self { time: self.time + time, ..self.clone() }))
-    }
-
-    fn throat(&self) -> Option<Throat> {
-        self.throat
-    }
-
-    fn landmarks(&self) -> Vec<Landmark> {
-        self.throat.map_or_else(Vec::new, |throat| throat.landmarks())
-    }
-
-    fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
-        self.throat?.refuses_bound(radius)
-    }
-
-    fn keeps_time(&self) -> bool {
-        true
-    }
-
-    fn line_element(&self) -> Option<&LineElement> {
-        Some(&self.element)
     }
 
     /// The null condition; and L/E about the axis, of rays whose energy E is above 0.
@@ -238,15 +233,7 @@ impl Law for Metric {
         v / light_speed(-metric.w_axis.w, way.dot(metric.w_axis), way.dot(metric * way))
     }
 
-    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
-        (frame != CameraFrame::Coordinate).then_some(OBSERVER_PART)
-    }
-
-    fn metric(&self, x: DVec3) -> Option<DMat4> {
-        Some(self.at(x))
-    }
-
-    fn metric_later(&self, x: DVec3, time: f64) -> Option<DMat4> {
+    fn metric(&self, x: DVec3, time: f64) -> Option<DMat4> {
         Some(self.element.metric(self.spot(x, time)))
     }
 
@@ -255,46 +242,33 @@ impl Law for Metric {
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
-        let metric = self.at(at);
-        let around = self.axis().cross(self.arm(at));
-        let way = |turning: f64| normalised(&metric, (turning * around).extend(1.0));
-        let round = |found: Option<DVec4>, why: &str, help: &str| {
-            if self.is_axisymmetric() {
-                return found.ok_or_else(|| says_none(why, help));
-            }
-            Err(says_none("goes round an axis that the line element has not", "use frame = \"moving\" or \"normal\""))
-        };
-        let level = "is on no circular orbit of matter";
-        let help = "those are in the plane z = 0, not too near";
-        Some(match frame {
+        let found = match frame {
             CameraFrame::Coordinate => return None,
-            CameraFrame::Static => {
-                way(0.0).ok_or_else(|| says_none("is where nothing is at rest", "use frame = \"normal\", or move it"))
+            CameraFrame::Zamo | CameraFrame::Orbiting | CameraFrame::CounterOrbiting if !self.is_axisymmetric() => {
+                let problem = "goes round an axis that the line element has not";
+                return Some(Err(says_none(problem, "use frame = \"moving\" or \"normal\"")));
             }
-            CameraFrame::Normal => normal(&metric).ok_or_else(|| says_none("is where no space is", "move it")),
-            CameraFrame::Moving(velocity) => {
-                moving(&metric, velocity).ok_or_else(|| says_none("moves faster than light", "use less than 1"))
+            _ => {
+                let around = self.axis().cross(self.arm(at));
+                four_velocity(&self.at(at), frame, around, &|sense| self.orbiting(at, sense))
             }
-            CameraFrame::Zamo => {
-                let around = around.extend(0.0);
-                let (mixed, own) = (around.dot(metric.w_axis), around.dot(metric * around));
-                round(way(if own > 0.0 { -mixed / own } else { 0.0 }), "is where no space is", "move it")
+        };
+        Some(found.ok_or_else(|| match frame {
+            CameraFrame::Static => says_none("is where nothing is at rest", "use frame = \"normal\", or move it"),
+            CameraFrame::Moving(_) => says_none("moves faster than light", "use less than 1"),
+            CameraFrame::Orbiting | CameraFrame::CounterOrbiting => {
+                says_none("is on no circular orbit of matter", "those are in the plane z = 0, not too near")
             }
-            CameraFrame::Orbiting => round(self.orbiting(at, 1.0).and_then(way), level, help),
-            CameraFrame::CounterOrbiting => round(self.orbiting(at, -1.0).and_then(way), level, help),
-            CameraFrame::Falling => Err(says_none(
-                "falls, and a line element does not say from where",
-                "use frame = \"moving\" and camera.velocity",
-            )),
-        })
-    }
-
-    fn momentum_parts(&self) -> &'static [&'static str] {
-        if self.is_stationary() { &["law/momentum/metric"] } else { &["law/momentum/metric_in_time"] }
+            CameraFrame::Falling => {
+                let problem = "falls, and a line element does not say from where";
+                says_none(problem, "use frame = \"moving\" and camera.velocity")
+            }
+            _ => says_none("is where no space is", "move it"),
+        }))
     }
 
     fn equator(&self) -> Option<[DVec3; 2]> {
-        (self.is_stationary() && self.is_axisymmetric()).then(|| [self.center, self.axis()])
+        (!self.carries_time() && self.is_axisymmetric()).then(|| [self.center, self.axis()])
     }
 
     fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
@@ -332,19 +306,5 @@ impl Law for Metric {
             x.y,
             x.z
         ))
-    }
-
-    fn refuses_surfaces(&self, interiors: bool) -> Option<&'static str> {
-        if self.carries_time() {
-            return Some("behind a surface a law that depends on t would begin again");
-        }
-        interiors.then_some("light has speeds of its own in a spacetime")
-    }
-
-    fn refuses_sent_light(&self) -> Option<&'static str> {
-        if self.throat.is_some() {
-            return Some("it has more ways through a throat than are looked for");
-        }
-        (!self.element.is_static()).then_some("it goes other ways than what is followed back from the camera")
     }
 }

@@ -1,0 +1,228 @@
+//! Black holes without spin: with or without charge, also in a space with a cosmological constant.
+//!
+//! *Theory.* ds² = −A dt² + dr²/A + r² dΩ² with A = 1 − 2M/r + Q²/r² − Λr²/3. Paths follow from Binet's equation,
+//! u″ + u = 3Mu² − 2Q²u³; Λ drops out of it, and is visible only in what observers measure.
+
+use glam::{DMat4, DVec3, DVec4};
+
+use super::observer::{four_velocity, spherical};
+use super::{CameraFrame, Facts, Invariant, Landmark, Law, OBSERVER_PART, Orbit, OrbitForm, Order};
+use crate::model::{Anchor, Binding, Capture, Value, Wgsl, row};
+
+/// A black hole without spin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoundHole {
+    /// M, scene units (G = c = 1).
+    pub mass: f64,
+    /// Q, scene units; 0 except in [`HoleForm::Charged`].
+    pub charge: f64,
+    /// Λ; 0 except in [`HoleForm::Charged`].
+    pub cosmological: f64,
+    /// The hole's place.
+    pub center: DVec3,
+    /// The unit vector that matter and observers on orbits go round.
+    pub axis: DVec3,
+    /// Which equation is integrated.
+    pub form: HoleForm,
+}
+
+/// The equations of light round the hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HoleForm {
+    /// x″ = −3M h² x/r⁵, h = |x × v|: the geodesic of a Schwarzschild hole with the null condition put in.
+    Path,
+    /// The geodesic equation as the 2004 paper integrates it, ṫ carried along.
+    Geodesic,
+    /// The path's equation with Q, and observers with Λ.
+    Charged,
+}
+
+impl RoundHole {
+    /// Returns a Schwarzschild hole of which paths are integrated.
+    #[must_use]
+    pub fn new(mass: f64, center: DVec3) -> Self {
+        Self { mass, charge: 0.0, cosmological: 0.0, center, axis: DVec3::Z, form: HoleForm::Path }
+    }
+
+    /// Returns A of the line element, which is −`g_tt`, at a distance r.
+    #[must_use]
+    pub fn clock(&self, r: f64) -> f64 {
+        1.0 - 2.0 * self.mass / r + (self.charge / r).powi(2) - self.cosmological * r * r / 3.0
+    }
+
+    /// Returns r where light goes round in circles, and what moves inwards below it never comes back; `None` without a horizon.
+    #[must_use]
+    pub fn photon_sphere(&self) -> Option<f64> {
+        let triple = 3.0 * self.mass;
+        let root = (triple * triple - 8.0 * self.charge * self.charge).sqrt();
+        (self.charge.abs() <= self.mass).then_some(0.5 * (triple + root))
+    }
+
+    /// Returns Λ from which on A is above 0 nowhere.
+    pub(super) fn cosmological_most(&self) -> f64 {
+        let flat = Self { cosmological: 0.0, ..*self };
+        self.photon_sphere().map_or(0.0, |r| 3.0 * flat.clock(r) / (r * r))
+    }
+
+    /// Returns r of the horizon, if there is one: where A vanishes below the photon sphere, with Λ by halving.
+    #[must_use]
+    pub fn horizon(&self) -> Option<f64> {
+        let mut high = self.photon_sphere()?;
+        if self.cosmological == 0.0 {
+            return Some(self.mass + (self.mass * self.mass - self.charge * self.charge).sqrt());
+        }
+        // A is least below 0 where Q² = Mr; without charge it has no least value.
+        let mut low = (self.charge * self.charge / self.mass).max(1e-6 * self.mass);
+        for _ in 0..100 {
+            let middle = low.midpoint(high);
+            *(if self.clock(middle) > 0.0 { &mut high } else { &mut low }) = middle;
+        }
+        Some(high)
+    }
+
+    /// Returns the hole as a surface of this radius.
+    fn sphere(&self, radius: f64) -> Capture {
+        Capture { anchor: Anchor::center(self.center), radius }
+    }
+
+    /// Returns dφ/dt of the circular orbit through a place in the plane across the axis: Ω² = A′/2r.
+    fn orbiting(&self, offset: DVec3) -> Option<f64> {
+        let r = offset.length();
+        let slope = 2.0 * (self.mass - self.charge * self.charge / r) / (r * r) - 2.0 * self.cosmological * r / 3.0;
+        let turning = (0.5 * slope / r).sqrt();
+        (offset.dot(self.axis).abs() <= 1e-9 * r && turning.is_finite()).then_some(turning)
+    }
+
+    /// Returns the four-velocity with E = 1 and L = 0.
+    fn falling(&self, offset: DVec3) -> Option<DVec4> {
+        let clock = self.clock(offset.length());
+        let inwards = (1.0 - clock).sqrt();
+        inwards.is_finite().then(|| (-inwards * offset.normalize()).extend(1.0 / clock))
+    }
+}
+
+impl Law for RoundHole {
+    fn parts(&self) -> Vec<Wgsl> {
+        let path = |own| Wgsl::parts(&["law/accelerated", "law/start_as_given", "law/projected_as_is", own]);
+        match self.form {
+            HoleForm::Path => path("law/schwarzschild_path"),
+            HoleForm::Geodesic => Wgsl::parts(&["law/projected_as_is", "law/schwarzschild_geodesic"]),
+            HoleForm::Charged => path("law/charged_path"),
+        }
+    }
+
+    fn values(&self) -> Vec<Binding> {
+        let mut row = row! { center: Vec3(self.center), mass: Float(self.mass) };
+        if self.form == HoleForm::Charged {
+            row.push(("charge_squared".into(), Value::Float(self.charge * self.charge)));
+            row.push(("third".into(), Value::Float(self.cosmological / 3.0)));
+        }
+        vec![Binding::one("law", row)]
+    }
+
+    fn facts(&self) -> Facts<'_> {
+        let is_geodesic = self.form == HoleForm::Geodesic;
+        let (pull, momentum_parts) = match self.form {
+            HoleForm::Charged => ("law/orbit/charged", &["law/momentum/round", "law/clock/charged"]),
+            _ => ("law/orbit/schwarzschild", &["law/momentum/round", "law/clock/schwarzschild"]),
+        };
+        let orbit = Orbit { center: self.center, form: OrbitForm::Plane(pull), is_free_far_away: true };
+        Facts {
+            order: if is_geodesic { Order::General } else { Order::Place },
+            carries_time: is_geodesic,
+            orbit: (!is_geodesic).then_some(orbit),
+            momentum_parts,
+            swallows: self.horizon().map(|horizon| self.sphere(horizon)),
+            refuses_interiors: is_geodesic.then_some("interiors go with the path form of the schwarzschild law"),
+            ..Facts::default()
+        }
+    }
+
+    /// At the horizon, or as far out as the photon sphere where nothing lies between that a ray moving inwards could still hit.
+    fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
+        let (Some(sphere), Some(horizon)) = (self.photon_sphere(), self.horizon()) else { return Vec::new() };
+        let is_clear = clearance.is_some_and(|clearance| clearance(self.center) > sphere);
+        vec![self.sphere(if is_clear { sphere } else { horizon })]
+    }
+
+    /// h = |x × v| and E² = ṙ² + (1 − 2M/r + Q²/r²) h²/r², which together are the null condition: Λ only adds to it what h keeps.
+    fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
+        let d = x - self.center;
+        let (r, momentum) = (d.length(), d.cross(v).length());
+        let clock = Self { cosmological: 0.0, ..*self }.clock(r);
+        let energy = ((d.dot(v) / r).powi(2) + clock * (momentum / r).powi(2)).sqrt();
+        vec![
+            Invariant { name: "angular momentum", value: momentum, size: r * v.length() },
+            Invariant { name: "energy", value: energy, size: v.length() },
+        ]
+    }
+
+    fn landmarks(&self) -> Vec<Landmark> {
+        let horizon = |radius| Landmark::sphere("horizon", self.center, radius, true);
+        self.horizon().map(horizon).into_iter().collect()
+    }
+
+    fn remark(&self, _: DVec3, _: f64) -> Option<String> {
+        let remark = || "the hole has no horizon, for Q is above M: its singularity is naked, and repels".to_owned();
+        self.horizon().is_none().then(remark)
+    }
+
+    fn frame_part(&self, frame: CameraFrame) -> Option<&'static str> {
+        match (frame, self.form) {
+            (CameraFrame::Coordinate, _) => None,
+            (CameraFrame::Static, HoleForm::Path | HoleForm::Geodesic) => Some("camera/frame_static"),
+            _ => Some(OBSERVER_PART),
+        }
+    }
+
+    fn metric(&self, x: DVec3, _: f64) -> Option<DMat4> {
+        let offset = x - self.center;
+        let clock = self.clock(offset.length());
+        Some(spherical(offset.normalize(), 1.0 / clock, 1.0, clock))
+    }
+
+    fn length_scale(&self, x: DVec3) -> f64 {
+        x.distance(self.center)
+    }
+
+    /// Without spin an observer at rest has no angular momentum, and is at rest in the slices of equal time.
+    fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
+        let offset = at - self.center;
+        let found = match frame {
+            CameraFrame::Coordinate => return None,
+            CameraFrame::Falling => self.falling(offset),
+            _ => {
+                let as_static = matches!(frame, CameraFrame::Normal | CameraFrame::Zamo);
+                let frame = if as_static { CameraFrame::Static } else { frame };
+                let orbiting = |sense: f64| Some(sense * self.orbiting(offset)?);
+                four_velocity(&self.metric(at, 0.0)?, frame, self.axis.cross(offset), &orbiting)
+            }
+        };
+        Some(found.ok_or_else(|| match frame {
+            CameraFrame::Orbiting | CameraFrame::CounterOrbiting => {
+                let beyond = self.photon_sphere().unwrap_or(0.0);
+                let help = format!("those are in the plane through the hole across law.axis, beyond r = {beyond:.4}");
+                ["is on no circular orbit".to_owned(), help]
+            }
+            CameraFrame::Falling => {
+                let help = "there charge or Λ has turned it round: use frame = \"moving\" and camera.velocity";
+                ["is where nothing has fallen from rest", help].map(str::to_owned)
+            }
+            _ => ["is where nothing is at rest", "move it"].map(str::to_owned),
+        }))
+    }
+
+    fn equator(&self) -> Option<[DVec3; 2]> {
+        Some([self.center, self.axis])
+    }
+
+    fn refuses_eye(&self, at: DVec3) -> Option<[String; 2]> {
+        let (r, horizon) = (at.distance(self.center), self.horizon()?);
+        let horizon_words = || match self.form {
+            HoleForm::Charged => format!("{horizon:.4}"),
+            _ => format!("2M = {horizon}"),
+        };
+        let problem = || format!("is inside the horizon: r = {r:.4} ≤ {}", horizon_words());
+        (r <= horizon).then(|| [problem(), "move it away from the hole".to_owned()])
+    }
+}
