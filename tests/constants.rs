@@ -7,7 +7,7 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` that make up what they ask for, and all that this can be.
-const COMPUTED: [(&str, &[(&str, &str)]); 7] = [
+const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[
@@ -15,7 +15,6 @@ const COMPUTED: [(&str, &[(&str, &str)]); 7] = [
             ("surface/material/blackbody", "BLACKBODY"),
             ("surface/material/emissive", "EMISSIVE"),
             ("surface/material/phong", "PHONG"),
-            ("surface/material/phong_occluded", "PHONG_OCCLUDED"),
             ("surface/scatter/mirror", "MIRROR"),
             ("surface/scatter/glossy", "GLOSSY"),
             ("surface/scatter/frosted", "FROSTED"),
@@ -66,7 +65,6 @@ const COMPUTED: [(&str, &[(&str, &str)]); 7] = [
             ("segment/ray", "OUTSIDE"),
         ],
     ),
-    ("part, \"CROSSINGS\"", &[("surface/shadow/opaque", "CROSSINGS"), ("surface/shadow/clear", "CROSSINGS")]),
     ("\"segment/ray\", name", &[("segment/ray", "ALIVE"), ("segment/ray", "UNFINISHED")]),
     ("\"state/active\", name", &[("state/active", "GROUP"), ("state/active", "GROUP_WIDTH")]),
 ];

@@ -17,7 +17,7 @@ fn heavy_flint(nm: f64) -> f64 {
 /// Paths draw what scenes may ask for.
 #[test]
 fn visible_light_is_the_same_everywhere() {
-    let drawn = ["SHORTEST", "LONGEST"].map(|name| constant("path/spectrum/drawn", name).to_bits());
+    let drawn = ["SHORTEST", "LONGEST"].map(|name| constant("path/spectrum", name).to_bits());
     assert_eq!(drawn, [VISIBLE.start(), VISIBLE.end()].map(|end| end.to_bits()));
 }
 
@@ -58,7 +58,7 @@ fn colours_of_the_spectrum_add_up_to_white() {
     const COUNT: usize = 7000;
     let inputs: Vec<[Vec4; 1]> =
         (0..COUNT).map(|k| [Vec4::splat(380.0 + 350.0 * (k as f32 + 0.5) / COUNT as f32)]).collect();
-    let parts = ["path/spectrum/color", "path/spectrum/drawn", "path/carried", "surface/region_none", "medium/vacuum"];
+    let parts = ["path/spectrum", "path/carried", "surface/region_none", "medium/vacuum"];
     let colors = Probe::new(&parts).run::<1, 1>(&gpu(), "put(0u, vec4f(spectral_color(p0.x), 0.0));", &inputs);
     let colors: Vec<DVec3> = colors.iter().map(|[color]| color.truncate().as_dvec3()).collect();
     let mean = colors.iter().sum::<DVec3>() / COUNT as f64;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use bentray::model::Law;
 use bentray::model::law::{FlowOrder, HoleForm, InMedium, Lorenz, Rossler, RoundHole, Straight};
-use bentray::program::{Analysis, Choice, Layer, Masks, Purpose, Schedule, link_all, plan};
+use bentray::program::{Analysis, Choice, Features, Layer, Masks, Purpose, Schedule, link_all, plan};
 use bentray::scene::{Precision, Rays, Scene};
 
 use crate::exactness::unused;
@@ -138,10 +138,10 @@ fn choices() -> Vec<Choice> {
 /// together have what is needed, and no more.
 fn check(scene: &Scene, choice: &Choice, needed: &str, at: &str) {
     let analysis = Analysis::of(scene);
-    let choice = &choice.settled(scene);
-    let planned = plan(scene, &analysis, choice, false).unwrap();
+    let features = Features::of(scene, choice, &analysis);
+    let planned = plan(scene, &analysis, &features, false).unwrap();
     let mut parts = BTreeSet::new();
-    let entries: Vec<&str> = choice.passes(scene).iter().map(|pass| pass.entry()).collect();
+    let entries: Vec<&str> = features.passes().iter().map(|pass| pass.entry()).collect();
     for linked in link_all(&planned, &entries).unwrap_or_else(|error| panic!("{at}: {error}")) {
         let unused = unused(&linked).unwrap_or_else(|error| panic!("{at}: {error}"));
         assert!(unused.is_empty(), "{at}: pass {} has {unused:?} for nothing", linked.entry);
@@ -151,7 +151,7 @@ fn check(scene: &Scene, choice: &Choice, needed: &str, at: &str) {
         ["method/step/", "method/control/", "method/memory_", "real/f", "state/ray", "state/te", "state/buffer"];
     parts.retain(|part| contracts.iter().any(|contract| part.starts_with(contract)));
     // A path in one pass keeps no state.
-    let is_kept = |part: &&str| choice.schedule != Schedule::Whole || !part.starts_with("state/");
+    let is_kept = |part: &&str| features.schedule != Schedule::Whole || !part.starts_with("state/");
     let needed: BTreeSet<String> = needed.split_whitespace().filter(is_kept).map(str::to_owned).collect();
     assert_eq!(parts, needed, "{at}");
 }

@@ -106,39 +106,68 @@ fn name(signature: &str) -> &str {
     declared.split(['(', ':']).next().unwrap()
 }
 
-fn uses(text: &str, name: &str) -> bool {
-    text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name)
+/// The functions that a text declares.
+fn functions(text: &str) -> Vec<&str> {
+    let names = text.split("fn ").skip(1).map(|rest| rest.split('(').next().unwrap());
+    names.filter(|name| name.chars().all(|c| c.is_alphanumeric() || c == '_')).collect()
 }
 
-/// `shaders/README.md` states every contract as its parts keep it, and names those that use it.
+fn without_comments(text: &str) -> String {
+    text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
+}
+
+/// What the table says of a contract that a part keeps, with the part's own name in it.
+fn of_keeper(signature: &str, keeper: &str) -> String {
+    signature.replace("KIND", keeper.rsplit('/').next().unwrap())
+}
+
+/// `shaders/README.md` states the contracts that there is a choice of, as their parts keep them.
 #[test]
 fn the_table_of_contracts_is_true() {
     let parts = all_parts();
     let with_name = |name: &str| parts.iter().find(|part| part.file.strip_suffix(".wgsl") == Some(name));
-    let rows = rows::<5>();
-    let mut stated = BTreeSet::new();
-    for [contract, _, signatures, keepers, users] in &rows {
+    let rows = rows::<4>();
+    assert!((50..=130).contains(&rows.len()), "{} contracts", rows.len());
+    for [contract, _, signatures, keepers] in &rows {
         let (signatures, keepers) = (code(signatures), code(keepers));
-        assert!(!signatures.is_empty() && !keepers.is_empty(), "`{contract}` states nothing");
-        let kind = |signature: &str, keeper: &str| signature.replace("KIND", keeper.rsplit('/').next().unwrap());
+        assert!(!signatures.is_empty() && keepers.len() > 1, "`{contract}` is no choice");
         for keeper in &keepers {
-            stated.insert(*keeper);
             let part = with_name(keeper).unwrap_or_else(|| panic!("`{contract}` names {keeper}, which is no part"));
-            for signature in signatures.iter().map(|signature| kind(signature, keeper)) {
+            for signature in signatures.iter().map(|signature| of_keeper(signature, keeper)) {
                 assert!(declares(part.text, &signature), "{keeper} keeps `{contract}` without `{signature}`");
             }
         }
-        for user in code(users).into_iter().filter(|user| *user != "generated") {
-            let own =
-                |file: &str| file.strip_suffix(".wgsl") == Some(user) || file.starts_with(user) && user.ends_with('/');
-            let names = || keepers.iter().flat_map(|k| signatures.iter().map(|s| kind(name(s), k)));
-            let found = parts.iter().filter(|part| own(part.file)).any(|part| names().any(|n| uses(part.text, &n)));
-            assert!(found, "{user} uses nothing of `{contract}`");
+    }
+}
+
+/// A function that other parts call is declared by one of them, or is one of a contract's that the table states in full.
+#[test]
+fn functions_are_declared_once_or_by_contract() {
+    let texts: Vec<(&str, String)> =
+        all_parts().iter().map(|part| (part.file.trim_end_matches(".wgsl"), without_comments(part.text))).collect();
+    let mut declared: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for (file, text) in &texts {
+        for name in functions(text) {
+            declared.entry(name).or_default().insert(file);
         }
     }
-    for part in &parts {
-        let own = part.file.trim_end_matches(".wgsl");
-        assert!(stated.contains(own), "shaders/README.md does not say what {own} keeps");
+    let mut stated: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for [_, _, signatures, keepers] in rows::<4>() {
+        for keeper in code(&keepers) {
+            for signature in code(&signatures).into_iter().filter(|signature| signature.starts_with("fn ")) {
+                let signature = of_keeper(signature, keeper);
+                stated.entry(name(&signature).to_owned()).or_default().insert(keeper.to_owned());
+            }
+        }
+    }
+    let uses = |text: &str, name: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name);
+    for (name, files) in declared.iter().filter(|(_, files)| files.len() > 1) {
+        let called = texts.iter().find(|(file, text)| !files.contains(file) && uses(text, name));
+        let in_full =
+            stated.get(*name).is_some_and(|keepers| keepers.iter().map(String::as_str).eq(files.iter().copied()));
+        if let Some((caller, _)) = called {
+            assert!(in_full, "{caller} calls `{name}`, which {files:?} declare, and the table does not say so");
+        }
     }
 }
 

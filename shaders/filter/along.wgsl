@@ -49,13 +49,17 @@ struct Depths {
 var<private> filter_slips: bool;
 
 fn filter_step(ray: Ray, next: Ray) {
-    note_glow();
+    if SEES_GLOW {
+        note_glow();
+    }
     filter_part(ray.phase, own_size(ray, next));
 }
 
 // The step on which a path ended, up to there.
 fn filter_last(ray: Ray, end: PathPoint) {
-    note_glow();
+    if SEES_GLOW {
+        note_glow();
+    }
     filter_end(ray, end);
 }
 
@@ -79,7 +83,9 @@ fn filter_passed(spot: ActiveRay, lives: bool) {
     if lives {
         load_weight(spot.pixel);
         let ray = load_ray(spot.pixel, spot.word);
-        filter_step(ray, accepted_step(ray));
+        if FILTERS {
+            filter_step(ray, accepted_step(ray));
+        }
         store_weight(spot.pixel);
     }
 }
@@ -162,4 +168,12 @@ fn depth_rate(filter_at: Filter, q: Real4) -> vec4f {
 // Of the colour that is left after a unit length: none of what is 0.
 fn density_of(color: vec3f) -> vec3f {
     return -log(max(color, vec3f(1e-30)));
+}
+
+// Each region has a filter of its own, and the space outside of all the last one.
+fn filter_place() -> u32 {
+    if !HAS_REGIONS {
+        return 0u;
+    }
+    return min(medium_object(), REGION_COUNT);
 }

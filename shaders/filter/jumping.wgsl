@@ -1,4 +1,4 @@
-// Wrapped textures jump, where every rule is of first order and halving would need a piece for each bit. So a jump is looked for, and a
+// How far to go in place of a piece that disagrees with its halves: half of it, but wrapped textures jump, where every rule is of first order and halving would need a piece for each bit. So a jump is looked for, and a
 // piece ends at it. Between jumps the texture is smooth: false position, with the Illinois rule (Dowell and Jarratt 1971), finds in some
 // seven looks what bisection finds in twenty.
 
@@ -15,6 +15,9 @@ fn turns_at(filter_at: Filter, p: Phase, h: Real) -> Real {
 }
 
 fn smaller_piece(filter_at: Filter, p: Phase, a: Real, own: Real) -> Real {
+    if !FILTERS_JUMP {
+        return 0.5 * own;
+    }
     let beside = BESIDE_JUMP * own;
     var before = beside;
     var behind = own - beside;

@@ -1,6 +1,11 @@
-// A law of the second order that depends on tau too, dx = v, dv = a(x, v, tau): a state carries tau beside its velocity.
+// A law of the second order that depends on tau too, dx = v, dv = a(x, v, tau): a state carries tau beside its velocity,
+// and ln k beside its place where light's frequency follows from it.
 
 fn law_derivative(p: Phase) -> Phase {
+    if FOLLOWS_SHIFT {
+        let pull = law_stretch_at(p[0].xyz, p[1].xyz, p[1].w);
+        return Phase(Real4(p[1].xyz, pull.w), Real4(pull.xyz, 1.0));
+    }
     return Phase(Real4(p[1].xyz, 0.0), Real4(law_pull_at(p[0].xyz, p[1].xyz, p[1].w), 1.0));
 }
 

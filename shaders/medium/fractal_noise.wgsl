@@ -4,14 +4,11 @@
 // One octave overshoots its points, to 125/64 at the most. It has no jumps in its slope, which is the analytic one here: splines
 // once more, with the weights' derivatives.
 
-// Random numbers on the points of a lattice, always the same ones, in [-1, 1]: a hash of a lattice point (PCG's output function on
-// mixed coordinates).
+// Random numbers on the points of a lattice, always the same ones, in [-1, 1]: a hash of its mixed coordinates.
 fn lattice(cell: vec3i, seed: u32) -> Real {
     let c = bitcast<vec3u>(cell);
     let mixed = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u) ^ (c.z * 0xcb1ab31fu) ^ (seed * 0x9e3779b1u);
-    let state = mixed * 747796405u + 2891336453u;
-    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return Real(((word >> 22u) ^ word) >> 8u) / 8388607.5 - 1.0;
+    return Real(hashed(mixed) >> 8u) / 8388607.5 - 1.0;
 }
 
 // The weights of four points, at −1, 0, 1 and 2, for t from 0 to 1.

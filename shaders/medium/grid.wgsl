@@ -14,12 +14,12 @@ struct Medium {
 @group(0) @binding(71) var<storage, read> index_samples: array<f32>;
 
 // What the four samples round a place weigh, at a fraction t between the inner two; and how that changes with t.
-fn spline_weights(t: Real) -> Real4 {
+fn sample_weights(t: Real) -> Real4 {
     let s = t - 1.0;
     return 0.5 * Real4(-t * s * s, s * (3.0 * t * t - 2.0 * t - 2.0), -t * (3.0 * t * t - 4.0 * t - 1.0), t * t * s);
 }
 
-fn spline_slopes(t: Real) -> Real4 {
+fn sample_slopes(t: Real) -> Real4 {
     return 0.5 * Real4(-(3.0 * t - 1.0) * (t - 1.0), t * (9.0 * t - 10.0), 1.0 + t * (8.0 - 9.0 * t), t * (3.0 * t - 2.0));
 }
 
@@ -44,12 +44,12 @@ fn index_spline(x: Real3) -> Real4 {
     let base = min(floor(q), last - 1.0);
     let f = q - base;
     let i = vec3i(base);
-    let wx = spline_weights(f.x);
-    let wy = spline_weights(f.y);
-    let wz = spline_weights(f.z);
-    let sx = spline_slopes(f.x);
-    let sy = spline_slopes(f.y);
-    let sz = spline_slopes(f.z);
+    let wx = sample_weights(f.x);
+    let wy = sample_weights(f.y);
+    let wz = sample_weights(f.z);
+    let sx = sample_slopes(f.x);
+    let sy = sample_slopes(f.y);
+    let sz = sample_slopes(f.z);
     let border = vec3i(medium.size.xyz) - 1;
     var sum = Real4(0.0);
     for (var row = 0; row < 16; row++) {

@@ -9,7 +9,9 @@ struct Medium {
 @group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 fn medium_index(x: Real3) -> Real {
-    note_dispersed();
+    if COLORS_DISPERSED {
+        note_dispersed();
+    }
     let medium = media[place];
     let square = wavelength() * wavelength();
     return sqrt(1.0 + dot(medium.b, square / (Real4(square) - medium.c)));

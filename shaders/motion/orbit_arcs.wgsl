@@ -14,3 +14,16 @@ fn accepted_step(ray: Ray) -> Ray {
     next.memory.h = opaque(s);
     return next;
 }
+
+// Steps in the plane of an orbit are as long as any. Of a separated orbit axes turn with ψ no further than η may, and on the way in Δ falls
+// by half of itself at most, for towards the horizon both τ and ψ go on for ever.
+fn orbit_arc_stride(o: Orbit, eta: Real, size: Real) -> Real {
+    if IS_PLANE {
+        return orbit_stride(o, eta, size);
+    }
+    let closing = o.w * (law.mass - (dot(law.spin, law.spin) + law.charge_squared) * o.u);
+    let delta = orbit_delta(o.u);
+    let half = select(Real(1e30), 0.25 * delta / closing, min(delta, closing) > 0.0);
+    let dragged = length(law.spin) * abs(o.gap - o.energy);
+    return min(orbit_stride(o, eta, size), min(half, eta / max(dragged, 1e-30)));
+}

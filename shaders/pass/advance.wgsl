@@ -6,7 +6,9 @@
 fn advance(own: Invocation) {
     let spot = active_ray(own);
     load_weight(spot.pixel);
-    load_waiting(spot.pixel);
+    if AIMS {
+        load_waiting(spot.pixel);
+    }
     load_branches(spot.pixel);
     load_last_hit(spot.pixel, spot.index);
     var ray = load_ray(spot.pixel, spot.word);

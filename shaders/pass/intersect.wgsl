@@ -5,7 +5,9 @@ fn intersect(own: Invocation) {
     let spot = active_ray(own);
     load_last_hit(spot.pixel, spot.index);
     if spot.valid && ray_wanted(spot.code) && walk_needed(spot.pixel) {
-        note_segment(load_start_tau(spot.pixel));
+        if TRAVELS {
+            note_segment(load_start_tau(spot.pixel));
+        }
         let segment = load_segment(spot.pixel);
         let hit = first_hit(segment, nearby(segment), spot.pixel);
         if spot.code == ALIVE && !walk_suspended() {

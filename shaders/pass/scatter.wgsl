@@ -6,12 +6,16 @@ fn scatter(own: Invocation) {
     let spot = active_ray(own);
     if spot.valid && may_scatter(spot.code) {
         load_weight(spot.pixel);
-        load_waiting(spot.pixel);
+        if AIMS {
+            load_waiting(spot.pixel);
+        }
         load_branches(spot.pixel);
         var met = load_hit(spot.pixel);
         let next = scatter_ray(load_ray(spot.pixel, spot.word), &met, spot.pixel);
         store_weight(spot.pixel);
-        store_waiting(spot.pixel);
+        if AIMS {
+            store_waiting(spot.pixel);
+        }
         store_branches(spot.pixel);
         if next.status == ALIVE {
             store_ray(spot.pixel, next);

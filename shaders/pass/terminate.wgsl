@@ -6,7 +6,9 @@ fn terminate(own: Invocation) {
     var code = segment_status(load_segment(spot.pixel), load_tau(spot.pixel), spot.index, load_hit(spot.pixel));
     code = select(code, UNFINISHED, walk_unfinished(spot.pixel));
     let lives = spot.alive && code == ALIVE;
-    filter_passed(spot, lives);
+    if FILTERS {
+        filter_passed(spot, lives);
+    }
     if spot.alive {
         let next = status_word(ALIVE, dispatch.end, spot.index + 1u);
         store_status(spot.pixel, select(status_word(code, dispatch.start, spot.index), next, lives));

@@ -34,7 +34,9 @@ fn place_of_path(pixel: vec2u) -> u32 {
 }
 
 fn load_weight(pixel: vec2u) {
-    draw_wavelength(pixel);
+    if DRAWS_WAVELENGTH {
+        draw_wavelength(pixel);
+    }
     carried = paths[place_of_path(pixel)];
 }
 
@@ -58,6 +60,8 @@ fn scale_weight(factor: vec3f) -> f32 {
 fn gather(radiance: vec3f, x: Real3) {
     let n = medium_index(x);
     var light = carried.share * carried.camera / f32(n * n) * carried.weight * radiance;
-    color_dispersed(&light);
+    if COLORS_DISPERSED {
+        color_dispersed(&light);
+    }
     carried.gathered += light;
 }

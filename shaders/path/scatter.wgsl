@@ -27,7 +27,9 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         return ray;
     }
     let end = path_end(ray, *met);
-    filter_last(ray, end);
+    if FILTERS {
+        filter_last(ray, end);
+    }
     var leg = Leg(end.x, end.v, end.tau, OFF_SURFACE, ray.status);
     if ray.status == HIT {
         leg = met_surface_leg(ray, met, end, pixel);
@@ -68,9 +70,13 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
         enter_set(side);
     }
     var leg = Leg(end.x, scattered.v, end.tau, (*met).primitive, select(ALIVE, CUT, cut));
-    leave_aside(surface, end, &leg);
+    if IN_PIECES {
+        leave_aside(surface, end, &leg);
+    }
     var x = leg.x;
-    pass_throat(material.kind, &x);
+    if HAS_THROAT {
+        pass_throat(material.kind, &x);
+    }
     leg.x = x;
     return leg;
 }

@@ -26,6 +26,14 @@ fn displayed(c: vec3f) -> vec3f {
     return select(bent, 12.92 * x, x <= vec3f(0.0031308));
 }
 
+// Narkowicz's fit of the ACES film curve (2015), as in the PNG; without one colours are cut off at 1.
+fn tonemapped(x: vec3f) -> vec3f {
+    if !IS_FILMIC {
+        return x;
+    }
+    return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+}
+
 // Sums run over the branches of one sample: samples are added up by pass/refine.wgsl, which needs each by itself.
 fn sum_begins() -> bool {
     return frame.branch == 0u;

@@ -47,6 +47,8 @@ fn note_matter(material: Material, end: PathPoint) {
 // u of what is at rest, or moves as it is said of an object; where nothing can move so no light comes from there.
 fn matter_at_rest(x: Real3) -> Real4 {
     var k = Real4(0.0, 0.0, 0.0, 1.0);
-    add_travel(&k);
+    if TRAVELS {
+        add_travel(&k);
+    }
     return k * inverseSqrt(max(-law_square(x, k), 1e-30));
 }

@@ -35,7 +35,9 @@ fn note_sky(ray: Ray, end: PathPoint) {
 // What is seen rests, or moves as it is said of an object.
 fn note_matter(material: Material, end: PathPoint) {
     var k = Real4(0.0, 0.0, 0.0, 1.0);
-    add_travel(&k);
+    if TRAVELS {
+        add_travel(&k);
+    }
     note_shift(end, k);
 }
 

@@ -13,12 +13,16 @@ fn open_gap(code: u32, x: Real3) -> Real4 {
 // by up to 3e-4.
 fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
     var h = first_guess(code, hit, step);
-    pass_top(code, hit, step, &h);
+    if IN_PIECES {
+        pass_top(code, hit, step, &h);
+    }
     var p = step.end;
     var there = false;
     for (var i = 0u; i <= STOP_STEPS; i++) {
         p = retaken_step(step.phase, h);
-        note_passage(p, step.tau + own_tau(step.phase, p, h));
+        if TRAVELS {
+            note_passage(p, step.tau + own_tau(step.phase, p, h));
+        }
         if there {
             break;
         }
@@ -30,7 +34,9 @@ fn stop_point(code: u32, hit: Hit, step: LastStep) -> PathPoint {
         // Straight lines and leaps are there at once.
         there = abs(correction) <= LAST_PART * step.h;
     }
-    note_end(p);
+    if FOLLOWS_SHIFT {
+        note_end(p);
+    }
     let tau = step.tau + own_tau(step.phase, p, h);
     let far = departed(code, p[0].xyz, p[1].xyz);
     return PathPoint(far[0], far[1], tau, h / max(step.h, 1e-30));
@@ -66,7 +72,9 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
     let nowhere = unfollowed || (ray.status == CAPTURED && law_captured(x, v));
     if nowhere {
-        note_end(ray.phase);
+        if FOLLOWS_SHIFT {
+            note_end(ray.phase);
+        }
         let far = departed(ray.status, x, v);
         return PathPoint(far[0], far[1], ray.tau, 0.0);
     }
@@ -74,6 +82,8 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     if stops_inside(ray.status) {
         return stop_point(ray.status, hit, step);
     }
-    note_end(step.end);
+    if FOLLOWS_SHIFT {
+        note_end(step.end);
+    }
     return segment_end(ray, hit, step);
 }

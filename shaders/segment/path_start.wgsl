@@ -2,7 +2,9 @@
 
 // Sets the region and the weight that the ray starts with too. A pixel that takes no ray in this round rests.
 fn path_start(pixel: vec2u) -> Ray {
-    draw_wavelength(pixel);
+    if DRAWS_WAVELENGTH {
+        draw_wavelength(pixel);
+    }
     let start = arrived(picture_ray(sampled_pixel(pixel)));
     start_region(start.x, start.d, pixel);
     let phase = opaque_phase(law_start(start.x, start.d));
@@ -11,7 +13,9 @@ fn path_start(pixel: vec2u) -> Ray {
     if ray.status == ALIVE && law_captured(phase[0].xyz, phase[1].xyz) {
         ray.status = CAPTURED;
     }
-    end_below(phase, &ray);
+    if ENDS_BELOW {
+        end_below(phase, &ray);
+    }
     if ray.status != OUTSIDE && (!finite(phase[0].xyz) || !finite(phase[1].xyz)) {
         ray.status = FAILED;
     }

@@ -14,14 +14,18 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 break;
             }
             next = *ray;
-            note_segment(next.tau);
+            if TRAVELS {
+                note_segment(next.tau);
+            }
             quick = follow_quickly(&next);
             near = nearby(quick.segment);
             if !quick.sure || near != 0u || is_spent() || open_status(quick.segment, next.tau, (*ray).index) != ALIVE {
                 break;
             }
             clear_last_hit();
-            filter_step(*ray, next);
+            if FILTERS {
+                filter_step(*ray, next);
+            }
             *segments += 1u;
             next.index += 1u;
             *ray = next;
@@ -40,14 +44,18 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         clear_last_hit();
         *segments += 1u;
         if code == ALIVE {
-            filter_step(*ray, next);
+            if FILTERS {
+                filter_step(*ray, next);
+            }
             next.index += 1u;
             *ray = next;
         } else {
             (*ray).steps = next.steps;
             (*ray).rejected = next.rejected;
             (*ray).status = code;
-            keep_end(next);
+            if KEEPS_LAST {
+                keep_end(next);
+            }
             // As exact as the record of hits.
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }

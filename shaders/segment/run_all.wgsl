@@ -9,7 +9,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             break;
         }
         var next = path;
-        note_segment(next.tau);
+        if TRAVELS {
+            note_segment(next.tau);
+        }
         let segment = follow_segment(&next);
         let hit = first_hit(segment, nearby(segment), spot.pixel);
         if walk_suspended() || overran(*segments) {
@@ -24,10 +26,14 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             (*ray).rejected = next.rejected;
             (*ray).status = code;
             if code == ALIVE {
-                filter_step(*ray, next);
+                if FILTERS {
+                    filter_step(*ray, next);
+                }
                 *ray = next;
             } else {
-                keep_end(next);
+                if KEEPS_LAST {
+                    keep_end(next);
+                }
                 // As exact as the record of hits.
                 *end = Hit(Real(f32(hit.t)), hit.primitive);
             }

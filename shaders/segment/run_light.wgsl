@@ -16,7 +16,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         *segments += 1u;
         leave_light(segment, select(1.0, hit.t, hit.primitive != NOTHING), light_weight());
         if code == ALIVE {
-            filter_step(*ray, next);
+            if FILTERS {
+                filter_step(*ray, next);
+            }
             next.index += 1u;
             *ray = next;
         } else {

@@ -58,6 +58,8 @@ fn surface_instance(primitive: u32, x: Real3) -> Surface {
     let uv = share.x * Real2(p.u, p.v) + share.y * Real2(q.u, q.v) + share.z * Real2(r.u, r.v);
     let gap = dot(n, at - p.position) / length(steep);
     let material = object_materials[own.object];
-    note_corners(triangle, share);
+    if HAS_VERTEX_COLORS {
+        note_corners(triangle, share);
+    }
     return Surface(gap, 0.0, normalize(steep), vec3f(normalize(normal)), vec2f(uv), material, own.object);
 }

@@ -86,6 +86,8 @@ fn surface_triangle(i: u32, x: Real3) -> Surface {
     let normal = normalize(share.x * p.normal + share.y * q.normal + share.z * r.normal);
     let uv = share.x * Real2(p.u, p.v) + share.y * Real2(q.u, q.v) + share.z * Real2(r.u, r.v);
     let gap = dot(across, x - p.position);
-    note_corners(triangle, share);
+    if HAS_VERTEX_COLORS {
+        note_corners(triangle, share);
+    }
     return Surface(gap, 0.0, across, vec3f(normal), vec2f(uv), object_materials[triangle.object], triangle.object);
 }

@@ -29,7 +29,9 @@ fn finish_advance(spot: ActiveRay, before: Ray, ray: Ray, end: Hit, lane: u32) {
         }
         store_region(spot.pixel);
         store_weight(spot.pixel);
-        store_waiting(spot.pixel);
+        if AIMS {
+            store_waiting(spot.pixel);
+        }
         store_branches(spot.pixel);
         tally_steps(ray.steps - before.steps);
         tally_segments(ray.index - before.index + u32(!lives));

@@ -32,3 +32,11 @@ fn black_body_row(kelvins: f32) -> BlackBody {
     let part = place - f32(first);
     return BlackBody(mix(a.color, b.color, part), mix(a.luminance, b.luminance, part));
 }
+
+// By how much light has shifted that is seen.
+fn color_shift() -> f32 {
+    if !BEAMS {
+        return 1.0;
+    }
+    return f32(seen_shift);
+}

@@ -77,3 +77,15 @@ fn start_region(x: Real3, v: Real3, pixel: vec2u) {
     }
     enter_set(bits);
 }
+
+// For each given ray the meshes that it starts in, as bits of the set of regions.
+@group(0) @binding(135) var<storage, read> given_sets: array<u32>;
+
+// A camera's rays all start inside of a mesh, or all outside; given rays each inside of other meshes.
+fn starts_inside(region_bit: u32, pixel: vec2u) -> bool {
+    if !IS_GIVEN {
+        return regions[region_bit].start == 1u;
+    }
+    let index = pixel.y * frame.image.x + pixel.x;
+    return ((given_sets[min(index, arrayLength(&given_sets) - 1u)] >> region_bit) & 1u) == 1u;
+}

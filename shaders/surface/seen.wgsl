@@ -12,9 +12,15 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
     let seen_side = dot(across, view) * dot(across, surface.normal);
     let normal = select(-surface.normal, surface.normal, seen_side >= 0.0);
     let material = materials[surface.material];
-    note_arrival(end);
-    note_matter(material, end);
-    note_place(surface.object, surface.uv);
+    if OCCLUDES_ALONG_LAW {
+        note_arrival(end);
+    }
+    if KNOWS_SHIFT {
+        note_matter(material, end);
+    }
+    if KEEPS_FOOTPRINTS {
+        note_place(surface.object, surface.uv);
+    }
     let lit = Lit(vec3f(end.x), lit_from(end.x, surface, view), normal, view);
     let color = surface_radiance(material, pattern_color(material, surface.uv), lit);
     return Seen(end, color, normal, surface.object + 1u);

@@ -70,7 +70,7 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     {
         check_meshes(&program, &geometry, device)?;
     }
-    let memory = memory(&program, choice.slots(&scene));
+    let memory = memory(&program, program.features.slots);
     let frames_checked = check_frames(&film, &choice, &scene)?;
     Ok(Modelled { path, scene, geometry, program, memory, frames_checked, names_parts: arguments.parts })
 }

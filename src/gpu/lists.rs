@@ -43,7 +43,7 @@ impl Source<'_> {
     fn glowing(&self) -> Vec<Binding> {
         let scene = self.scene;
         let mut bindings = Vec::new();
-        let hues = self.program.choice.shifts_hues(scene);
+        let hues = self.program.features.shifts_hues;
         if hues || scene.used_materials().any(|material| material.surface.has_temperature()) {
             bindings.push(black_bodies());
         }
@@ -81,7 +81,7 @@ impl Source<'_> {
     /// Traced rays are followed as far as they go; a picture's end as far out as nothing of the scene lies further in.
     fn captures(&self) -> Vec<Row> {
         let clearance = |x: DVec3| self.geometry.clearance(x);
-        let picture = !self.program.choice.purpose.is_given();
+        let picture = !self.program.features.purpose.is_given();
         let row = |capture: Capture| {
             let anchor = capture.anchor;
             row! {
@@ -195,7 +195,7 @@ impl Source<'_> {
         let row = |material: &Material| -> Row {
             let pattern = code(&format!("surface/pattern/{}", material.color.part()));
             let pattern = pattern | if material.color.has_vertex_colors() { vertex_colors } else { 0 };
-            let kinds = row! { kind: Uint(code(self.scene.part_of(material))), pattern: Uint(pattern) };
+            let kinds = row! { kind: Uint(code(material.surface.part())), pattern: Uint(pattern) };
             [kinds, material.color.values(), material.surface.values()].concat()
         };
         // A fan is told by its place among them.
@@ -242,8 +242,8 @@ impl Source<'_> {
     /// How parts know straight shadows, by what clear things do to them.
     pub(super) fn shadow_code(&self, clear: Clear) -> u32 {
         match clear {
-            Clear::Filtered if self.scene.weakens_lines() => constant("surface/shadow/clear_kinds", "WEAKENED") as u32,
-            Clear::Closed if self.scene.splits() => constant("surface/shadow/clear_kinds", "SHUT_OUT") as u32,
+            Clear::Filtered if self.scene.weakens_lines() => constant("surface/shadow/clear", "WEAKENED") as u32,
+            Clear::Closed if self.scene.splits() => constant("surface/shadow/clear", "SHUT_OUT") as u32,
             _ => 1,
         }
     }
@@ -363,7 +363,7 @@ impl Source<'_> {
 
     /// For each object its bit in the set of regions.
     fn object_bits(&self) -> Vec<u32> {
-        let none = constant("shape/object_bits", "NO_BIT") as u32;
+        let none = constant("shape/facing", "NO_BIT") as u32;
         let bit = |object| self.geometry.analysis.regions.bit(object).map_or(none, |bit| bit as u32);
         (0..self.scene.objects.len()).map(bit).collect()
     }

@@ -45,7 +45,7 @@ impl Source<'_> {
     /// Do the camera's rays start inside of this mesh? Where an analytic shape is concerned every ray finds out for itself.
     fn starts_in(&self, object: usize) -> bool {
         let object = &self.scene.objects[object];
-        let camera = self.scene.camera.as_ref().filter(|_| !self.program.choice.purpose.is_given());
+        let camera = self.scene.camera.as_ref().filter(|_| !self.program.features.purpose.is_given());
         object.shape.mesh().is_some() && camera.is_some_and(|camera| object.contains(camera.position))
     }
 

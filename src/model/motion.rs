@@ -10,8 +10,8 @@ pub struct ClosedForm {
     pub name: &'static str,
     /// The WGSL parts that keep the contract `motion`.
     pub parts: &'static [&'static str],
-    /// With these where a path is cut into arcs, and with those where one step leads through a whole region.
-    pub strides: Option<[&'static str; 2]>,
+    /// May one step lead through a whole region, where nothing else is in it?
+    pub leaps: bool,
     /// Are its paths straight?
     pub is_line: bool,
     /// Has its stride to know what it may meet, besides the surface that it leaves by?
@@ -35,7 +35,7 @@ pub enum Start {
 pub static STRAIGHT: ClosedForm = ClosedForm {
     name: "straight",
     parts: &["motion/straight", "motion/pace_tau", "motion/closed"],
-    strides: None,
+    leaps: false,
     is_line: true,
     meets_obstacles: false,
     start: Start::ByIndexIfAny,
@@ -45,7 +45,7 @@ pub static STRAIGHT: ClosedForm = ClosedForm {
 pub static HARMONIC: ClosedForm = ClosedForm {
     name: "harmonic",
     parts: &["motion/harmonic", "motion/pace_tau", "motion/closed"],
-    strides: Some(["motion/harmonic_arc", "motion/harmonic_leap"]),
+    leaps: true,
     is_line: false,
     meets_obstacles: false,
     start: Start::ByIndex,
@@ -54,8 +54,8 @@ pub static HARMONIC: ClosedForm = ClosedForm {
 /// Along logarithmic spirals.
 pub static SPIRAL: ClosedForm = ClosedForm {
     name: "spiral",
-    parts: &["motion/spiral", "motion/closed"],
-    strides: Some(["motion/spiral_arc", "motion/spiral_leap"]),
+    parts: &["motion/spiral", "motion/spiral_stride", "motion/closed"],
+    leaps: true,
     is_line: false,
     meets_obstacles: true,
     start: Start::Own,
@@ -65,7 +65,7 @@ pub static SPIRAL: ClosedForm = ClosedForm {
 pub static CIRCLE: ClosedForm = ClosedForm {
     name: "circle",
     parts: &["motion/circle", "motion/closed"],
-    strides: Some(["motion/circle_arc", "motion/circle_leap"]),
+    leaps: true,
     is_line: false,
     meets_obstacles: false,
     start: Start::ByIndex,
@@ -75,7 +75,7 @@ pub static CIRCLE: ClosedForm = ClosedForm {
 pub static PARABOLA: ClosedForm = ClosedForm {
     name: "parabola",
     parts: &["motion/parabola", "motion/pace_tau", "motion/closed"],
-    strides: None,
+    leaps: false,
     is_line: false,
     meets_obstacles: false,
     start: Start::ByIndex,

@@ -15,6 +15,7 @@ use std::sync::Arc;
 use super::ProgramError;
 use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
+use super::fold::{folded, gaps};
 use super::linked::{Copy, Edit, Linked};
 use super::loop_counts::counted;
 use super::lower::Lowering;
@@ -32,7 +33,7 @@ pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
 
 /// The programs of several passes, in order, each named by its entry point.
 pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramError> {
-    let copies = with_region_copies(&selected(counted(unrolled(parts))))?;
+    let copies = with_region_copies(&selected(counted(unrolled(&folded(parts)))))?;
     let copies: Vec<Arc<Copy>> = copies.into_iter().map(Arc::new).collect();
     let mut all = Vec::new();
     for (k, copy) in copies.iter().enumerate() {
@@ -57,7 +58,10 @@ fn pass(
     let pieces =
         reached.iter().filter(|(_, declaration)| !lowering.replaces(declaration)).map(|(copy, declaration)| {
             let from = declaration.at;
-            (*copy, from..from + declaration.tokens.text.len(), lowering.edits(declaration))
+            let mut edits = lowering.edits(declaration);
+            edits.extend(gaps(&declaration.tokens));
+            edits.sort_by_key(|(range, _)| range.start);
+            (*copy, from..from + declaration.tokens.text.len(), edits)
         });
     let pieces: Vec<_> = pieces.collect();
     let made = lowering.declaration();

@@ -1,8 +1,9 @@
 //! From a scene to its program: which WGSL parts it needs, linked into one module a pass, validated and reflected.
 //!
-//! *Theory.* `shaders/` has one file for each way to keep a contract, and its README states them all. A scene picks one file
-//! per contract, and several shapes, materials and falloffs with the few-line switches between them generated. The program that
-//! results has nothing in it that the scene does not use: 'model no more than a scene needs', and a test holds it to that.
+//! *Theory.* `shaders/` has one file for each way to keep a contract, and its README lists them. What a scene asks of its program
+//! is found once, as [`Features`]. From them follows one file per contract, and constants by which the linker decides what differs
+//! in a line; switches between several shapes, materials and falloffs are generated. The program that results has nothing in it
+//! that the scene does not use: 'model no more than a scene needs', and a test holds it to that.
 //!
 //! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing here knows of a GPU.
 
@@ -11,6 +12,8 @@ mod choice;
 mod copies;
 mod declarations;
 mod error;
+mod features;
+mod fold;
 mod formula;
 mod generated;
 mod interface;
@@ -45,6 +48,7 @@ mod validate;
 pub use analysis::Analysis;
 pub use choice::{Choice, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
+pub use features::Features;
 
 pub use generated::all_shots;
 pub use interface::{Access, Channel, Role, SceneValue, Slot, StatePart};
@@ -73,8 +77,8 @@ pub struct Program {
     parts: Parts,
     /// May a walk over the structure be suspended, and continued by a later pass?
     pub suspends: bool,
-    /// What it was made for, with the schedule that the scene can have.
-    pub choice: Choice,
+    /// What its scene asks of it.
+    pub features: Features,
 }
 
 impl Program {
@@ -91,17 +95,17 @@ impl Program {
         choice: &Choice,
         extent: Extent,
     ) -> Result<Self, ProgramError> {
-        let choice = choice.settled(scene);
+        let features = Features::of(scene, choice, analysis);
         extent.check(&analysis.structure)?;
-        let suspends = choice.device.loop_budget.is_some() && extent.is_long(scene, &analysis.regions);
-        let parts = plan(scene, analysis, &choice, suspends)?;
-        let wanted = choice.passes(scene);
+        let suspends = features.device.loop_budget.is_some() && extent.is_long(scene, &analysis.regions);
+        let parts = plan(scene, analysis, &features, suspends)?;
+        let wanted = features.passes();
         let is_same = |other: &&Self| other.parts == parts && other.passes.iter().map(|(pass, ..)| pass).eq(&wanted);
         let passes = match before.filter(is_same) {
             Some(other) => other.passes.clone(),
             None => made(&parts, &wanted)?,
         };
-        Ok(Self { passes, parts, suspends, choice })
+        Ok(Self { passes, parts, suspends, features })
     }
 
     /// What its passes bind; what several bind comes several times.

@@ -26,6 +26,13 @@ impl Names {
         }
     }
 
+    /// Those, if they are needed.
+    pub fn when(&mut self, needed: bool, names: &[&str]) {
+        if needed {
+            self.all(names);
+        }
+    }
+
     pub fn each<'a>(&mut self, folder: &str, files: impl IntoIterator<Item = &'a str>) {
         files.into_iter().for_each(|file| self.add(&format!("{folder}/{file}")));
     }

@@ -1,24 +1,49 @@
-//! The plan: which parts a scene is made of. One file per contract; the cheapest that is right for the scene.
+//! The plan: which parts a scene is made of. One file per contract, the cheapest that is right for the scene, and those that have no
+//! choice: what a pass does not reach is left out when it is linked.
 
+use super::features::keeps_taken;
 use super::names::Names;
 use super::onward_parts::{filter_parts, scatter_parts};
 use super::picture_parts::{camera_parts, material_parts, picture_parts, samples_part};
-use super::region_parts::{ends_with_steps, joins_whole, region_parts};
+use super::region_parts::region_parts;
 use super::regions::{RegionKind, Regions};
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Choice, Masks, ProgramError, Purpose, Schedule, generated, short_lists};
+use super::{Analysis, Features, Masks, ProgramError, Schedule, generated, short_lists};
 use crate::model::method::Path;
 use crate::model::source::ANCHORS;
-use crate::scene::{Precision, Scene, Segment, Shadows};
+use crate::scene::{Precision, Scene, Segment};
 
 /// Steps of a chord up to which they are written out.
 const WRITTEN_OUT: u32 = 16;
 
 /// The parts of `scene`'s program; its walks through the structure may be suspended if `suspends`. Parts of a contract that a pass does not call are left out when it is linked.
-pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, suspends: bool) -> Result<Parts, ProgramError> {
+pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features, suspends: bool) -> Result<Parts, ProgramError> {
+    let Analysis { regions, .. } = analysis;
     let mut names = Names::default();
     names.all(&[
+        "camera/pixels",
+        "camera/ray",
+        "camera/sample/scrambled",
+        "law/asymptotic",
+        "law/bound",
+        "law/limit",
+        "picture/beaming",
+        "picture/coverage",
+        "picture/layers",
+        "picture/shade",
+        "picture/spread",
+        "real/hash",
+        "shape/facing",
+        "surface/black_body",
+        "surface/image",
+        "surface/light/field",
+        "surface/occlusion",
+        "surface/scatter/lobe",
+        "surface/shadow/clear",
+        "surface/shadow/look",
+        "surface/vertex_colors",
+        "surface/weight/sure",
         "segment/ray",
         "state/arguments",
         "law/leaving",
@@ -29,197 +54,110 @@ pub fn plan(scene: &Scene, analysis: &Analysis, choice: &Choice, suspends: bool)
         "segment/ends",
         "segment/follow_path",
         "picture/colors",
+        "state/ray",
+        "state/active",
+        "state/finish",
     ]);
-    match choice.device.loop_budget {
+    names.make(features.unit());
+    match features.device.loop_budget {
         Some(budget) => {
             names.add("state/loop_budget");
             names.make(generated::loop_budget(budget));
         }
         None => names.add("state/loops_free"),
     }
-    names.add(match (choice.follows_paths(scene), choice.sees_glow(scene)) {
-        (true, _) => "picture/shade_path",
-        (false, true) => "picture/shade_glow",
-        (false, false) => "picture/shade_ray",
-    });
-    names.all(&["state/ray", "state/active", "state/finish"]);
-    names.all(match scene.rays.precision {
+    names.make(generated::counts(scene, features, regions));
+    names.all(match features.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
         Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
         Precision::Double => &["real/f64", "state/buffer"],
     });
-    let regions = &analysis.regions;
-    names.make(generated::counts(scene, choice, regions));
-    names.add(if scene.law.facts().throat.is_some() { "law/bound_mouths" } else { "law/bound" });
-    phase_parts(scene, choice, &mut names);
-    scatter_parts(scene, choice, regions, &mut names);
-    names.each("pass", choice.passes(scene).iter().map(|pass| pass.entry()));
-    schedule_parts(scene, choice, regions, &mut names);
-    camera_parts(scene, choice, &mut names);
-    end_parts(scene, choice, &mut names)?;
-    surface_parts(scene, choice, suspends, analysis, &mut names);
-    if choice.purpose == Purpose::Picture {
-        picture_parts(scene, choice, &mut names)?;
-    }
-    if !scene.pictures.is_empty() {
-        names.add("surface/image_bilinear");
-        names.add(if choice.keeps_footprints(scene) { "surface/image_filtered" } else { "surface/image_sample" });
-        names.make(generated::images(scene.pictures.len()));
-    }
-    if !scene.objects.is_empty() {
-        material_parts(scene, choice, &mut names);
-    }
-    shadow_parts(scene, choice, regions, &mut names);
-    if scene.disperses() {
-        spectrum_parts(scene, choice, &mut names);
-    }
-    if choice.filters(scene) {
-        filter_parts(scene, choice, regions, &mut names);
-    }
-    let of_kind = |kind: &RegionKind| region_parts(scene, choice, regions, kind);
+    names.add(scene.rays.control.kind.memory);
+    names.each("pass", features.passes().iter().map(|pass| pass.entry()));
+    scatter_parts(scene, features, regions, &mut names);
+    schedule_parts(scene, features, regions, &mut names);
+    camera_parts(scene, features, &mut names);
+    law_parts(scene, &mut names)?;
+    segment_parts(scene, features, &mut names);
+    surface_parts(scene, features, suspends, analysis, &mut names);
+    picture_parts(scene, features, &mut names)?;
+    material_parts(scene, features, &mut names);
+    shadow_parts(features, &mut names);
+    let wavelength = if features.draws_wavelength { "path/spectrum" } else { "medium/wavelength" };
+    names.when(features.disperses, &[wavelength]);
+    filter_parts(scene, features, &mut names);
+    let of_kind = |kind: &RegionKind| region_parts(scene, features, regions, kind);
     let lengths = short_lists::lengths(scene, regions);
     let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
-    let parts = Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? };
-    Ok(parts.without_optional_calls())
+    Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? })
 }
 
 /// Whether what is seen lies in a light's shadow, and what of ambient light reaches it.
-fn shadow_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
-    let looks = scene.looks_from_surfaces();
-    let shot = scene.has_shadows(Shadows::Shooting) || choice.purpose == Purpose::Lit;
-    let leaves = looks || shot || choice.follows_paths(scene);
-    let starts = if leaves { "surface/shadow/start_off" } else { "surface/shadow/start_on" };
-    let status = if looks || shot { "surface/shadow/status_counted" } else { "surface/shadow/status_sure" };
-    names.all(&[starts, status]);
-    if shot {
-        let planar = scene.law.facts().orbit.is_some_and(|orbit| orbit.is_plane());
-        names.all(&["surface/shot/shot", "surface/shot/path"]);
-        names.add(if planar { "surface/shot/planar" } else { "surface/shot/newton" });
-        names.add(if scene.objects.is_empty() { "surface/shot/clear_space" } else { "surface/shot/clear" });
-    }
-    if let Some(occlusion) = scene.occlusion.filter(|_| scene.is_occluded()) {
-        names.add(if occlusion.along_law { "surface/occlusion/along" } else { "surface/occlusion/line" });
-        names.add("surface/shadow/met");
-        names.all(&["surface/occlusion/drawn", "surface/scatter/lobe", "surface/scatter/lobe_random"]);
-        names.add("camera/sample/scrambled");
-    }
-    line_parts(scene, choice, names);
-    let lines = regions.kinds.iter().all(|kind| joins_whole(scene, kind));
-    names.add(if lines { "surface/shadow/line_alike" } else { "surface/shadow/line_marked" });
+fn shadow_parts(features: &Features, names: &mut Names) {
+    names.add(if features.weakens_lines { "surface/shadow/filtered" } else { "surface/shadow/straight" });
+    let shot = if features.is_plane { "surface/shot/planar" } else { "surface/shot/newton" };
+    names.when(features.shoots, &["surface/shot/shot", shot]);
+    names.when(features.has_rough_glass, &["surface/scatter/frosted", "surface/scatter/microfacet"]);
 }
 
-/// Which lights cast straight shadows, and what lets them through.
-fn line_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
-    if !scene.follows_lines() {
-        names.add("surface/shadow/none");
-        return;
-    }
-    names.all(&["surface/shadow/clear_kinds", "surface/scatter/frosted", "surface/scatter/microfacet"]);
-    if scene.weakens_lines() {
-        names.all(&["surface/shadow/filtered", "surface/shadow/met"]);
-        names.add(if scene.splits() { "surface/shadow/crossing_clear" } else { "surface/shadow/crossing_opaque" });
-        if !choice.filters(scene) {
-            names.add("surface/shadow/filtered_none");
-        }
-        return;
-    }
-    names.add("surface/shadow/straight");
-    let all = scene.lights.iter().all(|light| light.shadows == Shadows::Straight);
-    let shut_out = scene.shuts_out();
-    names.add(match (all, shut_out) {
-        (true, _) => "surface/shadow/of_all",
-        (false, true) => "surface/shadow/of_several",
-        (false, false) => "surface/shadow/of_some",
-    });
-    names.add(match scene.splits() {
-        true if shut_out => "surface/shadow/clear_chosen",
-        true if scene.has_rough_glass() => "surface/shadow/clear_rough",
-        true => "surface/shadow/clear",
-        false => "surface/shadow/opaque",
+fn schedule_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
+    names.all(&[
+        match features.masks {
+            Masks::Off => "state/active/all",
+            Masks::Grid => "state/active/grid",
+            Masks::List => "state/active/list",
+        },
+        match (features.lists_open(), features.rounds > 1) {
+            (false, _) => "state/round/once",
+            (true, false) => "state/round/chosen",
+            (true, true) => "state/round/open",
+        },
+        samples_part(features),
+        if features.slots == 3 { "state/slots_three" } else { "state/slots_two" },
+        if features.keeps_counts() { "state/counts_kept" } else { "state/counts_none" },
+        if scene.rays.control.kind.rejects { "state/rejections_some" } else { "state/rejections_none" },
+        if keeps_taken(scene, regions) { "state/taken_kept" } else { "state/taken_none" },
+        if features.compensates_tau() { "state/tau_compensated" } else { "state/tau_plain" },
+    ]);
+    names.all(match features.masks {
+        _ if features.purpose.leaves_light() => &["segment/run_light", "segment/leave_light"],
+        Masks::Off => &["segment/run_all"],
+        Masks::Grid | Masks::List => &["segment/run_active"],
     });
 }
 
-/// Of which wavelength light is.
-fn spectrum_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
-    match choice.purpose {
-        Purpose::Picture if choice.follows_paths(scene) => {
-            names.all(&["path/spectrum/drawn", "path/spectrum/of_path", "path/spectrum/color"]);
-        }
-        Purpose::Caustics => {
-            names.all(&["path/spectrum/drawn", "path/spectrum/of_light", "camera/sample/scrambled"]);
-        }
-        _ => names.add("medium/wavelength"),
-    }
-}
-
-fn schedule_parts(scene: &Scene, choice: &Choice, regions: &Regions, names: &mut Names) {
-    names.add(match choice.masks {
-        Masks::Off => "state/active/all",
-        Masks::Grid => "state/active/grid",
-        Masks::List => "state/active/list",
-    });
-    if choice.purpose.leaves_light() {
-        names.all(&["segment/run_light", "segment/leave_light"]);
-    } else {
-        names.add(if choice.masks == Masks::Off { "segment/run_all" } else { "segment/run_active" });
-    }
-    names.add(match (choice.lists_open(scene), choice.rounds(scene) > 1) {
-        (false, _) => "state/round/once",
-        (true, false) => "state/round/chosen",
-        (true, true) => "state/round/open",
-    });
-    names.add(samples_part(scene, choice));
-    names.add(if choice.slots(scene) == 3 { "state/slots_three" } else { "state/slots_two" });
-    names.add(if choice.keeps_counts() { "state/counts_kept" } else { "state/counts_none" });
-    names.add(if scene.rays.control.kind.rejects { "state/rejections_some" } else { "state/rejections_none" });
-    names.add(if keeps_taken(scene, regions) { "state/taken_kept" } else { "state/taken_none" });
-}
-
-/// Arcs that are not straight need their step's size in the pass that intersects them.
-fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
-    let arcs = !scene.rays.segment.has_chords() && !regions.kinds.iter().all(RegionKind::is_line);
-    arcs && !scene.objects.is_empty()
-}
-
-/// What a state is, and what the control remembers of it.
-fn phase_parts(scene: &Scene, choice: &Choice, names: &mut Names) {
-    names.add(match scene.law.facts().carries_time {
-        true if choice.follows_shift(scene) => "law/phase_stretched",
-        true => "law/phase_spacetime",
-        false => "law/phase_space",
-    });
-    names.add(scene.rays.control.kind.memory);
-}
-
-fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), ProgramError> {
+/// What a state is, where rays may go, and where they end.
+fn law_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     let captures = scene.captures(None);
-    let by_formula = scene.law.facts().line_element().is_some_and(|element| element.graph().4.is_some());
-    names.add(match captures.is_empty() {
-        _ if by_formula => "law/capture_formula",
-        true => "law/capture_none",
-        false => scene.law.facts().capture_part.unwrap_or("law/capture_spheres"),
-    });
-    let anchors = captures.iter().map(|capture| capture.anchor).chain(scene.law.facts().anchors);
+    let facts = scene.law.facts();
+    let by_formula = facts.line_element().is_some_and(|element| element.graph().4.is_some());
+    names.all(&[
+        if facts.carries_time { "law/phase_spacetime" } else { "law/phase_space" },
+        if by_formula { "law/capture_formula" } else { "law/capture" },
+    ]);
+    let anchors = captures.iter().map(|capture| capture.anchor).chain(facts.anchors.iter().copied());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
     let kinds: Vec<_> = ANCHORS.into_iter().filter(|kind| anchors.contains(kind)).collect();
     names.wgsl(kinds.iter().map(|kind| kind.part()))?;
     if !kinds.is_empty() {
         names.make(generated::anchors(&kinds));
     }
-    names.add(if scene.rays.length.is_some() { "law/limit_length" } else { "law/limit_none" });
-    let summed = scene.rays.length.is_some() && scene.rays.precision != Precision::Double;
-    names.add(if summed { "state/tau_compensated" } else { "state/tau_plain" });
-    names.add(if scene.rays.asymptotic { "law/asymptotic_orbit" } else { "law/asymptotic_none" });
-    let hits = !scene.objects.is_empty();
-    let stepped = ends_with_steps(scene);
-    names.add(if stepped { "segment/path_end_stepped" } else { "segment/path_end" });
+    Ok(())
+}
+
+/// What a segment is, and where it ends.
+fn segment_parts(scene: &Scene, features: &Features, names: &mut Names) {
+    let &Features { has_objects, ends_with_steps, keeps_last, travels, .. } = features;
+    names.add(if ends_with_steps { "segment/path_end_stepped" } else { "segment/path_end" });
     match scene.rays.segment {
         Segment::Arc { .. } => {
-            names.all(&["segment/follow_step", "segment/quick_same"]);
-            let kept = stepped && choice.schedule == Schedule::Whole;
-            names.add(if kept { "segment/last_kept" } else { "segment/last_retaken" });
-            names.all(match hits {
-                true if scene.travels().next().is_some() => &["segment/end_on_moving"],
+            names.all(&[
+                "segment/follow_step",
+                "segment/quick_same",
+                if keeps_last { "segment/last_kept" } else { "segment/last_retaken" },
+            ]);
+            names.all(match has_objects {
+                true if travels => &["segment/end_on_moving"],
                 true => &["segment/end_on_arc"],
                 false => &["segment/end_open", "segment/stop_open"],
             });
@@ -233,13 +171,12 @@ fn end_parts(scene: &Scene, choice: &Choice, names: &mut Names) -> Result<(), Pr
                 names.add("segment/quick_same");
             }
             names.all(&["segment/follow_chord", "segment/stop_open"]);
-            names.add(if hits { "segment/end_on_chord" } else { "segment/end_open" });
+            names.add(if has_objects { "segment/end_on_chord" } else { "segment/end_open" });
         }
     }
-    Ok(())
 }
 
-fn surface_parts(scene: &Scene, choice: &Choice, suspends: bool, analysis: &Analysis, names: &mut Names) {
+fn surface_parts(scene: &Scene, features: &Features, suspends: bool, analysis: &Analysis, names: &mut Names) {
     let all = solids(scene.objects.iter());
     if all.is_empty() {
         names.all(&["segment/no_surfaces"]);
@@ -247,7 +184,7 @@ fn surface_parts(scene: &Scene, choice: &Choice, suspends: bool, analysis: &Anal
     }
     let Analysis { regions, structure } = analysis;
     names.all(&["segment/pieces", "segment/hits", "shape/placed"]);
-    names.all(match (suspends, choice.schedule) {
+    names.all(match (suspends, features.schedule) {
         (false, _) => &["segment/walk_in_one", "segment/walk_whole"],
         (true, Schedule::Whole) => &["segment/walk_in_one", "segment/walk_once"],
         (true, _) => &["segment/walk_resumed"],

@@ -189,7 +189,7 @@ fn motion(scene: &Scene, medium: &dyn Medium) -> Motion {
 
 /// The sphere that a path leaves in closed form: the object's own, where it is a sphere about the medium's centre.
 fn leap_radius(motion: Motion, medium: &dyn Medium, object: &Object) -> Option<f64> {
-    motion.closed_form()?.strides?;
+    motion.closed_form().filter(|form| form.leaps)?;
     let radius = object.shape.ball_radius(&object.transform)?;
     let center = medium.center()?;
     (center.distance(object.transform.0.translation) <= 1e-12 * radius).then_some(radius)

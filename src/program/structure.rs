@@ -183,8 +183,8 @@ impl Extent {
         let is_arc =
             matches!(scene.rays.segment, Segment::Arc { .. }) && !regions.kinds.iter().all(RegionKind::is_line);
         let pieces = if is_arc { constant("segment/curve_arc", "MAX_PIECES") as u64 } else { 1 };
-        let part = if scene.splits() { "surface/shadow/clear" } else { "surface/shadow/opaque" };
-        let shadows = scene.lines().count() as u64 * constant(part, "CROSSINGS") as u64;
+        let crossings = if scene.splits() { constant("surface/shadow/clear", "CROSSINGS") as u64 } else { 1 };
+        let shadows = scene.lines().count() as u64 * crossings;
         (pieces + 2 + 2 * shadows) * (self.places + self.items) > LONG_WALK
     }
 }

@@ -55,7 +55,7 @@ impl Renderer<'_> {
             if open == 0 {
                 break;
             }
-            let refines = Refines { listed: self.settings.choice.lists_open(&self.scene), list };
+            let refines = Refines { listed: self.program.features.lists_open(), list };
             self.run_sample(tile, at(sample, refines), clock, &|done| tell(taken, open, sample, done))?;
             sums.samples += open;
             taken += open;

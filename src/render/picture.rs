@@ -107,7 +107,7 @@ impl Renderer<'_> {
     ) -> Result<Option<Band>, RenderError> {
         let [width, height] = self.window().size;
         let [tile_width, tile_height] = self.tile_size()?;
-        let margin = self.settings.choice.margin(&self.scene);
+        let margin = self.program.features.margin();
         let tile_rows = tile_height.min(height - first_row);
         let mut band = self.band(first_row, tile_rows);
         for left in (0..width).step_by(tile_width as usize) {
@@ -139,7 +139,7 @@ impl Renderer<'_> {
     /// Rays of a tile in a round of samples.
     fn rays_of(&self, size: [u32; 2], round: &Round) -> u64 {
         let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
-        let corners = if self.settings.choice.keeps_footprints(&self.scene) { count(1) } else { 0 };
+        let corners = if self.program.features.keeps_footprints { count(1) } else { 0 };
         u64::from(round.until - round.begins()) * count(0) + corners
     }
 
@@ -164,7 +164,7 @@ impl Renderer<'_> {
     /// to follow all of it.
     pub fn first_sample(&mut self) -> Result<Option<Rendering>, RenderError> {
         let size = self.scene.image.size;
-        let margin = self.settings.choice.margin(&self.scene);
+        let margin = self.program.features.margin();
         let started = Instant::now();
         let rays = self.scene.image.adaptive.is_none().then(|| size.map(u64::from).into_iter().product());
         loop {
@@ -208,7 +208,7 @@ impl Renderer<'_> {
             return self.sample_adaptively(tile, origin, clock, progress, sums);
         }
         let first = round.begins();
-        if self.settings.choice.keeps_footprints(&self.scene) {
+        if self.program.features.keeps_footprints {
             self.run_sample(tile, Sample::corners(origin, self.scene.image.size), clock, &|_| {})?;
         }
         if let Some(earlier) = round.earlier {

@@ -17,7 +17,7 @@ use crate::gpu::{
     Before, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
 };
 use crate::model::{Control, Value};
-use crate::program::{BindingKind, Choice, Layout, Program, Purpose, Regions, Role, Schedule};
+use crate::program::{BindingKind, Choice, Features, Layout, Program, Purpose, Regions, Role, Schedule};
 use crate::scene::Scene;
 
 /// In so many rounds of a sample and more most pixels rest, so that a pass costs more than the ended rays that it drops: passes
@@ -88,11 +88,11 @@ impl<'a> Renderer<'a> {
         let stage = gpu.progress.stage("generating the shaders");
         let program = Program::new(&scene, &geometry.analysis, &settings.choice, geometry.extent())?;
         drop(stage);
-        settings.choice = program.choice.clone();
+        settings.choice.schedule = program.features.schedule;
         let [width, _] = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
         let is_picture = settings.choice.purpose == Purpose::Picture;
         let pipelines = Pipelines::new(gpu, &program, if is_picture { width } else { u32::MAX })?;
-        let longer = settings.segments.saturating_mul(settings.choice.rounds(&scene) / MANY_ROUNDS);
+        let longer = settings.segments.saturating_mul(program.features.rounds / MANY_ROUNDS);
         settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
         let segments = settings.segments_a_pass();
         let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
@@ -103,7 +103,7 @@ impl<'a> Renderer<'a> {
         }
         let max_segments = scene.rays.max_segments;
         let passes = PassCounts::of(&gpu.profile);
-        let plan = planned(&scene, &settings, passes, max_segments);
+        let plan = planned(&scene, &program.features, passes, max_segments, settings.segments);
         let regions = geometry.analysis.regions.clone();
         Ok(Self {
             gpu,
@@ -209,13 +209,13 @@ impl<'a> Renderer<'a> {
     /// What each pixel costs on the device.
     #[must_use]
     pub fn memory(&self) -> Memory {
-        memory(&self.program, self.settings.choice.slots(&self.scene))
+        memory(&self.program, self.program.features.slots)
     }
 
     /// A tile of this program's state.
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
         let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
-        let slots = self.settings.choice.slots(&self.scene);
+        let slots = self.program.features.slots;
         let plan = &self.plan;
         let tile = Tile::new(self.gpu, &self.program, size, slots, &plan.sections())?;
         if let Some(error) = pollster::block_on(scope.pop()) {
@@ -248,7 +248,7 @@ impl<'a> Renderer<'a> {
     /// Records so many passes from now on.
     pub(super) fn plan_passes(&mut self, passes: PassCounts) {
         self.passes = passes;
-        self.plan = planned(&self.scene, &self.settings, passes, self.max_segments);
+        self.plan = planned(&self.scene, &self.program.features, passes, self.max_segments, self.settings.segments);
     }
 
     /// Adds the tile's tally to `totals`, and clears it. Returns `true` if rays are still under way.
@@ -308,9 +308,8 @@ impl<'a> Renderer<'a> {
 }
 
 /// What runs for each round of a sample.
-fn planned(scene: &Scene, settings: &RenderSettings, passes: PassCounts, max_segments: u32) -> Plan {
-    let steps = steps(scene, &settings.choice, passes, max_segments, settings.segments);
-    Plan::new(steps, settings.choice.rounds(scene))
+fn planned(scene: &Scene, features: &Features, passes: PassCounts, max_segments: u32, segments: u32) -> Plan {
+    Plan::new(steps(scene, features, passes, max_segments, segments), features.rounds)
 }
 
 /// Places a scene's objects, and builds what is searched for them.

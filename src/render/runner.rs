@@ -35,7 +35,7 @@ impl Renderer<'_> {
         clock: &mut Clock,
         progress: &dyn Fn(f64),
     ) -> Result<(), GpuError> {
-        let rounds = self.settings.choice.rounds(&self.scene);
+        let rounds = self.program.features.rounds;
         let all = u64::from(rounds) * self.plan.steps.iter().map(|step| step.weight).sum::<u64>();
         let allowed = SUBMISSION / (u64::from(tile.size[0]) * u64::from(tile.size[1]));
         let told = |ended: u64| progress(part(ended, all, allowed));

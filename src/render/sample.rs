@@ -33,7 +33,7 @@ impl Refines {
 impl Sample {
     /// Rays through the corners of pixels, which are no samples of theirs.
     pub(super) fn corners(origin: [u32; 2], image: [u32; 2]) -> Self {
-        let number = constant("camera/sample/corners_apart", "CORNERS") as u32;
+        let number = constant("camera/sample/point", "CORNERS") as u32;
         Self { origin, image, number, refines: None }
     }
 

@@ -2,7 +2,7 @@
 
 use super::step::{Dispatch, PixelList, Step};
 use crate::gpu::Slots;
-use crate::program::{Choice, DeviceProfile, Masks, Pass, Purpose, Schedule, constant};
+use crate::program::{DeviceProfile, Features, Masks, Pass, Purpose, Schedule, constant};
 use crate::scene::{Scene, Segment};
 
 /// How many passes are recorded, where a device's loop budget may end one before its work is done. Passes that find nothing left to do
@@ -38,20 +38,19 @@ impl PassCounts {
 
 /// Every dispatch of one round of a sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
 #[must_use]
-pub fn steps(scene: &Scene, choice: &Choice, passes: PassCounts, max_segments: u32, segments: u32) -> Vec<Step> {
-    let open = choice.lists_open(scene);
-    let mut recorded = Recorder { choice, max_segments, open, steps: Vec::new() };
+pub fn steps(scene: &Scene, features: &Features, passes: PassCounts, max_segments: u32, segments: u32) -> Vec<Step> {
+    let mut recorded = Recorder { features, max_segments, steps: Vec::new() };
     let n = match scene.rays.segment {
         Segment::Chord { steps } => u64::from(steps),
         Segment::Arc { .. } => 1,
     };
-    if choice.schedule == Schedule::Whole {
+    if features.schedule == Schedule::Whole {
         let whole = recorded.push(Pass::Whole, Slots::only(0), 0, n * u64::from(segments));
         (whole.read, whole.written) = (PixelList::Open(0), PixelList::Open(1));
         return recorded.steps;
     }
     recorded.push(Pass::Setup, Slots::only(0), 0, 1);
-    match choice.purpose {
+    match features.purpose {
         Purpose::Bare => {
             recorded.push(Pass::Bare, Slots::segment(0, 1), 0, 1);
             return recorded.steps;
@@ -65,12 +64,12 @@ pub fn steps(scene: &Scene, choice: &Choice, passes: PassCounts, max_segments: u
         }
         Purpose::Picture | Purpose::Trace | Purpose::Pixels | Purpose::Light | Purpose::Caustics => {}
     }
-    match choice.schedule {
+    match features.schedule {
         Schedule::Fused | Schedule::Whole => recorded.fused(passes, segments, n),
-        Schedule::Segment => recorded.by_segment(scene, passes, n),
-        Schedule::Paper => recorded.by_step(scene, passes, n, choice.slots(scene)),
+        Schedule::Segment => recorded.by_segment(passes, n),
+        Schedule::Paper => recorded.by_step(passes, n),
     }
-    let passes = choice.passes(scene);
+    let passes = features.passes();
     let last = *passes.iter().rfind(|pass| **pass != Pass::Refine).unwrap_or(&Pass::Shade);
     let last = recorded.push(last, Slots::only(0), 0, n);
     (last.read, last.written) = (PixelList::Open(0), PixelList::Open(1));
@@ -78,9 +77,8 @@ pub fn steps(scene: &Scene, choice: &Choice, passes: PassCounts, max_segments: u
 }
 
 struct Recorder<'a> {
-    choice: &'a Choice,
+    features: &'a Features,
     max_segments: u32,
-    open: bool,
     steps: Vec<Step>,
 }
 
@@ -91,8 +89,8 @@ impl Recorder<'_> {
         // What the first segments' termination lists is the first list there is.
         let first = !once && iteration == 0 && pass != Pass::Scatter;
         let dispatch = match once || first {
-            true if self.open => Dispatch::ListedLater,
-            false if self.choice.masks != Masks::Off => Dispatch::Listed,
+            true if self.features.lists_open() => Dispatch::ListedLater,
+            false if self.features.masks != Masks::Off => Dispatch::Listed,
             _ => Dispatch::Grid,
         };
         let listed_later = dispatch == Dispatch::ListedLater;
@@ -111,17 +109,18 @@ impl Recorder<'_> {
         }
     }
 
-    fn by_segment(&mut self, scene: &Scene, passes: PassCounts, n: u64) {
+    fn by_segment(&mut self, passes: PassCounts, n: u64) {
         for iteration in 0..u64::from(self.max_segments) {
             let start = (iteration % 2) as usize;
             let slots = Slots::segment(start, 1 - start);
             self.push(Pass::Integrate, slots, iteration, n);
-            self.finish_segment(scene, passes, slots, iteration);
+            self.finish_segment(passes, slots, iteration);
         }
     }
 
     /// Within a segment of many steps two slots ping-pong while a third keeps the segment's start.
-    fn by_step(&mut self, scene: &Scene, passes: PassCounts, n: u64, slots: usize) {
+    fn by_step(&mut self, passes: PassCounts, n: u64) {
+        let slots = self.features.slots;
         let mut start = 0;
         for iteration in 0..u64::from(self.max_segments) {
             let mut at = start;
@@ -130,19 +129,19 @@ impl Recorder<'_> {
                 self.push(Pass::SingleStep, Slots::step(start, at, next), iteration, 1);
                 at = next;
             }
-            self.finish_segment(scene, passes, Slots::segment(start, at), iteration);
+            self.finish_segment(passes, Slots::segment(start, at), iteration);
             start = at;
         }
     }
 
-    fn finish_segment(&mut self, scene: &Scene, passes: PassCounts, slots: Slots, iteration: u64) {
-        if !scene.objects.is_empty() {
+    fn finish_segment(&mut self, passes: PassCounts, slots: Slots, iteration: u64) {
+        if self.features.has_objects {
             for walk in 0..passes.walk {
                 self.push(Pass::Intersect, slots, iteration, 1).again = walk > 0;
             }
         }
         self.push(Pass::Terminate, slots, iteration, 1);
-        if scene.scatters() {
+        if self.features.scatters {
             // Over what the termination has just listed; it lists nothing itself.
             self.push(Pass::Scatter, slots, iteration, 1).read = PixelList::Active(iteration + 1);
         }
@@ -152,6 +151,7 @@ impl Recorder<'_> {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::program::{Analysis, Choice};
 
     fn scene(segment: &str, image: &str) -> Scene {
         let text = format!(
@@ -167,7 +167,7 @@ pub(super) mod tests {
         let scene = scene(segment, image);
         let choice = Choice { schedule, masks: Masks::List, ..Choice::default() };
         let passes = PassCounts::of(&choice.device);
-        steps(&scene, &choice, passes, scene.rays.max_segments, 4)
+        steps(&scene, &Features::of(&scene, &choice, &Analysis::of(&scene)), passes, scene.rays.max_segments, 4)
     }
 
     #[test]

@@ -9,7 +9,7 @@
 use std::time::Duration;
 
 use super::{RenderError, Renderer};
-use crate::program::Schedule;
+use crate::program::{Features, Schedule};
 
 /// From which K is chosen.
 const CHOICES: [u32; 3] = [8, 32, 128];
@@ -25,8 +25,8 @@ impl Renderer<'_> {
     pub fn choose_segments(&mut self) -> Result<u32, RenderError> {
         let [width, height] = self.window().size;
         let rays = u64::from(width) * u64::from(height) * u64::from(self.scene.image.samples);
-        let choice = &self.settings.choice;
-        if choice.schedule != Schedule::Fused || choice.rounds(&self.scene) > 1 || rays < FEW {
+        let Features { schedule, rounds, .. } = self.program.features;
+        if schedule != Schedule::Fused || rounds > 1 || rays < FEW {
             return Ok(self.settings.segments);
         }
         let useful = 1 + CHOICES.iter().filter(|segments| **segments < self.max_segments).count();

@@ -45,7 +45,7 @@ impl Renderer<'_> {
 
     fn small_sample(&self) -> Sample {
         let Window { origin, .. } = self.window();
-        let refines = self.settings.choice.adapts(&self.scene).then_some(Refines::FIRST);
+        let refines = self.program.features.adapts.then_some(Refines::FIRST);
         let image = self.scene.image.size.map(|side| self.small(side).max(1));
         Sample { origin: origin.map(|side| self.small(side)), image, number: 0, refines }
     }

@@ -30,7 +30,7 @@ impl Renderer<'_> {
     pub(super) fn tile_size(&self) -> Result<[u32; 2], GpuError> {
         let [width, height] = self.window().size;
         // Of an adaptive picture the colours are read with all that is known of them.
-        let readback = READBACK * u64::from(1 + self.settings.choice.margin(&self.scene));
+        let readback = READBACK * u64::from(1 + self.program.features.margin());
         let (fixed, each) = (self.fixed_memory(), self.memory().bytes_per_pixel() + readback);
         let bought = self.settings.memory.saturating_sub(fixed) / each;
         if bought < LEAST {
@@ -43,7 +43,7 @@ impl Renderer<'_> {
         let pixels =
             bought.min(most).min(self.settings.tile_pixels).min(buffer / self.memory().largest_item()).max(LEAST);
         // Of a tile's corners a column and a row are beyond it.
-        let margin = self.settings.choice.margin(&self.scene);
+        let margin = self.program.features.margin();
         let columns = u32::try_from(pixels / u64::from(1 + margin)).unwrap_or(u32::MAX);
         let tile_width = width.min(side - margin).min(columns - margin);
         let rows = pixels / u64::from(width + margin);

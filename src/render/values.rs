@@ -22,7 +22,7 @@ impl Renderer<'_> {
         let samples = round.until;
         let moments = self.read_moments(tile)?;
         let errors = self.read_errors(tile, samples, moments.as_deref())?;
-        let at = TilePlace { left, width: tile.size[0], margin: self.settings.choice.margin(&self.scene) };
+        let at = TilePlace { left, width: tile.size[0], margin: self.program.features.margin() };
         let weight = 1.0 / samples as f32;
         let planes = band.color.iter_mut().chain(&mut band.alpha);
         let channels = [Channel::Red, Channel::Green, Channel::Blue, Channel::Alpha];

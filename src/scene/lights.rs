@@ -142,18 +142,6 @@ impl Scene {
         self.occlusion.is_some() && self.used_materials().any(|material| material.surface.is_lit())
     }
 
-    /// Are straight lines followed from surfaces?
-    #[must_use]
-    pub fn follows_lines(&self) -> bool {
-        self.lines().next().is_some()
-    }
-
-    /// Is light looked for from surfaces, along lines or paths that begin there?
-    #[must_use]
-    pub fn looks_from_surfaces(&self) -> bool {
-        self.follows_lines() || self.is_occluded()
-    }
-
     /// What clear things do to light that comes in straight lines, of each light and of ambient light.
     pub fn lines(&self) -> impl Iterator<Item = Clear> {
         let straight = |light: &&Light| self.is_lit() && light.shadows == Shadows::Straight;

@@ -90,15 +90,6 @@ impl Scene {
         self.objects.iter().any(|object| object.interior().is_some())
     }
 
-    /// The WGSL part of a material here.
-    #[must_use]
-    pub fn part_of(&self, material: &Material) -> &'static str {
-        match material.surface.occluded_part() {
-            Some(part) if self.is_occluded() => part,
-            _ => material.surface.part(),
-        }
-    }
-
     /// Is there a surface that shows a light?
     #[must_use]
     pub fn is_lit(&self) -> bool {

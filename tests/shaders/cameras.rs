@@ -47,7 +47,7 @@ fn pinhole_and_plane() {
                 "law/bound",
                 "law/leaving",
                 "camera/ray",
-                "camera/arrival/straight",
+                "camera/arrival",
                 "camera/frame_coordinate",
                 &part,
             ])

@@ -24,11 +24,14 @@ const TOLERANCE: f64 = 1e-3;
 const GROW_BELOW: f64 = 1e-4;
 pub const ETA: f64 = 0.5;
 
-pub fn probe(step: &str, control: &[&str], limit: &str, values: Record) -> Probe {
+pub fn probe(step: &str, control: &[&str], is_limited: bool, values: Record) -> Probe {
     let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
-    let mut parts = vec!["segment/ray", "state/loops_free", "law/phase_space", "law/schwarzschild_path", step, limit];
+    let mut parts =
+        vec!["segment/ray", "state/loops_free", "law/phase_space", "law/schwarzschild_path", "law/limit", step];
     parts.extend(control);
-    Probe::new(&parts).bind("law", [law]).bind("control", [values]).bind("limit", [vec![("length", Float(10.0))]])
+    let probe = Probe::new(&parts).bind("law", [law]).bind("control", [values]);
+    let probe = probe.bind("limit", [vec![("length", Float(10.0))]]);
+    if is_limited { probe.with("IS_LIMITED") } else { probe }
 }
 
 fn doubling() -> Record {
@@ -102,7 +105,7 @@ fn capped(input: &[Vec4; 2]) -> f64 {
 fn the_papers_doubling() {
     let inputs = rays(62);
     let rule = ["method/control/doubled", "method/control/doubling_paper"];
-    let out = probe("method/step/euler", &rule, "law/limit_none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
+    let out = probe("method/step/euler", &rule, false, doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
     let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_paper's sizes"));
     let (mut grown, mut shrunk, mut same, mut open) = (0, 0, 0, 0);
     for (input, output) in inputs.iter().zip(&out) {
@@ -158,7 +161,7 @@ fn doubling_that_rejects() {
     let inputs = rays(63);
     let rule = ["method/control/doubled", "method/control/doubling_rejecting"];
     for (step, scheme, order) in [("method/step/euler", euler as Scheme, 1.0), ("method/step/rk4", rk4, 4.0)] {
-        let out = probe(step, &rule, "law/limit_none", doubling()).run::<2, 5>(&gpu, CONTROL, &inputs);
+        let out = probe(step, &rule, false, doubling()).run::<2, 5>(&gpu, CONTROL, &inputs);
         let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_rejecting's sizes"));
         let (mut twice, mut open) = (0, 0);
         for (input, output) in inputs.iter().zip(&out) {
@@ -198,7 +201,7 @@ fn a_ray_that_no_try_moves() {
         .map(|x| [x, Vec4::new(1.0, 0.0, 0.0, 1.0)])
         .into();
     let rule = ["method/control/doubled", "method/control/doubling_rejecting"];
-    let out = probe("method/step/rk4", &rule, "law/limit_none", doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
+    let out = probe("method/step/rk4", &rule, false, doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
     for (input, output) in inputs.iter().zip(&out) {
         assert_eq!(output[2], Vec4::new(0.0, 3.0, 10.0, 36.0), "taken, index, steps, rejected");
         assert_eq!(output[0].w, 0.5, "tau stays");
@@ -222,7 +225,7 @@ fn the_last_step_is_shortened_to_the_length() {
     for (rule, values) in rules {
         let body =
             format!("{CONTROL} put(5u, vec4f(f32(length_reached(next.tau)), f32(length_reached(p0.w)), 0.0, 0.0));");
-        let out = probe("method/step/euler", rule, "law/limit_length", values).run::<2, 6>(&gpu, &body, &inputs);
+        let out = probe("method/step/euler", rule, true, values).run::<2, 6>(&gpu, &body, &inputs);
         let mut sizes = Errors::of("sizes under a length");
         let mut shortened = 0;
         for (input, output) in inputs.iter().zip(&out) {

@@ -99,12 +99,14 @@ fn in_64_bits(setting: Setting) -> Setting {
 }
 
 impl Setting {
-    fn run(&self, limit: &str, inputs: &[Input]) -> Vec<Output> {
+    fn run(&self, is_limited: bool, inputs: &[Input]) -> Vec<Output> {
         let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
         let mut parts =
             vec!["segment/ray", "state/loops_free", "method/memory_pair", "law/phase_space", "law/schwarzschild_path"];
-        parts.extend(["method/control/embedded", self.part, "method/control/embedded", limit, self.real]);
-        let rows = Probe::new(&parts)
+        parts.extend(["method/control/embedded", self.part, "method/control/embedded", "law/limit", self.real]);
+        let probe = Probe::new(&parts);
+        let probe = if is_limited { probe.with("IS_LIMITED") } else { probe };
+        let rows = probe
             .stub(REALS)
             .bind("law", [law])
             .bind("control", [vec![("tolerance", Float(self.tolerance)), ("eta", Float(ETA))]])
@@ -198,7 +200,7 @@ fn the_controller_is_dopri5s() {
     for setting in [SHAMPINE, PRINCE, in_64_bits(SHAMPINE), in_64_bits(PRINCE)] {
         let inputs = inputs(71);
         let (mut rejected, mut held, mut grown, mut open) = (0, 0, 0, 0);
-        for (input, out) in inputs.iter().zip(&setting.run("law/limit_none", &inputs)) {
+        for (input, out) in inputs.iter().zip(&setting.run(false, &inputs)) {
             assert!(close_to(out.first, cap(input), 6.0 * setting.unit), "the first step is the cap");
             check_accepted(&setting, input, out);
             let first = f64::from(input[1].w).min(cap(input));
@@ -235,7 +237,7 @@ fn a_ray_that_no_try_moves() {
         inputs.push([Vec4::new(5.0, 1.0, 0.0, 0.5), v, Vec4::new(0.25, rate, 1.0, 0.0)]);
     }
     for setting in [SHAMPINE, PRINCE, in_64_bits(PRINCE)] {
-        for (input, out) in inputs.iter().zip(&setting.run("law/limit_none", &inputs)) {
+        for (input, out) in inputs.iter().zip(&setting.run(false, &inputs)) {
             assert_eq!((out.taken, out.rejected, out.tau), (0.0, 16.0, 0.5), "{input:?}");
             assert_eq!((out.h, out.error), (1.0, 0.25), "what was remembered stays");
             let same = |a: f64, b: f32| a == f64::from(b) || (a.is_nan() && b.is_nan());
@@ -255,7 +257,7 @@ fn the_last_step_is_shortened_to_the_length() {
     }
     for setting in [SHAMPINE, PRINCE] {
         let (mut reached, mut open) = (0, 0);
-        for (input, out) in inputs.iter().zip(&setting.run("law/limit_length", &inputs)) {
+        for (input, out) in inputs.iter().zip(&setting.run(true, &inputs)) {
             check_accepted(&setting, input, out);
             let left = LENGTH - f64::from(input[0].w);
             let (h, failed, slack, close) = setting.tried(input, f64::from(input[1].w).min(cap(input)).min(left));

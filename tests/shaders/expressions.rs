@@ -1,6 +1,6 @@
 //! Formulas as WGSL: the functions that they call, what is generated for them, and what becomes of places without a value.
 
-use bentray::program::{Analysis, Choice, plan};
+use bentray::program::{Analysis, Choice, Features, plan};
 use glam::{DVec3, Vec4};
 
 use super::numbers::SINE_BOUND;
@@ -16,7 +16,7 @@ fn generated(name: &str, formula: &str) -> String {
     );
     let scene = scene(&text);
     let analysis = Analysis::of(&scene);
-    let parts = plan(&scene, &analysis, &Choice::default(), false).unwrap();
+    let parts = plan(&scene, &analysis, &Features::of(&scene, &Choice::default(), &analysis), false).unwrap();
     let unit = parts
         .shared
         .into_iter()

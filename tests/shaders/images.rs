@@ -54,7 +54,7 @@ fn bilinear_samples() {
     }
     let body =
         "put(0u, vec4f(image_sample(2u, p0.xy, true), 0.0)); put(1u, vec4f(image_sample(3u, p0.xy, false), 0.0));";
-    let probe = Probe::new(&["surface/image_bilinear", "surface/image_sample"]).stub(PICTURES);
+    let probe = Probe::new(&["surface/image"]).stub(PICTURES);
     let [mut repeated, mut clamped] = ["image_sample, repeating", "image_sample, clamped"].map(Errors::of);
     for (input, output) in inputs.iter().zip(&probe.run::<1, 2>(&gpu(), body, &inputs)) {
         let uv = wide(input[0]).truncate();
@@ -77,7 +77,7 @@ fn directions(seed: u64) -> Vec<[Vec4; 1]> {
 #[test]
 fn equirectangular_sky() {
     let sky = vec![("intensity", Float(0.5)), ("image", Uint(4))];
-    let parts = ["segment/ray", "surface/image_bilinear", "surface/image_sample", "picture/sky/equirectangular"];
+    let parts = ["segment/ray", "surface/image", "picture/sky/equirectangular"];
     let mut inputs = directions(112);
     // The middle of the picture's texels, and the compass: -z in the middle, +x right of it, +y at the top.
     for i in 0..7 {
@@ -133,9 +133,7 @@ fn six_faces() {
     }
     let sky = vec![("faces", Uint4([0, 1, 2, 3])), ("more_faces", Uint2([4, 5])), ("intensity", Float(2.0))];
     let inputs = directions(113);
-    let probe = Probe::new(&["surface/image_bilinear", "surface/image_sample", "picture/sky/faces"])
-        .stub(PICTURES)
-        .bind("sky", [sky]);
+    let probe = Probe::new(&["surface/image", "picture/sky/faces"]).stub(PICTURES).bind("sky", [sky]);
     let mut errors = Errors::of("picture/sky/faces");
     for (input, [color]) in
         inputs.iter().zip(&probe.run::<1, 1>(&gpu(), "put(0u, vec4f(sky_radiance(p0.xyz), 0.0));", &inputs))

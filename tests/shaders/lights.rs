@@ -111,13 +111,13 @@ fn lights_add_up() {
         "surface/light/blinn_phong",
         "surface/light/point",
         "surface/light/directional",
-        "surface/light/falls_some",
-        "surface/shadow/none",
+        "surface/shadow/straight",
         "law/bound",
         "law/leaving",
         "real/f32",
     ];
     let probe = materials(Probe::new(&parts))
+        .with("FALLS")
         .stub(
             "fn lit_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f {
                 return lit_by_point(material, color, lit) + lit_by_directional(material, color, lit);
@@ -209,13 +209,7 @@ fn pictures_on_surfaces() {
             )]);
         }
     }
-    let probe = materials(Probe::new(&[
-        "surface/material",
-        "surface/image_bilinear",
-        "surface/image_sample",
-        "surface/pattern/image",
-    ]))
-    .stub(stub);
+    let probe = materials(Probe::new(&["surface/material", "surface/image", "surface/pattern/image"])).stub(stub);
     let out = probe.run::<1, 1>(&gpu(), "put(0u, vec4f(pattern_image(materials[0], p0.xy), 0.0));", &inputs);
     for (input, [got]) in inputs.iter().zip(&out) {
         assert!(

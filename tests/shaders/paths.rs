@@ -33,7 +33,7 @@ fn straight_motion_leaves_the_bound_in_one_step() {
         put(1u, vec4f(next.phase[1], f32(left_bound(next.phase[0], next.phase[1]))));
         put(2u, vec4f(next.tau, f32(next.steps), 0.0, 0.0));";
     let probe = bounded(
-        &["segment/ray", "law/bound", "law/leaving", "law/phase_space", "motion/straight", "law/limit_none"],
+        &["segment/ray", "law/bound", "law/leaving", "law/phase_space", "motion/straight", "law/limit"],
         CENTER,
     );
     let (mut places, mut exits) = (Errors::of("straight motion"), Errors::of("straight motion's exit"));
@@ -70,11 +70,13 @@ fn fates_in_their_order() {
         "law/bound",
         "law/leaving",
         "law/phase_space",
-        "law/capture_spheres",
-        "law/limit_length",
+        "law/capture",
+        "law/limit",
         "segment/termination",
     ];
     let probe = bounded(&parts, DVec3::ZERO)
+        .with("CAPTURES")
+        .with("IS_LIMITED")
         .list("capture_spheres", "CAPTURE_COUNT", [spheres])
         .bind("limit", [vec![("length", Float(100.0))]])
         .bind("schedule", [vec![("max_segments", Uint(10)), ("segments", Uint(1))]]);
@@ -121,8 +123,8 @@ fn path_end(step: f64) -> Probe {
         "law/schwarzschild_path",
         "method/step/rk4",
         "method/control/fixed",
-        "law/limit_none",
-        "law/capture_spheres",
+        "law/limit",
+        "law/capture",
         "segment/follow_step",
         "segment/last_retaken",
         "segment/ends",
@@ -130,9 +132,10 @@ fn path_end(step: f64) -> Probe {
         "segment/stop_open",
         "segment/path_end",
         "motion/pace_tau",
-        "law/asymptotic_none",
+        "law/asymptotic",
     ];
     bounded(&parts, DVec3::ZERO)
+        .with("CAPTURES")
         .bind("law", [vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))]])
         .bind("control", [vec![("step", Float(step)), ("eta", Float(100.0))]])
         .list(

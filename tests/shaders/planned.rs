@@ -21,11 +21,8 @@ fn fixed_steps() {
     let inputs = rays(61);
     for (step, some_capped) in [(0.25, false), (3.0, true), (8.0, true)] {
         let values = vec![("step", Float(step)), ("eta", Float(ETA))];
-        let out = probe("method/step/rk4", &["method/control/fixed"], "law/limit_none", values).run::<2, 5>(
-            &gpu(),
-            CONTROL,
-            &inputs,
-        );
+        let out =
+            probe("method/step/rk4", &["method/control/fixed"], false, values).run::<2, 5>(&gpu(), CONTROL, &inputs);
         let (mut kept, mut sizes, mut capped) = (Kept::new(), Errors::of("fixed sizes"), 0);
         for (input, output) in inputs.iter().zip(&out) {
             let taken = f64::from(output[2].x);
@@ -53,7 +50,7 @@ fn fixed_steps() {
 fn scaled_steps() {
     let inputs = rays(65);
     let (mut kept, mut sizes) = (Kept::new(), Errors::of("scaled sizes"));
-    let scaled = probe("method/step/rk4", &["method/control/scaled"], "law/limit_none", vec![("eta", Float(ETA))]);
+    let scaled = probe("method/step/rk4", &["method/control/scaled"], false, vec![("eta", Float(ETA))]);
     for (input, output) in inputs.iter().zip(&scaled.run::<2, 5>(&gpu(), CONTROL, &inputs)) {
         let p = [wide(input[0]), wide(input[1])];
         sizes.check(output[2].x, cap(input), 6.0 * U * cap(input), input);
@@ -90,11 +87,8 @@ fn steps_by_curvature() {
     inputs.extend([1.0, -1.0].map(|s| [row(Vec3::X * 7.0, 0.0), row(Vec3::X * s, 0.0)]));
     let radial = inputs.len() - 2;
     let values = vec![("turn", Float(TURN)), ("eta", Float(ETA))];
-    let out = probe("method/step/rk4", &["method/control/curvature"], "law/limit_none", values).run::<2, 5>(
-        &gpu(),
-        CONTROL,
-        &inputs,
-    );
+    let out =
+        probe("method/step/rk4", &["method/control/curvature"], false, values).run::<2, 5>(&gpu(), CONTROL, &inputs);
     let (mut kept, mut turns, mut capped) = (Kept::new(), Errors::of("angles turned through"), 0);
     for (i, (input, output)) in inputs.iter().zip(&out).enumerate() {
         let (p, taken) = ([wide(input[0]), wide(input[1])], f64::from(output[2].x));

@@ -80,9 +80,9 @@ fn shots_about_a_centre_are_conics() {
             "law/orbit",
             "law/orbit/inverse_square",
             "law/falloff/inverse_square",
-            "law/capture_none",
+            "law/capture",
             "surface/shot/shot",
-            "surface/shadow/status_counted",
+            "surface/shadow/look",
             "surface/shot/planar",
         ])
         .generated(SCENE, "generated/source_counts.wgsl")

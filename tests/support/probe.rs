@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use bentray::gpu::{Gpu, Pipeline, pack};
 use bentray::model::{Row, Value};
 use bentray::program::{
-    Analysis, BindingKind, Choice, Layout, Linked, Parts, Reflection, Unit, link, part, plan, reflect,
+    Analysis, BindingKind, Choice, Features, Layout, Linked, Parts, Reflection, Unit, link, part, plan, reflect,
 };
 use glam::{DVec3, Vec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -47,6 +47,7 @@ pub struct Probe {
     units: Vec<Unit>,
     records: BTreeMap<&'static str, Vec<Row>>,
     numbers: BTreeMap<&'static str, Vec<u32>>,
+    features: Vec<&'static str>,
 }
 
 impl Probe {
@@ -59,13 +60,14 @@ impl Probe {
                 names.push(part);
             }
         }
+        names.push("real/hash");
         let usual = [
             ("real/math", "real/math"),
             ("real/f", "real/f32"),
             ("method/memory_", "method/memory_step"),
             ("surface/region_", "surface/region_none"),
             ("segment/last_hit_", "segment/last_hit_none"),
-            ("shape/facing_", "shape/facing_any"),
+            ("shape/facing", "shape/facing"),
             ("segment/join_", "segment/join_pieces"),
         ];
         for (folder, usual) in usual {
@@ -110,11 +112,18 @@ impl Probe {
         self
     }
 
+    /// With a feature that parts ask for; all others are absent.
+    pub fn with(mut self, feature: &'static str) -> Self {
+        self.features.push(feature);
+        self
+    }
+
     /// With the text generated for a scene, such as `generated/sources.wgsl`.
     pub fn generated(mut self, scene: &str, file: &str) -> Self {
         let scene = super::scene(scene);
         let analysis = Analysis::of(&scene);
-        let parts = plan(&scene, &analysis, &Choice::default(), false).unwrap_or_else(|error| panic!("{error}"));
+        let features = Features::of(&scene, &Choice::default(), &analysis);
+        let parts = plan(&scene, &analysis, &features, false).unwrap_or_else(|error| panic!("{error}"));
         let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);
         self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
         self
@@ -156,7 +165,8 @@ impl Probe {
         if !shared.iter().any(|unit| unit.text.contains("struct Frame")) {
             shared.push(Unit::from(part("state/arguments").expect("what holds the frame")));
         }
-        let parts = Parts { shared, regions: Vec::new() }.without_optional_calls();
+        shared.push(features(&self.features));
+        let parts = Parts { shared, regions: Vec::new() };
         let linked = link(&parts, "probe").unwrap_or_else(|error| panic!("{error}"));
         let reflection = reflect(&linked).unwrap_or_else(|error| panic!("{error}"));
         let flat: Vec<Vec4> = inputs.iter().flatten().copied().collect();
@@ -203,6 +213,17 @@ impl Probe {
         };
         self.packed(name, layout)
     }
+}
+
+/// The constants that parts ask for: true for these.
+fn features(present: &[&str]) -> Unit {
+    let scene = super::scene("[rays]\nbound = { radius = 1 }\n");
+    let names = Features::of(&scene, &Choice::default(), &Analysis::of(&scene)).constants();
+    for feature in present {
+        assert!(names.iter().any(|(name, _)| name == feature), "no feature {feature}");
+    }
+    let text = names.iter().map(|(name, _)| format!("const {name}: bool = {};\n", present.contains(&&**name)));
+    Unit::generated("generated/features.wgsl", text.collect())
 }
 
 fn entry(body: &str, rows_in: usize, rows_out: usize, count: usize) -> Unit {

@@ -43,11 +43,9 @@ fn permuted(index: u32, l: u32, p: u32) -> u32 {
     return (i + p) % l;
 }
 
-// In [0, 1): PCG's output function on a seed.
+// In [0, 1).
 fn unit_random(seed: u32) -> f32 {
-    let state = seed * 747796405u + 2891336453u;
-    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return f32(((word >> 22u) ^ word) >> 8u) / 16777216.0;
+    return f32(hashed(seed) >> 8u) / 16777216.0;
 }
 
 fn nth_point(pixel: vec2u, n: u32) -> vec2f {

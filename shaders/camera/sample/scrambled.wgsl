@@ -1,11 +1,4 @@
-// Numbers that are as good as random, and Sobol's first two dimensions, a (0,2)-sequence, with Owen's scrambling by hashes (Burley 2020).
-
-// PCG's output function.
-fn hashed(seed: u32) -> u32 {
-    let state = seed * 747796405u + 2891336453u;
-    let word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
-}
+// Sobol's first two dimensions, a (0,2)-sequence, with Owen's scrambling by hashes (Burley 2020).
 
 // Flips each bit as the bits above it and the seed say: Laine and Karras's hash, with the constants of Vegdahl, on the bits in
 // reverse.

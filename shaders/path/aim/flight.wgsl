@@ -37,11 +37,17 @@ fn store_waiting(pixel: vec2u) {
 
 // Behind an aimed ray, wherever it ended, the path's own may wait: which of the two it was is not known before all that is carried.
 fn may_scatter(code: u32) -> bool {
+    if !AIMS {
+        return code == HIT;
+    }
     return code == HIT || code == ESCAPED || code == CAPTURED || code == ENDED;
 }
 
 // Behind an aimed ray, which ended as `code` says, the path's own flies.
 fn after_flight(leg: Leg, code: u32) -> Leg {
+    if !AIMS {
+        return leg;
+    }
     if leg.code == ALIVE || carried.flight != AIMED {
         return leg;
     }
@@ -54,6 +60,10 @@ fn after_flight(leg: Leg, code: u32) -> Leg {
 }
 
 fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, pixel: vec2u) -> Leg {
+    if !AIMS {
+        carried.scatterings += 1u;
+        return own_leg(vertex.x, vertex.speed * Real3(onward), vertex.tau, weight, HIT);
+    }
     let aims = aims_at(vertex);
     let aim = aimed_way(vertex, aims, path_point(pixel, AIM));
     let aimed = aim_density(vertex, aims, aim);

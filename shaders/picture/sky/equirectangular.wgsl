@@ -19,7 +19,9 @@ fn sky_radiance(d: vec3f) -> vec3f {
     let size = vec2f(image_size(sky.image));
     let u = 0.5 + f32(arc_tangent(Real(d.x), Real(-d.z))) / (2.0 * PI);
     let v = 0.5 - f32(arc_tangent(Real(d.y), Real(length(d.xz)))) / PI;
-    note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
+    if FILTERS_IMAGES {
+        note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
+    }
     // The picture wraps round the poles' axis, not over the poles.
     return sky.intensity * image_sample(sky.image, vec2f(u, clamp(v, 0.5 / size.y, 1.0 - 0.5 / size.y)), true);
 }

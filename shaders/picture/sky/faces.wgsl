@@ -38,6 +38,8 @@ fn sky_span(d: vec3f, step: vec3f) -> vec2f {
 fn sky_radiance(d: vec3f) -> vec3f {
     let ahead = sky_face(d, d);
     let p = ahead.turned;
-    note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
+    if FILTERS_IMAGES {
+        note_spans(sky_span(d, footprint[0]), sky_span(d, footprint[1]));
+    }
     return sky.intensity * image_sample(ahead.face, 0.5 + 0.5 * vec2f(p.x, -p.y) / p.z, false);
 }

@@ -39,3 +39,36 @@ fn light_between(light: GridLight, x: vec3f, normal: vec3f, cut: f32) -> vec4f {
     }
     return sum / open;
 }
+
+// Lights that fall off are as bright as their paths are many, others as bright wherever a path of theirs comes.
+fn grid_strength(light: GridLight, x: vec3f, lit: Lit, f: vec4f, cut: f32) -> f32 {
+    if GRIDS_ALL_FALL {
+        return length(f.xyz);
+    }
+    if !GRIDS_FALL {
+        return even_share(light, x, lit, f.w, cut);
+    }
+    return select(even_share(light, x, lit, f.w, cut), length(f.xyz), light.falls == 1u);
+}
+
+// Of what is expected of a place: so dark is a shadow, and so much brighter is lit.
+const SHADE: f32 = 0.25;
+const FADE: f32 = 0.5;
+
+// Of the fluence that comes to x, in voxels, as much as comes to the brightest place around, or on a straight way.
+fn even_share(light: GridLight, x: vec3f, lit: Lit, fluence: f32, cut: f32) -> f32 {
+    let way = lit.x - light.position;
+    let expected = min(1.0 / dot(way, way), brightest_around(light, x + 1.5 / cut * lit.normal, cut));
+    return clamp((fluence / expected - SHADE) / FADE, 0.0, 1.0);
+}
+
+// The greatest fluence about a place: near a shadow that of what is not in it, where light is spread wide or in focus about the place's own.
+fn brightest_around(light: GridLight, x: vec3f, cut: f32) -> f32 {
+    let corner = floor(x * cut);
+    var most = 0.0;
+    for (var k = 0u; k < 27u; k++) {
+        let by = vec3f(vec3u(k % 3u, (k / 3u) % 3u, k / 9u)) - 1.0;
+        most = max(most, light_in(light, corner + by, cut).w);
+    }
+    return most;
+}

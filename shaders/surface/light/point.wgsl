@@ -23,3 +23,11 @@ fn lit_by_point(material: Material, color: vec3f, lit: Lit) -> vec3f {
     }
     return sum;
 }
+
+// With the square of the distance, of some lights; at distance 1 they are as they are written.
+fn fallen(falls: u32, way: vec3f) -> f32 {
+    if !FALLS {
+        return 1.0;
+    }
+    return select(1.0, 1.0 / dot(way, way), falls == 1u);
+}

@@ -3,6 +3,9 @@
 const PHONG: u32 = 1u;
 
 fn radiance_phong(material: Material, color: vec3f, lit: Lit) -> vec3f {
+    if IS_OCCLUDED {
+        return material.emission + open_part(lit) * material.ambient * color + lit_radiance(material, color, lit);
+    }
     return material.emission + material.ambient * color + lit_radiance(material, color, lit);
 }
 

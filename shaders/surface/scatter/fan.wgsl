@@ -44,3 +44,13 @@ fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32,
     }
     return Scattered(speed * onward, f32(total) * share * pattern_color(material, surface.uv), lost, true);
 }
+
+// Whoever goes through a closed surface is inside of it, or no more; through an open one on its other side.
+fn pass_through(object: u32) {
+    if HAS_REGIONS {
+        let bit = object_bits[object];
+        if bit != NO_BIT {
+            enter_set(region_bits() ^ (1u << bit));
+        }
+    }
+}

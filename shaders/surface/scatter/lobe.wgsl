@@ -22,3 +22,19 @@ fn lobe_way(axis: vec3f, exponent: f32, u: vec2f) -> vec3f {
     let sine = sqrt(select(1.0 - exp(x), -x * (1.0 + 0.5 * x), x > -1e-3));
     return way_about(axis, exp(0.5 * x), sine, u.y);
 }
+
+// A path's use of random points.
+const LOBE: u32 = 8u;
+
+// A lobe's direction is drawn anew for every sample: the samples of one pixel are well spread over it. A ray that is traced goes along the
+// axis of every lobe.
+fn lobe_point(pixel: vec2u, index: u32) -> vec2f {
+    if FOLLOWS_PATHS {
+        return path_point(pixel, LOBE);
+    }
+    if !DRAWS {
+        return vec2f(0.0);
+    }
+    let whole = frame.origin + pixel;
+    return seeded_point(hashed(whole.x ^ hashed(whole.y ^ hashed(index))));
+}

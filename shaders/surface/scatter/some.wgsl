@@ -11,14 +11,20 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     let surface = met_surface(met, end.x);
     // A ray that ends here stays on the side that it came from.
     let side = region_bits();
-    note_glow();
+    if SEES_GLOW {
+        note_glow();
+    }
     let scattered = scattered_at(materials[surface.material], surface, end, ray.index, pixel);
     var next = ray;
     if !scattered.continues {
         return next;
     }
-    filter_left(ray, end, side);
-    note_sent();
+    if FILTERS {
+        filter_left(ray, end, side);
+    }
+    if FINDS_CAUSTICS {
+        note_sent();
+    }
     let weight = scale_weight(scattered.weight);
     if scattered.cut || weight < DARK {
         next.status = CUT;
@@ -31,7 +37,9 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
         return next;
     }
     var x = end.x;
-    pass_throat(materials[surface.material].kind, &x);
+    if HAS_THROAT {
+        pass_throat(materials[surface.material].kind, &x);
+    }
     next.phase = opaque_phase(law_start(x, scattered.v));
     next.tau = opaque(end.tau);
     next.rest = 0.0;

@@ -20,3 +20,19 @@ fn scatter_ending(surface: Surface, end: PathPoint, index: u32, pixel: vec2u) ->
     }
     return Scattered(end.v, vec3f(taken.weight), taken.cut, !taken.reflects);
 }
+
+// A path that has ended by a branching stays ended, however often a pass comes back to its surface, and among however many branches.
+const SETTLED: u32 = 0x80000000u;
+
+fn settle() {
+    if ENUMERATES {
+        branch_code |= SETTLED;
+    }
+}
+
+fn is_settled() -> bool {
+    if !ENUMERATES {
+        return false;
+    }
+    return (branch_code & SETTLED) != 0u;
+}

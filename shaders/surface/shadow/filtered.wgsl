@@ -1,9 +1,6 @@
 // As surface/shadow/straight.wgsl, in colour: light that asks for it is weakened by the clear things on its way, which it goes straight on
 // through, and by what media take from it.
 
-// Surfaces on one line: more of them shut it out.
-const CROSSINGS: u32 = 64u;
-
 alias Share = vec3f;
 
 // What is left of the light at the end of `way` where it comes to `start`; 0 where something opaque lies between.
@@ -23,8 +20,10 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
         var hit = first_met(s, 1u);
         there = hit.primitive == NOTHING;
         let part = select(hit.t, Real(1.0), there) * rest;
-        if shadows == WEAKENED {
-            share *= filtered_share(at, part);
+        if FILTERS {
+            if shadows == WEAKENED {
+                share *= filtered_share(at, part);
+            }
         }
         at += part;
         if !there {
@@ -37,4 +36,27 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     mark_line(false);
     enter_set(before);
     return select(Share(0.0), share, there);
+}
+
+// What has an interior lets light through: as much as is transmitted by Fresnel's law, of light that asks for that.
+fn crossing_share(shadows: u32, hit: ptr<function, Hit>, x: Real3, way: Real3) -> f32 {
+    if !SPLITS {
+        return 0.0;
+    }
+    let surface = met_surface(hit, x);
+    let own = materials[surface.material];
+    if shadows == SHUT_OUT || !is_clear(own.kind) {
+        return 0.0;
+    }
+    let near_medium = medium_object();
+    let n1 = medium_index(x);
+    enter_set(set_beyond(1u << own.bit, surface, x));
+    if shadows != WEAKENED || medium_object() == near_medium {
+        return 1.0;
+    }
+    let n2 = medium_index(x);
+    // A line that is not bent meets the surface at one angle from both sides. It is taken for that in the thinner medium, or light would
+    // be reflected totally where it has come in through the same glass.
+    let thin = min(n1, n2);
+    return f32(1.0 - refraction(thin * normalize(way), surface.across, thin, max(n1, n2)).reflectance);
 }

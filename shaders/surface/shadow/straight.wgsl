@@ -3,9 +3,21 @@
 
 alias Share = f32;
 
+fn casts(shadows: u32) -> bool {
+    if ALL_CAST {
+        return true;
+    }
+    return shadows != 0u;
+}
+
 // 1, or 0 where something opaque lies between `start` and the light, which is at the end of `way`.
 fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
-    note_light(shadows);
+    if !FOLLOWS_LINES {
+        return 1.0;
+    }
+    if SHUTS_OUT {
+        note_light(shadows);
+    }
     if !casts(shadows) || !faces {
         return 1.0;
     }
@@ -17,11 +29,7 @@ fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
     for (var k = 0u; k < CROSSINGS && walk_has_room(); k++) {
         let rest = start + way - at;
         let s = Segment(at, rest, at + rest, rest, 1.0);
-        let near = items_near(s);
-        var hit = listed_hit(s, 1u, near);
-        walk_anew();
-        hit = structure_hit(s, select(0u, 1u, (near & NEAR_STRUCTURE) != 0u), hit);
-        unfinished = unfinished || walk_suspended();
+        let hit = first_met(s, 1u);
         if hit.primitive == NOTHING {
             break;
         }

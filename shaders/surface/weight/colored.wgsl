@@ -33,8 +33,3 @@ fn end_weight(x: Real3) -> vec3f {
     let n = medium_index(x);
     return sure_weight(weight / f32(n * n));
 }
-
-// Where a path began or ended in the middle of an infinite index its light is none.
-fn sure_weight(weight: vec3f) -> vec3f {
-    return select(vec3f(0.0), weight, finite(Real3(weight)));
-}

@@ -115,7 +115,7 @@ pub struct Stereo {
 }
 
 /// Where the two views are in the picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum StereoLayout {
     /// The left eye's at the left.
     SideBySide,

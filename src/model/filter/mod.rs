@@ -89,6 +89,12 @@ impl Filter {
         }
     }
 
+    /// Does its density jump from place to place?
+    #[must_use]
+    pub fn jumps(&self) -> bool {
+        self.texture().is_some_and(|texture| matches!(texture.look, Look::Wrapped(..)))
+    }
+
     /// The members of its `Filter` in WGSL that are its own; its formulas are those of this number.
     #[must_use]
     pub fn values(&self, formulas: usize) -> Row {

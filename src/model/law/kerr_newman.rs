@@ -180,14 +180,12 @@ impl Law for KerrNewman {
 
     /// The orbit's equation is with a horizon: without one rays come as far as r = 0, where u has no end.
     fn facts(&self) -> Facts<'_> {
-        let is_extreme = self.is_extreme();
-        let turning = if is_extreme { "law/turning_extreme" } else { "law/turning_none" };
-        let orbit = Orbit { center: self.center, form: OrbitForm::Separated(turning), is_free_far_away: true };
+        let orbit = Orbit { center: self.center, form: OrbitForm::Separated, is_free_far_away: true };
         Facts {
             order: Order::General,
             keeps_time: true,
             orbit: self.horizon().map(|_| orbit),
-            capture_part: is_extreme.then_some("law/capture_extreme"),
+            turns_before_capture: self.is_extreme(),
             momentum_parts: &["law/momentum/kerr_newman"],
             below: self.horizon().map(|horizon| ("law/below_kerr_newman", self.spheroid(horizon))),
             swallows: self.inner_horizon().map(|inner| self.spheroid(inner)),

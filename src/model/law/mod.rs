@@ -115,8 +115,8 @@ pub struct Facts<'a> {
     pub length: Option<f64>,
     /// What its τ is to the path: the parts that know how fast a place moves, and what a step is measured in.
     pub pace: [&'static str; 2],
-    /// The part that captures rays, where its one sphere alone does not say it.
-    pub capture_part: Option<&'static str>,
+    /// Do orbits of light lie within the place where rays are captured, so that some turn there and are not?
+    pub turns_before_capture: bool,
     /// The part that ends light from below a horizon, and the horizon.
     pub below: Option<(&'static str, Capture)>,
     /// The surface within which rays are not followed, and that nothing comes out of.
@@ -175,7 +175,7 @@ impl Default for Facts<'_> {
             closed_form: None,
             length: None,
             pace: ["law/path_as_velocity", "motion/pace_tau"],
-            capture_part: None,
+            turns_before_capture: false,
             below: None,
             swallows: None,
             momentum_parts: &[],

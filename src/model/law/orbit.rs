@@ -20,8 +20,8 @@ pub struct Orbit {
 pub enum OrbitForm {
     /// An angle in the plane through the centre in which a ray stays; and the WGSL part that has its pull.
     Plane(&'static str),
-    /// Angles that turn about the axis of a spin; and the WGSL part that knows what turns where rays are captured.
-    Separated(&'static str),
+    /// Angles that turn about the axis of a spin.
+    Separated,
 }
 
 impl Orbit {
@@ -30,7 +30,7 @@ impl Orbit {
     pub fn parts(&self) -> Vec<&'static str> {
         match self.form {
             OrbitForm::Plane(pull) => vec!["law/orbit", pull],
-            OrbitForm::Separated(turning) => vec!["law/separated", turning],
+            OrbitForm::Separated => vec!["law/separated", "law/turning"],
         }
     }
 

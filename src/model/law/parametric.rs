@@ -42,7 +42,7 @@ pub static KIND: Kind = Kind {
 static FORM: ClosedForm = ClosedForm {
     name: "parametric",
     parts: &["motion/parametric", "motion/pace_tau", "motion/closed"],
-    strides: None,
+    leaps: false,
     is_line: false,
     meets_obstacles: false,
     // `NODES` of the ray in one step, each held against `VISITS` of the objects.

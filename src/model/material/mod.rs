@@ -71,11 +71,6 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
     /// Its WGSL part: a path whose last name is in those of its functions, and in capitals its code.
     fn part(&self) -> &'static str;
 
-    /// Its part where ambient light is shut out, if it shows any.
-    fn occluded_part(&self) -> Option<&'static str> {
-        None
-    }
-
     /// The members of `Material` that are its own.
     fn values(&self) -> Row {
         Row::new()

@@ -57,10 +57,6 @@ impl Surface for Phong {
         "surface/material/phong"
     }
 
-    fn occluded_part(&self) -> Option<&'static str> {
-        Some("surface/material/phong_occluded")
-    }
-
     fn values(&self) -> Row {
         row! {
             ambient: Float(self.ambient),

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use super::regions::Regions;
 use super::unit::Unit;
-use super::{Choice, LoopBudget, Purpose};
+use super::{Features, LoopBudget, Purpose};
 use crate::model::shape::SOLIDS;
 use crate::model::source;
 use crate::scene::Scene;
@@ -103,15 +103,12 @@ pub(super) fn materials(answers: &Answers) -> Unit {
         text += "\n";
         text += &switch("fn surface_matter(material: Material, x: Real3) -> Real4", "material.kind", &matter);
     }
-    if !lights.is_empty() {
-        let sum: Vec<_> = lights.iter().map(|l| format!("lit_by_{l}(material, color, lit)")).collect();
-        let _ = write!(
-            text,
-            "\nfn lit_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f {{\n    \
-             return {};\n}}\n",
-            sum.join("\n        + ")
-        );
-    }
+    let sum: Vec<_> = lights.iter().map(|l| format!("lit_by_{l}(material, color, lit)")).collect();
+    let sum = if sum.is_empty() { "vec3f(0.0)".to_owned() } else { sum.join("\n        + ") };
+    let _ = write!(
+        text,
+        "\nfn lit_radiance(material: Material, color: vec3f, lit: Lit) -> vec3f {{\n    return {sum};\n}}\n"
+    );
     unit("generated/materials.wgsl", text)
 }
 
@@ -187,11 +184,12 @@ pub(super) fn images(count: usize) -> Unit {
 
 /// The layers to keep.
 pub(super) fn layers(names: &[&str]) -> Unit {
-    let mut text = String::from("fn keep_layers(pixel: vec2u, ray: Ray, seen: Seen) {\n    if layers_wanted() {\n");
-    for name in names {
-        let _ = writeln!(text, "        keep_{name}(pixel, ray, seen);");
+    let mut text = String::from("fn keep_layers(pixel: vec2u, ray: Ray, seen: Seen) {\n");
+    if !names.is_empty() {
+        let kept: String = names.iter().map(|name| format!("        keep_{name}(pixel, ray, seen);\n")).collect();
+        let _ = writeln!(text, "    if frame.sample + frame.branch == 0u {{\n{kept}    }}");
     }
-    text += "    }\n}\n";
+    text += "}\n";
     unit("generated/layers.wgsl", text)
 }
 
@@ -237,6 +235,11 @@ pub(super) fn loop_budget(LoopBudget { iterations, lanes }: LoopBudget) -> Unit 
     unit("generated/loop_budget.wgsl", text)
 }
 
+/// Whether nothing but its surface is in a kind of region, so that one step leads through.
+pub(super) fn region(is_empty: bool) -> Unit {
+    unit("generated/region.wgsl", format!("const IS_EMPTY: bool = {is_empty};\n"))
+}
+
 /// How many media a kind of region has.
 pub(super) fn media(count: usize) -> Unit {
     unit("generated/media.wgsl", format!("const MEDIA_COUNT: u32 = {count}u;\n"))
@@ -255,7 +258,7 @@ pub(super) fn chord(steps: u32) -> Unit {
 }
 
 /// How long the lists are that every step or segment walks: known to the compiler, which may unroll them.
-pub(super) fn counts(scene: &Scene, choice: &Choice, regions: &Regions) -> Unit {
+pub(super) fn counts(scene: &Scene, features: &Features, regions: &Regions) -> Unit {
     let mut text = String::new();
     let mut count = |name: &str, n: usize| {
         let _ = writeln!(text, "const {name}_COUNT: u32 = {n}u;");
@@ -271,7 +274,7 @@ pub(super) fn counts(scene: &Scene, choice: &Choice, regions: &Regions) -> Unit 
     count("AIM", aims.max(1));
     let _ = writeln!(text, "const HAS_AIMS: bool = {};", aims > 0);
     let (few, all) = (shots(scene), all_shots(scene));
-    let own = if choice.purpose == Purpose::Lit { all } else { few };
+    let own = if features.purpose == Purpose::Lit { all } else { few };
     let _ = writeln!(text, "const USUAL_SHOTS: u32 = {few}u;\nconst SHOTS: u32 = {own}u;");
     unit("generated/counts.wgsl", text)
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::program::tokens::Tokens;
-use crate::program::{Choice, Parts, Unit, link, plan, reflect, validated};
+use crate::program::{Choice, Features, Parts, Unit, link, plan, reflect, validated};
 use crate::scene::Scene;
 
 /// One uniform of every shape: whole, of one element, of two that are read at written places, walked, and apart.
@@ -105,11 +105,11 @@ fn formatting_changes_no_scene() {
     for name in ["black_hole", "thesis/luneburg", "thesis/gaussian"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
         let scene = Scene::load(&path, &[]).unwrap();
-        let choice = Choice::default();
         let analysis = crate::program::Analysis::of(&scene);
-        let parts = plan(&scene, &analysis, &choice, false).unwrap();
+        let features = Features::of(&scene, &Choice::default(), &analysis);
+        let parts = plan(&scene, &analysis, &features, false).unwrap();
         let spaced = |unit: &Unit, gap: &str| Unit { text: with_gaps(&unit.text, gap).into(), ..unit.clone() };
-        for pass in choice.passes(&scene) {
+        for pass in features.passes() {
             let golden = link(&parts, pass.entry()).unwrap().source;
             for gap in GAPS {
                 let all = |units: &[Unit]| units.iter().map(|unit| spaced(unit, gap)).collect::<Vec<_>>();

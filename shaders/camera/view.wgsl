@@ -1,0 +1,32 @@
+// The views of a picture: one fills it, or two eyes' share it, the left eye's in its left or upper half. A pixel's half is its own, wherever
+// rounding puts its samples.
+
+fn picture_ray(pixel: vec2u) -> CameraRay {
+    if SIDE_BY_SIDE {
+        let size = vec2u(frame.image.x / 2u, frame.image.y);
+        let right = pixel.x >= size.x;
+        return ray_of_eye(pixel, size, vec2u(select(0u, size.x, right), 0u), right);
+    }
+    if TOP_BOTTOM {
+        let size = vec2u(frame.image.x, frame.image.y / 2u);
+        let right = pixel.y >= size.y;
+        return ray_of_eye(pixel, size, vec2u(0u, select(0u, size.y, right)), right);
+    }
+    return camera_ray(image_plane(sample_point(pixel), frame.image));
+}
+
+// In a view that begins at `corner`.
+fn ray_of_eye(pixel: vec2u, size: vec2u, corner: vec2u, right: bool) -> CameraRay {
+    return eye_ray(camera_ray(image_plane(sample_point(pixel) - vec2f(corner), size)), right);
+}
+
+// Are the corners of a pixel of the picture all of its own view?
+fn corners_shared(pixel: vec2u) -> bool {
+    if SIDE_BY_SIDE {
+        return pixel.x + 1u != frame.image.x / 2u;
+    }
+    if TOP_BOTTOM {
+        return pixel.y + 1u != frame.image.y / 2u;
+    }
+    return true;
+}

@@ -1,0 +1,70 @@
+// What is filtered: the light on a ray's own path, and that which comes straight from a light. Media may glow: d(L/n²)/ds = ε/n² − σ L/n²,
+// with ε and σ even over a piece.
+
+// True on a straight line, which is `line_way` long and a step of size 1.
+var<private> on_line: bool;
+var<private> line_start: Real3;
+var<private> line_way: Real3;
+// The optical depth so far.
+var<private> line_depth: vec3f;
+
+// What is left of light along `way`, in the medium that it is in.
+fn filtered_share(start: Real3, way: Real3) -> vec3f {
+    on_line = true;
+    line_start = start;
+    line_way = way;
+    line_depth = vec3f(0.0);
+    filter_part(Phase(), 1.0);
+    on_line = false;
+    return exp(-line_depth);
+}
+
+fn track_place(p: Phase, h: Real) -> Real4 {
+    if WEAKENS_LINES {
+        if on_line {
+            return Real4(line_start + h * line_way, length(line_way));
+        }
+    }
+    return path_place(p, h);
+}
+
+fn track_pace(p: Phase) -> Real {
+    if WEAKENS_LINES {
+        if on_line {
+            return length(line_way);
+        }
+    }
+    return path_pace(p);
+}
+
+// Media add nothing to a light's light.
+fn take_piece(filter_at: Filter, x: Real3, depth: vec4f) {
+    if WEAKENS_LINES {
+        if on_line {
+            line_depth += depth.xyz;
+            return;
+        }
+    }
+    pass_piece(filter_at, x, depth);
+}
+
+// Whether what media add on this stretch is in no other branch's sum.
+var<private> glow_counts: bool;
+
+fn note_glow() {
+    glow_counts = glow_is_new();
+}
+
+fn pass_piece(filter_at: Filter, x: Real3, depth: vec4f) {
+    if !SEES_GLOW {
+        scale_weight(exp(-depth.xyz));
+        return;
+    }
+    // (1 − e⁻ᵃ)/a, by its series where the difference would keep no digits.
+    let a = depth.xyz;
+    let share = select((1.0 - exp(-a)) / max(a, vec3f(1e-30)), 1.0 - a * (0.5 - a / 6.0), a < vec3f(1e-2));
+    if glow_counts {
+        gather(depth.w * share * filter_at.glow, x);
+    }
+    scale_weight(exp(-a));
+}

@@ -1,4 +1,0 @@
-// No layers besides colour.
-
-fn keep_layers(pixel: vec2u, ray: Ray, seen: Seen) {
-}

@@ -1,0 +1,81 @@
+// What a ray saw, and what media have added to it on its way, goes into the picture. What could not be followed stays black, and is counted
+// and shown in the status output, never painted as sky.
+
+// ray: at the start of its last segment, which ended on `end`.
+fn shade_ray(pixel: vec2u, ray: Ray, end: Hit) {
+    if FOLLOWS_PATHS {
+        shade_path(pixel, ray, end);
+        return;
+    }
+    if IS_OCCLUDED {
+        note_pixel(pixel);
+    }
+    if KNOWS_SHIFT {
+        note_frequency(pixel, ray);
+    }
+    if KEEPS_FOOTPRINTS {
+        note_footprint(pixel, ray);
+    }
+    let seen = seen_at(ray, end);
+    if FILTERS {
+        filter_last(ray, seen.end);
+    }
+    let code = ray.status;
+    var light = seen.color;
+    if code == ESCAPED || code == MISSED {
+        if HAS_TWO_SKIES {
+            note_side(seen.end.x);
+        }
+        if FOLLOWS_SHIFT {
+            note_sky(ray, seen.end);
+        }
+        light = sky_radiance(vec3f(normalize(seen.end.v)));
+        if BEAMS {
+            light = beamed(light);
+        }
+    }
+    if SEES_GLOW {
+        gather(light, seen.end.x);
+        light = carried.gathered;
+    } else {
+        light *= end_weight(seen.end.x);
+    }
+    add_color(pixel, light);
+    if KEEPS_ORDERS {
+        add_order(pixel, light);
+    }
+    add_coverage(pixel, code);
+    if SEES_THROUGH {
+        see_through(pixel, code, seen.end.x);
+    }
+    keep_layers(pixel, ray, seen);
+    keep_corner(pixel, ray, seen);
+}
+
+// Once a path is over: the light of surfaces on its way, and of the sky at its end.
+fn shade_path(pixel: vec2u, ray: Ray, end: Hit) {
+    let seen = seen_at(ray, end);
+    if carried.flight != OVER && (ray.status == ESCAPED || ray.status == MISSED) {
+        if FILTERS {
+            filter_last(ray, seen.end);
+        }
+        gather(sky_radiance(vec3f(normalize(seen.end.v))), seen.end.x);
+    }
+    var found = carried.gathered;
+    if CLAMPS {
+        clamp_sample(pixel, &found);
+    }
+    if !ADAPTS {
+        keep_spread(pixel, found);
+    }
+    add_color(pixel, found);
+    add_coverage(pixel, ray.status);
+    if SEES_THROUGH {
+        see_through(pixel, ray.status, seen.end.x);
+    }
+    if carried.recorded == 0u {
+        keep_layers(pixel, ray, seen);
+    }
+    // Corners that look alike prove nothing of a path's light: no two are said to be of the same object.
+    keep_corner(pixel, ray, Seen(seen.end, seen.color, seen.normal, place_of_path(pixel)));
+}

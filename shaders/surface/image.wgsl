@@ -1,0 +1,80 @@
+// Pictures, each alone in its texture: as they are, or averaged over what a sample sees of them, by the bilinear samples of a pyramid of
+// smaller and smaller pictures (Williams 1983), along the longer axis several (McCormack et al. 1999). Where less than a texel is seen they
+// are those of the picture itself, to the bit.
+
+// Along the longer axis, at most.
+const MOST_TAPS: f32 = 8.0;
+
+// What the next sample sees, along two axes, in parts of the picture.
+var<private> spans: array<vec2f, 2>;
+
+fn note_spans(a: vec2f, b: vec2f) {
+    spans = array<vec2f, 2>(a, b);
+}
+
+// Below the picture lie its smaller copies side by side, each half as wide and as high as the one before. (A texture's own levels would do, but
+// with Mesa's on a processor they come out wrong where neighbouring invocations ask for several.)
+fn image_size(image: u32) -> vec2u {
+    let extent = image_extent(image);
+    if !FILTERS_IMAGES {
+        return extent;
+    }
+    return vec2u(extent.x, 2u * (extent.y / 3u) + extent.y % 3u);
+}
+
+// From the picture itself, level 0, or one of its copies.
+fn image_level(image: u32, level: u32, uv: vec2f, repeats: bool) -> vec3f {
+    let whole = image_size(image);
+    let below = vec2u(whole.x - (whole.x >> (max(level, 1u) - 1u)), whole.y);
+    return image_bilinear(image, select(below, vec2u(0u), level == 0u), whole >> vec2u(level), uv, repeats);
+}
+
+// uv from the top left of the picture; outside it the picture repeats, or its edges go on.
+fn image_sample(image: u32, uv: vec2f, repeats: bool) -> vec3f {
+    let size = image_size(image);
+    if !FILTERS_IMAGES {
+        return image_bilinear(image, vec2u(0u), size, uv, repeats);
+    }
+    let seen = spans;
+    spans = array<vec2f, 2>();
+    let a = seen[0] * vec2f(size);
+    let b = seen[1] * vec2f(size);
+    let is_first = dot(a, a) >= dot(b, b);
+    let longer = length(select(b, a, is_first));
+    if !(longer > 1.0) {
+        return image_level(image, 0u, uv, repeats);
+    }
+    // As wide as the parallelogram is across its longer side.
+    let wide = max(abs(a.x * b.y - a.y * b.x) / longer, 1.0);
+    let taps = clamp(ceil(longer / wide), 1.0, MOST_TAPS);
+    let last = f32(firstLeadingBit(min(size.x, size.y)));
+    let level = min(log2(max(wide, longer / taps)), last);
+    let lower = u32(level);
+    let upper = min(lower + 1u, u32(last));
+    let along = select(seen[1], seen[0], is_first);
+    var sum = vec3f(0.0);
+    for (var k = 0.0; k < taps; k += 1.0) {
+        let at = uv + ((k + 0.5) / taps - 0.5) * along;
+        sum += mix(image_level(image, lower, at, repeats), image_level(image, upper, at, repeats), level - f32(lower));
+    }
+    return sum / taps;
+}
+
+// The bilinear sample of a rectangle of a texture, written out: the same on every device, and pictures need no samplers.
+
+// uv from the rectangle's top left; outside it what is in it repeats, or its edges go on.
+fn image_bilinear(image: u32, corner: vec2u, size: vec2u, uv: vec2f, repeats: bool) -> vec3f {
+    let p = uv * vec2f(size) - 0.5;
+    let base = floor(p);
+    let f = p - base;
+    let lo = corner + image_index(vec2i(base), size, repeats);
+    let hi = corner + image_index(vec2i(base) + 1, size, repeats);
+    let top = mix(image_texel(image, lo), image_texel(image, vec2u(hi.x, lo.y)), f.x);
+    let bottom = mix(image_texel(image, vec2u(lo.x, hi.y)), image_texel(image, hi), f.x);
+    return mix(top, bottom, f.y);
+}
+
+fn image_index(p: vec2i, size: vec2u, repeats: bool) -> vec2u {
+    let n = vec2i(size);
+    return vec2u(select(clamp(p, vec2i(0), n - 1), (p % n + n) % n, repeats));
+}

@@ -1,5 +1,0 @@
-// No light falls off.
-
-fn fallen(falls: u32, way: vec3f) -> f32 {
-    return 1.0;
-}

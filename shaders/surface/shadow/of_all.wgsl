@@ -1,5 +1,0 @@
-// Every light casts shadows.
-
-fn casts(shadows: u32) -> bool {
-    return true;
-}

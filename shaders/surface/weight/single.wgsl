@@ -1,0 +1,56 @@
+// One weight for all colors. A camera's ray counts as in surface/weight/colored.wgsl, where nothing on its way has a color; a lamp's ray
+// carries what surfaces leave of its light, and to find caustics less than 0 until a surface has sent it on: before that it leaves none.
+
+@group(0) @binding(142) var weight_all: texture_storage_2d<r32float, read_write>;
+
+var<private> weight: f32;
+
+fn load_weight(pixel: vec2u) {
+    if DRAWS_WAVELENGTH {
+        draw_wavelength(pixel);
+    }
+    weight = textureLoad(weight_all, pixel).x;
+}
+
+fn store_weight(pixel: vec2u) {
+    textureStore(weight_all, pixel, vec4f(weight));
+}
+
+fn start_weight(x: Real3) {
+    if FINDS_CAUSTICS {
+        weight = -1.0;
+    } else if LEAVES_LIGHT {
+        weight = 1.0;
+    } else {
+        let n = medium_index(x);
+        weight = f32(n * n);
+    }
+}
+
+fn note_sent() {
+    weight = abs(weight);
+}
+
+fn scale_weight(factor: vec3f) -> f32 {
+    if LEAVES_LIGHT {
+        weight *= (factor.x + factor.y + factor.z) / 3.0;
+    } else {
+        weight *= factor.x;
+    }
+    return weight;
+}
+
+fn end_weight(x: Real3) -> vec3f {
+    if LEAVES_LIGHT {
+        return vec3f(light_weight());
+    }
+    let n = medium_index(x);
+    return sure_weight(vec3f(weight / f32(n * n)));
+}
+
+fn light_weight() -> f32 {
+    if FINDS_CAUSTICS {
+        return max(weight, 0.0);
+    }
+    return weight;
+}

@@ -1,0 +1,6 @@
+// What a weight is worth at its end.
+
+// Where a path began or ended in the middle of an infinite index its light is none.
+fn sure_weight(weight: vec3f) -> vec3f {
+    return select(vec3f(0.0), weight, finite(Real3(weight)));
+}

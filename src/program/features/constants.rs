@@ -1,0 +1,87 @@
+//! Features as constants of WGSL, by which the linker decides what differs in a line.
+
+use super::Features;
+use crate::model::StereoLayout;
+use crate::program::{Purpose, Unit};
+
+/// Fields, each with its name.
+macro_rules! named {
+    ($of:expr; $($name:ident)+) => { vec![$((stringify!($name), $of.$name)),+] };
+}
+
+impl Features {
+    /// Those that parts ask for, by the names that they have there.
+    #[must_use]
+    pub fn constants(&self) -> Vec<(String, bool)> {
+        let plain = named!(self;
+            splits has_rough_glass has_regions has_sided_mesh has_objects touches filters sees_glow
+            follows_paths in_pieces aims clamps draws_wavelength falls grids_fall grids_all_fall
+            is_occluded occludes_along_law follows_lines all_cast shuts_out weakens_lines
+            is_limited captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
+            has_two_skies sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
+            beams shifts_hues knows_shift follows_shift keeps_orders
+        );
+        let derived = [
+            ("leaves_surfaces", self.looks_from_surfaces || self.shoots || self.follows_paths),
+            ("looks_for_light", self.looks_from_surfaces || self.shoots),
+            ("leaves_light", self.purpose.leaves_light()),
+            ("finds_caustics", self.purpose == Purpose::Caustics),
+            ("is_given", self.purpose.is_given()),
+            ("chooses_pixels", self.purpose == Purpose::Pixels),
+            ("draws", self.is_picture() || self.purpose.leaves_light()),
+            ("carries_light", self.follows_paths || self.sees_glow),
+            ("colors_dispersed", self.disperses && self.follows_paths),
+            ("filters_jump", self.filters_jump),
+            ("filters_images", self.keeps_footprints && self.has_images),
+            ("ends_below", self.below_part.is_some()),
+            ("asks_tau", self.asks_tau()),
+            ("side_by_side", self.views == Some(StereoLayout::SideBySide)),
+            ("top_bottom", self.views == Some(StereoLayout::TopBottom)),
+        ];
+        plain.into_iter().chain(derived).map(|(name, value)| (name.to_uppercase(), value)).collect()
+    }
+
+    /// The constants as WGSL.
+    pub(in crate::program) fn unit(&self) -> Unit {
+        let constants = self.constants();
+        let text = constants.iter().map(|(name, value)| format!("const {name}: bool = {value};\n"));
+        Unit::generated("generated/features.wgsl", text.collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::Path;
+
+    use super::*;
+    use crate::program::tokens::Tokens;
+    use crate::program::{Analysis, Choice, all_parts};
+    use crate::scene::Scene;
+
+    /// Generated elsewhere: of a kind of region, of obstacles, and of what forces come from.
+    const OTHERS: [&str; 3] = ["IS_EMPTY", "LEAPS", "HAS_AIMS"];
+
+    #[test]
+    fn parts_ask_for_every_constant_and_for_no_other() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/black_hole.toml");
+        let scene = Scene::load(&path, &[]).unwrap();
+        let constants = Features::of(&scene, &Choice::default(), &Analysis::of(&scene)).constants();
+        let known: BTreeSet<String> =
+            constants.into_iter().map(|(name, _)| name).chain(OTHERS.map(str::to_owned)).collect();
+        let mut asked = BTreeSet::new();
+        for part in all_parts() {
+            let tokens = Tokens::of(part.text);
+            for i in (0..tokens.len()).filter(|&i| tokens.word(i) == "if") {
+                let at = if tokens.word(i + 1) == "!" { i + 2 } else { i + 1 };
+                let name = tokens.word(at);
+                let is_constant =
+                    tokens.word(at + 1) == "{" && name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
+                assert!(!is_constant || known.contains(name), "{} asks for {name}", part.file);
+                asked.insert(name);
+            }
+        }
+        let idle: Vec<&String> = known.iter().filter(|name| !asked.contains(&***name)).collect();
+        assert!(idle.is_empty(), "no part asks for {idle:?}");
+    }
+}

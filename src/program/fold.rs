@@ -1,0 +1,297 @@
+//! Branches on what a scene's features fix, replaced by the block that is taken.
+//!
+//! *Theory.* Features are constants of a program: `const FEATURE: bool = true;`. A part may ask one, `if FEATURE { … } else { … }`, so
+//! that what differs in a line does not need a file of its own. What stands only in the block that is not taken is not in the program,
+//! neither functions nor bindings: this pass comes before the linker asks what is reached.
+//!
+//! *Practice.* A condition is `FEATURE` or `!FEATURE`. What follows a block that is taken and returns is dropped too, so that a function
+//! may begin with `if !FEATURE { return x; }`. Every line keeps its number. Users' own files are left as they were written.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::ops::Range;
+
+use super::linked::Edit;
+use super::tokens::Tokens;
+use super::unit::{Author, Parts, Unit};
+
+/// Known constants.
+type Features<'a> = HashMap<&'a str, bool>;
+
+/// The parts with every branch on a feature decided.
+pub(super) fn folded(parts: &Parts) -> Parts {
+    let features = features(&parts.shared);
+    let region = |units: &Vec<Unit>| {
+        let mut own = features.clone();
+        own.extend(self::features(units));
+        units.iter().map(|unit| folded_unit(unit, &own)).collect()
+    };
+    Parts {
+        shared: parts.shared.iter().map(|unit| folded_unit(unit, &features)).collect(),
+        regions: parts.regions.iter().map(region).collect(),
+    }
+}
+
+/// `const NAME: bool = true;` of all units but users' own.
+fn features(units: &[Unit]) -> Features<'_> {
+    let mut found = HashMap::new();
+    for unit in units.iter().filter(|unit| unit.author != Author::User && unit.text.contains("bool")) {
+        let tokens = Tokens::of(&unit.text);
+        for i in (0..tokens.len()).filter(|&i| tokens.word(i) == "const") {
+            let is_bool =
+                [(2, ":"), (3, "bool"), (4, "="), (6, ";")].into_iter().all(|(k, sign)| tokens.word(i + k) == sign);
+            let value = tokens.word(i + 5);
+            if is_bool && matches!(value, "true" | "false") {
+                found.insert(tokens.word(i + 1), value == "true");
+            }
+        }
+    }
+    found
+}
+
+fn folded_unit(unit: &Unit, features: &Features) -> Unit {
+    if unit.author == Author::User || !unit.text.contains("if") {
+        return unit.clone();
+    }
+    let mut fold = Fold { tokens: Tokens::of(&unit.text), features, dropped: Vec::new() };
+    fold.block(0..fold.tokens.len());
+    if fold.dropped.is_empty() {
+        return unit.clone();
+    }
+    Unit { text: Cow::Owned(fold.text()), ..unit.clone() }
+}
+
+struct Fold<'a> {
+    tokens: Tokens<'a>,
+    features: &'a Features<'a>,
+    dropped: Vec<Range<usize>>,
+}
+
+impl Fold<'_> {
+    /// Decides the branches among these tokens, which are statements or declarations. Does the last statement return?
+    fn block(&mut self, tokens: Range<usize>) -> bool {
+        let mut i = tokens.start;
+        while i < tokens.end {
+            match self.tokens.word(i) {
+                "return" => return true,
+                "{" => {
+                    let close = self.closing(i);
+                    self.block(i + 1..close);
+                    i = close + 1;
+                }
+                "if" => {
+                    let of_else = (self.tokens.before(i) == "else").then(|| i - 1);
+                    let Some((next, returns)) = self.branch(i, of_else) else {
+                        i += 1;
+                        continue;
+                    };
+                    i = next;
+                    if returns && of_else.is_none() {
+                        self.drop(i..tokens.end);
+                        return true;
+                    }
+                }
+                _ => i += 1,
+            }
+        }
+        false
+    }
+
+    /// Decides the branch at this `if`, if its condition is known: returns the token behind it, and whether what is left returns.
+    /// It may stand behind an `else`.
+    fn branch(&mut self, at: usize, of_else: Option<usize>) -> Option<(usize, bool)> {
+        let is_not = self.tokens.word(at + 1) == "!";
+        let open = at + 2 + usize::from(is_not);
+        let value = self.features.get(self.tokens.word(open - 1)).filter(|_| self.tokens.word(open) == "{")?;
+        let close = self.closing(open);
+        let has_else = self.tokens.word(close + 1) == "else";
+        if *value != is_not {
+            self.drop(at..open);
+            let returns = self.taken(open, of_else.is_some());
+            let end = self.end(close);
+            self.drop(close + 1..end);
+            Some((end, returns))
+        } else if !has_else {
+            of_else.into_iter().for_each(|i| self.drop(i..i + 1));
+            self.drop(at..close + 1);
+            Some((close + 1, false))
+        } else {
+            let other = close + 2;
+            self.drop(at..other);
+            if self.tokens.word(other) == "{" {
+                return Some((self.closing(other) + 1, self.taken(other, of_else.is_some())));
+            }
+            self.branch(other, of_else).or(Some((other + 1, false)))
+        }
+    }
+
+    /// Keeps a block, without its braces if nothing needs them. Does it return?
+    fn taken(&mut self, open: usize, is_else: bool) -> bool {
+        let close = self.closing(open);
+        let mut depth = 0;
+        let declares = (open + 1..close).any(|i| {
+            match self.tokens.word(i) {
+                "{" => depth += 1,
+                "}" => depth -= 1,
+                _ => {}
+            }
+            depth == 0 && matches!(self.tokens.word(i), "let" | "var" | "const")
+        });
+        let has_braces = is_else || declares;
+        if !has_braces {
+            self.drop(open..open + 1);
+        }
+        let returns = self.block(open + 1..close);
+        if !has_braces {
+            self.drop(close..close + 1);
+        }
+        returns
+    }
+
+    /// The token behind the `else` branches of the block that closes here.
+    fn end(&self, close: usize) -> usize {
+        if self.tokens.word(close + 1) != "else" {
+            return close + 1;
+        }
+        let open = (close + 2..self.tokens.len()).find(|&i| self.tokens.word(i) == "{");
+        open.map_or(self.tokens.len(), |open| self.end(self.closing(open)))
+    }
+
+    /// The brace that closes this one: the last token where there is none, which the linker reports.
+    fn closing(&self, open: usize) -> usize {
+        self.tokens.closing(open).unwrap_or(self.tokens.len() - 1)
+    }
+
+    fn drop(&mut self, tokens: Range<usize>) {
+        if !tokens.is_empty() {
+            self.dropped.push(tokens);
+        }
+    }
+
+    /// What is left, on its lines.
+    fn text(&mut self) -> String {
+        self.dropped.sort_by_key(|range| range.start);
+        let all = self.tokens.text;
+        let mut text = String::with_capacity(all.len());
+        let mut done = 0;
+        for range in &self.dropped {
+            let range = self.tokens.range(range.start).start..self.tokens.range(range.end - 1).end;
+            text += &all[done..range.start];
+            text.extend(all[range.clone()].chars().filter(|c| *c == '\n'));
+            done = range.end;
+        }
+        text + &all[done..]
+    }
+}
+
+/// The lines that are left empty in a declaration, to be taken out.
+pub(super) fn gaps(tokens: &Tokens) -> Vec<Edit> {
+    let between = (1..tokens.len()).map(|i| tokens.range(i - 1).end..tokens.range(i).start);
+    let gaps = between.filter_map(|range| {
+        let gap = &tokens.text[range.clone()];
+        let (first, rest) = gap.split_once('\n').filter(|_| gap.contains(" \n") || gap.contains("\n\n\n"))?;
+        let (between, last) = rest.rsplit_once('\n').unwrap_or(("", rest));
+        let comments = between.lines().filter(|line| !line.trim().is_empty());
+        let lines: Vec<&str> = [first.trim_end()].into_iter().chain(comments).chain([last]).collect();
+        Some((range, lines.join("\n")))
+    });
+    gaps.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folded_text(text: &str) -> String {
+        let features = "const YES: bool = true;\nconst NO: bool = false;\n".to_owned();
+        let shared = vec![Unit::generated("features.wgsl", features), Unit::generated("a.wgsl", text.to_owned())];
+        folded(&Parts { shared, regions: Vec::new() }).shared[1].text.to_string()
+    }
+
+    fn flat(text: &str) -> String {
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn the_block_that_is_taken_stays() {
+        for (text, left) in [
+            ("fn f() { if YES { a(); } b(); }", "fn f() { a(); b(); }"),
+            ("fn f() { if NO { a(); } b(); }", "fn f() { b(); }"),
+            ("fn f() { if !NO { a(); } else { b(); } c(); }", "fn f() { a(); c(); }"),
+            ("fn f() { if !YES { a(); } else { b(); } c(); }", "fn f() { b(); c(); }"),
+            ("fn f() { if YES { let x = 1; a(x); } c(); }", "fn f() { { let x = 1; a(x); } c(); }"),
+            ("fn f() { if YES { if x { let y = 1; } } c(); }", "fn f() { if x { let y = 1; } c(); }"),
+            ("fn f() { for (;;) { if NO { a(); } if !NO { b(); } } }", "fn f() { for (;;) { b(); } }"),
+        ] {
+            assert_eq!(flat(&folded_text(text)), left, "{text}");
+        }
+    }
+
+    #[test]
+    fn chains_are_decided_link_by_link() {
+        for (text, left) in [
+            ("if NO { a(); } else if x { b(); } else { c(); }", "if x { b(); } else { c(); }"),
+            ("if NO { a(); } else if YES { b(); } else { c(); }", "b();"),
+            ("if YES { a(); } else if x { b(); } else { c(); }", "a();"),
+            ("if x { a(); } else if YES { b(); } else { c(); }", "if x { a(); } else { b(); }"),
+            ("if x { a(); } else if NO { b(); } else { c(); }", "if x { a(); } else { c(); }"),
+            ("if x { a(); } else if NO { b(); } c();", "if x { a(); } c();"),
+            ("if x { a(); } else if NO { b(); } else if NO { c(); } d();", "if x { a(); } d();"),
+        ] {
+            assert_eq!(flat(&folded_text(&format!("fn f() {{ {text} }}"))), format!("fn f() {{ {left} }}"), "{text}");
+        }
+    }
+
+    #[test]
+    fn nothing_follows_a_return() {
+        for (text, left) in [
+            ("if YES { return 1; } let x = 2; return x;", "return 1;"),
+            ("if NO { return 1; } let x = 2; return x;", "let x = 2; return x;"),
+            ("if YES { if YES { return 1; } b(); } return 2;", "return 1;"),
+            ("if x { if YES { return 1; } b(); } return 2;", "if x { return 1; } return 2;"),
+            ("if x { a(); } else if YES { return 1; } return 2;", "if x { a(); } else { return 1; } return 2;"),
+        ] {
+            assert_eq!(flat(&folded_text(&format!("fn f() {{ {text} }}"))), format!("fn f() {{ {left} }}"), "{text}");
+        }
+    }
+
+    #[test]
+    fn other_conditions_and_users_files_stay() {
+        let texts =
+            ["if YES && x { a(); }", "if x == YES { a(); }", "if a.YES { a(); }", "if OTHER { a(); }", "let x = YES;"];
+        for text in texts.map(|text| format!("fn f() {{ {text} }}")) {
+            assert_eq!(folded_text(&text), text);
+        }
+        let own = "const MINE: bool = true;\nfn f() { if MINE { a(); } if YES { b(); } }";
+        let shared =
+            vec![Unit::user("a.wgsl", own), Unit::generated("b.wgsl", "fn g() { if MINE { a(); } }".to_owned())];
+        let parts = Parts { shared, regions: Vec::new() };
+        assert_eq!(folded(&parts), parts);
+    }
+
+    #[test]
+    fn a_region_has_features_of_its_own() {
+        let unit = |text: &str| Unit::generated("a.wgsl", text.to_owned());
+        let region =
+            |value: bool| vec![unit(&format!("const LEAPS: bool = {value};")), unit("fn f() { if LEAPS { a(); } }")];
+        let folded = folded(&Parts { shared: vec![unit("fn g() {}")], regions: vec![region(true), region(false)] });
+        assert_eq!([0, 1].map(|k| flat(&folded.regions[k][1].text)), ["fn f() { a(); }", "fn f() { }"]);
+    }
+
+    #[test]
+    fn lines_keep_their_numbers_and_empty_ones_are_taken_out() {
+        let text = "fn f() {\n    if NO {\n        a();\n    }\n    if YES {\n        // why\n        b();\n    } else {\n        c();\n    }\n\n    d();\n}\n";
+        let left = folded_text(text);
+        let lines = |text: &str, word: &str| text.lines().position(|line| line.contains(word));
+        for word in ["// why", "b();", "d();"] {
+            assert_eq!(lines(&left, word), lines(text, word), "{left}");
+        }
+        let tokens = Tokens::of(&left);
+        let mut shown = left.clone();
+        for (range, new) in gaps(&tokens).into_iter().rev() {
+            shown.replace_range(range, &new);
+        }
+        assert_eq!(shown.matches("\n\n").count(), 0, "{shown:?}");
+        assert_eq!(gaps(&Tokens::of(text)), [], "an empty line between statements stays");
+    }
+}
