@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use bentray::gpu::{Geometry, METAL_READ_WRITE_TEXTURES};
-use bentray::program::{Choice, Program};
+use bentray::gpu::{Geometry, Gpu, METAL_READ_WRITE_TEXTURES};
+use bentray::program::{Choice, DeviceProfile, Program};
+use bentray::render::{RenderSettings, Renderer};
 use bentray::scene::Scene;
 
 use crate::support::pictured;
@@ -48,5 +49,34 @@ fn random_branches_need_few_read_write_textures() {
         let geometry = Geometry::new(&scene);
         let program = Program::new(&scene, &geometry.analysis, &Choice::default(), geometry.extent()).unwrap();
         assert_eq!(over(name, &program), Vec::<String>::new());
+    }
+}
+
+/// A profile says how programs are written for a device, and changes no bit of what they compute: both kinds of programs on the device that
+/// is here.
+#[test]
+fn pictures_do_not_depend_on_the_profile() {
+    let mut gpu = Gpu::open(None).unwrap();
+    let other = if gpu.profile.is_processor { DeviceProfile::GPU } else { DeviceProfile::cpu(32) };
+    for name in
+        ["black_hole", "laws/lattice", "groller/twelve", "thesis/luneburg", "thesis/filter", "spacetimes/wormhole"]
+    {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
+        let mut keys = vec!["image.size=[40, 30]".parse().unwrap(), "image.samples=2".parse().unwrap()];
+        let text = std::fs::read_to_string(&path).unwrap();
+        keys.extend((!text.contains("method =")).then(|| "rays.method=\"rk4\"".parse().unwrap()));
+        let scene = Scene::load(&path, &keys).unwrap();
+        let own = gpu.profile;
+        let [here, there] = [own, other].map(|profile| {
+            gpu.profile = profile;
+            Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap()
+        });
+        gpu.profile = own;
+        assert!(here.band == there.band, "{name}");
+        assert_eq!(
+            (here.totals.steps, &here.totals.by_status),
+            (there.totals.steps, &there.totals.by_status),
+            "{name}"
+        );
     }
 }

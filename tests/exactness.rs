@@ -348,7 +348,7 @@ fn planted(function: &str) -> Linked {
          out[id.x] = followed(out[id.x]) + list[region].a + pair[0].a + pair[1].a + one[0].a + law.a;\n}}\n"
     );
     let unit = Unit::user("planted.wgsl", text);
-    link(&Parts { shared: vec![unit], regions: Vec::new() }, "entry").unwrap()
+    link(&Parts { shared: vec![unit], ..Parts::default() }, "entry").unwrap()
 }
 
 #[test]

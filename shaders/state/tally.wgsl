@@ -48,6 +48,26 @@ fn total_segments(lane: u32) {
     }
 }
 
+var<workgroup> group_rejected: atomic<u32>;
+
+fn tally_rejections(n: u32) {
+    if REJECTS {
+        atomicAdd(&group_rejected, n);
+    }
+}
+
+fn total_rejections(lane: u32) {
+    if !REJECTS {
+        return;
+    }
+    if lane == 0u {
+        let sum = atomicLoad(&group_rejected);
+        if atomicAdd(&tally.rejected, sum) > 0xffffffffu - sum {
+            atomicAdd(&tally.rejected_over, 1u);
+        }
+    }
+}
+
 var<workgroup> group_statuses: array<atomic<u32>, STATUSES>;
 
 fn tally_status(code: u32) {

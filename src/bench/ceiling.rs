@@ -70,7 +70,7 @@ impl<'a> Kernel<'a> {
         let device = &bench.gpu.device;
         let file = format!("ceiling/{name}");
         let unit = Unit::from(part(&file).ok_or(ProgramError::NoPart(file))?);
-        let linked = link(&Parts { shared: vec![unit], regions: Vec::new() }, "ceiling")?;
+        let linked = link(&Parts { shared: vec![unit], ..Parts::default() }, "ceiling")?;
         let pipeline = Pipeline::new(bench.gpu, &linked, &reflect(&linked)?, bench.gpu.group[0])?;
         let sums = device.create_buffer(&BufferDescriptor {
             label: Some("sums"),

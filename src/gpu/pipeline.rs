@@ -216,7 +216,7 @@ mod tests {
             "{}{declared}@compute @workgroup_size(1) fn shade() {{\ntextureStore(written, vec2u(), vec4u());\n{copied}}}\n",
             texture(100, "written", "write")
         );
-        let parts = Parts { shared: vec![Unit::user("a.wgsl", text)], regions: Vec::new() };
+        let parts = Parts { shared: vec![Unit::user("a.wgsl", text)], ..Parts::default() };
         reflect(&link(&parts, "shade").unwrap()).unwrap()
     }
 

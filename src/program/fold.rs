@@ -29,6 +29,7 @@ pub(super) fn folded(parts: &Parts) -> Parts {
     Parts {
         shared: parts.shared.iter().map(|unit| folded_unit(unit, &features)).collect(),
         regions: parts.regions.iter().map(region).collect(),
+        device: parts.device,
     }
 }
 
@@ -205,7 +206,7 @@ mod tests {
     fn folded_text(text: &str) -> String {
         let features = "const YES: bool = true;\nconst NO: bool = false;\n".to_owned();
         let shared = vec![Unit::generated("features.wgsl", features), Unit::generated("a.wgsl", text.to_owned())];
-        folded(&Parts { shared, regions: Vec::new() }).shared[1].text.to_string()
+        folded(&Parts { shared, ..Parts::default() }).shared[1].text.to_string()
     }
 
     fn flat(text: &str) -> String {
@@ -265,7 +266,7 @@ mod tests {
         let own = "const MINE: bool = true;\nfn f() { if MINE { a(); } if YES { b(); } }";
         let shared =
             vec![Unit::user("a.wgsl", own), Unit::generated("b.wgsl", "fn g() { if MINE { a(); } }".to_owned())];
-        let parts = Parts { shared, regions: Vec::new() };
+        let parts = Parts { shared, ..Parts::default() };
         assert_eq!(folded(&parts), parts);
     }
 
@@ -274,7 +275,11 @@ mod tests {
         let unit = |text: &str| Unit::generated("a.wgsl", text.to_owned());
         let region =
             |value: bool| vec![unit(&format!("const LEAPS: bool = {value};")), unit("fn f() { if LEAPS { a(); } }")];
-        let folded = folded(&Parts { shared: vec![unit("fn g() {}")], regions: vec![region(true), region(false)] });
+        let folded = folded(&Parts {
+            shared: vec![unit("fn g() {}")],
+            regions: vec![region(true), region(false)],
+            ..Parts::default()
+        });
         assert_eq!([0, 1].map(|k| flat(&folded.regions[k][1].text)), ["fn f() { a(); }", "fn f() { }"]);
     }
 

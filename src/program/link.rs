@@ -12,7 +12,6 @@ use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::ProgramError;
 use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
 use super::fold::{folded, gaps};
@@ -22,6 +21,7 @@ use super::lower::Lowering;
 use super::selections::selected;
 use super::unit::{Author, Parts, Unit};
 use super::unroll::unrolled;
+use super::{DeviceProfile, ProgramError};
 
 /// A declaration, and the number of the copy that it is in.
 type Found<'a> = (usize, Declaration<'a>);
@@ -42,7 +42,7 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
         all.extend(found.into_iter().map(|declaration| (k, declaration)));
     }
     let by_name = index(&copies, &all)?;
-    entries.iter().map(|entry| pass(&copies, &all, &by_name, entry)).collect()
+    entries.iter().map(|entry| pass(&copies, &all, &by_name, entry, &parts.device)).collect()
 }
 
 /// Of all declarations those that `entry` reaches, lowered.
@@ -51,9 +51,10 @@ fn pass(
     all: &[Found],
     by_name: &HashMap<&str, usize>,
     entry: &str,
+    device: &DeviceProfile,
 ) -> Result<Linked, ProgramError> {
     let reached: Vec<&Found> = reach(all, by_name, entry)?.into_iter().map(|i| &all[i]).collect();
-    let lowering = Lowering::of(entry, &reached.iter().map(|(_, declaration)| declaration).collect::<Vec<_>>());
+    let lowering = Lowering::of(entry, &reached.iter().map(|(_, declaration)| declaration).collect::<Vec<_>>(), device);
     refuse_made_names(copies, &reached, &lowering.made())?;
     let pieces =
         reached.iter().filter(|(_, declaration)| !lowering.replaces(declaration)).map(|(copy, declaration)| {
@@ -156,6 +157,7 @@ mod tests {
                     unit("law/b.wgsl", "fn law_derivative(x: f32) -> f32 { return -law.a * x; }\n"),
                 ],
             ],
+            device: DeviceProfile::cpu(8),
         }
     }
 
@@ -200,7 +202,7 @@ mod tests {
     fn errors_name_the_part_and_its_own_line() {
         let slip = "// A law with a slip.\n\nfn unused() {}\n\nfn law_derivative(x: f32) -> f32 {\n    return x * nothing;\n}\n";
         let parts =
-            Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/slip.wgsl", slip)], regions: Vec::new() };
+            Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), unit("law/slip.wgsl", slip)], ..Parts::default() };
         let error = reflect(&link(&parts, "entry").unwrap()).unwrap_err().to_string();
         assert!(error.starts_with("law/slip.wgsl:6:16: "), "{error}");
     }
@@ -229,7 +231,7 @@ mod tests {
     #[test]
     fn names_are_declared_once() {
         let twice = unit("law/again.wgsl", ENTRY);
-        let parts = Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), twice], regions: Vec::new() };
+        let parts = Parts { shared: vec![unit("pass/entry.wgsl", ENTRY), twice], ..Parts::default() };
         let error = link(&parts, "entry").unwrap_err().to_string();
         assert_eq!(error, "law/again.wgsl:1:48: `out` is already declared in pass/entry.wgsl");
     }

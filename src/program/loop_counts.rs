@@ -3,7 +3,7 @@
 //! *Theory.* Such a device counts the iterations of all loops together, and a loop of n iterations has n + 1 there: the last finds that it is
 //! over.
 //!
-//! *Practice.* Where `state/loop_budget` is among the parts, every loop adds one to `work` at the beginning of its body and one behind its
+//! *Practice.* For a device with a loop budget every loop adds one to `work` at the beginning of its body and one behind its
 //! end, and a pass begins with a call of `begin_counting`.
 
 use std::borrow::Cow;
@@ -16,16 +16,13 @@ use super::unit::{Parts, Unit};
 const COUNT: &str = " work += 1u;";
 /// What a pass begins with: all have the parameter `own`.
 const BEGIN: &str = " begin_counting(own.lane);";
-/// The part that declares what is counted.
-const PART: &str = "state/loop_budget.wgsl";
-
 /// The parts with the iterations of their loops counted, if they are to be.
 pub(super) fn counted(parts: Parts) -> Parts {
-    if !parts.shared.iter().any(|unit| unit.file == PART) {
+    if parts.device.loop_budget.is_none() {
         return parts;
     }
     let all = |units: Vec<Unit>| units.into_iter().map(counted_unit).collect();
-    Parts { shared: all(parts.shared), regions: parts.regions.into_iter().map(all).collect() }
+    Parts { shared: all(parts.shared), regions: parts.regions.into_iter().map(all).collect(), ..parts }
 }
 
 fn counted_unit(unit: Unit) -> Unit {
@@ -72,6 +69,7 @@ fn body_of_pass(tokens: &Tokens, at: usize) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::program::DeviceProfile;
 
     #[test]
     fn every_iteration_and_every_end_of_a_loop_counts() {
@@ -84,11 +82,11 @@ mod tests {
             .replace("3u {", "3u { work += 1u;");
         let expected = expected.replace("        }\n    }\n", "        } work += 1u;\n    } work += 1u;\n");
         let expected = expected.replace("loop { break; }", "loop { work += 1u; break; } work += 1u;");
-        let work = Unit::generated(PART, "var<private> work: u32;\n".to_owned());
-        let parts = Parts { shared: vec![unit(text), work], regions: vec![vec![unit(text)]] };
+        let device = DeviceProfile::cpu(8);
+        let parts = Parts { shared: vec![unit(text)], regions: vec![vec![unit(text)]], device };
         let counted = super::counted(parts);
         assert_eq!([&counted.shared[0].text, &counted.regions[0][0].text], [&expected; 2]);
-        let uncounted = Parts { shared: vec![unit(text)], regions: Vec::new() };
+        let uncounted = Parts { shared: vec![unit(text)], ..Parts::default() };
         assert_eq!(super::counted(uncounted.clone()), uncounted);
     }
 }

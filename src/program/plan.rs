@@ -1,12 +1,11 @@
 //! The plan: which parts a scene is made of. One file per contract, the cheapest that is right for the scene, and those that have no
 //! choice: what a pass does not reach is left out when it is linked.
 
-use super::features::keeps_taken;
 use super::names::Names;
 use super::onward_parts::{filter_parts, scatter_parts};
 use super::picture_parts::{camera_parts, material_parts, picture_parts, samples_part};
 use super::region_parts::region_parts;
-use super::regions::{RegionKind, Regions};
+use super::regions::RegionKind;
 use super::structure::solids;
 use super::unit::Parts;
 use super::{Analysis, Features, Masks, ProgramError, Schedule, generated, short_lists};
@@ -57,15 +56,14 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features, suspends: b
         "state/ray",
         "state/active",
         "state/finish",
+        "state/counts",
+        "state/loops",
+        "state/slots",
+        "state/taken",
+        "state/tau",
     ]);
     names.make(features.unit());
-    match features.device.loop_budget {
-        Some(budget) => {
-            names.add("state/loop_budget");
-            names.make(generated::loop_budget(budget));
-        }
-        None => names.add("state/loops_free"),
-    }
+    names.make(generated::loop_budget(features.device.loop_budget));
     names.make(generated::counts(scene, features, regions));
     names.all(match features.precision {
         Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
@@ -75,7 +73,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features, suspends: b
     names.add(scene.rays.control.kind.memory);
     names.each("pass", features.passes().iter().map(|pass| pass.entry()));
     scatter_parts(scene, features, regions, &mut names);
-    schedule_parts(scene, features, regions, &mut names);
+    schedule_parts(features, &mut names);
     camera_parts(scene, features, &mut names);
     law_parts(scene, &mut names)?;
     segment_parts(scene, features, &mut names);
@@ -89,7 +87,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features, suspends: b
     let of_kind = |kind: &RegionKind| region_parts(scene, features, regions, kind);
     let lengths = short_lists::lengths(scene, regions);
     let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
-    Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()? })
+    Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()?, device: features.device })
 }
 
 /// Whether what is seen lies in a light's shadow, and what of ambient light reaches it.
@@ -100,7 +98,7 @@ fn shadow_parts(features: &Features, names: &mut Names) {
     names.when(features.has_rough_glass, &["surface/scatter/frosted", "surface/scatter/microfacet"]);
 }
 
-fn schedule_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
+fn schedule_parts(features: &Features, names: &mut Names) {
     names.all(&[
         match features.masks {
             Masks::Off => "state/active/all",
@@ -113,11 +111,6 @@ fn schedule_parts(scene: &Scene, features: &Features, regions: &Regions, names: 
             (true, true) => "state/round/open",
         },
         samples_part(features),
-        if features.slots == 3 { "state/slots_three" } else { "state/slots_two" },
-        if features.keeps_counts() { "state/counts_kept" } else { "state/counts_none" },
-        if scene.rays.control.kind.rejects { "state/rejections_some" } else { "state/rejections_none" },
-        if keeps_taken(scene, regions) { "state/taken_kept" } else { "state/taken_none" },
-        if features.compensates_tau() { "state/tau_compensated" } else { "state/tau_plain" },
     ]);
     names.all(match features.masks {
         _ if features.purpose.leaves_light() => &["segment/run_light", "segment/leave_light"],
@@ -227,7 +220,7 @@ fn surface_parts(scene: &Scene, features: &Features, suspends: bool, analysis: &
     }
     names.make(generated::shapes(analysis, &all, &moving));
     names.make(if structure.near {
-        generated::near(scene, analysis, &listed, &sided)
+        generated::near(scene, analysis, (&listed, &sided), features.device.is_processor)
     } else {
         generated::lists(scene, analysis, &listed, &sided)
     });

@@ -9,6 +9,9 @@ pub struct DeviceProfile {
     pub group_width: Option<u32>,
     /// Pixels that one invocation of the pass `whole` follows, one below the other.
     pub lane_pixels: u32,
+    /// Are invocations lanes of a processor's vectors? It reads a uniform faster where all lanes do before any loop, and computes all cases and
+    /// chooses one faster than it branches.
+    pub is_processor: bool,
 }
 
 /// A limit on the loop iterations of one invocation, all its loops together, beyond which every loop ends after its first iteration without a
@@ -36,7 +39,7 @@ impl DeviceProfile {
     }
 
     /// A GPU needs every invocation that it can get.
-    pub const GPU: Self = Self { loop_budget: None, group_width: None, lane_pixels: 1 };
+    pub const GPU: Self = Self { loop_budget: None, group_width: None, lane_pixels: 1, is_processor: false };
 
     /// Mesa's lavapipe, which runs so many invocations side by side on a processor.
     ///
@@ -46,7 +49,7 @@ impl DeviceProfile {
     #[must_use]
     pub fn cpu(lanes: u32) -> Self {
         let loop_budget = Some(LoopBudget { iterations: 65_535, lanes: lanes.max(1) });
-        Self { loop_budget, group_width: Some(64), lane_pixels: 8 }
+        Self { loop_budget, group_width: Some(64), lane_pixels: 8, is_processor: true }
     }
 }
 

@@ -151,7 +151,7 @@ pub fn element_bytes(part_name: &str, list: &str) -> Result<u32, ProgramError> {
     let entry = format!("@compute @workgroup_size(1) fn entry() {{ _ = {list}[0]; }}\n");
     let built_in = |name: &str| part(name).map(Unit::from).ok_or_else(|| ProgramError::NoPart(name.to_owned()));
     let shared = vec![built_in("real/f32")?, built_in(part_name)?, Unit::generated("entry.wgsl", entry)];
-    let linked = link(&Parts { shared, regions: Vec::new() }, "entry")?;
+    let linked = link(&Parts { shared, ..Parts::default() }, "entry")?;
     match reflect(&linked)?.bindings.iter().find(|binding| binding.name == list).map(|binding| &binding.kind) {
         Some(BindingKind::Storage { layout, .. }) => Ok(layout.span),
         _ => Err(nothing_to_bind(&linked, 0, list)),
@@ -270,7 +270,7 @@ mod tests {
         let text = "// A part.\n@group(0) @binding(1) var<storage, read_write> scratch: array<u32>;\n\
                     @compute @workgroup_size(1) fn entry() { scratch[0] = 1u; }\n";
         let shared = vec![Unit::user("law/own.wgsl", text)];
-        let linked = link(&Parts { shared, regions: Vec::new() }, "entry").unwrap();
+        let linked = link(&Parts { shared, ..Parts::default() }, "entry").unwrap();
         assert!(matches!(reflect(&linked).unwrap().bindings[0].role, Role::Other { .. }));
         let error = reflect_pass(&linked).unwrap_err().to_string();
         assert!(error.contains("law/own.wgsl:2") && error.contains("`scratch`"), "{error}");

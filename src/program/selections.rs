@@ -4,7 +4,7 @@
 //! instructions a number for eight lanes. All entries of a short list, each read once for all lanes, and one choice a number and
 //! entry cost a few instructions.
 //!
-//! *Practice.* `list[place]` becomes `list_at(place)`, which is written for every list of up to [`FEW`] entries; a place that is
+//! *Practice.* For processors `list[place]` becomes `list_at(place)`, which is written for every list of up to [`FEW`] entries; a place that is
 //! written as a number stays. Lists that are read once a ray, such as materials, gain less from it than their many words cost the
 //! driver's compiler: half again as long to the first pixel.
 
@@ -28,6 +28,9 @@ struct List {
 
 /// The parts with their reads of short lists as choices. Regions' own lists are left alone.
 pub(super) fn selected(mut parts: Parts) -> Parts {
+    if !parts.device.is_processor {
+        return parts;
+    }
     let constants = constants(&parts.shared);
     let length = |word: &str| whole_number(word).or_else(|| constants.get(word).copied());
     let lists: Vec<List> = parts.shared.iter().flat_map(|unit| lists(&unit.text, &length)).collect();
@@ -98,6 +101,7 @@ fn choosing(unit: Unit, lists: &[List]) -> Unit {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::program::DeviceProfile;
 
     #[test]
     fn reads_at_unknown_places_are_choices() {
@@ -106,7 +110,8 @@ mod tests {
                     @group(0) @binding(9) var<uniform> others: array<A, 2>;\n\
                     fn f(i: u32) -> f32 {\n    return sphere_list[min(i, n[0])].b + sphere_list[1u].b + box_list[i].b + \
                     a.sphere_list[i] + others[i].b;\n}\n";
-        let parts = Parts { shared: vec![Unit::generated("a.wgsl", text.to_owned())], regions: Vec::new() };
+        let device = DeviceProfile::cpu(8);
+        let parts = Parts { shared: vec![Unit::generated("a.wgsl", text.to_owned())], device, ..Parts::default() };
         let chosen = selected(parts);
         let [own, entries] = &chosen.shared[..] else { panic!("{}", chosen.shared.len()) };
         let expected = "return sphere_list_at(min(i, n[0])).b + sphere_list[1u].b + box_list[i].b + a.sphere_list[i] + \

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::Part;
+use super::{DeviceProfile, Part};
 
 /// A piece of WGSL: a part, text generated for a scene, or a user's own file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -59,4 +59,6 @@ pub struct Parts {
     pub shared: Vec<Unit>,
     /// The parts of each kind of region; with more than one kind each gets a copy of its own.
     pub regions: Vec<Vec<Unit>>,
+    /// What they are linked for.
+    pub device: DeviceProfile,
 }

@@ -30,6 +30,7 @@ pub(super) fn unrolled(parts: &Parts) -> Parts {
     Parts {
         shared: parts.shared.iter().map(|unit| unrolled_unit(unit, &constants)).collect(),
         regions: parts.regions.iter().map(region).collect(),
+        device: parts.device,
     }
 }
 
@@ -138,7 +139,7 @@ mod tests {
     use super::*;
 
     fn written(text: &'static str) -> String {
-        let parts = Parts { shared: vec![Unit::generated("a.wgsl", text.to_owned())], regions: Vec::new() };
+        let parts = Parts { shared: vec![Unit::generated("a.wgsl", text.to_owned())], ..Parts::default() };
         unrolled(&parts).shared[0].text.to_string()
     }
 
@@ -175,7 +176,7 @@ mod tests {
             assert_eq!(written(text), text);
         }
         let own = "fn f() { for (var i = 0u; i < 2u; i++) { g(i); } }";
-        let parts = Parts { shared: vec![Unit::user("a.wgsl", own)], regions: Vec::new() };
+        let parts = Parts { shared: vec![Unit::user("a.wgsl", own)], ..Parts::default() };
         assert_eq!(unrolled(&parts).shared[0].text, own);
     }
 }

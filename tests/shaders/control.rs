@@ -26,8 +26,7 @@ pub const ETA: f64 = 0.5;
 
 pub fn probe(step: &str, control: &[&str], is_limited: bool, values: Record) -> Probe {
     let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
-    let mut parts =
-        vec!["segment/ray", "state/loops_free", "law/phase_space", "law/schwarzschild_path", "law/limit", step];
+    let mut parts = vec!["segment/ray", "state/loops", "law/phase_space", "law/schwarzschild_path", "law/limit", step];
     parts.extend(control);
     let probe = Probe::new(&parts).bind("law", [law]).bind("control", [values]);
     let probe = probe.bind("limit", [vec![("length", Float(10.0))]]);

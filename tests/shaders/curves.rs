@@ -184,7 +184,7 @@ fn first_hit_of_arcs_in_several_pieces() {
     let records = spheres.map(|(center, radius)| vec![("center", V3(center)), ("radius", Float(radius))]);
     let parts = [
         "segment/ray",
-        "state/loops_free",
+        "state/loops",
         "segment/curve_arc",
         "segment/pieces",
         "segment/walk_whole",

@@ -102,7 +102,7 @@ impl Setting {
     fn run(&self, is_limited: bool, inputs: &[Input]) -> Vec<Output> {
         let law = vec![("center", V3(DVec3::ZERO)), ("mass", Float(1.0))];
         let mut parts =
-            vec!["segment/ray", "state/loops_free", "method/memory_pair", "law/phase_space", "law/schwarzschild_path"];
+            vec!["segment/ray", "state/loops", "method/memory_pair", "law/phase_space", "law/schwarzschild_path"];
         parts.extend(["method/control/embedded", self.part, "method/control/embedded", "law/limit", self.real]);
         let probe = Probe::new(&parts);
         let probe = if is_limited { probe.with("IS_LIMITED") } else { probe };

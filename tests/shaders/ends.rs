@@ -111,11 +111,8 @@ fn capture_spheres() {
     let body = "put(0u, vec4f(f32(law_captured(p0.xyz, p1.xyz)))); put(1u, capture_gap(p0.xyz));";
     let records =
         spheres.map(|(center, radius)| about_a_point(vec![("center", V3(center)), ("radius", Float(radius))]));
-    let probe = Probe::new(&["state/loops_free", "law/capture"]).with("CAPTURES").list(
-        "capture_spheres",
-        "CAPTURE_COUNT",
-        records,
-    );
+    let probe =
+        Probe::new(&["state/loops", "law/capture"]).with("CAPTURES").list("capture_spheres", "CAPTURE_COUNT", records);
     let out = probe.run::<2, 2>(&gpu(), body, &inputs);
     let (mut gaps, mut normals) = (Errors::of("capture_gap"), Errors::of("capture_gap's normal"));
     let mut captured = 0;

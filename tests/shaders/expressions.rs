@@ -28,7 +28,7 @@ fn generated(name: &str, formula: &str) -> String {
 }
 
 fn with_formulas<'f>(real: &str, formulas: impl IntoIterator<Item = &'f str>) -> Probe {
-    let probe = Probe::new(&["state/loops_free", "medium/formula", "medium/finite", real]);
+    let probe = Probe::new(&["state/loops", "medium/formula", "medium/finite", real]);
     formulas
         .into_iter()
         .enumerate()

@@ -21,7 +21,7 @@ fn probe(real: &str) -> Probe {
     let before = [7.0_f32; 11];
     let all: Vec<u32> = before.iter().chain(&samples()).map(|n| n.to_bits()).collect();
     let size = Uint4([SIZE[0] as u32, SIZE[1] as u32, SIZE[2] as u32, before.len() as u32]);
-    Probe::new(&["state/loops_free", "medium/grid", "medium/finite", "surface/region_none", real])
+    Probe::new(&["state/loops", "medium/grid", "medium/finite", "surface/region_none", real])
         .list("media", "MEDIA_COUNT", [vec![("origin", V3(ORIGIN)), ("cell", V3(CELL)), ("size", size)]])
         .numbers("index_samples", &all)
 }

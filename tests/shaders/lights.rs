@@ -104,7 +104,7 @@ fn lights_add_up() {
         })
         .collect();
     let parts = [
-        "state/loops_free",
+        "state/loops",
         "surface/material",
         "surface/material/phong",
         "surface/material/emissive",

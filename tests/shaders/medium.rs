@@ -16,7 +16,7 @@ const SEED: u32 = 77;
 fn probe() -> Probe {
     with_medium(&[
         "segment/ray",
-        "state/loops_free",
+        "state/loops",
         "law/phase_space",
         "law/medium",
         "law/start_by_index",
@@ -199,7 +199,7 @@ fn snell_steps() {
         .collect();
     let probe = with_medium(&[
         "segment/ray",
-        "state/loops_free",
+        "state/loops",
         "law/phase_space",
         "medium/explosion",
         "medium/fractal_noise",

@@ -66,7 +66,7 @@ fn fates_in_their_order() {
     let spheres = about_a_point(vec![("center", V3(DVec3::ZERO)), ("radius", Float(2.0))]);
     let parts = [
         "segment/ray",
-        "state/loops_free",
+        "state/loops",
         "law/bound",
         "law/leaving",
         "law/phase_space",
@@ -116,7 +116,7 @@ fn fates_in_their_order() {
 fn path_end(step: f64) -> Probe {
     let parts = [
         "segment/ray",
-        "state/loops_free",
+        "state/loops",
         "law/bound",
         "law/leaving",
         "law/phase_space",

@@ -12,7 +12,7 @@ use crate::support::{
 
 pub const PARTS: [&str; 10] = [
     "segment/ray",
-    "state/loops_free",
+    "state/loops",
     "segment/pieces",
     "shape/placed",
     "shape/sphere",

@@ -74,7 +74,7 @@ fn shots_about_a_centre_are_conics() {
             vec![("position", V3(DVec3::ZERO)), ("strength", Float(m)), ("along", V3(DVec3::Z)), ("kind", Uint(0))];
         let probe = Probe::new(&[
             "segment/ray",
-            "state/loops_free",
+            "state/loops",
             "real/math",
             "law/phase_space",
             "law/orbit",

@@ -77,7 +77,7 @@ fn centres() -> impl Iterator<Item = (&'static str, Centre)> {
 fn probe() -> Probe {
     let parts = [
         "segment/ray",
-        "state/loops_free",
+        "state/loops",
         "law/phase_space",
         "law/sources",
         "law/scale_to_source",

@@ -12,7 +12,7 @@ use crate::support::{
 
 const PARTS: [&str; 10] = [
     "segment/ray",
-    "state/loops_free",
+    "state/loops",
     "segment/walk_whole",
     "segment/pieces",
     "segment/structure/boxes",

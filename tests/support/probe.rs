@@ -87,7 +87,7 @@ impl Probe {
             ("method/memory_pair", "fn first_derivative(", "method/first_derivative"),
             ("segment/walk_", "fn first_hit(", "segment/hit_direct"),
             ("segment/walk_whole", "fn walked_hit(", "segment/walk_in_one"),
-            ("segment/ray", "fn later(", "state/tau_plain"),
+            ("segment/ray", "fn later(", "state/tau"),
         ];
         for (folder, function, common) in common {
             let some = names.iter().any(|name| name.starts_with(folder));
@@ -166,7 +166,7 @@ impl Probe {
             shared.push(Unit::from(part("state/arguments").expect("what holds the frame")));
         }
         shared.push(features(&self.features));
-        let parts = Parts { shared, regions: Vec::new() };
+        let parts = Parts { shared, ..Parts::default() };
         let linked = link(&parts, "probe").unwrap_or_else(|error| panic!("{error}"));
         let reflection = reflect(&linked).unwrap_or_else(|error| panic!("{error}"));
         let flat: Vec<Vec4> = inputs.iter().flatten().copied().collect();

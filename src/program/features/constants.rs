@@ -17,7 +17,7 @@ impl Features {
             splits has_rough_glass has_regions has_sided_mesh has_objects touches filters sees_glow
             follows_paths in_pieces aims clamps draws_wavelength falls grids_fall grids_all_fall
             is_occluded occludes_along_law follows_lines all_cast shuts_out weakens_lines
-            is_limited captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
+            is_limited keeps_taken rejects captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
             has_two_skies sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
             beams shifts_hues knows_shift follows_shift keeps_orders
         );
@@ -35,6 +35,10 @@ impl Features {
             ("filters_images", self.keeps_footprints && self.has_images),
             ("ends_below", self.below_part.is_some()),
             ("asks_tau", self.asks_tau()),
+            ("compensates_tau", self.compensates_tau()),
+            ("counts_loops", self.device.loop_budget.is_some()),
+            ("has_three_slots", self.slots == 3),
+            ("keeps_counts", self.keeps_counts()),
             ("side_by_side", self.views == Some(StereoLayout::SideBySide)),
             ("top_bottom", self.views == Some(StereoLayout::TopBottom)),
         ];

@@ -138,6 +138,10 @@ pub struct Features {
     pub adapts: bool,
     /// They are compared as a filmic tone map shows them.
     pub is_filmic: bool,
+    /// The size of a step is kept for the pass that intersects.
+    pub keeps_taken: bool,
+    /// Steps are tried again when their error is too large.
+    pub rejects: bool,
     /// What pixels see of pictures and patterns is known.
     pub keeps_footprints: bool,
     /// Light is as bright as its shift makes it.
@@ -186,6 +190,8 @@ impl Features {
             slots: if schedule == Schedule::Paper && many_steps { 3 } else { 2 },
 
             has_objects: !scene.objects.is_empty(),
+            keeps_taken: keeps_taken(scene, regions),
+            rejects: scene.rays.control.kind.rejects,
             scatters: scene.scatters(),
             splits: scene.splits(),
             is_translucent: scene.has_translucent(),
@@ -342,7 +348,7 @@ fn is_about_center(scene: &Scene) -> bool {
 }
 
 /// Arcs that are not straight need their step's size in the pass that intersects them.
-pub(super) fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
+fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
     let arcs = !scene.rays.segment.has_chords() && !regions.kinds.iter().all(RegionKind::is_line);
     arcs && !scene.objects.is_empty()
 }

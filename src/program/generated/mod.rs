@@ -230,7 +230,8 @@ pub(super) fn obstacles(count: usize, leaps: bool) -> Unit {
 }
 
 /// How many loop iterations the device runs in an invocation, and how many invocations share them.
-pub(super) fn loop_budget(LoopBudget { iterations, lanes }: LoopBudget) -> Unit {
+pub(super) fn loop_budget(budget: Option<LoopBudget>) -> Unit {
+    let LoopBudget { iterations, lanes } = budget.unwrap_or(LoopBudget { iterations: u32::MAX, lanes: 1 });
     let text = format!("const LOOP_BUDGET: u32 = {iterations}u;\nconst LOOP_LANES: u32 = {lanes}u;\n");
     unit("generated/loop_budget.wgsl", text)
 }

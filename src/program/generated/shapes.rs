@@ -99,8 +99,8 @@ pub(in crate::program) fn lists(
 pub(in crate::program) fn near(
     scene: &Scene,
     Analysis { regions, structure }: &Analysis,
-    listed: &[&Solid],
-    sided: &[&Solid],
+    (listed, sided): (&[&Solid], &[&Solid]),
+    is_processor: bool,
 ) -> Unit {
     let (mut bits, mut fractions, mut primitives) = (String::new(), String::new(), String::new());
     let mut first = 0;
@@ -115,28 +115,40 @@ pub(in crate::program) fn near(
             let _ =
                 writeln!(bits, "    near |= select(0u, {}u, {test}(surroundings[{place}u], c){known});", 1u32 << place);
         }
-        let item = format!("item - {first}u");
+        let item = if first == 0 { "item".to_owned() } else { format!("item - {first}u") };
+        // All cases are computed where that is faster than to branch, and then none may be beyond its list.
+        let place = if is_processor { format!("min({item}, {}u)", count - 1) } else { item.clone() };
         let (call, primitive) = if sided {
-            let call = format!("cross_{name}(sided_{name}_list[min({item}, {}u)], a, d)", count - 1);
+            let call = format!("cross_{name}(sided_{name}_list[{place}], a, d)");
             (call, format!("{code} | ({code}_COUNT + {item})"))
         } else {
             let primitive = format!("{code} | ({item})");
-            (format!("hit_{name}({name}_list[min({item}, {}u)], {primitive}, a, d)", count - 1), primitive)
+            (format!("hit_{name}({name}_list[{place}], {primitive}, a, d)"), primitive)
         };
-        let range = format!("item >= {first}u && item < {}u", first + count);
-        let _ = writeln!(fractions, "    t = select(t, {call}, {range});");
+        let last = first + count;
+        let range = if first == 0 { format!("item < {last}u") } else { format!("item >= {first}u && item < {last}u") };
+        let _ = if is_processor {
+            writeln!(fractions, "    t = select(t, {call}, {range});")
+        } else {
+            writeln!(fractions, "    if {range} {{\n        return {call};\n    }}")
+        };
         let _ = writeln!(primitives, "    primitive = select(primitive, {primitive}, {range});");
-        first += count;
+        first = last;
     }
     let parts = if structure.solids.is_empty() { 0 } else { PARTS };
     for place in first..first + parts {
         let _ = writeln!(bits, "    near |= select(0u, NEAR_STRUCTURE, near_ball(surroundings[{place}u], c));");
     }
+    if is_processor {
+        fractions = format!("    var t: Real = 2.0;\n{fractions}    return t;\n");
+    } else {
+        fractions += "    return 2.0;\n";
+    }
     let count = first + parts;
     let text = format!(
         "const NEAR_COUNT: u32 = {count}u;\n\n\
          fn items_near(s: Segment) -> u32 {{\n    let c = chordal(s);\n    var near = 0u;\n{bits}    return near;\n}}\n\n\
-         fn listed_fraction(item: u32, a: Real3, d: Real3) -> Real {{\n    var t: Real = 2.0;\n{fractions}    return t;\n}}\n\n\
+         fn listed_fraction(item: u32, a: Real3, d: Real3) -> Real {{\n{fractions}}}\n\n\
          fn listed_primitive(item: u32) -> u32 {{\n    var primitive = NOTHING;\n{primitives}    return primitive;\n}}\n"
     );
     unit("generated/near.wgsl", text)

@@ -8,7 +8,7 @@
 //!
 //! Inside a loop a processor reads a uniform once for every lane, each read with a test of its bounds: some 25 instructions for one
 //! number, and half the time of a Runge–Kutta step. So a pass copies them into variables of its own before it does anything else,
-//! where one read serves all lanes. An array that is only read at places written as numbers is copied place by place, and one of
+//! where one read serves all lanes; on GPUs they stay where they are. An array that is only read at places written as numbers is copied place by place, and one of
 //! a single place as that. Other arrays stay where they are: a copy of an array is memory, which is read no faster.
 //!
 //! *Practice.* Declarations are read, and uses replaced, as tokens. A uniform that is used in a way that only a uniform's own rules
@@ -23,6 +23,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write as _;
 
 use self::uses::{Shape, index_end, shape};
+use super::DeviceProfile;
 use super::declarations::Declaration;
 use super::linked::Edit;
 
@@ -58,12 +59,16 @@ impl Uniform<'_> {
 
 impl<'a> Lowering<'a> {
     /// Of the declarations that the entry point reaches.
-    pub(super) fn of(entry: &'a str, reached: &[&'a Declaration<'a>]) -> Self {
+    pub(super) fn of(entry: &'a str, reached: &[&'a Declaration<'a>], device: &DeviceProfile) -> Self {
         let by_name: HashMap<&str, &Declaration> = reached.iter().map(|own| (own.name, *own)).collect();
         let uniforms = reached.iter().filter(|declaration| declaration.is_uniform()).filter_map(|declaration| {
             let ty = declaration.ty()?;
-            let shape = shape(declaration, reached, &by_name);
-            Some(Uniform { name: declaration.name, ty: declaration.tokens.written(ty), shape })
+            let copied = device.is_processor.then(|| shape(declaration, reached, &by_name));
+            Some(Uniform {
+                name: declaration.name,
+                ty: declaration.tokens.written(ty),
+                shape: copied.unwrap_or(Shape::InPlace),
+            })
         });
         Self { entry, uniforms: uniforms.collect() }
     }

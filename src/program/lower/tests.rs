@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::program::tokens::Tokens;
-use crate::program::{Choice, Features, Parts, Unit, link, plan, reflect, validated};
+use crate::program::{Choice, DeviceProfile, Features, Parts, Unit, link, plan, reflect, validated};
 use crate::scene::Scene;
 
 /// One uniform of every shape: whole, of one element, of two that are read at written places, walked, and apart.
@@ -31,14 +31,16 @@ fn entry() {
 ";
 
 fn linked(text: &str) -> String {
-    let parts = Parts { shared: vec![Unit::user("input.wgsl", text.to_owned())], regions: Vec::new() };
+    let device = DeviceProfile::cpu(8);
+    let parts = Parts { shared: vec![Unit::user("input.wgsl", text.to_owned())], device, ..Parts::default() };
     let linked = link(&parts, "entry").unwrap_or_else(|error| panic!("{error}\n{text}"));
     validated(&linked).unwrap_or_else(|error| panic!("{error}\n{}", linked.source));
     linked.source
 }
 
 fn error(text: &str) -> String {
-    let parts = Parts { shared: vec![Unit::user("input.wgsl", text.to_owned())], regions: Vec::new() };
+    let device = DeviceProfile::cpu(8);
+    let parts = Parts { shared: vec![Unit::user("input.wgsl", text.to_owned())], device, ..Parts::default() };
     link(&parts, "entry").and_then(|linked| reflect(&linked)).map(|_| text).unwrap_err().to_string()
 }
 
@@ -116,6 +118,7 @@ fn formatting_changes_no_scene() {
                 let parts = Parts {
                     shared: all(&parts.shared),
                     regions: parts.regions.iter().map(|region| all(region)).collect(),
+                    device: parts.device,
                 };
                 assert_eq!(words(&link(&parts, pass.entry()).unwrap().source), words(&golden), "{name}, {gap:?}");
             }

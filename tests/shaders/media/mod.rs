@@ -59,8 +59,7 @@ impl Case {
 
     fn probe(&self, real: &'static str) -> Probe {
         let medium = self.medium();
-        let parts =
-            [self.parts, &["state/loops_free", "law/bound", "law/leaving", "surface/region_none", real]].concat();
+        let parts = [self.parts, &["state/loops", "law/bound", "law/leaving", "surface/region_none", real]].concat();
         Probe::new(&parts)
             .list("media", "MEDIA_COUNT", [medium.values(0)])
             .bind("profile", medium.points())

@@ -1,5 +1,5 @@
-// Room for loops on a device that stops an invocation after LOOP_BUDGET iterations of them without a word: from then on every loop ends after
-// its first. The linker writes the counting into every loop of the program.
+// Room for loops. Some devices stop an invocation after LOOP_BUDGET iterations of them without a word: from then on every loop ends after
+// its first. For these the linker writes the counting into every loop of the program.
 //
 // Such a device runs the lanes of a workgroup LOOP_LANES at a time, in step, and its limit is on what they run together: who waits for the
 // others' loops uses up the limit too. So they count together, where their loops are long.
@@ -19,15 +19,26 @@ fn begin_counting(lane: u32) {
     own_lanes = lane / LOOP_LANES;
 }
 
+// Is there room for one more segment in this pass?
 fn has_room() -> bool {
+    if !COUNTS_LOOPS {
+        return true;
+    }
     return work < LOOP_BUDGET - SEGMENT_ROOM;
 }
 
+// May loops of this pass have been cut short? Then what they came to is not to be used.
 fn is_spent() -> bool {
+    if !COUNTS_LOOPS {
+        return false;
+    }
     return work > LOOP_BUDGET - END_ROOM;
 }
 
+// At the end of what some have done side by side: who goes on without the others knows what they have counted.
 fn rejoin() {
-    atomicMax(&lanes_work[own_lanes], work);
-    work = atomicLoad(&lanes_work[own_lanes]);
+    if COUNTS_LOOPS {
+        atomicMax(&lanes_work[own_lanes], work);
+        work = atomicLoad(&lanes_work[own_lanes]);
+    }
 }
