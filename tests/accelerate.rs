@@ -168,12 +168,7 @@ fn the_structure_follows_the_scene() {
         let parts = program_of(&scene, &geometry).unwrap().passes[0].1.parts().join(" ");
         let part = if kinds == 0 { "segment/structure/none" } else { &format!("segment/structure/{}", search.name()) };
         assert!(parts.contains(part), "{accelerate}, {of_each} of each: {parts}");
-        let lists = match (kinds, structure.near) {
-            (0, true) => "segment/lists_near",
-            (0, false) => "segment/lists_some",
-            _ => "segment/lists_none",
-        };
-        assert!(parts.contains(lists), "{lists}: {parts}");
+        assert_eq!(parts.contains("segment/near_balls"), structure.near, "{parts}");
         // As many as a mask has bits for, beside the structure's; a search of everything rules nothing out.
         assert_eq!(structure.near, accelerate != "none" && (of_each != 6 || accelerate != "auto"));
         assert_eq!(structure.written_out, accelerate == "auto");
@@ -212,7 +207,7 @@ fn long_walks_go_on_in_every_structure() {
     for accelerate in ["bvh", "grid", "none"] {
         let scene = heap_scene(&folder, accelerate);
         let program = program_of(&scene, &Geometry::new(&scene)).unwrap();
-        assert!(program.suspends, "{accelerate}");
+        assert!(program.features.suspends, "{accelerate}");
         for schedule in [Schedule::Fused, Schedule::Segment] {
             let choice = Choice { schedule, ..Choice::default() };
             let settings = RenderSettings { choice, ..RenderSettings::default() };

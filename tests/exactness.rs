@@ -170,7 +170,7 @@ fn every_part_is_linked_by_some_scene() {
         ];
         for choice in choices {
             let features = Features::of(&scene, &choice, &analysis);
-            let parts = plan(&scene, &analysis, &features, false).unwrap();
+            let parts = plan(&scene, &analysis, &features).unwrap();
             let entries: Vec<&str> = features.passes().iter().map(|pass| pass.entry()).collect();
             // Not every scene can be asked for everything.
             for pass in link_all(&parts, &entries).unwrap_or_default() {

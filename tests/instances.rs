@@ -138,7 +138,7 @@ fn long_walks_through_meshes_that_are_kept_once_go_on() {
     let geometry = Geometry::new(&scene);
     let choice = Choice { device: DeviceProfile::cpu(8), ..Choice::default() };
     let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
-    assert!(geometry.analysis.structure.once && program.suspends);
+    assert!(geometry.analysis.structure.once && program.features.suspends);
     let rays: Vec<[f64; 6]> = (0..10).map(|i| [-0.05 + 0.01 * f64::from(i), 0.0, 14.0, 0.0, 0.0, -1.0]).collect();
     for schedule in [Schedule::Fused, Schedule::Segment, Schedule::Whole] {
         for end in ends(&scene, schedule, &rays) {

@@ -231,7 +231,7 @@ fn suspended_walks_go_on() {
         let device = DeviceProfile::cpu(8);
         let choice = Choice { purpose: Purpose::Trace, device, ..Choice::default() };
         let program = Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap();
-        assert!(program.suspends);
+        assert!(program.features.suspends);
         let rays: Vec<[f64; 6]> = (0..100).map(|i| [1.0 + 0.03 * f64::from(i), 4.5, 9.0, 0.0, 0.0, -1.0]).collect();
         for schedule in [bentray::program::Schedule::Fused, bentray::program::Schedule::Segment] {
             let settings =

@@ -139,7 +139,7 @@ fn choices() -> Vec<Choice> {
 fn check(scene: &Scene, choice: &Choice, needed: &str, at: &str) {
     let analysis = Analysis::of(scene);
     let features = Features::of(scene, choice, &analysis);
-    let planned = plan(scene, &analysis, &features, false).unwrap();
+    let planned = plan(scene, &analysis, &features).unwrap();
     let mut parts = BTreeSet::new();
     let entries: Vec<&str> = features.passes().iter().map(|pass| pass.entry()).collect();
     for linked in link_all(&planned, &entries).unwrap_or_else(|error| panic!("{at}: {error}")) {

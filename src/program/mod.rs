@@ -75,8 +75,6 @@ pub struct Program {
     pub passes: Vec<(Pass, Linked, Reflection)>,
     /// What they are linked from.
     parts: Parts,
-    /// May a walk over the structure be suspended, and continued by a later pass?
-    pub suspends: bool,
     /// What its scene asks of it.
     pub features: Features,
 }
@@ -95,17 +93,17 @@ impl Program {
         choice: &Choice,
         extent: Extent,
     ) -> Result<Self, ProgramError> {
-        let features = Features::of(scene, choice, analysis);
         extent.check(&analysis.structure)?;
-        let suspends = features.device.loop_budget.is_some() && extent.is_long(scene, &analysis.regions);
-        let parts = plan(scene, analysis, &features, suspends)?;
+        let suspends = choice.device.loop_budget.is_some() && extent.is_long(scene, &analysis.regions);
+        let features = Features { suspends, ..Features::of(scene, choice, analysis) };
+        let parts = plan(scene, analysis, &features)?;
         let wanted = features.passes();
         let is_same = |other: &&Self| other.parts == parts && other.passes.iter().map(|(pass, ..)| pass).eq(&wanted);
         let passes = match before.filter(is_same) {
             Some(other) => other.passes.clone(),
             None => made(&parts, &wanted)?,
         };
-        Ok(Self { passes, parts, suspends, features })
+        Ok(Self { passes, parts, features })
     }
 
     /// What its passes bind; what several bind comes several times.

@@ -32,17 +32,15 @@ pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names
 /// Which medium a ray is in, and what becomes of it at surfaces that it goes on from.
 pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
     if !features.scatters {
-        names.all(&["surface/region_none", "surface/scatter/none", "surface/branch/single", "segment/last_hit_none"]);
+        names.all(&["surface/region_none", "surface/scatter/none", "surface/branch/single"]);
         names.add(plain_weight(features));
         return;
     }
     let &Features { follows_paths, in_pieces, is_translucent, has_regions, .. } = features;
     let continuing = || scene.objects.iter().enumerate().filter(|(_, object)| scene.continues_from(object));
-    let flat = is_translucent || continuing().any(|(i, _)| regions.bit(i).is_none());
     names.all(&[
         "surface/scatter/scattered",
         if has_regions { "surface/region_set" } else { "surface/region_none" },
-        if flat || in_pieces { "segment/last_hit_kept" } else { "segment/last_hit_none" },
         "surface/touching",
     ]);
     names.when(in_pieces, &["segment/pass_top", "path/aside"]);

@@ -8,16 +8,12 @@ use super::region_parts::region_parts;
 use super::regions::RegionKind;
 use super::structure::solids;
 use super::unit::Parts;
-use super::{Analysis, Features, Masks, ProgramError, Schedule, generated, short_lists};
-use crate::model::method::Path;
+use super::{Analysis, Features, Masks, ProgramError, generated, short_lists};
 use crate::model::source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
 
-/// Steps of a chord up to which they are written out.
-const WRITTEN_OUT: u32 = 16;
-
-/// The parts of `scene`'s program; its walks through the structure may be suspended if `suspends`. Parts of a contract that a pass does not call are left out when it is linked.
-pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features, suspends: bool) -> Result<Parts, ProgramError> {
+/// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
+pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<Parts, ProgramError> {
     let Analysis { regions, .. } = analysis;
     let mut names = Names::default();
     names.all(&[
@@ -56,6 +52,9 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features, suspends: b
         "state/ray",
         "state/active",
         "state/finish",
+        "segment/last_hit",
+        "segment/quick",
+        "segment/stop",
         "state/counts",
         "state/loops",
         "state/slots",
@@ -77,7 +76,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features, suspends: b
     camera_parts(scene, features, &mut names);
     law_parts(scene, &mut names)?;
     segment_parts(scene, features, &mut names);
-    surface_parts(scene, features, suspends, analysis, &mut names);
+    surface_parts(scene, features, analysis, &mut names);
     picture_parts(scene, features, &mut names)?;
     material_parts(scene, features, &mut names);
     shadow_parts(features, &mut names);
@@ -140,57 +139,31 @@ fn law_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
 
 /// What a segment is, and where it ends.
 fn segment_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    let &Features { has_objects, ends_with_steps, keeps_last, travels, .. } = features;
-    names.add(if ends_with_steps { "segment/path_end_stepped" } else { "segment/path_end" });
+    names.add(if features.ends_with_steps { "segment/path_end_stepped" } else { "segment/path_end" });
     match scene.rays.segment {
-        Segment::Arc { .. } => {
-            names.all(&[
-                "segment/follow_step",
-                "segment/quick_same",
-                if keeps_last { "segment/last_kept" } else { "segment/last_retaken" },
-            ]);
-            names.all(match has_objects {
-                true if travels => &["segment/end_on_moving"],
-                true => &["segment/end_on_arc"],
-                false => &["segment/end_open", "segment/stop_open"],
-            });
-        }
+        Segment::Arc { .. } => names.all(&["segment/follow_step", "segment/last_step"]),
         Segment::Chord { steps } => {
-            let planned = !scene.rays.control.kind.rejects && scene.rays.method.kind.path == Path::Steps;
-            if planned && steps <= WRITTEN_OUT {
-                names.add("segment/quick_chord");
+            names.add("segment/follow_chord");
+            if features.writes_chords_out {
                 names.make(generated::chord(steps));
-            } else {
-                names.add("segment/quick_same");
             }
-            names.all(&["segment/follow_chord", "segment/stop_open"]);
-            names.add(if has_objects { "segment/end_on_chord" } else { "segment/end_open" });
         }
     }
 }
 
-fn surface_parts(scene: &Scene, features: &Features, suspends: bool, analysis: &Analysis, names: &mut Names) {
+fn surface_parts(scene: &Scene, features: &Features, analysis: &Analysis, names: &mut Names) {
     let all = solids(scene.objects.iter());
     if all.is_empty() {
         names.all(&["segment/no_surfaces"]);
         return;
     }
     let Analysis { regions, structure } = analysis;
-    names.all(&["segment/pieces", "segment/hits", "shape/placed"]);
-    names.all(match (suspends, features.schedule) {
-        (false, _) => &["segment/walk_in_one", "segment/walk_whole"],
-        (true, Schedule::Whole) => &["segment/walk_in_one", "segment/walk_once"],
-        (true, _) => &["segment/walk_resumed"],
-    });
-    let leaps = regions.kinds.iter().any(|kind| kind.leaps);
+    names.all(&["segment/pieces", "segment/hits", "segment/walk", "segment/lists", "shape/placed"]);
     let moving = solids(scene.travels().map(|(_, object, _)| object));
-    names.add(match leaps {
-        _ if !moving.is_empty() => "segment/hit_moving",
-        true => "segment/hit_leaping",
-        false => "segment/hit_direct",
-    });
-    if !moving.is_empty() {
-        names.add("shape/moving");
+    if moving.is_empty() {
+        names.add("segment/hit_still");
+    } else {
+        names.all(&["segment/hit_moving", "shape/moving"]);
     }
     names.each("shape", all.iter().map(|solid| solid.name));
     if structure.once {
@@ -205,12 +178,7 @@ fn surface_parts(scene: &Scene, features: &Features, suspends: bool, analysis: &
     // One search meets all triangles, whatever their objects are made of.
     sided.retain(|solid| solid.lists.is_some());
     listed.retain(|solid| !structure.holds(solid));
-    names.add(if structure.near { "segment/near_balls" } else { "segment/near_all" });
-    names.add(match (listed.is_empty() && sided.is_empty(), structure.near) {
-        (true, _) => "segment/lists_none",
-        (false, true) => "segment/lists_near",
-        (false, false) => "segment/lists_some",
-    });
+    names.when(structure.near, &["segment/near_balls"]);
     if structure.solids.is_empty() {
         names.add("segment/structure/none");
     } else {

@@ -18,7 +18,8 @@ pub(super) fn region_parts(
 ) -> Result<Vec<Unit>, ProgramError> {
     let mut names = Names::default();
     names.add("motion/leap");
-    names.make(generated::region(kind.leaps));
+    names.make(generated::region(kind.leaps, joins_whole(scene, kind)));
+    names.add("segment/join");
     if let Some(index) = &kind.index {
         names.wgsl(index.iter().cloned())?;
         names.make(generated::media(kind.media.len()));
@@ -31,12 +32,6 @@ pub(super) fn region_parts(
     }
     let chords = scene.rays.segment.has_chords();
     names.add(if chords || kind.is_line() { "segment/curve_line" } else { "segment/curve_arc" });
-    names.add(match (joins_whole(scene, kind), features.looks_from_surfaces) {
-        (true, _) => "segment/join_whole",
-        (false, _) if features.follows_paths => "segment/join_scattered",
-        (false, false) => "segment/join_pieces",
-        (false, true) => "segment/join_lit",
-    });
     let orbit = kind.motion == Motion::Law && features.on_orbit;
     names.add(if orbit { "motion/orbit" } else { "motion/bare_steps" });
     match kind.motion {

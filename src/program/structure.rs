@@ -116,11 +116,7 @@ impl Structure {
     /// The part that knows the order of its items.
     #[must_use]
     pub fn order(&self) -> &'static str {
-        match (self.once, self.in_order()) {
-            (true, _) => "segment/order_placed",
-            (false, true) => "segment/order_same",
-            (false, false) => "segment/order_listed",
-        }
+        if self.once { "segment/order_placed" } else { "segment/order" }
     }
 
     /// The names in `shaders/segment/structure/` of the parts that search it.

@@ -289,7 +289,7 @@ impl<'a> Renderer<'a> {
             *self = fused;
             return Ok(true);
         }
-        let Some(more) = self.passes.more(&self.gpu.profile, self.program.suspends) else { return Ok(false) };
+        let Some(more) = self.passes.more(&self.gpu.profile, self.program.features.suspends) else { return Ok(false) };
         self.plan_passes(more);
         Ok(true)
     }

@@ -16,7 +16,7 @@ fn generated(name: &str, formula: &str) -> String {
     );
     let scene = scene(&text);
     let analysis = Analysis::of(&scene);
-    let parts = plan(&scene, &analysis, &Features::of(&scene, &Choice::default(), &analysis), false).unwrap();
+    let parts = plan(&scene, &analysis, &Features::of(&scene, &Choice::default(), &analysis)).unwrap();
     let unit = parts
         .shared
         .into_iter()

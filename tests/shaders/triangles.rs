@@ -13,11 +13,11 @@ use crate::support::{
 const PARTS: [&str; 10] = [
     "segment/ray",
     "state/loops",
-    "segment/walk_whole",
+    "segment/walk",
     "segment/pieces",
     "segment/structure/boxes",
     "segment/structure/bvh",
-    "segment/order_same",
+    "segment/order",
     "segment/curve_line",
     "shape/placed",
     "surface/vertex_colors",

@@ -66,9 +66,9 @@ impl Probe {
             ("real/f", "real/f32"),
             ("method/memory_", "method/memory_step"),
             ("surface/region_", "surface/region_none"),
-            ("segment/last_hit_", "segment/last_hit_none"),
+            ("segment/last_hit", "segment/last_hit"),
             ("shape/facing", "shape/facing"),
-            ("segment/join_", "segment/join_pieces"),
+            ("segment/join", "segment/join"),
         ];
         for (folder, usual) in usual {
             if !names.iter().any(|name| name.starts_with(folder)) {
@@ -85,8 +85,7 @@ impl Probe {
             ("law/", "fn law_start(", "law/start_as_given"),
             ("motion/", "fn law_start(", "law/start_as_given"),
             ("method/memory_pair", "fn first_derivative(", "method/first_derivative"),
-            ("segment/walk_", "fn first_hit(", "segment/hit_direct"),
-            ("segment/walk_whole", "fn walked_hit(", "segment/walk_in_one"),
+            ("segment/walk", "fn first_hit(", "segment/hit_still"),
             ("segment/ray", "fn later(", "state/tau"),
         ];
         for (folder, function, common) in common {
@@ -123,7 +122,7 @@ impl Probe {
         let scene = super::scene(scene);
         let analysis = Analysis::of(&scene);
         let features = Features::of(&scene, &Choice::default(), &analysis);
-        let parts = plan(&scene, &analysis, &features, false).unwrap_or_else(|error| panic!("{error}"));
+        let parts = plan(&scene, &analysis, &features).unwrap_or_else(|error| panic!("{error}"));
         let made = parts.shared.into_iter().chain(parts.regions.into_iter().flatten()).find(|unit| unit.file == file);
         self.units.push(made.unwrap_or_else(|| panic!("the scene has no {file}")));
         self

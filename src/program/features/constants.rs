@@ -2,7 +2,7 @@
 
 use super::Features;
 use crate::model::StereoLayout;
-use crate::program::{Purpose, Unit};
+use crate::program::{Purpose, Schedule, Unit};
 
 /// Fields, each with its name.
 macro_rules! named {
@@ -17,7 +17,7 @@ impl Features {
             splits has_rough_glass has_regions has_sided_mesh has_objects touches filters sees_glow
             follows_paths in_pieces aims clamps draws_wavelength falls grids_fall grids_all_fall
             is_occluded occludes_along_law follows_lines all_cast shuts_out weakens_lines
-            is_limited keeps_taken rejects captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
+            is_limited keeps_taken keeps_last_hit has_leaps suspends items_in_order writes_chords_out rejects captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
             has_two_skies sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
             beams shifts_hues knows_shift follows_shift keeps_orders
         );
@@ -37,7 +37,11 @@ impl Features {
             ("asks_tau", self.asks_tau()),
             ("compensates_tau", self.compensates_tau()),
             ("counts_loops", self.device.loop_budget.is_some()),
+            ("ends_on_arcs", self.has_objects && !self.has_chords),
+            ("ends_on_chords", self.has_objects && self.has_chords),
             ("has_three_slots", self.slots == 3),
+            ("looks_from_surfaces", self.looks_from_surfaces),
+            ("resumes", self.suspends && self.schedule != Schedule::Whole),
             ("keeps_counts", self.keeps_counts()),
             ("side_by_side", self.views == Some(StereoLayout::SideBySide)),
             ("top_bottom", self.views == Some(StereoLayout::TopBottom)),
@@ -64,7 +68,7 @@ mod tests {
     use crate::scene::Scene;
 
     /// Generated elsewhere: of a kind of region, of obstacles, and of what forces come from.
-    const OTHERS: [&str; 3] = ["IS_EMPTY", "LEAPS", "HAS_AIMS"];
+    const OTHERS: [&str; 6] = ["IS_EMPTY", "IS_WHOLE", "LEAPS", "HAS_AIMS", "HAS_LISTS", "FINDS_NEAR"];
 
     #[test]
     fn parts_ask_for_every_constant_and_for_no_other() {

@@ -140,6 +140,18 @@ pub struct Features {
     pub is_filmic: bool,
     /// The size of a step is kept for the pass that intersects.
     pub keeps_taken: bool,
+    /// A ray cannot meet again the flat surface that it goes on from.
+    pub keeps_last_hit: bool,
+    /// Some step leads through a whole region.
+    pub has_leaps: bool,
+    /// A walk through the structure may be suspended where a pass has no more room.
+    pub suspends: bool,
+    /// The structure's items are those of a single kind, in that kind's own order.
+    pub items_in_order: bool,
+    /// Segments are chords over several steps.
+    pub has_chords: bool,
+    /// The steps of a chord are written out one by one.
+    pub writes_chords_out: bool,
     /// Steps are tried again when their error is too large.
     pub rejects: bool,
     /// What pixels see of pictures and patterns is known.
@@ -159,7 +171,7 @@ pub struct Features {
 impl Features {
     /// Finds those of `scene`, rendered as `choice` says.
     #[must_use]
-    pub fn of(scene: &Scene, choice: &Choice, Analysis { regions, .. }: &Analysis) -> Self {
+    pub fn of(scene: &Scene, choice: &Choice, Analysis { regions, structure }: &Analysis) -> Self {
         let Choice { purpose, masks, layers, device, .. } = choice.clone();
         let is_picture = purpose == Purpose::Picture;
         let facts = scene.law.facts();
@@ -191,6 +203,12 @@ impl Features {
 
             has_objects: !scene.objects.is_empty(),
             keeps_taken: keeps_taken(scene, regions),
+            keeps_last_hit: scene.scatters() && (follows_paths && !joins_whole || is_flat(scene, regions)),
+            has_leaps: regions.kinds.iter().any(|kind| kind.leaps),
+            suspends: false,
+            items_in_order: structure.in_order(),
+            has_chords: scene.rays.segment.has_chords(),
+            writes_chords_out: writes_out(scene),
             rejects: scene.rays.control.kind.rejects,
             scatters: scene.scatters(),
             splits: scene.splits(),
@@ -345,6 +363,20 @@ fn is_about_center(scene: &Scene) -> bool {
     let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bound");
     let is_still = scene.animation.as_ref().is_none_or(|animation| !animation.keys.iter().any(moves));
     is_still && scene.law.facts().orbit.is_some_and(|orbit| orbit.center == scene.rays.bound.center)
+}
+
+/// May rays go on from flat surfaces, of which they are on neither side?
+fn is_flat(scene: &Scene, regions: &Regions) -> bool {
+    let mut continuing = scene.objects.iter().enumerate().filter(|(_, object)| scene.continues_from(object));
+    scene.has_translucent() || continuing.any(|(i, _)| regions.bit(i).is_none())
+}
+
+/// Are a chord's steps written out? There are few, and their size is known before they are taken.
+fn writes_out(scene: &Scene) -> bool {
+    /// Steps up to which they are.
+    const MOST: u32 = 16;
+    let planned = !scene.rays.control.kind.rejects && scene.rays.method.kind.path == Path::Steps;
+    planned && matches!(scene.rays.segment, Segment::Chord { steps } if steps <= MOST)
 }
 
 /// Arcs that are not straight need their step's size in the pass that intersects them.

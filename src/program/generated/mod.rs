@@ -236,9 +236,10 @@ pub(super) fn loop_budget(budget: Option<LoopBudget>) -> Unit {
     unit("generated/loop_budget.wgsl", text)
 }
 
-/// Whether nothing but its surface is in a kind of region, so that one step leads through.
-pub(super) fn region(is_empty: bool) -> Unit {
-    unit("generated/region.wgsl", format!("const IS_EMPTY: bool = {is_empty};\n"))
+/// Whether nothing but its surface is in a kind of region, so that one step leads through, and whether its paths are whole lines.
+pub(super) fn region(is_empty: bool, is_whole: bool) -> Unit {
+    let text = format!("const IS_EMPTY: bool = {is_empty};\nconst IS_WHOLE: bool = {is_whole};\n");
+    unit("generated/region.wgsl", text)
 }
 
 /// How many media a kind of region has.

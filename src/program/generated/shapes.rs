@@ -90,7 +90,10 @@ pub(in crate::program) fn lists(
         let count = structure.written_out.then(|| count_of(scene, regions, solid, sided));
         text += &list_hit(solid.name, sided, count);
     }
-    text += "    return hit;\n}\n";
+    text += "    return hit;\n}\n\n";
+    // Nothing is ruled out: every segment is tested against everything (the crossbar of W04 §5.4).
+    text += "fn items_near(s: Segment) -> u32 {\n    return 0xffffffffu;\n}\n\nconst FINDS_NEAR: bool = false;\n";
+    let _ = writeln!(text, "const HAS_LISTS: bool = {};", !listed.is_empty() || !sided.is_empty());
     unit("generated/lists.wgsl", text)
 }
 
@@ -146,10 +149,11 @@ pub(in crate::program) fn near(
     }
     let count = first + parts;
     let text = format!(
-        "const NEAR_COUNT: u32 = {count}u;\n\n\
+        "const NEAR_COUNT: u32 = {count}u;\nconst FINDS_NEAR: bool = true;\nconst HAS_LISTS: bool = {};\n\n\
          fn items_near(s: Segment) -> u32 {{\n    let c = chordal(s);\n    var near = 0u;\n{bits}    return near;\n}}\n\n\
          fn listed_fraction(item: u32, a: Real3, d: Real3) -> Real {{\n{fractions}}}\n\n\
-         fn listed_primitive(item: u32) -> u32 {{\n    var primitive = NOTHING;\n{primitives}    return primitive;\n}}\n"
+         fn listed_primitive(item: u32) -> u32 {{\n    var primitive = NOTHING;\n{primitives}    return primitive;\n}}\n",
+        first > 0
     );
     unit("generated/near.wgsl", text)
 }

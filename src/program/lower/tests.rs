@@ -109,7 +109,7 @@ fn formatting_changes_no_scene() {
         let scene = Scene::load(&path, &[]).unwrap();
         let analysis = crate::program::Analysis::of(&scene);
         let features = Features::of(&scene, &Choice::default(), &analysis);
-        let parts = plan(&scene, &analysis, &features, false).unwrap();
+        let parts = plan(&scene, &analysis, &features).unwrap();
         let spaced = |unit: &Unit, gap: &str| Unit { text: with_gaps(&unit.text, gap).into(), ..unit.clone() };
         for pass in features.passes() {
             let golden = link(&parts, pass.entry()).unwrap().source;

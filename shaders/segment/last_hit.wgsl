@@ -5,24 +5,35 @@
 var<private> last_primitive: u32;
 
 fn load_last_hit(pixel: vec2u, index: u32) {
-    let last = load_hit(pixel);
-    last_primitive = select(NOTHING, last.primitive, last.t == Real(index));
+    if KEEPS_LAST_HIT {
+        let last = load_hit(pixel);
+        last_primitive = select(NOTHING, last.primitive, last.t == Real(index));
+    }
 }
 
 fn store_last_hit(pixel: vec2u, index: u32) {
-    if last_primitive != NOTHING {
-        store_hit(pixel, Hit(Real(index), last_primitive));
+    if KEEPS_LAST_HIT {
+        if last_primitive != NOTHING {
+            store_hit(pixel, Hit(Real(index), last_primitive));
+        }
     }
 }
 
 fn set_last_hit(primitive: u32) {
-    last_primitive = primitive;
+    if KEEPS_LAST_HIT {
+        last_primitive = primitive;
+    }
 }
 
 fn clear_last_hit() {
-    last_primitive = NOTHING;
+    if KEEPS_LAST_HIT {
+        last_primitive = NOTHING;
+    }
 }
 
 fn is_last_hit(primitive: u32) -> bool {
+    if !KEEPS_LAST_HIT {
+        return false;
+    }
     return primitive == last_primitive;
 }

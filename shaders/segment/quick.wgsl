@@ -1,4 +1,5 @@
-// The N steps of a chord, written out (W04 §7): none asks whether the path is over, and none is left out. Whether it may have been is
+// A segment, followed without asking on the way whether the path is over. An arc is followed as it is, and that is sure; the N steps of a chord
+// may be written out (W04 §7): none asks whether the path is over, and none is left out. Whether it may have been is
 // seen from the places in between; then the same steps are taken again, each with its test.
 
 // A ray after all steps of a chord, and whether its path may have been over before.
@@ -13,6 +14,9 @@ fn may_be_over(ray: Ray) -> bool {
 }
 
 fn follow_quickly(ray: ptr<function, Ray>) -> Quick {
+    if !WRITES_CHORDS_OUT {
+        return Quick(follow_segment(ray), true);
+    }
     let start = (*ray).phase;
     let all = chord_steps(*ray);
     *ray = all.ray;
@@ -24,6 +28,9 @@ fn follow_quickly(ray: ptr<function, Ray>) -> Quick {
 
 // The same segment with a test before each step. Returns what it is near.
 fn follow_surely(start: Ray, next: ptr<function, Ray>, segment: ptr<function, Segment>, near: u32) -> u32 {
+    if !WRITES_CHORDS_OUT {
+        return near;
+    }
     *next = start;
     *segment = follow_segment(next);
     return nearby(*segment);

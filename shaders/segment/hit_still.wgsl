@@ -1,0 +1,18 @@
+// What a segment meets, where nothing moves. Segments that lead through a whole region, in which nothing else is, are not walked: they end
+// on its surface.
+
+fn nearby(s: Segment) -> u32 {
+    if HAS_LEAPS {
+        return select(items_near(s), 0xffffffffu, leaps());
+    }
+    return items_near(s);
+}
+
+fn first_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
+    if HAS_LEAPS {
+        if leaps() {
+            return leap_hit(s);
+        }
+    }
+    return walked_hit(s, near, pixel);
+}

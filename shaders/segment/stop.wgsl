@@ -1,0 +1,41 @@
+// Where rays stop. A segment that is one step is retaken up to a surface, the bounding sphere or what captures; hits of a chord over several
+// steps lie on the chord, as in the paper.
+
+fn stops_inside(code: u32) -> bool {
+    if ENDS_ON_ARCS {
+        return ends_on_surface(code) || code == ESCAPED || code == CAPTURED;
+    }
+    return code == ESCAPED || code == CAPTURED;
+}
+
+fn stop_gap(code: u32, hit: Hit, x: Real3) -> Real4 {
+    if ENDS_ON_ARCS {
+        if ends_on_surface(code) {
+            let surface = hit_surface(hit.primitive, x);
+            if TRAVELS {
+                // A gap closes as fast as the ray goes beside its object: of what a step's τ changes the surface goes back by its own way.
+                let beside = dot(surface.across, met_travel) / dot(met_velocity, met_velocity);
+                return Real4(surface.across + beside * met_velocity, surface.gap);
+            }
+            return Real4(surface.across, surface.gap);
+        }
+    }
+    return open_gap(code, x);
+}
+
+fn first_guess(code: u32, hit: Hit, step: LastStep) -> Real {
+    if ENDS_ON_ARCS {
+        return select(open_guess(code, step), own_fraction(step.phase, step.end, hit.t) * step.h, ends_on_surface(code));
+    }
+    return open_guess(code, step);
+}
+
+fn segment_end(ray: Ray, hit: Hit, step: LastStep) -> PathPoint {
+    if ENDS_ON_CHORDS {
+        let t = select(1.0, hit.t, ray.status == HIT);
+        let x = mix(ray.phase[0].xyz, step.end[0].xyz, t);
+        let v = mix(ray.phase[1].xyz, step.end[1].xyz, t);
+        return PathPoint(x, v, mix(ray.tau, step.end_tau, t), t);
+    }
+    return PathPoint(step.end[0].xyz, step.end[1].xyz, step.end_tau, 1.0);
+}
