@@ -3,6 +3,7 @@
 //! *Practice.* Along an axis of the lattice the splines of the two others weigh one row alone, so that four points are enough. Pictures
 //! have shaders of their own for this, `medium/fractal_noise`; a test holds the one to the other.
 
+use crate::gpu::hashed;
 use crate::output::plot::{Chart, Series};
 
 /// Samples of a curve over a cell of its finest octave.
@@ -11,9 +12,7 @@ const SAMPLES: u32 = 16;
 /// The random number in [-1, 1] on a point of the lattice's first axis: PCG's output function on mixed coordinates.
 fn lattice(cell: i32, seed: u32) -> f64 {
     let mixed = cell.cast_unsigned().wrapping_mul(0x8da6_b343) ^ seed.wrapping_mul(0x9e37_79b1);
-    let state = mixed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-    f64::from(((word >> 22) ^ word) >> 8) / 8_388_607.5 - 1.0
+    f64::from(hashed(mixed) >> 8) / 8_388_607.5 - 1.0
 }
 
 /// One octave at x, counted in cells: a Catmull–Rom spline through the lattice's points.

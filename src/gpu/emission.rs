@@ -191,7 +191,7 @@ fn even_point(k: u32, seed: u32) -> [f64; 2] {
 }
 
 /// PCG's output function.
-fn hashed(seed: u32) -> u32 {
+pub(crate) fn hashed(seed: u32) -> u32 {
     let state = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
     word >> 22 ^ word

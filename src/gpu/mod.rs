@@ -31,6 +31,7 @@ mod uniforms;
 pub use compiled::Pipeline;
 pub use contents::{SceneBuffers, Stored};
 pub use device::{AdapterReport, Gpu, adapters};
+pub(crate) use emission::hashed;
 pub use emission::{Aim, Emission};
 pub use error::GpuError;
 pub use geometry::{Before, Geometry};

@@ -9,6 +9,7 @@
 
 use glam::{DMat3, DVec3, DVec4};
 
+use super::halved::halved;
 use super::law::{CameraFrame, Law};
 
 /// How matter is at one distance ρ from the axis.
@@ -97,11 +98,7 @@ impl<'a> Plane<'a> {
         if above >= outer {
             return None;
         }
-        for _ in 0..60 {
-            let middle = 0.5 * (below + above);
-            if falls(middle) { below = middle } else { above = middle }
-        }
-        Some(above)
+        Some(halved(below, above, 60, |rho| !falls(rho))[1])
     }
 
     /// Matter that falls with E and L: u of that covector, inwards.

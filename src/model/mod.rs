@@ -16,6 +16,7 @@ pub mod control;
 pub mod cut;
 pub mod falloff;
 pub mod filter;
+mod halved;
 pub mod law;
 pub mod material;
 pub mod matter;

@@ -17,6 +17,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
+use super::halved::halved;
+
 /// Corners of the polygon that stands for an ellipse.
 pub const CORNERS: u32 = 180;
 
@@ -73,12 +75,7 @@ pub fn star_in_plane(center: DVec3, radius: f64, inside: &dyn Fn(DVec3) -> bool,
         let at = |k: u32| radius * f64::from(k) / f64::from(LOOKS);
         let is_inside = |distance: f64| inside(foot + distance * way);
         let last = (0..LOOKS).rev().find(|k| is_inside(at(*k))).unwrap_or(0);
-        let (mut near, mut far) = (at(last), at(last + 1));
-        for _ in 0..HALVINGS {
-            let middle = near.midpoint(far);
-            *(if is_inside(middle) { &mut near } else { &mut far }) = middle;
-        }
-        foot + near * way
+        foot + halved(at(last), at(last + 1), HALVINGS, |distance| !is_inside(distance))[0] * way
     };
     inside(foot).then(|| Outline { points: (0..CORNERS).map(corner).collect(), closed: true })
 }

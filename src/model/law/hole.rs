@@ -7,6 +7,7 @@ use glam::{DMat4, DVec3, DVec4};
 
 use super::observer::{four_velocity, spherical};
 use super::{CameraFrame, Facts, Invariant, Landmark, Law, OBSERVER_PART, Orbit, OrbitForm, Order};
+use crate::model::halved::halved;
 use crate::model::{Anchor, Binding, Capture, Value, Wgsl, row};
 
 /// A black hole without spin.
@@ -67,17 +68,13 @@ impl RoundHole {
     /// Returns r of the horizon, if there is one: where A vanishes below the photon sphere, with Λ by halving.
     #[must_use]
     pub fn horizon(&self) -> Option<f64> {
-        let mut high = self.photon_sphere()?;
+        let sphere = self.photon_sphere()?;
         if self.cosmological == 0.0 {
             return Some(self.mass + (self.mass * self.mass - self.charge * self.charge).sqrt());
         }
         // A is least below 0 where Q² = Mr; without charge it has no least value.
-        let mut low = (self.charge * self.charge / self.mass).max(1e-6 * self.mass);
-        for _ in 0..100 {
-            let middle = low.midpoint(high);
-            *(if self.clock(middle) > 0.0 { &mut high } else { &mut low }) = middle;
-        }
-        Some(high)
+        let low = (self.charge * self.charge / self.mass).max(1e-6 * self.mass);
+        Some(halved(low, sphere, 100, |r| self.clock(r) > 0.0)[1])
     }
 
     /// Returns the hole as a surface of this radius.

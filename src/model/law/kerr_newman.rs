@@ -15,6 +15,7 @@ use super::observer::{four_velocity, light_speed};
 use super::{CameraFrame, Facts, Invariant, Kind, Landmark, Law, Orbit, OrbitForm, Order};
 use crate::document::keys;
 use crate::document::values::{direction, number, positive, vector};
+use crate::model::halved::halved;
 use crate::model::source::spheroid;
 use crate::model::{Anchor, Binding, Capture, Wgsl, row};
 
@@ -119,13 +120,7 @@ impl KerrNewman {
     fn circular_light(&self, sense: f64) -> Option<f64> {
         let (m, q2, a) = (self.mass, self.charge * self.charge, sense * self.spin);
         let beyond = |r: f64| r * r - 3.0 * m * r + 2.0 * q2 + 2.0 * a * (m * r - q2).max(0.0).sqrt();
-        let mut low = self.horizon()?;
-        let mut high = 4.0 * m;
-        for _ in 0..100 {
-            let middle = low.midpoint(high);
-            *(if beyond(middle) > 0.0 { &mut high } else { &mut low }) = middle;
-        }
-        Some(low)
+        Some(halved(self.horizon()?, 4.0 * m, 100, |r| beyond(r) > 0.0)[0])
     }
 
     /// dφ/dt of the circular orbit through a place of the equator, with the spin or against it; none elsewhere.

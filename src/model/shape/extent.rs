@@ -2,6 +2,8 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 
+use crate::model::halved::halved;
+
 /// The greatest distance from `center` to a point of the unit circle about y at this y.
 ///
 /// The map makes it an ellipse. The diameters of the circle that become its axes are at right angles before and after: at
@@ -30,16 +32,8 @@ pub(super) fn ellipsoid(map: &DAffine3, center: DVec3) -> f64 {
         DVec3::new(part(0), part(1), part(2))
     };
     // Twice the sure |g|, for rounding may take up to half of a g that is hardly more than it.
-    let (mut low, mut high) = (squares.max_element(), squares.max_element() + 2.0 * g.length());
-    for _ in 0..100 {
-        let middle = f64::midpoint(low, high);
-        if u(middle).length_squared() > 1.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let mut top = u(high);
+    let (low, high) = (squares.max_element(), squares.max_element() + 2.0 * g.length());
+    let mut top = u(halved(low, high, 100, |lambda| u(lambda).length_squared() <= 1.0)[1]);
     let longest = squares.max_position();
     let rest = (1.0 - top.length_squared()).max(0.0);
     top[longest] = (top[longest].powi(2) + rest).sqrt().copysign(top[longest]);
