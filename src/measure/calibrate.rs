@@ -91,13 +91,9 @@ impl Calibration {
     /// The scene with the method that was chosen.
     #[must_use]
     pub fn applied(&self, scene: &Scene) -> Scene {
-        let mut scene = scene.clone();
-        scene.rays.auto = None;
-        scene.rays.method = self.chosen.method;
-        scene.rays.control = self.chosen.control;
+        let mut scene = scene.followed_by(self.chosen.method, self.chosen.control, self.closed_forms);
         scene.rays.max_segments = self.max_segments;
         scene.rays.precision = self.precision;
-        scene.rays.closed_forms = self.closed_forms;
         scene
     }
 }

@@ -1,7 +1,8 @@
 //! The methods that a law allows, each with its range of settings.
 
+use crate::model::control::PLANNED;
 use crate::model::law::UsualSteps;
-use crate::model::method::{CLOSED_FORMS, Controls, Kind, METHODS, Path, TOLERANT};
+use crate::model::method::{CLOSED_FORMS, Kind, METHODS, Path, TOLERANT};
 use crate::model::{Control, Method};
 use crate::scene::Scene;
 
@@ -27,12 +28,7 @@ impl Candidate {
     /// The scene with this method at a setting.
     #[must_use]
     pub fn applied(&self, scene: &Scene, control: Control) -> Scene {
-        let mut scene = scene.clone();
-        scene.rays.auto = None;
-        scene.rays.method = self.method;
-        scene.rays.control = control;
-        scene.rays.closed_forms = self.closed_forms;
-        scene
+        scene.followed_by(self.method, control, self.closed_forms)
     }
 }
 
@@ -77,9 +73,7 @@ pub fn usual_method(scene: &Scene) -> Option<Candidate> {
 
 /// Is it of the same order for fewer evaluations of the same derivative, by steps that are planned likewise?
 fn outdoes(other: &Kind, kind: &Kind) -> bool {
-    let planned = |kind: &Kind| {
-        kind.path == Path::Steps && matches!(kind.controls, Controls::Planned | Controls::PlannedOrDoubled)
-    };
+    let planned = |kind: &Kind| kind.path == Path::Steps && kind.controls.starts_with(&PLANNED);
     planned(other) && planned(kind) && other.order == kind.order && other.evaluations < kind.evaluations
 }
 

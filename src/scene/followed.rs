@@ -1,11 +1,19 @@
 //! How a scene's rays are followed, as a text that says all of it: what a picture keeps, and what has another scene follow its rays
 //! the same way.
 
-use super::{Override, Rays, SceneError};
-use crate::model::method;
+use super::{Override, Rays, Scene, SceneError};
+use crate::model::{Control, Method, method};
 
 /// What takes part in it besides the method's own keys, and what only a method that is still to be found has.
 const OTHERS: [&str; 4] = ["max_segments", "precision", "closed_forms", "accuracy"];
+
+impl Scene {
+    /// Returns the scene with a method that is chosen for it.
+    #[must_use]
+    pub fn followed_by(&self, method: Method, control: Control, closed_forms: bool) -> Self {
+        Self { rays: Rays { auto: None, method, control, closed_forms, ..self.rays.clone() }, ..self.clone() }
+    }
+}
 
 impl Rays {
     /// The method with all of its settings, and what else of `[rays]` makes the same numbers, as a table of the scene format.

@@ -245,14 +245,13 @@ fn unit_of(targets: &[Target]) -> &'static str {
 }
 
 /// Where a scene leaves its method open, the first frame's is every frame's.
-fn settled(mut scene: Scene, first: &Scene) -> Scene {
-    if scene.rays.auto.take().is_some() {
-        scene.rays.method = first.rays.method;
-        scene.rays.control = first.rays.control;
-        scene.rays.max_segments = first.rays.max_segments;
-        scene.rays.precision = first.rays.precision;
-        scene.rays.closed_forms = first.rays.closed_forms;
+fn settled(scene: Scene, first: &Scene) -> Scene {
+    if scene.rays.auto.is_none() {
+        return scene;
     }
+    let mut scene = scene.followed_by(first.rays.method, first.rays.control, first.rays.closed_forms);
+    scene.rays.max_segments = first.rays.max_segments;
+    scene.rays.precision = first.rays.precision;
     scene
 }
 

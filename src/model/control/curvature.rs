@@ -12,18 +12,13 @@ pub static KIND: Kind = Kind {
             "every step turns the ray through this angle, degrees";
     },
     parts: &["method/control/planned", "method/control/curvature"],
-    memory: "method/memory_step",
     values: |control| row! { turn: Float(control.setting), eta: Float(control.cap) },
-    // The derivative once more, for the curvature.
     evaluations: |step, steps, _| (step + 1.0) * steps,
-    suffix: "",
     setting: |control| control.setting.to_degrees(),
     from_file: f64::to_radians,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined), 0.2 * 0.5_f64.powi(refined)),
-    divides: false,
-    rejects: false,
-    keeps_errors: false,
-    has_tolerance: false,
+    has_chooser: true,
+    ..Kind::EXACT
 };
 
 /// Steps that turn the ray by `turn` radians, no longer than `cap` times the law's scale.

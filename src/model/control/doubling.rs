@@ -30,35 +30,23 @@ pub static REJECTING: Kind = Kind {
     name: "rejecting",
     keys: KEYS,
     parts: &["method/control/doubled", "method/control/doubling_rejecting"],
-    memory: "method/memory_step",
     values,
     evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
     suffix: "-doubling",
-    setting: |control| control.setting,
-    from_file: |written| written,
     usual,
-    divides: false,
     rejects: true,
-    keeps_errors: false,
     has_tolerance: true,
+    read,
+    ..Kind::EXACT
 };
 
 /// Two thresholds, and only the next step changes (W04 §4.2).
 pub static PAPER: Kind = Kind {
     name: "paper",
     parts: &["method/control/doubled", "method/control/doubling_paper"],
-    suffix: "-doubling (paper)",
+    remark: " (paper)",
     keeps_errors: true,
-    keys: KEYS,
-    memory: "method/memory_step",
-    values,
-    evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
-    setting: |control| control.setting,
-    from_file: |written| written,
-    usual,
-    divides: false,
-    rejects: true,
-    has_tolerance: true,
+    ..REJECTING
 };
 
 fn values(control: &Control) -> Row {
@@ -81,7 +69,7 @@ pub fn sweep(kind: &'static Kind, count: i32) -> Vec<Control> {
     falling(0.1, 0.316_227_766, count).map(|tolerance| with(kind, tolerance, 0.3)).collect()
 }
 
-pub(in crate::model) fn read(table: &TableReader) -> Control {
+fn read(table: &TableReader) -> Control {
     let paper = table.or("doubling", false, word(&[("rejecting", false), ("paper", true)]));
     let tolerance = table.or("tolerance", 1e-5, positive);
     let grow_below = table.or("grow_below", tolerance / 10.0, positive);

@@ -15,16 +15,13 @@ pub static KIND: Kind = Kind {
     // The error of the step before, and the derivative at its end.
     memory: "method/memory_pair",
     values: |control| row! { tolerance: Float(control.setting), eta: Float(control.cap) },
-    // The first evaluation of a path, and then those of each try.
     evaluations: |step, steps, rejected| 1.0 + step * (steps + rejected),
-    suffix: "",
-    setting: |control| control.setting,
-    from_file: |written| written,
     usual: |_, refined| with(1e-5 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined)),
     divides: true,
     rejects: true,
-    keeps_errors: false,
     has_tolerance: true,
+    read,
+    ..Kind::EXACT
 };
 
 /// At a tolerance, with steps no longer than `cap` times the law's scale.
@@ -39,7 +36,7 @@ pub fn sweep(count: i32) -> Vec<Control> {
     falling(1.0, 0.316_227_766, count).map(|tolerance| with(tolerance, 0.5)).collect()
 }
 
-pub(in crate::model) fn read(table: &TableReader) -> Control {
+fn read(table: &TableReader) -> Control {
     let tolerance = table.or("tolerance", 1e-5, positive);
     with(tolerance, table.or("scaled_step", 0.3, positive))
 }

@@ -12,15 +12,7 @@ pub static KIND: Kind = Kind {
             "length of a step, in τ; excludes curvature_step";
     },
     parts: &["method/control/planned", "method/control/fixed"],
-    memory: "method/memory_step",
     values: |control| row! { step: Float(control.setting), eta: Float(control.cap) },
-    evaluations: |step, steps, _| step * steps,
-    suffix: "",
-    setting: |control| control.setting,
-    from_file: |written| written,
-    usual: |control, _| *control,
-    divides: false,
-    rejects: false,
-    keeps_errors: false,
-    has_tolerance: false,
+    has_chooser: true,
+    ..Kind::EXACT
 };

@@ -4,7 +4,7 @@
 //! whatever chooses it: far from a hole a controller sees flat space, grows, and would jump over it.
 //!
 //! *Practice.* A kind says which WGSL keeps the contract `control`, what numbers that is fed, what a step costs under it, and
-//! over which settings a chart sweeps it. Adding one is a file here and a line in `PLANNED` or in the method that uses it.
+//! over which settings a chart sweeps it. Adding one is a file here, and its name in the list of the methods that go with it.
 
 pub mod curvature;
 pub mod doubling;
@@ -22,8 +22,10 @@ use crate::document::Key;
 use crate::document::reader::TableReader;
 use crate::document::values::positive;
 
-/// The controls whose step is known before it is taken, each chosen by its own key; without any of them `scaled` has it.
-const PLANNED: [&Kind; 2] = [&fixed::KIND, &curvature::KIND];
+/// The controls whose step is known before it is taken; the first is that of a scene that names none.
+pub const PLANNED: [&Kind; 3] = [&scaled::KIND, &fixed::KIND, &curvature::KIND];
+/// Those, and under a name of its own step doubling.
+pub const PLANNED_OR_DOUBLED: [&Kind; 4] = [PLANNED[0], PLANNED[1], PLANNED[2], &doubling::REJECTING];
 
 /// What is known of a kind of control.
 #[allow(clippy::struct_excessive_bools)] // facts, each by itself
@@ -40,8 +42,10 @@ pub struct Kind {
     pub values: fn(&Control) -> Row,
     /// Evaluations of the law's derivative in a path, by those of a step, and by accepted and rejected steps.
     pub evaluations: fn(step: f64, steps: f64, rejected: f64) -> f64,
-    /// What follows a method's name where it has this control.
+    /// What follows a method's name in a scene file where it has this control.
     pub suffix: &'static str,
+    /// And where the method is named to people.
+    pub remark: &'static str,
     /// The setting as the scene file has it.
     pub setting: fn(&Control) -> f64,
     /// The setting by what the scene file has.
@@ -56,6 +60,33 @@ pub struct Kind {
     pub keeps_errors: bool,
     /// Is the setting a tolerance?
     pub has_tolerance: bool,
+    /// Is it chosen by its first key, among the controls of a method?
+    pub has_chooser: bool,
+    /// Reads it from the keys of a `[rays]` table, if no other control is chosen.
+    pub(crate) read: fn(&TableReader) -> Control,
+}
+
+impl Kind {
+    /// No control at all: what the others differ from.
+    pub const EXACT: Self = Self {
+        name: "exact",
+        keys: &[],
+        parts: &[],
+        memory: "method/memory_step",
+        values: |_| Row::new(),
+        evaluations: |step, steps, _| step * steps,
+        suffix: "",
+        remark: "",
+        setting: |control| control.setting,
+        from_file: |written| written,
+        usual: |control, _| *control,
+        divides: false,
+        rejects: false,
+        keeps_errors: false,
+        has_tolerance: false,
+        has_chooser: false,
+        read: |_| exact::CONTROL,
+    };
 }
 
 /// A control at a setting.
@@ -92,7 +123,7 @@ impl Control {
     /// The method of this name in words, with what decides its steps.
     #[must_use]
     pub fn words(&self, method: &str) -> String {
-        let named = format!("{method}{}", self.kind.suffix);
+        let named = format!("{method}{}{}", self.kind.suffix, self.kind.remark);
         let Some(key) = self.own_key() else { return named };
         let setting = written((self.kind.setting)(self));
         let cap = if key == scaled::SCALED_STEP.key || self.cap.is_infinite() {
@@ -111,7 +142,7 @@ impl Control {
         if own != scaled::SCALED_STEP.key && self.cap.is_finite() {
             all.push((scaled::SCALED_STEP.key, written(self.cap)));
         }
-        if self.kind.keys == doubling::REJECTING.keys {
+        if self.kind.suffix == doubling::REJECTING.suffix {
             all.extend([("doubling", quoted(self.kind.name)), ("grow_below", written(self.grow_below))]);
         }
         all
@@ -165,19 +196,16 @@ pub(super) fn quoted(word: &str) -> String {
     format!("\"{word}\"")
 }
 
-/// A control whose steps are planned, from the keys of a `[rays]` table.
-pub(super) fn planned(table: &TableReader) -> Control {
-    let keys = PLANNED.map(|kind| kind.keys[0].key);
+/// Reads which of these controls a `[rays]` table chooses, and its setting; the first, if none is chosen by its own key.
+pub(super) fn read(controls: &[&'static Kind], table: &TableReader) -> Control {
+    let chosen_by = |kind: &&'static Kind| kind.has_chooser.then(|| kind.keys[0].key);
+    let keys: Vec<&'static str> = controls.iter().filter_map(chosen_by).collect();
     let given = table.one_of(&keys);
     let value = given.and_then(|(key, node)| Some((key, table.reader.accept(positive(node))?)));
-    let chosen = value.and_then(|(key, value)| Some((*PLANNED.iter().find(|kind| kind.keys[0].key == key)?, value)));
+    let chosen =
+        value.and_then(|(key, value)| Some((*controls.iter().find(|kind| chosen_by(kind) == Some(key))?, value)));
     match chosen {
         Some((kind, written)) => Control::new(kind, (kind.from_file)(written), table.or("scaled_step", 0.5, positive)),
-        None => scaled::read(table),
+        None => (controls[0].read)(table),
     }
-}
-
-/// The keys of the controls whose steps are planned: what chooses one chooses a method that takes such steps.
-pub(super) fn planned_keys() -> Vec<&'static Key> {
-    [&scaled::KIND].into_iter().chain(PLANNED).flat_map(|kind| kind.keys).collect()
 }

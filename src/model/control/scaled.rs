@@ -17,17 +17,11 @@ pub static KIND: Kind = Kind {
     name: "scaled",
     keys: &[SCALED_STEP],
     parts: &["method/control/planned", "method/control/scaled"],
-    memory: "method/memory_step",
     values: |control| row! { eta: Float(control.setting) },
-    evaluations: |step, steps, _| step * steps,
-    suffix: "",
-    setting: |control| control.setting,
-    from_file: |written| written,
     usual: |_, refined| with(0.1 * 0.5_f64.powi(refined)),
     divides: true,
-    rejects: false,
-    keeps_errors: false,
-    has_tolerance: false,
+    read,
+    ..Kind::EXACT
 };
 
 /// h = η · scale.
@@ -42,6 +36,6 @@ pub fn sweep(count: i32) -> Vec<Control> {
     falling(0.5, 0.75, count).map(with).collect()
 }
 
-pub(in crate::model) fn read(table: &TableReader) -> Control {
+fn read(table: &TableReader) -> Control {
     with(table.or("scaled_step", 0.1, positive))
 }

@@ -1,19 +1,12 @@
 //! Euler's method: p ← p + h F(p) (W04 Eq. 2).
 
-use super::{Controls, Kind, Path};
-use crate::model::control::{doubling, scaled};
+use super::Kind;
+use crate::model::control::{PLANNED_OR_DOUBLED, doubling, scaled};
 
 pub static KIND: Kind = Kind {
     name: "euler",
-    path: Path::Steps,
     parts: &["method/step/euler"],
-    evaluations: 1,
-    order: 1,
-    controls: Controls::PlannedOrDoubled,
-    refuses: |_| Vec::new(),
-    closed_forms: false,
-    polygon: false,
-    step_cost: None,
+    controls: &PLANNED_OR_DOUBLED,
     sweeps: || {
         vec![
             ("euler", scaled::sweep(18)),
@@ -21,5 +14,5 @@ pub static KIND: Kind = Kind {
             ("euler-doubling", doubling::sweep(&doubling::REJECTING, 9)),
         ]
     },
-    own: None,
+    ..Kind::STEPS
 };

@@ -1,15 +1,14 @@
 //! Closed forms alone: straight rays, and media whose paths are known.
 
-use super::{Controls, Kind, Path, Refusal};
+use super::{Kind, Path, Refusal};
 use crate::model::control;
 
 pub static KIND: Kind = Kind {
     name: "exact",
     path: Path::Closed,
-    parts: &[],
     evaluations: 0,
     order: 0,
-    controls: Controls::Exact,
+    controls: &[&control::exact::KIND],
     refuses: |scene| {
         let mut refused = Vec::new();
         if scene.needs_solver {
@@ -23,8 +22,7 @@ pub static KIND: Kind = Kind {
         refused
     },
     closed_forms: true,
-    polygon: false,
     step_cost: Some(0.0),
     sweeps: || vec![("exact", vec![control::exact::CONTROL])],
-    own: None,
+    ..Kind::STEPS
 };

@@ -3,16 +3,13 @@
 //! *Theory.* Under sources of force f(x, v) = v − Σ M d(r) n̂, without h: what is integrated is the law by arc length, dx = v/|v|,
 //! dv = a(x), with M/h in place of M, so that a picture depends on h. Under a flow f is the field.
 
-use super::{Controls, Kind, Path, Refusal};
-use crate::model::Order;
+use super::{Kind, Refusal};
+use crate::model::{Order, control};
 
 pub static KIND: Kind = Kind {
     name: "groeller",
-    path: Path::Steps,
     parts: &["method/step/groeller"],
-    evaluations: 1,
-    order: 1,
-    controls: Controls::Iterated,
+    controls: &[&control::iterated::KIND],
     refuses: |scene| {
         let mut refused = Vec::new();
         if scene.order == Order::General || scene.has_medium {
@@ -24,10 +21,7 @@ pub static KIND: Kind = Kind {
         }
         refused
     },
-    closed_forms: false,
     polygon: true,
-    step_cost: None,
     // Its picture depends on h, so that there is no accuracy to chart.
-    sweeps: Vec::new,
-    own: None,
+    ..Kind::STEPS
 };

@@ -1,22 +1,16 @@
 //! Drift, kick, drift: Störmer and Verlet's method, of order 2, for accelerations that depend on place alone.
 
-use super::{Controls, Kind, Path, Refusal};
+use super::{Kind, Refusal};
 use crate::model::Order;
 use crate::model::control::scaled;
 
 pub static KIND: Kind = Kind {
     name: "leapfrog",
-    path: Path::Steps,
     parts: &["method/step/leapfrog"],
-    evaluations: 1,
     order: 2,
-    controls: Controls::Planned,
     refuses: |scene| needs_place_alone(scene.order),
-    closed_forms: false,
-    polygon: false,
-    step_cost: None,
     sweeps: || vec![("leapfrog", scaled::sweep(18))],
-    own: None,
+    ..Kind::STEPS
 };
 
 /// Why a method for accelerations that depend on place alone does not suit a law.

@@ -58,23 +58,6 @@ pub enum Path {
     Steps,
 }
 
-/// The controls that a method goes with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Controls {
-    /// None.
-    Exact,
-    /// Fractions of the law's scale alone.
-    Scaled,
-    /// Steps whose size is known beforehand.
-    Planned,
-    /// Those, and under a name of its own step doubling.
-    PlannedOrDoubled,
-    /// Steps of an iteration, of the size that the scene gives.
-    Iterated,
-    /// The error of an embedded pair.
-    Embedded,
-}
-
 /// What is known of a method.
 pub struct Kind {
     /// As a scene file has it.
@@ -87,8 +70,8 @@ pub struct Kind {
     pub evaluations: u32,
     /// Its order of convergence; 0 where there is none.
     pub order: u32,
-    /// What it goes with.
-    pub controls: Controls,
+    /// The controls that it goes with.
+    pub controls: &'static [&'static control::Kind],
     /// Why it cannot follow rays where these demands are made.
     pub refuses: fn(&Demands) -> Vec<Refusal>,
     /// Do closed forms stand for it where there are some?
@@ -193,24 +176,21 @@ impl Method {
 }
 
 impl Kind {
-    /// The names that a scene file may give it, each with whether steps are then doubled.
-    fn names(&self) -> Vec<(String, bool)> {
-        let doubled = (self.controls == Controls::PlannedOrDoubled).then(|| (format!("{}-doubling", self.name), true));
-        [(self.name.to_owned(), false)].into_iter().chain(doubled).collect()
-    }
-
-    /// The keys that it reads.
-    fn keys(&self, doubled: bool) -> Vec<&'static Key> {
-        let control: Vec<&Key> = match self.controls {
-            _ if doubled => control::doubling::REJECTING.keys.iter().collect(),
-            Controls::Exact => Vec::new(),
-            Controls::Iterated => control::iterated::KIND.keys.iter().collect(),
-            Controls::Scaled => control::scaled::KIND.keys.iter().collect(),
-            Controls::Planned | Controls::PlannedOrDoubled => control::planned_keys(),
-            Controls::Embedded => control::embedded::KIND.keys.iter().collect(),
-        };
-        control.into_iter().chain(self.own.map(|own| &own.key)).collect()
-    }
+    /// Steps of the law's differential equation, one evaluation each, without demands: what methods differ from.
+    pub const STEPS: Self = Self {
+        name: "",
+        path: Path::Steps,
+        parts: &[],
+        evaluations: 1,
+        order: 1,
+        controls: &control::PLANNED,
+        refuses: |_| Vec::new(),
+        closed_forms: false,
+        polygon: false,
+        step_cost: None,
+        sweeps: Vec::new,
+        own: None,
+    };
 }
 
 named!(Kind);
@@ -221,50 +201,54 @@ impl fmt::Debug for Method {
     }
 }
 
-/// A name of the scene format: a method, with or without doubled steps.
+/// A name of the scene format: a method by some of its controls, which share a suffix of the name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Named {
     /// The method.
     pub kind: &'static Kind,
-    /// Are its steps doubled?
-    pub doubled: bool,
+    /// What follows the method's name.
+    pub suffix: &'static str,
 }
 
 impl Named {
     /// A method by its usual control.
     #[must_use]
     pub fn plain(method: Method) -> Self {
-        Self { kind: method.kind, doubled: false }
+        Self { kind: method.kind, suffix: "" }
+    }
+
+    /// The controls that it may have by this name.
+    fn controls(self) -> Vec<&'static control::Kind> {
+        self.kind.controls.iter().copied().filter(|control| control.suffix == self.suffix).collect()
+    }
+
+    /// The keys that it reads.
+    fn keys(self) -> Vec<Key> {
+        let controls = self.controls().into_iter().flat_map(|control| control.keys);
+        controls.copied().chain(self.kind.own.map(|own| own.key)).collect()
     }
 
     /// The method and its control, by the keys of a `[rays]` table.
     pub(crate) fn read(self, table: &TableReader) -> (Method, Control) {
         let own = self.kind.own.map_or(0.0, |own| table.or(own.key.key, own.default, positive));
-        let control = match self.kind.controls {
-            _ if self.doubled => control::doubling::read(table),
-            Controls::Exact => control::exact::CONTROL,
-            Controls::Iterated => control::iterated::read(table),
-            Controls::Scaled => control::scaled::read(table),
-            Controls::Planned | Controls::PlannedOrDoubled => control::planned(table),
-            Controls::Embedded => control::embedded::read(table),
-        };
-        (Method { kind: self.kind, own }, control)
+        (Method { kind: self.kind, own }, control::read(&self.controls(), table))
     }
 }
 
 /// Every name that a scene file may give a method.
 #[must_use]
 pub fn names() -> Vec<(String, Named)> {
-    let named =
-        |kind: &'static Kind| kind.names().into_iter().map(move |(name, doubled)| (name, Named { kind, doubled }));
+    let named = |kind: &'static Kind| {
+        let suffixes = kind.controls.chunk_by(|a, b| a.suffix == b.suffix).map(|controls| controls[0].suffix);
+        suffixes.map(move |suffix| (format!("{}{suffix}", kind.name), Named { kind, suffix }))
+    };
     METHODS.into_iter().flat_map(named).collect()
 }
 
 /// A method with its control, as keys and values of the scene format.
 #[must_use]
 pub fn settings(method: Method, control: Control) -> Vec<(&'static str, String)> {
-    let suffix = if control.kind.keys == control::doubling::REJECTING.keys { "-doubling" } else { "" };
-    let mut all = vec![("method", control::quoted(&format!("{}{suffix}", method.kind.name)))];
+    let mut all = vec![("method", control::quoted(&format!("{}{}", method.kind.name, control.kind.suffix)))];
     all.extend(control.settings());
     all.extend(method.kind.own.map(|own| (own.key.key, control::written(method.own))));
     all
@@ -273,7 +257,7 @@ pub fn settings(method: Method, control: Control) -> Vec<(&'static str, String)>
 /// The keys of everything that any method or control reads, and of the method itself.
 #[must_use]
 pub fn setting_keys() -> Vec<&'static str> {
-    let read = names().into_iter().flat_map(|(_, named)| named.kind.keys(named.doubled));
+    let read = names().into_iter().flat_map(|(_, named)| named.keys());
     let mut all: Vec<&str> = read.map(|key| key.key).chain(["method"]).collect();
     all.sort_unstable();
     all.dedup();
@@ -292,8 +276,7 @@ pub fn reference() -> Vec<KeyReference> {
     let meaning = "the integrator; auto finds the cheapest at the accuracy. Left out, it is exact where no light is \
                    bent, what suits the steps or the tolerance that are given, else auto";
     let all = names();
-    let keys: Vec<Vec<Key>> =
-        all.iter().map(|(_, named)| named.kind.keys(named.doubled).into_iter().copied().collect()).collect();
+    let keys: Vec<Vec<Key>> = all.iter().map(|(_, named)| named.keys()).collect();
     let kinds = all.iter().zip(&keys).map(|((name, _), keys)| (&**name, &**keys));
     let kinds: Vec<(&str, &[Key])> = std::iter::once(("auto", [].as_slice())).chain(kinds).collect();
     kind_rows("rays", ("method", "see there", meaning), &kinds)

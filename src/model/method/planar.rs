@@ -1,16 +1,15 @@
 //! The orbit's equation in the ray's own plane (Binet): for laws with one centre.
 
-use super::{Controls, Kind, Path, Refusal, refuses_orbits};
+use super::{Kind, Path, Refusal, refuses_orbits};
 use crate::model::control::scaled;
 
 pub static KIND: Kind = Kind {
     name: "planar",
     path: Path::Orbit,
-    parts: &[],
     // Nyström's, of the orbit.
     evaluations: 3,
     order: 4,
-    controls: Controls::Scaled,
+    controls: &[&scaled::KIND],
     refuses: |scene| {
         let mut refused = Vec::new();
         if scene.has_solved_interior {
@@ -22,8 +21,7 @@ pub static KIND: Kind = Kind {
         refused
     },
     closed_forms: true,
-    polygon: false,
     step_cost: Some(1.5),
     sweeps: || vec![("planar", scaled::sweep(16))],
-    own: None,
+    ..Kind::STEPS
 };

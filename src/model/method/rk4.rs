@@ -1,18 +1,14 @@
 //! The classical Runge–Kutta method of order 4.
 
-use super::{Controls, Kind, Path};
-use crate::model::control::{curvature, doubling, scaled};
+use super::Kind;
+use crate::model::control::{PLANNED_OR_DOUBLED, curvature, doubling, scaled};
 
 pub static KIND: Kind = Kind {
     name: "rk4",
-    path: Path::Steps,
     parts: &["method/step/rk4"],
     evaluations: 4,
     order: 4,
-    controls: Controls::PlannedOrDoubled,
-    refuses: |_| Vec::new(),
-    closed_forms: false,
-    polygon: false,
+    controls: &PLANNED_OR_DOUBLED,
     step_cost: Some(5.0),
     sweeps: || {
         vec![
@@ -21,5 +17,5 @@ pub static KIND: Kind = Kind {
             ("rk4-doubling", doubling::sweep(&doubling::REJECTING, 12)),
         ]
     },
-    own: None,
+    ..Kind::STEPS
 };

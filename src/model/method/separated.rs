@@ -1,16 +1,15 @@
 //! The orbit's separated equations in Mino's parameter: for a hole with a spin.
 
-use super::{Controls, Kind, Path, Refusal, refuses_orbits};
+use super::{Kind, Path, Refusal, refuses_orbits};
 use crate::model::control::scaled;
 
 pub static KIND: Kind = Kind {
     name: "separated",
     path: Path::Orbit,
-    parts: &[],
     // Nyström's, of the orbit.
     evaluations: 3,
     order: 4,
-    controls: Controls::Scaled,
+    controls: &[&scaled::KIND],
     refuses: |scene| {
         let mut refused = Vec::new();
         if !scene.separates {
@@ -20,8 +19,7 @@ pub static KIND: Kind = Kind {
         refused
     },
     closed_forms: true,
-    polygon: false,
     step_cost: Some(3.0),
     sweeps: || vec![("separated", scaled::sweep(16))],
-    own: None,
+    ..Kind::STEPS
 };
