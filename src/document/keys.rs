@@ -49,3 +49,20 @@ pub struct KeyReference {
     /// What it means, with its unit.
     pub meaning: &'static str,
 }
+
+/// Rows of the reference: `table { key if when: value = default, meaning; … }`, for keys that no table of kinds has.
+macro_rules! key_rows {
+    ($($table:literal {
+        $($key:ident $(if $when:literal)?: $value:literal = $default:literal, $meaning:literal;)*
+    })*) => {
+        vec![$($($crate::document::KeyReference {
+            table: $table,
+            key: stringify!($key),
+            when: concat!($($when)?).to_owned(),
+            value: $value.to_owned(),
+            default: $default,
+            meaning: $meaning,
+        },)*)*]
+    };
+}
+pub(crate) use key_rows;

@@ -18,8 +18,8 @@ pub mod values;
 
 pub(crate) use error::brief;
 pub use error::{Mistake, SceneError};
-pub(crate) use keys::keys;
 pub use keys::{Key, KeyReference};
+pub(crate) use keys::{key_rows, keys};
 pub use kinds::{Kind, Kinds, kind_rows};
 pub use overrides::{Override, names};
 pub use text::{given_name, lenient_text, read_bytes, read_given, read_given_text, read_text, strict_text, unmarked};

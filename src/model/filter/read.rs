@@ -8,84 +8,32 @@ use crate::document::reader::TableReader;
 use crate::document::values::{
     Read, array, color, direction, number, number_where, positive, text, vector, whole, word,
 };
-use crate::document::{KeyReference, Node, Value};
+use crate::document::{KeyReference, Node, Value, key_rows};
 
 /// The reference's rows.
 pub(crate) fn reference() -> Vec<KeyReference> {
-    let row = |key, when: &str, value: &str, default, meaning| KeyReference {
-        table: "filter",
-        key,
-        when: when.to_owned(),
-        value: value.to_owned(),
-        default,
-        meaning,
-    };
-    let texture = "texture";
-    vec![
-        row(
-            "color",
-            "no density and no texture",
-            "[red, green, blue], or formulas",
-            "none",
-            "what is left of light after a unit length, 0 to 1: numbers, or one formula in x, y, z and r, or three",
-        ),
-        row(
-            "density",
-            "no color and no texture",
-            "number, formula, or three",
-            "none",
-            "the same as σ = -ln color, 0 or above",
-        ),
-        row(
-            "texture",
-            "no color and no density",
-            "mix | wrapped | rainbow | ramp",
-            "none",
-            "that colour by fractal noise",
-        ),
-        row(
-            "low",
-            "texture = \"mix\", or \"wrapped\"",
-            "[red, green, blue], 0 to 1",
-            "required",
-            "the colour where the noise is least",
-        ),
-        row(
-            "high",
-            "texture = \"mix\", or \"wrapped\"",
-            "[red, green, blue], 0 to 1",
-            "required",
-            "the colour where it is most",
-        ),
-        row("times", "texture = \"wrapped\"", "number above 0", "5", "how often low to high is repeated"),
-        row(
-            "ramp",
-            "texture = \"ramp\"",
-            "file",
-            "required",
-            "a picture whose middle row has the colours, from left to right",
-        ),
-        row(
-            "axis",
-            "texture = \"ramp\"",
-            "[x, y, z]",
-            "none",
-            "the ramp in waves along this direction, disturbed by the noise: marble",
-        ),
-        row("turbulence", "texture = \"ramp\", with axis", "number", "3", "how much the noise disturbs them"),
-        row("frequency", texture, "number above 0", "required", "lattice cells a unit length"),
-        row("octaves", texture, "whole number, 1 to 8", "4", "terms of the noise"),
-        row("seed", texture, "whole number", "0", "chooses the noise"),
-        row("glow", "", "[red, green, blue]", "[0, 0, 0]", "radiance that the medium adds, per unit length"),
-        row("center", "", "[x, y, z]", "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units"),
-        row(
-            "tolerance",
-            "",
-            "number above 0 and below 1",
-            "0.001",
-            "how far the optical depths of a piece of path and of its halves may differ; else it is cut again",
-        ),
-    ]
+    key_rows! {
+        "filter" {
+            color if "no density and no texture": "[red, green, blue], or formulas" = "none",
+                "what is left of light after a unit length, 0 to 1: numbers, or one formula in x, y, z and r, or three";
+            density if "no color and no texture": "number, formula, or three" = "none", "the same as σ = -ln color, 0 or above";
+            texture if "no color and no density": "mix | wrapped | rainbow | ramp" = "none", "that colour by fractal noise";
+            low if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "the colour where the noise is least";
+            high if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "the colour where it is most";
+            times if r#"texture = "wrapped""#: "number above 0" = "5", "how often low to high is repeated";
+            ramp if r#"texture = "ramp""#: "file" = "required", "a picture whose middle row has the colours, from left to right";
+            axis if r#"texture = "ramp""#: "[x, y, z]" = "none",
+                "the ramp in waves along this direction, disturbed by the noise: marble";
+            turbulence if r#"texture = "ramp", with axis"#: "number" = "3", "how much the noise disturbs them";
+            frequency if "texture": "number above 0" = "required", "lattice cells a unit length";
+            octaves if "texture": "whole number, 1 to 8" = "4", "terms of the noise";
+            seed if "texture": "whole number" = "0", "chooses the noise";
+            glow: "[red, green, blue]" = "[0, 0, 0]", "radiance that the medium adds, per unit length";
+            center: "[x, y, z]" = "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units";
+            tolerance: "number above 0 and below 1" = "0.001",
+                "how far the optical depths of a piece of path and of its halves may differ; else it is cut again";
+        }
+    }
 }
 
 /// The filter that a node gives: what is left after a unit length, or a table.

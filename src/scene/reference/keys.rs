@@ -2,27 +2,12 @@
 //!
 //! `TABLE { key if WHEN: VALUE = DEFAULT, MEANING; }`: WHEN says beside what a key is read, where it is not always.
 
-use crate::document::KeyReference;
-
-macro_rules! fixed {
-    ($($table:literal {
-        $($key:ident $(if $when:literal)?: $value:literal = $default:literal, $meaning:literal;)*
-    })*) => {
-        vec![$($(KeyReference {
-            table: $table,
-            key: stringify!($key),
-            when: concat!($($when)?).to_owned(),
-            value: $value.to_owned(),
-            default: $default,
-            meaning: $meaning,
-        },)*)*]
-    };
-}
+use crate::document::{KeyReference, key_rows};
 
 /// The keys that are read whatever the kinds of a scene are.
 #[expect(clippy::too_many_lines, reason = "a table")]
 pub(super) fn fixed() -> Vec<KeyReference> {
-    fixed! {
+    key_rows! {
         "" {
             image: "table" = "{}", "size and sampling of the picture";
             camera: "table" = "none", "where rays start; `trace` needs none";
@@ -155,14 +140,6 @@ pub(super) fn fixed() -> Vec<KeyReference> {
                 "the most radiance that one sample may add, in its brightest channel: less noise, and less light; what is lost is said";
         }
         "materials.NAME.diffuse" {
-            color if "no checker and no image": "[red, green, blue]" = "[1, 1, 1] with vertex_colors", "one color, linear";
-            checker if "no color and no image": "[color, color]" = "none", "two colours in turn";
-            image if "no color and no checker": "file" = "none", "PNG, JPEG, EXR or HDR";
-            vertex_colors: "true | false" = "false", "whether the color, checker or image is multiplied by the vertex colors of the mesh";
-            repeat if "checker or image": "[u, v], above 0" = "[8, 8] for checker, [1, 1] for image",
-                "cells, or pictures, along u and v";
-        }
-        "materials.NAME.color" {
             color if "no checker and no image": "[red, green, blue]" = "[1, 1, 1] with vertex_colors", "one color, linear";
             checker if "no color and no image": "[color, color]" = "none", "two colours in turn";
             image if "no color and no checker": "file" = "none", "PNG, JPEG, EXR or HDR";

@@ -28,7 +28,8 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     ]
     .concat();
     let mut all = keys::fixed();
-    other_sky(&mut all);
+    add_copy(&mut all, "sky", "sky.beyond");
+    add_copy(&mut all, "materials.NAME.diffuse", "materials.NAME.color");
     for table in kinds.chunk_by(|a, b| a.table == b.table) {
         // The kinds of a table stand where the table does, or behind the table before it.
         let after = |row: &KeyReference| row.table == table[0].table || AFTER.contains(&(table[0].table, row.table));
@@ -39,11 +40,11 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     all
 });
 
-/// The other side's sky has the keys of this side's.
-fn other_sky(all: &mut Vec<KeyReference>) {
-    let own = all.iter().filter(|row| row.table == "sky" && row.key != "beyond");
-    let other: Vec<_> = own.map(|row| KeyReference { table: "sky.beyond", ..row.clone() }).collect();
-    let at = all.iter().rposition(|row| row.table == "sky").map_or(all.len(), |last| last + 1);
+/// Adds the keys of a table that is read as another is, behind that.
+fn add_copy(all: &mut Vec<KeyReference>, original: &'static str, copy: &'static str) {
+    let own = all.iter().filter(|row| row.table == original && row.key != "beyond");
+    let other: Vec<_> = own.map(|row| KeyReference { table: copy, ..row.clone() }).collect();
+    let at = all.iter().rposition(|row| row.table == original).map_or(all.len(), |last| last + 1);
     all.splice(at..at, other);
 }
 
