@@ -11,11 +11,10 @@ use wgpu::{Buffer, BufferUsages, Texture};
 use super::records::pack;
 use super::source::Source;
 use super::textures::upload_picture;
-use super::uniforms::{schedule_values, sky_values};
+use super::uniforms::schedule_values;
 use super::{Geometry, Gpu, GpuError, LightField};
-use crate::model::Value::{self, Float, Uint, Uint2, Uint3, Vec3};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program, Role, SceneValue};
-use crate::scene::{Branches, Picture, Scene, Segment};
+use crate::scene::{Picture, Scene};
 
 /// Storage buffers by what they hold, for scenes that are on the device at the same time and say much the same.
 pub type Stored = HashMap<u128, Buffer>;
@@ -42,7 +41,7 @@ impl SceneBuffers {
         (before, mut stored): (Option<&Self>, Option<&mut Stored>),
     ) -> Result<Self, GpuError> {
         let mut source = Source { scene, geometry, program, fields, segments, kinds: Vec::new() };
-        source.kinds = source.of_kinds();
+        source.kinds = [source.of_kinds(), source.uniforms()].concat();
         let mut made = Self { buffers: BTreeMap::new(), pictures: BTreeMap::new() };
         let stage = gpu.progress.measured("uploading the scene", program.bindings().count() as f64);
         for binding in program.bindings() {
@@ -155,58 +154,12 @@ impl Source<'_> {
     }
 
     fn values(&self, SceneValue { name, region }: &SceneValue, layout: &Layout) -> Result<Option<Vec<u8>>, GpuError> {
-        let one = |row: &[(&'static str, Value)]| pack(name, layout, [row]).map(Some);
         match name.as_str() {
-            "bound" => {
-                let bound = &self.scene.rays.bound;
-                one(&[("center", Vec3(bound.center)), ("radius", Float(bound.radius))])
-            }
-            "schedule" => one(&schedule_values(self.scene.rays.max_segments, self.segments)),
-            "sampling" => {
-                let columns = f64::from(self.scene.image.samples).sqrt().ceil() as u32;
-                one(&[("grid", Uint2([columns, self.scene.image.samples.div_ceil(columns)]))])
-            }
-            "refinement" => one(&self.refinement()),
-            "sample_share" => one(&[("side", Float(f64::from(self.scene.image.samples).sqrt().recip()))]),
+            "schedule" => pack(name, layout, [schedule_values(self.scene.rays.max_segments, self.segments)]).map(Some),
             "media" => pack(name, layout, self.media(*region)).map(Some),
             "profile" => pack(name, layout, self.profiles(*region)).map(Some),
             "index_samples" => Ok(Some(bytemuck::cast_slice(&self.index_samples(*region)).to_vec())),
             "regions" => pack(name, layout, self.regions()).map(Some),
-            "branching" => match self.scene.rays.branches {
-                Branches::Enumerated(depth) => one(&[("depth", Uint(depth))]),
-                Branches::Random => Ok(None),
-            },
-            "transport" => one(&self.transport()),
-            "spectrum" => one(&[("wavelength", Float(1e-3 * self.scene.rays.wavelength))]),
-            "brightest" => one(&[("radiance", Float(self.scene.output.clamp.unwrap_or(f64::from(f32::MAX))))]),
-            "ambient" => one(&self.ambient()),
-            "limit" => one(&[("length", Float(self.scene.rays.length.unwrap_or(f64::MAX)))]),
-            "chord" => match self.scene.rays.segment {
-                Segment::Chord { steps } => one(&[("steps", Uint(steps))]),
-                Segment::Arc { .. } => Ok(None),
-            },
-            "arc" => match self.scene.rays.segment {
-                Segment::Arc { tolerance } => {
-                    let (lo, hi) = self.geometry.bounds();
-                    one(&[("tolerance", Float(tolerance)), ("lo", Vec3(lo)), ("hi", Vec3(hi))])
-                }
-                Segment::Chord { .. } => Ok(None),
-            },
-            "moving_arcs" => match self.scene.rays.segment {
-                Segment::Arc { tolerance } => one(&[("tolerance", Float(tolerance))]),
-                Segment::Chord { .. } => Ok(None),
-            },
-            "sky" => one(&sky_values(&self.scene.sky)),
-            "beyond_sky" => self.scene.beyond.as_ref().map_or(Ok(None), |sky| one(&sky_values(sky))),
-            "grid_space" => match &self.geometry.structure.grid {
-                Some(grid) => one(&[
-                    ("lo", Vec3(grid.lo)),
-                    ("hi", Vec3(grid.hi)),
-                    ("cell", Vec3(grid.cell)),
-                    ("count", Uint3(grid.count)),
-                ]),
-                None => Ok(None),
-            },
             own => match self.kinds.iter().find(|binding| binding.name == own) {
                 Some(binding) => pack(name, layout, &binding.rows).map(Some),
                 None => self.list(own, layout),

@@ -3,21 +3,59 @@
 use glam::DVec3;
 
 use super::source::Source;
-use crate::model::Value::{self, Float, Uint, Uint2, Uint4, Vec3};
-use crate::scene::{Clear, Scene, Sky};
+use super::structure::Grid;
+use crate::model::Value::{self, Uint};
+use crate::model::{Binding, Row, row};
+use crate::scene::{Branches, Clear, Scene, Segment, Sky};
 
 impl Source<'_> {
-    pub(super) fn refinement(&self) -> Vec<(&'static str, Value)> {
-        let Scene { image, output, .. } = self.scene;
-        vec![
-            ("tolerance", Float(image.adaptive.unwrap_or(0.0))),
-            ("most", Uint(image.samples)),
-            ("gain", Float(output.exposure.exp2())),
-        ]
+    /// What a scene says once, as one struct each.
+    pub(super) fn uniforms(&self) -> Vec<Binding> {
+        let Scene { image, output, rays, sky, beyond, .. } = self.scene;
+        let side = f64::from(image.samples).sqrt();
+        let columns = side.ceil() as u32;
+        let paths = rays.paths.unwrap_or_default();
+        let depth = paths.depth.unwrap_or(u32::MAX);
+        let most = output.clamp.unwrap_or(f64::from(f32::MAX));
+        let refinement = row! {
+            tolerance: Float(image.adaptive.unwrap_or(0.0)),
+            most: Uint(image.samples),
+            gain: Float(output.exposure.exp2()),
+        };
+        let one = Binding::one;
+        let mut all = vec![
+            one("bound", row! { center: Vec3(rays.bound.center), radius: Float(rays.bound.radius) }),
+            one("sampling", row! { grid: Uint2([columns, image.samples.div_ceil(columns)]) }),
+            one("sample_share", row! { side: Float(side.recip()) }),
+            one("refinement", refinement),
+            one("transport", row! { depth: Uint(depth), roulette: Uint(paths.roulette), seed: Uint(paths.seed) }),
+            one("spectrum", row! { wavelength: Float(1e-3 * rays.wavelength) }),
+            one("brightest", row! { radiance: Float(most) }),
+            one("ambient", self.ambient()),
+            one("limit", row! { length: Float(rays.length.unwrap_or(f64::MAX)) }),
+            one("sky", sky_row(sky)),
+        ];
+        match rays.segment {
+            Segment::Chord { steps } => all.push(one("chord", row! { steps: Uint(steps) })),
+            Segment::Arc { tolerance } => {
+                let (lo, hi) = self.geometry.bounds();
+                all.push(one("arc", row! { tolerance: Float(tolerance), lo: Vec3(lo), hi: Vec3(hi) }));
+                all.push(one("moving_arcs", row! { tolerance: Float(tolerance) }));
+            }
+        }
+        if let Branches::Enumerated(depth) = rays.branches {
+            all.push(one("branching", row! { depth: Uint(depth) }));
+        }
+        all.extend(beyond.as_ref().map(|sky| one("beyond_sky", sky_row(sky))));
+        all.extend(self.geometry.structure.grid.as_ref().map(|grid| {
+            let Grid { lo, hi, cell, count, .. } = grid;
+            one("grid_space", row! { lo: Vec3(*lo), hi: Vec3(*hi), cell: Vec3(*cell), count: Uint3(*count) })
+        }));
+        all
     }
 
     /// How far ambient light comes from: from all around, if no less.
-    pub(super) fn ambient(&self) -> [(&'static str, Value); 3] {
+    fn ambient(&self) -> Row {
         let occlusion = self.scene.occlusion.as_ref();
         let along_law = occlusion.is_some_and(|occlusion| occlusion.along_law);
         // Paths may go round before they leave.
@@ -25,32 +63,19 @@ impl Source<'_> {
         let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
         let floor = occlusion.map_or(0.0, |occlusion| occlusion.floor);
         let shadows = self.shadow_code(occlusion.map_or(Clear::Open, |occlusion| occlusion.clear));
-        [("distance", Float(distance)), ("floor", Float(floor)), ("shadows", Uint(shadows))]
-    }
-
-    /// How far paths go.
-    pub(super) fn transport(&self) -> [(&'static str, Value); 3] {
-        let paths = self.scene.rays.paths.unwrap_or_default();
-        let depth = paths.depth.unwrap_or(u32::MAX);
-        [("depth", Uint(depth)), ("roulette", Uint(paths.roulette)), ("seed", Uint(paths.seed))]
+        row! { distance: Float(distance), floor: Float(floor), shadows: Uint(shadows) }
     }
 }
 
 /// The members of `sky`.
-pub(super) fn sky_values(sky: &Sky) -> Vec<(&'static str, Value)> {
+fn sky_row(sky: &Sky) -> Row {
     match sky {
-        Sky::Color(color) => vec![("color", Vec3(*color))],
-        Sky::Transparent => vec![("color", Vec3(DVec3::ZERO))],
-        Sky::Equirectangular(image, intensity) => {
-            vec![("intensity", Float(*intensity)), ("image", Uint(*image as u32))]
-        }
+        Sky::Color(color) => row! { color: Vec3(*color) },
+        Sky::Transparent => row! { color: Vec3(DVec3::ZERO) },
+        Sky::Equirectangular(image, intensity) => row! { intensity: Float(*intensity), image: Uint(*image as u32) },
         Sky::Faces(faces, intensity) => {
-            let f = faces.map(|face| face as u32);
-            vec![
-                ("faces", Uint4([f[0], f[1], f[2], f[3]])),
-                ("more_faces", Uint2([f[4], f[5]])),
-                ("intensity", Float(*intensity)),
-            ]
+            let [px, nx, py, ny, pz, nz] = faces.map(|face| face as u32);
+            row! { faces: Uint4([px, nx, py, ny]), more_faces: Uint2([pz, nz]), intensity: Float(*intensity) }
         }
     }
 }
