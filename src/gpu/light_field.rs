@@ -37,7 +37,7 @@ impl LightVolume {
     /// About all that shows lights and lies in the bounding sphere, with so many voxels along the longest side.
     #[must_use]
     pub fn new(scene: &Scene, voxels: u32) -> Self {
-        let lit = |object: &&Object| scene.material_of(object).is_some_and(|material| material.surface.is_lit());
+        let lit = |object: &&Object| scene.material_of(object).is_some_and(|material| material.surface.facts().is_lit);
         let boxes = scene.objects.iter().filter(lit).map(Object::bounds);
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (lo, hi) = boxes.fold(nothing, |all, own| (all.0.min(own.0), all.1.max(own.1)));

@@ -44,14 +44,14 @@ impl Source<'_> {
         let scene = self.scene;
         let mut bindings = Vec::new();
         let hues = self.program.features.shifts_hues;
-        if hues || scene.used_materials().any(|material| material.surface.has_temperature()) {
+        if hues || scene.used_materials().any(|material| material.surface.facts().has_temperature) {
             bindings.push(black_bodies());
         }
-        if scene.used_materials().any(|material| material.surface.orbits()) {
+        if scene.used_materials().any(|material| material.surface.facts().orbits) {
             bindings.extend(orbits(&*scene.law, scene.rays.bound.radius).into_iter().flatten());
         }
         if scene.has_translucent() {
-            let row = |material: &Material| row! { opacity: Float(material.surface.opacity()) };
+            let row = |material: &Material| row! { opacity: Float(material.surface.facts().opacity) };
             bindings.push(Binding::list("endings", scene.materials.iter().map(row).collect()));
         }
         bindings
@@ -70,8 +70,8 @@ impl Source<'_> {
             let two_sided = all.iter().filter_map(side).collect();
             let placed = all.iter().map(placed_row).collect();
             Some([
-                Binding::list(lists.opaque, opaque),
-                Binding::list(lists.two_sided, two_sided),
+                Binding::list(solid.opaque_list(), opaque),
+                Binding::list(solid.sided_list(), two_sided),
                 Binding::list(lists.placed, placed),
             ])
         };
@@ -195,7 +195,7 @@ impl Source<'_> {
         let row = |material: &Material| -> Row {
             let pattern = code(&format!("surface/pattern/{}", material.color.part()));
             let pattern = pattern | if material.color.has_vertex_colors() { vertex_colors } else { 0 };
-            let kinds = row! { kind: Uint(code(material.surface.part())), pattern: Uint(pattern) };
+            let kinds = row! { kind: Uint(code(material.surface.facts().part)), pattern: Uint(pattern) };
             [kinds, material.color.values(), material.surface.values()].concat()
         };
         // A fan is told by its place among them.

@@ -59,7 +59,7 @@ impl Source<'_> {
         let mut first = 0;
         let row = |medium: &dyn Medium| {
             let values = medium.values(first);
-            first += (medium.points().len() + medium.samples().len()) as u32;
+            first += (medium.points().len() + medium.facts().samples.len()) as u32;
             values
         };
         self.of_kind(kind).map(row).collect()
@@ -72,6 +72,6 @@ impl Source<'_> {
 
     /// Of the grids in them.
     pub(super) fn index_samples(&self, kind: usize) -> Vec<f32> {
-        self.of_kind(kind).flat_map(|medium| medium.samples().iter().copied()).collect()
+        self.of_kind(kind).flat_map(|medium| medium.facts().samples.iter().copied()).collect()
     }
 }

@@ -43,4 +43,4 @@ pub use shape::{Object, Shape, Substance, Travel};
 pub use source::{Anchor, Capture, Source};
 pub use value::{Binding, Row, Value};
 
-pub(crate) use value::row;
+pub(crate) use value::{fields, row};

@@ -81,4 +81,12 @@ pub static PARABOLA: ClosedForm = ClosedForm {
     start: Start::ByIndex,
 };
 
+impl ClosedForm {
+    /// Returns `true` if a path may end at a given τ: its parts know how far that is.
+    #[must_use]
+    pub fn ends(&self) -> bool {
+        self.parts.contains(&"motion/pace_tau")
+    }
+}
+
 named!(ClosedForm);

@@ -46,7 +46,7 @@ impl Binding {
 
     /// An array of structs.
     #[must_use]
-    pub fn list(name: &'static str, rows: Vec<Row>) -> Self {
+    pub fn list(name: impl Into<Cow<'static, str>>, rows: Vec<Row>) -> Self {
         Self { name: name.into(), rows }
     }
 }
@@ -58,3 +58,29 @@ macro_rules! row {
     };
 }
 pub(crate) use row;
+
+/// The numbers of a kind, each stated once: `field: Type as Value = reading,` is a field of the struct, how it is read as an `Option`, and
+/// the member of its name in WGSL; without `as Value` there is no such member. All are read before any is missed.
+macro_rules! fields {
+    ($(#[$meta:meta])* $kind:ident($($given:ident: $given_type:ty),*) {
+        $($(#[$doc:meta])* $field:ident: $type:ty $(as $value:ident)? = $read:expr,)*
+    }) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct $kind {
+            $($(#[$doc])* pub $field: $type,)*
+        }
+
+        impl $kind {
+            pub(super) fn read($($given: $given_type),*) -> Option<Self> {
+                $(let $field: Option<$type> = $read;)*
+                Some(Self { $($field: $field?),* })
+            }
+
+            fn row(&self) -> $crate::model::Row {
+                vec![$($((stringify!($field).into(), $crate::model::Value::$value(self.$field)),)?)*]
+            }
+        }
+    };
+}
+pub(crate) use fields;

@@ -54,11 +54,12 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
     if !fans.is_empty() {
         names.make(formula::fans(&fans));
         // Media that are formulas have a copy of their own, which is called then.
-        if scene.media().all(|medium| medium.formula().is_none()) {
+        if scene.media().all(|medium| medium.facts().formula.is_none()) {
             names.add("medium/formula");
         }
     }
-    let mut kinds: Vec<&str> = continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.part())).collect();
+    let mut kinds: Vec<&str> =
+        continuing().filter_map(|(_, o)| Some(scene.material_of(o)?.surface.facts().part)).collect();
     kinds.extend(scene.glosses().map(Gloss::part));
     kinds.sort_unstable();
     kinds.dedup();
@@ -75,7 +76,7 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
 
 /// What a path carries, and how it goes on.
 fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    let glossy = scene.used_materials().any(|material| material.surface.is_glossy());
+    let glossy = scene.used_materials().any(|material| material.surface.facts().is_glossy);
     let aims = scene.aims();
     names.all(&[
         "path/carried",
@@ -95,7 +96,7 @@ fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
 
 /// What is sent on counts for so much, and which ray of two it is.
 fn sent_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    let is_gray = |material: &Material| !material.surface.continues() || material.color.is_gray();
+    let is_gray = |material: &Material| !material.surface.facts().continues || material.color.is_gray();
     names.add(match plain_weight(features) {
         "surface/weight/none" if features.is_picture() && scene.materials.iter().all(is_gray) => {
             "surface/weight/single"

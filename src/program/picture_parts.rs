@@ -3,7 +3,8 @@
 use super::names::Names;
 use super::skies::two_skies;
 use super::{Features, ProgramError, generated};
-use crate::model::{Pattern, Surface};
+use crate::model::Pattern;
+use crate::model::material::Facts;
 use crate::scene::{Precision, SamplePattern, Scene, Shadows};
 
 pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names) {
@@ -79,8 +80,8 @@ pub(super) fn material_parts(scene: &Scene, features: &Features, names: &mut Nam
         return;
     }
     let used = || scene.used_materials();
-    let ends = || used().filter(|material| !material.surface.continues());
-    let mut kinds: Vec<&str> = ends().map(|material| material.surface.part()).collect();
+    let ends = || used().filter(|material| !material.surface.facts().continues);
+    let mut kinds: Vec<&str> = ends().map(|material| material.surface.facts().part).collect();
     kinds.sort_unstable();
     kinds.dedup();
     let is_used = |part: &str, has_vertex_colors: bool| {
@@ -102,14 +103,17 @@ pub(super) fn material_parts(scene: &Scene, features: &Features, names: &mut Nam
     names.each("surface/pattern", patterns.iter().map(|(part, _)| *part));
     names.each("surface/light", lights.iter().copied());
     names.add("surface/light/blinn_phong");
-    let parts_of = |wanted: fn(&dyn Surface) -> bool| -> Vec<&str> {
-        ends().filter(|material| wanted(&*material.surface)).map(|material| material.surface.part()).collect()
+    let parts_of = |wanted: fn(&Facts) -> bool| -> Vec<&str> {
+        ends()
+            .filter(|material| wanted(&material.surface.facts()))
+            .map(|material| material.surface.facts().part)
+            .collect()
     };
-    let tempered = parts_of(Surface::has_temperature);
+    let tempered = parts_of(|surface| surface.has_temperature);
     names.make(generated::materials(&generated::Answers {
         kinds: &kinds,
         tempered: &tempered,
-        orbiting: &parts_of(Surface::orbits),
+        orbiting: &parts_of(|surface| surface.orbits),
         patterns: &patterns,
         lights: &lights,
         paths: features.follows_paths,

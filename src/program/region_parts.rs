@@ -23,7 +23,7 @@ pub(super) fn region_parts(
     if let Some(index) = &kind.index {
         names.wgsl(index.iter().cloned())?;
         names.make(generated::media(kind.media.len()));
-        let formulas: Vec<_> = kind.media.iter().filter_map(|medium| medium.formula().cloned()).collect();
+        let formulas: Vec<_> = kind.media.iter().filter_map(|medium| medium.facts().formula.cloned()).collect();
         if !formulas.is_empty() {
             names.make(formula::formulas(&formulas));
         }

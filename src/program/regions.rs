@@ -121,7 +121,7 @@ impl Regions {
         let medium = &interior.medium;
         let motion = motion(scene, &**medium);
         let radius = leap_radius(motion, &**medium, object).filter(|_| scene.rays.leaps && is_alone(scene, index));
-        let parts = medium.parts();
+        let parts = medium.facts().parts;
         let leaps = radius.is_some();
         let same =
             |kind: &RegionKind| kind.motion == motion && kind.leaps == leaps && kind.index.as_ref() == Some(&parts);
@@ -135,10 +135,10 @@ impl Regions {
             media.len() - 1
         });
         let inside = |center| object.shape.ball_inside(&object.transform, center).max(0.0);
-        let radius = radius.or(medium.capture().map(|capture| inside(capture.anchor.position))).unwrap_or(0.0);
+        let radius = radius.or(medium.facts().capture.map(|capture| inside(capture.anchor.position))).unwrap_or(0.0);
         self.regions.push(Region { object: index, kind: Some(kind), place, radius });
         let meets = motion.closed_form().is_some_and(|form| form.meets_obstacles) && !leaps;
-        if let Some(center) = medium.center().filter(|_| meets) {
+        if let Some(center) = medium.facts().center.filter(|_| meets) {
             let met = in_the_way(scene, index, center);
             self.obstacles.extend(met.into_iter().map(|(center, radius)| Obstacle { place, center, radius }));
             if self.obstacles.is_empty() {
@@ -156,7 +156,7 @@ impl Regions {
 }
 
 fn is_closed_mirror(scene: &Scene, object: &Object) -> bool {
-    scene.continues_from(object) && object.shape.opening().is_none()
+    scene.continues_from(object) && object.shape.refuses_interior().is_none()
 }
 
 /// The space outside of all objects.
@@ -164,7 +164,7 @@ fn outside(scene: &Scene) -> RegionKind {
     let straight = Motion::Closed(&STRAIGHT);
     if scene.law.facts().is_straight && scene.scatters() {
         let vacuum: Arc<dyn Medium> = Arc::new(medium::VACUUM);
-        return RegionKind { motion: straight, leaps: false, index: Some(vacuum.parts()), media: vec![vacuum] };
+        return RegionKind { motion: straight, leaps: false, index: Some(vacuum.facts().parts), media: vec![vacuum] };
     }
     if let Some(form) = scene.law.facts().closed_form.filter(|_| scene.rays.method.kind.path == Path::Closed) {
         return RegionKind { motion: Motion::Closed(form), leaps: false, index: None, media: Vec::new() };
@@ -177,13 +177,13 @@ fn outside(scene: &Scene) -> RegionKind {
         Motion::Solved => Motion::Law,
         closed => closed,
     };
-    RegionKind { motion, leaps: false, index: Some(medium.parts()), media: vec![Arc::clone(medium)] }
+    RegionKind { motion, leaps: false, index: Some(medium.facts().parts), media: vec![Arc::clone(medium)] }
 }
 
 /// The cheapest motion that is right for a medium.
 fn motion(scene: &Scene, medium: &dyn Medium) -> Motion {
-    let closed = medium.closed_form(scene.rays.length.is_some());
-    let allowed = closed.filter(|_| scene.rays.closed_forms || !medium.bends());
+    let closed = medium.facts().closed_form(scene.rays.length.is_some());
+    let allowed = closed.filter(|_| scene.rays.closed_forms || !medium.facts().bends());
     allowed.map_or(Motion::Solved, Motion::Closed)
 }
 
@@ -191,7 +191,7 @@ fn motion(scene: &Scene, medium: &dyn Medium) -> Motion {
 fn leap_radius(motion: Motion, medium: &dyn Medium, object: &Object) -> Option<f64> {
     motion.closed_form().filter(|form| form.leaps)?;
     let radius = object.shape.ball_radius(&object.transform)?;
-    let center = medium.center()?;
+    let center = medium.facts().center?;
     (center.distance(object.transform.0.translation) <= 1e-12 * radius).then_some(radius)
 }
 

@@ -66,7 +66,9 @@ fn lists(text: &str, length: &impl Fn(&str) -> Option<u32>) -> Vec<List> {
 
 /// Is it a list of shapes, as segments meet them?
 fn is_met(name: &str) -> bool {
-    SOLIDS.iter().filter_map(|solid| solid.lists.as_ref()).any(|lists| [lists.opaque, lists.two_sided].contains(&name))
+    SOLIDS
+        .iter()
+        .any(|solid| solid.lists.is_some() && [solid.opaque_list(), solid.sided_list()].iter().any(|list| list == name))
 }
 
 /// The unit with every read at an unknown place replaced.

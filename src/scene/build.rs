@@ -61,7 +61,12 @@ impl Scene {
 
     /// Adds a shape in a place, filled with a medium that light goes through. Of interiors that overlap, the one of the higher
     /// priority is there. A mesh that overlaps itself becomes several objects.
+    ///
+    /// # Panics
+    ///
+    /// If light cannot go through the shape: see [`Shape::refuses_interior`].
     pub fn add_interior(&mut self, shape: impl Shape, transform: Transform, medium: impl Medium, priority: u32) {
+        assert_eq!(shape.refuses_interior(), None, "light cannot go through this shape");
         let substance = Substance::Clear(Interior { priority, ..Interior::new(Arc::new(medium)) });
         self.objects.extend(Object::new(Arc::new(shape), transform, substance).solids());
     }

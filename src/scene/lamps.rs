@@ -36,7 +36,7 @@ impl Scene {
             let mean = radiance.element_sum() / 3.0;
             let (center, radius) = object.ball();
             let power = mean * std::f64::consts::PI * radius * radius;
-            (material.surface.is_aimed_at() && mean > 0.0).then_some(Lamp { object: i, center, radius, power })
+            (material.surface.facts().is_aimed_at && mean > 0.0).then_some(Lamp { object: i, center, radius, power })
         };
         let mut all: Vec<Lamp> = self.objects.iter().enumerate().filter_map(lamp).collect();
         all.sort_by(|a, b| b.power.total_cmp(&a.power));

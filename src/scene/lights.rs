@@ -139,7 +139,7 @@ impl Scene {
     /// Is ambient light shut out where a surface shows it?
     #[must_use]
     pub fn is_occluded(&self) -> bool {
-        self.occlusion.is_some() && self.used_materials().any(|material| material.surface.is_lit())
+        self.occlusion.is_some() && self.used_materials().any(|material| material.surface.facts().is_lit)
     }
 
     /// What clear things do to light that comes in straight lines, of each light and of ambient light.

@@ -181,7 +181,7 @@ impl Scene {
     /// Has some medium another index for each wavelength?
     #[must_use]
     pub fn disperses(&self) -> bool {
-        self.media().any(Medium::is_dispersive)
+        self.media().any(|medium| medium.facts().is_dispersive)
     }
 
     /// Every filter that light passes: of interiors, and of space.
@@ -199,7 +199,7 @@ impl Scene {
     /// where rays are to be followed as far as they go.
     #[must_use]
     pub fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
-        let interiors = self.objects.iter().filter_map(|object| object.interior()?.medium.capture());
+        let interiors = self.objects.iter().filter_map(|object| object.interior()?.medium.facts().capture);
         self.law.captures(clearance).into_iter().chain(interiors).collect()
     }
 
@@ -208,7 +208,7 @@ impl Scene {
     pub fn has_closed_forms(&self) -> bool {
         let ends = self.rays.length.is_some();
         let of_law = !self.law.facts().is_straight && self.law.facts().closed_form.is_some();
-        of_law || self.media().any(|medium| medium.bends() && medium.closed_form(ends).is_some())
+        of_law || self.media().map(Medium::facts).any(|medium| medium.bends() && medium.closed_form(ends).is_some())
     }
 
     /// What it demands of the method that follows its rays.

@@ -12,7 +12,8 @@ impl Scene {
     #[must_use]
     pub fn keeps_turning(&self, camera: &Camera) -> bool {
         let deflects = |object: &Object| {
-            object.interior().is_some() || self.material_of(object).is_some_and(|material| material.surface.deflects())
+            object.interior().is_some()
+                || self.material_of(object).is_some_and(|material| material.surface.facts().deflects)
         };
         let Bound { radius, .. } = self.rays.bound;
         let centers = self.rays.bound.centers(Some(&*self.law));
@@ -45,7 +46,7 @@ impl Optics<'_> {
             return !self.objects.is_empty();
         }
         let continues = |material: usize| {
-            self.materials.get(material).is_some_and(|m| m.surface.continues() || m.surface.opacity() < 1.0)
+            self.materials.get(material).is_some_and(|m| m.surface.facts().continues || m.surface.facts().opacity < 1.0)
         };
         self.objects.iter().filter_map(Object::material).any(continues)
     }
@@ -57,7 +58,7 @@ impl Optics<'_> {
 
     /// Has some medium another index for each wavelength?
     pub fn disperses(&self) -> bool {
-        self.media().any(Medium::is_dispersive)
+        self.media().any(|medium| medium.facts().is_dispersive)
     }
 
     /// Returns why some medium's index is not known for light of this wavelength, in nanometers.
@@ -67,7 +68,7 @@ impl Optics<'_> {
 
     /// Is light bent anywhere?
     pub fn bends(&self) -> bool {
-        self.law.is_none_or(|law| !law.facts().is_straight) || self.interiors().any(Medium::bends)
+        self.law.is_none_or(|law| !law.facts().is_straight) || self.interiors().any(|medium| medium.facts().bends())
     }
 
     /// How far an arc's chords are from it, scene units, where the scene does not say, in a bounding sphere of this radius. A curve in
@@ -81,11 +82,11 @@ impl Optics<'_> {
 
     /// What it demands of a method; `ends` where paths end at a given τ.
     pub fn demands(&self, ends: bool, has_chords: bool) -> Demands {
-        let is_solved = |medium: &dyn Medium| medium.closed_form(ends).is_none();
+        let is_solved = |medium: &dyn Medium| medium.facts().closed_form(ends).is_none();
         let has_solved_interior = self.interiors().any(is_solved);
         let solved_law = |law: &dyn Law| match law.facts().medium() {
             // A spiral's closed form is for the inside of objects.
-            Some(medium) => medium.closed_form(ends).is_none_or(|form| form.meets_obstacles),
+            Some(medium) => medium.facts().closed_form(ends).is_none_or(|form| form.meets_obstacles),
             None => law.facts().closed_form.is_none(),
         };
         let fills_space = self.law.is_some_and(|law| law.facts().medium().is_some());
@@ -95,7 +96,7 @@ impl Optics<'_> {
             separates: self.law.is_none_or(|law| law.facts().orbit.is_some_and(|orbit| !orbit.is_plane())),
             needs_solver: has_solved_interior || self.law.is_some_and(solved_law),
             has_solved_interior,
-            has_medium: fills_space || self.interiors().any(Medium::bends),
+            has_medium: fills_space || self.interiors().any(|medium| medium.facts().bends()),
             ends,
             has_chords,
         }

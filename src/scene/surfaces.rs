@@ -12,13 +12,13 @@ impl Scene {
     /// Does a ray continue from the surface of an object that is opaque?
     #[must_use]
     pub fn continues_from(&self, object: &Object) -> bool {
-        self.material_of(object).is_some_and(|material| material.surface.continues())
+        self.material_of(object).is_some_and(|material| material.surface.facts().continues)
     }
 
     /// Does a ray end on the surface of an object, and go on behind it as well?
     #[must_use]
     pub fn shows_through(&self, object: &Object) -> bool {
-        self.material_of(object).is_some_and(|material| material.surface.opacity() < 1.0)
+        self.material_of(object).is_some_and(|material| material.surface.facts().opacity < 1.0)
     }
 
     /// Is there such a surface?
@@ -58,7 +58,7 @@ impl Scene {
     pub fn fans(&self) -> Vec<(usize, &[FanRay])> {
         let used = |i: usize| self.objects.iter().any(|object| object.material() == Some(i));
         let all = self.materials.iter().enumerate().filter(|(i, _)| used(*i));
-        all.filter_map(|(i, material)| Some((i, material.surface.fan()?))).collect()
+        all.filter_map(|(i, material)| Some((i, material.surface.facts().fan?))).collect()
     }
 
     /// Is there a surface from which a ray goes on in more than one way?
@@ -70,7 +70,7 @@ impl Scene {
     /// Is there a surface from which a ray goes on in a direction that is drawn from a lobe?
     #[must_use]
     pub fn has_lobes(&self) -> bool {
-        self.used_materials().any(|material| material.surface.has_lobe()) || self.has_rough_glass()
+        self.used_materials().any(|material| material.surface.facts().has_lobe) || self.has_rough_glass()
     }
 
     /// How rough its clear objects are.
@@ -93,7 +93,7 @@ impl Scene {
     /// Is there a surface that shows a light?
     #[must_use]
     pub fn is_lit(&self) -> bool {
-        let lit = |object: &Object| self.material_of(object).is_some_and(|material| material.surface.is_lit());
+        let lit = |object: &Object| self.material_of(object).is_some_and(|material| material.surface.facts().is_lit);
         !self.lights.is_empty() && self.objects.iter().any(lit)
     }
 }

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use super::flow::{FlowOrder, ORDER};
 use super::{Facts, Kind, Law};
 use crate::document::keys;
+use crate::document::reader::TableReader;
 use crate::document::values::number;
-use crate::model::{Binding, Wgsl, row};
+use crate::model::{Binding, Wgsl, fields};
 
 pub static KIND: Kind = Kind {
     name: "lorenz",
@@ -16,27 +17,21 @@ pub static KIND: Kind = Kind {
         keys! { beta: "number" = "8/3", "β"; }[0],
         ORDER,
     ],
-    read: |table, _| {
-        Some(Arc::new(Lorenz {
-            sigma: table.or("sigma", 10.0, number),
-            rho: table.or("rho", 28.0, number),
-            beta: table.or("beta", 8.0 / 3.0, number),
-            order: FlowOrder::read(table),
-        }))
-    },
+    read: |table, _| Some(Arc::new(Lorenz::read(table)?)),
 };
 
-/// Lorenz's system.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Lorenz {
-    /// σ, by default 10.
-    pub sigma: f64,
-    /// ρ, by default 28.
-    pub rho: f64,
-    /// β, by default 8/3.
-    pub beta: f64,
-    /// What the field is to the ray.
-    pub order: FlowOrder,
+fields! {
+    /// Lorenz's system.
+    Lorenz(table: &TableReader) {
+        /// σ, by default 10.
+        sigma: f64 as Float = Some(table.or("sigma", 10.0, number)),
+        /// ρ, by default 28.
+        rho: f64 as Float = Some(table.or("rho", 28.0, number)),
+        /// β, by default 8/3.
+        beta: f64 as Float = Some(table.or("beta", 8.0 / 3.0, number)),
+        /// What the field is to the ray.
+        order: FlowOrder = Some(FlowOrder::read(table)),
+    }
 }
 
 impl Law for Lorenz {
@@ -45,8 +40,7 @@ impl Law for Lorenz {
     }
 
     fn values(&self) -> Vec<Binding> {
-        let row = row! { sigma: Float(self.sigma), rho: Float(self.rho), beta: Float(self.beta) };
-        vec![Binding::one("flow", row)]
+        vec![Binding::one("flow", self.row())]
     }
 
     fn facts(&self) -> Facts<'_> {

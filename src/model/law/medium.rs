@@ -21,7 +21,7 @@ pub static KIND: Kind = Kind {
     read: |table, files| {
         let node = table.required_node("index", "{ kind = \"maxwell-fisheye\", n0 = 2, a = 1 }")?;
         let medium = medium::read(table, node, Surroundings::default(), files)?;
-        if medium.is_of_surfaces() {
+        if medium.facts().is_of_surfaces {
             let problem = "a textured index is that of surfaces, and space has none";
             table.fault(&["index"], problem, "use kind = \"noise\", or give it to an object as `interior`");
             return None;
@@ -46,7 +46,7 @@ impl Law for InMedium {
     }
 
     fn facts(&self) -> Facts<'_> {
-        Facts { form: Form::Medium(&self.0), terms: self.0.terms(), ..Facts::default() }
+        Facts { form: Form::Medium(&self.0), terms: self.0.facts().terms, ..Facts::default() }
     }
 
     fn invariants(&self, x: DVec3, v: DVec3) -> Vec<Invariant> {
@@ -56,7 +56,7 @@ impl Law for InMedium {
 
     fn landmarks(&self) -> Vec<Landmark> {
         let edge = |(center, radius)| Landmark::sphere("r = R", center, radius, false);
-        self.0.edge().map(edge).into_iter().collect()
+        self.0.facts().edge.map(edge).into_iter().collect()
     }
 
     /// As long as the index (as 1, where the host does not know that).

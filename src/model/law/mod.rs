@@ -86,6 +86,7 @@ const USUAL_PARTS: [&str; 5] =
 
 /// What is known of a law whatever the place.
 #[derive(Debug, Clone)]
+#[allow(clippy::struct_excessive_bools)] // facts, each by itself
 pub struct Facts<'a> {
     /// What the derivative depends on.
     pub order: Order,
@@ -257,7 +258,7 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
     /// followed as far as it goes.
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {
         let _ = clearance;
-        self.facts().medium().and_then(|medium| medium.capture()).into_iter().collect()
+        self.facts().medium().and_then(|medium| medium.facts().capture).into_iter().collect()
     }
 
     /// What is kept along a ray.

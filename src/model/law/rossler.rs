@@ -5,8 +5,9 @@ use std::sync::Arc;
 use super::flow::{FlowOrder, ORDER};
 use super::{Facts, Kind, Law};
 use crate::document::keys;
+use crate::document::reader::TableReader;
 use crate::document::values::number;
-use crate::model::{Binding, Wgsl, row};
+use crate::model::{Binding, Wgsl, fields};
 
 pub static KIND: Kind = Kind {
     name: "rossler",
@@ -16,27 +17,21 @@ pub static KIND: Kind = Kind {
         keys! { gamma: "number" = "4", "γ"; }[0],
         ORDER,
     ],
-    read: |table, _| {
-        Some(Arc::new(Rossler {
-            alpha: table.or("alpha", 0.375, number),
-            beta: table.or("beta", 2.0, number),
-            gamma: table.or("gamma", 4.0, number),
-            order: FlowOrder::read(table),
-        }))
-    },
+    read: |table, _| Some(Arc::new(Rossler::read(table)?)),
 };
 
-/// Rössler's system.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rossler {
-    /// α, by default 0.375.
-    pub alpha: f64,
-    /// β, by default 2.
-    pub beta: f64,
-    /// γ, by default 4.
-    pub gamma: f64,
-    /// What the field is to the ray.
-    pub order: FlowOrder,
+fields! {
+    /// Rössler's system.
+    Rossler(table: &TableReader) {
+        /// α, by default 0.375.
+        alpha: f64 as Float = Some(table.or("alpha", 0.375, number)),
+        /// β, by default 2.
+        beta: f64 as Float = Some(table.or("beta", 2.0, number)),
+        /// γ, by default 4.
+        gamma: f64 as Float = Some(table.or("gamma", 4.0, number)),
+        /// What the field is to the ray.
+        order: FlowOrder = Some(FlowOrder::read(table)),
+    }
 }
 
 impl Law for Rossler {
@@ -45,8 +40,7 @@ impl Law for Rossler {
     }
 
     fn values(&self) -> Vec<Binding> {
-        let row = row! { alpha: Float(self.alpha), beta: Float(self.beta), gamma: Float(self.gamma) };
-        vec![Binding::one("flow", row)]
+        vec![Binding::one("flow", self.row())]
     }
 
     fn facts(&self) -> Facts<'_> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Surface, pattern};
+use super::{Facts, Kind, Surface, pattern};
 use crate::document::keys;
 use crate::document::values::{positive, positive_part};
 use crate::model::{Row, row};
@@ -40,27 +40,16 @@ pub struct Accretion {
 }
 
 impl Surface for Accretion {
-    fn part(&self) -> &'static str {
-        "surface/material/accretion"
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            has_temperature: true,
+            orbits: true,
+            opacity: self.opacity,
+            ..Facts::ending("surface/material/accretion")
+        }
     }
 
     fn values(&self) -> Row {
         row! { emission: Vec3(DVec3::new(self.temperature.unwrap_or(0.0), self.brightness, 0.0)) }
-    }
-
-    fn has_temperature(&self) -> bool {
-        true
-    }
-
-    fn orbits(&self) -> bool {
-        true
-    }
-
-    fn opacity(&self) -> f64 {
-        self.opacity
-    }
-
-    fn albedo(&self, _color: DVec3) -> DVec3 {
-        DVec3::ZERO
     }
 }

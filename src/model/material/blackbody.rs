@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Surface, pattern};
+use super::{Facts, Kind, Surface, pattern};
 use crate::document::keys;
 use crate::document::values::positive;
 use crate::model::{Row, black_body, row};
@@ -34,8 +34,8 @@ pub struct Blackbody {
 }
 
 impl Surface for Blackbody {
-    fn part(&self) -> &'static str {
-        "surface/material/blackbody"
+    fn facts(&self) -> Facts<'_> {
+        Facts { has_temperature: true, ..Facts::ending("surface/material/blackbody") }
     }
 
     fn values(&self) -> Row {
@@ -44,13 +44,5 @@ impl Surface for Blackbody {
 
     fn emission(&self, color: DVec3) -> DVec3 {
         self.brightness * color * black_body::color(self.temperature).0
-    }
-
-    fn has_temperature(&self) -> bool {
-        true
-    }
-
-    fn albedo(&self, _color: DVec3) -> DVec3 {
-        DVec3::ZERO
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Surface, pattern};
+use super::{Facts, Kind, Surface, pattern};
 use crate::document::keys;
 use crate::document::values::{boolean, color};
 use crate::model::{Row, row};
@@ -42,8 +42,8 @@ impl Default for Emissive {
 }
 
 impl Surface for Emissive {
-    fn part(&self) -> &'static str {
-        "surface/material/emissive"
+    fn facts(&self) -> Facts<'_> {
+        Facts { is_aimed_at: self.is_aimed_at, ..Facts::ending("surface/material/emissive") }
     }
 
     fn values(&self) -> Row {
@@ -52,10 +52,6 @@ impl Surface for Emissive {
 
     fn emission(&self, color: DVec3) -> DVec3 {
         color
-    }
-
-    fn is_aimed_at(&self) -> bool {
-        self.is_aimed_at
     }
 
     fn albedo(&self, _color: DVec3) -> DVec3 {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Surface, pattern};
+use super::{Facts, Kind, Surface, pattern};
 use crate::assets::FanRay;
 use crate::document::keys;
 use crate::document::reader::TableReader;
@@ -67,20 +67,12 @@ fn ray(table: &TableReader, item: &Node) -> Option<FanRay> {
 pub struct Fan(pub Vec<FanRay>);
 
 impl Surface for Fan {
-    fn part(&self) -> &'static str {
-        "surface/scatter/fan"
-    }
-
-    fn continues(&self) -> bool {
-        true
+    fn facts(&self) -> Facts<'_> {
+        Facts { fan: Some(&self.0), ..Facts::scattering("surface/scatter/fan") }
     }
 
     /// What its rays weigh is for the user to say.
     fn albedo(&self, color: DVec3) -> DVec3 {
         color
-    }
-
-    fn fan(&self) -> Option<&[FanRay]> {
-        Some(&self.0)
     }
 }

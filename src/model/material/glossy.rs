@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Surface, pattern};
+use super::{Facts, Kind, Surface, pattern};
 use crate::document::keys;
 use crate::document::values::not_negative;
 use crate::model::{Row, row};
@@ -32,20 +32,12 @@ pub struct Glossy {
 }
 
 impl Surface for Glossy {
-    fn part(&self) -> &'static str {
-        "surface/scatter/glossy"
+    fn facts(&self) -> Facts<'_> {
+        Facts { has_lobe: true, ..Facts::scattering("surface/scatter/glossy") }
     }
 
     fn values(&self) -> Row {
         row! { shininess: Float(self.exponent) }
-    }
-
-    fn continues(&self) -> bool {
-        true
-    }
-
-    fn has_lobe(&self) -> bool {
-        true
     }
 
     fn albedo(&self, color: DVec3) -> DVec3 {

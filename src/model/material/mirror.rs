@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Surface, pattern};
+use super::{Facts, Kind, Surface, pattern};
 use crate::document::keys;
 
 pub static KIND: Kind = Kind {
@@ -21,12 +21,8 @@ pub static KIND: Kind = Kind {
 pub struct Mirror;
 
 impl Surface for Mirror {
-    fn part(&self) -> &'static str {
-        "surface/scatter/mirror"
-    }
-
-    fn continues(&self) -> bool {
-        true
+    fn facts(&self) -> Facts<'_> {
+        Facts::scattering("surface/scatter/mirror")
     }
 
     fn albedo(&self, color: DVec3) -> DVec3 {

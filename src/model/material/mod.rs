@@ -66,34 +66,68 @@ impl PartialEq for Material {
     }
 }
 
+/// What is known of a surface whatever its color.
+#[derive(Debug, Clone)]
+#[allow(clippy::struct_excessive_bools)] // facts, each by itself
+pub struct Facts<'a> {
+    /// Its WGSL part: a path whose last name is in those of its functions, and in capitals its code.
+    pub part: &'static str,
+    /// Do rays continue from it?
+    pub continues: bool,
+    /// Does a ray that continues from it leave the path that the law alone would take it along?
+    pub deflects: bool,
+    /// The part of a ray's light that is its own, where rays end on it; the rest comes straight from behind.
+    pub opacity: f64,
+    /// Where rays go on from it, if the user says so.
+    pub fan: Option<&'a [FanRay]>,
+    /// Do paths aim at it, if it emits?
+    pub is_aimed_at: bool,
+    /// Does a ray go on in a direction that is drawn from a lobe?
+    pub has_lobe: bool,
+    /// Does it give back light about the mirror's direction?
+    pub is_glossy: bool,
+    /// Does its color follow from a temperature?
+    pub has_temperature: bool,
+    /// Does it go round as matter does by its law, and not rest?
+    pub orbits: bool,
+    /// Is it lit by the scene's lights?
+    pub is_lit: bool,
+}
+
+impl Facts<'_> {
+    /// Returns the facts of a surface on which rays end, by this WGSL part.
+    #[must_use]
+    pub fn ending(part: &'static str) -> Self {
+        Self {
+            part,
+            continues: false,
+            deflects: false,
+            opacity: 1.0,
+            fan: None,
+            is_aimed_at: true,
+            has_lobe: false,
+            is_glossy: false,
+            has_temperature: false,
+            orbits: false,
+            is_lit: false,
+        }
+    }
+
+    /// Returns the facts of a surface that rays continue from, by this WGSL part.
+    #[must_use]
+    pub fn scattering(part: &'static str) -> Self {
+        Self { continues: true, deflects: true, ..Self::ending(part) }
+    }
+}
+
 /// How a surface answers light.
 pub trait Surface: fmt::Debug + Send + Sync + Same {
-    /// Its WGSL part: a path whose last name is in those of its functions, and in capitals its code.
-    fn part(&self) -> &'static str;
+    /// What is known of it whatever its color.
+    fn facts(&self) -> Facts<'_>;
 
     /// The members of `Material` that are its own.
     fn values(&self) -> Row {
         Row::new()
-    }
-
-    /// Do rays continue from it?
-    fn continues(&self) -> bool {
-        false
-    }
-
-    /// Returns `true` if a ray that continues from it leaves the path that the law alone would take it along.
-    fn deflects(&self) -> bool {
-        self.continues()
-    }
-
-    /// The part of a ray's light that is its own, where rays end on it; the rest comes straight from behind.
-    fn opacity(&self) -> f64 {
-        1.0
-    }
-
-    /// Where rays go on from it, if the user says so.
-    fn fan(&self) -> Option<&[FanRay]> {
-        None
     }
 
     /// What it radiates by itself, on the mean; `color` is that of its pattern.
@@ -101,37 +135,9 @@ pub trait Surface: fmt::Debug + Send + Sync + Same {
         DVec3::ZERO
     }
 
-    /// Do paths aim at it, if it emits?
-    fn is_aimed_at(&self) -> bool {
-        true
-    }
-
-    /// The part of the light that it gives back at most, where its pattern has this colour.
-    fn albedo(&self, color: DVec3) -> DVec3;
-
-    /// Does a ray go on in a direction that is drawn from a lobe?
-    fn has_lobe(&self) -> bool {
-        false
-    }
-
-    /// Does it give back light about the mirror's direction?
-    fn is_glossy(&self) -> bool {
-        false
-    }
-
-    /// Does its colour follow from a temperature?
-    fn has_temperature(&self) -> bool {
-        false
-    }
-
-    /// Does it go round as matter does by its law, and not rest?
-    fn orbits(&self) -> bool {
-        false
-    }
-
-    /// Is it lit by the scene's lights?
-    fn is_lit(&self) -> bool {
-        false
+    /// The part of the light that it gives back at most, where its pattern has this color.
+    fn albedo(&self, _color: DVec3) -> DVec3 {
+        DVec3::ZERO
     }
 }
 

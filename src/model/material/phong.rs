@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Surface, pattern};
+use super::{Facts, Kind, Surface, pattern};
 use crate::document::keys;
 use crate::document::values::{color, number_where, positive};
 use crate::model::{Row, row};
@@ -53,8 +53,8 @@ impl Default for Phong {
 }
 
 impl Surface for Phong {
-    fn part(&self) -> &'static str {
-        "surface/material/phong"
+    fn facts(&self) -> Facts<'_> {
+        Facts { is_lit: true, is_glossy: self.specular != DVec3::ZERO, ..Facts::ending("surface/material/phong") }
     }
 
     fn values(&self) -> Row {
@@ -66,19 +66,11 @@ impl Surface for Phong {
         }
     }
 
-    fn is_lit(&self) -> bool {
-        true
-    }
-
     fn emission(&self, _color: DVec3) -> DVec3 {
         self.emission
     }
 
     fn albedo(&self, color: DVec3) -> DVec3 {
         color + self.specular
-    }
-
-    fn is_glossy(&self) -> bool {
-        self.specular != DVec3::ZERO
     }
 }

@@ -2,23 +2,15 @@
 
 use glam::DVec3;
 
-use super::Surface;
+use super::{Facts, Surface};
 
 /// Sends rays on from the other mouth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Throat;
 
 impl Surface for Throat {
-    fn part(&self) -> &'static str {
-        "surface/scatter/throat"
-    }
-
-    fn continues(&self) -> bool {
-        true
-    }
-
-    fn deflects(&self) -> bool {
-        false
+    fn facts(&self) -> Facts<'_> {
+        Facts { deflects: false, ..Facts::scattering("surface/scatter/throat") }
     }
 
     fn albedo(&self, _: DVec3) -> DVec3 {

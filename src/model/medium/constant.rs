@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Medium};
+use super::{Facts, Kind, Medium};
 use crate::document::keys;
+use crate::document::reader::TableReader;
 use crate::document::values::positive;
-use crate::model::{ClosedForm, Row, STRAIGHT, Wgsl, row};
+use crate::model::{Row, STRAIGHT, fields};
 
 pub static KIND: Kind = Kind {
     name: "constant",
     keys: keys! { n: "number above 0" = "required", "the index"; },
-    read: |table, _, _| Some(Arc::new(Constant { n: table.required("n", "1.5", positive)? })),
+    read: |table, _, _| Some(Arc::new(Constant::read(table)?)),
 };
 
 /// The indices of common media (thesis Table 1), by the names that a scene file may write for them.
@@ -30,31 +31,24 @@ pub const COMMON: [(&str, f64); 11] = [
     ("diamond", 2.42),
 ];
 
-/// n everywhere.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Constant {
-    /// n.
-    pub n: f64,
+fields! {
+    /// n everywhere.
+    Constant(table: &TableReader) {
+        /// n.
+        n: f64 as Float = table.required("n", "1.5", positive),
+    }
 }
 
 impl Medium for Constant {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/constant"])
+    fn facts(&self) -> Facts<'_> {
+        Facts { closed_form: Some(&STRAIGHT), ..Facts::of(&["medium/constant"]) }
     }
 
     fn values(&self, _: u32) -> Row {
-        row! { n: Float(self.n) }
+        self.row()
     }
 
     fn index(&self, _: DVec3) -> Option<f64> {
         Some(self.n)
-    }
-
-    fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
-        Some(&STRAIGHT)
-    }
-
-    fn bends(&self) -> bool {
-        false
     }
 }

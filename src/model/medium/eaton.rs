@@ -4,41 +4,36 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Kind, Medium, RADIUS, center, length, root};
-use crate::model::{Row, Wgsl, row};
+use super::{CENTER, Facts, Kind, Medium, RADIUS, Surroundings, center, length, root};
+use crate::document::reader::TableReader;
+use crate::model::{Row, fields};
 
 pub static KIND: Kind = Kind {
     name: "eaton",
     keys: &[CENTER, RADIUS],
-    read: |table, around, _| {
-        let center = center(table, around);
-        Some(Arc::new(Eaton { center, radius: length(table, "radius", "1", around)? }))
-    },
+    read: |table, around, _| Some(Arc::new(Eaton::read(table, around)?)),
 };
 
-/// n² = 2R/r − 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Eaton {
-    /// Where r is 0, and n infinite.
-    pub center: DVec3,
-    /// R.
-    pub radius: f64,
+fields! {
+    /// n² = 2R/r − 1.
+    Eaton(table: &TableReader, around: Surroundings) {
+        /// Where r is 0, and n infinite.
+        center: DVec3 as Vec3 = Some(center(table, around)),
+        /// R.
+        radius: f64 as Float = length(table, "radius", "1", around),
+    }
 }
 
 impl Medium for Eaton {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/eaton"])
+    fn facts(&self) -> Facts<'_> {
+        Facts { edge: Some((self.center, self.radius)), ..Facts::of(&["medium/eaton"]) }
     }
 
     fn values(&self, _: u32) -> Row {
-        row! { center: Vec3(self.center), radius: Float(self.radius) }
+        self.row()
     }
 
     fn index(&self, x: DVec3) -> Option<f64> {
         Some(root(2.0 * self.radius / x.distance(self.center) - 1.0))
-    }
-
-    fn edge(&self) -> Option<(DVec3, f64)> {
-        Some((self.center, self.radius))
     }
 }

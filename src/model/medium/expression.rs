@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Medium};
+use super::{Facts, Kind, Medium, Surroundings, center};
 use crate::assets::Formula;
 use crate::document::reader::TableReader;
-use crate::document::values::{positive, text, vector};
+use crate::document::values::{positive, text};
 use crate::document::{Node, keys};
-use crate::model::{Row, Wgsl, row};
+use crate::model::{Row, fields};
 
 pub static KIND: Kind = Kind {
     name: "expression",
@@ -20,13 +20,20 @@ pub static KIND: Kind = Kind {
         scale: "number above 0" = "the object's radius, or 1",
             "the length over which n changes, scene units: steps are a fraction of it";
     },
-    read: |table, around, _| {
-        let center = table.or("center", around.center, vector);
-        let scale = table.or("scale", around.radius.unwrap_or(1.0), positive);
-        let node = table.required_node("n", "\"1 + 0.1 * exp(-r^2)\"")?;
-        Some(Arc::new(Expression { center, scale, n: formula(table, node)? }))
-    },
+    read: |table, around, _| Some(Arc::new(Expression::read(table, around)?)),
 };
+
+fields! {
+    /// A formula.
+    Expression(table: &TableReader, around: Surroundings) {
+        /// Where x, y, z and r are 0.
+        center: DVec3 as Vec3 = Some(center(table, around)),
+        /// The length over which it changes.
+        scale: f64 as Float = Some(table.or("scale", around.radius.unwrap_or(1.0), positive)),
+        /// n of the place relative to the center. It may have no value, or none above 0, at some places: rays fail there.
+        n: Formula = table.required_node("n", "\"1 + 0.1 * exp(-r^2)\"").and_then(|node| formula(table, node)),
+    }
+}
 
 fn formula(table: &TableReader, node: &Node) -> Option<Formula> {
     let reader = table.reader;
@@ -50,31 +57,16 @@ fn formula(table: &TableReader, node: &Node) -> Option<Formula> {
     }
 }
 
-/// A formula.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Expression {
-    /// Where x, y, z and r are 0.
-    pub center: DVec3,
-    /// The length over which it changes.
-    pub scale: f64,
-    /// n of the place relative to the centre. It may have no value, or none above 0, at some places: rays fail there.
-    pub n: Formula,
-}
-
 impl Medium for Expression {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/expression", "medium/formula", "medium/finite"])
+    fn facts(&self) -> Facts<'_> {
+        Facts { formula: Some(&self.n), ..Facts::of(&["medium/expression", "medium/formula", "medium/finite"]) }
     }
 
     fn values(&self, _: u32) -> Row {
-        row! { center: Vec3(self.center), scale: Float(self.scale) }
+        self.row()
     }
 
     fn index(&self, x: DVec3) -> Option<f64> {
         Some(self.n.value(x - self.center))
-    }
-
-    fn formula(&self) -> Option<&Formula> {
-        Some(&self.n)
     }
 }

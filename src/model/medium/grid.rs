@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Medium};
+use super::{Facts, Kind, Medium};
 use crate::assets::{Bare, Files, IndexGrid, Stored, Use};
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{array, not_zero, number, text, vector, whole, word};
-use crate::model::{Row, Wgsl, row};
+use crate::model::{Row, row};
 
 pub static KIND: Kind = Kind {
     name: "grid",
@@ -78,8 +78,8 @@ fn corners_fit(table: &TableReader, min: Option<DVec3>, max: Option<DVec3>) -> b
 pub struct Grid(pub Arc<IndexGrid>);
 
 impl Medium for Grid {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/grid", "medium/finite"])
+    fn facts(&self) -> Facts<'_> {
+        Facts { terms: 16, samples: &self.0.samples, ..Facts::of(&["medium/grid", "medium/finite"]) }
     }
 
     fn values(&self, first: u32) -> Row {
@@ -89,14 +89,5 @@ impl Medium for Grid {
 
     fn index(&self, _: DVec3) -> Option<f64> {
         None
-    }
-
-    /// Rows of samples round a place.
-    fn terms(&self) -> u32 {
-        16
-    }
-
-    fn samples(&self) -> &[f32] {
-        &self.0.samples
     }
 }

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Kind, Medium, center, length};
+use super::{CENTER, Facts, Kind, Medium, Surroundings, center, length};
 use crate::document::keys;
+use crate::document::reader::TableReader;
 use crate::document::values::word;
-use crate::model::{Anchor, Capture, ClosedForm, Row, SPIRAL, Wgsl, row};
+use crate::model::{Anchor, Capture, Row, SPIRAL, fields, row};
 
 pub static KIND: Kind = Kind {
     name: "inverse-r",
@@ -19,25 +20,19 @@ pub static KIND: Kind = Kind {
                 "rays towards the centre are captured there, or followed as if they went outwards";
         }[0],
     ],
-    read: |table, around, _| {
-        let center = center(table, around);
-        // By default n = 1 at the surface.
-        let k = length(table, "k", "4", around);
-        let ingoing = &[("black", Ingoing::Black), ("continue", Ingoing::Continued)];
-        let ingoing = table.or("ingoing", Ingoing::Black, word(ingoing));
-        Some(Arc::new(InverseR { center, k: k?, ingoing }))
-    },
+    read: |table, around, _| Some(Arc::new(InverseR::read(table, around)?)),
 };
 
-/// n = k/r.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InverseR {
-    /// Where r is 0, and n infinite.
-    pub center: DVec3,
-    /// k.
-    pub k: f64,
-    /// What becomes of rays that go in.
-    pub ingoing: Ingoing,
+fields! {
+    /// n = k/r.
+    InverseR(table: &TableReader, around: Surroundings) {
+        /// Where r is 0, and n infinite.
+        center: DVec3 as Vec3 = Some(center(table, around)),
+        /// k; by default n = 1 at the surface.
+        k: f64 as Float = length(table, "k", "4", around),
+        /// What becomes of rays that go in.
+        ingoing: Ingoing = Some(table.or("ingoing", Ingoing::Black, word(&[("black", Ingoing::Black), ("continue", Ingoing::Continued)]))),
+    }
 }
 
 /// What becomes of rays that move towards the centre.
@@ -57,32 +52,22 @@ impl InverseR {
 }
 
 impl Medium for InverseR {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/inverse_r"])
+    fn facts(&self) -> Facts<'_> {
+        let capture = Capture { anchor: Anchor::center(self.center), radius: self.capture_radius() };
+        Facts {
+            closed_form: Some(&SPIRAL),
+            center: Some(self.center),
+            capture: Some(capture),
+            ..Facts::of(&["medium/inverse_r"])
+        }
     }
 
     fn values(&self, _: u32) -> Row {
-        row! {
-            center: Vec3(self.center),
-            k: Float(self.k),
-            capture: Float(self.capture_radius()),
-            continued: Uint(u32::from(self.ingoing == Ingoing::Continued)),
-        }
+        let continued = u32::from(self.ingoing == Ingoing::Continued);
+        [self.row(), row! { capture: Float(self.capture_radius()), continued: Uint(continued) }].concat()
     }
 
     fn index(&self, x: DVec3) -> Option<f64> {
         Some(self.k / x.distance(self.center))
-    }
-
-    fn closed_form(&self, ends: bool) -> Option<&'static ClosedForm> {
-        (!ends).then_some(&SPIRAL)
-    }
-
-    fn capture(&self) -> Option<Capture> {
-        Some(Capture { anchor: Anchor::center(self.center), radius: self.capture_radius() })
-    }
-
-    fn center(&self) -> Option<DVec3> {
-        Some(self.center)
     }
 }

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Medium, ORIGIN, root};
+use super::{Facts, Kind, Medium, ORIGIN, Surroundings, origin, root};
+use crate::document::reader::TableReader;
 use crate::document::values::{Read, positive, vector};
 use crate::document::{Node, keys};
-use crate::model::{ClosedForm, PARABOLA, Row, Wgsl, row};
+use crate::model::{PARABOLA, Row, fields};
 
 pub static KIND: Kind = Kind {
     name: "linear",
@@ -16,13 +17,20 @@ pub static KIND: Kind = Kind {
         keys! { n0: "number above 0" = "1", "the index at the origin"; }[0],
         keys! { gradient: "[x, y, z], not all 0" = "required", "n² = n₀² + gradient · (x − origin)"; }[0],
     ],
-    read: |table, around, _| {
-        let origin = table.or("origin", around.center, vector);
-        let n0 = table.or("n0", 1.0, positive);
-        let gradient = table.required("gradient", "[0, 0.02, 0]", gradient)?;
-        Some(Arc::new(Linear { origin, n0, gradient }))
-    },
+    read: |table, around, _| Some(Arc::new(Linear::read(table, around)?)),
 };
+
+fields! {
+    /// n² = n₀² + gradient · (x − origin).
+    Linear(table: &TableReader, around: Surroundings) {
+        /// Where the index is n₀.
+        origin: DVec3 as Vec3 = Some(origin(table, around)),
+        /// n₀.
+        n0: f64 as Float = Some(table.or("n0", 1.0, positive)),
+        /// Of n².
+        gradient: DVec3 as Vec3 = table.required("gradient", "[0, 0.02, 0]", gradient),
+    }
+}
 
 /// Without one the index would be constant.
 fn gradient(node: &Node) -> Read<DVec3> {
@@ -31,31 +39,16 @@ fn gradient(node: &Node) -> Read<DVec3> {
     if gradient == DVec3::ZERO { none() } else { Ok(gradient) }
 }
 
-/// n² = n₀² + gradient · (x − origin).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Linear {
-    /// Where the index is n₀.
-    pub origin: DVec3,
-    /// n₀.
-    pub n0: f64,
-    /// Of n².
-    pub gradient: DVec3,
-}
-
 impl Medium for Linear {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/linear"])
+    fn facts(&self) -> Facts<'_> {
+        Facts { closed_form: Some(&PARABOLA), ..Facts::of(&["medium/linear"]) }
     }
 
     fn values(&self, _: u32) -> Row {
-        row! { origin: Vec3(self.origin), n0: Float(self.n0), gradient: Vec3(self.gradient) }
+        self.row()
     }
 
     fn index(&self, x: DVec3) -> Option<f64> {
         Some(root(self.n0.powi(2) + self.gradient.dot(x - self.origin)))
-    }
-
-    fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
-        Some(&PARABOLA)
     }
 }

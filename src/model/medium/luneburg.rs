@@ -4,54 +4,45 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Kind, Medium, RADIUS, center, length, root};
+use super::{CENTER, Facts, Kind, Medium, RADIUS, Surroundings, center, length, root};
 use crate::document::keys;
+use crate::document::reader::TableReader;
 use crate::document::values::number_where;
-use crate::model::{ClosedForm, HARMONIC, Row, Wgsl, row};
+use crate::model::{HARMONIC, Row, fields};
 
 pub static KIND: Kind = Kind {
     name: "luneburg",
     keys: &[CENTER, RADIUS, keys! { c: "number, 2 or above" = "2", "C: n = √(C − r²/R²)"; }[0]],
-    read: |table, around, _| {
-        let (center, radius) = (center(table, around), length(table, "radius", "1", around));
-        let c = table.or("c", 2.0, number_where("a number of 2 or more", |c| c >= 2.0));
-        Some(Arc::new(Luneburg { center, radius: radius?, c }))
-    },
+    read: |table, around, _| Some(Arc::new(Luneburg::read(table, around)?)),
 };
 
-/// n = √(C − r²/R²).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Luneburg {
-    /// Where r is 0.
-    pub center: DVec3,
-    /// R.
-    pub radius: f64,
-    /// C ≥ 2.
-    pub c: f64,
+fields! {
+    /// n = √(C − r²/R²).
+    Luneburg(table: &TableReader, around: Surroundings) {
+        /// Where r is 0.
+        center: DVec3 as Vec3 = Some(center(table, around)),
+        /// R.
+        radius: f64 as Float = length(table, "radius", "1", around),
+        /// C ≥ 2.
+        c: f64 as Float = Some(table.or("c", 2.0, number_where("a number of 2 or more", |c| c >= 2.0))),
+    }
 }
 
 impl Medium for Luneburg {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/luneburg"])
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            closed_form: Some(&HARMONIC),
+            center: Some(self.center),
+            edge: Some((self.center, self.radius)),
+            ..Facts::of(&["medium/luneburg"])
+        }
     }
 
     fn values(&self, _: u32) -> Row {
-        row! { center: Vec3(self.center), radius: Float(self.radius), c: Float(self.c) }
+        self.row()
     }
 
     fn index(&self, x: DVec3) -> Option<f64> {
         Some(root(self.c - x.distance_squared(self.center) / self.radius.powi(2)))
-    }
-
-    fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
-        Some(&HARMONIC)
-    }
-
-    fn center(&self) -> Option<DVec3> {
-        Some(self.center)
-    }
-
-    fn edge(&self) -> Option<(DVec3, f64)> {
-        Some((self.center, self.radius))
     }
 }

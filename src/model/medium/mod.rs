@@ -91,10 +91,55 @@ pub static KINDS: Kinds<Read> = Kinds {
 /// What is where nothing else is.
 pub const VACUUM: Constant = Constant { n: 1.0 };
 
-/// An index of refraction over space, in scene coordinates. Spherical media are functions of r, the distance from their centre.
-pub trait Medium: fmt::Debug + Send + Sync + Same {
+/// What is known of a medium whatever the place.
+#[derive(Debug, Clone, Default)]
+pub struct Facts<'a> {
     /// The WGSL that keeps the contract.
-    fn parts(&self) -> Vec<Wgsl>;
+    pub parts: Vec<Wgsl>,
+    /// Its paths in closed form, if they have one.
+    pub closed_form: Option<&'static ClosedForm>,
+    /// Is the index another for each wavelength?
+    pub is_dispersive: bool,
+    /// Does the index vary over surfaces alone, so that it can be no law's?
+    pub is_of_surfaces: bool,
+    /// Where rays end in it.
+    pub capture: Option<Capture>,
+    /// The center about which a path in closed form leaves a ball as it came in.
+    pub center: Option<DVec3>,
+    /// The sphere at which its formula ends, if there is one: center and radius.
+    pub edge: Option<(DVec3, f64)>,
+    /// How many terms one evaluation of the index with its gradient adds up, each about as long as a simple medium.
+    pub terms: u32,
+    /// A formula that the index is written by, to be turned into WGSL with its gradient.
+    pub formula: Option<&'a Formula>,
+    /// Numbers of the list `index_samples`.
+    pub samples: &'a [f32],
+}
+
+impl Facts<'_> {
+    /// Returns the facts of a medium without a closed form, by these parts of `shaders/`.
+    #[must_use]
+    pub fn of(parts: &[&'static str]) -> Self {
+        Self { parts: Wgsl::parts(parts), terms: 1, ..Self::default() }
+    }
+
+    /// Returns its paths in closed form, if they have one; `ends` where they end at a given τ, which is not what all are measured by.
+    #[must_use]
+    pub fn closed_form(&self, ends: bool) -> Option<&'static ClosedForm> {
+        self.closed_form.filter(|form| !ends || form.ends())
+    }
+
+    /// Returns `true` if light is bent in it.
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        self.closed_form.is_none_or(|form| !form.is_line)
+    }
+}
+
+/// An index of refraction over space, in scene coordinates. Spherical media are functions of r, the distance from their center.
+pub trait Medium: fmt::Debug + Send + Sync + Same {
+    /// What is known of it whatever the place.
+    fn facts(&self) -> Facts<'_>;
 
     /// The members of its `Medium` in WGSL. What it has in lists for all media begins at `first` there.
     fn values(&self, first: u32) -> Row;
@@ -102,66 +147,15 @@ pub trait Medium: fmt::Debug + Send + Sync + Same {
     /// n at a place; 0 where a formula's n² is not positive, and no light comes; none where only the shaders know.
     fn index(&self, x: DVec3) -> Option<f64>;
 
-    /// Its paths in closed form, if they have one; `ends` where they end at a given τ, which is not what all are measured by.
-    fn closed_form(&self, ends: bool) -> Option<&'static ClosedForm> {
-        let _ = ends;
-        None
-    }
-
-    /// Is light bent in it?
-    fn bends(&self) -> bool {
-        true
-    }
-
-    /// Is the index another for each wavelength?
-    fn is_dispersive(&self) -> bool {
-        false
-    }
-
     /// Returns why the index is not known for light of this wavelength, in nanometers; `None` where it is.
     fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
         let _ = wavelength;
         None
     }
 
-    /// Does the index vary over surfaces alone, so that it can be no law's?
-    fn is_of_surfaces(&self) -> bool {
-        false
-    }
-
-    /// Where rays end in it.
-    fn capture(&self) -> Option<Capture> {
-        None
-    }
-
-    /// The centre about which a path in closed form leaves a ball as it came in.
-    fn center(&self) -> Option<DVec3> {
-        None
-    }
-
-    /// The sphere at which its formula ends, if there is one: centre and radius.
-    fn edge(&self) -> Option<(DVec3, f64)> {
-        None
-    }
-
-    /// How many terms one evaluation of the index with its gradient adds up, each about as long as a simple medium.
-    fn terms(&self) -> u32 {
-        1
-    }
-
-    /// A formula that the index is written by, to be turned into WGSL with its gradient.
-    fn formula(&self) -> Option<&Formula> {
-        None
-    }
-
     /// Rows of the list `profile`.
     fn points(&self) -> Vec<Row> {
         Vec::new()
-    }
-
-    /// Numbers of the list `index_samples`.
-    fn samples(&self) -> &[f32] {
-        &[]
     }
 }
 
@@ -234,9 +228,12 @@ fn length(table: &TableReader, key: &'static str, example: &str, around: Surroun
     }
 }
 
-/// `origin` and `up`.
-fn layers(table: &TableReader, around: Surroundings) -> (DVec3, DVec3) {
-    (table.or("origin", around.center, vector), table.or("up", DVec3::Y, direction))
+fn origin(table: &TableReader, around: Surroundings) -> DVec3 {
+    table.or("origin", around.center, vector)
+}
+
+fn up(table: &TableReader) -> DVec3 {
+    table.or("up", DVec3::Y, direction)
 }
 
 /// √ of what is positive, else 0.

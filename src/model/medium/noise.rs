@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Kind, Medium, Surroundings, center};
+use super::{CENTER, Facts, Kind, Medium, Surroundings, center};
 use crate::document::reader::TableReader;
 use crate::document::values::{number, positive, whole};
 use crate::document::{Key, keys};
-use crate::model::{Row, Wgsl, row};
+use crate::model::{Row, fields};
 
 /// `amplitude` of a sum about n₀.
 pub(super) const AMPLITUDE: Key = keys! {
@@ -34,24 +34,40 @@ pub static KIND: Kind = Kind {
         OCTAVES,
         SEED,
     ],
-    read: |table, around, _| Some(Arc::new(Noise::read(table, table.or("n0", 1.0, positive), around)?)),
+    read: |table, around, _| Some(Arc::new(Noise::read(table, around, table.or("n0", 1.0, positive))?)),
 };
 
-/// A fractal sum of noise about n₀.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Noise {
-    /// c, a point of the lattice.
-    pub center: DVec3,
-    /// n₀.
-    pub n0: f64,
-    /// So small that n stays positive.
-    pub amplitude: f64,
-    /// Lattice cells a unit length.
-    pub frequency: f64,
-    /// Terms of the sum, 1 to 8.
-    pub octaves: u32,
-    /// Chooses the lattice's values.
-    pub seed: u32,
+fields! {
+    /// A fractal sum of noise about n₀.
+    Noise(table: &TableReader, around: Surroundings, about: f64) {
+        /// c, a point of the lattice.
+        center: DVec3 as Vec3 = Some(center(table, around)),
+        /// n₀.
+        n0: f64 as Float = Some(about),
+        /// So small that n stays positive.
+        amplitude: f64 as Float = table.required("amplitude", "0.1", number),
+        /// Lattice cells a unit length.
+        frequency: f64 as Float = table.required("frequency", "1", positive),
+        /// Terms of the sum, 1 to 8.
+        octaves: u32 as Uint = octaves(table, about, amplitude),
+        /// Chooses the lattice's values.
+        seed: u32 as Uint = Some(table.or("seed", 0, whole(0..=u32::MAX))),
+    }
+}
+
+/// The terms of the sum, if n stays above 0 with so many.
+fn octaves(table: &TableReader, n0: f64, amplitude: Option<f64>) -> Option<u32> {
+    let octaves = table.or("octaves", 1, whole(1..=8));
+    let (amplitude, reach) = (amplitude.unwrap_or(0.0).abs(), Noise::reach(octaves));
+    if amplitude * reach < n0 {
+        return Some(octaves);
+    }
+    let problem = format!("n could fall to {:.4}, and must stay above 0", n0 - amplitude * reach);
+    // Rounded down, and never to n₀/reach itself.
+    let most = ((n0 / reach * 1e3).ceil() - 1.0) / 1e3;
+    let help = format!("so much noise goes up to {reach} times its amplitude: {most} would do");
+    table.fault(&["amplitude"], problem, help);
+    None
 }
 
 impl Noise {
@@ -62,43 +78,15 @@ impl Noise {
         125.0 / 64.0 * (2.0 - 2.0_f64.powi(1 - octaves.cast_signed()))
     }
 
-    /// About an index of n₀.
-    pub(super) fn read(table: &TableReader, n0: f64, around: Surroundings) -> Option<Self> {
-        let center = center(table, around);
-        let amplitude = table.required("amplitude", "0.1", number);
-        let frequency = table.required("frequency", "1", positive);
-        let octaves = table.or("octaves", 1, whole(1..=8));
-        let seed = table.or("seed", 0, whole(0..=u32::MAX));
-        let (amplitude, reach) = (amplitude?, Self::reach(octaves));
-        if amplitude.abs() * reach >= n0 {
-            let problem = format!("n could fall to {:.4}, and must stay above 0", n0 - amplitude.abs() * reach);
-            // Rounded down, and never to n₀/reach itself.
-            let most = ((n0 / reach * 1e3).ceil() - 1.0) / 1e3;
-            table.fault(
-                &["amplitude"],
-                problem,
-                format!("so much noise goes up to {reach} times its amplitude: {most} would do"),
-            );
-            return None;
-        }
-        Some(Self { center, n0, amplitude, frequency: frequency?, octaves, seed })
-    }
-
-    pub(super) fn row(&self) -> Row {
-        row! {
-            center: Vec3(self.center),
-            n0: Float(self.n0),
-            amplitude: Float(self.amplitude),
-            frequency: Float(self.frequency),
-            octaves: Uint(self.octaves),
-            seed: Uint(self.seed),
-        }
+    /// Its facts, by this part; four layers of points an octave.
+    pub(super) fn facts_by(&self, part: &'static str) -> Facts<'_> {
+        Facts { terms: 5 * self.octaves, ..Facts::of(&[part, "medium/fractal_noise"]) }
     }
 }
 
 impl Medium for Noise {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/noise", "medium/fractal_noise"])
+    fn facts(&self) -> Facts<'_> {
+        self.facts_by("medium/noise")
     }
 
     fn values(&self, _: u32) -> Row {
@@ -107,10 +95,5 @@ impl Medium for Noise {
 
     fn index(&self, _: DVec3) -> Option<f64> {
         None
-    }
-
-    /// An octave is four layers of points, and their sum.
-    fn terms(&self) -> u32 {
-        5 * self.octaves
     }
 }

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Kind, Medium, ORIGIN, UP, layers};
+use super::{Facts, Kind, Medium, ORIGIN, Surroundings, UP, origin, up};
 use crate::assets::{Files, Flaw, Profile, ProfilePoint};
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, array, number};
 use crate::document::{Node, Value, keys};
-use crate::model::{Row, Wgsl, row};
+use crate::model::{Row, fields, row};
 
 pub static KIND: Kind = Kind {
     name: "profile",
@@ -25,10 +25,7 @@ pub static KIND: Kind = Kind {
                 "the points of the profile, by rising height: a smooth curve goes through them (the natural cubic spline), constant outside";
         }[0],
     ],
-    read: |table, around, files| {
-        let (origin, up) = layers(table, around);
-        Some(Arc::new(Layers { origin, up, profile: profile(table, files)? }))
-    },
+    read: |table, around, files| Some(Arc::new(Layers::read(table, around, files)?)),
 };
 
 /// Points in the scene, or in a file.
@@ -58,34 +55,31 @@ fn point(node: &Node) -> Read<[f64; 2]> {
     if n > 0.0 { Ok(point) } else { Err(node.fault(format!("n must be above 0, found {n}"), "")) }
 }
 
-/// n by height.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Layers {
-    /// A point of height 0.
-    pub origin: DVec3,
-    /// Along which height grows, a unit vector.
-    pub up: DVec3,
+fields! {
     /// n by height.
-    pub profile: Arc<Profile>,
+    Layers(table: &TableReader, around: Surroundings, files: &mut Files) {
+        /// A point of height 0.
+        origin: DVec3 as Vec3 = Some(origin(table, around)),
+        /// Along which height grows, a unit vector.
+        up: DVec3 as Vec3 = Some(up(table)),
+        /// n by height.
+        profile: Arc<Profile> = profile(table, files),
+    }
 }
 
 impl Medium for Layers {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/profile"])
+    /// The point below a height is found by halving.
+    fn facts(&self) -> Facts<'_> {
+        let terms = self.profile.points.len().next_power_of_two().ilog2();
+        Facts { terms, ..Facts::of(&["medium/profile"]) }
     }
 
     fn values(&self, first: u32) -> Row {
-        let points = self.profile.points.len() as u32;
-        row! { origin: Vec3(self.origin), up: Vec3(self.up), first: Uint(first), points: Uint(points) }
+        [self.row(), row! { first: Uint(first), points: Uint(self.profile.points.len() as u32) }].concat()
     }
 
     fn index(&self, x: DVec3) -> Option<f64> {
         Some(self.profile.index(self.up.dot(x - self.origin)))
-    }
-
-    /// The point below a height is found by halving.
-    fn terms(&self) -> u32 {
-        self.profile.points.len().next_power_of_two().ilog2()
     }
 
     fn points(&self) -> Vec<Row> {

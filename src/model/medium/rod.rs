@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{CENTER, Kind, Medium, center, root};
+use super::{CENTER, Facts, Kind, Medium, Surroundings, center, root};
+use crate::document::reader::TableReader;
 use crate::document::values::{direction, positive};
 use crate::document::{Key, keys};
-use crate::model::{ClosedForm, HARMONIC, Row, Wgsl, row};
+use crate::model::{HARMONIC, Row, fields};
 
 /// `n0` of media that have it on an axis or a plane.
 pub(super) const N0: Key = keys! { n0: "number above 0" = "required", "the index on the axis, or on the plane"; }[0];
@@ -20,42 +21,34 @@ pub static KIND: Kind = Kind {
         keys! { g: "number above 0" = "required", "n = n₀ √(1 − g²ρ²), ρ the distance from the axis"; }[0],
         keys! { axis: "[x, y, z]" = "the cylinder's, or [0, 0, 1]", "along the rod"; }[0],
     ],
-    read: |table, around, _| {
-        let axis = table.or("axis", around.axis.unwrap_or(DVec3::Z), direction);
-        let n0 = table.required("n0", "1.6", positive);
-        let g = table.required("g", "0.3", positive);
-        Some(Arc::new(Rod { center: center(table, around), axis, n0: n0?, g: g? }))
-    },
+    read: |table, around, _| Some(Arc::new(Rod::read(table, around)?)),
 };
 
-/// n = n₀ √(1 − g²ρ²).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rod {
-    /// A point of the axis.
-    pub center: DVec3,
-    /// The axis, a unit vector.
-    pub axis: DVec3,
-    /// The index on the axis.
-    pub n0: f64,
-    /// g.
-    pub g: f64,
+fields! {
+    /// n = n₀ √(1 − g²ρ²).
+    Rod(table: &TableReader, around: Surroundings) {
+        /// A point of the axis.
+        center: DVec3 as Vec3 = Some(center(table, around)),
+        /// The axis, a unit vector.
+        axis: DVec3 as Vec3 = Some(table.or("axis", around.axis.unwrap_or(DVec3::Z), direction)),
+        /// The index on the axis.
+        n0: f64 as Float = table.required("n0", "1.6", positive),
+        /// g.
+        g: f64 as Float = table.required("g", "0.3", positive),
+    }
 }
 
 impl Medium for Rod {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/rod"])
+    fn facts(&self) -> Facts<'_> {
+        Facts { closed_form: Some(&HARMONIC), ..Facts::of(&["medium/rod"]) }
     }
 
     fn values(&self, _: u32) -> Row {
-        row! { center: Vec3(self.center), axis: Vec3(self.axis), n0: Float(self.n0), g: Float(self.g) }
+        self.row()
     }
 
     fn index(&self, x: DVec3) -> Option<f64> {
         let off_axis = (x - self.center).reject_from_normalized(self.axis).length_squared();
         Some(self.n0 * root(1.0 - self.g.powi(2) * off_axis))
-    }
-
-    fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
-        Some(&HARMONIC)
     }
 }

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
-use super::{Kind, Medium};
+use super::{Facts, Kind, Medium};
 use crate::document::Node;
 use crate::document::keys;
 use crate::document::reader::TableReader;
 use crate::document::values::{Read, list, number, word};
-use crate::model::{ClosedForm, Row, STRAIGHT, Wgsl, row};
+use crate::model::{Row, STRAIGHT, row};
 
 pub static KIND: Kind = Kind {
     name: "sellmeier",
@@ -29,76 +29,38 @@ pub const VISIBLE: RangeInclusive<f64> = 380.0..=730.0;
 /// Helium's yellow line d, by which glasses are named, nanometres.
 pub const D_LINE: f64 = 587.561_8;
 
-/// A glass that is known by its name.
-struct Glass {
-    medium: Sellmeier,
-    /// Where its formula was fitted, nanometers.
-    range: RangeInclusive<f64>,
-}
-
-/// B and C of common glasses with the wavelengths where they hold, as in the refractiveindex.info database: of N-BK7 and N-SF11 from Schott's
-/// catalogue; of silica (Malitson 1965, checked to 6.7 µm by Tan 1998), water at 20 °C (Daimon and Masumura 2007) and diamond (Peter 1923,
-/// measured from 226 to 644 nm).
-const GLASSES: [(&str, Glass); 5] = [
+/// B and C of common glasses, as in the refractiveindex.info database: N-BK7 and N-SF11 from Schott's catalogue; silica (Malitson 1965,
+/// checked to 6.7 µm by Tan 1998), water at 20 °C (Daimon and Masumura 2007) and diamond (Peter 1923, measured from 226 to 644 nm).
+static GLASSES: [(&str, Sellmeier); 5] = [
     (
         "BK7",
-        Glass {
-            medium: Sellmeier {
-                b: [1.039_612_12, 0.231_792_344, 1.010_469_45, 0.0],
-                c: [0.006_000_698_67, 0.020_017_914_4, 103.560_653, 0.0],
-            },
-            range: 300.0..=2500.0,
-        },
+        glass([1.039_612_12, 0.231_792_344, 1.010_469_45, 0.0], [0.006_000_698_67, 0.020_017_914_4, 103.560_653, 0.0]),
     ),
     (
         "SF11",
-        Glass {
-            medium: Sellmeier {
-                b: [1.737_596_95, 0.313_747_346, 1.898_781_01, 0.0],
-                c: [0.013_188_707, 0.062_306_814_2, 155.236_29, 0.0],
-            },
-            range: 370.0..=2500.0,
-        },
+        glass([1.737_596_95, 0.313_747_346, 1.898_781_01, 0.0], [0.013_188_707, 0.062_306_814_2, 155.236_29, 0.0]),
     ),
     (
         "fused-silica",
-        Glass {
-            medium: Sellmeier {
-                b: [0.696_166_3, 0.407_942_6, 0.897_479_4, 0.0],
-                c: [0.004_679_148_3, 0.013_512_063, 97.934_003, 0.0],
-            },
-            range: 210.0..=6700.0,
-        },
+        glass([0.696_166_3, 0.407_942_6, 0.897_479_4, 0.0], [0.004_679_148_3, 0.013_512_063, 97.934_003, 0.0]),
     ),
     (
         "water",
-        Glass {
-            medium: Sellmeier {
-                b: [0.568_402_756_5, 0.172_617_739_1, 0.020_861_895_78, 0.113_074_868_8],
-                c: [0.005_101_829_712, 0.018_211_539_36, 0.026_207_222_93, 10.697_927_21],
-            },
-            range: 182.0..=1129.0,
-        },
+        glass(
+            [0.568_402_756_5, 0.172_617_739_1, 0.020_861_895_78, 0.113_074_868_8],
+            [0.005_101_829_712, 0.018_211_539_36, 0.026_207_222_93, 10.697_927_21],
+        ),
     ),
-    (
-        "diamond",
-        Glass {
-            medium: Sellmeier { b: [0.3306, 4.3356, 0.0, 0.0], c: [0.030_625, 0.011_236, 0.0, 0.0] },
-            range: 226.0..=760.0,
-        },
-    ),
+    ("diamond", glass([0.3306, 4.3356, 0.0, 0.0], [0.030_625, 0.011_236, 0.0, 0.0])),
 ];
 
-/// The glasses as their names choose them.
-static NAMES: [(&str, Sellmeier); GLASSES.len()] = {
-    let mut names = [("", GLASSES[0].1.medium); GLASSES.len()];
-    let mut k = 0;
-    while k < GLASSES.len() {
-        names[k] = (GLASSES[k].0, GLASSES[k].1.medium);
-        k += 1;
-    }
-    names
-};
+/// The wavelengths in nanometers for which they hold.
+const RANGES: [RangeInclusive<f64>; 5] =
+    [300.0..=2500.0, 370.0..=2500.0, 210.0..=6700.0, 182.0..=1129.0, 226.0..=760.0];
+
+const fn glass(b: [f64; TERMS], c: [f64; TERMS]) -> Sellmeier {
+    Sellmeier { b, c }
+}
 
 /// n² = 1 + Σ B λ²/(λ² − C).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,7 +91,7 @@ fn terms(node: &Node) -> Read<Vec<f64>> {
 
 fn read(table: &TableReader) -> Option<Sellmeier> {
     let (b, c) = (table.optional("b", terms), table.optional("c", terms));
-    if let Some(glass) = table.optional("glass", word(&NAMES)) {
+    if let Some(glass) = table.optional("glass", word(&GLASSES)) {
         if table.gives("b") || table.gives("c") {
             table.fault(&["glass"], "a glass has its own B and C", "leave b and c out, or the glass");
         }
@@ -165,8 +127,8 @@ fn read(table: &TableReader) -> Option<Sellmeier> {
 }
 
 impl Medium for Sellmeier {
-    fn parts(&self) -> Vec<Wgsl> {
-        Wgsl::parts(&["medium/sellmeier"])
+    fn facts(&self) -> Facts<'_> {
+        Facts { closed_form: Some(&STRAIGHT), is_dispersive: true, ..Facts::of(&["medium/sellmeier"]) }
     }
 
     fn values(&self, _: u32) -> Row {
@@ -178,21 +140,9 @@ impl Medium for Sellmeier {
         Some(self.square(D_LINE).sqrt())
     }
 
-    fn closed_form(&self, _: bool) -> Option<&'static ClosedForm> {
-        Some(&STRAIGHT)
-    }
-
-    fn bends(&self) -> bool {
-        false
-    }
-
-    fn is_dispersive(&self) -> bool {
-        true
-    }
-
     /// A known glass has the range of its formula. Other numbers hold between the resonances about visible light.
     fn refuses_wavelength(&self, wavelength: f64) -> Option<String> {
-        if let Some((name, Glass { range, .. })) = GLASSES.iter().find(|(_, glass)| glass.medium == *self) {
+        if let Some(((name, _), range)) = GLASSES.iter().zip(RANGES).find(|((_, medium), _)| medium == self) {
             let (from, to) = (range.start(), range.end());
             let problem = || format!("the formula of {name} holds from {from} to {to} nm, and this is {wavelength}");
             return (!range.contains(&wavelength)).then(problem);
@@ -224,7 +174,7 @@ mod tests {
             ("water", [1.337_49, 1.333_40, 1.331_51]),
             ("diamond", [2.435_54, 2.417_49, 2.409_91]),
         ] {
-            let glass = NAMES.iter().find(|(known, _)| *known == name).unwrap().1;
+            let glass = GLASSES.iter().find(|(known, _)| *known == name).unwrap().1;
             for (line, n) in lines.iter().zip(expected) {
                 assert!((glass.square(*line).sqrt() - n).abs() < 6e-6, "{name} at {line} nm");
             }
@@ -242,12 +192,12 @@ mod tests {
             ("fused-silica", 365.015, 1.474_54),
             ("fused-silica", 2325.42, 1.432_93),
         ] {
-            let glass = NAMES.iter().find(|(known, _)| *known == name).unwrap().1;
+            let glass = GLASSES.iter().find(|(known, _)| *known == name).unwrap().1;
             assert_eq!(glass.refuses_wavelength(nm), None);
             assert!((glass.square(nm).sqrt() - n).abs() < 6e-6, "{name} at {nm} nm: {}", glass.square(nm).sqrt());
         }
         for (name, nm) in [("BK7", 299.0), ("SF11", 365.0), ("water", 1130.0), ("fused-silica", 7000.0)] {
-            let glass = NAMES.iter().find(|(known, _)| *known == name).unwrap().1;
+            let glass = GLASSES.iter().find(|(known, _)| *known == name).unwrap().1;
             assert!(glass.refuses_wavelength(nm).is_some_and(|why| why.contains(name)));
         }
     }

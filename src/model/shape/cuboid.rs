@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DQuat, DVec3};
 
-use super::solid::Lists;
 use super::{CENTER, Contact, Kind, Placed, Shape, Solid};
 use crate::assets::Transform;
 use crate::document::keys;
@@ -42,16 +41,7 @@ fn place(table: &TableReader) -> Option<DAffine3> {
     Some(DAffine3::from_scale_rotation_translation(size / 2.0, DQuat::IDENTITY, center))
 }
 
-pub static SOLID: Solid = Solid {
-    name: "box",
-    lists: Some(Lists {
-        opaque: "box_list",
-        two_sided: "sided_box_list",
-        placed: "boxes",
-        row: Placed::space,
-        flat: false,
-    }),
-};
+pub static SOLID: Solid = Solid::listed("box", "boxes", Placed::space, false);
 
 /// The box from −1 to 1 along each axis; a [`Transform`]'s scale is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,10 +55,6 @@ impl Shape for Cuboid {
     fn faces(&self, p: DVec3) -> Vec<(f64, DVec3)> {
         let flat = |coordinate: f64, axis: DVec3| (coordinate.abs() - 1.0, axis);
         vec![flat(p.x, DVec3::X), flat(p.y, DVec3::Y), flat(p.z, DVec3::Z)]
-    }
-
-    fn opening(&self) -> Option<String> {
-        None
     }
 
     fn contacts(&self, map: DAffine3) -> Vec<Contact> {

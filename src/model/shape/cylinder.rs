@@ -7,7 +7,6 @@ use glam::{DAffine3, DVec3};
 
 use super::extent::circle;
 use super::read::upright;
-use super::solid::Lists;
 use super::{CENTER, Contact, Kind, Placed, RADIUS, Shape, Solid};
 use crate::assets::Transform;
 use crate::document::keys;
@@ -31,16 +30,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid {
-    name: "cylinder",
-    lists: Some(Lists {
-        opaque: "cylinder_list",
-        two_sided: "sided_cylinder_list",
-        placed: "cylinders",
-        row: Placed::space,
-        flat: false,
-    }),
-};
+pub static SOLID: Solid = Solid::listed("cylinder", "cylinders", Placed::space, false);
 
 /// A closed cylinder of radius 1 along y, from y = −1 to 1; a [`Transform`]'s scale is its radius and half its height.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,10 +45,6 @@ impl Shape for Cylinder {
         let across = DVec3::new(p.x, 0.0, p.z);
         // On the axis every direction away from it is as good.
         vec![(across.length() - 1.0, across.normalize_or(DVec3::X)), (p.y.abs() - 1.0, DVec3::Y)]
-    }
-
-    fn opening(&self) -> Option<String> {
-        None
     }
 
     fn contacts(&self, map: DAffine3) -> Vec<Contact> {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::read::upright;
-use super::solid::Lists;
 use super::{CENTER, Contact, Kind, NORMAL, RADIUS, Shape, Solid, extent};
 use crate::assets::Transform;
 use crate::document::keys;
@@ -32,16 +31,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid {
-    name: "disk",
-    lists: Some(Lists {
-        opaque: "disk_list",
-        two_sided: "sided_disk_list",
-        placed: "disks",
-        row: |placed| placed.space_and("hole"),
-        flat: true,
-    }),
-};
+pub static SOLID: Solid = Solid::listed("disk", "disks", |placed| placed.space_and("hole"), true);
 
 /// The disk of radius 1 about the origin in the plane y = 0; a [`Transform`]'s scale is its radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +54,7 @@ impl Shape for Disk {
         p.y.abs() <= slack && rho <= 1.0 && rho >= self.hole
     }
 
-    fn opening(&self) -> Option<String> {
+    fn refuses_interior(&self) -> Option<String> {
         Some("a disk has no inside".to_owned())
     }
 

@@ -80,7 +80,7 @@ impl Shape for Triangles {
         })
     }
 
-    fn opening(&self) -> Option<String> {
+    fn refuses_interior(&self) -> Option<String> {
         self.0.opening().map(str::to_owned)
     }
 

@@ -96,8 +96,11 @@ pub trait Shape: fmt::Debug + Send + Sync + Same {
         self.faces(p).into_iter().map(|(value, _)| value).reduce(f64::max).is_some_and(|value| value.abs() <= slack)
     }
 
-    /// Why it has no inside; none if it has one.
-    fn opening(&self) -> Option<String>;
+    /// Returns why light cannot go through it, if it cannot: it has no inside, or a ray may cross it more than once. What tests clear
+    /// shapes knows one entry and one exit of each, except for meshes, whose triangles it counts.
+    fn refuses_interior(&self) -> Option<String> {
+        None
+    }
 
     /// Returns the shapes that stand for it if rays are on one of its sides, because its own surface does not say which side is
     /// inside, or is around some points more than once. Returns none if the shape can be used itself.

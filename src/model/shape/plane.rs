@@ -5,7 +5,6 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::read::upright;
-use super::solid::Lists;
 use super::{CENTER, Contact, Kind, NORMAL, Placed, Shape, Solid};
 use crate::assets::Transform;
 use crate::document::keys;
@@ -27,16 +26,7 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid {
-    name: "plane",
-    lists: Some(Lists {
-        opaque: "plane_list",
-        two_sided: "sided_plane_list",
-        placed: "planes",
-        row: Placed::space,
-        flat: true,
-    }),
-};
+pub static SOLID: Solid = Solid::listed("plane", "planes", Placed::space, true);
 
 /// The square from −1 to 1 along x and z, in the plane y = 0; a [`Transform`]'s scale is half its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,7 +41,7 @@ impl Shape for Plane {
         p.y.abs() <= slack && p.x.abs().max(p.z.abs()) <= 1.0
     }
 
-    fn opening(&self) -> Option<String> {
+    fn refuses_interior(&self) -> Option<String> {
         Some("a plane has no inside".to_owned())
     }
 

@@ -89,7 +89,7 @@ fn substance(
     let around = object.map_or_else(Surroundings::default, |(shape, place)| shape.surroundings(&place));
     let interior = medium::read_interior(table, node, around, files);
     let priority = table.or("priority", 0, whole(0..=1000));
-    if let Some(problem) = object.and_then(|(shape, _)| shape.opening()) {
+    if let Some(problem) = object.and_then(|(shape, _)| shape.refuses_interior()) {
         table.fault(&["interior"], problem, "give it a `material`, or use a closed shape");
     }
     interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))

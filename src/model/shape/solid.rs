@@ -18,16 +18,31 @@ pub struct Solid {
 
 /// The lists of a solid in WGSL, and their rows.
 pub struct Lists {
-    /// Those on which rays end, for tests.
-    pub opaque: &'static str,
-    /// Those with a side that rays can be on.
-    pub two_sided: &'static str,
     /// All of them, with what is asked for at a hit.
     pub placed: &'static str,
     /// What a test needs.
     pub row: fn(&Placed) -> Row,
     /// Does it lie in y = 0 of its own space?
     pub flat: bool,
+}
+
+impl Solid {
+    /// Returns a solid that has lists, by the name of that of all of them.
+    pub(super) const fn listed(name: &'static str, placed: &'static str, row: fn(&Placed) -> Row, flat: bool) -> Self {
+        Self { name, lists: Some(Lists { placed, row, flat }) }
+    }
+
+    /// Returns the name of the list of those on which rays end.
+    #[must_use]
+    pub fn opaque_list(&self) -> String {
+        format!("{}_list", self.name)
+    }
+
+    /// Returns the name of the list of those with a side that rays can be on.
+    #[must_use]
+    pub fn sided_list(&self) -> String {
+        format!("sided_{}_list", self.name)
+    }
 }
 
 /// A shape in its place.

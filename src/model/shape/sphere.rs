@@ -5,7 +5,6 @@ use std::sync::Arc;
 use glam::{DAffine3, DQuat, DVec3};
 
 use super::extent::ellipsoid;
-use super::solid::Lists;
 use super::{CENTER, Contact, Kind, Placed, RADIUS, Shape, Solid};
 use crate::assets::Transform;
 use crate::document::values::{positive, vector};
@@ -23,27 +22,9 @@ pub static KIND: Kind = Kind {
     },
 };
 
-pub static SOLID: Solid = Solid {
-    name: "sphere",
-    lists: Some(Lists {
-        opaque: "sphere_list",
-        two_sided: "sided_sphere_list",
-        placed: "spheres",
-        row: Placed::ball,
-        flat: false,
-    }),
-};
+pub static SOLID: Solid = Solid::listed("sphere", "spheres", Placed::ball, false);
 
-pub static ELLIPSOID: Solid = Solid {
-    name: "ellipsoid",
-    lists: Some(Lists {
-        opaque: "ellipsoid_list",
-        two_sided: "sided_ellipsoid_list",
-        placed: "ellipsoids",
-        row: Placed::space,
-        flat: false,
-    }),
-};
+pub static ELLIPSOID: Solid = Solid::listed("ellipsoid", "ellipsoids", Placed::space, false);
 
 /// The sphere of radius 1 about the origin; a [`Transform`]'s scale is its radius, or the half axes of an ellipsoid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,10 +42,6 @@ impl Shape for Sphere {
     fn faces(&self, p: DVec3) -> Vec<(f64, DVec3)> {
         // At the middle every direction away from it is as good.
         vec![(p.length() - 1.0, p.normalize_or(DVec3::X))]
-    }
-
-    fn opening(&self) -> Option<String> {
-        None
     }
 
     fn contacts(&self, map: DAffine3) -> Vec<Contact> {

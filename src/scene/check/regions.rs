@@ -34,18 +34,18 @@ pub fn solids(objects: Vec<(Place, Object)>, materials: &[Material]) -> Vec<(Pla
 
 /// Are rays on one side of its surface, or the other?
 fn is_sided(object: &Object, materials: &[Material]) -> bool {
-    let continues = |i: usize| materials.get(i).is_some_and(|material| material.surface.continues());
+    let continues = |i: usize| materials.get(i).is_some_and(|material| material.surface.facts().continues);
     match object.substance {
         Substance::Clear(_) => true,
-        Substance::Opaque(material) => continues(material) && object.shape.opening().is_none(),
+        Substance::Opaque(material) => continues(material) && object.shape.refuses_interior().is_none(),
     }
 }
 
 /// Records what is wrong with the interiors of objects, each given with its place in the file.
 pub fn check(reader: &Reader, objects: &[(Place, Object)], materials: &[Material]) {
     for (place, object) in objects {
-        let is_translucent = |i: usize| materials.get(i).is_some_and(|material| material.surface.opacity() < 1.0);
-        if object.material().is_some_and(is_translucent) && object.shape.opening().is_none() {
+        let is_translucent = |i: usize| materials.get(i).is_some_and(|material| material.surface.facts().opacity < 1.0);
+        if object.material().is_some_and(is_translucent) && object.shape.refuses_interior().is_none() {
             let problem = "light is not seen through the near side of a closed surface and its far side".to_owned();
             let help = "use a disk or an open mesh, or give its material opacity = 1".to_owned();
             reader.fault(Fault { place: *place, problem, help });

@@ -25,7 +25,7 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
             root.fault(&["camera"], problem, "leave camera.shift out, or `glow` in law.filter");
         }
     }
-    let Some(material) = rest.materials.iter().find(|material| material.surface.orbits()) else { return };
+    let Some(material) = rest.materials.iter().find(|material| material.surface.facts().orbits) else { return };
     let name = &material.name;
     if rest.paths {
         let help = "leave transport out, or use kind = \"blackbody\"";
@@ -47,7 +47,7 @@ pub fn check_discs(reader: &Reader, placed: &[(Place, Object)], materials: &[Mat
         let map = object.transform.0;
         let across = map.matrix3.x_axis.cross(map.matrix3.z_axis).normalize_or_zero();
         let height = (map.translation - center).dot(axis).abs();
-        if material.surface.orbits() && (across.cross(axis).length() > OFF || height > OFF * object.ball().1) {
+        if material.surface.facts().orbits && (across.cross(axis).length() > OFF || height > OFF * object.ball().1) {
             reader.fault(Fault {
                 place: *place,
                 problem: format!("`{}` goes round the law's axis, and this is not across it", material.name),

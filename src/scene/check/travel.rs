@@ -30,7 +30,7 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, bound: Option<Bound>, 
     }
     let goes_on = |object: &Object| {
         let material = object.material().and_then(|i| optics.materials.get(i));
-        object.travel.is_some() && material.is_some_and(|material| material.surface.continues())
+        object.travel.is_some() && material.is_some_and(|material| material.surface.facts().continues)
     };
     if optics.objects.iter().any(goes_on) {
         fault("rays go on from it, which would be reflected as from one at rest", "give it another material");

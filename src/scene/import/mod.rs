@@ -147,7 +147,7 @@ fn objects(
                 NodeName::Number(number) => number.to_string(),
             };
             let primitive_key = chosen.map(|chosen| format!("primitive = {chosen}\n")).unwrap_or_default();
-            let is_closed = || triangles.opening().is_none();
+            let is_closed = || triangles.refuses_interior().is_none();
             let material = primitive.material.map(|index| index.value());
             let has_vertex_colors = triangles.0.lacks_colors().is_none();
             if !has_vertex_colors && primitive.attributes.contains_key(&Valid(Semantic::Colors(0))) {
