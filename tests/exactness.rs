@@ -5,8 +5,7 @@ use std::path::Path;
 
 use bentray::gpu::Geometry;
 use bentray::program::{
-    Analysis, BindingKind, Choice, Features, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule,
-    Unit, all_parts, link, link_all, plan, validated,
+    BindingKind, Choice, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
 };
 use bentray::scene::{Override, Precision, Rays, Scene, TEMPLATES};
 
@@ -131,56 +130,6 @@ fn nothing_can_be_taken_out_of_any_program() {
             }
         }
     }
-}
-
-/// Settings that no shipped scene has, on a hole before a sky.
-const SETTINGS: [&[&str]; 3] =
-    [&["rays.precision=\"f16\""], &["rays.precision=\"f64\""], &["rays.accelerate=\"grid\""]];
-
-/// Parts that other tests link.
-const ELSEWHERE: [&str; 0] = [];
-
-/// No part is there for nothing: a shipped scene links it, or one with other settings that tests have.
-#[test]
-fn every_part_is_linked_by_some_scene() {
-    let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
-    let shipped: Vec<_> = folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}"))).collect();
-    let hole = shipped.iter().find(|path| path.ends_with("schwarzschild_sky.toml")).unwrap();
-    let changed = PICTURES.iter().chain(&SETTINGS);
-    let changed = changed.map(|keys| (hole, keys.iter().map(|key| key.parse().unwrap()).collect::<Vec<Override>>()));
-    let mut linked = BTreeSet::new();
-    for (path, keys) in shipped.iter().map(|path| (path, Vec::new())).chain(changed) {
-        let scene = Scene::load(path, &keys).unwrap_or_else(|error| panic!("{error}"));
-        let analysis = Analysis::of(&scene);
-        let all = |schedule, masks, purpose| Choice {
-            schedule,
-            masks,
-            purpose,
-            layers: Layer::ALL.to_vec(),
-            ..Choice::default()
-        };
-        let choices = [
-            all(Schedule::Whole, Masks::List, Purpose::Picture),
-            all(Schedule::Paper, Masks::Grid, Purpose::Picture),
-            all(Schedule::Fused, Masks::Off, Purpose::Pixels),
-            all(Schedule::Segment, Masks::List, Purpose::Trace),
-            all(Schedule::Fused, Masks::List, Purpose::Caustics),
-            all(Schedule::Fused, Masks::Off, Purpose::Lit),
-            all(Schedule::Fused, Masks::Off, Purpose::Bare),
-        ];
-        for choice in choices {
-            let features = Features::of(&scene, &choice, &analysis);
-            let parts = plan(&scene, &analysis, &features).unwrap();
-            let entries: Vec<&str> = features.passes().iter().map(|pass| pass.entry()).collect();
-            // Not every scene can be asked for everything.
-            for pass in link_all(&parts, &entries).unwrap_or_default() {
-                linked.extend(pass.parts().into_iter().map(str::to_owned));
-            }
-        }
-    }
-    let is_missing = |file: &&str| !linked.contains(*file) && !file.starts_with("ceiling/");
-    let missing: Vec<&str> = all_parts().iter().map(|part| part.file).filter(is_missing).collect();
-    assert_eq!(missing, ELSEWHERE);
 }
 
 /// What scenes of `scenes/` do not have: filters by formulas of which some are constant, and every look of a texture.

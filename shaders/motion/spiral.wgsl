@@ -62,7 +62,7 @@ fn spiral_tau(p: Phase, sigma: Real) -> Real {
 }
 
 fn own_size(ray: Ray, next: Ray) -> Real {
-    return stride(ray.phase).size;
+    return spiral_stride(ray.phase).size;
 }
 
 fn own_measure(p: Phase, tau: Real) -> Real {
@@ -84,7 +84,7 @@ fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
 }
 
 fn accepted_step(ray: Ray) -> Ray {
-    let way = stride(ray.phase);
+    let way = spiral_stride(ray.phase);
     let passed = spiral_tau(ray.phase, way.size);
     var next = after_step(ray, retaken_step(ray.phase, way.size), passed);
     // What is free of all objects is no arc to be tested.

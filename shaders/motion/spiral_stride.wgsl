@@ -50,7 +50,7 @@ fn way_to(s: Spiral, ball: Obstacle) -> Real {
     return select(way, NEVER, disk2 <= 0.0 || behind || gone);
 }
 
-fn stride(p: Phase) -> Stride {
+fn spiral_stride(p: Phase) -> Stride {
     if IS_EMPTY {
         return leap_stride(spiral_of(p));
     }
