@@ -5,7 +5,8 @@ use std::path::Path;
 
 use bentray::gpu::Geometry;
 use bentray::program::{
-    BindingKind, Choice, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit, link, validated,
+    BindingKind, Choice, DeviceProfile, Layer, Linked, Masks, Parts, Program, ProgramError, Purpose, Schedule, Unit,
+    link, validated,
 };
 use bentray::scene::{Override, Precision, Rays, Scene, TEMPLATES};
 
@@ -264,7 +265,7 @@ fn programs_do_not_branch_on_what_the_scene_fixes() {
         ];
         // Beside each scene's picture, half of what else its programs are for.
         for (schedule, purpose) in others.into_iter().skip(k % 2).step_by(2) {
-            let choice = Choice { schedule, purpose, ..Choice::default() };
+            let choice = Choice { schedule, purpose, device: DeviceProfile::cpu(8), ..Choice::default() };
             note(&Program::new(&scene, &geometry.analysis, &choice, geometry.extent()).unwrap());
         }
     }
@@ -297,7 +298,9 @@ fn planted(function: &str) -> Linked {
          out[id.x] = followed(out[id.x]) + list[region].a + pair[0].a + pair[1].a + one[0].a + law.a;\n}}\n"
     );
     let unit = Unit::user("planted.wgsl", text);
-    link(&Parts { shared: vec![unit], ..Parts::default() }, "entry").unwrap()
+    // Where uniforms are copied there is more to find.
+    let device = DeviceProfile::cpu(8);
+    link(&Parts { shared: vec![unit], device, ..Parts::default() }, "entry").unwrap()
 }
 
 #[test]

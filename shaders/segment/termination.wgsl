@@ -18,8 +18,11 @@ fn open_status(s: Segment, tau: Real, index: u32) -> u32 {
     return select(FAILED, code, finite(s.x1) && finite(s.v1));
 }
 
-// Were loops cut short in a segment that was not a pass's first? A pass of its own has more room for it.
+// Were loops cut short in a segment for which another pass has more room? That is one in which it comes first.
 fn overran(segments: u32) -> bool {
+    if FOLLOWS_WHOLE {
+        return is_spent();
+    }
     return is_spent() && segments > 0u;
 }
 

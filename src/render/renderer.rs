@@ -102,7 +102,7 @@ impl<'a> Renderer<'a> {
             return Err(GpuError::Full { what, reason: error.to_string() }.into());
         }
         let max_segments = scene.rays.max_segments;
-        let passes = PassCounts::of(&gpu.profile);
+        let passes = PassCounts::usual();
         let plan = planned(&scene, &program.features, passes, max_segments, settings.segments);
         let regions = geometry.analysis.regions.clone();
         Ok(Self {
@@ -145,7 +145,7 @@ impl<'a> Renderer<'a> {
         self.program = program;
         self.max_segments = scene.rays.max_segments;
         self.scene = Cow::Owned(scene);
-        self.plan_passes(PassCounts::of(&self.gpu.profile));
+        self.plan_passes(PassCounts::usual());
         Ok(())
     }
 
@@ -164,7 +164,7 @@ impl<'a> Renderer<'a> {
         self.max_segments = max_segments;
         self.settings.segments = segments;
         self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments_a_pass()))?;
-        self.plan_passes(PassCounts::of(&self.gpu.profile));
+        self.plan_passes(PassCounts::usual());
         Ok(())
     }
 

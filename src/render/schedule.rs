@@ -21,10 +21,10 @@ impl PassCounts {
     /// The most that there may be of each.
     const MOST: u64 = 1024;
 
-    /// As many as nearly all scenes need on a device.
+    /// As many as nearly all scenes need on any device.
     #[must_use]
-    pub fn of(device: &DeviceProfile) -> Self {
-        Self { fused: if device.loop_budget.is_some() { 2 } else { 1 }, walk: 1 }
+    pub fn usual() -> Self {
+        Self { fused: 1, walk: 1 }
     }
 
     /// More of both, or of the first alone if walks are never suspended. `None` if there are enough already.
@@ -166,7 +166,7 @@ pub(super) mod tests {
     pub(in crate::render) fn recorded(schedule: Schedule, segment: &str, image: &str) -> Vec<Step> {
         let scene = scene(segment, image);
         let choice = Choice { schedule, masks: Masks::List, ..Choice::default() };
-        let passes = PassCounts::of(&choice.device);
+        let passes = PassCounts::usual();
         steps(&scene, &Features::of(&scene, &choice, &Analysis::of(&scene)), passes, scene.rays.max_segments, 4)
     }
 

@@ -39,6 +39,7 @@ impl Features {
             ("counts_loops", self.device.loop_budget.is_some()),
             ("ends_on_arcs", self.has_objects && !self.has_chords),
             ("ends_on_chords", self.has_objects && self.has_chords),
+            ("follows_whole", self.schedule == Schedule::Whole),
             ("has_three_slots", self.slots == 3),
             ("looks_from_surfaces", self.looks_from_surfaces),
             ("resumes", self.suspends && self.schedule != Schedule::Whole),

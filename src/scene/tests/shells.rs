@@ -71,7 +71,7 @@ fn layers(mesh: &Mesh, map: DMat3, expected: impl Fn(DVec3) -> bool) -> usize {
         solids => solids.iter().map(|solid| &**solid).collect(),
     };
     for x in points() {
-        let windings: Vec<f64> = solids.iter().map(|solid| solid.winding(map * x)).collect();
+        let windings: Vec<f64> = solids.iter().map(|solid| solid.winding(map * x - mesh.origin)).collect();
         let near = |winding: &f64, whole: f64| (winding - whole).abs() < 1e-5;
         assert!(windings.iter().all(|winding| near(winding, 0.0) || near(winding, 1.0)), "{x}: {windings:?}");
         assert_eq!(windings.iter().any(|winding| near(winding, 1.0)), expected(x), "{x}: {windings:?}");
