@@ -23,6 +23,14 @@ fn walk_has_room() -> bool {
     return has_room();
 }
 
+// There is room for so many items in one place.
+fn walk_has_room_for(count: u32) -> bool {
+    if !SUSPENDS {
+        return true;
+    }
+    return has_room_for(count);
+}
+
 // Some loop of the walk, or before it, is done by all that took it together.
 fn walk_turn() {
     if SUSPENDS {

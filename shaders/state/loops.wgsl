@@ -27,6 +27,14 @@ fn has_room() -> bool {
     return work < LOOP_BUDGET - SEGMENT_ROOM;
 }
 
+// Is there room for so many iterations, or has no other pass more?
+fn has_room_for(iterations: u32) -> bool {
+    if !COUNTS_LOOPS {
+        return true;
+    }
+    return work + iterations < LOOP_BUDGET - SEGMENT_ROOM || work < SEGMENT_ROOM;
+}
+
 // May loops of this pass have been cut short? Then what they came to is not to be used.
 fn is_spent() -> bool {
     if !COUNTS_LOOPS {

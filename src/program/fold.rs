@@ -113,7 +113,9 @@ impl Fold<'_> {
             self.drop(close + 1..end);
             Some((end, returns))
         } else if !has_else {
-            of_else.into_iter().for_each(|i| self.drop(i..i + 1));
+            if let Some(i) = of_else {
+                self.drop(i..i + 1);
+            }
             self.drop(at..close + 1);
             Some((close + 1, false))
         } else {

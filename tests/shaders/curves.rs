@@ -194,6 +194,7 @@ fn first_hit_of_arcs_in_several_pieces() {
         "shape/sphere",
     ];
     let probe = Probe::new(&parts)
+        .with("HAS_LISTS")
         .stub(
             "fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit {
                 var hit = best;

@@ -25,7 +25,7 @@ const PARTS: [&str; 10] = [
 
 /// A hierarchy of triangles alone.
 pub(super) fn probe() -> Probe {
-    Probe::new(&PARTS).with("HAS_VERTEX_COLORS").stub(bentray::program::part("shape/triangle").expect("a part").text).stub(
+    Probe::new(&PARTS).with("HAS_VERTEX_COLORS").with("ITEMS_IN_ORDER").stub(bentray::program::part("shape/triangle").expect("a part").text).stub(
         "const ITEM_KIND: u32 = TRIANGLE;
         fn item_fraction(item: u32, a: vec3f, d: vec3f) -> f32 { return triangle_fraction(item & PRIMITIVE_INDEX, a, d); }",
     )

@@ -164,7 +164,11 @@ impl Probe {
         if !shared.iter().any(|unit| unit.text.contains("struct Frame")) {
             shared.push(Unit::from(part("state/arguments").expect("what holds the frame")));
         }
-        shared.push(features(&self.features));
+        let generated = GENERATED
+            .into_iter()
+            .filter(|name| !shared.iter().any(|unit| unit.text.contains(&format!("const {name}:"))));
+        let generated: Vec<&str> = generated.collect();
+        shared.push(features(&self.features, &generated));
         let parts = Parts { shared, ..Parts::default() };
         let linked = link(&parts, "probe").unwrap_or_else(|error| panic!("{error}"));
         let reflection = reflect(&linked).unwrap_or_else(|error| panic!("{error}"));
@@ -214,10 +218,14 @@ impl Probe {
     }
 }
 
+/// Constants that are generated with a scene's lists and regions.
+const GENERATED: [&str; 3] = ["IS_WHOLE", "HAS_LISTS", "FINDS_NEAR"];
+
 /// The constants that parts ask for: true for these.
-fn features(present: &[&str]) -> Unit {
+fn features(present: &[&str], generated: &[&str]) -> Unit {
     let scene = super::scene("[rays]\nbound = { radius = 1 }\n");
-    let names = Features::of(&scene, &Choice::default(), &Analysis::of(&scene)).constants();
+    let mut names = Features::of(&scene, &Choice::default(), &Analysis::of(&scene)).constants();
+    names.extend(generated.iter().map(|name| ((*name).to_owned(), false)));
     for feature in present {
         assert!(names.iter().any(|(name, _)| name == feature), "no feature {feature}");
     }

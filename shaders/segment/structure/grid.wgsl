@@ -58,7 +58,8 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
     var k = select(kept >> CELL_BITS, pieces, pieces == 0u);
     var begun = kept & CELL_MASK;
     // A piece with a hit is the last one.
-    while k < pieces && hit.t * Real(pieces) >= Real(k) - PIECE_SLACK && walk_has_room() {
+    var stopped = false;
+    while k < pieces && hit.t * Real(pieces) >= Real(k) - PIECE_SLACK && !stopped && walk_has_room() {
         let a = piece_start(s, k, pieces);
         let d = piece_end(s, k, pieces) - a;
         let inverse = 1.0 / select(d, Real3(1e-30), abs(d) < Real3(1e-30));
@@ -70,13 +71,15 @@ fn structure_hit(s: Segment, pieces: u32, nearest: Hit) -> Hit {
         begun = 0u;
         var walking = inside.enters <= inside.leaves;
         while walking {
-            if !walk_has_room() {
-                begun = cell_index(cell) + 1u;
+            let index = cell_index(cell);
+            let count = cells[index + 1u] - cells[index];
+            if !walk_has_room_for(count) {
+                begun = index + 1u;
+                stopped = true;
                 break;
             }
-            let index = cell_index(cell);
             let at = (Real(k) + 0.5) / Real(pieces);
-            hit = items_hit(s, pieces, Span(at, at), cells[index], cells[index + 1u] - cells[index], hit);
+            hit = items_hit(s, pieces, Span(at, at), cells[index], count, hit);
             walk_turn();
             let exits = cell_exits(cell, a, inverse);
             let leaves = min(exits.x, min(exits.y, exits.z));

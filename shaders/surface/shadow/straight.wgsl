@@ -11,7 +11,7 @@ fn casts(shadows: u32) -> bool {
 }
 
 // 1, or 0 where something opaque lies between `start` and the light, which is at the end of `way`.
-fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> f32 {
+fn light_share(shadows: u32, faces: bool, start: Real3, way: Real3) -> Share {
     if !FOLLOWS_LINES {
         return 1.0;
     }

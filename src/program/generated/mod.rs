@@ -186,7 +186,8 @@ pub(super) fn images(count: usize) -> Unit {
 pub(super) fn layers(names: &[&str]) -> Unit {
     let mut text = String::from("fn keep_layers(pixel: vec2u, ray: Ray, seen: Seen) {\n");
     if !names.is_empty() {
-        let kept: String = names.iter().map(|name| format!("        keep_{name}(pixel, ray, seen);\n")).collect();
+        let kept =
+            names.iter().map(|name| format!("        keep_{name}(pixel, ray, seen);\n")).collect::<Vec<_>>().concat();
         let _ = writeln!(text, "    if frame.sample + frame.branch == 0u {{\n{kept}    }}");
     }
     text += "}\n";
