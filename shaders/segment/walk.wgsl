@@ -70,6 +70,10 @@ fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
         }
         walk_place = kept;
         hit = structure_hit(s, sought, hit);
+        if is_spent() {
+            // What loops that were cut short came to is no place to go on from.
+            walk_anew();
+        }
         if walk_place != kept {
             textureStore(walk, pixel, vec4u(walk_place));
         }
