@@ -1,6 +1,6 @@
 // Totals over all rays, summed on the device.
 
-// Room for every status code, and for what is counted beside them.
+// An entry for every status code, and for each of the other counts.
 const STATUSES: u32 = 17u;
 
 struct Tally {

@@ -1,9 +1,12 @@
 //! The linker: from parts to the one WGSL module of a pass.
 //!
-//! *Theory.* WGSL has no order at module scope, so that linking is concatenation: no preprocessor, no `#ifdef`. A pass is its
-//! entry point and the declarations that it reaches by name, and nothing else: what a scene does not use is not in its
-//! program. A scene with several kinds of region has a copy of the region's parts for each, the names suffixed, and a generated
-//! switch wherever shared parts call one.
+//! *Theory.* WGSL has no order at module scope, so a pass is its entry point and the declarations that it reaches by name, and
+//! nothing else: what a scene does not use is not in its program.
+//!
+//! What is done to the parts before, in order: `fold` decides branches on features; `unroll` writes out short loops; `loop_counts`
+//! counts the iterations of the others, for devices with a loop budget; `selections` turns reads of short lists into choices, for
+//! processors; `copies` makes one copy of a region's parts for each kind of region, the names suffixed, and a switch wherever shared
+//! parts call one. Of each pass `lower` joins the uniforms in one block.
 //!
 //! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them. Every line of the
 //! result knows the part and line it came from.

@@ -49,7 +49,7 @@ fn parts_of_a_film_come_together_to_the_byte() {
     assert_eq!(run("4").code, Some(0));
     assert!(run("4").err.lines().all(|line| !line.contains(" rays, ")), "rendered again");
     let finished = script(&folder, "scene.farm/finish.sh", &[]);
-    assert_eq!((finished.code, finished.out.as_str()), (Some(0), "3 pictures, all there and made alike\n"));
+    assert_eq!((finished.code, finished.out.as_str()), (Some(0), "3 pictures, all there and of the same render\n"));
     assert!(names.map(|name| folder.read(name)) == at_once);
     assert_eq!(status(""), "5 of 5 parts are done\n");
     // Files of another scene are not taken for parts of this one.

@@ -54,7 +54,7 @@ struct Whole {
 
 impl Found for Whole {
     fn text(&self) -> String {
-        format!("{} pictures, all there and made alike", self.count)
+        format!("{} pictures, all there and of the same render", self.count)
     }
 
     fn json(&self) -> Value {

@@ -37,7 +37,7 @@ enum Command {
         #[command(flatten)]
         job: Job,
     },
-    /// Put the parts together, and make sure that none is missing and all were made alike
+    /// Put the parts together, and check that none is missing and all are of the same render
     Finish {
         #[command(flatten)]
         job: Job,
