@@ -27,7 +27,7 @@ fn arrived(ray: CameraRay) -> CameraRay {
 fn arrived_from_infinity(ray: CameraRay) -> CameraRay {
     let y = ray.x - bound.center;
     let entry = bound_entry(ray.x, ray.d);
-    // Rays on the sphere, but for rounding, are inside.
+    // A ray that starts on the sphere, to within rounding, is inside.
     if dot(y, y) <= bound.radius * bound.radius * (1.0 + 1e-6) {
         return ray;
     }

@@ -20,17 +20,7 @@ type Features<'a> = HashMap<&'a str, bool>;
 
 /// The parts with every branch on a feature decided.
 pub(super) fn folded(parts: &Parts) -> Parts {
-    let features = features(&parts.shared);
-    let region = |units: &Vec<Unit>| {
-        let mut own = features.clone();
-        own.extend(self::features(units));
-        units.iter().map(|unit| folded_unit(unit, &own)).collect()
-    };
-    Parts {
-        shared: parts.shared.iter().map(|unit| folded_unit(unit, &features)).collect(),
-        regions: parts.regions.iter().map(region).collect(),
-        device: parts.device,
-    }
+    parts.edited(features, folded_unit)
 }
 
 /// `const NAME: bool = true;` of all units but users' own.

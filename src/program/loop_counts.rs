@@ -16,6 +16,7 @@ use super::unit::{Parts, Unit};
 const COUNT: &str = " work += 1u;";
 /// What a pass begins with: all have the parameter `own`.
 const BEGIN: &str = " begin_counting(own.lane);";
+
 /// The parts with the iterations of their loops counted, if they are to be.
 pub(super) fn counted(parts: Parts) -> Parts {
     if parts.device.loop_budget.is_none() {

@@ -21,17 +21,7 @@ const LONGEST: usize = 400;
 
 /// The parts with their short loops written out.
 pub(super) fn unrolled(parts: &Parts) -> Parts {
-    let constants = constants(&parts.shared);
-    let region = |units: &Vec<Unit>| {
-        let mut own = constants.clone();
-        own.extend(self::constants(units));
-        units.iter().map(|unit| unrolled_unit(unit, &own)).collect()
-    };
-    Parts {
-        shared: parts.shared.iter().map(|unit| unrolled_unit(unit, &constants)).collect(),
-        regions: parts.regions.iter().map(region).collect(),
-        device: parts.device,
-    }
+    parts.edited(constants, unrolled_unit)
 }
 
 /// Whole numbers that units give a name.
