@@ -44,39 +44,6 @@ fn area(file: &str) -> &str {
     file.split('/').next().unwrap_or_default()
 }
 
-/// A number is one name's, and of its area's range.
-#[test]
-fn bindings_are_numbered_by_area() {
-    let mut names: BTreeMap<u32, BTreeSet<&str>> = BTreeMap::new();
-    let parts = all_parts();
-    let declared: Vec<(u32, &str, &str)> = parts
-        .iter()
-        .flat_map(|part| part.text.split("@binding(").skip(1).map(move |declaration| (part.file, declaration)))
-        .map(|(file, declaration)| {
-            let name = declaration.split(':').next().unwrap().rsplit(' ').next().unwrap();
-            (declaration.split(')').next().unwrap().parse().unwrap(), name, file)
-        })
-        .collect();
-    for (number, name, _) in &declared {
-        names.entry(*number).or_default().insert(name);
-    }
-    let ranges = rows::<2>();
-    for (number, name, file) in declared {
-        let [_, range] = ranges.iter().find(|[areas, _]| code(areas).contains(&area(file))).unwrap();
-        let (first, last) = range.split_once('–').unwrap();
-        let own = first.parse().unwrap()..=last.parse().unwrap();
-        let free = own.clone().find(|number| !names.contains_key(number) && *number != JOINED);
-        let next = free.map_or("none is free".to_owned(), |free| format!("the next free one is {free}"));
-        let area = area(file);
-        assert!(own.contains(&number), "{file}: binding {number} is not in {area}'s range {range}; {next}");
-        let taken = names[&number].iter().find(|other| **other != name);
-        assert!(taken.is_none(), "{file}: binding {number} of `{name}` is taken by `{}`; {next}", taken.unwrap());
-    }
-}
-
-/// The binding of the buffer that uniforms are joined in.
-const JOINED: u32 = 9;
-
 /// A function without the names of its parameters, or the beginning of another declaration.
 fn without_names(signature: &str) -> String {
     let mut pieces: Vec<&str> = signature.split(": ").collect();

@@ -10,7 +10,7 @@ struct Observer {
     rest: Real4,
 }
 
-@group(0) @binding(55) var<uniform> observer: Observer;
+var<uniform> observer: Observer;
 
 fn frame_velocity(x: Real3, d: Real3) -> Real3 {
     let k = observer.rest + d.x * observer.x + d.y * observer.y + d.z * observer.z;

@@ -5,7 +5,7 @@ struct GivenRay {
     v: Real3,
 }
 
-@group(0) @binding(52) var<storage, read> given: array<GivenRay>;
+var<storage, read> given: array<GivenRay>;
 
 fn picture_ray(pixel: vec2u) -> CameraRay {
     let index = pixel.y * frame.image.x + pixel.x;

@@ -1,7 +1,7 @@
 // Which pixels of the picture are looked at: those of the tile, as they lie, or pixels from a list, to look at a few rays: places in the
 // tile are then only places in the list.
 
-@group(0) @binding(53) var<storage, read> chosen: array<vec2u>;
+var<storage, read> chosen: array<vec2u>;
 
 fn sampled_pixel(pixel: vec2u) -> vec2u {
     if !CHOOSES_PIXELS {

@@ -8,7 +8,7 @@ struct Camera {
     up: Real3,
 }
 
-@group(0) @binding(51) var<uniform> camera: Camera;
+var<uniform> camera: Camera;
 
 // point: on the image plane, x to the right and y up, both in [-1, 1].
 fn camera_ray(point: Real2) -> CameraRay {

@@ -29,7 +29,7 @@ struct Filter {
     which: u32,
 }
 
-@group(0) @binding(47) var<storage, read> filters: array<Filter>;
+var<storage, read> filters: array<Filter>;
 
 // Half the distance between Gauss's two points, in parts of a piece.
 const GAUSS: Real = 0.28867513459481287;

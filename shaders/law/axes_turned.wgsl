@@ -6,7 +6,7 @@ struct Axes {
     z: Real3,
 }
 
-@group(0) @binding(68) var<uniform> axes: Axes;
+var<uniform> axes: Axes;
 
 fn law_axes(c: Real3) -> Real3 {
     return c.x * axes.x + c.y * axes.y + c.z * axes.z;

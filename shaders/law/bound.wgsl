@@ -6,7 +6,7 @@ struct Bound {
     radius: Real,
 }
 
-@group(0) @binding(60) var<uniform> bound: Bound;
+var<uniform> bound: Bound;
 
 // From the middle of the nearer one.
 fn bound_offset(x: Real3) -> Real3 {

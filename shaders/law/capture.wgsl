@@ -10,7 +10,7 @@ struct CaptureSphere {
     kind: u32,
 }
 
-@group(0) @binding(61) var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
+var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
 
 fn law_captured(x: Real3, v: Real3) -> bool {
     if !CAPTURES {

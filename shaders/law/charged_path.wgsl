@@ -10,7 +10,7 @@ struct Law {
     third: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 // h² = |x × v|².
 fn law_held(p: Phase) -> Real {

@@ -6,7 +6,7 @@ struct Flow {
     beta: Real,
 }
 
-@group(0) @binding(65) var<uniform> flow: Flow;
+var<uniform> flow: Flow;
 
 fn flow_field(x: Real3) -> Real3 {
     return Real3(flow.sigma * (x.y - x.x), x.x * (flow.rho - x.z) - x.y, x.x * x.y - flow.beta * x.z);

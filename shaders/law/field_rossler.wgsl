@@ -6,7 +6,7 @@ struct Flow {
     gamma: Real,
 }
 
-@group(0) @binding(65) var<uniform> flow: Flow;
+var<uniform> flow: Flow;
 
 fn flow_field(x: Real3) -> Real3 {
     return Real3(-(x.y + x.z), x.x + flow.alpha * x.y, flow.beta + x.z * (x.x - flow.gamma));

@@ -15,7 +15,7 @@ struct Law {
     charge_squared: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 // Of a place.
 struct KerrSchild {

@@ -4,7 +4,7 @@ struct Limit {
     length: Real,
 }
 
-@group(0) @binding(66) var<uniform> limit: Limit;
+var<uniform> limit: Limit;
 
 fn limited_step(h: Real, ray: Ray) -> Real {
     if !IS_LIMITED {

@@ -4,7 +4,7 @@ struct Law {
     center: Real3,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 fn metric_place(x: Real3) -> Real3 {
     return x - law.center;

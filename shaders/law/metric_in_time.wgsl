@@ -6,7 +6,7 @@ struct Law {
     time: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 fn metric_place(x: Real3) -> Real3 {
     return x - law.center;

@@ -9,7 +9,7 @@ struct Law {
     radius: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 // 1 on this side, −1 on the other: of the place that was asked for last.
 var<private> metric_side: Real;

@@ -8,7 +8,7 @@ struct ParametricCurve {
     first: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: ParametricCurve;
+var<uniform> law: ParametricCurve;
 
 // Place and velocity, but for where the curve lies.
 fn ray_curve(tau: Real) -> mat2x3<Real> {

@@ -2,15 +2,12 @@
 
 alias Phase = mat2x3<Real>;
 
-fn unpack_phase(state: State, pixel: vec2u) -> Phase {
+fn unpack_phase(state: State) -> Phase {
     return Phase(state[0].xyz, state[1].xyz);
 }
 
-fn unpack_slot(state: State, slot: u32, pixel: vec2u) -> Phase {
-    return Phase(state[0].xyz, state[1].xyz);
-}
-
-fn store_clock(pixel: vec2u, p: Phase) {
+fn phase_times(p: Phase) -> Real2 {
+    return Real2(0.0);
 }
 
 fn opaque_phase(p: Phase) -> Phase {

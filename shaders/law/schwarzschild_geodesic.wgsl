@@ -10,7 +10,7 @@ struct Law {
     mass: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 const NEAR: Real = 0.05;
 

@@ -7,7 +7,7 @@ struct Law {
     mass: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 // h² = |x × v|².
 fn law_held(p: Phase) -> Real {

@@ -16,7 +16,7 @@ struct Law {
     mouth: Real,
 }
 
-@group(0) @binding(67) var<uniform> law: Law;
+var<uniform> law: Law;
 
 // From the mouth that is nearer.
 fn mouth_offset(x: Real3) -> Real3 {

@@ -5,7 +5,7 @@ struct Medium {
     @align(16) n: Real,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 fn medium_index(x: Real3) -> Real {
     return media[place].n;

@@ -6,7 +6,7 @@ struct Medium {
     radius: Real,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // 0 from 2R on, where no ray comes.
 fn medium_index(x: Real3) -> Real {

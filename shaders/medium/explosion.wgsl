@@ -13,7 +13,7 @@ struct Medium {
     seed: u32,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // The lattice is turned and shifted against the scene's axes: value noise has no slope across its cells' faces, and a camera
 // in such a plane would see it.

@@ -7,7 +7,7 @@ struct Medium {
     height: Real,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // n − 1.
 fn excess(x: Real3) -> Real {

@@ -5,7 +5,7 @@ struct Medium {
     scale: Real,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 fn medium_index(x: Real3) -> Real {
     return limited_index(formula(x - media[place].center).w);

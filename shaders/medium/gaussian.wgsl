@@ -7,7 +7,7 @@ struct Medium {
     b: Real,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 fn medium_index(x: Real3) -> Real {
     let q = (x - media[place].center) / media[place].radius;

@@ -10,8 +10,8 @@ struct Medium {
     size: vec4u,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
-@group(0) @binding(71) var<storage, read> index_samples: array<f32>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<storage, read> index_samples: array<f32>;
 
 // What the four samples round a place weigh, at a fraction t between the inner two; and how that changes with t.
 fn sample_weights(t: Real) -> Real4 {

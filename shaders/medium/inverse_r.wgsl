@@ -9,7 +9,7 @@ struct Medium {
     continued: u32,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 fn medium_index(x: Real3) -> Real {
     return media[place].k / distance(x, media[place].center);

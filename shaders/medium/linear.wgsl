@@ -7,7 +7,7 @@ struct Medium {
     gradient: Real3,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // 0 beyond the plane where n² is, which no ray crosses.
 fn medium_index(x: Real3) -> Real {

@@ -9,7 +9,7 @@ struct Medium {
     seed: u32,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // ∇n and n.
 fn noise_index(x: Real3) -> Real4 {

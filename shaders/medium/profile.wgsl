@@ -9,7 +9,7 @@ struct Medium {
     points: u32,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // A point, and the cubic from there to the next: n + t (slope + t (bend + t twist)), t the height over the point.
 struct ProfilePoint {
@@ -20,7 +20,7 @@ struct ProfilePoint {
     twist: Real,
 }
 
-@group(0) @binding(72) var<storage, read> profile: array<ProfilePoint>;
+var<storage, read> profile: array<ProfilePoint>;
 
 // The last of the points that is not above y, or the first; the last of all has no cubic.
 fn profile_piece(y: Real) -> u32 {

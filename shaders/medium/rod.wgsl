@@ -8,7 +8,7 @@ struct Medium {
     g: Real,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // From the axis to x.
 fn from_axis(x: Real3) -> Real3 {

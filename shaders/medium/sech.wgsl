@@ -7,7 +7,7 @@ struct Medium {
     g: Real,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 // sech and tanh of g y, by e^(−|g y|), which does not overflow.
 fn sech_tanh(x: Real3) -> Real2 {

@@ -10,7 +10,7 @@ struct Medium {
     seed: u32,
 }
 
-@group(0) @binding(70) var<uniform> media: array<Medium, MEDIA_COUNT>;
+var<uniform> media: array<Medium, MEDIA_COUNT>;
 
 fn medium_index(x: Real3) -> Real {
     let medium = media[place];

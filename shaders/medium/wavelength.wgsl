@@ -5,7 +5,7 @@ struct Spectrum {
     wavelength: Real,
 }
 
-@group(0) @binding(73) var<uniform> spectrum: Spectrum;
+var<uniform> spectrum: Spectrum;
 
 fn wavelength() -> Real {
     return spectrum.wavelength;

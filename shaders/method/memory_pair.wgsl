@@ -15,14 +15,10 @@ fn first_memory(p: Phase) -> Memory {
     return Memory(opaque(first_step(p)), FIRST_ERROR, opaque_phase(first_derivative(p)));
 }
 
-fn load_memory(pixel: vec2u, h: Real, p: Phase) -> Memory {
-    return Memory(h, load_error(pixel), opaque_phase(first_derivative(p)));
+fn recalled(h: Real, error: Real, p: Phase) -> Memory {
+    return Memory(h, error, opaque_phase(first_derivative(p)));
 }
 
-fn slot_memory(slot: u32, pixel: vec2u, h: Real, p: Phase) -> Memory {
-    return Memory(h, slot_error(slot, pixel), opaque_phase(first_derivative(p)));
-}
-
-fn store_memory(pixel: vec2u, memory: Memory) {
-    put_error(pixel, memory.error);
+fn remembered_error(memory: Memory) -> Real {
+    return memory.error;
 }

@@ -8,13 +8,10 @@ fn first_memory(p: Phase) -> Memory {
     return Memory(opaque(first_step(p)));
 }
 
-fn load_memory(pixel: vec2u, h: Real, p: Phase) -> Memory {
+fn recalled(h: Real, error: Real, p: Phase) -> Memory {
     return Memory(h);
 }
 
-fn slot_memory(slot: u32, pixel: vec2u, h: Real, p: Phase) -> Memory {
-    return Memory(h);
-}
-
-fn store_memory(pixel: vec2u, memory: Memory) {
+fn remembered_error(memory: Memory) -> Real {
+    return 0.0;
 }

@@ -5,7 +5,7 @@ struct Control {
     eta: Real,
 }
 
-@group(0) @binding(75) var<uniform> control: Control;
+var<uniform> control: Control;
 
 fn retaken_step(p: Phase, s: Real) -> Phase {
     return orbit_point(orbit_step(orbit_of(p[0], p[1]), s));

@@ -16,7 +16,7 @@ struct RayNode {
     end: f32,
 }
 
-@group(0) @binding(78) var<storage, read> ray_nodes: array<RayNode>;
+var<storage, read> ray_nodes: array<RayNode>;
 
 struct ObjectNode {
     lo: vec3f,
@@ -26,7 +26,7 @@ struct ObjectNode {
     leaf: u32,
 }
 
-@group(0) @binding(79) var<storage, read> object_nodes: array<ObjectNode>;
+var<storage, read> object_nodes: array<ObjectNode>;
 
 // Nodes of objects that a box is held against: one that has not been cleared by then counts as near.
 const VISITS: u32 = 48u;

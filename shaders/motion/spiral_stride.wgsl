@@ -11,7 +11,7 @@ struct Obstacle {
     place: u32,
 }
 
-@group(0) @binding(77) var<uniform> obstacles: array<Obstacle, OBSTACLE_COUNT>;
+var<uniform> obstacles: array<Obstacle, OBSTACLE_COUNT>;
 
 // Radians, about: what a cubic arc follows to some 1e-5 of its distance from the centre.
 const ARC: Real = 0.25;

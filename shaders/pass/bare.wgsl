@@ -1,7 +1,7 @@
 // As many steps of every ray as it is told, in registers, and nothing else: no segments, no tests for their end, no masks. What
 // `bench limit` holds the schedules against.
 
-@group(0) @binding(180) var<storage, read> wanted_steps: array<u32>;
+var<storage, read> wanted_steps: array<u32>;
 
 @compute @workgroup_size(GROUP)
 fn bare(own: Invocation) {

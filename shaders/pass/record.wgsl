@@ -15,7 +15,7 @@ struct Record {
     from_v: Real3,
 }
 
-@group(0) @binding(181) var<storage, read_write> records: array<Record>;
+var<storage, read_write> records: array<Record>;
 
 @compute @workgroup_size(GROUP)
 fn record(own: Invocation) {

@@ -11,7 +11,7 @@ struct Refinement {
     gain: f32,
 }
 
-@group(0) @binding(182) var<uniform> refinement: Refinement;
+var<uniform> refinement: Refinement;
 
 // Counts for the host.
 struct Refined {
@@ -19,7 +19,7 @@ struct Refined {
     capped: atomic<u32>,
 }
 
-@group(0) @binding(183) var<storage, read_write> refined: Refined;
+var<storage, read_write> refined: Refined;
 
 const FIRST_SAMPLES: u32 = 16u;
 

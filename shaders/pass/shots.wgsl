@@ -20,7 +20,7 @@ struct ShotRecord {
     clear: u32,
 }
 
-@group(0) @binding(181) var<storage, read_write> records: array<ShotRecord>;
+var<storage, read_write> records: array<ShotRecord>;
 
 // Runs again and again until every search is over: one part of it at a time, and a look along the path that it found.
 @compute @workgroup_size(GROUP)

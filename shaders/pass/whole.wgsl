@@ -8,9 +8,9 @@ fn whole(own: Invocation) {
     var segments = 0u;
     var rejected = 0u;
     var ends = no_ends();
-    let pixels = lane_pixels();
-    for (var k = 0u; k < pixels; k++) {
-        let place = round_pixel(lane_invocation(own, pixels, k));
+    let each = lane_pixels();
+    for (var k = 0u; k < each; k++) {
+        let place = round_pixel(lane_invocation(own, each, k));
         let pixel = place.pixel;
         var ray = path_start(pixel);
         clear_last_hit();

@@ -20,7 +20,7 @@ struct Carried {
     dispersed: u32,
 }
 
-@group(0) @binding(43) var<storage, read_write> paths: array<Carried>;
+var<storage, read_write> pixel_path: array<Carried>;
 
 var<private> carried: Carried;
 
@@ -29,19 +29,15 @@ const OWN: u32 = 0u;
 // None: it ended on a surface, or by roulette.
 const OVER: u32 = 1u;
 
-fn place_of_path(pixel: vec2u) -> u32 {
-    return pixel.y * frame.size.x + pixel.x;
-}
-
 fn load_weight(pixel: vec2u) {
     if DRAWS_WAVELENGTH {
         draw_wavelength(pixel);
     }
-    carried = paths[place_of_path(pixel)];
+    carried = pixel_path[place_in_tile(pixel)];
 }
 
 fn store_weight(pixel: vec2u) {
-    paths[place_of_path(pixel)] = carried;
+    pixel_path[place_in_tile(pixel)] = carried;
 }
 
 fn start_weight(x: Real3) {

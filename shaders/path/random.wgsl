@@ -9,7 +9,7 @@ struct Transport {
     seed: u32,
 }
 
-@group(0) @binding(42) var<uniform> transport: Transport;
+var<uniform> transport: Transport;
 
 // Uses.
 const DIRECTION: u32 = 0u;

@@ -17,7 +17,7 @@ const CAPPED: u32 = 0x40000000u;
 // The rays without the flags.
 const RAYS: u32 = 0x0000ffffu;
 
-@group(0) @binding(150) var<storage, read_write> moments: array<Moments>;
+var<storage, read_write> moments: array<Moments>;
 
 // What a screen shows of linear light, from 0 to 1: exposure, tone map and the sRGB curve (IEC 61966-2-1), as in the PNG.
 fn displayed(c: vec3f) -> vec3f {
@@ -45,15 +45,15 @@ fn sample_wanted(pixel: vec2u) -> bool {
 }
 
 // How the ray through each pixel's top left corner ended, and on which object: what tells an edge from a gradient.
-@group(0) @binding(151) var corner_end: texture_storage_2d<r32uint, read_write>;
+var<storage, read_write> pixel_corner_end: array<u32>;
 
 fn keep_corner(pixel: vec2u, ray: Ray, seen: Seen) {
     if frame.sample + frame.branch == 0u {
         let code = select(ray.status, ESCAPED, ray.status == MISSED);
-        textureStore(corner_end, pixel, vec4u(code | (seen.object << 4u)));
+        pixel_corner_end[place_in_tile(pixel)] = code | (seen.object << 4u);
     }
 }
 
 fn load_corner(pixel: vec2u) -> u32 {
-    return textureLoad(corner_end, pixel).x;
+    return pixel_corner_end[place_in_tile(pixel)];
 }

@@ -5,10 +5,10 @@ struct Brightest {
     radiance: f32,
 }
 
-@group(0) @binding(165) var<uniform> brightest: Brightest;
-@group(0) @binding(166) var clamped_samples: texture_storage_2d<r32uint, read_write>;
-// Radiance, all colours together.
-@group(0) @binding(167) var clamped_light: texture_storage_2d<r32float, read_write>;
+var<uniform> brightest: Brightest;
+var<storage, read_write> pixel_clamped_samples: array<u32>;
+// Radiance, all colors together.
+var<storage, read_write> pixel_clamped_light: array<f32>;
 
 fn clamp_sample(pixel: vec2u, c: ptr<function, vec3f>) {
     let most = max((*c).x, max((*c).y, (*c).z));
@@ -16,8 +16,7 @@ fn clamp_sample(pixel: vec2u, c: ptr<function, vec3f>) {
     let taken = (1.0 - left) * ((*c).x + (*c).y + (*c).z) / 3.0;
     *c *= left;
     let begins = frame.sample == 0u;
-    let samples = select(textureLoad(clamped_samples, pixel).x, 0u, begins) + select(0u, 1u, left < 1.0);
-    let light = select(textureLoad(clamped_light, pixel).x, 0.0, begins) + taken;
-    textureStore(clamped_samples, pixel, vec4u(samples));
-    textureStore(clamped_light, pixel, vec4f(light));
+    let place = place_in_tile(pixel);
+    pixel_clamped_samples[place] = select(pixel_clamped_samples[place], 0u, begins) + select(0u, 1u, left < 1.0);
+    pixel_clamped_light[place] = select(pixel_clamped_light[place], 0.0, begins) + taken;
 }

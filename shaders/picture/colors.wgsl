@@ -1,16 +1,12 @@
-// Every pixel's colour, summed over what shading adds to it.
+// Every pixel's color, summed over what shading adds to it.
 
-@group(0) @binding(152) var red: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(153) var green: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(154) var blue: texture_storage_2d<r32float, read_write>;
+var<storage, read_write> pixel_color: array<vec3f>;
 
 fn load_color(pixel: vec2u) -> vec3f {
-    return vec3f(textureLoad(red, pixel).x, textureLoad(green, pixel).x, textureLoad(blue, pixel).x);
+    return pixel_color[place_in_tile(pixel)];
 }
 
 fn add_color(pixel: vec2u, c: vec3f) {
-    let first = sum_begins();
-    textureStore(red, pixel, vec4f(c.x + select(textureLoad(red, pixel).x, 0.0, first)));
-    textureStore(green, pixel, vec4f(c.y + select(textureLoad(green, pixel).x, 0.0, first)));
-    textureStore(blue, pixel, vec4f(c.z + select(textureLoad(blue, pixel).x, 0.0, first)));
+    let place = place_in_tile(pixel);
+    pixel_color[place] = c + select(pixel_color[place], vec3f(0.0), sum_begins());
 }

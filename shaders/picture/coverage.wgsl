@@ -1,7 +1,7 @@
 // How many of a pixel's samples are of the picture. Where the camera has no rays nothing is, and of a transparent sky a part may be seen.
 // Matter scatters light into all directions: behind it nothing is seen.
 
-@group(0) @binding(155) var alpha: texture_storage_2d<r32float, read_write>;
+var<storage, read_write> pixel_alpha: array<f32>;
 
 // The samples' sum, like the colours'; but not that of the rounds in which a sample's branches are followed.
 fn add_coverage(pixel: vec2u, code: u32) {
@@ -9,22 +9,22 @@ fn add_coverage(pixel: vec2u, code: u32) {
         return;
     }
     if frame.branch == 0u {
-        let before = select(textureLoad(alpha, pixel).x, 0.0, sum_begins());
-        textureStore(alpha, pixel, vec4f(before + select(1.0, 0.0, code == OUTSIDE)));
+        let place = place_in_tile(pixel);
+        pixel_alpha[place] = select(pixel_alpha[place], 0.0, sum_begins()) + select(1.0, 0.0, code == OUTSIDE);
     }
 }
 
 // So much of a sample's light would come from behind the picture: 1 where nothing is before that.
 fn uncover(pixel: vec2u, passed: vec3f) {
     let part = clamp((passed.x + passed.y + passed.z) / 3.0, 0.0, 1.0);
-    textureStore(alpha, pixel, vec4f(textureLoad(alpha, pixel).x - part));
+    pixel_alpha[place_in_tile(pixel)] -= part;
 }
 
 fn load_coverage(pixel: vec2u) -> f32 {
     if !IS_TRANSPARENT {
         return 1.0;
     }
-    return max(textureLoad(alpha, pixel).x, 0.0);
+    return max(pixel_alpha[place_in_tile(pixel)], 0.0);
 }
 
 // What is seen through a transparent sky, by rays that carry light with them and by others.

@@ -9,7 +9,7 @@ struct Corner {
     end: u32,
 }
 
-@group(0) @binding(179) var<storage, read_write> pixel_corners: array<Corner>;
+var<storage, read_write> pixel_corner: array<Corner>;
 
 // Directions further apart than this are not of one bundle of light, or of none that is smooth.
 const WIDEST_BUNDLE: f32 = 0.5;
@@ -51,10 +51,10 @@ fn note_footprint(pixel: vec2u, ray: Ray) {
     if frame.sample == CORNERS || frame.branch != 0u || !corners_shared(frame.origin + pixel) {
         return;
     }
-    let a = pixel_corners[place_in_tile(pixel)];
-    let b = pixel_corners[place_in_tile(pixel + vec2u(1u, 0u))];
-    let c = pixel_corners[place_in_tile(pixel + vec2u(0u, 1u))];
-    let d = pixel_corners[place_in_tile(pixel + vec2u(1u, 1u))];
+    let a = pixel_corner[place_in_tile(pixel)];
+    let b = pixel_corner[place_in_tile(pixel + vec2u(1u, 0u))];
+    let c = pixel_corner[place_in_tile(pixel + vec2u(0u, 1u))];
+    let d = pixel_corner[place_in_tile(pixel + vec2u(1u, 1u))];
     if any(vec3u(b.end, c.end, d.end) != vec3u(a.end)) || (a.end & 15u) != (footprint_end & 15u) {
         return;
     }
@@ -87,7 +87,7 @@ fn keep_corner(pixel: vec2u, ray: Ray, seen: Seen) {
     }
     if frame.sample == CORNERS && frame.branch == 0u {
         let place = select(vec3f(normalize(seen.end.v)), place_seen, ray.status == HIT);
-        pixel_corners[place_in_tile(pixel)] = Corner(place, end_of(ray.status, seen.object));
+        pixel_corner[place_in_tile(pixel)] = Corner(place, end_of(ray.status, seen.object));
     }
     // On the next pixel's way nothing is known.
     footprint = array<vec3f, 2>();

@@ -77,5 +77,5 @@ fn shade_path(pixel: vec2u, ray: Ray, end: Hit) {
         keep_layers(pixel, ray, seen);
     }
     // Corners that look alike prove nothing of a path's light: no two are said to be of the same object.
-    keep_corner(pixel, ray, Seen(seen.end, seen.color, seen.normal, place_of_path(pixel)));
+    keep_corner(pixel, ray, Seen(seen.end, seen.color, seen.normal, place_in_tile(pixel)));
 }

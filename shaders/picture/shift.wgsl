@@ -16,7 +16,7 @@ struct Frequency {
     axis: Real3,
 }
 
-@group(0) @binding(168) var<uniform> frequency: Frequency;
+var<uniform> frequency: Frequency;
 
 // K_t and K_φ.
 var<private> ray_kept: Real2;

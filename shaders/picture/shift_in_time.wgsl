@@ -8,7 +8,7 @@ struct Frequency {
     rest: Real,
 }
 
-@group(0) @binding(168) var<uniform> frequency: Frequency;
+var<uniform> frequency: Frequency;
 
 // k at the camera, and ln of its growth up to the path's end.
 var<private> ray_scale: Real;

@@ -1,7 +1,7 @@
 // How far a pixel's samples are from their mean: the sum of the squared distances, of their luminance (Welford 1962), from which the
 // host has the standard error of the picture.
 
-@group(0) @binding(164) var spread: texture_storage_2d<r32float, read_write>;
+var<storage, read_write> pixel_spread: array<f32>;
 
 // Of linear light in sRGB's primaries.
 fn luminance(c: vec3f) -> f32 {
@@ -14,5 +14,6 @@ fn keep_spread(pixel: vec2u, c: vec3f) {
     let sum = luminance(load_color(pixel));
     let own = luminance(c);
     let more = (own - sum / max(n, 1.0)) * (own - (sum + own) / (n + 1.0));
-    textureStore(spread, pixel, vec4f(select(textureLoad(spread, pixel).x + more, 0.0, frame.sample == 0u)));
+    let place = place_in_tile(pixel);
+    pixel_spread[place] = select(pixel_spread[place] + more, 0.0, frame.sample == 0u);
 }

@@ -8,7 +8,7 @@ struct Arc {
     hi: Real3,
 }
 
-@group(0) @binding(85) var<uniform> arc: Arc;
+var<uniform> arc: Arc;
 
 const MAX_PIECES: Real = 16.0;
 

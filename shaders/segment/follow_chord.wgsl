@@ -4,7 +4,7 @@ struct Chord {
     steps: u32,
 }
 
-@group(0) @binding(86) var<uniform> chord: Chord;
+var<uniform> chord: Chord;
 
 fn follow_segment(ray: ptr<function, Ray>) -> Segment {
     let start = (*ray).phase;

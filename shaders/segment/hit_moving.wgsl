@@ -9,7 +9,7 @@ struct MovingArcs {
     tolerance: Real,
 }
 
-@group(0) @binding(99) var<uniform> moving_arcs: MovingArcs;
+var<uniform> moving_arcs: MovingArcs;
 
 const MOVING_PIECES: Real = 64.0;
 

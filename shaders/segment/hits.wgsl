@@ -1,16 +1,16 @@
-// What each pixel's ray hit: the primitive and the fraction of its last segment. Textures of their own, not a part of the
-// state: they are written once.
+// What each pixel's ray hit: the primitive and the fraction of its last segment. No part of the state:
+// it is written once.
 
-@group(0) @binding(87) var hit_primitive: texture_storage_2d<r32uint, read_write>;
-@group(0) @binding(88) var hit_t: texture_storage_2d<r32float, read_write>;
+var<storage, read_write> pixel_hit_primitive: array<u32>;
+var<storage, read_write> pixel_hit_t: array<f32>;
 
 fn store_hit(pixel: vec2u, hit: Hit) {
-    textureStore(hit_primitive, pixel, vec4u(hit.primitive));
-    textureStore(hit_t, pixel, vec4f(f32(hit.t)));
+    pixel_hit_primitive[place_in_tile(pixel)] = hit.primitive;
+    pixel_hit_t[place_in_tile(pixel)] = f32(hit.t);
 }
 
 fn load_hit(pixel: vec2u) -> Hit {
-    return Hit(Real(textureLoad(hit_t, pixel).x), textureLoad(hit_primitive, pixel).x);
+    return Hit(Real(pixel_hit_t[place_in_tile(pixel)]), pixel_hit_primitive[place_in_tile(pixel)]);
 }
 
 fn clear_hit(pixel: vec2u) {

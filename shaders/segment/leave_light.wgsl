@@ -10,16 +10,16 @@ struct LightVolume {
     refine: u32,
 }
 
-@group(0) @binding(95) var<storage, read> light_volume: LightVolume;
+var<storage, read> light_volume: LightVolume;
 
 // For each voxel the number of its brick, from 1, or 0.
-@group(0) @binding(96) var<storage, read> volume_bricks: array<u32>;
+var<storage, read> volume_bricks: array<u32>;
 
 // Four words a voxel: x, y and z as signed numbers, and the length. Those of the voxels themselves, or of the bricks.
-@group(0) @binding(97) var<storage, read_write> light_sums: array<atomic<u32>>;
+var<storage, read_write> light_sums: array<atomic<u32>>;
 
 // For each path 1 if it left light anywhere.
-@group(0) @binding(98) var<storage, read_write> light_reaches: array<u32>;
+var<storage, read_write> light_reaches: array<u32>;
 
 var<private> reaches: bool;
 

@@ -9,7 +9,7 @@ struct Surrounding {
     across: Real3,
 }
 
-@group(0) @binding(94) var<uniform> surroundings: array<Surrounding, NEAR_COUNT>;
+var<uniform> surroundings: array<Surrounding, NEAR_COUNT>;
 
 // What rounding may hide, as a part of the distances that a test is made of.
 const NEAR_SLACK: Real = 4e-6;

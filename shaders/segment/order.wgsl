@@ -1,7 +1,7 @@
 // The structure's items. Those of a single kind lie in memory in the structure's own order; those of several kinds, or of one that a grid
 // has in many cells, are listed.
 
-@group(0) @binding(89) var<storage, read> items: array<u32>;
+var<storage, read> items: array<u32>;
 
 fn item_at(i: u32) -> u32 {
     if ITEMS_IN_ORDER {

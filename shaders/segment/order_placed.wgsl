@@ -1,7 +1,7 @@
 // Items of a hierarchy over meshes that are kept once: those of the scene are listed, and those of a mesh are its triangles, in their
 // own order, each as a primitive of the instance that the walk is in.
 
-@group(0) @binding(89) var<storage, read> items: array<u32>;
+var<storage, read> items: array<u32>;
 
 const NO_INSTANCE: u32 = 0xffffffffu;
 

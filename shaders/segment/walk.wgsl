@@ -3,7 +3,7 @@
 // fixed), and the nearest hit so far. Where no later pass does, the ray stays alive, and the host follows it by other passes.
 
 // A place, counted from 1; 0 is a walk that has not begun.
-@group(0) @binding(93) var walk: texture_storage_2d<r32uint, read_write>;
+var<storage, read_write> pixel_walk: array<u32>;
 
 // The place to go on from, counted from 1; 0 when the walk is complete.
 var<private> walk_place: u32;
@@ -63,8 +63,8 @@ fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
     let sought = select(0u, pieces, (near & NEAR_STRUCTURE) != 0u);
     var hit: Hit;
     if RESUMES {
-        let kept = textureLoad(walk, pixel).x;
-        hit = Hit(Real(textureLoad(hit_t, pixel).x), textureLoad(hit_primitive, pixel).x);
+        let kept = pixel_walk[place_in_tile(pixel)];
+        hit = load_hit(pixel);
         if kept == 0u {
             hit = listed_hit(s, pieces, near);
         }
@@ -75,11 +75,10 @@ fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
             walk_anew();
         }
         if walk_place != kept {
-            textureStore(walk, pixel, vec4u(walk_place));
+            pixel_walk[place_in_tile(pixel)] = walk_place;
         }
         if walk_suspended() {
-            textureStore(hit_t, pixel, vec4f(f32(hit.t)));
-            textureStore(hit_primitive, pixel, vec4u(hit.primitive));
+            store_hit(pixel, hit);
         }
     } else {
         hit = structure_hit(s, sought, listed_hit(s, pieces, near));
@@ -92,7 +91,7 @@ fn walk_needed(pixel: vec2u) -> bool {
     if !RESUMES {
         return true;
     }
-    return dispatch.again == 0u || textureLoad(walk, pixel).x != 0u;
+    return dispatch.again == 0u || pixel_walk[place_in_tile(pixel)] != 0u;
 }
 
 // After all of a segment's walks.
@@ -100,5 +99,5 @@ fn walk_unfinished(pixel: vec2u) -> bool {
     if !RESUMES {
         return false;
     }
-    return textureLoad(walk, pixel).x != 0u;
+    return pixel_walk[place_in_tile(pixel)] != 0u;
 }

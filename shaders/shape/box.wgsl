@@ -2,8 +2,8 @@
 
 const BOX: u32 = 0x20000000u;
 
-@group(0) @binding(100) var<storage, read> boxes: array<Placed>;
-@group(0) @binding(101) var<uniform> box_list: array<OwnSpace, BOX_COUNT>;
+var<storage, read> boxes: array<Placed>;
+var<uniform> box_list: array<OwnSpace, BOX_COUNT>;
 
 // Of the cube itself: p and v are in its own space.
 fn box_interval(p: Real3, v: Real3) -> Interval {
@@ -38,7 +38,7 @@ fn surface_box(i: u32, x: Real3) -> Surface {
 
 // Those that are crossed: behind the opaque ones in their list.
 
-@group(0) @binding(102) var<uniform> sided_box_list: array<SidedSpace, SIDED_BOX_COUNT>;
+var<uniform> sided_box_list: array<SidedSpace, SIDED_BOX_COUNT>;
 
 fn cross_box(own: SidedSpace, a: Real3, d: Real3) -> Real {
     let space = sided_space(own);

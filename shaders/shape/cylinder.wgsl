@@ -2,8 +2,8 @@
 
 const CYLINDER: u32 = 0x50000000u;
 
-@group(0) @binding(103) var<storage, read> cylinders: array<Placed>;
-@group(0) @binding(104) var<uniform> cylinder_list: array<OwnSpace, CYLINDER_COUNT>;
+var<storage, read> cylinders: array<Placed>;
+var<uniform> cylinder_list: array<OwnSpace, CYLINDER_COUNT>;
 
 // Of the unit cylinder itself: p and v are in its own space.
 fn cylinder_interval(p: Real3, v: Real3) -> Interval {
@@ -42,7 +42,7 @@ fn surface_cylinder(i: u32, x: Real3) -> Surface {
 
 // Those that are crossed: behind the opaque ones in their list.
 
-@group(0) @binding(105) var<uniform> sided_cylinder_list: array<SidedSpace, SIDED_CYLINDER_COUNT>;
+var<uniform> sided_cylinder_list: array<SidedSpace, SIDED_CYLINDER_COUNT>;
 
 fn cross_cylinder(own: SidedSpace, a: Real3, d: Real3) -> Real {
     let space = sided_space(own);

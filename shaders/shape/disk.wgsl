@@ -10,8 +10,8 @@ struct DiskSpace {
     hole: Real,
 }
 
-@group(0) @binding(106) var<storage, read> disks: array<Placed>;
-@group(0) @binding(107) var<uniform> disk_list: array<DiskSpace, DISK_COUNT>;
+var<storage, read> disks: array<Placed>;
+var<uniform> disk_list: array<DiskSpace, DISK_COUNT>;
 
 fn ring_fraction(space: OwnSpace, hole: Real, a: Real3, v: Real3) -> Real {
     let p = own_point(space, a);

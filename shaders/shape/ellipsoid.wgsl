@@ -2,8 +2,8 @@
 
 const ELLIPSOID: u32 = 0x10000000u;
 
-@group(0) @binding(108) var<storage, read> ellipsoids: array<Placed>;
-@group(0) @binding(109) var<uniform> ellipsoid_list: array<OwnSpace, ELLIPSOID_COUNT>;
+var<storage, read> ellipsoids: array<Placed>;
+var<uniform> ellipsoid_list: array<OwnSpace, ELLIPSOID_COUNT>;
 
 fn ellipsoid_interval(space: OwnSpace, a: Real3, d: Real3) -> Interval {
     let v = own_vector(space, d);
@@ -29,7 +29,7 @@ fn surface_ellipsoid(i: u32, x: Real3) -> Surface {
 
 // Those that are crossed: behind the opaque ones in their list.
 
-@group(0) @binding(110) var<uniform> sided_ellipsoid_list: array<SidedSpace, SIDED_ELLIPSOID_COUNT>;
+var<uniform> sided_ellipsoid_list: array<SidedSpace, SIDED_ELLIPSOID_COUNT>;
 
 fn cross_ellipsoid(own: SidedSpace, a: Real3, d: Real3) -> Real {
     return crossing(ellipsoid_interval(sided_space(own), a, d), own.bit);

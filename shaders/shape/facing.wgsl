@@ -1,15 +1,14 @@
 // From which side triangles are met: those of objects that rays go on from, from the side that a ray is known to be on.
 
 // For each object its bit in the set of regions, or NO_BIT.
-@group(0) @binding(111) var<storage, read> object_bits: array<u32>;
+var<storage, read> object_bits: array<u32>;
 
 const NO_BIT: u32 = 32u;
 
-// through: above 0 where a ray leaves through the triangle.
-fn may_cross(object: u32, through: Real) -> bool {
+// bit: that of the triangle's object. through: above 0 where a ray leaves through the triangle.
+fn may_cross(bit: u32, through: Real) -> bool {
     if !HAS_SIDED_MESH {
         return true;
     }
-    let bit = object_bits[object];
     return bit == NO_BIT || is_inside(bit) == (through > 0.0);
 }

@@ -21,9 +21,10 @@ struct Instance {
     primitives: u32,
     // Their nodes.
     places: u32,
+    material: u32,
 }
 
-@group(0) @binding(122) var<storage, read> instances: array<Instance>;
+var<storage, read> instances: array<Instance>;
 
 fn instance_space(i: u32) -> OwnSpace {
     return OwnSpace(instances[i].row_x, instances[i].row_y, instances[i].row_z);
@@ -44,22 +45,24 @@ fn instance_of(number: u32, of_walk: bool) -> u32 {
 fn surface_instance(primitive: u32, x: Real3) -> Surface {
     let own = instances[instance_of(primitive, false)];
     let space = OwnSpace(own.row_x, own.row_y, own.row_z);
-    let triangle = triangles[own.first + primitive - own.primitives];
-    let p = vertices[triangle.a];
-    let q = vertices[triangle.b];
-    let r = vertices[triangle.c];
+    let triangle = own.first + primitive - own.primitives;
+    let place = corners[triangle];
+    let first = TRIANGLE_WORDS * triangle;
+    let vertices = vec3u(mesh[first], mesh[first + 1u], mesh[first + 2u]);
+    let p = mesh_vertex(vertices.x);
+    let q = mesh_vertex(vertices.y);
+    let r = mesh_vertex(vertices.z);
     let at = own_point(space, x);
-    let n = cross(q.position - p.position, r.position - p.position);
+    let n = cross(place.q - place.p, place.r - place.p);
     let steep = scene_gradient(space, n);
-    let share = triangle_shares(p.position, q.position, r.position, at);
+    let share = triangle_shares(place.p, place.q, place.r, at);
     let normal = share.x * normalize(scene_gradient(space, p.normal))
         + share.y * normalize(scene_gradient(space, q.normal))
         + share.z * normalize(scene_gradient(space, r.normal));
-    let uv = share.x * Real2(p.u, p.v) + share.y * Real2(q.u, q.v) + share.z * Real2(r.u, r.v);
-    let gap = dot(n, at - p.position) / length(steep);
-    let material = object_materials[own.object];
+    let uv = share.x * p.uv + share.y * q.uv + share.z * r.uv;
+    let gap = dot(n, at - place.p) / length(steep);
     if HAS_VERTEX_COLORS {
-        note_corners(triangle, share);
+        note_corners(vertices, share);
     }
-    return Surface(gap, 0.0, normalize(steep), vec3f(normalize(normal)), vec2f(uv), material, own.object);
+    return Surface(gap, 0.0, normalize(steep), vec3f(normalize(normal)), vec2f(uv), own.material, own.object);
 }

@@ -20,7 +20,7 @@ struct Travel {
     radius: Real,
 }
 
-@group(0) @binding(121) var<uniform> travels: array<Travel, TRAVEL_COUNT>;
+var<uniform> travels: array<Travel, TRAVEL_COUNT>;
 
 // Of the place of a path that surfaces are asked for: its τ and velocity.
 var<private> met_tau: Real;

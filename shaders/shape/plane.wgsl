@@ -2,8 +2,8 @@
 
 const PLANE: u32 = 0x30000000u;
 
-@group(0) @binding(112) var<storage, read> planes: array<Placed>;
-@group(0) @binding(113) var<uniform> plane_list: array<OwnSpace, PLANE_COUNT>;
+var<storage, read> planes: array<Placed>;
+var<uniform> plane_list: array<OwnSpace, PLANE_COUNT>;
 
 fn square_fraction(space: OwnSpace, a: Real3, v: Real3) -> Real {
     let p = own_point(space, a);

@@ -7,8 +7,8 @@ struct Ball {
     radius: Real,
 }
 
-@group(0) @binding(114) var<storage, read> spheres: array<Placed>;
-@group(0) @binding(115) var<uniform> sphere_list: array<Ball, SPHERE_COUNT>;
+var<storage, read> spheres: array<Placed>;
+var<uniform> sphere_list: array<Ball, SPHERE_COUNT>;
 
 fn sphere_interval(center: Real3, radius: Real, a: Real3, d: Real3) -> Interval {
     return ball_interval(a - center, d, 1.0 / dot(d, d), radius * radius);
@@ -38,7 +38,7 @@ struct SidedBall {
     bit: u32,
 }
 
-@group(0) @binding(116) var<uniform> sided_sphere_list: array<SidedBall, SIDED_SPHERE_COUNT>;
+var<uniform> sided_sphere_list: array<SidedBall, SIDED_SPHERE_COUNT>;
 
 fn cross_sphere(own: SidedBall, a: Real3, d: Real3) -> Real {
     return crossing(ball_interval(a - own.center, d, 1.0 / dot(d, d), own.radius * own.radius), own.bit);

@@ -2,32 +2,35 @@
 
 const TRIANGLE: u32 = 0x40000000u;
 
-struct Triangle {
-    a: u32,
-    b: u32,
-    c: u32,
-    object: u32,
-}
-
-struct Vertex {
-    position: Real3,
-    u: Real,
-    normal: Real3,
-    v: Real,
-}
-
 // What a segment is tested against, in one place in memory.
 struct Corners {
     p: Real3,
-    object: u32,
+    // That of its object in the set of regions, or NO_BIT.
+    bit: u32,
     q: Real3,
     r: Real3,
 }
 
-@group(0) @binding(117) var<storage, read> corners: array<Corners>;
-@group(0) @binding(118) var<storage, read> triangles: array<Triangle>;
-@group(0) @binding(119) var<storage, read> vertices: array<Vertex>;
-@group(0) @binding(120) var<storage, read> object_materials: array<u32>;
+var<storage, read> corners: array<Corners>;
+
+// What a surface is asked for, in words: of each triangle where its vertices begin, its object and that object's material; then of each
+// vertex its normal, u and v, and its color where some mesh has colors.
+var<storage, read> mesh: array<u32>;
+
+const TRIANGLE_WORDS: u32 = 5u;
+
+struct Vertex {
+    normal: Real3,
+    uv: Real2,
+}
+
+fn mesh_vector(at: u32) -> vec3f {
+    return bitcast<vec3f>(vec3u(mesh[at], mesh[at + 1u], mesh[at + 2u]));
+}
+
+fn mesh_vertex(at: u32) -> Vertex {
+    return Vertex(Real3(mesh_vector(at)), Real2(bitcast<vec2f>(vec2u(mesh[at + 3u], mesh[at + 4u]))));
+}
 
 // Which side of the line along d through the origin the edge p → q passes, as a volume. Both triangles at an edge get the
 // same number with opposite signs, whatever the rounding, because it is always computed from the lesser end: so no ray
@@ -63,7 +66,7 @@ fn meet_triangle(i: u32, a: Real3, d: Real3) -> Meeting {
 // The fraction of the piece from a along d, or 2.
 fn triangle_fraction(i: u32, a: Real3, d: Real3) -> Real {
     let meeting = meet_triangle(i, a, d);
-    let met = may_cross(corners[i].object, meeting.through) && !is_last_hit(TRIANGLE | i);
+    let met = may_cross(corners[i].bit, meeting.through) && !is_last_hit(TRIANGLE | i);
     return select(2.0, meeting.t, met);
 }
 
@@ -77,17 +80,19 @@ fn triangle_shares(p: Real3, q: Real3, r: Real3, x: Real3) -> Real3 {
 }
 
 fn surface_triangle(i: u32, x: Real3) -> Surface {
-    let triangle = triangles[i];
-    let p = vertices[triangle.a];
-    let q = vertices[triangle.b];
-    let r = vertices[triangle.c];
-    let across = normalize(cross(q.position - p.position, r.position - p.position));
-    let share = triangle_shares(p.position, q.position, r.position, x);
+    let place = corners[i];
+    let at = TRIANGLE_WORDS * i;
+    let vertices = vec3u(mesh[at], mesh[at + 1u], mesh[at + 2u]);
+    let p = mesh_vertex(vertices.x);
+    let q = mesh_vertex(vertices.y);
+    let r = mesh_vertex(vertices.z);
+    let across = normalize(cross(place.q - place.p, place.r - place.p));
+    let share = triangle_shares(place.p, place.q, place.r, x);
     let normal = normalize(share.x * p.normal + share.y * q.normal + share.z * r.normal);
-    let uv = share.x * Real2(p.u, p.v) + share.y * Real2(q.u, q.v) + share.z * Real2(r.u, r.v);
-    let gap = dot(across, x - p.position);
+    let uv = share.x * p.uv + share.y * q.uv + share.z * r.uv;
+    let gap = dot(across, x - place.p);
     if HAS_VERTEX_COLORS {
-        note_corners(triangle, share);
+        note_corners(vertices, share);
     }
-    return Surface(gap, 0.0, across, vec3f(normal), vec2f(uv), object_materials[triangle.object], triangle.object);
+    return Surface(gap, 0.0, across, vec3f(normal), vec2f(uv), mesh[at + 4u], mesh[at + 3u]);
 }

@@ -55,9 +55,9 @@ fn group_extent() -> vec2u {
 }
 
 // Where an invocation would stand, if each had one pixel, for the k-th of several.
-fn lane_invocation(own: Invocation, pixels: u32, k: u32) -> Invocation {
+fn lane_invocation(own: Invocation, each: u32, k: u32) -> Invocation {
     var at = own;
-    at.group.y = own.group.y * pixels + k;
+    at.group.y = own.group.y * each + k;
     return at;
 }
 

@@ -18,7 +18,7 @@ struct Frame {
     zero: u32,
 }
 
-@group(0) @binding(0) var<uniform> frame: Frame;
+var<uniform> frame: Frame;
 
 // A pixel's place in lists over the tile.
 fn place_in_tile(pixel: vec2u) -> u32 {
@@ -33,7 +33,7 @@ struct Schedule {
     segments: u32,
 }
 
-@group(0) @binding(1) var<uniform> schedule: Schedule;
+var<uniform> schedule: Schedule;
 
 // What changes from pass to pass: which slots of the state pair it reads and writes.
 struct Dispatch {
@@ -47,4 +47,4 @@ struct Dispatch {
     first: u32,
 }
 
-@group(0) @binding(2) var<uniform> dispatch: Dispatch;
+var<uniform> dispatch: Dispatch;

@@ -1,47 +1,55 @@
 // A ray as the state holds it, and a word of status beside it.
 
-// What a slot holds of a ray: X = (x, tau) and V = (v, h).
-alias State = mat2x4<Real>;
+// What a slot holds of a ray: the columns are X, V and W.
+alias State = mat3x4<Real>;
 
 fn chosen_state(a: State, b: State, second: bool) -> State {
-    return State(select(a[0], b[0], second), select(a[1], b[1], second));
+    return State(select(a[0], b[0], second), select(a[1], b[1], second), select(a[2], b[2], second));
 }
 
-@group(0) @binding(4) var status: texture_storage_2d<r32uint, read_write>;
+// Of two slots or three: `paper` keeps a segment's start while the other two ping-pong under its steps.
+fn slot_state(slot: u32, pixel: vec2u) -> State {
+    let first = chosen_state(state_at_0(pixel), state_at_1(pixel), slot == 1u);
+    if !HAS_THREE_SLOTS {
+        return first;
+    }
+    return chosen_state(first, state_at_2(pixel), slot == 2u);
+}
+
+var<storage, read_write> pixel_status: array<u32>;
 
 fn load_status(pixel: vec2u) -> u32 {
-    return textureLoad(status, pixel).x;
+    return pixel_status[place_in_tile(pixel)];
 }
 
 fn store_status(pixel: vec2u, word: u32) {
-    textureStore(status, pixel, vec4u(word));
+    pixel_status[place_in_tile(pixel)] = word;
 }
 
 fn load_ray(pixel: vec2u, word: u32) -> Ray {
-    let state = load_state(pixel);
-    let phase = unpack_phase(state, pixel);
-    return unpacked(state, load_rest(pixel), phase, load_memory(pixel, state[1].w, phase), word, pixel);
+    return unpacked(load_state(pixel), word, pixel);
 }
 
 // The state of a ray at the start of its last segment, from the slot that its status names.
 fn load_ended(pixel: vec2u) -> Ray {
     let word = load_status(pixel);
-    let slot = status_slot(word);
-    let state = slot_state(slot, pixel);
-    let phase = unpack_slot(state, slot, pixel);
-    return unpacked(state, ended_rest(slot, pixel), phase, slot_memory(slot, pixel, state[1].w, phase), word, pixel);
+    return unpacked(slot_state(status_slot(word), pixel), word, pixel);
 }
 
-fn unpacked(state: State, rest: Real, phase: Phase, memory: Memory, word: u32, pixel: vec2u) -> Ray {
+fn unpacked(state: State, word: u32, pixel: vec2u) -> Ray {
+    let phase = unpack_phase(state);
     let counts = load_counts(pixel);
-    return Ray(phase, state[0].w, rest, memory, 0.0, status_index(word), counts.x, counts.y, status_code(word));
+    let memory = recalled(state[1].w, state[2].y, phase);
+    return Ray(phase, state[0].w, state[2].z, memory, 0.0, status_index(word), counts.x, counts.y, status_code(word));
 }
 
 fn store_ray(pixel: vec2u, ray: Ray) {
-    put_state(pixel, State(Real4(ray.phase[0].xyz, ray.tau), Real4(ray.phase[1].xyz, ray.memory.h)));
-    store_rest(pixel, ray);
-    store_clock(pixel, ray.phase);
-    store_memory(pixel, ray.memory);
+    let times = phase_times(ray.phase);
+    put_state(pixel, State(
+        Real4(ray.phase[0].xyz, ray.tau),
+        Real4(ray.phase[1].xyz, ray.memory.h),
+        Real4(times.x, remembered_error(ray.memory), ray.rest, times.y),
+    ));
 }
 
 // A segment between two slots of the state, for the schedules that integrate and intersect in different passes.
@@ -59,4 +67,20 @@ fn load_tau(pixel: vec2u) -> Real {
 
 fn load_start_tau(pixel: vec2u) -> Real {
     return start_state(pixel)[0].w;
+}
+
+// The size of the step that a pass took, for the pass that intersects: an arc's tangents need it, and a chord no more than its ends.
+var<storage, read_write> pixel_taken: array<Real>;
+
+fn store_taken(pixel: vec2u, h: Real) {
+    if KEEPS_TAKEN {
+        pixel_taken[place_in_tile(pixel)] = h;
+    }
+}
+
+fn taken_step(pixel: vec2u) -> Real {
+    if KEEPS_TAKEN {
+        return pixel_taken[place_in_tile(pixel)];
+    }
+    return 0.0;
 }

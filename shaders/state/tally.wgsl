@@ -15,7 +15,7 @@ struct Tally {
     statuses: array<atomic<u32>, STATUSES>,
 }
 
-@group(0) @binding(3) var<storage, read_write> tally: Tally;
+var<storage, read_write> tally: Tally;
 
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_segments: atomic<u32>;

@@ -7,7 +7,7 @@ struct BlackBody {
     luminance: f32,
 }
 
-@group(0) @binding(125) var<storage, read> black_bodies: array<BlackBody>;
+var<storage, read> black_bodies: array<BlackBody>;
 
 // Kelvins, of the first row and the last.
 const COOLEST: f32 = 500.0;

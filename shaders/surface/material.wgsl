@@ -27,4 +27,4 @@ struct Lit {
     view: vec3f,
 }
 
-@group(0) @binding(134) var<storage, read> materials: array<Material>;
+var<storage, read> materials: array<Material>;

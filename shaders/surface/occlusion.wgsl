@@ -12,7 +12,7 @@ struct Ambient {
     shadows: u32,
 }
 
-@group(0) @binding(148) var<uniform> ambient: Ambient;
+var<uniform> ambient: Ambient;
 
 // Random points' number of this use; others are numbers of segments.
 const OCCLUSION: u32 = 0x80000000u;

@@ -15,10 +15,9 @@ struct Region {
     radius: Real,
 }
 
-@group(0) @binding(136) var<uniform> regions: array<Region, REGION_COUNT>;
-@group(0) @binding(137) var inside_set: texture_storage_2d<r32uint, read_write>;
+var<uniform> regions: array<Region, REGION_COUNT>;
+var<storage, read_write> pixel_inside: array<u32>;
 
-// The set.
 var<private> inside: u32;
 // The kind of region, which says how rays move and what the index is.
 var<private> region: u32;
@@ -53,11 +52,11 @@ fn region_bits() -> u32 {
 }
 
 fn load_region(pixel: vec2u) {
-    enter_set(textureLoad(inside_set, pixel).x);
+    enter_set(pixel_inside[place_in_tile(pixel)]);
 }
 
 fn store_region(pixel: vec2u) {
-    textureStore(inside_set, pixel, vec4u(inside));
+    pixel_inside[place_in_tile(pixel)] = inside;
 }
 
 // On a surface a ray is on the side that it moves to.
@@ -79,7 +78,7 @@ fn start_region(x: Real3, v: Real3, pixel: vec2u) {
 }
 
 // For each given ray the meshes that it starts in, as bits of the set of regions.
-@group(0) @binding(135) var<storage, read> given_sets: array<u32>;
+var<storage, read> given_sets: array<u32>;
 
 // A camera's rays all start inside of a mesh, or all outside; given rays each inside of other meshes.
 fn starts_inside(region_bit: u32, pixel: vec2u) -> bool {

@@ -10,7 +10,7 @@ struct Touching {
     bits: u32,
 }
 
-@group(0) @binding(138) var<uniform> touching: array<Touching, TOUCHING_COUNT>;
+var<uniform> touching: array<Touching, TOUCHING_COUNT>;
 
 // Surfaces are together that are no further apart than this part of the sizes from which their gaps are computed. In 32 bits each
 // gap is wrong by up to fifteen roundings (of the place, the rows and the sum), and 2e-6 are thirty; in 64 bits it is for scenes

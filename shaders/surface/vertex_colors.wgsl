@@ -3,24 +3,21 @@
 // Set in a material's pattern: the pattern is multiplied by vertex colors.
 const VERTEX_COLORS: u32 = 0x80000000u;
 
-struct VertexColor {
-    // Linear.
-    color: vec3f,
-}
+// Behind a vertex's normal and its u and v.
+const COLOR_WORD: u32 = 5u;
 
-@group(0) @binding(129) var<storage, read> vertex_colors: array<VertexColor>;
-
-// The triangle's vertices, and the point's barycentric coordinates.
+// Where the triangle's vertices begin, and the point's barycentric coordinates.
 var<private> colored_corners: vec3u;
 var<private> colored_share: vec3f;
 
-fn note_corners(triangle: Triangle, share: Real3) {
-    colored_corners = vec3u(triangle.a, triangle.b, triangle.c);
+fn note_corners(vertices: vec3u, share: Real3) {
+    colored_corners = vertices + COLOR_WORD;
     colored_share = vec3f(share);
 }
 
+// Linear.
 fn vertex_color() -> vec3f {
-    return colored_share.x * vertex_colors[colored_corners.x].color
-        + colored_share.y * vertex_colors[colored_corners.y].color
-        + colored_share.z * vertex_colors[colored_corners.z].color;
+    return colored_share.x * mesh_vector(colored_corners.x)
+        + colored_share.y * mesh_vector(colored_corners.y)
+        + colored_share.z * mesh_vector(colored_corners.z);
 }

@@ -54,22 +54,6 @@ pub enum GpuError {
         /// What would be enough.
         needed: u64,
     },
-    /// A pass binds more read-write textures than Metal takes, which no limit of wgpu's tells: gfx-rs/wgpu#10006.
-    #[error(
-        "{device}: pass `{pass}` of this scene needs {needed} read-write textures, and Metal allows {allowed} (gfx-rs/wgpu#10006): {remedy}"
-    )]
-    ReadWriteTextures {
-        /// The adapter's name.
-        device: String,
-        /// The pass's entry point.
-        pass: String,
-        /// How many a pass may bind.
-        allowed: usize,
-        /// How many it binds.
-        needed: usize,
-        /// What the user can do about it.
-        remedy: &'static str,
-    },
     /// The budget is too small for any tile.
     #[error(
         "{allowed} bytes of device memory are too few: this scene needs at least {needed} for the smallest tile; raise --memory"

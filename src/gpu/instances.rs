@@ -117,8 +117,8 @@ impl Instances {
         self.places.iter().map(|place| self.meshes[place.mesh].nodes.len() as u64).sum()
     }
 
-    /// The rows of `shaders/shape/instance.wgsl`, where so many nodes lie before the meshes' own.
-    pub(super) fn rows(&self, nodes_before: u32) -> Vec<Row> {
+    /// The rows of `shaders/shape/instance.wgsl`, where so many nodes lie before the meshes' own; the materials are those of objects.
+    pub(super) fn rows(&self, nodes_before: u32, materials: &[u32]) -> Vec<Row> {
         let mut firsts = Vec::new();
         let (mut root, mut first) = (nodes_before, 0_u32);
         for kept in &self.meshes {
@@ -134,6 +134,7 @@ impl Instances {
             let own = row! {
                 row_x: Vec4(x), row_y: Vec4(y), row_z: Vec4(z), root: Uint(root), first: Uint(first),
                 next: Uint(place.next), object: Uint(place.object), primitives: Uint(primitives), places: Uint(places),
+                material: Uint(materials[place.object as usize]),
             };
             primitives = primitives.wrapping_add(kept.triangles.len() as u32);
             places = places.wrapping_add(kept.nodes.len() as u32);

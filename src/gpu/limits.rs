@@ -1,7 +1,7 @@
 //! Whether a device can hold a scene's meshes, before it is opened.
 
 use super::device::is_called;
-use super::{AdapterReport, Geometry, GpuError, adapters};
+use super::{AdapterReport, Geometry, GpuError, adapters, mesh};
 use crate::assets::{Capacity, Held};
 use crate::program::{BindingKind, Program, element_bytes};
 
@@ -30,8 +30,8 @@ pub fn check_meshes(program: &Program, geometry: &Geometry, device: &AdapterRepo
     for binding in program.bindings() {
         let BindingKind::Storage { layout, .. } = &binding.kind else { continue };
         let count = match binding.name.as_str() {
-            "corners" | "triangles" => geometry.triangles.len(),
-            "vertices" => geometry.vertices.len(),
+            "corners" => geometry.triangles.len(),
+            "mesh" => mesh::count(geometry, program.features.has_vertex_colors),
             "items" => geometry.structure.items.len(),
             "nodes" => geometry.nodes().count(),
             _ => continue,

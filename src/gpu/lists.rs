@@ -7,6 +7,7 @@ use super::LightField;
 use super::geometry::PlacedShape;
 use super::glow::{black_bodies, orbits};
 use super::hierarchy::Node;
+use super::mesh;
 use super::ray_tree::{RayNode, object_tree, ray_tree};
 use super::records::{pack, pack_shared};
 use super::source::Source;
@@ -121,44 +122,26 @@ impl Source<'_> {
                 };
                 pack(name, layout, g.nodes().map(row)).map(Some)
             }
-            "instances" => pack(name, layout, g.instances.rows(g.structure.nodes.len() as u32)).map(Some),
+            "instances" => {
+                let rows = g.instances.rows(g.structure.nodes.len() as u32, &g.materials);
+                pack(name, layout, rows).map(Some)
+            }
             "ray_nodes" => pack(name, layout, self.ray_nodes()).map(Some),
             "object_nodes" => pack(name, layout, self.object_nodes()).map(Some),
-            "triangles" => pack(
-                name,
-                layout,
-                g.triangles.iter().map(|[a, b, c, object]| {
-                    [("a", Uint(*a)), ("b", Uint(*b)), ("c", Uint(*c)), ("object", Uint(*object))]
-                }),
-            )
-            .map(Some),
             "corners" => {
+                let (bits, none) = (self.object_bits(), no_bit());
                 let place = |i: u32| Vec3(g.vertices[i as usize].position.into());
                 let row = |[a, b, c, object]: &[u32; 4]| {
-                    [("p", place(*a)), ("object", Uint(*object)), ("q", place(*b)), ("r", place(*c))]
+                    let bit = bits.get(*object as usize).copied().unwrap_or(none);
+                    [("p", place(*a)), ("bit", Uint(bit)), ("q", place(*b)), ("r", place(*c))]
                 };
                 pack(name, layout, g.triangles.iter().map(row)).map(Some)
             }
-            "vertices" => pack(
-                name,
-                layout,
-                g.vertices.iter().map(|v| {
-                    [
-                        ("position", Vec3(v.position.into())),
-                        ("normal", Vec3(v.normal.into())),
-                        ("u", Float(v.uv.x.into())),
-                        ("v", Float(v.uv.y.into())),
-                    ]
-                }),
-            )
-            .map(Some),
-            "vertex_colors" => {
-                let row = |color: glam::Vec3| [("color", Vec3(color.into()))];
-                pack(name, layout, g.vertex_colors(self.scene).map(row)).map(Some)
-            }
+            "mesh" => Ok(Some(
+                bytemuck::cast_slice(&mesh::words(g, self.scene, self.program.features.has_vertex_colors)).to_vec(),
+            )),
             "items" => Ok(Some(bytemuck::cast_slice(&g.structure.items).to_vec())),
             "cells" => Ok(g.structure.grid.as_ref().map(|grid| bytemuck::cast_slice(&grid.cells).to_vec())),
-            "object_materials" => Ok(Some(bytemuck::cast_slice(&g.materials).to_vec())),
             "materials" => self.materials(layout).map(Some),
             "filters" => pack_shared(name, layout, self.filters()).map(Some),
             "lamps" => {
@@ -363,10 +346,13 @@ impl Source<'_> {
 
     /// For each object its bit in the set of regions.
     fn object_bits(&self) -> Vec<u32> {
-        let none = constant("shape/facing", "NO_BIT") as u32;
-        let bit = |object| self.geometry.analysis.regions.bit(object).map_or(none, |bit| bit as u32);
+        let bit = |object| self.geometry.analysis.regions.bit(object).map_or_else(no_bit, |bit| bit as u32);
         (0..self.scene.objects.len()).map(bit).collect()
     }
+}
+
+fn no_bit() -> u32 {
+    constant("shape/facing", "NO_BIT") as u32
 }
 
 fn obstacle(ball: &Obstacle) -> [(&'static str, Value); 3] {

@@ -3,19 +3,14 @@
 use std::num::NonZeroU64;
 
 use wgpu::{
-    Backend, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType,
-    ComputePipelineDescriptor, ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor,
-    ShaderModuleDescriptor, ShaderSource, ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType,
-    TextureViewDimension,
+    BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipelineDescriptor,
+    ErrorFilter, PipelineCompilationOptions, PipelineLayoutDescriptor, ShaderModuleDescriptor, ShaderSource,
+    ShaderStages, StorageTextureAccess, TextureFormat, TextureSampleType, TextureViewDimension,
 };
 
 use super::device::{GROUP_WIDTH, LANE_PIXELS};
 use super::{Gpu, GpuError, Pipeline, adapters};
-use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection, Role};
-
-/// The read-write textures that one pass may bind on Metal. Pipelines with more are reported to be refused when they are made, on
-/// devices for which wgpu gives the limit 32 (gfx-rs/wgpu#10006).
-pub const METAL_READ_WRITE_TEXTURES: usize = 8;
+use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
 /// Every pass of a program.
 #[derive(Debug)]
@@ -67,9 +62,6 @@ impl Pipeline {
             return Err(GpuError::NoDouble { device: gpu.info.name.clone(), there });
         }
         check_limits(gpu, reflection)?;
-        if gpu.info.backend == Backend::Metal {
-            check_metal(&gpu.info.name, reflection)?;
-        }
         let entries: Vec<_> = reflection.bindings.iter().map(entry).collect::<Result<_, _>>()?;
         let label = Some(linked.entry.as_str());
         let scope = gpu.device.push_error_scope(ErrorFilter::Validation);
@@ -107,48 +99,26 @@ fn narrowed([across, down]: [u32; 2], width: u32) -> [u32; 2] {
 }
 
 fn check_limits(gpu: &Gpu, reflection: &Reflection) -> Result<(), GpuError> {
-    let count = |is: fn(&BindingKind) -> bool| reflection.bindings.iter().filter(|b| is(&b.kind)).count() as u64;
     let pass = &reflection.entry;
     let limits = &gpu.limits;
     gpu.check(
         "max_storage_textures_per_shader_stage",
         &format!("storage textures in one pass (`{pass}`)"),
         u64::from(limits.max_storage_textures_per_shader_stage),
-        count(|kind| matches!(kind, BindingKind::StorageTexture { .. })),
+        reflection.count(|kind| matches!(kind, BindingKind::StorageTexture(_))) as u64,
     )?;
     gpu.check(
         "max_storage_buffers_per_shader_stage",
         &format!("storage buffers in one pass (`{pass}`)"),
         u64::from(limits.max_storage_buffers_per_shader_stage),
-        count(|kind| matches!(kind, BindingKind::Storage { .. })),
+        reflection.count(|kind| matches!(kind, BindingKind::Storage { .. })) as u64,
     )?;
     gpu.check(
         "max_sampled_textures_per_shader_stage",
         &format!("textures in one pass (`{pass}`)"),
         u64::from(limits.max_sampled_textures_per_shader_stage),
-        count(|kind| matches!(kind, BindingKind::Texture(_))),
+        reflection.count(|kind| matches!(kind, BindingKind::Texture(_))) as u64,
     )
-}
-
-/// An error if the program binds more read-write textures than Metal takes.
-fn check_metal(device: &str, reflection: &Reflection) -> Result<(), GpuError> {
-    let (needed, allowed) = (reflection.read_write_textures(), METAL_READ_WRITE_TEXTURES);
-    if needed <= allowed {
-        return Ok(());
-    }
-    let splits = reflection.bindings.iter().any(|binding| binding.role == Role::Kept("branches"));
-    let remedy = if splits {
-        "use rays.branches = \"random\", which keeps less for each pixel, or another device"
-    } else {
-        "keep less for each pixel (alpha, adaptive sampling, footprints, clamping, the layer of orders), or use another device"
-    };
-    Err(GpuError::ReadWriteTextures {
-        device: device.to_owned(),
-        pass: reflection.entry.clone(),
-        allowed,
-        needed,
-        remedy,
-    })
 }
 
 fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
@@ -177,8 +147,8 @@ fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
             view_dimension: TextureViewDimension::D2,
             multisampled: false,
         },
-        BindingKind::StorageTexture { format, reads } => BindingType::StorageTexture {
-            access: if *reads { StorageTextureAccess::ReadWrite } else { StorageTextureAccess::WriteOnly },
+        BindingKind::StorageTexture(format) => BindingType::StorageTexture {
+            access: StorageTextureAccess::WriteOnly,
             format: texture_format(*format).ok_or_else(|| unknown(format))?,
             view_dimension: TextureViewDimension::D2,
         },
@@ -195,41 +165,4 @@ pub(super) fn texture_format(format: naga::StorageFormat) -> Option<TextureForma
         naga::StorageFormat::Rgba16Float => TextureFormat::Rgba16Float,
         _ => return None,
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::program::{Parts, Unit, link, reflect};
-
-    /// A pass with so many read-write textures, one more that it only writes, and that of this name.
-    fn pass(count: usize, name: &str) -> Reflection {
-        let texture = |k: usize, name: &str, access: &str| {
-            format!("@group(0) @binding({k}) var {name}: texture_storage_2d<r32uint, {access}>;\n")
-        };
-        let names: Vec<String> =
-            (0..count).map(|k| if k == 0 { name.to_owned() } else { format!("kept_{k}_a") }).collect();
-        let declared = names.iter().enumerate().map(|(k, own)| texture(k, own, "read_write"));
-        let copied = names.iter().map(|own| format!("textureStore({own}, vec2u(), textureLoad({own}, vec2u()));\n"));
-        let (declared, copied) = (declared.collect::<Vec<_>>().concat(), copied.collect::<Vec<_>>().concat());
-        let text = format!(
-            "{}{declared}@compute @workgroup_size(1) fn shade() {{\ntextureStore(written, vec2u(), vec4u());\n{copied}}}\n",
-            texture(100, "written", "write")
-        );
-        let parts = Parts { shared: vec![Unit::user("a.wgsl", text)], ..Parts::default() };
-        reflect(&link(&parts, "shade").unwrap()).unwrap()
-    }
-
-    #[test]
-    fn metals_read_write_textures_are_counted() {
-        assert_eq!(pass(11, "status").read_write_textures(), 11);
-        assert!(check_metal("Apple M1", &pass(8, "branches")).is_ok());
-        for (name, remedy) in
-            [("branches", "use rays.branches = \"random\""), ("status", "keep less for each pixel (alpha")]
-        {
-            let said = check_metal("Apple M1", &pass(9, name)).unwrap_err().to_string();
-            let start = "Apple M1: pass `shade` of this scene needs 9 read-write textures, and Metal allows 8 (gfx-rs/wgpu#10006)";
-            assert!(said.starts_with(start) && said.contains(remedy), "{said}");
-        }
-    }
 }

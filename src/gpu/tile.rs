@@ -70,8 +70,8 @@ fn per_pixel(program: &Program, slots: usize) -> Vec<PerPixel> {
     let mut all = BTreeMap::new();
     for Binding { kind, role, .. } in program.bindings() {
         let storage = match (kind, role) {
-            (BindingKind::StorageTexture { format, .. }, _) => texture_format(*format).map(Storage::Texture),
-            (BindingKind::Storage { layout, read_only: false }, Role::State(..) | Role::Kept(_) | Role::Moments) => {
+            (BindingKind::StorageTexture(format), _) => texture_format(*format).map(Storage::Texture),
+            (BindingKind::Storage { layout, read_only: false }, Role::State(..) | Role::Pixels | Role::Moments) => {
                 Some(Storage::Buffer(layout.span))
             }
             _ => None,

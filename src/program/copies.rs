@@ -1,6 +1,6 @@
 //! Copies of the parts of a region, where a scene has several kinds of them.
 //!
-//! *Theory.* Every name that a region's parts declare gets the number of its kind for a suffix, and bindings of its own; for each
+//! *Theory.* Every name that a region's parts declare gets the number of its kind for a suffix; for each
 //! function that shared parts call there is one more of its old name, which switches between the copies.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,11 +9,8 @@ use std::fmt::Write as _;
 use super::ProgramError;
 use super::declarations::{Declaration, declarations};
 use super::linked::{Copy, Edit, Place};
-use super::tokens::{Tokens, whole_number};
 use super::unit::{Parts, Unit};
 
-/// How far apart the bindings of region copies are.
-const COPY_BINDINGS: u32 = 200;
 /// The private variable that says which kind of region a ray is in.
 const SELECTOR: &str = "region";
 
@@ -51,27 +48,16 @@ pub(super) fn with_region_copies(parts: &Parts) -> Result<Vec<Copy>, ProgramErro
     Ok(copies)
 }
 
-/// What tells copy `k` from the original: suffixes on the names of its region, and bindings of its own.
+/// What tells copy `k` from the original: suffixes on the names of its region.
 fn copy_edits(declaration: &Declaration, k: usize, own: &BTreeSet<&str>) -> Vec<Edit> {
     let tokens = &declaration.tokens;
     let named = declaration.names.iter().filter(|&&i| own.contains(tokens.word(i)));
-    let mut edits: Vec<Edit> = named.map(|&i| (tokens.range(i), format!("{}_{k}", tokens.word(i)))).collect();
-    edits.extend(binding_edit(tokens, COPY_BINDINGS * (k as u32 + 1)));
-    edits.sort_by_key(|(range, _)| (range.start, range.end));
     let at = declaration.at;
-    edits.into_iter().map(|(range, text)| (range.start + at..range.end + at, text)).collect()
-}
-
-/// The binding's number, so much further on.
-fn binding_edit(tokens: &Tokens, shift: u32) -> Option<Edit> {
-    let at = (0..tokens.len()).find(|&i| tokens.before(i) == "@" && tokens.word(i) == "binding")?;
-    let end = tokens.closing(at + 1)?;
-    let last = if tokens.word(end - 1) == "," { end - 2 } else { end - 1 };
-    let number = whole_number(tokens.word(last)).filter(|_| last == at + 2);
-    Some(match number {
-        Some(number) => (tokens.range(last), (number + shift).to_string()),
-        None => (tokens.range(last).end..tokens.range(last).end, format!(" + {shift}")),
-    })
+    let edit = |&i: &usize| {
+        let range = tokens.range(i);
+        (range.start + at..range.end + at, format!("{}_{k}", tokens.word(i)))
+    };
+    named.map(edit).collect()
 }
 
 /// One function for every name of the regions that shared parts use, which picks the copy by the ray's region.

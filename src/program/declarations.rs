@@ -60,9 +60,19 @@ impl<'a> Declaration<'a> {
         Signature::of(&self.tokens, self.head)
     }
 
+    /// A variable's address space, where that is written.
+    pub(super) fn space(&self) -> Option<&'a str> {
+        (self.keyword == "var" && self.tokens.word(self.head + 1) == "<").then(|| self.tokens.word(self.head + 2))
+    }
+
     /// Is it a uniform?
     pub(super) fn is_uniform(&self) -> bool {
-        self.keyword == "var" && self.tokens.word(self.head + 1) == "<" && self.tokens.word(self.head + 2) == "uniform"
+        self.space() == Some("uniform")
+    }
+
+    /// Does something stand before its keyword?
+    pub(super) fn has_attributes(&self) -> bool {
+        self.head > 0
     }
 
     /// The tokens of a variable's type.

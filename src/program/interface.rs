@@ -7,8 +7,6 @@
 
 use std::fmt;
 
-use super::Layer;
-
 /// What a binding is for.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
@@ -20,12 +18,8 @@ pub enum Role {
     Picture(usize),
     /// The state of every pixel's ray.
     State(StatePart, Slot),
-    /// A value that passes keep for each pixel and the host never reads, by its name.
-    Kept(&'static str),
-    /// The sum of a pixel's samples.
-    Color(Channel),
-    /// A layer of the picture.
-    Layer(Layer),
+    /// What passes keep for each pixel: members of one struct.
+    Pixels,
     /// The sums of an adaptive picture's samples.
     Moments,
     /// The pixels that a pass runs over, or those that it leaves to a later one.
@@ -81,14 +75,10 @@ pub enum StatePart {
     X,
     /// Velocity, and the step's size.
     V,
-    /// The rate of a law's own time.
-    Clock,
-    /// The last accepted step's error.
-    Error,
-    /// What the path's parameter is more than its sum says.
-    Rest,
-    /// By how much light's momentum has grown, beside its velocity.
-    Stretch,
+    /// What else is kept of it.
+    W,
+    /// All three, in 64 bits.
+    All,
 }
 
 /// The slot of the state that a binding is.
@@ -106,16 +96,6 @@ pub enum Slot {
     Fixed(usize),
 }
 
-/// A channel of the picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-#[expect(missing_docs, reason = "the names say it")]
-pub enum Channel {
-    Red,
-    Green,
-    Blue,
-    Alpha,
-}
-
 /// What a pass does with a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Access {
@@ -126,19 +106,8 @@ pub enum Access {
 }
 
 /// The renderer's bindings.
-const ROLES: [(&str, Role); 30] = [
-    ("red", Role::Color(Channel::Red)),
-    ("green", Role::Color(Channel::Green)),
-    ("blue", Role::Color(Channel::Blue)),
-    ("alpha", Role::Color(Channel::Alpha)),
-    ("layer_depth", Role::Layer(Layer::Depth)),
-    ("layer_position", Role::Layer(Layer::Position)),
-    ("layer_normal", Role::Layer(Layer::Normal)),
-    ("layer_object", Role::Layer(Layer::Object)),
-    ("layer_status", Role::Layer(Layer::Status)),
-    ("layer_steps", Role::Layer(Layer::Steps)),
-    ("layer_shift", Role::Layer(Layer::Shift)),
-    ("layer_way", Role::Layer(Layer::Way)),
+const ROLES: [(&str, Role); 19] = [
+    ("pixels", Role::Pixels),
     ("moments", Role::Moments),
     ("list_in", Role::List(Access::Read)),
     ("list_out", Role::List(Access::Write)),
@@ -159,42 +128,9 @@ const ROLES: [(&str, Role); 30] = [
     ("light_reaches", Role::LightReaches),
 ];
 
-/// What passes keep for each pixel.
-const KEPT: [&str; 23] = [
-    "status",
-    "taken",
-    "hit_primitive",
-    "hit_t",
-    "walk",
-    "step_count",
-    "rejected_count",
-    "corner_end",
-    "pixel_corners",
-    "weight_all",
-    "weight_red",
-    "weight_green",
-    "weight_blue",
-    "branches",
-    "inside_set",
-    "paths",
-    "waiting_rays",
-    "spread",
-    "clamped_samples",
-    "clamped_light",
-    "order_first",
-    "order_second",
-    "order_third",
-];
-
 /// Bindings of the state are named by a part and a slot, such as `x_in`.
-const STATE: [(&str, StatePart); 6] = [
-    ("x", StatePart::X),
-    ("v", StatePart::V),
-    ("clock", StatePart::Clock),
-    ("error", StatePart::Error),
-    ("rest", StatePart::Rest),
-    ("stretch", StatePart::Stretch),
-];
+const STATE: [(&str, StatePart); 4] =
+    [("x", StatePart::X), ("v", StatePart::V), ("w", StatePart::W), ("state", StatePart::All)];
 const SLOTS: [(&str, Slot); 7] = [
     ("in", Slot::Input),
     ("out", Slot::Output),
@@ -218,7 +154,7 @@ impl Role {
             Some(Self::State(*part, *slot))
         };
         let role = ROLES.into_iter().find_map(|(own, role)| (own == name).then_some(role));
-        role.or_else(|| KEPT.into_iter().find(|own| *own == name).map(Self::Kept)).or_else(state)
+        role.or_else(state)
     }
 
     /// Does each dispatch see a section of its own of the buffer?
@@ -239,7 +175,6 @@ impl fmt::Display for Role {
             Self::Uniforms(entry) => write!(f, "uniforms of {entry}"),
             Self::Scene(value) => write!(f, "{}", value.name),
             Self::Picture(k) => write!(f, "{PICTURE}_{k}"),
-            Self::Kept(name) => f.write_str(name),
             Self::State(part, slot) => {
                 let (part, slot) = of_state(*part, *slot).unwrap_or_default();
                 write!(f, "{part}_{slot}")
@@ -262,13 +197,16 @@ impl SceneValue {
 mod tests {
     use super::*;
     use crate::program::all_parts;
+    use crate::program::bindings::is_of_pixels;
     use crate::program::declarations::declarations;
 
     /// The variables that parts of passes bind, each with its declaration.
     fn bound() -> Vec<(String, String)> {
         let parts = all_parts().into_iter().filter(|part| !part.file.starts_with("ceiling"));
         let variables = parts.flat_map(|part| {
-            let own = declarations(part.text).unwrap().into_iter().filter(|own| own.tokens.text.contains("@binding("));
+            let own = declarations(part.text).unwrap().into_iter().filter(|own| {
+                own.keyword == "var" && matches!(own.space(), None | Some("uniform" | "storage")) && !is_of_pixels(own)
+            });
             own.map(|own| (own.name.to_owned(), own.tokens.text.to_owned())).collect::<Vec<_>>()
         });
         variables.collect()
@@ -288,7 +226,7 @@ mod tests {
     fn every_row_of_the_tables_is_a_binding_of_a_part() {
         let bound = bound();
         let is_bound = |name: &str| bound.iter().any(|(own, _)| own == name);
-        for name in ROLES.iter().map(|(name, _)| *name).chain(KEPT) {
+        for name in ROLES.iter().map(|(name, _)| *name).filter(|name| *name != "pixels") {
             assert!(is_bound(name), "{name}");
             assert_eq!(Role::of_renderer(name).unwrap().to_string(), name);
         }

@@ -8,6 +8,7 @@
 //! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing here knows of a GPU.
 
 mod analysis;
+mod bindings;
 mod choice;
 mod copies;
 mod declarations;
@@ -51,7 +52,7 @@ pub use error::ProgramError;
 pub use features::Features;
 
 pub use generated::all_shots;
-pub use interface::{Access, Channel, Role, SceneValue, Slot, StatePart};
+pub use interface::{Access, Role, SceneValue, Slot, StatePart};
 pub use layer::Layer;
 pub use link::{link, link_all};
 pub use linked::{Linked, Place};

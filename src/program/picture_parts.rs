@@ -5,7 +5,7 @@ use super::skies::two_skies;
 use super::{Features, ProgramError, generated};
 use crate::model::Pattern;
 use crate::model::material::Facts;
-use crate::scene::{Precision, SamplePattern, Scene, Shadows};
+use crate::scene::{SamplePattern, Scene, Shadows};
 
 pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names) {
     if let Some(part) = features.below_part {
@@ -57,12 +57,7 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
 
 /// By how much light has shifted.
 fn shift_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    let stretch = match features.precision {
-        Precision::Double => "picture/stretch_buffer",
-        Precision::Single | Precision::Half => "picture/stretch_texture",
-    };
     names.add(if features.follows_shift { "picture/shift_in_time" } else { "picture/shift" });
-    names.when(features.follows_shift, &[stretch]);
     names.when(features.knows_shift, scene.law.facts().momentum_parts);
 }
 

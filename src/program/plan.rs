@@ -57,8 +57,6 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
         "segment/stop",
         "state/counts",
         "state/loops",
-        "state/slots",
-        "state/taken",
         "state/tau",
     ]);
     names.make(features.unit());
@@ -69,7 +67,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
         Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
         Precision::Double => &["real/f64", "state/buffer"],
     });
-    names.add(scene.rays.control.kind.memory);
+    names.add(if scene.rays.control.kind.remembers { "method/memory_pair" } else { "method/memory_step" });
     names.each("pass", features.passes().iter().map(|pass| pass.entry()));
     scatter_parts(scene, features, regions, &mut names);
     schedule_parts(features, &mut names);

@@ -24,10 +24,9 @@ pub struct Reflection {
 }
 
 impl Reflection {
-    /// Counts the storage textures that the program both reads and writes.
+    /// Counts the bindings of a kind.
     #[must_use]
-    pub fn read_write_textures(&self) -> usize {
-        let is = |kind: &BindingKind| matches!(kind, BindingKind::StorageTexture { reads: true, .. });
+    pub fn count(&self, is: impl Fn(&BindingKind) -> bool) -> usize {
         self.bindings.iter().filter(|binding| is(&binding.kind)).count()
     }
 }
@@ -66,13 +65,8 @@ pub enum BindingKind {
     },
     /// A texture read with `textureLoad`.
     Texture(naga::ScalarKind),
-    /// A storage texture.
-    StorageTexture {
-        /// Its texels.
-        format: naga::StorageFormat,
-        /// May it be read too?
-        reads: bool,
-    },
+    /// A storage texture of such texels, which is only written.
+    StorageTexture(naga::StorageFormat),
 }
 
 /// One of a scene's uniforms in its block.
@@ -201,8 +195,8 @@ fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<Bind
         (AddressSpace::Handle, TypeInner::Image { class: ImageClass::Sampled { kind, .. }, .. }) => {
             BindingKind::Texture(*kind)
         }
-        (AddressSpace::Handle, TypeInner::Image { class: ImageClass::Storage { format, access }, .. }) => {
-            BindingKind::StorageTexture { format: *format, reads: access.contains(StorageAccess::LOAD) }
+        (AddressSpace::Handle, TypeInner::Image { class: ImageClass::Storage { format, .. }, .. }) => {
+            BindingKind::StorageTexture(*format)
         }
         _ => return None,
     })
@@ -236,6 +230,10 @@ fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
         }
         TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => {
             Some(Layout { fields: Vec::new(), span: u32::from(scalar.width), count: Some(1) })
+        }
+        TypeInner::Matrix { columns, rows, scalar } => {
+            let row = u32::from(u8::from(*rows).next_power_of_two()) * u32::from(scalar.width);
+            Some(Layout { fields: Vec::new(), span: u32::from(u8::from(*columns)) * row, count: Some(1) })
         }
         TypeInner::Vector { size, scalar } => Some(Layout {
             fields: Vec::new(),

@@ -12,7 +12,7 @@ pub(super) fn two_skies(near: &str, beyond: &str) -> Result<[Unit; 2], ProgramEr
         ("sky_", "beyond_sky_"),
         ("SkyFace", "BeyondSkyFace"),
         ("struct Sky {", "struct BeyondSky {"),
-        ("@binding(163) var<uniform> sky: Sky;", "@binding(170) var<uniform> beyond_sky: BeyondSky;"),
+        ("var<uniform> sky: Sky;", "var<uniform> beyond_sky: BeyondSky;"),
         ("sky.", "beyond_sky."),
     ];
     let beyond = renamed.iter().fold(text(beyond)?.to_owned(), |text, (from, to)| text.replace(from, to));

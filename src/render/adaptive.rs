@@ -10,6 +10,7 @@
 //! 36 bytes a pixel, and 8 for the lists.
 
 use super::clock::Clock;
+use super::noise::LUMINANCE;
 use super::records::{Records, Row};
 use super::sample::{Refines, Sample};
 use super::{Adaptive, RenderError, Renderer};
@@ -74,20 +75,29 @@ impl Renderer<'_> {
         sums.capped += u64::from(refined.uint("capped"));
         Ok(refined.uint("open").into())
     }
+}
 
-    /// Of every pixel of the tile with its margin, row by row; none if the tile has none.
-    pub(super) fn read_moments(&self, tile: &Tile) -> Result<Option<Vec<Moments>>, GpuError> {
-        let records = Records::read(self.gpu, &self.program, tile, &Role::Moments)?;
+impl Moments {
+    /// Of every pixel of a tile with its margin, row by row; none if the tile has none.
+    pub(super) fn of(records: &Records) -> Option<Vec<Self>> {
         let [color, alpha, squares, state] = ["color", "alpha", "squares", "state"].map(|name| records.field(name));
-        let (Some(color), Some(alpha), Some(squares), Some(state)) = (color, alpha, squares, state) else {
-            return Ok(None);
-        };
+        let (color, alpha, squares, state) = (color?, alpha?, squares?, state?);
         let rays = constant("picture/adaptive", "RAYS") as u32;
         let moments = |row: Row| {
             let ([r, g, b], [alpha], [state]) = (row.words(color), row.words(alpha), row.words(state));
             let squares = row.words(squares).map(f32::from_bits);
-            Moments { color: [r, g, b, alpha].map(f32::from_bits), squares, rays: state & rays }
+            Self { color: [r, g, b, alpha].map(f32::from_bits), squares, rays: state & rays }
         };
-        Ok(Some(records.rows().map(moments).collect()))
+        Some(records.rows().map(moments).collect())
+    }
+
+    /// The standard error of the mean of its own samples: no more than that of a pixel whose channels err together.
+    pub(super) fn error(&self) -> f32 {
+        let n = self.rays.saturating_sub(1) as f32;
+        if n < 2.0 {
+            return f32::INFINITY;
+        }
+        let of_channel = |(squares, part): (&f32, f32)| part * (squares / (n * (n - 1.0))).sqrt();
+        self.squares.iter().zip(LUMINANCE).map(of_channel).sum()
     }
 }

@@ -94,7 +94,7 @@ impl TilePlace {
             Plane::Id(values) => self.put(values, width, words.iter().copied()),
             Plane::Vector(values) => {
                 for (k, values) in values.iter_mut().enumerate() {
-                    self.put(values, width, floats(4, k));
+                    self.put(values, width, floats(3, k));
                 }
             }
         }

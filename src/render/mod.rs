@@ -14,7 +14,6 @@ mod batch;
 mod clock;
 mod cuts;
 mod error;
-mod errors;
 mod grids;
 mod light_grid;
 mod light_paths;

@@ -128,9 +128,10 @@ impl Renderer<'_> {
                 return Ok(None);
             }
             let noise = totals.noise.as_mut().filter(|_| round.is_last);
-            self.read_tile(made, left, round, &mut band, noise)?;
+            let values = self.read_values(made)?;
+            values.put(left, round, &self.settings.choice.layers, &mut band, noise);
             if let Some(clamped) = &mut totals.clamped {
-                self.read_clamped(made, round, clamped)?;
+                values.add_clamped(round, clamped);
             }
         }
         Ok(Some(band))
@@ -179,7 +180,8 @@ impl Renderer<'_> {
                 continue;
             }
             let mut band = self.band(0, size[1]);
-            self.read_tile(&tile, 0, &Round::new(None, 1, true), &mut band, None)?;
+            let wanted = &self.settings.choice.layers;
+            self.read_values(&tile)?.put(0, &Round::new(None, 1, true), wanted, &mut band, None);
             self.finish_totals(&mut totals, &clock, started)?;
             return Ok(Some(Rendering { band, totals }));
         }
@@ -212,7 +214,7 @@ impl Renderer<'_> {
             self.run_sample(tile, Sample::corners(origin, self.scene.image.size), clock, &|_| {})?;
         }
         if let Some(earlier) = round.earlier {
-            earlier.put(self.gpu, tile, part);
+            earlier.put(self.gpu, &self.program, tile, part)?;
         }
         for number in first..round.until {
             let sample = Sample { origin, image: self.scene.image.size, number, refines: None };

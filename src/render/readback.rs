@@ -1,9 +1,6 @@
 //! Reading results back: the only places where the host waits for data.
 
-use wgpu::{
-    Buffer, BufferDescriptor, BufferUsages, CommandEncoder, CommandEncoderDescriptor, MapMode, PollType,
-    TexelCopyBufferInfo, TexelCopyBufferLayout, Texture,
-};
+use wgpu::{Buffer, BufferDescriptor, BufferUsages, CommandEncoder, CommandEncoderDescriptor, MapMode, PollType};
 
 use crate::gpu::{Gpu, GpuError};
 
@@ -11,46 +8,46 @@ fn lost(error: impl std::fmt::Display) -> GpuError {
     GpuError::Lost(error.to_string())
 }
 
-/// The bytes of `buffer`, after what `before` records.
+/// The bytes of buffers, after what `before` records: one wait for all of them.
+pub(super) fn read_buffers(
+    gpu: &Gpu,
+    buffers: &[&Buffer],
+    before: impl FnOnce(&mut CommandEncoder),
+) -> Result<Vec<Vec<u8>>, GpuError> {
+    if buffers.is_empty() {
+        return Ok(Vec::new());
+    }
+    let staging = gpu.device.create_buffer(&BufferDescriptor {
+        label: Some("staging"),
+        size: buffers.iter().map(|buffer| buffer.size()).sum(),
+        usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some("readback") });
+    before(&mut encoder);
+    let mut at = 0;
+    for buffer in buffers {
+        encoder.copy_buffer_to_buffer(buffer, 0, &staging, at, buffer.size());
+        at += buffer.size();
+    }
+    gpu.queue.submit([encoder.finish()]);
+    let bytes = mapped(gpu, &staging)?;
+    let mut rest = &bytes[..];
+    let part = |buffer: &&Buffer| {
+        let (own, others) = rest.split_at(buffer.size() as usize);
+        rest = others;
+        own.to_vec()
+    };
+    Ok(buffers.iter().map(part).collect())
+}
+
+/// The bytes of one buffer.
 pub(super) fn read_buffer(
     gpu: &Gpu,
     buffer: &Buffer,
     before: impl FnOnce(&mut CommandEncoder),
 ) -> Result<Vec<u8>, GpuError> {
-    let staging = staging(gpu, buffer.size());
-    let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some("readback") });
-    before(&mut encoder);
-    encoder.copy_buffer_to_buffer(buffer, 0, &staging, 0, buffer.size());
-    gpu.queue.submit([encoder.finish()]);
-    mapped(gpu, &staging)
-}
-
-/// The texels of `texture` (of whole words), row by row without padding.
-pub(super) fn read_texture(gpu: &Gpu, texture: &Texture) -> Result<Vec<u32>, GpuError> {
-    let texel = texture.format().block_copy_size(None).unwrap_or(4);
-    let row = texture.width() * texel;
-    let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-    let staging = staging(gpu, u64::from(padded) * u64::from(texture.height()));
-    let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: Some("readback") });
-    let layout = TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(padded), rows_per_image: None };
-    encoder.copy_texture_to_buffer(
-        texture.as_image_copy(),
-        TexelCopyBufferInfo { buffer: &staging, layout },
-        texture.size(),
-    );
-    gpu.queue.submit([encoder.finish()]);
-    let bytes = mapped(gpu, &staging)?;
-    let rows = bytes.chunks_exact(padded as usize);
-    Ok(rows.flat_map(|r| bytemuck::pod_collect_to_vec::<u8, u32>(&r[..row as usize])).collect())
-}
-
-fn staging(gpu: &Gpu, size: u64) -> Buffer {
-    gpu.device.create_buffer(&BufferDescriptor {
-        label: Some("staging"),
-        size,
-        usage: BufferUsages::COPY_DST | BufferUsages::MAP_READ,
-        mapped_at_creation: false,
-    })
+    read_buffers(gpu, &[buffer], before).map(|mut all| all.remove(0))
 }
 
 fn mapped(gpu: &Gpu, staging: &Buffer) -> Result<Vec<u8>, GpuError> {

@@ -1,6 +1,6 @@
 //! What passes write for the host, read by the names that it has in WGSL.
 
-use super::readback::read_buffer;
+use super::readback::read_buffers;
 use crate::gpu::{Gpu, GpuError, Tile};
 use crate::program::{Field, Layout, Program, Role};
 
@@ -13,10 +13,23 @@ pub(super) struct Records<'a> {
 impl<'a> Records<'a> {
     /// Waits for the device and reads what a tile's buffer of this role holds: nothing where no pass of the program binds one.
     pub(super) fn read(gpu: &Gpu, program: &'a Program, tile: &Tile, role: &Role) -> Result<Self, GpuError> {
-        let layout = program.layout(role);
-        let buffer = tile.buffer(role).filter(|_| layout.is_some());
-        let bytes = buffer.map(|buffer| read_buffer(gpu, buffer, |_| {})).transpose()?;
-        Ok(Self { layout, bytes: bytes.unwrap_or_default() })
+        let [records] = Self::read_all(gpu, program, tile, [role])?;
+        Ok(records)
+    }
+
+    /// As [`read`](Self::read), of several buffers for which the host waits once.
+    pub(super) fn read_all<const N: usize>(
+        gpu: &Gpu,
+        program: &'a Program,
+        tile: &Tile,
+        roles: [&Role; N],
+    ) -> Result<[Self; N], GpuError> {
+        let layouts = roles.map(|role| program.layout(role).filter(|_| tile.buffer(role).is_some()));
+        let bound = roles.iter().zip(layouts).filter(|(_, layout)| layout.is_some());
+        let buffers: Vec<_> = bound.filter_map(|(role, _)| tile.buffer(role)).collect();
+        let mut read = read_buffers(gpu, &buffers, |_| {})?.into_iter();
+        let mut bytes = |layout: Option<_>| layout.and_then(|_| read.next()).unwrap_or_default();
+        Ok(layouts.map(|layout| Self { layout, bytes: bytes(layout) }))
     }
 
     /// As [`read`](Self::read), and sets all of it to 0 for the next time.
@@ -35,8 +48,26 @@ impl<'a> Records<'a> {
         })
     }
 
+    /// A member of 32 bits, of every struct; none if there is no such member.
+    pub(super) fn column<const N: usize>(&self, name: &str) -> Option<impl Iterator<Item = [u32; N]>> {
+        let field = self.field(name)?;
+        Some(self.rows().map(move |row| row.words(field)))
+    }
+
+    /// Writes a scalar of a struct's member of 32 bits.
+    pub(super) fn set(&mut self, row: usize, field: &Field, k: usize, value: f32) {
+        let span = self.layout.map_or(0, |layout| layout.span as usize);
+        let at = row * span + field.offset as usize + 4 * k;
+        self.bytes[at..at + 4].copy_from_slice(&value.to_ne_bytes());
+    }
+
+    /// All of them, as the device has them.
+    pub(super) fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
     /// A member, to be looked for once where there are many rows.
-    pub(super) fn field(&self, name: &str) -> Option<&Field> {
+    pub(super) fn field(&self, name: &str) -> Option<&'a Field> {
         self.layout?.field(name)
     }
 }

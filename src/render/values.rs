@@ -1,64 +1,49 @@
-//! What is read back of a finished tile: colours, layers, errors, and what was clamped.
+//! What is read back of a finished tile: colors, layers, errors, and what was clamped.
 
 use super::adaptive::Moments;
 use super::band::{Band, TilePlace};
 use super::noise::luminance;
-use super::readback::read_texture;
+use super::records::Records;
 use super::watch::Round;
 use super::{Clamped, Noise, RenderError, Renderer};
 use crate::gpu::Tile;
-use crate::program::{Channel, Layer, Role};
+use crate::program::{Layer, Role};
+
+/// What the device has kept of a tile's pixels.
+pub(super) struct Values<'r> {
+    pixels: Records<'r>,
+    moments: Option<Vec<Moments>>,
+    size: [u32; 2],
+    margin: u32,
+}
 
 impl Renderer<'_> {
-    /// What a tile has come to after a round, into a band whose column `left` is the tile's first.
-    pub(super) fn read_tile(
-        &self,
-        tile: &Tile,
-        left: u32,
-        round: &Round,
-        band: &mut Band,
-        noise: Option<&mut Noise>,
-    ) -> Result<(), RenderError> {
-        let samples = round.until;
-        let moments = self.read_moments(tile)?;
-        let errors = self.read_errors(tile, samples, moments.as_deref())?;
-        let at = TilePlace { left, width: tile.size[0], margin: self.program.features.margin() };
-        let weight = 1.0 / samples as f32;
-        let planes = band.color.iter_mut().chain(&mut band.alpha);
-        let channels = [Channel::Red, Channel::Green, Channel::Blue, Channel::Alpha];
-        for (k, (plane, channel)) in planes.zip(channels).enumerate() {
-            if let Some(moments) = &moments {
-                at.put(plane, band.width, moments.iter().map(|moments| moments.color[k]));
-            } else if let Some(texture) = tile.texture(&Role::Color(channel)) {
-                let sums = read_texture(self.gpu, texture)?;
-                // A sky that is seen from inside of a medium may be brighter than it is.
-                let kept = |mean: f32| if channel == Channel::Alpha { mean.clamp(0.0, 1.0) } else { mean };
-                at.put(plane, band.width, sums.iter().map(|bits| kept(f32::from_bits(*bits) * weight)));
-            }
+    /// Waits for a tile.
+    pub(super) fn read_values(&self, tile: &Tile) -> Result<Values<'_>, RenderError> {
+        let roles = [&Role::Pixels, &Role::Moments];
+        let [pixels, moments] = Records::read_all(self.gpu, &self.program, tile, roles)?;
+        let margin = self.program.features.margin();
+        Ok(Values { pixels, moments: Moments::of(&moments), size: tile.size, margin })
+    }
+}
+
+impl Values<'_> {
+    /// Puts what the tile has come to after a round into a band whose column `left` is the tile's first.
+    pub(super) fn put(&self, left: u32, round: &Round, wanted: &[Layer], band: &mut Band, noise: Option<&mut Noise>) {
+        let errors = self.errors(round.until);
+        let at = TilePlace { left, width: self.size[0], margin: self.margin };
+        for (k, plane) in band.color.iter_mut().chain(&mut band.alpha).enumerate() {
+            at.put(plane, band.width, self.channel(k, round.until).into_iter());
         }
-        for layer in round.layers(&self.settings.choice.layers) {
-            let words = match (layer, &moments, tile.texture(&Role::Layer(layer))) {
-                (Layer::Error, ..) => match &errors {
-                    Some(errors) => errors.iter().map(|error| error.to_bits()).collect(),
-                    None => continue,
-                },
-                (Layer::Samples, Some(moments), _) => moments.iter().map(|moments| moments.rays).collect(),
-                (Layer::Samples, None, _) => vec![samples; tile.size.map(|n| n as usize).iter().product()],
-                (Layer::Sums, None, _) => self.read_three(tile, &COLORS.map(Role::Color), 1.0)?,
-                (Layer::Orders, ..) => self.read_three(tile, &ORDERS.map(Role::Kept), weight)?,
-                (Layer::Spread, None, _) => match tile.texture(&Role::Kept("spread")) {
-                    Some(texture) => read_texture(self.gpu, texture)?,
-                    None => continue,
-                },
-                (_, _, Some(texture)) => read_texture(self.gpu, texture)?,
-                _ => continue,
-            };
-            at.put_layer(layer, band, &words);
+        for layer in round.layers(wanted) {
+            if let Some(words) = self.layer(layer, round.until, errors.as_deref()) {
+                at.put_layer(layer, band, &words);
+            }
         }
         if let (Some(errors), Some(noise)) = (errors, noise) {
             let mut own = vec![0.0; band.width as usize * band.rows as usize];
             at.put(&mut own, band.width, errors.into_iter());
-            let columns = at.left..at.left + tile.size[0] - at.margin;
+            let columns = at.left..at.left + self.size[0] - at.margin;
             for (row, errors) in own.chunks_exact(band.width as usize).enumerate() {
                 for column in columns.clone().map(|column| column as usize) {
                     let at = row * band.width as usize + column;
@@ -66,49 +51,76 @@ impl Renderer<'_> {
                 }
             }
         }
-        Ok(())
     }
 
-    /// Adds what a tile's samples have lost because they were too bright, and what is left.
-    pub(super) fn read_clamped(&self, tile: &Tile, round: &Round, sums: &mut Clamped) -> Result<(), RenderError> {
-        let kept = |name| tile.texture(&Role::Kept(name));
-        let (Some(samples), Some(light)) = (kept("clamped_samples"), kept("clamped_light")) else { return Ok(()) };
-        sums.samples += read_texture(self.gpu, samples)?.into_iter().map(u64::from).sum::<u64>();
-        sums.lost += floats(&read_texture(self.gpu, light)?).sum::<f64>();
+    /// The mean of a channel of so many samples: red, green, blue, alpha.
+    fn channel(&self, k: usize, samples: u32) -> Vec<f32> {
+        let weight = 1.0 / samples as f32;
+        if let Some(moments) = &self.moments {
+            return moments.iter().map(|moments| moments.color[k]).collect();
+        }
+        if k < 3 {
+            return self.sums(k).map(|sum| sum * weight).collect();
+        }
+        let sums = self.pixels.column("alpha").into_iter().flatten();
+        // A sky that is seen from inside of a medium may be brighter than it is.
+        sums.map(|[sum]| (f32::from_bits(sum) * weight).clamp(0.0, 1.0)).collect()
+    }
+
+    /// The sums of a channel's samples.
+    fn sums(&self, k: usize) -> impl Iterator<Item = f32> {
+        let sums = self.pixels.column::<3>("color").into_iter().flatten();
+        sums.map(move |color| f32::from_bits(color[k]))
+    }
+
+    /// The standard error of every pixel after so many samples, infinite where it has one; none where nothing of the kind was kept.
+    fn errors(&self, samples: u32) -> Option<Vec<f32>> {
+        if let Some(moments) = &self.moments {
+            return Some(moments.iter().map(Moments::error).collect());
+        }
+        let n = samples as f32;
+        let error = |[bits]: [u32; 1]| {
+            if n > 1.0 { (f32::from_bits(bits) / (n * (n - 1.0))).max(0.0).sqrt() } else { f32::INFINITY }
+        };
+        Some(self.pixels.column("spread")?.map(error).collect())
+    }
+
+    /// A layer, in one or three words a pixel; none that was not kept.
+    fn layer(&self, layer: Layer, samples: u32, errors: Option<&[f32]>) -> Option<Vec<u32>> {
+        let number = |name: &str| Some(self.pixels.column::<1>(name)?.flatten().collect());
+        let vector = |name: &str| Some(self.pixels.column::<3>(name)?.flatten().collect::<Vec<_>>());
+        match (layer, &self.moments) {
+            (Layer::Error, _) => Some(errors?.iter().map(|error| error.to_bits()).collect()),
+            (Layer::Samples, Some(moments)) => Some(moments.iter().map(|moments| moments.rays).collect()),
+            (Layer::Samples, None) => Some(vec![samples; self.size.map(|n| n as usize).iter().product()]),
+            (Layer::Sums, None) => vector("color"),
+            (Layer::Spread, None) => number("spread"),
+            (Layer::Sums | Layer::Spread, Some(_)) => None,
+            (Layer::Orders, _) => {
+                let weight = 1.0 / samples as f32;
+                let mean = |sum: u32| (f32::from_bits(sum) * weight).to_bits();
+                Some(vector("orders")?.into_iter().map(mean).collect())
+            }
+            (Layer::Position | Layer::Normal | Layer::Way, _) => vector(&format!("layer_{}", layer.name())),
+            (layer, _) => number(&format!("layer_{}", layer.name())),
+        }
+    }
+
+    /// Adds what the tile's samples have lost because they were too bright, and in the last round what is left.
+    pub(super) fn add_clamped(&self, round: &Round, sums: &mut Clamped) {
+        let (samples, light) = (self.pixels.column("clamped_samples"), self.pixels.column("clamped_light"));
+        let (Some(samples), Some(light)) = (samples, light) else { return };
+        sums.samples += samples.map(|[n]| u64::from(n)).sum::<u64>();
+        sums.lost += light.map(|[bits]| f64::from(f32::from_bits(bits))).sum::<f64>();
         if !round.is_last {
-            return Ok(());
+            return;
         }
-        if let Some(moments) = self.read_moments(tile)? {
-            let light = |moments: &Moments| f64::from(moments.color[..3].iter().sum::<f32>()) / 3.0;
-            sums.left += moments.iter().map(|moments| light(moments) * f64::from(moments.rays)).sum::<f64>();
-            return Ok(());
-        }
-        for channel in COLORS {
-            if let Some(texture) = tile.texture(&Role::Color(channel)) {
-                sums.left += floats(&read_texture(self.gpu, texture)?).sum::<f64>() / 3.0;
+        sums.left += match &self.moments {
+            Some(moments) => {
+                let light = |moments: &Moments| f64::from(moments.color[..3].iter().sum::<f32>()) / 3.0;
+                moments.iter().map(|moments| light(moments) * f64::from(moments.rays)).sum::<f64>()
             }
-        }
-        Ok(())
+            None => (0..3).map(|k| self.sums(k).map(f64::from).sum::<f64>() / 3.0).sum(),
+        };
     }
-
-    /// Sums of a tile, each times a weight, in fours as the texels of a layer are.
-    fn read_three(&self, tile: &Tile, roles: &[Role; 3], weight: f32) -> Result<Vec<u32>, RenderError> {
-        let texels = tile.size.map(|n| n as usize).iter().product::<usize>();
-        let mut words = vec![0; 4 * texels];
-        for (k, role) in roles.iter().enumerate() {
-            if let Some(texture) = tile.texture(role) {
-                let sums = read_texture(self.gpu, texture)?;
-                let weighed = sums.into_iter().map(|bits| (f32::from_bits(bits) * weight).to_bits());
-                words.iter_mut().skip(k).step_by(4).zip(weighed).for_each(|(word, sum)| *word = sum);
-            }
-        }
-        Ok(words)
-    }
-}
-
-const COLORS: [Channel; 3] = [Channel::Red, Channel::Green, Channel::Blue];
-const ORDERS: [&str; 3] = ["order_first", "order_second", "order_third"];
-
-fn floats(words: &[u32]) -> impl Iterator<Item = f64> {
-    words.iter().map(|bits| f64::from(f32::from_bits(*bits)))
 }

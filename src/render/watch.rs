@@ -2,12 +2,11 @@
 
 use std::time::Duration;
 
-use wgpu::{Extent3d, TexelCopyBufferLayout, Texture};
-
 use super::band::{Band, Plane};
+use super::records::Records;
 use super::{RenderError, Window};
-use crate::gpu::{Gpu, Tile};
-use crate::program::{Channel, Layer, Role};
+use crate::gpu::{Gpu, GpuError, Tile};
+use crate::program::{Layer, Program, Role};
 use crate::progress::Stage;
 
 /// How a render is watched.
@@ -93,27 +92,34 @@ fn sum_of(mean: f32, samples: f32) -> f32 {
 }
 
 impl Earlier {
-    /// Puts the sums of a part of the window into a tile of that size.
-    pub(super) fn put(&self, gpu: &Gpu, tile: &Tile, part: Window) {
+    /// Puts the sums of a part of the window into a tile of that size, beside what its pixels keep already.
+    pub(super) fn put(&self, gpu: &Gpu, program: &Program, tile: &Tile, part: Window) -> Result<(), GpuError> {
         let band = &self.band;
-        let sums = match band.layer(Layer::Sums) {
-            Some(Plane::Vector(sums)) => &sums[..],
-            _ => &[],
+        let mut pixels = Records::read(gpu, program, tile, &Role::Pixels)?;
+        let Window { origin: [left, top], size: [columns, rows] } = part;
+        let mut put = |name: &str, k: usize, value: &dyn Fn(usize) -> f32| {
+            let Some(field) = pixels.field(name) else { return };
+            for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+                let from = ((top + row) * band.width + left + column) as usize;
+                pixels.set((row * tile.size[0] + column) as usize, field, k, value(from));
+            }
         };
-        let channels = [Channel::Red, Channel::Green, Channel::Blue].map(Role::Color);
-        for (channel, sums) in channels.iter().zip(sums) {
-            write(gpu, tile.texture(channel), part, band.width, |at| sums[at]);
+        if let Some(Plane::Vector(sums)) = band.layer(Layer::Sums) {
+            for (k, sums) in sums.iter().enumerate() {
+                put("color", k, &|at| sums[at]);
+            }
         }
         if let Some(alpha) = &band.alpha {
-            let texture = tile.texture(&Role::Color(Channel::Alpha));
-            write(gpu, texture, part, band.width, |at| sum_of(alpha[at], self.samples as f32));
+            put("alpha", 0, &|at| sum_of(alpha[at], self.samples as f32));
         }
         for counted in ["clamped_samples", "clamped_light"] {
-            write(gpu, tile.texture(&Role::Kept(counted)), part, band.width, |_| 0.0);
+            put(counted, 0, &|_| 0.0);
         }
         if let Some(Plane::Scalar(spread)) = band.layer(Layer::Spread) {
-            write(gpu, tile.texture(&Role::Kept("spread")), part, band.width, |at| spread[at]);
+            put("spread", 0, &|at| spread[at]);
         }
+        tile.write(gpu, &Role::Pixels, 0, pixels.bytes());
+        Ok(())
     }
 
     /// Layers of the first samples, which are not taken again, for the rows of a band.
@@ -131,17 +137,4 @@ impl Earlier {
             }
         }
     }
-}
-
-/// Writes a part of the window's values into a texture of the part's size.
-fn write(gpu: &Gpu, texture: Option<&Texture>, part: Window, width: u32, value: impl Fn(usize) -> f32) {
-    let Some(texture) = texture else { return };
-    let Window { origin: [left, top], size: [columns, rows] } = part;
-    let place = |row: u32, column: u32| ((top + row) * width + left + column) as usize;
-    let value = &value;
-    let values: Vec<f32> =
-        (0..rows).flat_map(|row| (0..columns).map(move |column| value(place(row, column)))).collect();
-    let layout = TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * columns), rows_per_image: None };
-    let size = Extent3d { width: columns, height: rows, depth_or_array_layers: 1 };
-    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(&values), layout, size);
 }

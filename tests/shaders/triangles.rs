@@ -1,6 +1,6 @@
 //! Triangles: no gaps between neighbours, and hits.
 
-use bentray::model::Value::{Float, Uint, Uint4, Vec3 as V3};
+use bentray::model::Value::{Uint, Uint4, Vec3 as V3};
 use bentray::program::constant;
 use glam::{DVec3, Vec3, Vec4};
 
@@ -31,25 +31,15 @@ pub(super) fn probe() -> Probe {
     )
 }
 
-fn corners(t: [Vec3; 3], object: u32) -> Record {
+fn corners(t: [Vec3; 3]) -> Record {
     let [p, q, r] = t.map(|x| V3(x.as_dvec3()));
-    vec![("p", p), ("object", Uint(object)), ("q", q), ("r", r)]
+    vec![("p", p), ("bit", Uint(constant("shape/facing", "NO_BIT") as u32)), ("q", q), ("r", r)]
 }
 
 /// A box as the host writes it.
 pub(super) fn grown(lo: Vec3, hi: Vec3) -> [Vec3; 2] {
     let slack = constant("segment/structure/boxes", "BOX_SLACK") * lo.abs().max(hi.abs()).as_dvec3();
     [lo.as_dvec3() - slack, hi.as_dvec3() + slack].map(DVec3::as_vec3)
-}
-
-fn vertex(position: Vec3) -> Record {
-    let normal = position.normalize_or(Vec3::Y).as_dvec3();
-    vec![
-        ("position", V3(position.as_dvec3())),
-        ("normal", V3(normal)),
-        ("u", Float(f64::from(position.x))),
-        ("v", Float(f64::from(position.y))),
-    ]
 }
 
 #[test]
@@ -104,7 +94,7 @@ fn no_ray_passes_between_neighbours() {
         let on_edge = p + (q - p) * random.within(0.2, 0.8);
         let far = random.log(0.5, 50.0);
         let (a, b) = (on_edge - d * far, on_edge + d * far * random.within(0.5, 2.0));
-        triangles.extend([[p, q, r], [q, p, s]].map(|t| corners(t.map(DVec3::as_vec3), 0)));
+        triangles.extend([[p, q, r], [q, p, s]].map(|t| corners(t.map(DVec3::as_vec3))));
         inputs.push([row(a.as_vec3(), 2.0 * k as f32), row(b.as_vec3(), 0.0)]);
     }
     let body = "let d = p1.xyz - p0.xyz;
@@ -136,9 +126,8 @@ impl Mesh {
     }
 
     fn probe(&self) -> Probe {
-        let all = |t: &[[Vec3; 3]]| t.iter().flatten().copied().collect::<Vec<Vec3>>();
         let node = |of: &[[Vec3; 3]], skip: u32, leaf: u32| -> Record {
-            let all = all(of);
+            let all: Vec<Vec3> = of.iter().flatten().copied().collect();
             let lo = all.iter().copied().reduce(Vec3::min).expect("corners");
             let [lo, hi] = grown(lo, all.iter().copied().reduce(Vec3::max).expect("corners"));
             let bits = |corner: Vec3, last| {
@@ -150,18 +139,27 @@ impl Mesh {
         let leaves = self.0.chunks(4).enumerate();
         let mut nodes = vec![node(&self.0, 1 + self.0.len() as u32 / 4, 0)];
         nodes.extend(leaves.map(|(k, four)| node(four, k as u32 + 2, (4 << 28) | (4 * k as u32))));
-        let triangles = (0..self.0.len() as u32)
-            .map(|k| vec![("a", Uint(3 * k)), ("b", Uint(3 * k + 1)), ("c", Uint(3 * k + 2)), ("object", Uint(k % 3))]);
         probe()
             .bind("nodes", nodes)
-            .bind("triangles", triangles.collect::<Vec<Record>>())
-            .bind("corners", self.0.iter().zip(0..).map(|(t, k)| corners(*t, k % 3)).collect::<Vec<Record>>())
-            .bind("vertices", all(&self.0).into_iter().map(vertex).collect::<Vec<Record>>())
-            .bind(
-                "vertex_colors",
-                all(&self.0).into_iter().map(|x| vec![("color", V3(x.as_dvec3()))]).collect::<Vec<Record>>(),
-            )
-            .numbers("object_materials", &[7, 8, 9])
+            .bind("corners", self.0.iter().map(|t| corners(*t)).collect::<Vec<Record>>())
+            .numbers("mesh", &self.words())
+    }
+
+    /// Triangle k is of object k mod 3, of material 7 and so on; a vertex's color is its place.
+    fn words(&self) -> Vec<u32> {
+        let [triangle, vertex] = [("shape/triangle", "TRIANGLE_WORDS"), ("surface/vertex_colors", "COLOR_WORD")]
+            .map(|(part, name)| constant(part, name) as u32);
+        let vertex = vertex + 3;
+        let first = triangle * self.0.len() as u32;
+        let corners = (0..self.0.len() as u32).flat_map(|k| {
+            let [a, b, c] = [3 * k, 3 * k + 1, 3 * k + 2].map(|corner| first + vertex * corner);
+            [a, b, c, k % 3, 7 + k % 3]
+        });
+        let vertices = self.0.iter().flatten().flat_map(|x| {
+            let normal = x.normalize_or(Vec3::Y);
+            [normal.x, normal.y, normal.z, x.x, x.y, x.x, x.y, x.z].map(f32::to_bits)
+        });
+        corners.chain(vertices).collect()
     }
 }
 

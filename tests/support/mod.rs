@@ -80,10 +80,15 @@ pub fn scenes_in(folder: &str) -> Vec<std::path::PathBuf> {
     scenes
 }
 
+/// Every scene file below `scenes/`.
+pub fn all_scenes() -> Vec<std::path::PathBuf> {
+    let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
+    folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}"))).collect()
+}
+
 /// The program of every scene below `scenes/` as `render` links it by default, by the file's path in the project.
 pub fn pictured() -> &'static [(String, Program)] {
     static PROGRAMS: LazyLock<Vec<(String, Program)>> = LazyLock::new(|| {
-        let folders = ["", "/bench", "/groller", "/laws", "/light", "/paths", "/spacetimes", "/stability", "/thesis"];
         let program = |path: std::path::PathBuf| {
             let scene = Scene::load(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
             let geometry = Geometry::new(&scene);
@@ -91,7 +96,7 @@ pub fn pictured() -> &'static [(String, Program)] {
             let name = path.strip_prefix(env!("CARGO_MANIFEST_DIR")).unwrap().to_str().unwrap().to_owned();
             (name, program.unwrap_or_else(|error| panic!("{error}")))
         };
-        folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}"))).map(program).collect()
+        all_scenes().into_iter().map(program).collect()
     });
     &PROGRAMS
 }

@@ -8,7 +8,7 @@ struct Stereo {
     distance: Real,
 }
 
-@group(0) @binding(50) var<uniform> stereo: Stereo;
+var<uniform> stereo: Stereo;
 
 fn eye_ray(ray: CameraRay, right: bool) -> CameraRay {
     let offset = select(-stereo.offset, stereo.offset, right);

@@ -5,7 +5,7 @@ struct Stereo {
     offset: Real3,
 }
 
-@group(0) @binding(50) var<uniform> stereo: Stereo;
+var<uniform> stereo: Stereo;
 
 fn eye_ray(ray: CameraRay, right: bool) -> CameraRay {
     return CameraRay(ray.x + select(-stereo.offset, stereo.offset, right), ray.d, ray.status);

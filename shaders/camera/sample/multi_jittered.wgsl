@@ -6,7 +6,7 @@ struct Sampling {
     grid: vec2u,
 }
 
-@group(0) @binding(54) var<uniform> sampling: Sampling;
+var<uniform> sampling: Sampling;
 
 // A permutation of 0 … l − 1 chosen by p: an invertible hash on the next power of two, walked until it lands inside.
 fn permuted(index: u32, l: u32, p: u32) -> u32 {

@@ -9,7 +9,7 @@ struct SampleShare {
     side: f32,
 }
 
-@group(0) @binding(56) var<uniform> sample_share: SampleShare;
+var<uniform> sample_share: SampleShare;
 
 fn sample_point(pixel: vec2u) -> vec2f {
     if ADAPTS {

@@ -11,7 +11,7 @@ struct Cubic {
     radius: Real,
 }
 
-@group(0) @binding(62) var<uniform> cubic: array<Cubic, CUBIC_COUNT>;
+var<uniform> cubic: array<Cubic, CUBIC_COUNT>;
 
 fn cubic_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);

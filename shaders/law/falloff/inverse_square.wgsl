@@ -8,7 +8,7 @@ struct InverseSquare {
     kind: u32,
 }
 
-@group(0) @binding(63) var<uniform> inverse_square: array<InverseSquare, INVERSE_SQUARE_COUNT>;
+var<uniform> inverse_square: array<InverseSquare, INVERSE_SQUARE_COUNT>;
 
 fn inverse_square_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);

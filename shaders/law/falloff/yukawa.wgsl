@@ -10,7 +10,7 @@ struct Yukawa {
     mu: Real,
 }
 
-@group(0) @binding(64) var<uniform> yukawa: array<Yukawa, YUKAWA_COUNT>;
+var<uniform> yukawa: array<Yukawa, YUKAWA_COUNT>;
 
 fn yukawa_acceleration(x: Real3) -> Real3 {
     var sum = Real3(0.0);

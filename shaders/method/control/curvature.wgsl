@@ -8,7 +8,7 @@ struct Control {
     eta: Real,
 }
 
-@group(0) @binding(75) var<uniform> control: Control;
+var<uniform> control: Control;
 
 fn planned_step(p: Phase) -> Real {
     let rate = law_derivative(p);

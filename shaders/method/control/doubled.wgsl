@@ -10,7 +10,7 @@ struct Control {
     eta: Real,
 }
 
-@group(0) @binding(75) var<uniform> control: Control;
+var<uniform> control: Control;
 
 struct DoubledStep {
     // The two half steps' result, kept without extrapolation.

@@ -6,7 +6,7 @@ struct Control {
     eta: Real,
 }
 
-@group(0) @binding(75) var<uniform> control: Control;
+var<uniform> control: Control;
 
 fn planned_step(p: Phase) -> Real {
     return min(control.step, control.eta * law_scale(p));

@@ -4,7 +4,7 @@ struct Control {
     step: Real,
 }
 
-@group(0) @binding(75) var<uniform> control: Control;
+var<uniform> control: Control;
 
 fn first_step(p: Phase) -> Real {
     return 0.0;

@@ -6,7 +6,7 @@ struct Snell {
     threshold: Real,
 }
 
-@group(0) @binding(76) var<uniform> snell: Snell;
+var<uniform> snell: Snell;
 
 const STEP_ORDER: f32 = 1.0;
 

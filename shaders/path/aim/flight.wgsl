@@ -19,7 +19,7 @@ struct Waiting {
     dispersed: u32,
 }
 
-@group(0) @binding(44) var<storage, read_write> waiting_rays: array<Waiting>;
+var<storage, read_write> pixel_waiting: array<Waiting>;
 
 var<private> waiting: Waiting;
 
@@ -28,11 +28,11 @@ const AIMED: u32 = 2u;
 const AIM: u32 = 2u;
 
 fn load_waiting(pixel: vec2u) {
-    waiting = waiting_rays[place_of_path(pixel)];
+    waiting = pixel_waiting[place_in_tile(pixel)];
 }
 
 fn store_waiting(pixel: vec2u) {
-    waiting_rays[place_of_path(pixel)] = waiting;
+    pixel_waiting[place_in_tile(pixel)] = waiting;
 }
 
 // Behind an aimed ray, wherever it ended, the path's own may wait: which of the two it was is not known before all that is carried.

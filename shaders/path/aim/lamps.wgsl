@@ -8,7 +8,7 @@ struct Lamp {
     power: f32,
 }
 
-@group(0) @binding(45) var<storage, read> lamps: array<Lamp>;
+var<storage, read> lamps: array<Lamp>;
 
 // What of all rays that go to lamps goes to all alike, however far and faint.
 const ALIKE: f32 = 0.1;

@@ -14,7 +14,7 @@ struct SkyCells {
     cells: array<f32, SKY_ROWS * SKY_COLUMNS>,
 }
 
-@group(0) @binding(46) var<storage, read> sky_cells: SkyCells;
+var<storage, read> sky_cells: SkyCells;
 
 fn sky_brightness(vertex: PathVertex) -> f32 {
     return sky_cells.total;

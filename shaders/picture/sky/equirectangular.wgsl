@@ -5,7 +5,7 @@ struct Sky {
     image: u32,
 }
 
-@group(0) @binding(163) var<uniform> sky: Sky;
+var<uniform> sky: Sky;
 
 // How far on in the picture a small step from a direction leads.
 fn sky_span(d: vec3f, step: vec3f) -> vec2f {

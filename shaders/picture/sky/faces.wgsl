@@ -8,7 +8,7 @@ struct Sky {
     intensity: f32,
 }
 
-@group(0) @binding(163) var<uniform> sky: Sky;
+var<uniform> sky: Sky;
 
 // The face that a direction is towards, and a vector turned so that this face is ahead: right, up and ahead.
 struct SkyFace {

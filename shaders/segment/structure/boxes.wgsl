@@ -9,7 +9,7 @@ struct Node {
     hi_leaf: vec4u,
 }
 
-@group(0) @binding(90) var<storage, read> nodes: array<Node>;
+var<storage, read> nodes: array<Node>;
 
 const LEAF_FIRST: u32 = 0x0fffffffu;
 const LEAF_SHIFT: u32 = 28u;

@@ -11,9 +11,9 @@ struct GridSpace {
     count: vec3u,
 }
 
-@group(0) @binding(91) var<uniform> grid_space: GridSpace;
+var<uniform> grid_space: GridSpace;
 // Where the items of each cell begin, and behind the last cell where they end.
-@group(0) @binding(92) var<storage, read> cells: array<u32>;
+var<storage, read> cells: array<u32>;
 
 // A walk that stops is at a piece, in the upper five bits, and a cell, counted from 1.
 const CELL_BITS: u32 = 27u;

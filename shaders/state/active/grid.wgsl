@@ -1,6 +1,6 @@
 // Every pixel whose ray still lives (W04 §4.1's mask), over the whole grid of pixels; passes stop when none lives.
 
-@group(0) @binding(5) var<storage, read_write> active_out: ActiveList;
+var<storage, read_write> active_out: ActiveList;
 
 var<workgroup> any_active: atomic<u32>;
 

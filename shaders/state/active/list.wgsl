@@ -9,10 +9,10 @@ struct ActiveRead {
     count: u32,
 }
 
-@group(0) @binding(6) var<storage, read> active_in: ActiveRead;
-@group(0) @binding(5) var<storage, read_write> active_out: ActiveList;
-@group(0) @binding(7) var<storage, read> list_in: array<u32>;
-@group(0) @binding(8) var<storage, read_write> list_out: array<u32>;
+var<storage, read> active_in: ActiveRead;
+var<storage, read_write> active_out: ActiveList;
+var<storage, read> list_in: array<u32>;
+var<storage, read_write> list_out: array<u32>;
 
 // Groups in one row of a dispatch that has several: under WebGPU's limit for any number of pixels.
 const ROW: u32 = 32768u;

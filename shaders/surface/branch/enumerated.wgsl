@@ -8,9 +8,9 @@ struct Branching {
     depth: u32,
 }
 
-@group(0) @binding(130) var<uniform> branching: Branching;
+var<uniform> branching: Branching;
 // The code, and above MET how many branchings the path has met; the highest bit is for whoever ends paths by a branching.
-@group(0) @binding(131) var branches: texture_storage_2d<r32uint, read_write>;
+var<storage, read_write> pixel_branches: array<u32>;
 
 const MET: u32 = 24u;
 
@@ -19,11 +19,11 @@ const MET_BITS: u32 = 5u;
 var<private> branch_code: u32;
 
 fn load_branches(pixel: vec2u) {
-    branch_code = textureLoad(branches, pixel).x;
+    branch_code = pixel_branches[place_in_tile(pixel)];
 }
 
 fn store_branches(pixel: vec2u) {
-    textureStore(branches, pixel, vec4u(branch_code));
+    pixel_branches[place_in_tile(pixel)] = branch_code;
 }
 
 fn low_bits(n: u32) -> u32 {

@@ -8,7 +8,7 @@ struct DirectionalLight {
     color: vec3f,
 }
 
-@group(0) @binding(132) var<storage, read> directional_lights: array<DirectionalLight>;
+var<storage, read> directional_lights: array<DirectionalLight>;
 
 fn lit_by_directional(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);

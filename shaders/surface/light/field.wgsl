@@ -18,13 +18,13 @@ struct GridLight {
     position: vec3f,
 }
 
-@group(0) @binding(145) var<storage, read> grid_lights: array<GridLight>;
+var<storage, read> grid_lights: array<GridLight>;
 
 // For each voxel the number of its brick, from 1, or 0.
-@group(0) @binding(146) var<storage, read> light_bricks: array<u32>;
+var<storage, read> light_bricks: array<u32>;
 
 // F and the fluence, the sum of the same without directions: for light of intensity 1, or of irradiance 1 if it comes from far away.
-@group(0) @binding(147) var<storage, read> light_field: array<vec4f>;
+var<storage, read> light_field: array<vec4f>;
 
 // In voxels: where light is looked for, off the surface, so that none of the voxels asked is mostly behind it.
 const LIGHT_OFF: f32 = 0.9;

@@ -9,7 +9,7 @@ struct PointLight {
     falls: u32,
 }
 
-@group(0) @binding(133) var<storage, read> point_lights: array<PointLight>;
+var<storage, read> point_lights: array<PointLight>;
 
 fn lit_by_point(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);

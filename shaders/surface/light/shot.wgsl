@@ -10,7 +10,7 @@ struct ShotLight {
     size: f32,
 }
 
-@group(0) @binding(143) var<storage, read> shot_lights: array<ShotLight>;
+var<storage, read> shot_lights: array<ShotLight>;
 
 fn lit_by_shot(material: Material, color: vec3f, lit: Lit) -> vec3f {
     var sum = vec3f(0.0);

@@ -10,7 +10,7 @@ struct Equator {
     per_orbit: Real,
 }
 
-@group(0) @binding(126) var<uniform> equator: Equator;
+var<uniform> equator: Equator;
 struct DiscOrbit {
     // The four-velocity along the way out, along the way round and of time.
     u: vec3f,
@@ -18,7 +18,7 @@ struct DiscOrbit {
     light: f32,
 }
 
-@group(0) @binding(127) var<storage, read> orbits: array<DiscOrbit>;
+var<storage, read> orbits: array<DiscOrbit>;
 
 const ORBITS: u32 = 4096u;
 

@@ -6,7 +6,7 @@ struct Ending {
 }
 
 // By material.
-@group(0) @binding(128) var<storage, read> endings: array<Ending>;
+var<storage, read> endings: array<Ending>;
 
 fn scatter_ending(surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
     let opacity = endings[surface.material].opacity;

@@ -8,7 +8,7 @@ struct Aim {
 }
 
 // The sources of the law, or none at all, and then one that nobody looks at.
-@group(0) @binding(144) var<uniform> aims: array<Aim, AIM_COUNT>;
+var<uniform> aims: array<Aim, AIM_COUNT>;
 
 const NEWTON_STEPS: u32 = 12u;
 const SHORTENINGS: u32 = 4u;

@@ -2,20 +2,16 @@
 // along a ray (thesis Eq. 14), the square of the index where the camera is over that where the ray ends. However often the
 // index changes on the way, only those two matter.
 
-@group(0) @binding(139) var weight_red: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(140) var weight_green: texture_storage_2d<r32float, read_write>;
-@group(0) @binding(141) var weight_blue: texture_storage_2d<r32float, read_write>;
+var<storage, read_write> pixel_weight: array<vec3f>;
 
 var<private> weight: vec3f;
 
 fn load_weight(pixel: vec2u) {
-    weight = vec3f(textureLoad(weight_red, pixel).x, textureLoad(weight_green, pixel).x, textureLoad(weight_blue, pixel).x);
+    weight = pixel_weight[place_in_tile(pixel)];
 }
 
 fn store_weight(pixel: vec2u) {
-    textureStore(weight_red, pixel, vec4f(weight.x));
-    textureStore(weight_green, pixel, vec4f(weight.y));
-    textureStore(weight_blue, pixel, vec4f(weight.z));
+    pixel_weight[place_in_tile(pixel)] = weight;
 }
 
 fn start_weight(x: Real3) {

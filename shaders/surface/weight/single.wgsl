@@ -1,7 +1,7 @@
 // One weight for all colors. A camera's ray counts as in surface/weight/colored.wgsl, where nothing on its way has a color; a lamp's ray
 // carries what surfaces leave of its light, and to find caustics less than 0 until a surface has sent it on: before that it leaves none.
 
-@group(0) @binding(142) var weight_all: texture_storage_2d<r32float, read_write>;
+var<storage, read_write> pixel_weight: array<f32>;
 
 var<private> weight: f32;
 
@@ -9,11 +9,11 @@ fn load_weight(pixel: vec2u) {
     if DRAWS_WAVELENGTH {
         draw_wavelength(pixel);
     }
-    weight = textureLoad(weight_all, pixel).x;
+    weight = pixel_weight[place_in_tile(pixel)];
 }
 
 fn store_weight(pixel: vec2u) {
-    textureStore(weight_all, pixel, vec4f(weight));
+    pixel_weight[place_in_tile(pixel)] = weight;
 }
 
 fn start_weight(x: Real3) {

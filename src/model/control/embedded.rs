@@ -12,8 +12,7 @@ pub static KIND: Kind = Kind {
     name: "embedded",
     keys: &[TOLERANCE, SCALED_STEP],
     parts: &["method/control/embedded"],
-    // The error of the step before, and the derivative at its end.
-    memory: "method/memory_pair",
+    remembers: true,
     values: |control| row! { tolerance: Float(control.setting), eta: Float(control.cap) },
     evaluations: |step, steps, rejected| 1.0 + step * (steps + rejected),
     usual: |_, refined| with(1e-5 * 0.1_f64.powi(refined), 0.3 * 0.5_f64.powi(refined)),

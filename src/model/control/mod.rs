@@ -36,8 +36,8 @@ pub struct Kind {
     pub keys: &'static [Key],
     /// The WGSL parts that keep its contract.
     pub parts: &'static [&'static str],
-    /// The part that remembers what the next step needs of the last.
-    pub memory: &'static str,
+    /// Does the next step need more of the last than its size: its error, and the derivative at its end?
+    pub remembers: bool,
     /// The members of `control` in WGSL.
     pub values: fn(&Control) -> Row,
     /// Evaluations of the law's derivative in a path, by those of a step, and by accepted and rejected steps.
@@ -72,7 +72,7 @@ impl Kind {
         name: "exact",
         keys: &[],
         parts: &[],
-        memory: "method/memory_step",
+        remembers: false,
         values: |_| Row::new(),
         evaluations: |step, steps, _| step * steps,
         suffix: "",

@@ -17,7 +17,7 @@ impl Features {
             splits has_rough_glass has_regions has_sided_mesh has_objects touches filters sees_glow
             follows_paths in_pieces aims clamps draws_wavelength falls grids_fall grids_all_fall
             is_occluded occludes_along_law follows_lines all_cast shuts_out weakens_lines
-            is_limited keeps_taken keeps_last_hit has_leaps suspends items_in_order writes_chords_out rejects captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
+            is_limited compensates_tau keeps_taken keeps_w keeps_last_hit has_leaps suspends items_in_order writes_chords_out rejects captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
             has_two_skies sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
             beams shifts_hues knows_shift follows_shift keeps_orders
         );
@@ -35,7 +35,6 @@ impl Features {
             ("filters_images", self.keeps_footprints && self.has_images),
             ("ends_below", self.below_part.is_some()),
             ("asks_tau", self.asks_tau()),
-            ("compensates_tau", self.compensates_tau()),
             ("counts_loops", self.device.loop_budget.is_some()),
             ("ends_on_arcs", self.has_objects && !self.has_chords),
             ("ends_on_chords", self.has_objects && self.has_chords),

@@ -93,6 +93,8 @@ pub struct Features {
 
     /// Rays end after a length.
     pub is_limited: bool,
+    /// The last digits of τ are kept apart from its sum.
+    pub compensates_tau: bool,
     /// Something captures rays.
     pub captures: bool,
     /// Orbits of light lie within the place where rays are captured: those that turn there are not.
@@ -140,6 +142,8 @@ pub struct Features {
     pub is_filmic: bool,
     /// The size of a step is kept for the pass that intersects.
     pub keeps_taken: bool,
+    /// More of a ray than X and V is kept between passes.
+    pub keeps_w: bool,
     /// A ray cannot meet again the flat surface that it goes on from.
     pub keeps_last_hit: bool,
     /// Some step leads through a whole region.
@@ -203,6 +207,7 @@ impl Features {
 
             has_objects: !scene.objects.is_empty(),
             keeps_taken: keeps_taken(scene, regions),
+            keeps_w: facts.carries_time || scene.rays.control.kind.remembers || compensates_tau(scene),
             keeps_last_hit: scene.scatters() && (follows_paths && !joins_whole || is_flat(scene, regions)),
             has_leaps: regions.kinds.iter().any(|kind| kind.leaps),
             suspends: false,
@@ -241,6 +246,7 @@ impl Features {
             weakens_lines: is_picture && scene.weakens_lines(),
 
             is_limited: scene.rays.length.is_some(),
+            compensates_tau: compensates_tau(scene),
             captures: !scene.captures(None).is_empty(),
             is_extreme: facts.turns_before_capture,
             is_asymptotic: scene.rays.asymptotic,
@@ -321,12 +327,6 @@ impl Features {
         passes
     }
 
-    /// Are τ's last digits kept apart from its sum?
-    #[must_use]
-    pub fn compensates_tau(&self) -> bool {
-        self.is_limited && self.precision != Precision::Double
-    }
-
     /// Does something ask how far along its path a ray is?
     #[must_use]
     pub fn asks_tau(&self) -> bool {
@@ -344,6 +344,11 @@ fn below_part(scene: &Scene, purpose: Purpose, below: Option<(&'static str, Capt
     let eye = scene.camera.as_ref().filter(|_| !is_anywhere).map(|camera| camera.position);
     let (part, horizon) = below?;
     eye.is_none_or(|eye| horizon.distance(eye) < 0.0).then_some(part)
+}
+
+/// Are τ's last digits kept apart from its sum?
+fn compensates_tau(scene: &Scene) -> bool {
+    scene.rays.length.is_some() && scene.rays.precision != Precision::Double
 }
 
 /// Are a kind of region's paths whole lines, which begin where a ray does?

@@ -164,14 +164,11 @@ pub(super) fn filters(kinds: &[&str]) -> Unit {
     unit("generated/filters.wgsl", text)
 }
 
-/// The first of the picture textures' bindings; `image_K` is at this and K.
-const FIRST_IMAGE: usize = 300;
-
 /// One texture for each picture.
 pub(super) fn images(count: usize) -> Unit {
     let mut text = String::new();
     for k in 0..count {
-        let _ = writeln!(text, "@group(0) @binding({}) var image_{k}: texture_2d<f32>;", FIRST_IMAGE + k);
+        let _ = writeln!(text, "var image_{k}: texture_2d<f32>;");
     }
     let sizes: Vec<_> = (0..count).map(|k| (format!("{k}u"), format!("textureDimensions(image_{k})"))).collect();
     let texels: Vec<_> = (0..count).map(|k| (format!("{k}u"), format!("textureLoad(image_{k}, p, 0).xyz"))).collect();

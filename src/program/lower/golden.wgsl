@@ -1,4 +1,4 @@
-// ---- generated/uniforms.wgsl
+// ---- generated/bindings.wgsl
 struct Uniforms {
     @align(32) law: Law,
     @align(32) one: array<Law, ONE>,
@@ -6,7 +6,7 @@ struct Uniforms {
     @align(32) list: array<Law, TWO>,
 }
 
-@group(0) @binding(9) var<uniform> uniforms_entry: Uniforms;
+@group(0) @binding(500) var<uniform> uniforms_entry: Uniforms;
 
 var<private> own_frame: Frame;
 var<private> law: Law;

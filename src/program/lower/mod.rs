@@ -24,13 +24,12 @@ use std::fmt::Write as _;
 
 use self::uses::{Shape, index_end, shape};
 use super::DeviceProfile;
+use super::bindings::Numbers;
 use super::declarations::Declaration;
 use super::linked::Edit;
 
 /// Uniforms that are written for each tile, and for each dispatch.
 const APART: [&str; 2] = ["frame", "dispatch"];
-/// The block's binding.
-const BINDING: u32 = 9;
 /// The block's type.
 const BLOCK: &str = "Uniforms";
 /// The function that fills the copies.
@@ -153,7 +152,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// The block's own declaration, the copies' and the function that fills them; empty if there are no uniforms.
-    pub(super) fn declaration(&self) -> String {
+    pub(super) fn declaration(&self, numbers: &mut Numbers) -> String {
         let mut text = String::new();
         // Writing to a String cannot fail.
         if self.members().next().is_some() {
@@ -162,7 +161,7 @@ impl<'a> Lowering<'a> {
             for Uniform { name, ty, .. } in self.members() {
                 let _ = writeln!(text, "    @align(32) {name}: {ty},");
             }
-            let _ = writeln!(text, "}}\n\n@group(0) @binding({BINDING}) var<uniform> {}: {BLOCK};\n", self.block());
+            let _ = writeln!(text, "}}\n\n{}var<uniform> {}: {BLOCK};\n", numbers.next(), self.block());
         }
         let (mut copies, mut reads) = (String::new(), String::new());
         for uniform in self.copied() {
