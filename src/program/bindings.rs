@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use super::declarations::Declaration;
-use super::linked::Edit;
+use super::tokens::{Splice, Tokens};
 
 /// What the names of values of pixels begin with.
 const PREFIX: &str = "pixel_";
@@ -23,28 +23,28 @@ const BESIDE_OTHERS: u32 = 500;
 
 /// Is it a value of pixels?
 pub(super) fn is_of_pixels(declaration: &Declaration) -> bool {
-    declaration.space() == Some("storage") && declaration.name.starts_with(PREFIX)
+    declaration.space() == Some("storage") && declaration.name().starts_with(PREFIX)
 }
 
 /// The values of a program's pixels.
 #[derive(Debug, Default)]
-pub(super) struct Pixels<'a> {
-    members: Vec<Member<'a>>,
+pub(super) struct Pixels {
+    members: Vec<Member>,
 }
 
 #[derive(Debug)]
-struct Member<'a> {
-    variable: &'a str,
+struct Member {
+    variable: String,
     ty: String,
 }
 
-impl<'a> Pixels<'a> {
+impl Pixels {
     /// Of the variables that some pass of the program reaches.
-    pub(super) fn of(variables: impl Iterator<Item = &'a Declaration<'a>>) -> Self {
-        let member = |variable: &'a Declaration| {
+    pub(super) fn of<'d>(variables: impl Iterator<Item = &'d Declaration<'d>>) -> Self {
+        let member = |variable: &Declaration| {
             let array = variable.ty()?;
             let ty = variable.tokens.written(array.start + 2..variable.tokens.closing(array.start + 1)?);
-            Some(Member { variable: variable.name, ty })
+            Some(Member { variable: variable.name().to_owned(), ty })
         };
         let mut members: Vec<_> = variables.filter_map(member).collect();
         // Where the numbers come last they fill up what vectors leave.
@@ -59,26 +59,26 @@ impl<'a> Pixels<'a> {
     }
 
     /// What to write in a declaration for every value: the member of a pixel.
-    pub(super) fn edits(&self, declaration: &Declaration) -> Vec<Edit> {
+    pub(super) fn splices(&self, declaration: &Declaration) -> Vec<Splice<'static>> {
         let tokens = &declaration.tokens;
-        let edits = declaration.names.iter().filter_map(|&i| {
+        let splices = declaration.names.iter().filter_map(|&i| {
             let member = self.members.iter().find(|member| member.variable == tokens.word(i))?;
-            let behind = tokens.range(tokens.closing(i + 1)?).end;
-            let name = &member.variable[PREFIX.len()..];
-            Some([(tokens.range(i), BUFFER.to_owned()), (behind..behind, format!(".{name}"))])
+            let behind = tokens.closing(i + 1)? + 1;
+            let name = Tokens::written_at(&format!(".{}", &member.variable[PREFIX.len()..]), tokens.origin(i));
+            Some([(i..i + 1, tokens.replacement(i, BUFFER)), (behind..behind, name)])
         });
-        edits.flatten().collect()
+        splices.flatten().collect()
     }
 
     /// The struct and the buffer; empty if a program keeps nothing.
-    pub(super) fn declaration(&self, numbers: &mut Numbers) -> String {
+    pub(super) fn declaration(&self) -> String {
         let mut text = String::new();
         if !self.members.is_empty() {
             let _ = writeln!(text, "struct {STRUCT} {{"); // writing to a String cannot fail
             for Member { variable, ty } in &self.members {
                 let _ = writeln!(text, "    {}: {ty},", &variable[PREFIX.len()..]);
             }
-            let _ = writeln!(text, "}}\n\n{}var<storage, read_write> {BUFFER}: array<{STRUCT}>;\n", numbers.next());
+            let _ = writeln!(text, "}}\n\nvar<storage, read_write> {BUFFER}: array<{STRUCT}>;");
         }
         text
     }
@@ -89,24 +89,20 @@ pub(super) struct Numbers(u32);
 
 impl Numbers {
     pub(super) fn beside<'a>(mut reached: impl Iterator<Item = &'a Declaration<'a>>) -> Self {
-        Self(if reached.any(|declaration| declaration.has_attributes() && declaration.keyword == "var") {
-            BESIDE_OTHERS
-        } else {
-            0
-        })
+        let has_number = |declaration: &Declaration| declaration.has_attributes() && declaration.keyword() == "var";
+        Self(if reached.any(has_number) { BESIDE_OTHERS } else { 0 })
     }
 
-    /// What to write before a variable that is bound and has no number.
-    pub(super) fn edit(&mut self, declaration: &Declaration) -> Option<Edit> {
+    /// The declaration, with a number if it is bound and has none.
+    pub(super) fn given<'a>(&mut self, mut declaration: Declaration<'a>) -> Declaration<'a> {
         let is_bound =
-            declaration.keyword == "var" && matches!(declaration.space(), None | Some("uniform" | "storage"));
-        let start = declaration.tokens.range(0).start;
-        (is_bound && !declaration.has_attributes()).then(|| (start..start, self.next()))
-    }
-
-    /// The attributes of one more binding.
-    pub(super) fn next(&mut self) -> String {
+            declaration.keyword() == "var" && matches!(declaration.space(), None | Some("uniform" | "storage"));
+        if !is_bound || declaration.has_attributes() {
+            return declaration;
+        }
+        let attributes = declaration.tokens.replacement(0, &format!("@group(0) @binding({})", self.0));
+        declaration.tokens.0[0].gap = " ".into();
         self.0 += 1;
-        format!("@group(0) @binding({}) ", self.0 - 1)
+        declaration.spliced(vec![(0..0, attributes)])
     }
 }

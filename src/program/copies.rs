@@ -3,83 +3,82 @@
 //! *Theory.* Every name that a region's parts declare gets the number of its kind for a suffix; for each
 //! function that shared parts call there is one more of its old name, which switches between the copies.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use super::ProgramError;
 use super::declarations::{Declaration, declarations};
-use super::linked::{Copy, Edit, Place};
-use super::unit::{Parts, Unit};
+use super::place::Place;
+use super::sources::{Source, Sources};
+use super::unit::Unit;
+use super::{ProgramError, linked};
 
 /// The private variable that says which kind of region a ray is in.
 const SELECTOR: &str = "region";
 
-/// A unit's declarations.
-pub(super) fn split(unit: &Unit) -> Result<Vec<Declaration<'_>>, ProgramError> {
-    declarations(&unit.text).map_err(|slip| ProgramError::invalid(Place::of(unit, slip.at), slip.message))
-}
-
-/// All the parts that passes are linked from.
-pub(super) fn with_region_copies(parts: &Parts) -> Result<Vec<Copy>, ProgramError> {
-    let as_it_is = |unit: &Unit| Copy::new(unit, &[]);
-    let mut copies: Vec<Copy> = parts.shared.iter().map(as_it_is).collect();
-    if let [only] = parts.regions.as_slice() {
-        copies.extend(only.iter().map(as_it_is));
-        return Ok(copies);
+/// All the declarations that passes are linked from, and the units that they were written in.
+pub(super) fn with_region_copies(sources: Sources) -> Result<(Vec<Declaration>, Vec<Unit>), ProgramError> {
+    let Sources { mut units, shared, regions } = sources;
+    let mut all = split(shared, &units)?;
+    let regions = regions.into_iter().map(|region| split(region, &units)).collect::<Result<Vec<_>, _>>()?;
+    if regions.len() < 2 {
+        all.extend(regions.into_iter().flatten());
+        return Ok((all, units));
     }
-    let mut regions = Vec::new();
-    for region in &parts.regions {
-        regions.push(region.iter().map(|unit| Ok((unit, split(unit)?))).collect::<Result<Vec<_>, ProgramError>>()?);
-    }
-    for (k, region) in regions.iter().enumerate() {
-        let own: BTreeSet<&str> = region.iter().flat_map(|(_, found)| found).map(|d| d.name).collect();
+    let switches = region_switches(&all, &regions, &units)?;
+    for (k, region) in regions.into_iter().enumerate() {
+        let own: BTreeSet<String> = region.iter().map(|declaration| declaration.name().to_owned()).collect();
         let made = own.iter().map(|name| format!("{name}_{k}")).collect();
-        for (unit, found) in region {
-            if let Some((at, name)) = found.iter().find_map(|declaration| declaration.mentions(&made)) {
-                return Err(ProgramError::Reserved { place: Place::of(unit, at), name: name.to_owned() });
-            }
-            copies.push(Copy::new(unit, &found.iter().flat_map(|d| copy_edits(d, k, &own)).collect::<Vec<_>>()));
+        for declaration in region {
+            linked::refuse(&declaration, &made, &units)?;
+            all.push(renamed(declaration, |name| own.contains(name).then(|| format!("{name}_{k}"))));
         }
     }
-    if let Some(first) = regions.first() {
-        let own: Vec<_> = first.iter().flat_map(|(unit, found)| found.iter().map(move |d| (*unit, d))).collect();
-        copies.push(Copy::new(&region_switches(parts, &own)?, &[]));
-    }
-    Ok(copies)
+    all.extend(split(vec![Source::made(&switches, units.len())], &units)?);
+    units.push(Unit::generated("generated/kinds.wgsl", switches));
+    Ok((all, units))
 }
 
-/// What tells copy `k` from the original: suffixes on the names of its region.
-fn copy_edits(declaration: &Declaration, k: usize, own: &BTreeSet<&str>) -> Vec<Edit> {
-    let tokens = &declaration.tokens;
-    let named = declaration.names.iter().filter(|&&i| own.contains(tokens.word(i)));
-    let at = declaration.at;
-    let edit = |&i: &usize| {
-        let range = tokens.range(i);
-        (range.start + at..range.end + at, format!("{}_{k}", tokens.word(i)))
-    };
-    named.map(edit).collect()
+/// The declarations of some units.
+fn split<'a>(sources: Vec<Source<'a>>, units: &[Unit]) -> Result<Vec<Declaration<'a>>, ProgramError> {
+    let found = sources.into_iter().map(|source| declarations(source.tokens));
+    let all = found.collect::<Result<Vec<_>, _>>();
+    let all = all.map_err(|slip| ProgramError::invalid(Place::of(units, slip.origin), slip.message))?;
+    Ok(all.into_iter().flatten().collect())
+}
+
+/// With other names of module scope.
+pub(super) fn renamed(mut declaration: Declaration<'_>, name: impl Fn(&str) -> Option<String>) -> Declaration<'_> {
+    for &i in &declaration.names {
+        if let Some(name) = name(&declaration.tokens.0[i].word) {
+            declaration.tokens.0[i].word = name.into();
+        }
+    }
+    declaration
 }
 
 /// One function for every name of the regions that shared parts use, which picks the copy by the ray's region.
-fn region_switches(parts: &Parts, first: &[(&Unit, &Declaration)]) -> Result<Unit, ProgramError> {
-    let own: BTreeMap<&str, &(&Unit, &Declaration)> = first.iter().map(|pair| (pair.1.name, pair)).collect();
-    let mut wanted = BTreeSet::new();
-    for unit in &parts.shared {
-        wanted.extend(split(unit)?.iter().flat_map(Declaration::used).filter_map(|name| Some(own.get(name)?.1.name)));
-    }
+fn region_switches(
+    shared: &[Declaration],
+    regions: &[Vec<Declaration>],
+    units: &[Unit],
+) -> Result<String, ProgramError> {
+    let own = |name: &str| regions[0].iter().find(|declaration| declaration.name() == name);
+    let wanted: BTreeSet<&str> = shared.iter().flat_map(Declaration::used).filter(|name| own(name).is_some()).collect();
     let mut text = String::new();
-    for name in wanted {
-        let (unit, declaration) = own[name];
-        let refused = || ProgramError::NotSwitchable { place: Place::of(unit, declaration.at), name: name.to_owned() };
-        let switch = switch(declaration, parts.regions.len(), |name| own.contains_key(name)).ok_or_else(refused)?;
+    for declaration in wanted.into_iter().filter_map(own) {
+        let refused = || ProgramError::NotSwitchable {
+            place: Place::of(units, declaration.origin()),
+            name: declaration.name().to_owned(),
+        };
+        let switch = switch(declaration, regions.len(), |name| own(name).is_some()).ok_or_else(refused)?;
         let _ = write!(text, "\n{switch}"); // writing to a String cannot fail
     }
-    Ok(Unit::generated("generated/kinds.wgsl", text))
+    Ok(text)
 }
 
 /// A function of the declaration's name and signature that calls its copies; none where a type has copies itself.
 fn switch(declaration: &Declaration, kinds: usize, has_copies: impl Fn(&str) -> bool) -> Option<String> {
-    let (tokens, name) = (&declaration.tokens, declaration.name);
+    let (tokens, name) = (&declaration.tokens, declaration.name());
     let signature = declaration.signature()?;
     let types = signature.parameters.iter().map(|parameter| &parameter.ty).chain(&signature.result);
     if types.flat_map(Clone::clone).any(|i| has_copies(tokens.word(i))) {

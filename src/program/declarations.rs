@@ -1,4 +1,4 @@
-//! WGSL text as its top-level declarations: just enough reading to link by name, and to lower uniforms.
+//! WGSL as its top-level declarations: just enough reading to link by name, and to lower uniforms.
 //!
 //! WGSL at module scope has no order and no scopes but one, so that a declaration is known by its name, and what it needs
 //! by the names in it. Statements and expressions are not parsed: that is naga's work, on the linked program.
@@ -8,19 +8,12 @@ use std::ops::Range;
 
 use super::scopes::outer_names;
 use super::signature::Signature;
-use super::tokens::{Tokens, behind_spaces, comment};
+use super::tokens::{Origin, Splice, Tokens, behind_spaces, comment};
 
 /// One function, struct, alias, constant, override or variable of a part.
 #[derive(Debug, Clone)]
 pub(super) struct Declaration<'a> {
-    /// What it declares.
-    pub(super) name: &'a str,
-    /// `fn`, `struct`, `alias`, `const`, `override` or `var`.
-    pub(super) keyword: &'a str,
-    /// Its tokens; their text has the comment above it.
     pub(super) tokens: Tokens<'a>,
-    /// Where that text stands in the part.
-    pub(super) at: usize,
     /// The tokens that name something of module scope.
     pub(super) names: Vec<usize>,
     /// The keyword's token.
@@ -33,26 +26,58 @@ pub(super) struct Declaration<'a> {
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Slip {
     /// Where it stands.
-    pub(super) at: usize,
+    pub(super) origin: Origin,
     pub(super) message: String,
 }
 
 impl<'a> Declaration<'a> {
+    fn new(mut tokens: Tokens<'a>, head: usize, named: usize) -> Self {
+        if let Some(first) = tokens.0.first_mut() {
+            first.gap = own_comment(&first.gap).to_owned().into();
+        }
+        let names = outer_names(&tokens, head);
+        Self { tokens, names, head, named }
+    }
+
+    /// What it declares.
+    pub(super) fn name(&self) -> &str {
+        self.tokens.word(self.named)
+    }
+
+    /// `fn`, `struct`, `alias`, `const`, `override` or `var`.
+    pub(super) fn keyword(&self) -> &str {
+        self.tokens.word(self.head)
+    }
+
     /// Names of module scope in it.
-    pub(super) fn used(&self) -> impl Iterator<Item = &'a str> {
+    pub(super) fn used(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(|&i| self.tokens.word(i))
     }
 
-    /// Where its name stands in the part.
-    pub(super) fn named_at(&self) -> usize {
-        self.at + self.tokens.range(self.named).start
+    /// Where its name was written.
+    pub(super) fn origin(&self) -> Origin {
+        self.tokens.origin(self.named)
     }
 
-    /// One of these names in it, be it of a local variable, and where it stands in the part.
-    pub(super) fn mentions(&self, names: &BTreeSet<String>) -> Option<(usize, &'a str)> {
+    /// One of these names in it, be it of a local variable, and where it was written.
+    pub(super) fn mentions(&self, names: &BTreeSet<String>) -> Option<(Origin, &str)> {
         let tokens = &self.tokens;
         let found = (0..tokens.len()).find(|&i| names.contains(tokens.word(i)) && tokens.before(i) != ".")?;
-        Some((self.at + tokens.range(found).start, tokens.word(found)))
+        Some((tokens.origin(found), tokens.word(found)))
+    }
+
+    /// With other tokens in some places, all behind its name or before its keyword.
+    pub(super) fn spliced(self, splices: Vec<Splice<'a>>) -> Self {
+        if splices.is_empty() {
+            return self;
+        }
+        let shift =
+            splices.iter().filter(|(range, _)| range.end <= self.head).map(|(range, new)| new.len() - range.len());
+        let shift: usize = shift.sum();
+        let (head, named) = (self.head + shift, self.named + shift);
+        let tokens = self.tokens.spliced(splices);
+        let names = outer_names(&tokens, head);
+        Self { tokens, names, head, named }
     }
 
     /// A function's parameters and result.
@@ -61,8 +86,8 @@ impl<'a> Declaration<'a> {
     }
 
     /// A variable's address space, where that is written.
-    pub(super) fn space(&self) -> Option<&'a str> {
-        (self.keyword == "var" && self.tokens.word(self.head + 1) == "<").then(|| self.tokens.word(self.head + 2))
+    pub(super) fn space(&self) -> Option<&str> {
+        (self.keyword() == "var" && self.tokens.word(self.head + 1) == "<").then(|| self.tokens.word(self.head + 2))
     }
 
     /// Is it a uniform?
@@ -94,10 +119,9 @@ impl<'a> Declaration<'a> {
 
 const KEYWORDS: [&str; 6] = ["fn", "struct", "alias", "const", "override", "var"];
 
-/// The declarations of `source`, in order. A comment with an empty line below it belongs to none.
-pub(super) fn declarations(source: &str) -> Result<Vec<Declaration<'_>>, Slip> {
-    let tokens = Tokens::of(source);
-    let mut found = Vec::new();
+/// The declarations of a unit, in order.
+pub(super) fn declarations(tokens: Tokens<'_>) -> Result<Vec<Declaration<'_>>, Slip> {
+    let mut places = Vec::new();
     let mut from = 0;
     while from < tokens.len() {
         if tokens.word(from) == ";" {
@@ -106,24 +130,27 @@ pub(super) fn declarations(source: &str) -> Result<Vec<Declaration<'_>>, Slip> {
         }
         let (head, named) = head(&tokens, from)?;
         let end = end(&tokens, from).ok_or_else(|| Slip {
-            at: tokens.range(head).start,
+            origin: tokens.origin(head),
             message: format!("`{} {}` has no end: a `}}` or a `;` is missing", tokens.word(head), tokens.word(named)),
         })?;
-        let at = with_own_comment(source, from.checked_sub(1).map_or(0, |last| tokens.range(last).end));
-        let own = tokens.part(at, from..end + 1);
-        let (head, named) = (head - from, named - from);
-        let names = outer_names(&own, head);
-        found.push(Declaration { name: own.word(named), keyword: own.word(head), tokens: own, at, names, head, named });
+        places.push((from..end + 1, head - from, named - from));
         from = end + 1;
     }
-    Ok(found)
+    let mut all = tokens.0.into_iter();
+    let mut done = 0;
+    let declaration = |(range, head, named): (Range<usize>, usize, usize)| {
+        let own = all.by_ref().skip(range.start - done).take(range.len()).collect();
+        done = range.end;
+        Declaration::new(Tokens(own), head, named)
+    };
+    Ok(places.into_iter().map(declaration).collect())
 }
 
 /// The keyword and the name of the declaration that starts with the token `from`.
 fn head(tokens: &Tokens, from: usize) -> Result<(usize, usize), Slip> {
     let expected = |i: usize, what: &str| {
         let found = if i < tokens.len() { format!("`{}`", tokens.word(i)) } else { "the end of the file".to_owned() };
-        Slip { at: tokens.range(i.min(tokens.len() - 1)).start, message: format!("expected {what}, found {found}") }
+        Slip { origin: tokens.origin(i), message: format!("expected {what}, found {found}") }
     };
     let head = tokens.behind_attributes(from);
     if !KEYWORDS.contains(&tokens.word(head)) {
@@ -150,16 +177,16 @@ fn end(tokens: &Tokens, from: usize) -> Option<usize> {
     })
 }
 
-/// The start of the comment that stands directly above the first token from `from` on; of that token if there is none.
-fn with_own_comment(source: &str, from: usize) -> usize {
-    let (mut at, mut start) = (from, None);
+/// Of what stands before a declaration the comment directly above it: one with an empty line below it belongs to none.
+fn own_comment(gap: &str) -> &str {
+    let (mut at, mut start) = (0, None);
     loop {
-        let next = behind_spaces(source, at);
-        if start.is_none() || source[at..next].matches('\n').count() > 1 {
+        let next = behind_spaces(gap, at);
+        if start.is_none() || gap[at..next].matches('\n').count() > 1 {
             start = Some(next);
         }
-        match comment(&source[next..]) {
-            0 => return start.unwrap_or(next),
+        match comment(&gap[next..]) {
+            0 => return &gap[start.unwrap_or(next)..],
             length => at = next + length,
         }
     }
@@ -172,22 +199,22 @@ mod tests {
     const SOURCE: &str = "// The contract.\n\n// Doc.\nstruct A {\n    b: f32, // b;\n}\n\nalias B = mat2x3f;\n\
         @group(0) @binding(1) var<storage, read> c: array<A>;\n/* } \n\n/* { */ */\nfn d(x: A) -> f32 {\n    if x.b > K { return c[0].b; }\n    return 1e-3;\n}\n";
 
-    fn used(source: &str) -> Vec<&str> {
-        declarations(source).unwrap()[0].used().collect()
+    fn used(source: &str) -> Vec<String> {
+        declarations(Tokens::of(source)).unwrap()[0].used().map(str::to_owned).collect()
     }
 
     #[test]
     fn splits_at_module_scope() {
-        let found = declarations(SOURCE).unwrap();
-        let names: Vec<_> = found.iter().map(|d| (d.keyword, d.name, SOURCE[..d.at].matches('\n').count())).collect();
-        assert_eq!(names, [("struct", "A", 2), ("alias", "B", 7), ("var", "c", 8), ("fn", "d", 9)]);
-        assert!(found[0].tokens.text.starts_with("// Doc."));
-        assert!(found[0].tokens.text.ends_with('}'));
+        let found = declarations(Tokens::of(SOURCE)).unwrap();
+        let line = |d: &Declaration| SOURCE[..d.origin().at].matches('\n').count();
+        let names: Vec<_> = found.iter().map(|d| (d.keyword(), d.name(), line(d))).collect();
+        assert_eq!(names, [("struct", "A", 3), ("alias", "B", 7), ("var", "c", 8), ("fn", "d", 12)]);
+        assert_eq!(found[0].tokens.0[0].gap, "// Doc.\n");
     }
 
     #[test]
     fn members_are_no_names() {
-        let found = declarations(SOURCE).unwrap();
+        let found = declarations(Tokens::of(SOURCE)).unwrap();
         let used: Vec<_> = found[3].used().collect();
         assert!(used.contains(&"K") && used.contains(&"c") && used.contains(&"A"));
         assert!(!used.contains(&"b"));
@@ -207,7 +234,7 @@ mod tests {
             for (var i = 0u; i < N; i++) { sum(i); }\n    i(law);\n    switch hit {\n        case HIT, MISS: {}\n        \
             default: {}\n    }\n    return other;\n}";
         let names = used(source);
-        let count = |name: &str| names.iter().filter(|used| **used == name).count();
+        let count = |name: &str| names.iter().filter(|used| *used == name).count();
         assert_eq!(["hit", "law", "i", "steps", "HIT", "MISS", "other", "N"].map(count), [1, 2, 1, 0, 1, 1, 1, 1]);
     }
 
@@ -224,8 +251,11 @@ mod tests {
             ),
             ("const = 1;", 6, "expected a name, found `=`"),
         ] {
-            let slip = declarations(source).unwrap_err();
-            assert!(slip.message == message && (slip.at == at || message.ends_with("file")), "{source}: {slip:?}");
+            let slip = declarations(Tokens::of(source)).unwrap_err();
+            assert!(
+                slip.message == message && (slip.origin.at == at || message.ends_with("file")),
+                "{source}: {slip:?}"
+            );
         }
     }
 }

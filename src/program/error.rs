@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::linked::Place;
+use super::place::Place;
 
 /// A program that could not be linked or is not valid. Scenes of built-in parts alone cause only the last.
 #[derive(Debug, Error)]

@@ -5,60 +5,30 @@
 //! neither functions nor bindings: this pass comes before the linker asks what is reached.
 //!
 //! *Practice.* A condition is `FEATURE` or `!FEATURE`. What follows a block that is taken and returns is dropped too, so that a function
-//! may begin with `if !FEATURE { return x; }`. Every line keeps its number. Users' own files are left as they were written.
+//! may begin with `if !FEATURE { return x; }`.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::linked::Edit;
+use super::sources::Known;
 use super::tokens::Tokens;
-use super::unit::{Author, Parts, Unit};
 
-/// Known constants.
-type Features<'a> = HashMap<&'a str, bool>;
-
-/// The parts with every branch on a feature decided.
-pub(super) fn folded(parts: &Parts) -> Parts {
-    parts.edited(features, folded_unit)
-}
-
-/// `const NAME: bool = true;` of all units but users' own.
-fn features(units: &[Unit]) -> Features<'_> {
-    let mut found = HashMap::new();
-    for unit in units.iter().filter(|unit| unit.author != Author::User && unit.text.contains("bool")) {
-        let tokens = Tokens::of(&unit.text);
-        for i in (0..tokens.len()).filter(|&i| tokens.word(i) == "const") {
-            let is_bool =
-                [(2, ":"), (3, "bool"), (4, "="), (6, ";")].into_iter().all(|(k, sign)| tokens.word(i + k) == sign);
-            let value = tokens.word(i + 5);
-            if is_bool && matches!(value, "true" | "false") {
-                found.insert(tokens.word(i + 1), value == "true");
-            }
-        }
-    }
-    found
-}
-
-fn folded_unit(unit: &Unit, features: &Features) -> Unit {
-    if unit.author == Author::User || !unit.text.contains("if") {
-        return unit.clone();
-    }
-    let mut fold = Fold { tokens: Tokens::of(&unit.text), features, dropped: Vec::new() };
+/// The tokens of a unit with every branch on a feature decided.
+pub(super) fn folded<'a>(tokens: Tokens<'a>, known: &Known) -> Tokens<'a> {
+    let mut fold = Fold { tokens, features: &known.bools, dropped: Vec::new(), raised: Vec::new() };
     fold.block(0..fold.tokens.len());
-    if fold.dropped.is_empty() {
-        return unit.clone();
-    }
-    Unit { text: Cow::Owned(fold.text()), ..unit.clone() }
+    fold.left()
 }
 
-struct Fold<'a> {
+struct Fold<'a, 'k> {
     tokens: Tokens<'a>,
-    features: &'a Features<'a>,
+    features: &'k HashMap<String, bool>,
     dropped: Vec<Range<usize>>,
+    /// What stands one brace less deep.
+    raised: Vec<Range<usize>>,
 }
 
-impl Fold<'_> {
+impl<'a> Fold<'a, '_> {
     /// Decides the branches among these tokens, which are statements or declarations. Does the last statement return?
     fn block(&mut self, tokens: Range<usize>) -> bool {
         let mut i = tokens.start;
@@ -133,6 +103,7 @@ impl Fold<'_> {
         let has_braces = is_else || declares;
         if !has_braces {
             self.drop(open..open + 1);
+            self.raised.push(open + 1..close);
         }
         let returns = self.block(open + 1..close);
         if !has_braces {
@@ -161,44 +132,46 @@ impl Fold<'_> {
         }
     }
 
-    /// What is left, on its lines.
-    fn text(&mut self) -> String {
-        self.dropped.sort_by_key(|range| range.start);
-        let all = self.tokens.text;
-        let mut text = String::with_capacity(all.len());
-        let mut done = 0;
-        for range in &self.dropped {
-            let range = self.tokens.range(range.start).start..self.tokens.range(range.end - 1).end;
-            text += &all[done..range.start];
-            text.extend(all[range.clone()].chars().filter(|c| *c == '\n'));
-            done = range.end;
+    /// What is left. A comment above a block that stays, stays above it.
+    fn left(mut self) -> Tokens<'a> {
+        for range in &self.raised {
+            for token in self.tokens.0[range.clone()].iter_mut().filter(|token| token.gap.contains('\n')) {
+                token.gap = token.gap.replace("\n    ", "\n").into();
+            }
         }
-        text + &all[done..]
+        let mut kept = vec![true; self.tokens.len()];
+        for range in &self.dropped {
+            kept[range.clone()].fill(false);
+        }
+        for Range { start, end } in &self.dropped {
+            let is_block = self.tokens.word(*start) == "if" && self.tokens.word(end.saturating_sub(1)) != "}";
+            let Some(next) = (*end..self.tokens.len()).find(|&i| kept[i]).filter(|_| is_block) else { continue };
+            if self.tokens.0[*start].gap.contains("//") {
+                let above = self.tokens.0[*start].gap.trim_end().to_owned();
+                let below = &mut self.tokens.0[next].gap;
+                *below = (above + below).into();
+            }
+        }
+        let mut kept = kept.into_iter();
+        self.tokens.0.retain(|_| kept.next().unwrap_or(true));
+        self.tokens
     }
-}
-
-/// The lines that are left empty in a declaration, to be taken out.
-pub(super) fn gaps(tokens: &Tokens) -> Vec<Edit> {
-    let between = (1..tokens.len()).map(|i| tokens.range(i - 1).end..tokens.range(i).start);
-    let gaps = between.filter_map(|range| {
-        let gap = &tokens.text[range.clone()];
-        let (first, rest) = gap.split_once('\n').filter(|_| gap.contains(" \n") || gap.contains("\n\n\n"))?;
-        let (between, last) = rest.rsplit_once('\n').unwrap_or(("", rest));
-        let comments = between.lines().filter(|line| !line.trim().is_empty());
-        let lines: Vec<&str> = [first.trim_end()].into_iter().chain(comments).chain([last]).collect();
-        Some((range, lines.join("\n")))
-    });
-    gaps.collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::program::sources::Sources;
+    use crate::program::{Parts, Unit};
 
     fn folded_text(text: &str) -> String {
         let features = "const YES: bool = true;\nconst NO: bool = false;\n".to_owned();
         let shared = vec![Unit::generated("features.wgsl", features), Unit::generated("a.wgsl", text.to_owned())];
-        folded(&Parts { shared, ..Parts::default() }).shared[1].text.to_string()
+        all_folded(&Parts { shared, ..Parts::default() }).remove(1)
+    }
+
+    fn all_folded(parts: &Parts) -> Vec<String> {
+        Sources::edited(parts, |sources| sources.edit(folded))
     }
 
     fn flat(text: &str) -> String {
@@ -258,8 +231,8 @@ mod tests {
         let own = "const MINE: bool = true;\nfn f() { if MINE { a(); } if YES { b(); } }";
         let shared =
             vec![Unit::user("a.wgsl", own), Unit::generated("b.wgsl", "fn g() { if MINE { a(); } }".to_owned())];
-        let parts = Parts { shared, ..Parts::default() };
-        assert_eq!(folded(&parts), parts);
+        let left = all_folded(&Parts { shared, ..Parts::default() });
+        assert_eq!(left, [own, "fn g() { if MINE { a(); } }"]);
     }
 
     #[test]
@@ -267,28 +240,24 @@ mod tests {
         let unit = |text: &str| Unit::generated("a.wgsl", text.to_owned());
         let region =
             |value: bool| vec![unit(&format!("const LEAPS: bool = {value};")), unit("fn f() { if LEAPS { a(); } }")];
-        let folded = folded(&Parts {
+        let left = all_folded(&Parts {
             shared: vec![unit("fn g() {}")],
             regions: vec![region(true), region(false)],
             ..Parts::default()
         });
-        assert_eq!([0, 1].map(|k| flat(&folded.regions[k][1].text)), ["fn f() { a(); }", "fn f() { }"]);
+        assert_eq!([2, 4].map(|k| flat(&left[k])), ["fn f() { a(); }", "fn f() { }"]);
     }
 
     #[test]
-    fn lines_keep_their_numbers_and_empty_ones_are_taken_out() {
-        let text = "fn f() {\n    if NO {\n        a();\n    }\n    if YES {\n        // why\n        b();\n    } else {\n        c();\n    }\n\n    d();\n}\n";
-        let left = folded_text(text);
-        let lines = |text: &str, word: &str| text.lines().position(|line| line.contains(word));
-        for word in ["// why", "b();", "d();"] {
-            assert_eq!(lines(&left, word), lines(text, word), "{left}");
+    fn what_stays_is_laid_out_as_if_it_stood_alone() {
+        for (text, left) in [
+            (
+                "fn f() {\n    if NO {\n        a();\n    }\n    // why\n    if YES {\n        // more\n        b(\n            1,\n        );\n    } else {\n        c();\n    }\n\n    d();\n}",
+                "fn f() {\n    // why\n    // more\n    b(\n        1,\n    );\n\n    d();\n}",
+            ),
+            ("fn f() {\n    // why\n    if NO {\n        a();\n    }\n    b();\n}", "fn f() {\n    b();\n}"),
+        ] {
+            assert_eq!(folded_text(text), left);
         }
-        let tokens = Tokens::of(&left);
-        let mut shown = left.clone();
-        for (range, new) in gaps(&tokens).into_iter().rev() {
-            shown.replace_range(range, &new);
-        }
-        assert_eq!(shown.matches("\n\n").count(), 0, "{shown:?}");
-        assert_eq!(gaps(&Tokens::of(text)), [], "an empty line between statements stays");
     }
 }

@@ -199,15 +199,18 @@ mod tests {
     use crate::program::all_parts;
     use crate::program::bindings::is_of_pixels;
     use crate::program::declarations::declarations;
+    use crate::program::tokens::Tokens;
 
     /// The variables that parts of passes bind, each with its declaration.
     fn bound() -> Vec<(String, String)> {
         let parts = all_parts().into_iter().filter(|part| !part.file.starts_with("ceiling"));
         let variables = parts.flat_map(|part| {
-            let own = declarations(part.text).unwrap().into_iter().filter(|own| {
-                own.keyword == "var" && matches!(own.space(), None | Some("uniform" | "storage")) && !is_of_pixels(own)
+            let own = declarations(Tokens::of(part.text)).unwrap().into_iter().filter(|own| {
+                own.keyword() == "var"
+                    && matches!(own.space(), None | Some("uniform" | "storage"))
+                    && !is_of_pixels(own)
             });
-            own.map(|own| (own.name.to_owned(), own.tokens.text.to_owned())).collect::<Vec<_>>()
+            own.map(|own| (own.name().to_owned(), own.tokens.text())).collect::<Vec<_>>()
         });
         variables.collect()
     }

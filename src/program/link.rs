@@ -3,32 +3,33 @@
 //! *Theory.* WGSL has no order at module scope, so a pass is its entry point and the declarations that it reaches by name, and
 //! nothing else: what a scene does not use is not in its program.
 //!
-//! What is done to the parts before, in order: `fold` decides branches on features; `unroll` writes out short loops; `loop_counts`
-//! counts the iterations of the others, for devices with a loop budget; `selections` turns reads of short lists into choices, for
-//! processors; `copies` makes one copy of a region's parts for each kind of region, the names suffixed, and a switch wherever shared
-//! parts call one. Of each pass `lower` joins the uniforms in one block.
+//! Parts are read as tokens, each of which knows where it was written, and edited as such ([`link_all`] is the list of what is done, in
+//! order): `short_lists` moves short lists into uniforms; `fold` decides branches on features; `unroll` writes out short loops;
+//! `loop_counts` counts the iterations of the others, for devices with a loop budget; `selections` turns reads of short lists into choices,
+//! for processors. Then they are split into declarations: `copies` makes one copy of a region's for each kind of region, the names
+//! suffixed, and a switch wherever shared parts call one. Of each pass `lower` joins the uniforms in one block, and `bindings` what
+//! is kept for each pixel in one buffer; everything that is bound gets a number.
 //!
-//! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them. Every line of the
-//! result knows the part and line it came from.
+//! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them.
 
 use std::collections::{BTreeSet, HashMap};
-use std::ops::Range;
 use std::sync::Arc;
 
 use super::bindings::{Numbers, Pixels, is_of_pixels};
 use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
-use super::fold::{folded, gaps};
-use super::linked::{Copy, Edit, Linked};
+use super::fold::folded;
+use super::linked::{Linked, refuse};
 use super::loop_counts::counted;
 use super::lower::Lowering;
-use super::selections::selected;
+use super::place::Place;
+use super::selections::select;
+use super::short_lists::in_uniforms;
+use super::sources::Sources;
+use super::tokens::Tokens;
 use super::unit::{Author, Parts, Unit};
 use super::unroll::unrolled;
 use super::{DeviceProfile, ProgramError};
-
-/// A declaration, and the number of the copy that it is in.
-type Found<'a> = (usize, Declaration<'a>);
 
 /// The program of the pass whose entry point is `entry`.
 pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
@@ -37,18 +38,22 @@ pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
 
 /// The programs of several passes, in order, each named by its entry point.
 pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramError> {
-    let copies = with_region_copies(&selected(counted(unrolled(&folded(parts)))))?;
-    let copies: Vec<Arc<Copy>> = copies.into_iter().map(Arc::new).collect();
-    let mut all = Vec::new();
-    for (k, copy) in copies.iter().enumerate() {
-        let found =
-            declarations(&copy.text).map_err(|slip| ProgramError::invalid(copy.place(slip.at), slip.message))?;
-        all.extend(found.into_iter().map(|declaration| (k, declaration)));
+    let mut sources = Sources::of(parts);
+    sources.edit(|tokens, _| in_uniforms(tokens, &parts.lengths));
+    sources.edit(folded);
+    sources.edit(unrolled);
+    if parts.device.loop_budget.is_some() {
+        sources.edit_all(counted);
     }
-    let by_name = index(&copies, &all)?;
+    if parts.device.is_processor {
+        select(&mut sources);
+    }
+    let (all, units) = with_region_copies(sources)?;
+    let by_name = index(&all, &units)?;
     let reached = entries.iter().map(|entry| reach(&all, &by_name, entry)).collect::<Result<Vec<_>, _>>()?;
-    let kept: BTreeSet<usize> = reached.iter().flatten().copied().filter(|&i| is_of_pixels(&all[i].1)).collect();
-    let pixels = Pixels::of(kept.iter().map(|&i| &all[i].1));
+    let kept: BTreeSet<usize> = reached.iter().flatten().copied().filter(|&i| is_of_pixels(&all[i])).collect();
+    let pixels = Pixels::of(kept.iter().map(|&i| &all[i]));
+    let units = Arc::new([units, vec![Unit::generated("generated/bindings.wgsl", String::new())]].concat());
     let pass = |(entry, mut reached): (&&str, BTreeSet<usize>)| {
         let keeps = !reached.is_disjoint(&kept);
         if keeps {
@@ -56,70 +61,49 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
             extend(&mut reached, kept.iter().copied().collect(), &all, &by_name);
             reached.retain(|i| !kept.contains(i));
         }
-        let reached: Vec<&Found> = reached.into_iter().map(|i| &all[i]).collect();
+        let reached: Vec<&Declaration> = reached.into_iter().map(|i| &all[i]).collect();
         let nothing = Pixels::default();
-        pass(&copies, &reached, entry, &parts.device, if keeps { &pixels } else { &nothing })
+        pass(&units, &reached, entry, &parts.device, if keeps { &pixels } else { &nothing })
     };
     entries.iter().zip(reached).map(pass).collect()
 }
 
 /// The declarations that an entry point reaches, lowered.
 fn pass(
-    copies: &[Arc<Copy>],
-    reached: &[&Found],
+    units: &Arc<Vec<Unit>>,
+    reached: &[&Declaration],
     entry: &str,
     device: &DeviceProfile,
     pixels: &Pixels,
 ) -> Result<Linked, ProgramError> {
-    let declarations: Vec<_> = reached.iter().map(|(_, declaration)| declaration).collect();
-    let lowering = Lowering::of(entry, &declarations, device);
-    refuse_made_names(copies, reached, &lowering.made().into_iter().chain(pixels.made()).collect())?;
-    let mut numbers = Numbers::beside(declarations.iter().copied());
-    let made = lowering.declaration(&mut numbers) + &pixels.declaration(&mut numbers);
-    let bound = reached.iter().filter(|(_, declaration)| !lowering.replaces(declaration));
-    let pieces = bound.map(|(copy, declaration)| {
-        let from = declaration.at;
-        let mut edits = lowering.edits(declaration);
-        edits.extend(pixels.edits(declaration));
-        edits.extend(numbers.edit(declaration));
-        edits.extend(gaps(&declaration.tokens));
-        edits.sort_by_key(|(range, _)| range.start);
-        (*copy, from..from + declaration.tokens.text.len(), edits)
+    let lowering = Lowering::of(entry, reached, device);
+    let made = lowering.made().into_iter().chain(pixels.made()).collect();
+    reached.iter().try_for_each(|declaration| refuse(declaration, &made, units))?;
+    let mut numbers = Numbers::beside(reached.iter().copied());
+    let made = lowering.declaration() + &pixels.declaration();
+    let made = declarations(Tokens::made(&made, units.len() - 1)).unwrap_or_default();
+    let own = reached.iter().filter(|declaration| !lowering.replaces(declaration)).map(|declaration| {
+        let splices = [lowering.splices(declaration), pixels.splices(declaration)].concat();
+        (*declaration).clone().spliced(splices)
     });
-    let pieces: Vec<_> = pieces.collect();
-    let made = (!made.is_empty()).then(|| Arc::new(Copy::new(&Unit::generated("generated/bindings.wgsl", made), &[])));
-    let place = made.as_ref().map(|_| copies.len());
-    Ok(written(entry, copies.iter().cloned().chain(made).collect(), pieces, place))
+    let numbered: Vec<_> = made.into_iter().chain(own).map(|declaration| numbers.given(declaration)).collect();
+    let mut linked = Linked::new(entry, units.clone());
+    linked.push(&numbered);
+    Ok(linked)
 }
 
-/// The module: what was made first, then the declarations under the names of their files.
-fn written(
-    entry: &str,
-    copies: Vec<Arc<Copy>>,
-    pieces: Vec<(usize, Range<usize>, Vec<Edit>)>,
-    made: Option<usize>,
-) -> Linked {
-    let mut linked = Linked::new(entry, copies);
-    let made = made.map(|k| (k, 0..linked.text(k).len(), Vec::new()));
-    for (copy, piece, edits) in made.into_iter().chain(pieces) {
-        linked.open(copy);
-        linked.push(copy, piece, &edits);
-    }
-    linked
-}
-
-fn index<'a>(copies: &[Arc<Copy>], all: &'a [Found]) -> Result<HashMap<&'a str, usize>, ProgramError> {
+fn index<'d>(all: &'d [Declaration], units: &[Unit]) -> Result<HashMap<&'d str, usize>, ProgramError> {
     let mut by_name = HashMap::new();
-    for (i, (copy, declaration)) in all.iter().enumerate() {
-        if let Some(first) = by_name.insert(declaration.name, i) {
-            let mut places = [(*copy, declaration.named_at()), (all[first].0, all[first].1.named_at())];
+    for (i, declaration) in all.iter().enumerate() {
+        if let Some(first) = by_name.insert(declaration.name(), i) {
+            let mut places = [declaration.origin(), all[first].origin()];
             // Of two the user's own is to be mended.
-            places.sort_by_key(|(copy, _)| copies[*copy].unit().author != Author::User);
-            let [(at_fault, at), (other, _)] = places;
+            places.sort_by_key(|origin| units[origin.unit].author != Author::User);
+            let [at_fault, other] = places;
             return Err(ProgramError::Twice {
-                place: copies[at_fault].place(at),
-                name: declaration.name.to_owned(),
-                other: copies[other].unit().shown(),
+                place: Place::of(units, at_fault),
+                name: declaration.name().to_owned(),
+                other: units[other.unit].shown(),
             });
         }
     }
@@ -127,7 +111,7 @@ fn index<'a>(copies: &[Arc<Copy>], all: &'a [Found]) -> Result<HashMap<&'a str, 
 }
 
 /// The declarations that `entry` reaches, in the order of the parts.
-fn reach(all: &[Found], by_name: &HashMap<&str, usize>, entry: &str) -> Result<BTreeSet<usize>, ProgramError> {
+fn reach(all: &[Declaration], by_name: &HashMap<&str, usize>, entry: &str) -> Result<BTreeSet<usize>, ProgramError> {
     let start = *by_name.get(entry).ok_or_else(|| ProgramError::NoEntry(entry.to_owned()))?;
     let mut reached = BTreeSet::from([start]);
     extend(&mut reached, vec![start], all, by_name);
@@ -135,24 +119,14 @@ fn reach(all: &[Found], by_name: &HashMap<&str, usize>, entry: &str) -> Result<B
 }
 
 /// Adds what these reach.
-fn extend(reached: &mut BTreeSet<usize>, mut open: Vec<usize>, all: &[Found], by_name: &HashMap<&str, usize>) {
+fn extend(reached: &mut BTreeSet<usize>, mut open: Vec<usize>, all: &[Declaration], by_name: &HashMap<&str, usize>) {
     while let Some(i) = open.pop() {
-        for used in all[i].1.used().filter_map(|name| by_name.get(name)) {
+        for used in all[i].used().filter_map(|name| by_name.get(name)) {
             if reached.insert(*used) {
                 open.push(*used);
             }
         }
     }
-}
-
-/// What lowering makes must not be hidden by a name in a function, nor be declared twice.
-fn refuse_made_names(copies: &[Arc<Copy>], reached: &[&Found], made: &BTreeSet<String>) -> Result<(), ProgramError> {
-    for (copy, declaration) in reached {
-        if let Some((at, name)) = declaration.mentions(made) {
-            return Err(ProgramError::Reserved { place: copies[*copy].place(at), name: name.to_owned() });
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -183,6 +157,7 @@ mod tests {
                 ],
             ],
             device: DeviceProfile::cpu(8),
+            ..Parts::default()
         }
     }
 
@@ -245,7 +220,7 @@ mod tests {
     #[test]
     fn a_users_own_file_is_at_fault() {
         let built_in = Unit::from(crate::program::part("real/math").unwrap());
-        let name = declarations(&built_in.text).unwrap()[0].name.to_owned();
+        let name = declarations(Tokens::of(&built_in.text)).unwrap()[0].name().to_owned();
         let own = Unit::user("my/law.wgsl", format!("// Mine.\nfn {name}() {{}}\n"));
         for shared in [vec![built_in.clone(), own.clone()], vec![own.clone(), built_in.clone()]] {
             let error = link(&Parts { shared, ..Parts::default() }, "entry").unwrap_err().to_string();

@@ -1,101 +1,19 @@
 //! A linked program, every place of which knows where it was written.
 
-use std::fmt;
-use std::ops::Range;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::ProgramError;
+use super::declarations::Declaration;
+use super::place::Place;
+use super::tokens::Origin;
 use super::unit::Unit;
 
-/// A piece of a text, and what to write instead.
-pub(super) type Edit = (Range<usize>, String);
-
-/// Where the pieces of a text come from.
-#[derive(Debug, Clone, Default)]
-struct Marks(Vec<Mark>);
-
-/// What stands at `at` in the text, and behind it up to the next mark, comes from `from` in a source.
-#[derive(Debug, Clone, Copy)]
-struct Mark {
-    at: usize,
-    source: usize,
-    from: usize,
-}
-
-impl Marks {
-    /// Appends to `text` what `piece` is with its edits, which are in order; `piece` stands at `from` in its source.
-    fn append(&mut self, text: &mut String, source: usize, from: usize, piece: &str, edits: &[Edit]) {
-        let mut done = 0;
-        for (range, new) in edits {
-            self.0.push(Mark { at: text.len(), source, from: from + done });
-            text.push_str(&piece[done..range.start]);
-            self.0.push(Mark { at: text.len(), source, from: from + range.start });
-            text.push_str(new);
-            done = range.end;
-        }
-        self.0.push(Mark { at: text.len(), source, from: from + done });
-        text.push_str(&piece[done..]);
-    }
-
-    /// The source of what stands at `at`, and the place in it.
-    fn origin(&self, at: usize) -> (usize, usize) {
-        let next = self.0.partition_point(|mark| mark.at <= at);
-        let Some(mark) = next.checked_sub(1).map(|last| self.0[last]) else { return (0, 0) };
-        // What was put in stands for no more than it replaced.
-        let end = self.0.get(next).filter(|next| next.source == mark.source && next.from >= mark.from);
-        let from = mark.from + at - mark.at;
-        (mark.source, end.map_or(from, |end| from.min(end.from)))
-    }
-}
-
-/// A unit as it is linked: with the names and bindings of its copy.
-#[derive(Debug, Clone)]
-pub(super) struct Copy {
-    unit: Unit,
-    pub(super) text: String,
-    marks: Marks,
-}
-
-impl Copy {
-    pub(super) fn new(unit: &Unit, edits: &[Edit]) -> Self {
-        let mut copy = Self { unit: unit.clone(), text: String::new(), marks: Marks::default() };
-        copy.marks.append(&mut copy.text, 0, 0, &unit.text, edits);
-        copy
-    }
-
-    pub(super) fn unit(&self) -> &Unit {
-        &self.unit
-    }
-
-    /// The place in the unit's own text of what is at `at` in the copy's.
-    pub(super) fn place(&self, at: usize) -> Place {
-        Place::of(&self.unit, self.marks.origin(at).1)
-    }
-}
-
-/// A place in a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
-    /// The file, as messages name it.
-    pub file: String,
-    /// From 1.
-    pub line: usize,
-    /// In characters, from 1.
-    pub column: usize,
-}
-
-impl Place {
-    /// Of what stands at `at` in a unit's text.
-    pub(super) fn of(unit: &Unit, at: usize) -> Self {
-        let text = &unit.text[..at.min(unit.text.len())];
-        let line = text.rfind('\n').map_or(0, |end| end + 1);
-        let [line, column] = [text.matches('\n').count(), text[line..].chars().count()].map(|before| before + 1);
-        Self { file: unit.shown(), line, column }
-    }
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}:{}:{}", self.file, self.line, self.column)
+/// Refuses a declaration that has one of these names, be it of a local variable: the linker makes them for its own use.
+pub(super) fn refuse(declaration: &Declaration, names: &BTreeSet<String>, units: &[Unit]) -> Result<(), ProgramError> {
+    match declaration.mentions(names) {
+        Some((origin, name)) => Err(ProgramError::Reserved { place: Place::of(units, origin), name: name.to_owned() }),
+        None => Ok(()),
     }
 }
 
@@ -106,42 +24,45 @@ pub struct Linked {
     pub entry: String,
     /// The WGSL module.
     pub source: String,
-    /// Its program's passes share them.
-    copies: Vec<Arc<Copy>>,
-    marks: Marks,
+    /// What it was written in: its program's passes share them.
+    units: Arc<Vec<Unit>>,
+    /// Where each token stands in the module, and where it was written.
+    marks: Vec<(usize, Origin)>,
 }
 
 impl Linked {
     /// An empty one, to be written from these.
-    pub(super) fn new(entry: &str, copies: Vec<Arc<Copy>>) -> Self {
-        Self { entry: entry.to_owned(), source: String::new(), copies, marks: Marks::default() }
+    pub(super) fn new(entry: &str, units: Arc<Vec<Unit>>) -> Self {
+        Self { entry: entry.to_owned(), source: String::new(), units, marks: Vec::new() }
     }
 
-    /// A copy's text.
-    pub(super) fn text(&self, copy: usize) -> &str {
-        &self.copies[copy].text
-    }
-
-    /// Appends the line that says which file follows, unless it is the same as before.
-    pub(super) fn open(&mut self, copy: usize) {
-        let file = |copy: usize| &self.copies[copy].unit.file;
-        if self.marks.0.last().is_none_or(|last| file(last.source) != file(copy)) {
-            let heading = format!("// ---- {}\n", file(copy));
-            self.marks.append(&mut self.source, copy, 0, "", &[(0..0, heading)]);
+    /// Appends declarations, under the names of their files. An empty line stands between two, except where both take a line.
+    pub(super) fn push(&mut self, declarations: &[Declaration]) {
+        let mut last = None;
+        for declaration in declarations {
+            let unit = declaration.origin().unit;
+            let is_line = !declaration.tokens.0.iter().any(|token| token.gap.contains('\n'));
+            if !last.is_some_and(|last| last == (unit, true) && is_line) && !self.source.is_empty() {
+                self.source.push('\n');
+            }
+            let file = |unit: usize| self.units.get(unit).map(|unit| &unit.file);
+            if last.is_none_or(|(last, _)| file(last) != file(unit)) {
+                self.source += &["// ---- ", &*self.units[unit].file, "\n"].concat();
+            }
+            for token in &declaration.tokens.0 {
+                self.source += &token.gap;
+                self.marks.push((self.source.len(), token.origin));
+                self.source += &token.word;
+            }
+            self.source.push('\n');
+            last = Some((unit, is_line));
         }
-    }
-
-    /// Appends a piece of a copy, with edits, and an empty line.
-    pub(super) fn push(&mut self, copy: usize, piece: Range<usize>, edits: &[Edit]) {
-        let text = &self.copies[copy].text[piece.clone()];
-        self.marks.append(&mut self.source, copy, piece.start, text, edits);
-        self.source.push_str(if self.source.ends_with('\n') { "\n" } else { "\n\n" });
     }
 
     /// The parts that are in it, in order.
     #[must_use]
     pub fn parts(&self) -> Vec<&str> {
-        let mut parts: Vec<&str> = self.marks.0.iter().map(|mark| &*self.copies[mark.source].unit.file).collect();
+        let mut parts: Vec<&str> = self.marks.iter().map(|(_, origin)| &*self.units[origin.unit].file).collect();
         parts.dedup();
         parts
     }
@@ -149,7 +70,18 @@ impl Linked {
     /// Where a part has what is at `at` in the module.
     #[must_use]
     pub fn place(&self, at: usize) -> Place {
-        let (copy, from) = self.marks.origin(at);
-        self.copies[copy].place(from)
+        let next = self.marks.partition_point(|(from, _)| *from <= at);
+        let Some((from, origin)) = next.checked_sub(1).map(|last| self.marks[last]) else {
+            return Place::at_start(self.entry.clone());
+        };
+        // What the linker wrote for a token stands where that did.
+        let end = self.marks.get(next).map_or(at, |(next, _)| at.min(*next));
+        Place::of(&self.units, Origin { at: origin.at + (end - from).min(self.width(origin)), ..origin })
+    }
+
+    /// The length of the word that was written here.
+    fn width(&self, origin: Origin) -> usize {
+        let text = self.units.get(origin.unit).map_or("", |unit| &unit.text[origin.at.min(unit.text.len())..]);
+        text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len())
     }
 }

@@ -6,47 +6,26 @@
 //! *Practice.* For a device with a loop budget every loop adds one to `work` at the beginning of its body and one behind its
 //! end, and a pass begins with a call of `begin_counting`.
 
-use std::borrow::Cow;
-
 use super::signature::Signature;
-use super::tokens::Tokens;
-use super::unit::{Parts, Unit};
+use super::tokens::{Splice, Tokens};
 
 /// What adds one.
 const COUNT: &str = " work += 1u;";
 /// What a pass begins with: all have the parameter `own`.
 const BEGIN: &str = " begin_counting(own.lane);";
 
-/// The parts with the iterations of their loops counted, if they are to be.
-pub(super) fn counted(parts: Parts) -> Parts {
-    if parts.device.loop_budget.is_none() {
-        return parts;
-    }
-    let all = |units: Vec<Unit>| units.into_iter().map(counted_unit).collect();
-    Parts { shared: all(parts.shared), regions: parts.regions.into_iter().map(all).collect(), ..parts }
+/// The tokens of a unit with the iterations of its loops counted.
+pub(super) fn counted(tokens: Tokens) -> Tokens {
+    let begins = (0..tokens.len()).filter_map(|at| body_of_pass(&tokens, at)).map(|brace| (brace, BEGIN));
+    let loops = (0..tokens.len()).filter_map(|at| body_of_loop(&tokens, at)).flatten().map(|brace| (brace, COUNT));
+    let behind = |(brace, text): (usize, &str)| -> Splice {
+        (brace + 1..brace + 1, Tokens::written_at(text, tokens.origin(brace)))
+    };
+    let splices = begins.chain(loops).map(behind).collect();
+    tokens.spliced(splices)
 }
 
-fn counted_unit(unit: Unit) -> Unit {
-    let tokens = Tokens::of(&unit.text);
-    let begins = (0..tokens.len()).filter_map(|at| body_of_pass(&tokens, at)).map(|place| (place, BEGIN));
-    let loops = (0..tokens.len()).filter_map(|at| body_of_loop(&tokens, at)).flatten().map(|place| (place, COUNT));
-    let mut places: Vec<(usize, &str)> = begins.chain(loops).collect();
-    if places.is_empty() {
-        return unit;
-    }
-    places.sort_unstable();
-    let mut text = String::with_capacity(unit.text.len() + COUNT.len() * places.len());
-    let mut done = 0;
-    for (place, counts) in places {
-        text += &unit.text[done..place];
-        text += counts;
-        done = place;
-    }
-    text += &unit.text[done..];
-    Unit { text: Cow::Owned(text), ..unit }
-}
-
-/// Where the body begins of the loop at this token, if there is one, and where the loop ends.
+/// The brace that opens the body of the loop at this token, if there is one, and the one that closes it.
 fn body_of_loop(tokens: &Tokens, at: usize) -> Option<[usize; 2]> {
     let body = match tokens.word(at) {
         "for" => tokens.closing(at + 1)? + 1,
@@ -54,23 +33,24 @@ fn body_of_loop(tokens: &Tokens, at: usize) -> Option<[usize; 2]> {
         "loop" => at + 1,
         _ => return None,
     };
-    Some([body, tokens.closing(body)?].map(|brace| tokens.range(brace).end))
+    Some([body, tokens.closing(body)?])
 }
 
-/// Where the body begins of the pass whose attribute is at this token, if it is one's.
+/// The brace that opens the body of the pass whose attribute is at this token, if it is one's.
 fn body_of_pass(tokens: &Tokens, at: usize) -> Option<usize> {
     if tokens.before(at) != "@" || tokens.word(at) != "compute" {
         return None;
     }
     let signature = Signature::of(tokens, tokens.behind_attributes(at - 1))?;
     let has_lane = signature.parameters.first().is_some_and(|parameter| tokens.word(parameter.name) == "own");
-    has_lane.then(|| tokens.range(signature.body).end)
+    has_lane.then_some(signature.body)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::DeviceProfile;
+    use crate::program::sources::Sources;
+    use crate::program::{Parts, Unit};
 
     #[test]
     fn every_iteration_and_every_end_of_a_loop_counts() {
@@ -83,11 +63,8 @@ mod tests {
             .replace("3u {", "3u { work += 1u;");
         let expected = expected.replace("        }\n    }\n", "        } work += 1u;\n    } work += 1u;\n");
         let expected = expected.replace("loop { break; }", "loop { work += 1u; break; } work += 1u;");
-        let device = DeviceProfile::cpu(8);
-        let parts = Parts { shared: vec![unit(text)], regions: vec![vec![unit(text)]], device };
-        let counted = super::counted(parts);
-        assert_eq!([&counted.shared[0].text, &counted.regions[0][0].text], [&expected; 2]);
-        let uncounted = Parts { shared: vec![unit(text)], ..Parts::default() };
-        assert_eq!(super::counted(uncounted.clone()), uncounted);
+        let parts = Parts { shared: vec![unit(text)], regions: vec![vec![unit(text)]], ..Parts::default() };
+        let counted = Sources::edited(&parts, |sources| sources.edit_all(counted));
+        assert_eq!(counted, [expected.trim_end(); 2]);
     }
 }

@@ -8,10 +8,10 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use super::copies::split;
 use super::declarations::{Declaration, declarations};
-use super::linked::Place;
-use super::tokens::{Tokens, whole_number};
+use super::parts::part_tokens;
+use super::place::Place;
+use super::tokens::{Origin, Tokens, whole_number};
 use super::unit::Unit;
 use super::{ProgramError, all_parts};
 use crate::model::{OwnWgsl, Promise};
@@ -27,30 +27,30 @@ const INEXACT: [(&[&str], &str); 4] = [
 /// The file, and the parts that have what it leaves out.
 pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), ProgramError> {
     let unit = Unit::user(own.file.clone(), own.text.to_string());
-    let found = split(&unit)?;
-    let refuse = |at: usize, message: String| ProgramError::invalid(Place::of(&unit, at), message);
+    let refuse = |origin: Origin, message: String| ProgramError::invalid(Place::in_unit(&unit, origin.at), message);
+    let found = declarations(Tokens::of(&unit.text)).map_err(|slip| refuse(slip.origin, slip.message))?;
     for declaration in &found {
-        if let Some((at, message)) = unfit(declaration) {
-            return Err(refuse(at, message));
+        if let Some((origin, message)) = unfit(declaration) {
+            return Err(refuse(origin, message));
         }
     }
     let promised: Vec<&str> = own.promises.iter().map(Promise::name).collect();
     let meant = names_of_parts();
-    if let Some(declaration) = found.iter().find(|d| !promised.contains(&d.name) && meant.contains(d.name)) {
-        let place = Place::of(&unit, declaration.named_at());
-        return Err(ProgramError::Reserved { place, name: declaration.name.to_owned() });
+    if let Some(declaration) = found.iter().find(|d| !promised.contains(&d.name()) && meant.contains(d.name())) {
+        let place = Place::in_unit(&unit, declaration.origin().at);
+        return Err(ProgramError::Reserved { place, name: declaration.name().to_owned() });
     }
     let mut usual = Vec::new();
     for promise in &own.promises {
-        match (found.iter().find(|declaration| declaration.name == promise.name()), promise.usual) {
+        match (found.iter().find(|declaration| declaration.name() == promise.name()), promise.usual) {
             (Some(declaration), _) if kept(declaration, promise) => {}
             (Some(declaration), _) => {
-                return Err(refuse(declaration.named_at(), format!("expected `{}`", promise.signature)));
+                return Err(refuse(declaration.origin(), format!("expected `{}`", promise.signature)));
             }
             (None, Some(part)) => usual.push(part),
             (None, None) => {
                 let message = format!("the file has no `{}`: it has to declare one", promise.signature);
-                return Err(refuse(unit.text.len(), message));
+                return Err(refuse(Origin { unit: 0, at: unit.text.len() }, message));
             }
         }
     }
@@ -58,33 +58,31 @@ pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), Progra
 }
 
 /// What the parts of `shaders/` name, their own and WGSL's.
-fn names_of_parts() -> &'static BTreeSet<&'static str> {
-    static NAMES: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
-        all_parts().iter().flat_map(|part| declarations(part.text).unwrap_or_default()).flat_map(|d| used(&d)).collect()
+fn names_of_parts() -> &'static BTreeSet<String> {
+    static NAMES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
+        let tokens = all_parts().into_iter().filter_map(|part| part_tokens(part.file));
+        let all = tokens.flat_map(|tokens| declarations(tokens).unwrap_or_default());
+        all.flat_map(|declaration| declaration.used().map(str::to_owned).collect::<Vec<_>>()).collect()
     });
     &NAMES
 }
 
-fn used(declaration: &Declaration<'static>) -> Vec<&'static str> {
-    declaration.used().collect()
-}
-
 /// What a file of the user's own may not have, with its place.
-fn unfit(declaration: &Declaration) -> Option<(usize, String)> {
+fn unfit(declaration: &Declaration) -> Option<(Origin, String)> {
     let tokens = &declaration.tokens;
-    let at = |i: usize| declaration.at + tokens.range(i).start;
+    let at = |i: usize| tokens.origin(i);
     if tokens.word(0) == "@" {
         let message = "attributes and bindings are the program's: declare parameters in the scene";
         return Some((at(0), message.to_owned()));
     }
-    if declaration.keyword == "override" {
+    if declaration.keyword() == "override" {
         return Some((at(0), "write `const`: nothing overrides it here".to_owned()));
     }
     let private = ["var", "<", "private", ">"];
-    if declaration.keyword == "var" && (0..4).any(|i| tokens.word(i) != private[i]) {
+    if declaration.keyword() == "var" && (0..4).any(|i| tokens.word(i) != private[i]) {
         return Some((at(0), "a variable of a file is `var<private>`".to_owned()));
     }
-    if declaration.keyword != "fn" {
+    if declaration.keyword() != "fn" {
         return None;
     }
     (0..tokens.len()).find_map(|i| match tokens.word(i) {
@@ -133,7 +131,7 @@ fn kept(declaration: &Declaration, promise: &Promise) -> bool {
         let all = signature.parameters.iter().map(|parameter| parameter.ty.clone()).chain(signature.result);
         Some(all.map(|ty| declaration.tokens.written(ty)).collect::<Vec<_>>())
     };
-    let wanted = declarations(&wanted).unwrap_or_default();
+    let wanted = declarations(Tokens::of(&wanted)).unwrap_or_default();
     wanted.first().is_some_and(|wanted| types(declaration).is_some_and(|own| Some(own) == types(wanted)))
 }
 

@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use include_dir::{Dir, File, include_dir};
 
 use super::declarations::declarations;
+use super::tokens::Tokens;
 
 static SHADERS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
 
@@ -21,6 +22,15 @@ pub struct Part {
 /// By path.
 static PARTS: LazyLock<BTreeMap<&str, Part>> =
     LazyLock::new(|| parts_in(&SHADERS).map(|part| (part.file.trim_end_matches(".wgsl"), part)).collect());
+
+/// Their tokens, by file.
+static TOKENS: LazyLock<BTreeMap<&str, Tokens<'static>>> =
+    LazyLock::new(|| PARTS.values().map(|part| (part.file, Tokens::of(part.text))).collect());
+
+/// The tokens of a part's file, read once.
+pub(super) fn part_tokens(file: &str) -> Option<Tokens<'static>> {
+    TOKENS.get(file).cloned()
+}
 
 /// The part `name`, a path below `shaders/` without its extension.
 #[must_use]
@@ -49,8 +59,8 @@ fn parts_in(folder: &'static Dir) -> Box<dyn Iterator<Item = Part>> {
 #[must_use]
 pub fn constant(part_name: &str, name: &str) -> f64 {
     let part = part(part_name).unwrap_or_else(|| panic!("no part {part_name}"));
-    let found = declarations(part.text).unwrap_or_default();
-    let declared = found.iter().find(|d| matches!(d.keyword, "const" | "override") && d.name == name);
+    let found = part_tokens(part.file).and_then(|tokens| declarations(tokens).ok()).unwrap_or_default();
+    let declared = found.iter().find(|d| matches!(d.keyword(), "const" | "override") && d.name() == name);
     let value = declared.and_then(|d| number(&d.tokens.written(d.value()?)));
     value.unwrap_or_else(|| panic!("{part_name} has no constant {name} with a plain number"))
 }

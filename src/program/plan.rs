@@ -82,9 +82,12 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
     names.when(features.disperses, &[wavelength]);
     filter_parts(scene, features, &mut names);
     let of_kind = |kind: &RegionKind| region_parts(scene, features, regions, kind);
-    let lengths = short_lists::lengths(scene, regions);
-    let shared = names.units()?.into_iter().map(|unit| short_lists::in_uniforms(unit, &lengths)).collect();
-    Ok(Parts { shared, regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()?, device: features.device })
+    Ok(Parts {
+        shared: names.units()?,
+        regions: regions.kinds.iter().map(of_kind).collect::<Result<_, _>>()?,
+        lengths: short_lists::lengths(scene, regions),
+        device: features.device,
+    })
 }
 
 /// Whether what is seen lies in a light's shadow, and what of ambient light reaches it.

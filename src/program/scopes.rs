@@ -26,7 +26,7 @@ pub(super) fn outer_names(tokens: &Tokens, head: usize) -> Vec<usize> {
 }
 
 /// Names but for those of members, behind a dot, and of attributes.
-fn plain<'t>(tokens: &'t Tokens, from: usize) -> impl Iterator<Item = usize> + 't {
+fn plain<'t>(tokens: &'t Tokens<'_>, from: usize) -> impl Iterator<Item = usize> + 't {
     let mut attribute = 0;
     (from..tokens.len()).filter(move |&i| {
         if tokens.word(i) == "@" {

@@ -8,12 +8,10 @@
 //! written as a number stays. Lists that are read once a ray, such as materials, gain less from it than their many words cost the
 //! driver's compiler: half again as long to the first pixel.
 
-use std::borrow::Cow;
 use std::fmt::Write as _;
 
-use super::tokens::{Tokens, whole_number};
-use super::unit::{Author, Parts, Unit};
-use super::unroll::constants;
+use super::sources::{Known, Sources};
+use super::tokens::{Splice, Tokens, whole_number};
 use crate::model::shape::SOLIDS;
 
 /// Entries among which one is chosen.
@@ -26,39 +24,31 @@ struct List {
     length: u32,
 }
 
-/// The parts with their reads of short lists as choices. Regions' own lists are left alone.
-pub(super) fn selected(mut parts: Parts) -> Parts {
-    if !parts.device.is_processor {
-        return parts;
-    }
-    let constants = constants(&parts.shared);
-    let length = |word: &str| whole_number(word).or_else(|| constants.get(word).copied());
-    let lists: Vec<List> = parts.shared.iter().flat_map(|unit| lists(&unit.text, &length)).collect();
+/// Writes reads of short lists as choices. Regions' own lists are left alone.
+pub(super) fn select(sources: &mut Sources) {
+    let known = sources.known();
+    let lists: Vec<List> = sources.shared.iter().flat_map(|source| lists(&source.tokens, &known)).collect();
     if lists.is_empty() {
-        return parts;
+        return;
     }
-    parts.shared = parts.shared.into_iter().map(|unit| choosing(unit, &lists)).collect();
+    sources.edit(|tokens, _| choosing(tokens, &lists));
     let mut text = String::new();
     for List { name, of, length } in &lists {
-        let _ = write!(text, "fn {name}_at(i: u32) -> {of} {{\n    var entry = {name}[0u];\n");
+        let _ = write!(text, "fn {name}_at(i: u32) -> {of} {{\n    var entry = {name}[0u];\n"); // writing to a String cannot fail
         for k in 1..*length {
             let _ = write!(text, "    if i == {k}u {{\n        entry = {name}[{k}u];\n    }}\n");
         }
         text += "    return entry;\n}\n\n";
     }
-    parts.shared.push(Unit::generated("generated/entries.wgsl", text));
-    parts
+    sources.add("generated/entries.wgsl", text);
 }
 
 /// The short lists that a text declares: `var<uniform> list: array<Entry, 3>;`
-fn lists(text: &str, length: &impl Fn(&str) -> Option<u32>) -> Vec<List> {
-    let tokens = Tokens::of(text);
-    let all = (0..tokens.len()).filter_map(|i| {
-        let signs = [(0, "<"), (1, "uniform"), (2, ">"), (4, ":"), (5, "array"), (6, "<"), (8, ",")];
-        let is_list = tokens.before(i) == "var" && signs.into_iter().all(|(k, sign)| tokens.word(i + k) == sign);
+fn lists(tokens: &Tokens, known: &Known) -> Vec<List> {
+    let signs = [(0, "<"), (1, "uniform"), (2, ">"), (4, ":"), (5, "array"), (6, "<"), (8, ",")];
+    let all = (0..tokens.len()).filter(|&i| tokens.before(i) == "var" && tokens.are(i, &signs)).filter_map(|i| {
         let (name, of) = (tokens.word(i + 3), tokens.word(i + 7));
-        let length =
-            length(tokens.word(i + 9)).filter(|length| is_list && is_met(name) && (1..=FEW).contains(length))?;
+        let length = known.number(tokens.word(i + 9)).filter(|length| is_met(name) && (1..=FEW).contains(length))?;
         Some(List { name: name.to_owned(), of: of.to_owned(), length })
     });
     all.collect()
@@ -71,39 +61,26 @@ fn is_met(name: &str) -> bool {
         .any(|solid| solid.lists.is_some() && [solid.opaque_list(), solid.sided_list()].iter().any(|list| list == name))
 }
 
-/// The unit with every read at an unknown place replaced.
-fn choosing(unit: Unit, lists: &[List]) -> Unit {
-    if unit.author == Author::User || !lists.iter().any(|list| unit.text.contains(&*list.name)) {
-        return unit;
-    }
-    let tokens = Tokens::of(&unit.text);
-    let mut edits = Vec::new();
+/// The tokens of a unit with every read at an unknown place replaced.
+fn choosing<'a>(tokens: Tokens<'a>, lists: &[List]) -> Tokens<'a> {
+    let mut splices: Vec<Splice> = Vec::new();
     for i in 0..tokens.len() {
-        let is_list = tokens.before(i) != "." && tokens.word(i + 1) == "[" && !matches!(tokens.before(i), "&" | ":");
+        let is_list = tokens.word(i + 1) == "[" && !matches!(tokens.before(i), "." | "&" | ":");
         let Some(list) = lists.iter().find(|list| is_list && list.name == tokens.word(i)) else { continue };
         let Some(end) = tokens.closing(i + 1) else { continue };
         if end == i + 3 && whole_number(tokens.word(i + 2)).is_some() {
             continue;
         }
-        edits.push((tokens.range(i).start..tokens.range(i + 1).end, format!("{}_at(", list.name)));
-        edits.push((tokens.range(end), ")".to_owned()));
+        splices.push((i..i + 2, tokens.replacement(i, &format!("{}_at(", list.name))));
+        splices.push((end..end + 1, Tokens::written_at(")", tokens.origin(end))));
     }
-    edits.sort_by_key(|(range, _)| range.start);
-    let mut text = String::new();
-    let mut done = 0;
-    for (range, new) in &edits {
-        text += &unit.text[done..range.start];
-        text += new;
-        done = range.end;
-    }
-    text += &unit.text[done..];
-    Unit { text: Cow::Owned(text), ..unit }
+    tokens.spliced(splices)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::DeviceProfile;
+    use crate::program::{Parts, Unit};
 
     #[test]
     fn reads_at_unknown_places_are_choices() {
@@ -112,17 +89,16 @@ mod tests {
                     @group(0) @binding(9) var<uniform> others: array<A, 2>;\n\
                     fn f(i: u32) -> f32 {\n    return sphere_list[min(i, n[0])].b + sphere_list[1u].b + box_list[i].b + \
                     a.sphere_list[i] + others[i].b;\n}\n";
-        let device = DeviceProfile::cpu(8);
-        let parts = Parts { shared: vec![Unit::generated("a.wgsl", text.to_owned())], device, ..Parts::default() };
-        let chosen = selected(parts);
-        let [own, entries] = &chosen.shared[..] else { panic!("{}", chosen.shared.len()) };
+        let parts = Parts { shared: vec![Unit::generated("a.wgsl", text.to_owned())], ..Parts::default() };
+        let chosen = Sources::edited(&parts, select);
+        let [own, entries] = &chosen[..] else { panic!("{}", chosen.len()) };
         let expected = "return sphere_list_at(min(i, n[0])).b + sphere_list[1u].b + box_list[i].b + a.sphere_list[i] + \
                         others[i].b;";
-        assert!(own.text.contains(expected), "{}", own.text);
+        assert!(own.contains(expected), "{own}");
         assert_eq!(
-            entries.text,
+            entries,
             "fn sphere_list_at(i: u32) -> A {\n    var entry = sphere_list[0u];\n    if i == 1u {\n        \
-             entry = sphere_list[1u];\n    }\n    return entry;\n}\n\n"
+             entry = sphere_list[1u];\n    }\n    return entry;\n}"
         );
     }
 }

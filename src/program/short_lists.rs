@@ -7,11 +7,8 @@
 //! *Practice.* `var<storage, read> lights: array<Light>` becomes `var<uniform> lights: array<Light, 3>`, and `arrayLength(&lights)`
 //! that number. Only lists of up to [`SHORT`] entries: what a pass reads of uniforms has to fit into a device's limit.
 
-use std::ops::Range;
-
 use super::regions::Regions;
-use super::tokens::Tokens;
-use super::unit::{Author, Unit};
+use super::tokens::{Splice, Tokens};
 use crate::model::shape::SOLIDS;
 use crate::scene::{Object, Scene, Shadows};
 
@@ -40,38 +37,26 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
     others.into_iter().chain(placed).collect()
 }
 
-/// The unit with those of its lists that are short in uniforms.
-pub(super) fn in_uniforms(unit: Unit, lengths: &[(&str, usize)]) -> Unit {
-    if unit.author == Author::User {
-        return unit;
-    }
-    let tokens = Tokens::of(&unit.text);
+/// The tokens of a unit with those of its lists that are short in uniforms.
+pub(super) fn in_uniforms<'a>(tokens: Tokens<'a>, lengths: &[(&str, usize)]) -> Tokens<'a> {
     let short = |word: &str| {
         let found = lengths.iter().find(|(name, length)| *name == word && (1..=SHORT).contains(length));
         found.map(|(_, length)| *length)
     };
-    let mut text = String::new();
-    let mut done = 0;
-    let mut replace = |range: Range<usize>, new: &str| {
-        text += &unit.text[done..range.start];
-        text += new;
-        done = range.end;
-    };
+    let list = [(0, "<"), (1, "storage"), (2, ","), (3, "read"), (4, ">"), (6, ":"), (7, "array"), (8, "<"), (10, ">")];
+    let mut splices: Vec<Splice> = Vec::new();
     for i in 0..tokens.len() {
-        let word = |k: usize| tokens.word(i + k);
-        let is = |signs: &[(usize, &str)]| signs.iter().all(|(k, sign)| word(*k) == *sign);
-        if is(&[(0, "<"), (1, "storage"), (2, ","), (3, "read"), (4, ">"), (6, ":"), (7, "array"), (8, "<"), (10, ">")])
-        {
-            let Some(length) = short(word(5)) else { continue };
-            replace(tokens.range(i).start..tokens.range(i + 4).end, "<uniform>");
-            replace(tokens.range(i + 10), &format!(", {length}>"));
-        } else if is(&[(0, "arrayLength"), (1, "("), (2, "&"), (4, ")")]) {
-            let Some(length) = short(word(3)) else { continue };
-            replace(tokens.range(i).start..tokens.range(i + 4).end, &format!("{length}u"));
+        let made = |text: &str| Tokens::written_at(text, tokens.origin(i));
+        if tokens.are(i, &list) {
+            let Some(length) = short(tokens.word(i + 5)) else { continue };
+            splices.push((i + 1..i + 4, made("uniform")));
+            splices.push((i + 10..i + 10, made(&format!(", {length}"))));
+        } else if tokens.are(i, &[(0, "arrayLength"), (1, "("), (2, "&"), (4, ")")]) {
+            let Some(length) = short(tokens.word(i + 3)) else { continue };
+            splices.push((i..i + 5, tokens.replacement(i, &format!("{length}u"))));
         }
     }
-    text += &unit.text[done..];
-    Unit { text: text.into(), ..unit }
+    tokens.spliced(splices)
 }
 
 #[cfg(test)]
@@ -83,12 +68,11 @@ mod tests {
         let text = "struct A { b: vec4f }\n@group(0) @binding(7) var<storage, read> list: array<A>;\n\
                     fn sum() -> f32 {\n    var sum = 0.0;\n    for (var i = 0u; i < arrayLength(&list); i++) {\n        \
                     sum += list[i].b.x;\n    }\n    return sum;\n}\n";
-        let unit = Unit::generated("list.wgsl", text.to_owned());
-        let moved = in_uniforms(unit.clone(), &[("other", 1), ("list", 3)]).text;
+        let moved = in_uniforms(Tokens::of(text), &[("other", 1), ("list", 3)]).text();
         assert!(moved.contains("@binding(7) var<uniform> list: array<A, 3>;"), "{moved}");
         assert!(moved.contains("i < 3u;") && !moved.contains("arrayLength"), "{moved}");
         for length in [0, SHORT + 1] {
-            assert_eq!(in_uniforms(unit.clone(), &[("list", length)]).text, text);
+            assert_eq!(in_uniforms(Tokens::of(text), &[("list", length)]).text(), text.trim_end());
         }
     }
 }

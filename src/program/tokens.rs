@@ -1,51 +1,134 @@
-//! WGSL text as tokens: words, numbers and single signs. Spaces and comments only stand between them, so that what works on tokens
-//! does not depend on how a line is formatted.
+//! WGSL as tokens: words, numbers and single signs, each with what stands before it and with where it was written.
+//!
+//! What works on tokens does not depend on how a line is formatted, and whatever becomes of them, errors still name the file, the line and
+//! the column that they came from.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
-/// The tokens of a text, each by where it stands.
-#[derive(Debug, Clone)]
-pub(super) struct Tokens<'a> {
-    pub(super) text: &'a str,
-    ranges: Vec<Range<usize>>,
+/// Where a token was written.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Origin {
+    /// The place of its unit among a program's.
+    pub(super) unit: usize,
+    /// In bytes.
+    pub(super) at: usize,
 }
 
+/// A word, a number or a sign.
+#[derive(Debug, Clone)]
+pub(super) struct Token<'a> {
+    /// Spaces and comments before it.
+    pub(super) gap: Cow<'a, str>,
+    pub(super) word: Cow<'a, str>,
+    pub(super) origin: Origin,
+}
+
+/// A text in order.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tokens<'a>(pub(super) Vec<Token<'a>>);
+
+/// Some tokens, and what comes in their place.
+pub(super) type Splice<'a> = (Range<usize>, Vec<Token<'a>>);
+
 impl<'a> Tokens<'a> {
+    /// Those of a text, as of a program's first unit. A comment at its end is dropped.
     pub(super) fn of(text: &'a str) -> Self {
-        let mut ranges = Vec::new();
-        let mut at = behind_comments(text, 0);
-        while let Some(first) = text[at..].chars().next() {
+        let mut tokens = Vec::new();
+        let mut before = 0;
+        loop {
+            let at = behind_comments(text, before);
+            let Some(first) = text[at..].chars().next() else { return Self(tokens) };
             let end = if is_word(first) { behind(text, at, is_word) } else { at + first.len_utf8() };
-            ranges.push(at..end);
-            at = behind_comments(text, end);
+            let origin = Origin { unit: 0, at };
+            tokens.push(Token { gap: text[before..at].into(), word: text[at..end].into(), origin });
+            before = end;
         }
-        Self { text, ranges }
     }
 
-    /// Those of `tokens`, in the text from `start` on: where they stand is counted from there.
-    pub(super) fn part(&self, start: usize, tokens: Range<usize>) -> Self {
-        let end = self.ranges[tokens.end - 1].end;
-        let ranges = self.ranges[tokens].iter().map(|range| range.start - start..range.end - start).collect();
-        Self { text: &self.text[start..end], ranges }
+    /// The same of the unit in this place.
+    pub(super) fn of_unit(mut self, unit: usize) -> Self {
+        for token in &mut self.0 {
+            token.origin.unit = unit;
+        }
+        self
+    }
+
+    /// Those of text that the linker writes, as the unit in this place.
+    pub(super) fn made(text: &str, unit: usize) -> Tokens<'static> {
+        let own = |token: Token| Token {
+            gap: token.gap.into_owned().into(),
+            word: token.word.into_owned().into(),
+            origin: Origin { unit, ..token.origin },
+        };
+        Tokens(Tokens::of(text).0.into_iter().map(own).collect())
+    }
+
+    /// The tokens of a few words, as if they had been written here.
+    pub(super) fn written_at(text: &str, origin: Origin) -> Vec<Token<'static>> {
+        let mut made = Tokens::made(text, origin.unit).0;
+        for token in &mut made {
+            token.origin = origin;
+        }
+        made
+    }
+
+    /// What comes in the place of a token, with what stands before it.
+    pub(super) fn replacement(&self, i: usize, text: &str) -> Vec<Token<'static>> {
+        let mut new = Self::written_at(text, self.origin(i));
+        if let (Some(first), Some(old)) = (new.first_mut(), self.0.get(i)) {
+            first.gap = old.gap.clone().into_owned().into();
+        }
+        new
+    }
+
+    /// With other tokens in some places, which are apart from each other.
+    pub(super) fn spliced(self, mut splices: Vec<Splice<'a>>) -> Self {
+        if splices.is_empty() {
+            return self;
+        }
+        splices.sort_by_key(|(range, _)| (range.start, range.end));
+        let mut all = Vec::with_capacity(self.0.len() + splices.len());
+        let mut old = self.0.into_iter();
+        let mut done = 0;
+        for (range, new) in splices {
+            all.extend(old.by_ref().take(range.start - done));
+            all.extend(new);
+            old.by_ref().take(range.len()).for_each(drop);
+            done = range.end;
+        }
+        all.extend(old);
+        Self(all)
+    }
+
+    /// The text, without a comment at its end.
+    #[cfg(test)]
+    pub(super) fn text(&self) -> String {
+        self.0.iter().flat_map(|token| [&*token.gap, &*token.word]).collect()
     }
 
     pub(super) fn len(&self) -> usize {
-        self.ranges.len()
+        self.0.len()
     }
 
-    /// Where a token stands.
-    pub(super) fn range(&self, i: usize) -> Range<usize> {
-        self.ranges[i].clone()
+    /// Where a token was written; of none behind the last one.
+    pub(super) fn origin(&self, i: usize) -> Origin {
+        self.0.get(i).or(self.0.last()).map_or_else(Origin::default, |token| token.origin)
     }
 
     /// A token's text; empty behind the last one.
-    pub(super) fn word(&self, i: usize) -> &'a str {
-        self.ranges.get(i).map_or("", |range| &self.text[range.clone()])
+    pub(super) fn word(&self, i: usize) -> &str {
+        self.0.get(i).map_or("", |token| &*token.word)
     }
 
     /// The text of the token before this one; empty for the first.
-    pub(super) fn before(&self, i: usize) -> &'a str {
+    pub(super) fn before(&self, i: usize) -> &str {
         i.checked_sub(1).map_or("", |i| self.word(i))
+    }
+
+    /// Do these words stand at `i`, from some of the places behind it on?
+    pub(super) fn are(&self, i: usize, words: &[(usize, &str)]) -> bool {
+        words.iter().all(|(k, word)| self.word(i + k) == *word)
     }
 
     /// Is it a name, or a word of the language?

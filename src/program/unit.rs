@@ -1,8 +1,6 @@
 //! What programs are linked from: pieces of WGSL, each with a name for errors.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
-use std::hash::Hash;
 
 use super::{DeviceProfile, Part};
 
@@ -61,27 +59,8 @@ pub struct Parts {
     pub shared: Vec<Unit>,
     /// The parts of each kind of region; with more than one kind each gets a copy of its own.
     pub regions: Vec<Vec<Unit>>,
+    /// How long the scene's lists are that may be short.
+    pub lengths: Vec<(&'static str, usize)>,
     /// What they are linked for.
     pub device: DeviceProfile,
-}
-
-impl Parts {
-    /// Returns the parts with every unit edited by the constants that it sees: those of the shared units and, in a region, its own too.
-    pub(super) fn edited<'a, K: Clone + Eq + Hash, V: Clone>(
-        &'a self,
-        constants: impl Fn(&'a [Unit]) -> HashMap<K, V>,
-        edit: impl Fn(&Unit, &HashMap<K, V>) -> Unit,
-    ) -> Self {
-        let shared = constants(&self.shared);
-        let region = |units: &'a Vec<Unit>| {
-            let mut own = shared.clone();
-            own.extend(constants(units));
-            units.iter().map(|unit| edit(unit, &own)).collect()
-        };
-        Self {
-            shared: self.shared.iter().map(|unit| edit(unit, &shared)).collect(),
-            regions: self.regions.iter().map(region).collect(),
-            device: self.device,
-        }
-    }
 }

@@ -5,65 +5,35 @@
 //! length the linker knows needs none of that.
 //!
 //! *Practice.* `for (var i = 0u; i < COUNT; i++) { … }`, where COUNT is a number or a constant of the program, becomes its body once
-//! for each i, unless the body leaves the loop itself or the whole would be long. The first copy keeps the lines of the text, so that
-//! places in files stay what they are. Users' own files are left as they were written.
+//! for each i, unless the body leaves the loop itself or the whole would be long.
 
-use std::borrow::Cow;
-use std::collections::HashMap;
-use std::fmt::Write as _;
 use std::ops::Range;
 
-use super::tokens::{Tokens, whole_number};
-use super::unit::{Author, Parts, Unit};
+use super::sources::Known;
+use super::tokens::{Token, Tokens, whole_number};
 
 /// Tokens that a loop may come to.
 const LONGEST: usize = 400;
 
-/// The parts with their short loops written out.
-pub(super) fn unrolled(parts: &Parts) -> Parts {
-    parts.edited(constants, unrolled_unit)
-}
-
-/// Whole numbers that units give a name.
-pub(super) fn constants(units: &[Unit]) -> HashMap<String, u32> {
-    let mut named = HashMap::new();
-    for unit in units.iter().filter(|unit| unit.text.contains("const")) {
-        let tokens = Tokens::of(&unit.text);
-        for i in (0..tokens.len()).filter(|&i| tokens.word(i) == "const") {
-            let is_whole = tokens.word(i + 2) == ":" && tokens.word(i + 4) == "=" && tokens.word(i + 6) == ";";
-            if let (true, Some(number)) = (is_whole, whole_number(tokens.word(i + 5))) {
-                named.insert(tokens.word(i + 1).to_owned(), number);
-            }
-        }
-    }
-    named
-}
-
-fn unrolled_unit(unit: &Unit, constants: &HashMap<String, u32>) -> Unit {
-    if unit.author == Author::User || !unit.text.contains("for") {
-        return unit.clone();
-    }
-    let mut text = unit.text.clone();
+/// The tokens of a unit with its short loops written out.
+pub(super) fn unrolled<'a>(mut tokens: Tokens<'a>, known: &Known) -> Tokens<'a> {
     // The innermost first: what contains them is found again, longer.
-    while let Some((range, written)) = first_loop(&text, constants) {
-        text = Cow::Owned([&text[..range.start], &written, &text[range.end..]].concat());
+    while let Some((at, counted)) = first_loop(&tokens, known) {
+        let written = counted.written(&tokens, at);
+        tokens = tokens.spliced(vec![(at..counted.body.end + 1, written)]);
     }
-    Unit { text, ..unit.clone() }
+    tokens
 }
 
-/// A loop that can be written out, and what it is then.
-fn first_loop(text: &str, constants: &HashMap<String, u32>) -> Option<(Range<usize>, String)> {
-    let tokens = Tokens::of(text);
-    (0..tokens.len()).rev().filter(|&i| tokens.word(i) == "for").find_map(|at| {
-        let counted = Counted::at(&tokens, at, constants)?;
-        let end = tokens.range(counted.body.end).end;
-        Some((tokens.range(at).start..end, counted.written(&tokens)))
-    })
+/// The last loop that can be written out, and its token.
+fn first_loop(tokens: &Tokens, known: &Known) -> Option<(usize, Counted)> {
+    let mut loops = (0..tokens.len()).rev().filter(|&i| tokens.word(i) == "for");
+    loops.find_map(|at| Some((at, Counted::at(tokens, at, known)?)))
 }
 
 /// A loop over whole numbers.
-struct Counted<'a> {
-    name: &'a str,
+struct Counted {
+    name: String,
     turns: Range<u32>,
     /// Behind a number of the counter's type.
     suffix: &'static str,
@@ -71,16 +41,15 @@ struct Counted<'a> {
     body: Range<usize>,
 }
 
-impl<'a> Counted<'a> {
+impl Counted {
     /// `for ( var i = FROM ; i < TO ; i ++ ) {`
-    fn at(tokens: &Tokens<'a>, at: usize, constants: &HashMap<String, u32>) -> Option<Self> {
+    fn at(tokens: &Tokens, at: usize, known: &Known) -> Option<Self> {
         let word = |k: usize| tokens.word(at + k);
-        let number = |word: &str| whole_number(word).or_else(|| constants.get(word).copied());
         let name = word(3);
         let signs = [(1, "("), (2, "var"), (4, "="), (6, ";"), (7, name), (8, "<"), (10, ";"), (11, name)];
         let ends = [(12, "+"), (13, "+"), (14, ")"), (15, "{")];
-        let is_counted = signs.into_iter().chain(ends).all(|(k, sign)| word(k) == sign);
-        let turns = number(word(5)).filter(|_| is_counted)?..number(word(9))?;
+        let is_counted = tokens.are(at, &signs) && tokens.are(at, &ends);
+        let turns = known.number(word(5)).filter(|_| is_counted)?..known.number(word(9))?;
         let body = at + 16..tokens.closing(at + 15)?;
         let leaves = body.clone().any(|i| matches!(tokens.word(i), "break" | "continue"));
         let is_short = turns.len() * body.len() <= LONGEST;
@@ -89,48 +58,40 @@ impl<'a> Counted<'a> {
         } else {
             "u"
         };
-        (!leaves && is_short).then_some(Self { name, turns, suffix, body })
+        (!leaves && is_short).then(|| Self { name: name.to_owned(), turns, suffix, body })
     }
 
     /// The body for each number: for the first with its lines, for the others in one.
-    fn written(&self, tokens: &Tokens) -> String {
-        let opened = tokens.range(self.body.start - 1).end;
-        let body = &self.body;
-        let mut text = String::new();
+    fn written<'a>(&self, tokens: &Tokens<'a>, at: usize) -> Vec<Token<'a>> {
+        let mut written = Vec::new();
         for turn in self.turns.clone() {
-            text += "{ ";
-            let mut done = opened;
-            for i in body.clone() {
-                let range = tokens.range(i);
-                let between = &tokens.text[done..range.start];
-                if turn == self.turns.start {
-                    text += between;
-                } else if !between.is_empty() {
-                    text.push(' ');
+            let is_first = turn == self.turns.start;
+            let gap = if is_first { tokens.0[at].gap.clone() } else { " ".into() };
+            written.push(Token { gap, ..tokens.0[self.body.start - 1].clone() });
+            for i in self.body.start..=self.body.end {
+                let mut token = tokens.0[i].clone();
+                if token.word == *self.name && tokens.before(i) != "." {
+                    token.word = format!("{turn}{}", self.suffix).into();
                 }
-                // Writing to a String cannot fail.
-                let _ = match tokens.word(i) {
-                    word if word == self.name && tokens.before(i) != "." => write!(text, "{turn}{}", self.suffix),
-                    word => write!(text, "{word}"),
-                };
-                done = range.end;
+                if !is_first && !token.gap.is_empty() {
+                    token.gap = " ".into();
+                }
+                written.push(token);
             }
-            if turn == self.turns.start {
-                text += &tokens.text[done..tokens.range(self.body.end).start];
-            }
-            text += "} ";
         }
-        text
+        written
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::program::sources::Sources;
+    use crate::program::{Parts, Unit};
 
     fn written(text: &'static str) -> String {
         let parts = Parts { shared: vec![Unit::generated("a.wgsl", text.to_owned())], ..Parts::default() };
-        unrolled(&parts).shared[0].text.to_string()
+        Sources::edited(&parts, |sources| sources.edit(unrolled)).remove(0)
     }
 
     #[test]
@@ -140,10 +101,9 @@ mod tests {
         let out = written(text);
         let flat = out.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(
-            flat.contains("{ g(0u); // turns a[0u] += p.i; } { g(1u); a[1u] += p.i;} { b(1i); } { b(2i);}"),
+            flat.contains("{ g(0u); // turns a[0u] += p.i; } { g(1u); a[1u] += p.i; } { b(1i); } { b(2i); }"),
             "{out}"
         );
-        assert_eq!(out.matches('\n').count(), text.matches('\n').count(), "lines stay where they are");
     }
 
     #[test]
@@ -167,6 +127,6 @@ mod tests {
         }
         let own = "fn f() { for (var i = 0u; i < 2u; i++) { g(i); } }";
         let parts = Parts { shared: vec![Unit::user("a.wgsl", own)], ..Parts::default() };
-        assert_eq!(unrolled(&parts).shared[0].text, own);
+        assert_eq!(Sources::edited(&parts, |sources| sources.edit(unrolled)), [own]);
     }
 }

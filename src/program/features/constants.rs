@@ -86,10 +86,10 @@ mod tests {
                 let is_constant =
                     tokens.word(at + 1) == "{" && name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
                 assert!(!is_constant || known.contains(name), "{} asks for {name}", part.file);
-                asked.insert(name);
+                asked.insert(name.to_owned());
             }
         }
-        let idle: Vec<&String> = known.iter().filter(|name| !asked.contains(&***name)).collect();
+        let idle: Vec<&String> = known.iter().filter(|name| !asked.contains(*name)).collect();
         assert!(idle.is_empty(), "no part asks for {idle:?}");
     }
 }

@@ -7,7 +7,6 @@ struct Uniforms {
 }
 
 @group(0) @binding(500) var<uniform> uniforms_entry: Uniforms;
-
 var<private> own_frame: Frame;
 var<private> law: Law;
 var<private> one: Law;
@@ -22,18 +21,12 @@ fn read_uniforms() {
     pair_1 = uniforms_entry.pair[1];
 }
 
-
 // ---- input.wgsl
 const ONE: u32 = 1u;
-
 const TWO: u32 = 2u;
-
 struct Law { a: f32, n: vec4f }
-
 struct Frame { zero: u32 }
-
 @group(0) @binding(3) var<uniform> frame: Frame;
-
 @group(0) @binding(0) var<storage, read_write> out: array<f32>;
 
 fn rate(x: f32) -> f32 {
@@ -45,4 +38,3 @@ fn rate(x: f32) -> f32 {
 fn entry() { read_uniforms();
     out[0] = rate(1.0);
 }
-

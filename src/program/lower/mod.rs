@@ -24,9 +24,8 @@ use std::fmt::Write as _;
 
 use self::uses::{Shape, index_end, shape};
 use super::DeviceProfile;
-use super::bindings::Numbers;
 use super::declarations::Declaration;
-use super::linked::Edit;
+use super::tokens::{Splice, Tokens};
 
 /// Uniforms that are written for each tile, and for each dispatch.
 const APART: [&str; 2] = ["frame", "dispatch"];
@@ -59,12 +58,12 @@ impl Uniform<'_> {
 impl<'a> Lowering<'a> {
     /// Of the declarations that the entry point reaches.
     pub(super) fn of(entry: &'a str, reached: &[&'a Declaration<'a>], device: &DeviceProfile) -> Self {
-        let by_name: HashMap<&str, &Declaration> = reached.iter().map(|own| (own.name, *own)).collect();
+        let by_name: HashMap<&str, &Declaration> = reached.iter().map(|own| (own.name(), *own)).collect();
         let uniforms = reached.iter().filter(|declaration| declaration.is_uniform()).filter_map(|declaration| {
             let ty = declaration.ty()?;
             let copied = device.is_processor.then(|| shape(declaration, reached, &by_name));
             Some(Uniform {
-                name: declaration.name,
+                name: declaration.name(),
                 ty: declaration.tokens.written(ty),
                 shape: copied.unwrap_or(Shape::InPlace),
             })
@@ -74,7 +73,7 @@ impl<'a> Lowering<'a> {
 
     /// Does the block stand in for this declaration?
     pub(super) fn replaces(&self, declaration: &Declaration) -> bool {
-        declaration.keyword == "var" && self.named(declaration.name).is_some_and(|uniform| !uniform.is_apart())
+        declaration.keyword() == "var" && self.named(declaration.name()).is_some_and(|uniform| !uniform.is_apart())
     }
 
     fn named(&self, name: &str) -> Option<&Uniform<'a>> {
@@ -101,26 +100,28 @@ impl<'a> Lowering<'a> {
     }
 
     /// What to write in a function for every use of a uniform; the entry point reads them first.
-    pub(super) fn edits(&self, declaration: &Declaration) -> Vec<Edit> {
-        let mut edits: Vec<Edit> = Vec::new();
-        let Some(signature) = declaration.signature() else { return edits };
+    pub(super) fn splices(&self, declaration: &Declaration) -> Vec<Splice<'static>> {
+        let mut splices: Vec<Splice> = Vec::new();
+        let Some(signature) = declaration.signature() else { return splices };
         let tokens = &declaration.tokens;
-        if declaration.name == self.entry && self.copied().next().is_some() {
-            let opened = tokens.range(signature.body).end;
-            edits.push((opened..opened, format!(" {READ}();")));
-        }
-        for &i in &declaration.names {
+        let mut done = 0;
+        for &i in declaration.names.iter().filter(|&&i| i > signature.body) {
             // What stands in an index that is left out is left out too.
-            let is_left = edits.last().is_none_or(|(range, _)| range.end <= tokens.range(i).start);
-            let Some(uniform) = self.named(tokens.word(i)).filter(|_| is_left) else { continue };
+            let Some(uniform) = self.named(tokens.word(i)).filter(|_| i >= done) else { continue };
             let (end, place) = match uniform.shape {
                 Shape::One(_) => (index_end(tokens, i), None),
                 Shape::Places(..) => (index_end(tokens, i), uses::written_place(tokens, i)),
                 Shape::Whole | Shape::InPlace => (i, None),
             };
-            edits.push((tokens.range(i).start..tokens.range(end).end, self.stand_in(uniform, place)));
+            done = end + 1;
+            splices.push((i..done, tokens.replacement(i, &self.stand_in(uniform, place))));
         }
-        edits
+        if declaration.name() == self.entry && self.copied().next().is_some() {
+            let behind = signature.body + 1;
+            let read = Tokens::written_at(&format!(" {READ}();"), tokens.origin(signature.body));
+            splices.push((behind..behind, read));
+        }
+        splices
     }
 
     /// What a use of a uniform is written as: a copy of those in the block has their own name.
@@ -152,7 +153,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// The block's own declaration, the copies' and the function that fills them; empty if there are no uniforms.
-    pub(super) fn declaration(&self, numbers: &mut Numbers) -> String {
+    pub(super) fn declaration(&self) -> String {
         let mut text = String::new();
         // Writing to a String cannot fail.
         if self.members().next().is_some() {
@@ -161,7 +162,7 @@ impl<'a> Lowering<'a> {
             for Uniform { name, ty, .. } in self.members() {
                 let _ = writeln!(text, "    @align(32) {name}: {ty},");
             }
-            let _ = writeln!(text, "}}\n\n{}var<uniform> {}: {BLOCK};\n", numbers.next(), self.block());
+            let _ = writeln!(text, "}}\n\nvar<uniform> {}: {BLOCK};\n", self.block());
         }
         let (mut copies, mut reads) = (String::new(), String::new());
         for uniform in self.copied() {

@@ -44,9 +44,9 @@ fn error(text: &str) -> String {
     link(&parts, "entry").and_then(|linked| reflect(&linked)).map(|_| text).unwrap_err().to_string()
 }
 
-fn words(text: &str) -> Vec<&str> {
+fn words(text: &str) -> Vec<String> {
     let tokens = Tokens::of(text);
-    (0..tokens.len()).map(|i| tokens.word(i)).collect()
+    (0..tokens.len()).map(|i| tokens.word(i).to_owned()).collect()
 }
 
 /// The text with something else between its tokens, wherever something may stand.
@@ -56,7 +56,7 @@ fn with_gaps(text: &str, gap: &str) -> String {
     let is_word = |word: &str| word.starts_with(|c: char| c.is_alphanumeric() || c == '_');
     let mut spaced = words.first().map_or_else(String::new, ToString::to_string);
     for pair in words.windows(2) {
-        let [a, b] = [pair[0], pair[1]];
+        let [a, b] = [&*pair[0], &*pair[1]];
         if is_word(a) && is_word(b) {
             spaced += if gap.is_empty() { " " } else { gap };
         } else if brackets.contains(&a) || brackets.contains(&b) || (b == "<" && is_word(a)) {
@@ -118,7 +118,7 @@ fn formatting_changes_no_scene() {
                 let parts = Parts {
                     shared: all(&parts.shared),
                     regions: parts.regions.iter().map(|region| all(region)).collect(),
-                    device: parts.device,
+                    ..parts.clone()
                 };
                 assert_eq!(words(&link(&parts, pass.entry()).unwrap().source), words(&golden), "{name}, {gap:?}");
             }

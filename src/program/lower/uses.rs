@@ -30,9 +30,9 @@ type ByName<'a> = HashMap<&'a str, &'a Declaration<'a>>;
 /// What the copy of a uniform may be, by all uses of it.
 pub(super) fn shape(uniform: &Declaration, reached: &[&Declaration], by_name: &ByName) -> Shape {
     let uses = || {
-        let functions = reached.iter().filter(|declaration| declaration.keyword == "fn");
+        let functions = reached.iter().filter(|declaration| declaration.keyword() == "fn");
         let all = functions.flat_map(|function| function.names.iter().map(move |&i| (&function.tokens, i)));
-        all.filter(|(tokens, i)| tokens.word(*i) == uniform.name)
+        all.filter(|(tokens, i)| tokens.word(*i) == uniform.name())
     };
     if uses().any(|(tokens, i)| is_written(tokens, i) || is_pointed_at(tokens, i)) {
         return Shape::InPlace;
@@ -42,7 +42,7 @@ pub(super) fn shape(uniform: &Declaration, reached: &[&Declaration], by_name: &B
     let are_one = count == 1
         && uses().all(|(tokens, i)| {
             let inside = i + 1..index_end(tokens, i);
-            let calls = |i| by_name.get(tokens.word(i)).is_some_and(|named| named.keyword == "fn");
+            let calls = |i| by_name.get(tokens.word(i)).is_some_and(|named| named.keyword() == "fn");
             !inside.is_empty() && written_place(tokens, i).is_none_or(|k| k == 0) && !inside.into_iter().any(calls)
         });
     if are_one {
@@ -58,7 +58,7 @@ pub(super) fn shape(uniform: &Declaration, reached: &[&Declaration], by_name: &B
 fn array(uniform: &Declaration, by_name: &ByName) -> Option<(String, Option<u32>)> {
     let (mut tokens, mut ty) = (&uniform.tokens, uniform.ty()?);
     for _ in 0..STEPS {
-        match by_name.get(tokens.word(ty.start)).filter(|named| ty.len() == 1 && named.keyword == "alias") {
+        match by_name.get(tokens.word(ty.start)).filter(|named| ty.len() == 1 && named.keyword() == "alias") {
             Some(alias) => (tokens, ty) = (&alias.tokens, alias.value()?),
             None => break,
         }
@@ -78,7 +78,7 @@ fn number<'a>(mut tokens: &'a Tokens<'a>, mut value: Range<usize>, by_name: &'a 
             return None;
         }
         let word = tokens.word(value.start);
-        let Some(constant) = by_name.get(word).filter(|named| named.keyword == "const") else {
+        let Some(constant) = by_name.get(word).filter(|named| named.keyword() == "const") else {
             return whole_number(word);
         };
         (tokens, value) = (&constant.tokens, constant.value()?);
@@ -112,7 +112,7 @@ fn is_written(tokens: &Tokens, i: usize) -> bool {
         ("=", _) => second != "=",
         ("+" | "-" | "*" | "/" | "%" | "&" | "|" | "^", "=") => true,
         ("<", "<") | (">", ">") => third == "=",
-        ("+", "+") | ("-", "-") => tokens.range(k).end == tokens.range(k + 1).start,
+        ("+", "+") | ("-", "-") => tokens.0[k + 1].gap.is_empty(),
         _ => false,
     }
 }

@@ -1,0 +1,42 @@
+//! Where something was written, as messages say it.
+
+use std::fmt;
+
+use super::tokens::Origin;
+use super::unit::Unit;
+
+/// A place in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place {
+    /// The file, as messages name it.
+    pub file: String,
+    /// From 1.
+    pub line: usize,
+    /// In characters, from 1.
+    pub column: usize,
+}
+
+impl Place {
+    /// Of a token of a program.
+    pub(super) fn of(units: &[Unit], origin: Origin) -> Self {
+        units.get(origin.unit).map_or_else(|| Self::at_start(String::new()), |unit| Self::in_unit(unit, origin.at))
+    }
+
+    /// Of what stands at `at` in a unit's text.
+    pub(super) fn in_unit(unit: &Unit, at: usize) -> Self {
+        let text = &unit.text[..at.min(unit.text.len())];
+        let line = text.rfind('\n').map_or(0, |end| end + 1);
+        let [line, column] = [text.matches('\n').count(), text[line..].chars().count()].map(|before| before + 1);
+        Self { file: unit.shown(), line, column }
+    }
+
+    pub(super) fn at_start(file: String) -> Self {
+        Self { file, line: 1, column: 1 }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}:{}:{}", self.file, self.line, self.column)
+    }
+}
