@@ -46,10 +46,10 @@ fn start_weight(x: Real3) {
     carried.camera = f32(n * n);
 }
 
-// Returns the largest of what is left.
-fn scale_weight(factor: vec3f) -> f32 {
+// Is next to nothing left?
+fn scale_weight(factor: vec3f) -> bool {
     carried.weight *= factor;
-    return max(carried.weight.x, max(carried.weight.y, carried.weight.z));
+    return max(carried.weight.x, max(carried.weight.y, carried.weight.z)) < DARK;
 }
 
 // Of light that is emitted at x towards the path.

@@ -64,8 +64,8 @@ fn met_surface_leg(ray: Ray, met: ptr<function, Hit>, end: PathPoint, pixel: vec
         return met_matter(ray, end, surface, material, pixel);
     }
     carried.scatterings += 1u;
-    let left = scale_weight(scattered.weight);
-    let cut = scattered.cut || carried.scatterings > transport.depth || left < DARK;
+    let dark = scale_weight(scattered.weight);
+    let cut = dark || scattered.cut || carried.scatterings > transport.depth;
     if cut {
         enter_set(side);
     }

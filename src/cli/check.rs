@@ -31,6 +31,9 @@ pub(super) struct Arguments {
     /// Name the parts of each pass, files of shaders/
     #[arg(long)]
     parts: bool,
+    /// List the dispatches that one round of a sample takes
+    #[arg(long)]
+    commands: bool,
     #[command(flatten)]
     changes: SceneOptions,
     /// The schedule to count passes and memory for
@@ -72,7 +75,16 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     }
     let memory = memory(&program, program.features.slots);
     let frames_checked = check_frames(&film, &choice, &scene)?;
-    Ok(Modelled { path, scene, geometry, program, memory, frames_checked, names_parts: arguments.parts })
+    Ok(Modelled {
+        path,
+        scene,
+        geometry,
+        program,
+        memory,
+        frames_checked,
+        names_parts: arguments.parts,
+        names_commands: arguments.commands,
+    })
 }
 
 /// Frames that are looked at, at most.

@@ -1,5 +1,6 @@
 //! Linked programs as pipelines; their bind group layouts are what naga reflected.
 
+use std::error::Error;
 use std::num::NonZeroU64;
 
 use wgpu::{
@@ -86,7 +87,10 @@ impl Pipeline {
             cache: None,
         });
         if let Some(error) = pollster::block_on(scope.pop()) {
-            return Err(GpuError::Pass { pass: linked.entry.clone(), reason: error.to_string() });
+            let first: Option<&dyn Error> = Some(&error);
+            let sources = std::iter::successors(first, |error: &&dyn Error| (*error).source());
+            let reason = sources.map(ToString::to_string).collect::<Vec<_>>().join(": ");
+            return Err(GpuError::Pass { pass: linked.entry.clone(), reason });
         }
         Ok(Self { pipeline, layout, bindings: reflection.bindings.clone() })
     }

@@ -75,9 +75,14 @@ impl<'a> Declaration<'a> {
             splices.iter().filter(|(range, _)| range.end <= self.head).map(|(range, new)| new.len() - range.len());
         let shift: usize = shift.sum();
         let (head, named) = (self.head + shift, self.named + shift);
-        let tokens = self.tokens.spliced(splices);
-        let names = outer_names(&tokens, head);
-        Self { tokens, names, head, named }
+        Self { head, named, ..self }.edited(|tokens| tokens.spliced(splices))
+    }
+
+    /// With its tokens edited behind its name.
+    pub(super) fn edited(self, edit: impl FnOnce(Tokens<'a>) -> Tokens<'a>) -> Self {
+        let tokens = edit(self.tokens);
+        let names = outer_names(&tokens, self.head);
+        Self { tokens, names, ..self }
     }
 
     /// A function's parameters and result.

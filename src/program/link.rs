@@ -7,7 +7,8 @@
 //! order): `short_lists` moves short lists into uniforms; `fold` decides branches on features; `unroll` writes out short loops;
 //! `loop_counts` counts the iterations of the others, for devices with a loop budget; `selections` turns reads of short lists into choices,
 //! for processors. Then they are split into declarations: `copies` makes one copy of a region's for each kind of region, the names
-//! suffixed, and a switch wherever shared parts call one. Of each pass `lower` joins the uniforms in one block, and `bindings` what
+//! suffixed, and a switch wherever shared parts call one; `inline` writes functions that only hand on a value where they are called. Of
+//! each pass `lower` joins the uniforms in one block, and `bindings` what
 //! is kept for each pixel in one buffer; everything that is bound gets a number.
 //!
 //! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them.
@@ -19,6 +20,7 @@ use super::bindings::{Numbers, Pixels, is_of_pixels};
 use super::copies::with_region_copies;
 use super::declarations::{Declaration, declarations};
 use super::fold::folded;
+use super::inline::inlined;
 use super::linked::{Linked, refuse};
 use super::loop_counts::counted;
 use super::lower::Lowering;
@@ -49,6 +51,7 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
         select(&mut sources);
     }
     let (all, units) = with_region_copies(sources)?;
+    let all = inlined(all, &units);
     let by_name = index(&all, &units)?;
     let reached = entries.iter().map(|entry| reach(&all, &by_name, entry)).collect::<Result<Vec<_>, _>>()?;
     let kept: BTreeSet<usize> = reached.iter().flatten().copied().filter(|&i| is_of_pixels(&all[i])).collect();

@@ -26,6 +26,8 @@ pub struct Linked {
     pub source: String,
     /// What it was written in: its program's passes share them.
     units: Arc<Vec<Unit>>,
+    /// Whose declarations are in it, in order.
+    files: Vec<usize>,
     /// Where each token stands in the module, and where it was written.
     marks: Vec<(usize, Origin)>,
 }
@@ -33,7 +35,7 @@ pub struct Linked {
 impl Linked {
     /// An empty one, to be written from these.
     pub(super) fn new(entry: &str, units: Arc<Vec<Unit>>) -> Self {
-        Self { entry: entry.to_owned(), source: String::new(), units, marks: Vec::new() }
+        Self { entry: entry.to_owned(), source: String::new(), units, files: Vec::new(), marks: Vec::new() }
     }
 
     /// Appends declarations, under the names of their files. An empty line stands between two, except where both take a line.
@@ -47,6 +49,7 @@ impl Linked {
             }
             let file = |unit: usize| self.units.get(unit).map(|unit| &unit.file);
             if last.is_none_or(|(last, _)| file(last) != file(unit)) {
+                self.files.push(unit);
                 self.source += &["// ---- ", &*self.units[unit].file, "\n"].concat();
             }
             for token in &declaration.tokens.0 {
@@ -62,9 +65,7 @@ impl Linked {
     /// The parts that are in it, in order.
     #[must_use]
     pub fn parts(&self) -> Vec<&str> {
-        let mut parts: Vec<&str> = self.marks.iter().map(|(_, origin)| &*self.units[origin.unit].file).collect();
-        parts.dedup();
-        parts
+        self.files.iter().map(|unit| &*self.units[*unit].file).collect()
     }
 
     /// Where a part has what is at `at` in the module.

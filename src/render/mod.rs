@@ -46,7 +46,7 @@ pub use light_grid::light_grids;
 pub use light_paths::{LightPath, light_paths, shooting};
 pub use noise::Noise;
 pub use renderer::Renderer;
-pub use schedule::steps;
+pub use schedule::{steps, usual_steps};
 pub use settings::RenderSettings;
 pub use start::{StartPart, StartUp};
 pub use step::{Dispatch, PixelList, Step};

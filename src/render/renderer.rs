@@ -11,7 +11,7 @@ use super::grids::LightGrids;
 use super::plan::Plan;
 use super::records::Records;
 use super::sample::Sample;
-use super::schedule::{PassCounts, steps};
+use super::schedule::{PassCounts, fused_segments, steps};
 use super::{LightReport, RenderError, RenderSettings, Totals, Window};
 use crate::gpu::{
     Before, Geometry, Gpu, GpuError, Memory, Pipelines, SECTION, SceneBuffers, Tile, memory, pack, schedule_values,
@@ -19,10 +19,6 @@ use crate::gpu::{
 use crate::model::{Control, Value};
 use crate::program::{BindingKind, Choice, Features, Layout, Program, Purpose, Regions, Role, Schedule};
 use crate::scene::Scene;
-
-/// In so many rounds of a sample and more most pixels rest, so that a pass costs more than the ended rays that it drops: passes
-/// are longer, and fewer.
-const MANY_ROUNDS: u32 = 64;
 
 /// A scene's program, pipelines and data on a device.
 #[derive(Debug)]
@@ -92,8 +88,7 @@ impl<'a> Renderer<'a> {
         let [width, _] = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
         let is_picture = settings.choice.purpose == Purpose::Picture;
         let pipelines = Pipelines::new(gpu, &program, if is_picture { width } else { u32::MAX })?;
-        let longer = settings.segments.saturating_mul(program.features.rounds / MANY_ROUNDS);
-        settings.segments = longer.min(scene.rays.max_segments).max(settings.segments);
+        settings.segments = fused_segments(settings.segments, &program.features, scene.rays.max_segments);
         let segments = settings.segments_a_pass();
         let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, (None, None))?;

@@ -1,5 +1,6 @@
 //! Schedules: the same stages, cut into different passes.
 
+use super::RenderSettings;
 use super::step::{Dispatch, PixelList, Step};
 use crate::gpu::Slots;
 use crate::program::{DeviceProfile, Features, Masks, Pass, Purpose, Schedule, constant};
@@ -34,6 +35,21 @@ impl PassCounts {
         let more = Self { fused: Self::MORE * self.fused, walk };
         (device.loop_budget.is_some() && more.fused <= Self::MOST).then_some(more)
     }
+}
+
+/// Every dispatch of one round of a sample by default, in order.
+#[must_use]
+pub fn usual_steps(scene: &Scene, features: &Features) -> Vec<Step> {
+    let most = scene.rays.max_segments;
+    let segments = fused_segments(RenderSettings::default().segments, features, most);
+    steps(scene, features, PassCounts::usual(), most, segments)
+}
+
+/// Segments of a fused pass, of which there are to be at least `segments`: in many rounds of a sample most pixels rest, so that a pass costs
+/// more than the ended rays that it drops, and fewer and longer ones are better.
+pub(super) fn fused_segments(segments: u32, features: &Features, max_segments: u32) -> u32 {
+    const MANY_ROUNDS: u32 = 64;
+    segments.saturating_mul(features.rounds / MANY_ROUNDS).min(max_segments).max(segments)
 }
 
 /// Every dispatch of one round of a sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.

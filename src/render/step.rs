@@ -5,6 +5,8 @@
 //! dispatch. All of a sample is recorded before any of it runs, so that a step names the lists that it reads and writes by number:
 //! the n-th list of active rays in a round is written by the steps that read the one before.
 
+use std::fmt;
+
 use super::sample::Refines;
 use crate::gpu::Slots;
 use crate::program::{Masks, Pass};
@@ -52,6 +54,35 @@ pub struct Step {
     pub first: bool,
     /// Integration steps of one ray in it, at most: its weight when the work is split into submissions.
     pub weight: u64,
+}
+
+impl fmt::Display for PixelList {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Active(n) => write!(f, "active {n}"),
+            Self::Open(n) => write!(f, "open {n}"),
+            Self::Wanted(n) => write!(f, "wanted {n}"),
+        }
+    }
+}
+
+impl fmt::Display for Step {
+    /// The pass, what it runs over, and the slots and the list that it writes.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Slots { input, output, .. } = self.slots;
+        let over = match self.dispatch {
+            Dispatch::Grid => "all pixels".to_owned(),
+            Dispatch::Listed => format!("list {}", self.read),
+            Dispatch::ListedLater => format!("all pixels, in later rounds list {}", self.read),
+        };
+        let again = if self.again { ", goes on with suspended walks" } else { "" };
+        write!(
+            f,
+            "{:<11} over {over}; state {input} -> {output}; adds to list {}{again}",
+            self.pass.entry(),
+            self.written
+        )
+    }
 }
 
 impl Step {

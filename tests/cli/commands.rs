@@ -82,6 +82,27 @@ fn check_prints_every_key() {
     }
 }
 
+/// A schedule is data: what a round dispatches can be read before anything runs.
+#[test]
+fn check_lists_the_dispatches_of_a_sample() {
+    let folder = Folder::with(BALL);
+    let listed = |schedule: &str| {
+        let said = folder.run(&format!("check scene.toml --commands --schedule {schedule}")).succeeds().out;
+        let lines = said.lines().skip_while(|line| !line.ends_with(" commands a sample, in order:")).map(str::trim);
+        let lines: Vec<String> =
+            lines.take_while(|line| !line.contains("bytes per pixel")).map(str::to_owned).collect();
+        assert_eq!(lines[0].split(' ').next().unwrap(), (lines.len() - 1).to_string(), "{said}");
+        lines[1..].to_vec()
+    };
+    let whole = listed("whole");
+    assert!(whole.len() == 1 && whole[0].starts_with("whole "), "{whole:?}");
+    let fused = listed("fused");
+    let passes: Vec<&str> = fused.iter().map(|line| line.split(' ').next().unwrap()).collect();
+    assert!(passes[0] == "setup" && passes[1] == "advance" && passes.last() == Some(&"shade"), "{passes:?}");
+    // The state goes back and forth.
+    assert!(fused[1].contains("state 0 -> 1") && fused[2].contains("state 1 -> 0"), "{fused:?}");
+}
+
 #[test]
 fn wgsl_prints_each_pass_with_the_files_over_the_pieces() {
     let folder = Folder::with(BALL);

@@ -68,12 +68,11 @@ fn left_vertex(vertex: PathVertex, onward: vec3f, density: f32, weight: vec3f, p
     let aim = aimed_way(vertex, aims, path_point(pixel, AIM));
     let aimed = aim_density(vertex, aims, aim);
     let aimed_weight = carried.weight * answered(vertex, aim) / max(answer_density(vertex, aim) + aimed, 1e-30);
-    let widely = answers_widely(vertex);
-    let finds = widely && aimed > 0.0 && any(aimed_weight > vec3f(0.0)) && dot(aim, vertex.across) > 0.0;
+    let finds = answers_widely(vertex) && aimed > 0.0 && any(aimed_weight > vec3f(0.0)) && dot(aim, vertex.across) > 0.0;
     let share = density / max(density + aim_density(vertex, aims, onward), 1e-30);
     let own = vertex.speed * Real3(onward);
     carried.scatterings += 1u;
-    carried.share = select(1.0, share, widely);
+    carried.share = select(1.0, share, answers_widely(vertex));
     if !finds {
         return own_leg(vertex.x, own, vertex.tau, weight, HIT);
     }

@@ -18,6 +18,3 @@ struct Branch {
     // It is followed no further.
     cut: bool,
 }
-
-// A path whose weight has fallen this low adds nothing that a float of the picture could show.
-const DARK: f32 = 1e-8;

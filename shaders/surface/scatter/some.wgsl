@@ -25,8 +25,7 @@ fn scatter_ray(ray: Ray, met: ptr<function, Hit>, pixel: vec2u) -> Ray {
     if FINDS_CAUSTICS {
         note_sent();
     }
-    let weight = scale_weight(scattered.weight);
-    if scattered.cut || weight < DARK {
+    if scale_weight(scattered.weight) || scattered.cut {
         next.status = CUT;
         enter_set(side);
         return next;

@@ -19,10 +19,10 @@ fn start_weight(x: Real3) {
     weight = vec3f(f32(n * n));
 }
 
-// Returns the largest of what is left.
-fn scale_weight(factor: vec3f) -> f32 {
+// Is next to nothing left?
+fn scale_weight(factor: vec3f) -> bool {
     weight *= factor;
-    return max(weight.x, max(weight.y, weight.z));
+    return max(weight.x, max(weight.y, weight.z)) < DARK;
 }
 
 fn end_weight(x: Real3) -> vec3f {

@@ -9,8 +9,8 @@ fn store_weight(pixel: vec2u) {
 fn start_weight(x: Real3) {
 }
 
-fn scale_weight(factor: vec3f) -> f32 {
-    return 1.0;
+fn scale_weight(factor: vec3f) -> bool {
+    return false;
 }
 
 fn end_weight(x: Real3) -> vec3f {

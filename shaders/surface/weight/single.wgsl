@@ -31,13 +31,13 @@ fn note_sent() {
     weight = abs(weight);
 }
 
-fn scale_weight(factor: vec3f) -> f32 {
+fn scale_weight(factor: vec3f) -> bool {
     if LEAVES_LIGHT {
         weight *= (factor.x + factor.y + factor.z) / 3.0;
     } else {
         weight *= factor.x;
     }
-    return weight;
+    return weight < DARK;
 }
 
 fn end_weight(x: Real3) -> vec3f {

@@ -9,6 +9,7 @@ use crate::cli::render::followed;
 use crate::gpu::{Built, Geometry, Grid, LightVolume, Memory, adapters, halved_pictures, light_bytes};
 use crate::model::medium::VISIBLE;
 use crate::program::Program;
+use crate::render::usual_steps;
 use crate::scene::{Beam, Scene, Shadows};
 
 /// A scene, with what it comes to on the device.
@@ -22,6 +23,8 @@ pub(super) struct Modelled<'a> {
     pub frames_checked: u32,
     /// Are the parts of each pass named?
     pub names_parts: bool,
+    /// Are the dispatches listed?
+    pub names_commands: bool,
 }
 
 impl Found for Modelled<'_> {
@@ -35,6 +38,7 @@ impl Found for Modelled<'_> {
         add(self.adaptive_words().into_iter().collect());
         add(structure_words(&self.geometry).into_iter().collect());
         add(self.pass_words());
+        add(self.command_words());
         add(self
             .remark()
             .into_iter()
@@ -66,6 +70,7 @@ impl Found for Modelled<'_> {
             "objects": scene.objects.len(),
             "structure": structure(&self.geometry),
             "passes": self.passes(),
+            "commands": self.names_commands.then(|| self.commands()),
             "followed": scene.rays.auto.is_none().then(|| followed(&scene.rays)),
             "bytes_per_pixel": self.memory.bytes_per_pixel(),
             "bytes_per_pixel_of": self.memory.items.iter().map(|(name, n)| (name.clone(), json!(n))).collect::<Value>(),
@@ -98,6 +103,23 @@ impl Modelled<'_> {
             format!("pass {entry:<10} {lines:>4} lines, {bindings:>2} bindings, {count:>2} parts{named}")
         });
         passes.collect()
+    }
+
+    /// The dispatches of one round of a sample.
+    fn commands(&self) -> Vec<String> {
+        usual_steps(&self.scene, &self.program.features).iter().map(ToString::to_string).collect()
+    }
+
+    fn command_words(&self) -> Vec<String> {
+        if !self.names_commands {
+            return Vec::new();
+        }
+        let commands = self.commands();
+        let head = match self.program.features.rounds {
+            1 => format!("{} commands a sample, in order:", commands.len()),
+            rounds => format!("{} commands a round, in order; up to {rounds} rounds a sample:", commands.len()),
+        };
+        [head].into_iter().chain(commands.into_iter().map(|command| format!("  {command}"))).collect()
     }
 
     fn passes(&self) -> Vec<Value> {
