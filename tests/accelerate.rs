@@ -36,7 +36,7 @@ fn triangles(random: &mut Random, count: usize) -> String {
 }
 
 /// Shapes of every solid that has lists.
-const SHAPES: [&str; 7] = ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk", "torus"];
+const SHAPES: [&str; 6] = ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"];
 
 /// So many of all shapes, about so large, in places that overlap.
 fn shapes(random: &mut Random, of_each: usize, about: f64) -> String {

@@ -47,7 +47,6 @@ const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
             ("shape/box", "BOX"),
             ("shape/cylinder", "CYLINDER"),
             ("shape/disk", "DISK"),
-            ("shape/torus", "TORUS"),
             ("shape/triangle", "TRIANGLE"),
         ],
     ),

@@ -83,8 +83,6 @@ const RETURNS: &str = r#"
     planar | round | ball   | 1 | { kind = "sources", sources = [{ position = [0, -6, 0], strength = 10 }] }
     steps  | round | room   | 1 | { kind = "sources", sources = [{ position = [0, -6, 0], strength = 10 }] }
     sharp  | round | mirror | 1 | { kind = "sources", sources = [{ position = [0, -6, 0], strength = 6 }] }
-    sharp  | round | rings  | 1 | { kind = "sources", sources = [{ position = [0, -6, 0], strength = 6 }] }
-    closed | round | rings  | 1 | { kind = "straight" }
     planar | aside | star   | 1 | { kind = "schwarzschild", mass = 0.4 }
     steps  | round | ball   | ((1 + 0.1*0.14)/1.4)^2 | { kind = "medium", index = { kind = "expression", n = "1 + 0.1*r^2" } }
     closed | front | glass  | 1 | { kind = "straight" }
@@ -109,7 +107,6 @@ const WORDS: &str = r#"
     shell  | { shape = "sphere", radius = 2, material = "wall" }, { shape = "sphere", material = "bright" }
     glass  | { shape = "sphere", radius = 2, material = "wall" }, { shape = "box", rotate = [20, 35, 10], translate = [0.3, 0.1, 0], interior = { kind = "maxwell-fisheye", n0 = 1.5, a = 2 } }
     mirror | { shape = "sphere", radius = 2, material = "wall" }, { shape = "disk", center = [0, -0.3, 0], radius = 2.1, material = "mirror" }, { shape = "disk", center = [0, -0.35, 0], radius = 2.1, material = "dark" }
-    rings  | { shape = "sphere", radius = 2, material = "wall" }, { shape = "torus", radius = 1.2, tube = 0.4, axis = [0.2, 1, 0.1], material = "mirror" }, { shape = "torus", radius = 0.9, axis = [0, 1, 0.3], center = [0, 0.8, 0], scale = [1, 1, 0.8], material = "wall" }
     pipe   | { shape = "cylinder", axis = [0, 0, 1], radius = 1.2, height = 3, material = "wall" }, { shape = "disk", center = [0, 0, -1], normal = [0, 0, 1], radius = 1.3, material = "mirror" }, { shape = "disk", center = [0, 0, 1], normal = [0, 0, 1], radius = 1.3, material = "mirror" }
     sky    | { shape = "plane", center = [0, 0.5, 0], size = [4, 4], material = "wall" }, { shape = "box", min = [-1, -0.5, -1], max = [1, 1, 1], material = "mirror" }
     cube   | { shape = "sphere", radius = 2, material = "wall" }, { shape = "box", min = [0.4, -2.1, -2.1], max = [2.1, 2.1, 2.1], interior = 1.2 }, { shape = "box", min = [-2.1, -2.1, -2.1], max = [-0.4, 2.1, 2.1], interior = 1.2 }, { shape = "box", min = [-2.1, 0.4, -2.1], max = [2.1, 2.1, 2.1], interior = 1.2 }, { shape = "box", min = [-2.1, -2.1, -2.1], max = [2.1, -0.4, 2.1], interior = 1.2 }, { shape = "box", min = [-2.1, -2.1, 0.4], max = [2.1, 2.1, 2.1], interior = 1.2 }, { shape = "box", min = [-2.1, -2.1, -2.1], max = [2.1, 2.1, -0.4], interior = 1.2 }

@@ -1,14 +1,14 @@
 // What all shapes but meshes have in common: a place, where a line is inside, and what is known of a point on them.
 
 // A shape in its own space (unit sphere, cube |x|, |y|, |z| ≤ 1, cylinder x² + z² ≤ 1, |y| ≤ 1, square |x|, |z| ≤ 1, disk
-// x² + z² ≤ 1, torus in the unit ball) and where that is.
+// x² + z² ≤ 1) and where that is.
 //
 // What every segment is tested against lies apart, in uniform arrays of a length that is known when the program is compiled:
 // a processor loads storage lane by lane, and that alone would cost more than the test.
 struct Placed {
     // Spheres only.
     center: Real3,
-    // Spheres: their radius. Disks: their hole's, in own units, 0 for none. Tori: their tube's, in own units.
+    // Spheres: their radius. Disks: their hole's, in own units, 0 for none.
     radius: Real,
     // The rows of the affine map from the scene's space to the shape's own.
     row_x: Real4,

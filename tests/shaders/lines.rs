@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::shapes::{HOLE, TUBE};
+use super::shapes::HOLE;
 
 /// In a shape's own space: along y from outside and from inside, along the mantle, through the rims, and grazing.
 pub(super) fn own_pieces() -> Vec<[DVec3; 2]> {
@@ -88,25 +88,4 @@ pub(super) fn ring(p: DVec3, d: DVec3, lift: f64, grown: f64, eta: f64) -> Optio
     let more = grown * (1.0 + d.x.hypot(d.z) / d.y.abs());
     let rho = (p.x + t * d.x).hypot(p.z + t * d.z);
     first([t, t], eta).filter(|_| d.y != 0.0 && rho <= 1.0 + more && rho >= HOLE - more)
-}
-
-/// The first crossing of the surface that is so far (`thicker`) outside of a torus, looked for by steps as long as the distance from it: no
-/// surface is nearer. A step this short is a crossing.
-pub(super) fn torus(p: DVec3, d: DVec3, thicker: f64, eta: f64) -> Option<f64> {
-    const SHORT: f64 = 1e-10;
-    let distance = |t: f64| {
-        let q = p + t * d;
-        (q.x.hypot(q.z) - (1.0 - TUBE)).hypot(q.y) - TUBE - thicker
-    };
-    let end = 1.0 + OVERLAP + eta;
-    let mut t = -OVERLAP - eta;
-    let inside = distance(t) < 0.0;
-    while t <= end {
-        let gap = distance(t);
-        if (gap < 0.0) != inside {
-            return Some(t);
-        }
-        t += gap.abs().max(SHORT) / d.length();
-    }
-    None
 }

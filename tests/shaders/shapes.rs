@@ -1,16 +1,16 @@
-//! Where straight pieces meet spheres, ellipsoids, boxes, cylinders, planes, disks and tori, and where they are inside.
+//! Where straight pieces meet spheres, ellipsoids, boxes, cylinders, planes and disks, and where they are inside.
 
 use bentray::model::Value::{Float, Uint, Vec3 as V3, Vec4 as V4};
 use glam::{DMat3, DQuat, DVec3, DVec4, Vec4};
 
-use super::lines::{ball, cylinder, first, own_pieces, ring, slabs, square, torus};
+use super::lines::{ball, cylinder, first, own_pieces, ring, slabs, square};
 use super::{Errors, Random, U, Verdict, awkward_directions, check_hits, row, wide};
 use crate::support::{
     gpu,
     probe::{Probe, Record},
 };
 
-pub const PARTS: [&str; 11] = [
+pub const PARTS: [&str; 10] = [
     "segment/ray",
     "state/loops",
     "segment/pieces",
@@ -21,14 +21,10 @@ pub const PARTS: [&str; 11] = [
     "shape/cylinder",
     "shape/plane",
     "shape/disk",
-    "shape/torus",
 ];
 
 /// Of every disk: in own units, and exact in f32.
 pub const HOLE: f64 = 0.25;
-
-/// Of every torus: the same.
-pub const TUBE: f64 = 0.25;
 
 /// A shape's place: the affine map from the scene's space to its own, rounded to f32 first.
 #[derive(Clone, Copy)]
@@ -72,7 +68,6 @@ impl Place {
         let wanted: &[&str] = if kind == "sphere" { &["center", "radius"] } else { &["row_x", "row_y", "row_z"] };
         let mut record: Record = self.record(0).into_iter().filter(|(name, _)| wanted.contains(name)).collect();
         record.extend((kind == "disk").then_some(("hole", Float(HOLE))));
-        record.extend((kind == "torus").then_some(("tube", Float(TUBE))));
         record
     }
 
@@ -152,12 +147,11 @@ fn results(kind: &str, place: &Place, a: DVec3, b: DVec3) -> Vec<Option<f64>> {
         for eta in [4.0 * U, -4.0 * U] {
             let eta = match kind {
                 "sphere" => eta * (2.0 + 2.0 * a.distance(place.center) / a.distance(b)),
-                "ellipsoid" | "cylinder" | "torus" => eta * (2.0 + 2.0 * p.length() / d.length()),
+                "ellipsoid" | "cylinder" => eta * (2.0 + 2.0 * p.length() / d.length()),
                 _ => eta,
             };
             match kind {
                 "plane" => all.extend([moved, -moved].map(|lift| square(p, d, lift, grown, eta))),
-                "torus" => all.push(torus(p, d, grown, eta)),
                 "disk" => all.extend([moved, -moved].map(|lift| ring(p, d, lift, grown, eta))),
                 _ => {
                     let inside = intervals(kind, place, a, b, grown).into_iter();
@@ -178,7 +172,6 @@ fn probe(kind: &str, targets: &[Place]) -> Probe {
         "box" => "box_list",
         "cylinder" => "cylinder_list",
         "plane" => "plane_list",
-        "torus" => "torus_list",
         _ => "disk_list",
     };
     let first = format!(
@@ -205,12 +198,10 @@ fn analytic_shapes() {
         ("disk", places(87)),
         ("cylinder", extremes(88)),
         ("disk", extremes(89)),
-        ("torus", places(98)),
-        ("torus", extremes(99)),
     ] {
         let inputs = pieces(85, targets);
         let inside = match kind {
-            "plane" | "disk" | "torus" => "Interval(0.0, 0.0)".to_owned(),
+            "plane" | "disk" => "Interval(0.0, 0.0)".to_owned(),
             "sphere" => {
                 "sphere_interval(sphere_list[1].center, sphere_list[1].radius, p0.xyz, p1.xyz - p0.xyz)".to_owned()
             }
@@ -249,7 +240,7 @@ fn analytic_shapes() {
             })
             .collect();
         check_hits(kind, 0.02, cases);
-        if !["plane", "disk", "torus"].contains(&kind) {
+        if !["plane", "disk"].contains(&kind) {
             check_intervals(kind, &targets[1], inputs.iter().zip(&out).map(|(input, out)| (input, out[1])));
         }
         standing_still(&gpu, &probe(kind, &targets[..1]), kind, &targets[0]);

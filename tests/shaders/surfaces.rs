@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3, Vec4};
 
-use super::shapes::{HOLE, PARTS, Place, TUBE, balls, places};
+use super::shapes::{HOLE, PARTS, Place, balls, places};
 use super::{Errors, Random, U, wide};
 use crate::support::{gpu, probe::Probe};
 
@@ -44,12 +44,8 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         put(2u, vec4f(s.uv, f32(s.object), 0.0));"
     );
     let record = |k: usize| {
-        // A disk's radius is its hole's, a torus's its tube's.
-        let radius = match kind {
-            "disk" => HOLE,
-            "torus" => TUBE,
-            _ => targets[k].radius,
-        };
+        // A disk's radius is its hole's.
+        let radius = if kind == "disk" { HOLE } else { targets[k].radius };
         Place { radius, ..targets[k] }.record(k as u32)
     };
     let probe = Probe::new(&PARTS).bind(list, [0, 1].map(record));
@@ -64,12 +60,7 @@ fn check(kind: &str, list: &'static str, targets: [Place; 2], expect: impl Fn(&m
         let moved = 8.0 * U * (1.0 + size * x.length() + place.offset.length());
         // The longest of its axes: by that much the map back stretches.
         let stretch = norm(place.linear.inverse());
-        let turned = match kind {
-            "sphere" | "ellipsoid" | "cylinder" => 2.0 * moved,
-            // The tube's normal turns as much faster as it is thinner.
-            "torus" => 2.0 * moved / TUBE,
-            _ => 0.0,
-        };
+        let turned = if ["sphere", "ellipsoid", "cylinder"].contains(&kind) { 2.0 * moved } else { 0.0 };
         normals.check3(output[0], steep.normalize(), (turned + 4.0 * U) * size * stretch, input);
         gaps.check(output[0].w, e.value / steep.length(), 2.0 * moved * stretch, input);
         assert_eq!(output[0].truncate(), output[1].truncate(), "{kind}: shaded with the geometric normal");
@@ -185,18 +176,5 @@ fn disks() {
         let own = DVec3::new(rho * sin, random.within(-0.01, 0.01), rho * cos);
         let v = (1.0 - rho) / (1.0 - HOLE);
         Expected { place: k % 2, own, gradient: DVec3::Y, value: own.y, uv: [turned(own), v] }
-    });
-}
-
-/// u round the axis, v round the tube; both are seen unmirrored from outside.
-#[test]
-fn tori() {
-    check("torus", "tori", places(100), |random, k| {
-        let (theta, phi) = (random.within(-PI, PI), random.within(-PI, PI));
-        let value = random.within(-0.01, 0.01);
-        let away = DVec3::new(theta.sin(), 0.0, theta.cos());
-        let gradient = phi.cos() * away + phi.sin() * DVec3::Y;
-        let own = (1.0 - TUBE) * away + (TUBE + value) * gradient;
-        Expected { place: k % 2, own, gradient, value, uv: [turned(own), 0.5 + phi / TAU] }
     });
 }

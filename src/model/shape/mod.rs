@@ -17,7 +17,6 @@ mod plane;
 mod read;
 mod solid;
 mod sphere;
-mod torus;
 mod travel;
 
 use std::fmt;
@@ -44,7 +43,6 @@ pub use plane::Plane;
 pub(crate) use read::read;
 pub use solid::{Placed, Solid};
 pub use sphere::Sphere;
-pub use torus::Torus;
 pub use travel::Travel;
 
 /// Reads a shape, with the map from its own space that its keys make; none if it cannot be used. `across` is twice the radius of
@@ -58,20 +56,12 @@ pub static KINDS: Kinds<Read> = Kinds {
     chooser: "shape",
     meaning: "what it is",
     example: Some("sphere"),
-    all: &[&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &torus::KIND, &mesh::KIND],
+    all: &[&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &mesh::KIND],
 };
 
 /// Every solid, by name.
-pub const SOLIDS: [&Solid; 8] = [
-    &cuboid::SOLID,
-    &cylinder::SOLID,
-    &disk::SOLID,
-    &sphere::ELLIPSOID,
-    &plane::SOLID,
-    &sphere::SOLID,
-    &torus::SOLID,
-    &mesh::SOLID,
-];
+pub const SOLIDS: [&Solid; 7] =
+    [&cuboid::SOLID, &cylinder::SOLID, &disk::SOLID, &sphere::ELLIPSOID, &plane::SOLID, &sphere::SOLID, &mesh::SOLID];
 
 /// A shape in its own space, where its size is about 1.
 pub trait Shape: fmt::Debug + Send + Sync + Same {

@@ -50,7 +50,7 @@ impl Solid {
 pub struct Placed {
     /// Its centre.
     pub center: DVec3,
-    /// For spheres the radius, for disks the hole's and for tori the tube's, in own units.
+    /// For spheres the radius, for disks the hole's, in own units.
     pub number: f64,
     /// Rows of the affine map from the scene's space to the shape's own.
     pub rows: [DVec4; 3],

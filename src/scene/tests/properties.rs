@@ -2,7 +2,7 @@
 
 use super::{Override, Scene};
 use crate::model::Shape;
-use crate::model::shape::{Cylinder, Disk, Sphere, Torus, round_up};
+use crate::model::shape::{Cylinder, Disk, Sphere, round_up};
 use crate::scene::{Mesh, TEMPLATES, Transform};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -85,33 +85,6 @@ proptest! {
             prop_assert!(sampled <= far * (1.0 + 1e-9), "{sampled} {far}");
             prop_assert!(far <= sampled * 1.0001, "{sampled} {far}");
         }
-    }
-
-    /// What is scaled evenly, exactly so far; sheared, at least so far. The box about it holds all of it, and touches it.
-    #[test]
-    fn a_torus_is_in_its_reach_and_its_box(
-        own in vector(0.1..5.0), tilt in vector(-180.0..180.0), scale in vector(0.1..5.0), rotate in vector(-180.0..180.0),
-        center in vector(-3.0..3.0), even in any::<bool>(),
-    ) {
-        let own = Transform::new(if even { DVec3::ONE } else { own }, tilt, DVec3::ZERO).0;
-        let scale = if even { DVec3::splat(scale.x) } else { scale };
-        let map = Transform::new(scale, rotate, DVec3::ONE).0 * own;
-        let turn = |i: i32| (f64::from(i) * std::f64::consts::TAU / 300.0).sin_cos();
-        let points = (0..90_000).map(|i| {
-            let ((z, x), (y, out)) = (turn(i / 300), turn(i % 300));
-            let rho = 0.75 + 0.25 * out;
-            map.transform_point3(DVec3::new(rho * x, 0.25 * y, rho * z))
-        });
-        let nothing = (0.0_f64, DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (sampled, lowest, highest) = points.fold(nothing, |(far, lo, hi), p| (far.max(p.distance(center)), lo.min(p), hi.max(p)));
-        let torus = Torus { tube: 0.25 };
-        let far = torus.reach(map, center).expect("a reach");
-        prop_assert!(sampled <= far * (1.0 + 1e-9), "{sampled} {far}");
-        prop_assert!(!even || far <= sampled * 1.001, "{sampled} {far}");
-        let (lo, hi) = torus.bounds(map);
-        let slack = 1e-3 * (hi - lo);
-        prop_assert!((lo - lowest).cmple(DVec3::splat(1e-9)).all() && (lowest - lo).cmple(slack).all(), "{lo} {lowest}");
-        prop_assert!((highest - hi).cmple(DVec3::splat(1e-9)).all() && (hi - highest).cmple(slack).all(), "{hi} {highest}");
     }
 
     /// Where the centre is the object's own but for rounding, λ is not to be told from the square of the longest axis.
