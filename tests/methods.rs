@@ -23,11 +23,6 @@ enum For {
 /// A setting of `[rays]`, the laws it is for, and all the parts of steps, controls and memories that it needs.
 const SETTINGS: &[(&str, For, &str)] = &[
     ("method=euler", For::All, "method/step/euler method/control/planned method/control/scaled method/memory_step"),
-    (
-        "method=implicit-midpoint",
-        For::All,
-        "method/step/implicit_midpoint method/control/planned method/control/scaled method/memory_step",
-    ),
     ("method=rk4", For::All, "method/step/rk4 method/control/planned method/control/scaled method/memory_step"),
     ("method=rk4 step=0.1", For::All, "method/step/rk4 method/control/planned method/control/fixed method/memory_step"),
     (

@@ -117,10 +117,9 @@ fn slope(points: &[(f64, f64)]) -> f64 {
 }
 
 /// Methods of fixed steps, their orders, whether they need an acceleration, and numbers of steps at which the order shows.
-const FIXED: [(&str, f64, bool, [u32; 3]); 5] = [
+const FIXED: [(&str, f64, bool, [u32; 3]); 4] = [
     ("euler", 1.0, false, [2000, 4000, 8000]),
     ("leapfrog", 2.0, true, [200, 400, 800]),
-    ("implicit-midpoint", 2.0, false, [200, 400, 800]),
     ("rkn4", 4.0, true, [200, 400, 800]),
     ("rk4", 4.0, false, [200, 400, 800]),
 ];

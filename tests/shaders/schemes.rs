@@ -66,12 +66,6 @@ pub fn leapfrog<V: Vector, A: Fn(V) -> V>(bend: impl Fn([V; 2]) -> A, p: [V; 2],
     [middle.plus(0.5 * h, &[(1.0, v)]), v]
 }
 
-/// By a turn more often than any of the cases needs.
-pub fn implicit_midpoint<V: Vector>(rate: impl Fn([V; 2]) -> [V; 2], p: [V; 2], h: f64) -> [V; 2] {
-    let middle = (0..100).fold(p, |middle, _| columns(p, 0.5 * h, &[(1.0, rate(middle))]));
-    columns(p, h, &[(1.0, rate(middle))])
-}
-
 /// Nyström's weights (Hairer, Nørsett, Wanner I, Table II.14.2): the places of x″ = a(x)'s stages, x's weights and v's.
 pub fn rkn4<V: Vector, A: Fn(V) -> V>(bend: impl Fn([V; 2]) -> A, p: [V; 2], h: f64) -> [V; 2] {
     let a = bend(p);

@@ -5,9 +5,7 @@ use glam::{DVec3, Vec4};
 
 use super::reals::{REALS, U64, joined3};
 use super::rounding::{Rough, rough_bend};
-use super::schemes::{
-    BOGACKI_SHAMPINE, DORMAND_PRINCE, Phase, euler, implicit_midpoint, leapfrog, lorenz_field, rate_of, rk4, rkn4,
-};
+use super::schemes::{BOGACKI_SHAMPINE, DORMAND_PRINCE, Phase, euler, leapfrog, lorenz_field, rate_of, rk4, rkn4};
 use super::{Random, U, row, wide};
 use crate::support::{gpu, probe::Probe};
 
@@ -26,15 +24,9 @@ fn rough_rate(p: [Rough; 2]) -> [Rough; 2] {
     rate_of(rough_bend, p)
 }
 
-const METHODS: [Method; 7] = [
+const METHODS: [Method; 6] = [
     Method { part: "method/step/euler", rough: |p, h| vec![euler(rough_rate, p, h)], orders: &[1.0], size: 1e-4 },
     Method { part: "method/step/leapfrog", rough: |p, h| vec![leapfrog(rough_bend, p, h)], orders: &[2.0], size: 4e-3 },
-    Method {
-        part: "method/step/implicit_midpoint",
-        rough: |p, h| vec![implicit_midpoint(rough_rate, p, h)],
-        orders: &[2.0],
-        size: 2e-3,
-    },
     Method { part: "method/step/rkn4", rough: |p, h| vec![rkn4(rough_bend, p, h)], orders: &[4.0], size: 1e-2 },
     Method { part: "method/step/rk4", rough: |p, h| vec![rk4(rough_rate, p, h)], orders: &[4.0], size: 4e-3 },
     Method {
@@ -192,25 +184,5 @@ fn local_errors_fall_as_their_order_says() {
             println!("{}: output {k} falls as h^{observed:.2}, from {first:.1e} to {second:.1e}", method.part);
             assert!((observed - order - 1.0).abs() < 0.1, "{}: output {k} falls as h^{observed:.2}", method.part);
         }
-    }
-}
-
-/// The rule keeps what is quadratic in place and velocity: x × v of a central law, to rounding.
-#[test]
-fn the_implicit_midpoint_keeps_what_is_quadratic() {
-    let mut random = Random::new(53);
-    let inputs: Vec<[Vec4; 2]> = (0..500)
-        .map(|_| {
-            let x = random.vector(3.0, 30.0);
-            [row(x, 0.2 * x.length()), row(random.vector(0.5, 1.0), 0.0)]
-        })
-        .collect();
-    let method = METHODS.iter().find(|method| method.part == "method/step/implicit_midpoint").expect("the method");
-    for (input, output) in inputs.iter().zip(method.taken(&hole(), "real/f64", &inputs)) {
-        let [x, v] = [wide(input[0]), wide(input[1])];
-        let turned = output[0][0].cross(output[0][1]) - x.cross(v);
-        // Products and sums of the two steps, and what the last turn leaves of the middle.
-        let bound = 64.0 * U64 * x.length() * v.length();
-        assert!(turned.length() <= bound, "{turned} at {input:?}");
     }
 }

@@ -9,7 +9,6 @@ mod dormand_prince;
 mod euler;
 mod exact;
 mod groeller;
-mod implicit_midpoint;
 mod leapfrog;
 mod planar;
 mod rk4;
@@ -27,12 +26,11 @@ use crate::document::values::positive;
 use crate::document::{Key, KeyReference, kind_rows};
 
 /// Every method, in the order of the reference and of charts.
-pub const METHODS: [&Kind; 12] = [
+pub const METHODS: [&Kind; 11] = [
     &exact::KIND,
     &planar::KIND,
     &separated::KIND,
     &euler::KIND,
-    &implicit_midpoint::KIND,
     &leapfrog::KIND,
     &rkn4::KIND,
     &rk4::KIND,
