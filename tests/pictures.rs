@@ -35,9 +35,9 @@ fn state_on_the_device_is_small() {
         let most = if scene.rays.length.is_some() { 104 + 2 * 16 } else { 104 };
         assert!(plain <= most, "{}: {plain} bytes a pixel", path.display());
         let layered = bytes(&scene, &Choice { layers: Layer::ALL.to_vec(), ..fused() });
-        // Depth, object, status, steps, length and shift at 4 bytes, two vectors at 12; the steps and rejections that are counted for them; and what
+        // Depth, object, status, steps and shift at 4 bytes, two vectors at 12; the steps and rejections that are counted for them; and what
         // fills up a struct of vectors.
-        assert!(layered - plain <= 6 * 4 + 2 * 12 + 2 * 4 + 12, "{}: {layered}", path.display());
+        assert!(layered - plain <= 5 * 4 + 2 * 12 + 2 * 4 + 12, "{}: {layered}", path.display());
         scene.rays.max_segments = 100_000;
         assert_eq!(bytes(&scene, &fused()), plain);
         // A path in one pass leaves nothing but its color, which takes as much as four numbers.
@@ -51,44 +51,6 @@ fn state_on_the_device_is_small() {
 fn rendered(scene: &Scene, settings: RenderSettings) -> Rendering {
     let gpu = gpu();
     Renderer::new(&gpu, scene, settings).unwrap().picture().unwrap()
-}
-
-/// The values of the layer of lengths, and how the rays ended.
-fn lengths(scene: &Scene) -> (Vec<f32>, Vec<DVec3>, Vec<u32>) {
-    let choice = Choice { layers: vec![Layer::Length, Layer::Position, Layer::Status], ..Choice::default() };
-    let band = rendered(scene, RenderSettings { choice, ..RenderSettings::default() }).band;
-    let (Some(Plane::Scalar(lengths)), Some(Plane::Vector([x, y, z])), Some(Plane::Id(statuses))) =
-        (band.layer(Layer::Length), band.layer(Layer::Position), band.layer(Layer::Status))
-    else {
-        panic!("no such layers")
-    };
-    let place = |i: usize| DVec3::new(x[i].into(), y[i].into(), z[i].into());
-    (lengths.clone(), (0..x.len()).map(place).collect(), statuses.clone())
-}
-
-/// Straight rays are as long as their ends are far; of bent ones an equation of the orbit and general steps say the same; and rays that end
-/// by their length have that.
-#[test]
-fn the_layer_of_lengths_is_tau() {
-    let straight = HOLE.replace("kind = \"schwarzschild\"", "kind = \"straight\"");
-    let (got, places, _) = lengths(&scene(&straight));
-    for (length, place) in got.iter().zip(&places) {
-        let far = place.distance(DVec3::new(0.0, 2.0, 15.0));
-        // Rounding of both ends' coordinates, and of the few operations between.
-        assert!((f64::from(*length) / far - 1.0).abs() < 2e-6, "{length} to {place}, which is {far} away");
-    }
-    let followed = |rays: &str| lengths(&scene(&HOLE.replace("[rays]\n", &format!("[rays]\n{rays}\n"))));
-    let (planar, _, ends) = followed("method = \"planar\"\nscaled_step = 0.02");
-    let (stepped, _, others) = followed("method = \"dormand-prince\"\ntolerance = 1e-6");
-    let escaped = |i: &usize| ends[*i] == Status::Escaped.code() && others[*i] == ends[*i];
-    let mut errors: Vec<f32> = (0..ends.len()).filter(escaped).map(|i| (planar[i] / stepped[i] - 1.0).abs()).collect();
-    errors.sort_by(f32::total_cmp);
-    assert!(errors.len() > 3000, "{} escape", errors.len());
-    let [usual, worst] = [errors[errors.len() / 2], errors[errors.len() * 99 / 100]];
-    assert!(usual < 1e-5 && worst < 1e-3, "{usual} {worst}");
-    let (cut, _, ends) = followed("length = 7.5");
-    let ended: Vec<f32> = (0..ends.len()).filter(|i| ends[*i] == Status::Ended.code()).map(|i| cut[i]).collect();
-    assert!(ended.len() > 3000 && ended.iter().all(|length| (length / 7.5 - 1.0).abs() < 1e-6), "{}", ended.len());
 }
 
 /// Tiles of any size give the same picture, samples and layers with it.

@@ -1,7 +1,6 @@
 // Layers of a ray's end, besides its colour: of a pixel's first sample, for positions and ids have no average.
 
 var<storage, read_write> pixel_layer_depth: array<f32>;
-var<storage, read_write> pixel_layer_length: array<f32>;
 var<storage, read_write> pixel_layer_normal: array<vec3f>;
 var<storage, read_write> pixel_layer_object: array<u32>;
 var<storage, read_write> pixel_layer_position: array<vec3f>;
@@ -13,12 +12,6 @@ var<storage, read_write> pixel_layer_way: array<vec3f>;
 // How far along its path the ray ended, in segments: whole ones and a fraction (W04 §3.3's depth).
 fn keep_depth(pixel: vec2u, ray: Ray, seen: Seen) {
     pixel_layer_depth[place_in_tile(pixel)] = f32(ray.index) + f32(seen.end.fraction);
-}
-
-// How far along its path the ray ended, in the path's parameter; 0 where that is no number.
-fn keep_length(pixel: vec2u, ray: Ray, seen: Seen) {
-    let tau = f32(seen.end.tau);
-    pixel_layer_length[place_in_tile(pixel)] = select(0.0, tau, abs(tau) < 1e38);
 }
 
 // The surface's normal, towards the viewer; 0 where nothing was hit.

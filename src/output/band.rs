@@ -16,7 +16,6 @@ pub const fn channels(layer: Layer) -> &'static [&'static str] {
         Layer::Object => &["id.object"],
         Layer::Status => &["id.status"],
         Layer::Steps => &["steps"],
-        Layer::Length => &["length"],
         Layer::Shift => &["shift"],
         Layer::Samples => &["samples"],
         Layer::Error => &["error"],
@@ -52,7 +51,7 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
 
 fn suits(plane: &Plane, layer: Layer) -> bool {
     match plane {
-        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error | Layer::Length | Layer::Shift | Layer::Spread),
+        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error | Layer::Shift | Layer::Spread),
         Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way | Layer::Sums | Layer::Orders),
         Plane::Id(_) => is_id(layer),
     }

@@ -15,8 +15,6 @@ pub enum Layer {
     Status,
     /// Integration steps.
     Steps,
-    /// How far along its path the ray ended, in the path's parameter τ.
-    Length,
     /// The frequency of what the ray saw, over that at its source.
     Shift,
     /// Rays that the pixel took.
@@ -35,14 +33,13 @@ pub enum Layer {
 
 impl Layer {
     /// Every layer that files hold.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 12] = [
         Self::Depth,
         Self::Position,
         Self::Normal,
         Self::Object,
         Self::Status,
         Self::Steps,
-        Self::Length,
         Self::Shift,
         Self::Samples,
         Self::Error,
@@ -67,7 +64,6 @@ impl Layer {
             Self::Object => "object",
             Self::Status => "status",
             Self::Steps => "steps",
-            Self::Length => "length",
             Self::Shift => "shift",
             Self::Samples => "samples",
             Self::Error => "error",
@@ -88,7 +84,6 @@ impl Layer {
             Self::Object => "The object, from 1; 0 for none",
             Self::Status => "How the ray ended",
             Self::Steps => "Integration steps",
-            Self::Length => "How far along its path the ray ended, in the path's parameter τ",
             Self::Shift => "The frequency of the light that a ray saw, over that at its source",
             Self::Samples => "Rays that the pixel took",
             Self::Error => "The standard error of the pixel's mean luminance, with paths or adaptive sampling",

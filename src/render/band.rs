@@ -103,7 +103,7 @@ impl TilePlace {
 
 fn empty_plane(layer: Layer, pixels: usize) -> Plane {
     match layer {
-        Layer::Depth | Layer::Error | Layer::Length | Layer::Shift | Layer::Spread => Plane::Scalar(vec![0.0; pixels]),
+        Layer::Depth | Layer::Error | Layer::Shift | Layer::Spread => Plane::Scalar(vec![0.0; pixels]),
         Layer::Position | Layer::Normal | Layer::Way | Layer::Sums | Layer::Orders => {
             Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]])
         }

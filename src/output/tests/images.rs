@@ -37,7 +37,6 @@ fn bands(width: u32, heights: &[u32]) -> Vec<Band> {
             layers: vec![
                 (Layer::Steps, id(u32::MAX)),
                 (Layer::Depth, Plane::Scalar(plane(4))),
-                (Layer::Length, Plane::Scalar(plane(22))),
                 (Layer::Shift, Plane::Scalar(plane(18))),
                 (Layer::Position, Plane::Vector([5, 6, 7].map(plane))),
                 (Layer::Normal, Plane::Vector([8, 9, 10].map(plane))),

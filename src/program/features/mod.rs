@@ -330,8 +330,7 @@ impl Features {
     /// Does something ask how far along its path a ray is?
     #[must_use]
     pub fn asks_tau(&self) -> bool {
-        let is_kept = self.layers.contains(&Layer::Length);
-        self.needs_arcs || is_kept || !matches!(self.purpose, Purpose::Picture | Purpose::Bare)
+        self.needs_arcs || !matches!(self.purpose, Purpose::Picture | Purpose::Bare)
     }
 }
 
