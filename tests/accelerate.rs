@@ -35,11 +35,14 @@ fn triangles(random: &mut Random, count: usize) -> String {
     obj
 }
 
+/// Shapes of every solid that has lists.
+const SHAPES: [&str; 6] = ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"];
+
 /// So many of all shapes, about so large, in places that overlap.
 fn shapes(random: &mut Random, of_each: usize, about: f64) -> String {
     let mut text = String::new();
     for i in 0..of_each {
-        for shape in ["sphere", "ellipsoid", "box", "cylinder", "plane", "disk"] {
+        for shape in SHAPES {
             let (place, angles) = (point(random, 6.0), point(random, 180.0));
             let size = about * (2.0 / 3.0 + 2.0 / 3.0 * random.unit());
             let kind = if shape == "ellipsoid" { "sphere" } else { shape };
@@ -151,7 +154,7 @@ fn the_structure_follows_the_scene() {
         );
         Scene::parse(&text, Path::new("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
     };
-    let all = 6;
+    let all = SHAPES.len();
     for (accelerate, of_each, search, kinds) in [
         ("auto", 2, Search::Hierarchy, 0),
         ("auto", 6, Search::Hierarchy, 0),
@@ -266,10 +269,10 @@ fn a_structure_is_kept_while_nothing_moves() {
         Geometry::after(before, scene).structure
     };
     let first = Geometry::new(&scene(&text)).structure;
-    assert!(first.items.len() == 120 && first.nodes.len() > 20);
+    assert!(first.items.len() == 20 * SHAPES.len() && first.nodes.len() > 20);
     assert_eq!(after(&first, &scene(&text)), first);
     let mut moved = scene(&text);
-    moved.objects[0].transform = moved.objects[6].transform;
+    moved.objects[0].transform = moved.objects[SHAPES.len()].transform;
     let fresh = Geometry::new(&moved).structure;
     assert!(fresh != first);
     assert_eq!(after(&first, &moved), fresh);

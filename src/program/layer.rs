@@ -54,7 +54,7 @@ impl Layer {
         !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread | Self::Orders)
     }
 
-    /// The name of its file in `shaders/picture/layer/`, if it is of a ray; its texture is `layer_` and this.
+    /// Its name. If it is of a ray, `keep_` and this is its function in `shaders/picture/layers.wgsl`, and `layer_` and this what is kept.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

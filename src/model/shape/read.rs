@@ -56,11 +56,7 @@ fn object(
     let transform = place?;
     let travel = travel::read(table, law, Some(ball(shape.radius(), &transform).0));
     if travel.is_some() && shape.mesh().is_some() {
-        table.fault(
-            &["orbit", "velocity"],
-            "meshes stand still",
-            "move a sphere, a box, a cylinder, a disk or a plane",
-        );
+        table.fault(&["orbit", "velocity"], "meshes stand still", "move a shape that is no mesh");
     }
     if let Some((centers, radius)) = bound {
         let reach = |center: &DVec3| match travel {
@@ -90,7 +86,7 @@ fn substance(
     let interior = medium::read_interior(table, node, around, files);
     let priority = table.or("priority", 0, whole(0..=1000));
     if let Some(problem) = object.and_then(|(shape, _)| shape.refuses_interior()) {
-        table.fault(&["interior"], problem, "give it a `material`, or use a closed shape");
+        table.fault(&["interior"], problem, "give it a `material`, or use another shape, such as a closed mesh");
     }
     interior.map(|interior| Substance::Clear(Interior { priority, ..interior }))
 }

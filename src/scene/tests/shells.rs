@@ -298,7 +298,7 @@ fn an_open_interior_is_a_mistake() {
     let mistakes = mistakes_of(parse(&text));
     let problem = "the mesh is not closed: the edge at [0.5000, 0.0000, 0.0000] has no second triangle";
     assert_eq!(mistakes[0].problem, problem);
-    assert_eq!(mistakes[0].help, "give it a `material`, or use a closed shape");
+    assert_eq!(mistakes[0].help, "give it a `material`, or use another shape, such as a closed mesh");
 }
 
 /// Boxes that are all apart or nested, by halving a cube again and again.
