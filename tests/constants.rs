@@ -7,7 +7,7 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` that make up what they ask for, and all that this can be.
-const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
+const COMPUTED: [(&str, &[(&str, &str)]); 5] = [
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[
@@ -36,18 +36,6 @@ const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
             ("filter/texture/rainbow", "RAINBOW"),
             ("filter/texture/ramp", "RAMP"),
             ("filter/texture/marble", "MARBLE"),
-        ],
-    ),
-    (
-        "&format!(\"shape/{solid}\"), &solid.to_uppercase()",
-        &[
-            ("shape/sphere", "SPHERE"),
-            ("shape/ellipsoid", "ELLIPSOID"),
-            ("shape/plane", "PLANE"),
-            ("shape/box", "BOX"),
-            ("shape/cylinder", "CYLINDER"),
-            ("shape/disk", "DISK"),
-            ("shape/triangle", "TRIANGLE"),
         ],
     ),
     (

@@ -1,7 +1,5 @@
 // Boxes, by slabs in their own space.
 
-const BOX: u32 = 0x20000000u;
-
 var<storage, read> boxes: array<Placed>;
 var<uniform> box_list: array<OwnSpace, BOX_COUNT>;
 

@@ -1,7 +1,5 @@
 // Closed cylinders about y, mantle and both faces, in their own space.
 
-const CYLINDER: u32 = 0x50000000u;
-
 var<storage, read> cylinders: array<Placed>;
 var<uniform> cylinder_list: array<OwnSpace, CYLINDER_COUNT>;
 

@@ -1,7 +1,5 @@
 // Flat round disks, perhaps with a round hole: hole² ≤ x² + z² ≤ 1 in y = 0 of their own space.
 
-const DISK: u32 = 0x60000000u;
-
 struct DiskSpace {
     row_x: Real4,
     row_y: Real4,

@@ -1,7 +1,5 @@
 // Ellipsoids: spheres scaled differently along their axes, tested in their own space.
 
-const ELLIPSOID: u32 = 0x10000000u;
-
 var<storage, read> ellipsoids: array<Placed>;
 var<uniform> ellipsoid_list: array<OwnSpace, ELLIPSOID_COUNT>;
 

@@ -1,7 +1,5 @@
 // Flat rectangles: the square |x|, |z| ≤ 1 of y = 0 in their own space.
 
-const PLANE: u32 = 0x30000000u;
-
 var<storage, read> planes: array<Placed>;
 var<uniform> plane_list: array<OwnSpace, PLANE_COUNT>;
 

@@ -1,7 +1,5 @@
 // Spheres (W04 §3.3, with the finite extent of a piece).
 
-const SPHERE: u32 = 0x00000000u;
-
 struct Ball {
     center: Real3,
     radius: Real,

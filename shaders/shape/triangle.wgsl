@@ -1,7 +1,5 @@
 // Triangles, always in the scene's structure.
 
-const TRIANGLE: u32 = 0x40000000u;
-
 // What a segment is tested against, in one place in memory.
 struct Corners {
     p: Real3,

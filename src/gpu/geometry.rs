@@ -10,7 +10,7 @@ use super::structure::Built;
 use crate::assets::{Mesh, Vertex};
 use crate::model::Object;
 use crate::model::shape::{Placed, SOLIDS, Solid};
-use crate::program::{Analysis, Extent, Structure, constant};
+use crate::program::{Analysis, Extent, Structure, constant, solid_code};
 use crate::scene::Scene;
 
 /// A shape other than a mesh, in its place.
@@ -28,9 +28,9 @@ pub struct PlacedShape {
     pub moves: bool,
 }
 
-/// A solid in the upper bits of a primitive.
-fn code(solid: &str) -> u32 {
-    constant(&format!("shape/{solid}"), &solid.to_uppercase()) as u32
+/// A solid in the upper bits of a primitive, by its name.
+fn code(name: &str) -> u32 {
+    SOLIDS.into_iter().find(|solid| solid.name == name).map_or(0, solid_code)
 }
 
 /// An instance in the upper bits of an item.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::{FileSettings, OutputError};
-use crate::program::Layer;
+use crate::program::{Layer, LayerKind};
 use crate::render::{Band, Plane};
 
 /// The names of a layer's channels in an EXR file, in component order.
@@ -34,12 +34,6 @@ pub(super) fn channel_names(settings: &FileSettings) -> Vec<&'static str> {
     names
 }
 
-/// Whether a layer's samples are unsigned integers rather than floats.
-#[must_use]
-pub const fn is_id(layer: Layer) -> bool {
-    matches!(layer, Layer::Object | Layer::Status | Layer::Steps | Layer::Samples)
-}
-
 /// The bytes of each component, in the machine's byte order.
 pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
     match plane {
@@ -50,11 +44,12 @@ pub(super) fn components(plane: &Plane) -> Vec<&[u8]> {
 }
 
 fn suits(plane: &Plane, layer: Layer) -> bool {
-    match plane {
-        Plane::Scalar(_) => matches!(layer, Layer::Depth | Layer::Error | Layer::Shift | Layer::Spread),
-        Plane::Vector(_) => matches!(layer, Layer::Position | Layer::Normal | Layer::Way | Layer::Sums | Layer::Orders),
-        Plane::Id(_) => is_id(layer),
-    }
+    let kind = match plane {
+        Plane::Scalar(_) => LayerKind::Scalar,
+        Plane::Vector(_) => LayerKind::Vector,
+        Plane::Id(_) => LayerKind::Id,
+    };
+    kind == layer.kind()
 }
 
 /// What keeps `band` from being the one at row `next` of a picture of `size` with `alpha` and `layers`, if anything.

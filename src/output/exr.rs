@@ -27,10 +27,10 @@ use ::exr::{
 };
 use rayon::prelude::*;
 
-use super::band::{Rows, channels as channels_of, components, is_id};
+use super::band::{Rows, channels as channels_of, components};
 use super::origin::{SHOWN, shown_words};
 use super::{AtomicFile, FileSettings, ImageWriter, OutputError};
-use crate::program::Layer;
+use crate::program::{Layer, LayerKind};
 use crate::render::Band;
 
 /// Rows per block of ZIP compression.
@@ -158,7 +158,7 @@ pub(super) fn header(settings: &FileSettings) -> Header {
         names.push(("A", SampleType::F32));
     }
     for layer in sorted_layers(settings) {
-        let kind = if is_id(layer) { SampleType::U32 } else { SampleType::F32 };
+        let kind = if layer.kind() == LayerKind::Id { SampleType::U32 } else { SampleType::F32 };
         names.extend(channels_of(layer).iter().map(|name| (*name, kind)));
     }
     names.sort_unstable_by_key(|(name, _)| *name);

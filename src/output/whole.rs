@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::band::{channel_names, channels as channels_of, is_id};
+use super::band::{channel_names, channels as channels_of};
 use super::part::Part;
 use super::{FileSettings, OutputError};
+use crate::program::LayerKind;
 use crate::render::{Band, Plane};
 
 /// What the EXR at `path` would be written with, and all that is in it.
@@ -30,7 +31,7 @@ pub fn picture(path: &Path) -> Result<(FileSettings, Band), OutputError> {
     let color = ["R", "G", "B"].map(&mut floats);
     let alpha = settings.alpha.then(|| floats("A"));
     let mut plane = |layer| match channels_of(layer) {
-        [name] if is_id(layer) => Plane::Id(bytemuck::cast_vec(floats(name))),
+        [name] if layer.kind() == LayerKind::Id => Plane::Id(bytemuck::cast_vec(floats(name))),
         [x, y, z] => Plane::Vector([x, y, z].map(|name| floats(name))),
         names => Plane::Scalar(names.first().map(|name| floats(name)).unwrap_or_default()),
     };

@@ -31,7 +31,28 @@ pub enum Layer {
     Way,
 }
 
+/// What a layer is of each pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LayerKind {
+    /// A number.
+    Scalar,
+    /// Three numbers.
+    Vector,
+    /// A whole number.
+    Id,
+}
+
 impl Layer {
+    /// Returns what it is of each pixel.
+    #[must_use]
+    pub fn kind(self) -> LayerKind {
+        match self {
+            Self::Depth | Self::Error | Self::Shift | Self::Spread => LayerKind::Scalar,
+            Self::Position | Self::Normal | Self::Way | Self::Sums | Self::Orders => LayerKind::Vector,
+            Self::Object | Self::Status | Self::Steps | Self::Samples => LayerKind::Id,
+        }
+    }
+
     /// Every layer that files hold.
     pub const ALL: [Self; 12] = [
         Self::Depth,

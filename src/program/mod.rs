@@ -55,9 +55,9 @@ pub use choice::{Choice, Masks, Pass, Purpose, Schedule};
 pub use error::ProgramError;
 pub use features::Features;
 
-pub use generated::all_shots;
+pub use generated::{all_shots, solid_code, solid_codes};
 pub use interface::{Access, Role, SceneValue, Slot, StatePart};
-pub use layer::Layer;
+pub use layer::{Layer, LayerKind};
 pub use link::{link, link_all};
 pub use linked::Linked;
 pub use parts::{Part, all_parts, constant, part};

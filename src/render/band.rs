@@ -1,7 +1,7 @@
 //! Rows of a picture in the host's memory: what finished tiles come to, and what files are written from.
 
 use super::{RenderError, Totals};
-use crate::program::Layer;
+use crate::program::{Layer, LayerKind};
 
 /// Values of a layer, row by row.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,12 +102,10 @@ impl TilePlace {
 }
 
 fn empty_plane(layer: Layer, pixels: usize) -> Plane {
-    match layer {
-        Layer::Depth | Layer::Error | Layer::Shift | Layer::Spread => Plane::Scalar(vec![0.0; pixels]),
-        Layer::Position | Layer::Normal | Layer::Way | Layer::Sums | Layer::Orders => {
-            Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]])
-        }
-        Layer::Object | Layer::Status | Layer::Steps | Layer::Samples => Plane::Id(vec![0; pixels]),
+    match layer.kind() {
+        LayerKind::Scalar => Plane::Scalar(vec![0.0; pixels]),
+        LayerKind::Vector => Plane::Vector([vec![0.0; pixels], vec![0.0; pixels], vec![0.0; pixels]]),
+        LayerKind::Id => Plane::Id(vec![0; pixels]),
     }
 }
 

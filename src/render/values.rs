@@ -7,7 +7,7 @@ use super::records::Records;
 use super::watch::Round;
 use super::{Clamped, Noise, RenderError, Renderer};
 use crate::gpu::Tile;
-use crate::program::{Layer, Role};
+use crate::program::{Layer, LayerKind, Role};
 
 /// What the device has kept of a tile's pixels.
 pub(super) struct Values<'r> {
@@ -101,7 +101,7 @@ impl Values<'_> {
                 let mean = |sum: u32| (f32::from_bits(sum) * weight).to_bits();
                 Some(vector("orders")?.into_iter().map(mean).collect())
             }
-            (Layer::Position | Layer::Normal | Layer::Way, _) => vector(&format!("layer_{}", layer.name())),
+            (layer, _) if layer.kind() == LayerKind::Vector => vector(&format!("layer_{}", layer.name())),
             (layer, _) => number(&format!("layer_{}", layer.name())),
         }
     }

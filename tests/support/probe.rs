@@ -8,9 +8,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use bentray::gpu::{Gpu, Pipeline, pack};
+use bentray::model::shape::SOLIDS;
 use bentray::model::{Row, Value};
 use bentray::program::{
     Analysis, BindingKind, Choice, Features, Layout, Linked, Parts, Reflection, Unit, link, part, plan, reflect,
+    solid_codes,
 };
 use glam::{DVec3, Vec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
@@ -169,6 +171,9 @@ impl Probe {
             .filter(|name| !shared.iter().any(|unit| unit.text.contains(&format!("const {name}:"))));
         let generated: Vec<&str> = generated.collect();
         shared.push(features(&self.features, &generated));
+        if !shared.iter().any(|unit| unit.file == "generated/shapes.wgsl") {
+            shared.push(Unit::generated("codes.wgsl", solid_codes(&SOLIDS)));
+        }
         let parts = Parts { shared, ..Parts::default() };
         let linked = link(&parts, "probe").unwrap_or_else(|error| panic!("{error}"));
         let reflection = reflect(&linked).unwrap_or_else(|error| panic!("{error}"));

@@ -12,6 +12,7 @@ use crate::model::shape::SOLIDS;
 use crate::model::source;
 use crate::scene::Scene;
 pub(super) use shapes::{lists, near, shapes};
+pub use shapes::{solid_code, solid_codes};
 pub(super) use switch::{switch, unit};
 
 /// Paths that are looked for from a light to a place, at most: about one centre two by either side; else one from each first direction,

@@ -3,11 +3,30 @@
 use std::fmt::Write as _;
 
 use super::switch::{switch, unit};
-use crate::model::shape::Solid;
+use crate::model::shape::{SOLIDS, Solid};
 use crate::program::regions::Regions;
 use crate::program::unit::Unit;
-use crate::program::{Analysis, PARTS};
+use crate::program::{Analysis, PARTS, constant};
 use crate::scene::{Object, Scene};
+
+/// A solid in the upper bits of a primitive: its place in the table of all.
+///
+/// # Panics
+///
+/// Where the table does not have it.
+#[must_use]
+pub fn solid_code(solid: &Solid) -> u32 {
+    let place = SOLIDS.iter().position(|other| other.name == solid.name);
+    let place = place.unwrap_or_else(|| panic!("{} is in no table", solid.name));
+    place as u32 * (constant("segment/ray", "PRIMITIVE_INDEX") as u32 + 1)
+}
+
+/// The codes as WGSL.
+#[must_use]
+pub fn solid_codes(solids: &[&Solid]) -> String {
+    let code = |solid: &&Solid| format!("const {}: u32 = {:#x}u;\n", solid.name.to_uppercase(), solid_code(solid));
+    solids.iter().map(code).collect()
+}
 
 /// Where a piece meets an item of the structure, or one that moves, and the surface of a primitive; of one that moves, at rest.
 pub(in crate::program) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid], moving: &[&Solid]) -> Unit {
@@ -21,7 +40,7 @@ pub(in crate::program) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&
         all.iter().filter(|solid| moving.contains(solid)).map(|solid| case(solid, fraction(solid))).collect();
     let fractions: Vec<_> =
         structure.solids.iter().filter(has_kind).map(|solid| case(solid, fraction(solid))).collect();
-    let mut text = String::new();
+    let mut text = solid_codes(all) + "\n";
     if structure.once {
         let head = Head {
             name: "item_fraction",
