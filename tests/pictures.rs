@@ -27,7 +27,7 @@ fn state_on_the_device_is_small() {
         let geometry = Geometry::new(&scene);
         let bytes = |scene: &Scene, choice: &Choice| {
             let program = Program::new(scene, &geometry.analysis, choice, geometry.extent()).unwrap();
-            memory(&program, program.features.slots).bytes_per_pixel()
+            memory(&program).bytes_per_pixel()
         };
         let fused = || Choice { schedule: Schedule::Fused, ..Choice::default() };
         let plain = bytes(&scene, &fused());

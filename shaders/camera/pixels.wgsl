@@ -7,5 +7,5 @@ fn sampled_pixel(pixel: vec2u) -> vec2u {
     if !CHOOSES_PIXELS {
         return frame.origin + pixel;
     }
-    return chosen[min(pixel.y * frame.size.x + pixel.x, arrayLength(&chosen) - 1u)];
+    return chosen[min(place_in_tile(pixel), arrayLength(&chosen) - 1u)];
 }

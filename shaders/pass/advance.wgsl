@@ -1,4 +1,4 @@
-// K segments with all their stages in one pass (`fused`): integrate, intersect, terminate, scatter, the state through the textures
+// K segments with all their stages in one pass (`fused`): integrate, intersect, terminate, scatter, through the state's slots
 // only between passes. A pass ends at a segment's boundary, before the device's limit of loop iterations, or where a walk is
 // suspended.
 

@@ -8,7 +8,7 @@ fn bare(own: Invocation) {
     let spot = grid_pixel(own);
     let word = load_status(spot.pixel);
     load_region(spot.pixel);
-    let wanted = wanted_steps[spot.pixel.y * frame.size.x + spot.pixel.x];
+    let wanted = wanted_steps[place_in_tile(spot.pixel)];
     let ray = bare_steps(load_ray(spot.pixel, word), select(0u, wanted, spot.valid));
     if spot.valid {
         store_ray(spot.pixel, ray);

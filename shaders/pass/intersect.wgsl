@@ -12,11 +12,9 @@ fn intersect(own: Invocation) {
         let hit = first_hit(segment, nearby(segment), spot.pixel);
         if spot.code == ALIVE && !walk_suspended() {
             store_hit(spot.pixel, hit);
-            if COUNTS_LOOPS {
-                // What was found by loops that were cut short is no end.
-                if is_spent() {
-                    store_status(spot.pixel, status_word(known_status(ALIVE), dispatch.start, spot.index));
-                }
+            // What was found by loops that were cut short is no end.
+            if is_spent() {
+                store_status(spot.pixel, status_word(known_status(ALIVE), dispatch.start, spot.index));
             }
         }
     }

@@ -26,7 +26,7 @@ fn record(own: Invocation) {
         let ray = load_ended(pixel);
         let seen = recorded_at(ray, load_hit(pixel));
         let depth = Real(ray.index) + seen.end.fraction;
-        let i = pixel.y * frame.size.x + pixel.x;
+        let i = place_in_tile(pixel);
         records[i] = Record(
             seen.end.x, seen.end.tau, seen.end.v, depth, ray.status, ray.steps, ray.rejected, seen.object,
             ray.phase[0].xyz, ray.phase[1].xyz,

@@ -27,7 +27,7 @@ var<storage, read_write> records: array<ShotRecord>;
 fn shots(own: Invocation) {
     let spot = grid_pixel(own);
     let pair = picture_ray(spot.pixel);
-    let i = spot.pixel.y * frame.size.x + spot.pixel.x;
+    let i = place_in_tile(spot.pixel);
     let r = records[i];
     var search = ShotSearch(Shot(r.found == 1u, r.leaves, r.arrives, r.spread, r.error), r.offset, r.gap, r.passed, r.parts);
     var clear = r.clear;

@@ -1,4 +1,4 @@
-// Paths in registers (`whole`): from the camera to the colour in one pass, which touches no texture of the state. An invocation follows
+// Paths in registers (`whole`): from the camera to the color in one pass, which touches no slot of the state. An invocation follows
 // the paths of several pixels, one after the other, so that what it does once for all of them costs each of them less. A ray that
 // outlives the pass, before the device's limit of loop iterations, is counted as alive; the host then goes over to `fused`.
 

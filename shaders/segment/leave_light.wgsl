@@ -36,7 +36,7 @@ fn light_size() -> f32 {
 }
 
 fn keep_reach(pixel: vec2u) {
-    let i = pixel.y * frame.size.x + pixel.x;
+    let i = place_in_tile(pixel);
     light_reaches[i] = select(light_reaches[i], 1u, reaches);
 }
 

@@ -85,7 +85,7 @@ fn ends_on_surface(code: u32) -> bool {
     return code == HIT || code == CUT;
 }
 
-// The status texture's word: code, the slot of the state pair where the ray's state lies, and its segment index.
+// A pixel's status in a word: the code, the slot in which the ray's state lies, and the index of its segment.
 fn status_word(code: u32, slot: u32, index: u32) -> u32 {
     return code | (slot << 4u) | (index << 6u);
 }

@@ -61,7 +61,7 @@ fn lane_invocation(own: Invocation, each: u32, k: u32) -> Invocation {
     return at;
 }
 
-// Which rays go on is told by keep_active(alive, pixel, lane) of this folder's other files. Every lane calls it, and it is a barrier
+// Which rays go on is told by keep_active(alive, pixel, lane) in state/active/. Every lane calls it, and it is a barrier
 // of the group: what its lanes have tallied before is complete behind it.
 
 // Of dispatches over the whole grid of pixels.

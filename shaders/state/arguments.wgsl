@@ -35,13 +35,13 @@ struct Schedule {
 
 var<uniform> schedule: Schedule;
 
-// What changes from pass to pass: which slots of the state pair it reads and writes.
+// What changes from dispatch to dispatch.
 struct Dispatch {
     // The slot of the segment's start.
     start: u32,
     // The slot of the segment's end.
     end: u32,
-    // 1 where a segment's walk is gone on with.
+    // 1 to go on with suspended walks.
     again: u32,
     // 1 for a round's first segments: they run over what its setup ran over, whether it lives or not.
     first: u32,

@@ -83,7 +83,7 @@ fn tally_at_once(code: u32) {
     atomicAdd(&tally.statuses[code], 1u);
 }
 
-// How the rays of one lane ended: eight bits for each status code, of up to 255 rays.
+// How the rays of one lane ended: eight bits for each of the first 16 status codes, of up to 255 rays. The last one is tallied at once.
 struct Ends {
     counts: vec4u,
 }

@@ -73,7 +73,7 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     {
         check_meshes(&program, &geometry, device)?;
     }
-    let memory = memory(&program, program.features.slots);
+    let memory = memory(&program);
     let frames_checked = check_frames(&film, &choice, &scene)?;
     Ok(Modelled {
         path,

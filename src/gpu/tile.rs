@@ -17,7 +17,7 @@ use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot};
 /// What one pixel costs on the device.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Memory {
-    /// Each texture and list of the state, with its bytes a pixel.
+    /// Each texture, buffer and list, with its bytes a pixel.
     pub items: Vec<(String, u64)>,
 }
 
@@ -26,6 +26,13 @@ impl Memory {
     #[must_use]
     pub fn bytes_per_pixel(&self) -> u64 {
         self.items.iter().map(|(_, bytes)| bytes).sum()
+    }
+
+    /// Bytes a pixel of what is read back.
+    #[must_use]
+    pub fn read_back(&self) -> u64 {
+        let read = [Role::Pixels, Role::Moments].map(|role| role.to_string());
+        self.items.iter().filter(|(name, _)| read.contains(name)).map(|(_, bytes)| bytes).sum()
     }
 
     /// Bytes a pixel of the item that takes most.
@@ -37,8 +44,8 @@ impl Memory {
 
 /// Everything that `program` allocates for each pixel, whatever the number of segments.
 #[must_use]
-pub fn memory(program: &Program, slots: usize) -> Memory {
-    let items = per_pixel(program, slots).into_iter().map(|item| (item.role.to_string(), item.storage.bytes()));
+pub fn memory(program: &Program) -> Memory {
+    let items = per_pixel(program).into_iter().map(|item| (item.role.to_string(), item.storage.bytes()));
     let lists = lists(program).into_iter().map(|list| (format!("list_{}", list.number()), 4));
     Memory { items: items.chain(lists).collect() }
 }
@@ -52,7 +59,7 @@ struct PerPixel {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Storage {
     Texture(TextureFormat),
-    /// Of so many bytes a pixel: where no texture can hold the values.
+    /// Of this many bytes a pixel: what is kept for it, or its state in 64 bits.
     Buffer(u32),
 }
 
@@ -66,7 +73,7 @@ impl Storage {
 }
 
 /// What passes write for each pixel: textures first, by name.
-fn per_pixel(program: &Program, slots: usize) -> Vec<PerPixel> {
+fn per_pixel(program: &Program) -> Vec<PerPixel> {
     let mut all = BTreeMap::new();
     for Binding { kind, role, .. } in program.bindings() {
         let storage = match (kind, role) {
@@ -78,7 +85,9 @@ fn per_pixel(program: &Program, slots: usize) -> Vec<PerPixel> {
         };
         let Some(storage) = storage else { continue };
         let roles = match role {
-            Role::State(part, Slot::Output) => (0..slots).map(|slot| Role::State(*part, Slot::Fixed(slot))).collect(),
+            Role::State(part, Slot::Output) => {
+                (0..program.features.slots).map(|slot| Role::State(*part, Slot::Fixed(slot))).collect()
+            }
             role => vec![role.clone()],
         };
         for role in roles {
@@ -123,21 +132,15 @@ enum Bound<'t> {
 }
 
 impl Tile {
-    /// Allocates a tile of `size` pixels for `program`, with so many slots of state.
-    pub fn new(
-        gpu: &Gpu,
-        program: &Program,
-        size: [u32; 2],
-        slots: usize,
-        sections: &Sections,
-    ) -> Result<Self, GpuError> {
+    /// Allocates a tile of `size` pixels for `program`.
+    pub fn new(gpu: &Gpu, program: &Program, size: [u32; 2], sections: &Sections) -> Result<Self, GpuError> {
         let side = u64::from(size[0].max(size[1]));
         let allowed = u64::from(gpu.limits.max_texture_dimension_2d);
         gpu.check("max_texture_dimension_2d", "pixels along one side of a tile", allowed, side)?;
         let (textures, buffers) = (BTreeMap::new(), BTreeMap::new());
         let mut tile = Self { size, textures, buffers, lists: BTreeMap::new(), arguments: BTreeMap::new() };
         let pixels = u64::from(size[0]) * u64::from(size[1]);
-        for PerPixel { role, storage } in per_pixel(program, slots) {
+        for PerPixel { role, storage } in per_pixel(program) {
             match storage {
                 Storage::Texture(format) => {
                     let texture = texture(gpu, &role.to_string(), size, format);

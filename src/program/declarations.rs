@@ -22,7 +22,7 @@ pub(super) struct Declaration<'a> {
     named: usize,
 }
 
-/// What a text at module scope cannot be split at.
+/// Where a text cannot be split into declarations, and why.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Slip {
     /// Where it stands.
@@ -71,10 +71,10 @@ impl<'a> Declaration<'a> {
         if splices.is_empty() {
             return self;
         }
-        let shift =
-            splices.iter().filter(|(range, _)| range.end <= self.head).map(|(range, new)| new.len() - range.len());
-        let shift: usize = shift.sum();
-        let (head, named) = (self.head + shift, self.named + shift);
+        let before = || splices.iter().filter(|(range, _)| range.end <= self.head);
+        let (added, lost) =
+            before().fold((0, 0), |(added, lost), (range, new)| (added + new.len(), lost + range.len()));
+        let (head, named) = (self.head + added - lost, self.named + added - lost);
         Self { head, named, ..self }.edited(|tokens| tokens.spliced(splices))
     }
 

@@ -76,14 +76,12 @@ fn decision<'a>(tokens: &Tokens<'a>, i: usize) -> Option<Splice<'a>> {
     }
     if is_pair(i + 1) && i > 0 && begins(i - 1) {
         let changes_nothing = (tokens.word(i + 1) == "&") == value;
-        let end = if changes_nothing { i + 3 } else { operands_end(tokens, i + 3, tokens.word(i + 1)) };
-        let (range, kept) = if changes_nothing { (i..end, i + 3) } else { (i + 1..end, i) };
-        if kept == i {
-            return Some((range, Vec::new()));
+        if !changes_nothing {
+            return Some((i + 1..operands_end(tokens, i + 3, tokens.word(i + 1)), Vec::new()));
         }
-        let mut next = tokens.0.get(kept)?.clone();
+        let mut next = tokens.0.get(i + 3)?.clone();
         next.gap.clone_from(&tokens.0[i].gap);
-        return Some((i..kept + 1, vec![next]));
+        return Some((i..i + 4, vec![next]));
     }
     chosen(tokens, i, value)
 }

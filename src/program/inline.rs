@@ -16,7 +16,7 @@ use super::sources::Known;
 use super::tokens::{Splice, Token, Tokens};
 use super::unit::{Author, Unit};
 
-/// Functions of functions of functions are followed so far.
+/// How deep calls of such functions may nest.
 const ROUNDS: usize = 8;
 
 /// The declarations, without calls of functions that only hand on a value. Users' own are left as they were written.
@@ -54,7 +54,7 @@ struct Plain<'a> {
     parameters: Vec<(String, String)>,
     /// What it returns; nothing where it does nothing.
     value: Vec<Token<'a>>,
-    /// The tokens of the value that name something of module scope.
+    /// The names of module scope in the value.
     outer: Vec<String>,
 }
 

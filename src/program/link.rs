@@ -8,8 +8,8 @@
 //! `loop_counts` counts the iterations of the others, for devices with a loop budget; `selections` turns reads of short lists into choices,
 //! for processors. Then they are split into declarations: `copies` makes one copy of a region's for each kind of region, the names
 //! suffixed, and a switch wherever shared parts call one; `inline` writes functions that only hand on a value where they are called. Of
-//! each pass `lower` joins the uniforms in one block, and `bindings` what
-//! is kept for each pixel in one buffer; everything that is bound gets a number.
+//! each pass `lower` joins the uniforms in one block, and `bindings` what is kept for each pixel in one buffer; everything that is bound
+//! gets a number.
 //!
 //! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them.
 
@@ -60,7 +60,7 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
     let pass = |(entry, mut reached): (&&str, BTreeSet<usize>)| {
         let keeps = !reached.is_disjoint(&kept);
         if keeps {
-            // The struct is the same in all passes.
+            // A pass that uses one value of a pixel binds the struct of all, and needs the types of its members.
             extend(&mut reached, kept.iter().copied().collect(), &all, &by_name);
             reached.retain(|i| !kept.contains(i));
         }

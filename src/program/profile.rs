@@ -9,8 +9,8 @@ pub struct DeviceProfile {
     pub group_width: Option<u32>,
     /// Pixels that one invocation of the pass `whole` follows, one below the other.
     pub lane_pixels: u32,
-    /// Are invocations lanes of a processor's vectors? It reads a uniform faster where all lanes do before any loop, and computes all cases and
-    /// chooses one faster than it branches.
+    /// Is it a CPU, on which each invocation is a lane of a vector? It reads uniforms fastest before any loop, and selects faster than it
+    /// branches.
     pub is_processor: bool,
 }
 
@@ -38,7 +38,7 @@ impl DeviceProfile {
         }
     }
 
-    /// A GPU needs every invocation that it can get.
+    /// The default: a GPU needs every invocation that it can get.
     pub const GPU: Self = Self { loop_budget: None, group_width: None, lane_pixels: 1, is_processor: false };
 
     /// Mesa's lavapipe, which runs so many invocations side by side on a processor.

@@ -46,7 +46,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// The same of the unit in this place.
+    /// Marks them as those of the unit in this place.
     pub(super) fn of_unit(mut self, unit: usize) -> Self {
         for token in &mut self.0 {
             token.origin.unit = unit;
@@ -126,7 +126,7 @@ impl<'a> Tokens<'a> {
         i.checked_sub(1).map_or("", |i| self.word(i))
     }
 
-    /// Do these words stand at `i`, from some of the places behind it on?
+    /// Are these words at these offsets from `i`?
     pub(super) fn are(&self, i: usize, words: &[(usize, &str)]) -> bool {
         words.iter().all(|(k, word)| self.word(i + k) == *word)
     }

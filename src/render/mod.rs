@@ -6,6 +6,9 @@
 //!
 //! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
 //! dispatch drops the rays that have ended. Submissions are kept short, because drivers kill long ones.
+//!
+//! `Renderer::new` makes a scene ready for a device; `picture` renders it band by band and tile by tile, `runner` runs the steps of a tile's
+//! samples that `schedule` lists, and `values` reads what they came to. `trace` and `light_paths` have rays of their own.
 
 mod adaptive;
 mod band;

@@ -68,8 +68,8 @@ impl<'a> Renderer<'a> {
         mut settings: RenderSettings,
         grids: LightGrids,
     ) -> Result<Self, RenderError> {
-        // Whatever rays are followed for besides a picture, they end where they meet a surface.
         settings.choice.device = gpu.profile;
+        // Whatever rays are followed for besides a picture, they end where they meet a surface.
         if settings.choice.purpose != Purpose::Picture && scene.rays.paths.is_some() {
             scene.to_mut().rays.paths = None;
         }
@@ -204,15 +204,14 @@ impl<'a> Renderer<'a> {
     /// What each pixel costs on the device.
     #[must_use]
     pub fn memory(&self) -> Memory {
-        memory(&self.program, self.program.features.slots)
+        memory(&self.program)
     }
 
     /// A tile of this program's state.
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
         let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
-        let slots = self.program.features.slots;
         let plan = &self.plan;
-        let tile = Tile::new(self.gpu, &self.program, size, slots, &plan.sections())?;
+        let tile = Tile::new(self.gpu, &self.program, size, &plan.sections())?;
         if let Some(error) = pollster::block_on(scope.pop()) {
             let what = format!("a tile of {}×{} pixels", size[0], size[1]);
             return Err(GpuError::Full { what, reason: error.to_string() });
@@ -294,7 +293,7 @@ impl<'a> Renderer<'a> {
         self.settings.choice.schedule == Schedule::Whole
     }
 
-    /// Begins the totals of a render.
+    /// Adds the time that the device and the host took.
     pub(super) fn finish_totals(&self, totals: &mut Totals, clock: &Clock, started: Instant) -> Result<(), GpuError> {
         totals.device = clock.read(self.gpu)?;
         totals.wall = started.elapsed();

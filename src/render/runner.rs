@@ -124,7 +124,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         Self { renderer, tile, buffers, groups, recorded, under_way, ended: 0, told }
     }
 
-    /// What is recorded in one submission, the steps of the same stage that follow each other in one pass.
+    /// Submits what is recorded. Steps of the same stage that follow each other share a compute pass.
     fn submit(&mut self, clock: &mut Clock) -> Result<(), GpuError> {
         if self.recorded.is_empty() {
             return Ok(());

@@ -85,8 +85,7 @@ pub fn steps(scene: &Scene, features: &Features, passes: PassCounts, max_segment
         Schedule::Segment => recorded.by_segment(passes, n),
         Schedule::Paper => recorded.by_step(passes, n),
     }
-    let passes = features.passes();
-    let last = *passes.iter().rfind(|pass| **pass != Pass::Refine).unwrap_or(&Pass::Shade);
+    let last = if features.is_picture() { Pass::Shade } else { Pass::Record };
     let last = recorded.push(last, Slots::only(0), 0, n);
     (last.read, last.written) = (PixelList::Open(0), PixelList::Open(1));
     recorded.steps

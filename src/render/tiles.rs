@@ -1,14 +1,12 @@
 //! In what tiles a picture is rendered.
 //!
 //! *Practice.* What does not grow with the tile (the scene's buffers and pictures, the lists' arguments) is taken off the budget
-//! first; the rest buys pixels, each at what its state takes and what the readback of a layer takes besides. A tile is at most as
+//! first; the rest buys pixels, each at what is kept for it and what of that is read back. A tile is at most as
 //! wide as a texture may be, and as high as keeps a band of full rows within the pixels bought, because the host holds one.
 
 use super::{Renderer, Window};
 use crate::gpu::{GpuError, SceneBuffers};
 
-/// The widest texel of which a whole tile is read back at once: a vector layer's.
-const READBACK: u64 = 16;
 /// Pixels of a tile whose paths are followed in one dispatch: no more than drivers bear where paths are long.
 const WHOLE: u64 = 1 << 20;
 /// A tile of fewer pixels is not worth a dispatch.
@@ -29,19 +27,17 @@ impl Renderer<'_> {
     /// The largest tile that the budget and the device allow for the window.
     pub(super) fn tile_size(&self) -> Result<[u32; 2], GpuError> {
         let [width, height] = self.window().size;
-        // Of an adaptive picture the colours are read with all that is known of them.
-        let readback = READBACK * u64::from(1 + self.program.features.margin());
-        let (fixed, each) = (self.fixed_memory(), self.memory().bytes_per_pixel() + readback);
+        let memory = self.memory();
+        let (fixed, each) = (self.fixed_memory(), memory.bytes_per_pixel() + memory.read_back());
         let bought = self.settings.memory.saturating_sub(fixed) / each;
         if bought < LEAST {
             return Err(GpuError::Memory { allowed: self.settings.memory, needed: fixed + LEAST * each });
         }
         let side = self.gpu.limits.max_texture_dimension_2d.min(1 << 16);
-        // In 64 bits the state lies in buffers, whose size the device bounds.
+        // Of buffers the device bounds the size.
         let buffer = self.gpu.limits.max_storage_buffer_binding_size.min(self.gpu.limits.max_buffer_size);
         let most = if self.is_whole() { WHOLE } else { u64::MAX };
-        let pixels =
-            bought.min(most).min(self.settings.tile_pixels).min(buffer / self.memory().largest_item()).max(LEAST);
+        let pixels = bought.min(most).min(self.settings.tile_pixels).min(buffer / memory.largest_item()).max(LEAST);
         // Of a tile's corners a column and a row are beyond it.
         let margin = self.program.features.margin();
         let columns = u32::try_from(pixels / u64::from(1 + margin)).unwrap_or(u32::MAX);

@@ -169,9 +169,7 @@ impl OwnLaw {
 
     /// The uniforms that parameters and scale come in.
     fn declared(&self) -> String {
-        let mut text = String::from(
-            "struct LawScale {\n    scale: Real,\n}\n\n@group(0) @binding(69) var<uniform> own_scale: LawScale;\n",
-        );
+        let mut text = String::from("struct LawScale {\n    scale: Real,\n}\n\nvar<uniform> own_scale: LawScale;\n");
         if !self.parameters.is_empty() {
             text += "\nstruct Law {\n";
             for (name, value) in &self.parameters {
@@ -184,7 +182,7 @@ impl OwnLaw {
                 // Writing to a String cannot fail.
                 let _ = writeln!(text, "    {name}: {ty},");
             }
-            text += "}\n\n@group(0) @binding(67) var<uniform> law: Law;\n";
+            text += "}\n\nvar<uniform> law: Law;\n";
         }
         text
     }

@@ -14,9 +14,9 @@ impl Features {
     #[must_use]
     pub fn constants(&self) -> Vec<(String, bool)> {
         let plain = named!(self;
-            splits has_rough_glass has_regions has_sided_mesh has_objects touches filters sees_glow
+            splits has_rough_glass has_regions has_sided_mesh has_objects touches filters filters_jump sees_glow
             follows_paths in_pieces aims clamps draws_wavelength falls grids_fall grids_all_fall
-            is_occluded occludes_along_law follows_lines all_cast shuts_out weakens_lines
+            is_occluded occludes_along_law looks_from_surfaces follows_lines all_cast shuts_out weakens_lines
             is_limited compensates_tau keeps_taken keeps_w keeps_last_hit has_leaps suspends items_in_order writes_chords_out rejects captures is_extreme is_asymptotic is_plane is_about_center keeps_last travels has_throat joins_whole
             has_two_skies sees_through has_vertex_colors is_transparent enumerates adapts is_filmic keeps_footprints
             beams shifts_hues knows_shift follows_shift keeps_orders
@@ -31,7 +31,6 @@ impl Features {
             ("draws", self.is_picture() || self.purpose.leaves_light()),
             ("carries_light", self.follows_paths || self.sees_glow),
             ("colors_dispersed", self.disperses && self.follows_paths),
-            ("filters_jump", self.filters_jump),
             ("filters_images", self.keeps_footprints && self.has_images),
             ("ends_below", self.below_part.is_some()),
             ("asks_tau", self.asks_tau()),
@@ -40,7 +39,6 @@ impl Features {
             ("ends_on_chords", self.has_objects && self.has_chords),
             ("follows_whole", self.schedule == Schedule::Whole),
             ("has_three_slots", self.slots == 3),
-            ("looks_from_surfaces", self.looks_from_surfaces),
             ("resumes", self.suspends && self.schedule != Schedule::Whole),
             ("keeps_counts", self.keeps_counts()),
             ("side_by_side", self.views == Some(StereoLayout::SideBySide)),

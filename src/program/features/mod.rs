@@ -51,9 +51,9 @@ pub struct Features {
     pub disperses: bool,
     /// Media absorb light of its rays.
     pub filters: bool,
-    /// Some of them by a texture that jumps.
+    /// Some medium absorbs light by a texture that jumps.
     pub filters_jump: bool,
-    /// Media add to it.
+    /// Some medium adds light to rays.
     pub sees_glow: bool,
 
     /// Light goes from surface to surface.
@@ -138,7 +138,7 @@ pub struct Features {
     pub views: Option<StereoLayout>,
     /// Pixels take as many samples as they need.
     pub adapts: bool,
-    /// They are compared as a filmic tone map shows them.
+    /// Adaptive sampling compares pixels as a filmic tone map shows them.
     pub is_filmic: bool,
     /// The size of a step is kept for the pass that intersects.
     pub keeps_taken: bool,
@@ -166,7 +166,7 @@ pub struct Features {
     pub shifts_hues: bool,
     /// The shift of light is asked for, and has an answer.
     pub knows_shift: bool,
-    /// It is followed along each path, because nothing conserves it.
+    /// The shift is followed along each path, because nothing conserves it.
     pub follows_shift: bool,
     /// Light is told apart by the crossing of translucent surfaces that it comes from.
     pub keeps_orders: bool,

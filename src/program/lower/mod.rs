@@ -1,4 +1,4 @@
-//! Lowering: a pass's uniforms, written as the driver bears and runs them best. One buffer for all of the scene's, each read once.
+//! Lowering: a pass's uniforms in the form that drivers accept and run fastest: one buffer for all of the scene's, each read once.
 //!
 //! *Theory.* Every part declares the uniform it reads, by its own name. A pass that binds each apart soon needs more than a
 //! device has to give (twelve are sure), and more than some drivers can take: looking for branches that depend on uniforms alone,
@@ -8,8 +8,9 @@
 //!
 //! Inside a loop a processor reads a uniform once for every lane, each read with a test of its bounds: some 25 instructions for one
 //! number, and half the time of a Runge–Kutta step. So a pass copies them into variables of its own before it does anything else,
-//! where one read serves all lanes; on GPUs they stay where they are. An array that is only read at places written as numbers is copied place by place, and one of
-//! a single place as that. Other arrays stay where they are: a copy of an array is memory, which is read no faster.
+//! where one read serves all lanes; on GPUs they stay where they are. An array that is only read at places written as numbers is copied
+//! place by place, and one of a single place as that. Other arrays stay where they are: a copy of an array is memory, which is read no
+//! faster.
 //!
 //! *Practice.* Declarations are read, and uses replaced, as tokens. A uniform that is used in a way that only a uniform's own rules
 //! can judge (written to, pointed at, indexed outside of its bounds) is not copied, so that naga sees the slip as it was written.
