@@ -1,4 +1,6 @@
 //! The files that scenes name: each is loaded once, however often it is named.
+//!
+//! *Length.* Over 300 lines, because each kind of file has a cache of the same form here.
 
 use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};

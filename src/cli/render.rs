@@ -1,4 +1,6 @@
 //! `bentray render`: a scene to pictures.
+//!
+//! *Length.* Over 300 lines, because the options of `render` are half of it.
 
 mod again;
 mod files;

@@ -3,6 +3,8 @@
 //! A [`TableReader`] asks, and [`TableReader::finish`] refuses the keys that nobody asked for. So the keys of a
 //! table are those its reading asks for, and nothing else lists them but the reference, which tells the user when a
 //! key would have been asked for, and is tested against the asking.
+//!
+//! *Length.* Over 300 lines, because it is one type, with a method for each way to ask for a key.
 
 use super::error::{ENOUGH, Mistake};
 use super::values::{Read, suggest};

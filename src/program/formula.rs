@@ -3,6 +3,8 @@
 //! *Practice.* Nodes of the formula's graph that are used more than once become a `let`, all others stand where they are used.
 //! Powers are multiplied out by repeated squaring. Numbers are written so that they are a `Real` in either precision: WGSL takes a
 //! bare literal for an f32 wherever nothing beside it says otherwise.
+//!
+//! *Length.* Over 300 lines, because values, gradients and curves are written from the same graph by the same rules.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

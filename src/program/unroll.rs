@@ -18,7 +18,7 @@ const LONGEST: usize = 400;
 /// The tokens of a unit with its short loops written out.
 pub(super) fn unrolled<'a>(mut tokens: Tokens<'a>, known: &Known) -> Tokens<'a> {
     // The innermost first: what contains them is found again, longer.
-    while let Some((at, counted)) = first_loop(&tokens, known) {
+    while let Some((at, counted)) = next_loop(&tokens, known) {
         let written = counted.written(&tokens, at);
         tokens = tokens.spliced(vec![(at..counted.body.end + 1, written)]);
     }
@@ -26,7 +26,7 @@ pub(super) fn unrolled<'a>(mut tokens: Tokens<'a>, known: &Known) -> Tokens<'a> 
 }
 
 /// The last loop that can be written out, and its token.
-fn first_loop(tokens: &Tokens, known: &Known) -> Option<(usize, Counted)> {
+fn next_loop(tokens: &Tokens, known: &Known) -> Option<(usize, Counted)> {
     let mut loops = (0..tokens.len()).rev().filter(|&i| tokens.word(i) == "for");
     loops.find_map(|at| Some((at, Counted::at(tokens, at, known)?)))
 }

@@ -1,11 +1,13 @@
 //! Laws: how light travels. The contract, and the table of kinds.
 //!
 //! *Theory.* A law gives the derivative of a point of phase space p = (x, v) along a ray, dp/dτ. The WGSL contract is
-//! `law_derivative(p)`, `law_start(x, v)`, `law_projected(p)`, `law_scale(p)` and `path_acceleration(p, rate)`; a law whose acceleration depends on
-//! place alone gives `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] is what the host has to
-//! know besides.
+//! `law_derivative(p)`, `law_start(x, v)`, `law_projected(p)`, `law_scale(p)` and `path_acceleration(p, rate)`; a law whose acceleration
+//! depends on place alone gives `law_acceleration(x, held)` and `law_held(p)` instead of the first and the last. [`Law`] is what the host
+//! has to know besides.
 //!
 //! *Practice.* [`KINDS`] names each kind once. Adding one is a WGSL file, a file here and a line of that table.
+//!
+//! *Length.* Over 300 lines, because the contract of laws and the facts that they state stand together, each with its documentation.
 
 mod charged;
 mod flow;

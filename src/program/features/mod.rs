@@ -1,4 +1,6 @@
 //! What a scene asks of its program, found once: plain answers, from which the plan follows.
+//!
+//! *Length.* Over 300 lines, because it is a list, with a field and a line for each answer.
 
 mod constants;
 

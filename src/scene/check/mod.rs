@@ -3,6 +3,8 @@
 //! Each file here reads one table. What depends on another table is read after it (rays after the law, the camera
 //! after both, objects after materials and the bound). A value that is wrong is recorded and replaced, or the whole
 //! left out, so that the reading goes on; a scene is handed out only if nothing was recorded.
+//!
+//! *Length.* Over 300 lines, because the order in which tables depend on each other is visible in one place.
 
 mod ambient;
 mod animation;

@@ -4,6 +4,8 @@
 //! derived from the text (`assets::LineElement`). Rays go into the past by τ = `t_camera` − t, and v = dx/dτ.
 //!
 //! *Practice.* Place and velocity are the state, as under any other law. A line element of t takes the clock of laws that carry time.
+//!
+//! *Length.* Over 300 lines, because the keys, the checks and the trait of one kind stand together.
 
 mod read;
 
