@@ -117,7 +117,7 @@ impl Instances {
         self.places.iter().map(|place| self.meshes[place.mesh].nodes.len() as u64).sum()
     }
 
-    /// The rows of `shaders/shape/instance.wgsl`, where so many nodes lie before the meshes' own; the materials are those of objects.
+    /// The rows of `shaders/shape/instance.wgsl`, with `nodes_before` nodes before the meshes' own, and the material of each object.
     pub(super) fn rows(&self, nodes_before: u32, materials: &[u32]) -> Vec<Row> {
         let mut firsts = Vec::new();
         let (mut root, mut first) = (nodes_before, 0_u32);

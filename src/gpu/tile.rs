@@ -28,7 +28,7 @@ impl Memory {
         self.items.iter().map(|(_, bytes)| bytes).sum()
     }
 
-    /// Bytes a pixel of what is read back.
+    /// Bytes a pixel that the host reads.
     #[must_use]
     pub fn read_back(&self) -> u64 {
         let read = [Role::Pixels, Role::Moments].map(|role| role.to_string());
@@ -59,7 +59,7 @@ struct PerPixel {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Storage {
     Texture(TextureFormat),
-    /// Of this many bytes a pixel: what is kept for it, or its state in 64 bits.
+    /// Of this many bytes a pixel: kept values, or the state in 64 bits.
     Buffer(u32),
 }
 
