@@ -23,7 +23,7 @@ fn walk_has_room() -> bool {
     return has_room();
 }
 
-// There is room for so many items in one place.
+// There is room for `count` items in one place.
 fn walk_has_room_for(count: u32) -> bool {
     if !SUSPENDS {
         return true;

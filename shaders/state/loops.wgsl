@@ -27,7 +27,7 @@ fn has_room() -> bool {
     return work < LOOP_BUDGET - SEGMENT_ROOM;
 }
 
-// Is there room for so many iterations, or has no other pass more?
+// Is there room for this many iterations, or does no later pass have more?
 fn has_room_for(iterations: u32) -> bool {
     if !COUNTS_LOOPS {
         return true;

@@ -2,7 +2,7 @@
 //!
 //! *Theory.* Features are constants of a program: `const FEATURE: bool = true;`. A part may ask one, `if FEATURE { … } else { … }`, so
 //! that what differs in a line does not need a file of its own. What stands only in the block that is not taken is not in the program,
-//! neither functions nor bindings: this comes before the linker asks what is reached.
+//! neither functions nor bindings: branches are decided before the linker looks for what a pass reaches.
 //!
 //! *Practice.* A condition is `FEATURE` or `!FEATURE`. What follows a block that is taken and returns is dropped too, so that a function
 //! may begin with `if !FEATURE { return x; }`.

@@ -95,7 +95,7 @@ impl<'a> Plain<'a> {
         let text = Tokens(own.value.clone());
         let is_call = text.word(1) == "(" && text.closing(1) == Some(text.len() - 1);
         let hands_on = is_call && text.split(2..text.len() - 1).into_iter().all(|part| is_path(&text.0[part]));
-        // A value made of constants alone is left where it is: naga 30 loses the order of what is computed beside it.
+        // A value made of constants alone stays in its function: naga 30 loses the order of what is computed next to it.
         (is_path(&own.value) || hands_on && has_variable(&own.value)).then_some(own)
     }
 }
@@ -137,6 +137,13 @@ fn hides(declaration: &Declaration, names: &[String]) -> bool {
 /// The value with these arguments, where that is the same.
 fn substituted<'a>(tokens: &Tokens<'a>, function: &Plain<'a>, arguments: &[Range<usize>]) -> Option<Vec<Token<'a>>> {
     let mut value = Vec::new();
+    let places =
+        function.value.iter().filter_map(|token| function.parameters.iter().position(|own| own.0 == token.word));
+    let calls = arguments.iter().any(|argument| has_call(&tokens.0[argument.clone()]));
+    // A call may change what is read beside it: everything is computed in the order in which it was.
+    if calls && !(places.is_sorted() && function.outer.len() < 2) {
+        return None;
+    }
     let uses = |name: &str| {
         let words = function.value.iter().enumerate();
         let is_use =
@@ -204,6 +211,7 @@ mod tests {
             ("let a = black();", "let a = black();"),
             ("nothing((*t).x);", ""),
             ("let a = other(t, a + b);", "let a = long(a + b, t);"),
+            ("let a = other(g(t), h(t));", "let a = other(g(t), h(t));"),
             ("let a = member();", "let a = sky.color;"),
             ("let sky = 1.0; let a = member();", "let sky = 1.0; let a = member();"),
         ] {
