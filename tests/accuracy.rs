@@ -8,8 +8,8 @@ use bentray::chart::{Outcome, Place, default_settings};
 use bentray::measure::{Deviations, Truth, all_methods, calibrate, calibrate_for, verify};
 use bentray::model::control::embedded;
 use bentray::output::csv::read_rays;
-use bentray::program::{Choice, Purpose};
-use bentray::render::{RenderSettings, Renderer, Starts, Status, Traced, trace};
+use bentray::program::Purpose;
+use bentray::render::{RenderSettings, Renderer, Starts, Status, Traced, Tracer, trace};
 use bentray::scene::{Override, Scene};
 use glam::DVec3;
 
@@ -264,10 +264,9 @@ fn chosen_pixels_are_the_pictures_own() {
     let gpu = gpu();
     let scene = scene(&format!("{HOLE}method = \"rk4\"\n[sky]\ncolor = [1, 1, 1]\n"));
     let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
-    let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-    let mut renderer = Renderer::new(&gpu, &scene, RenderSettings { choice, ..RenderSettings::default() }).unwrap();
+    let mut tracer = Tracer::new(&gpu, &scene, RenderSettings::default(), Purpose::Pixels).unwrap();
     let pixels: Vec<[u32; 2]> = (0..72).flat_map(|y| (0..96).map(move |x| [95 - x, y])).collect();
-    let (rays, _) = renderer.follow(Starts::Pixels(&pixels, 96)).unwrap();
+    let (rays, _) = tracer.follow(Starts::Pixels(&pixels, 96)).unwrap();
     for ([x, y], ray) in pixels.iter().zip(&rays) {
         let seen = picture.band.color[0][(y * 96 + x) as usize] > 0.5;
         assert_eq!(seen, ray.status == Status::Escaped, "{x} {y}");

@@ -226,7 +226,7 @@ fn what_outlives_a_pass_is_followed_on() {
     };
     let render = |schedule: Schedule| {
         let mut renderer = Renderer::new(&gpu, &scene, tiled(schedule)).unwrap();
-        assert_eq!(renderer.program.features.schedule, schedule);
+        assert_eq!(renderer.program().features.schedule, schedule);
         [renderer.picture().unwrap(), renderer.picture().unwrap()]
     };
     let [[fused, _], [whole, again]] = [Schedule::Fused, Schedule::Whole].map(render);

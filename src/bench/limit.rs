@@ -7,7 +7,7 @@ use super::{Bench, Report, Table, Times};
 use crate::measure::{evaluations, every_pixel, method_words};
 use crate::model::method::CLOSED_FORMS;
 use crate::program::{Choice, Purpose, Schedule};
-use crate::render::{RenderError, RenderSettings, Renderer, Starts};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Tracer};
 use crate::scene::Scene;
 
 /// Iterations that a bare loop has room for on any device.
@@ -51,12 +51,12 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
     let scene = bench.prepared(scene)?;
     let words = method_words(scene.rays.method, scene.rays.control);
     let steps = steps(bench, &scene)?;
-    let renderer = |purpose, schedule| {
-        let choice = Choice { schedule, purpose, ..Choice::default() };
-        Renderer::new(bench.gpu, &scene, RenderSettings { choice, ..RenderSettings::default() })
+    let by = |schedule| {
+        let choice = Choice { schedule, ..Choice::default() };
+        RenderSettings { choice, ..RenderSettings::default() }
     };
-    let mut fused = renderer(Purpose::Picture, Schedule::Fused)?;
-    let mut whole = renderer(Purpose::Picture, Schedule::Whole)?;
+    let mut fused = Renderer::new(bench.gpu, &scene, by(Schedule::Fused))?;
+    let mut whole = Renderer::new(bench.gpu, &scene, by(Schedule::Whole))?;
     let segments = fused.choose_segments()?;
     let rays = bench.pixels();
     let mut stages: Vec<[Duration; 5]> = Vec::new();
@@ -72,7 +72,7 @@ fn add(bench: &Bench, name: &str, scene: &Scene, [table, shares]: [&mut Table; 2
         shares.row(&[name], times_and_shares(&stages, 0.0, c.median, rays));
         return Ok(());
     };
-    let bare = renderer(Purpose::Bare, Schedule::Fused)?;
+    let bare = Tracer::new(bench.gpu, &scene, by(Schedule::Fused), Purpose::Bare)?;
     let mut run_bare = || bare.bare(&steps);
     let [a, b, c] = Times::by_turns(bench.repeats, [&mut run_bare, &mut run_fused, &mut run_whole])?;
     let all: f64 = steps.iter().map(|n| f64::from(*n)).sum();
@@ -103,8 +103,7 @@ fn steps(bench: &Bench, scene: &Scene) -> Result<Option<Vec<u32>>, RenderError> 
     if scene.rays.method == CLOSED_FORMS || scene.scatters() {
         return Ok(None);
     }
-    let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-    let mut renderer = Renderer::new(bench.gpu, scene, RenderSettings { choice, ..RenderSettings::default() })?;
-    let (rays, _) = renderer.follow(Starts::Pixels(&every_pixel(scene.image.size), scene.image.size[0]))?;
+    let mut tracer = Tracer::new(bench.gpu, scene, RenderSettings::default(), Purpose::Pixels)?;
+    let (rays, _) = tracer.follow(Starts::Pixels(&every_pixel(scene.image.size), scene.image.size[0]))?;
     Ok(Some(rays.iter().map(|ray| ray.steps.min(MOST_STEPS)).collect()))
 }

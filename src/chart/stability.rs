@@ -9,8 +9,8 @@
 
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Truth, all_methods};
-use crate::program::{Choice, Purpose};
-use crate::render::{RenderError, RenderSettings, Renderer, Starts, Status, Traced};
+use crate::program::Purpose;
+use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer};
 use crate::scene::{Control, Scene};
 
 /// Directions (radians), speeds (relative) and places (in parts of the bound's radius) are right within this.
@@ -83,12 +83,11 @@ impl<'a> Place<'a> {
     /// What becomes of them under one method at three settings.
     pub fn outcome(&self, candidate: &Candidate, settings: [Control; 3]) -> Result<Outcome, RenderError> {
         let scene = candidate.applied(&self.scene, settings[0]);
-        let choice = Choice { purpose: Purpose::Trace, ..Choice::default() };
-        let mut renderer =
-            Renderer::new(self.gpu, &scene, RenderSettings { choice, segments: 256, ..RenderSettings::default() })?;
+        let few = RenderSettings { segments: 256, ..RenderSettings::default() };
+        let mut tracer = Tracer::new(self.gpu, &scene, few, Purpose::Trace)?;
         let mut follow = |control| -> Result<Vec<Traced>, RenderError> {
-            renderer.retune(control, SEGMENTS)?;
-            Ok(renderer.follow(Starts::Given(&self.rays))?.0)
+            tracer.retune(control, SEGMENTS)?;
+            Ok(tracer.follow(Starts::Given(&self.rays))?.0)
         };
         let runs = [follow(settings[0])?, follow(settings[1])?, follow(settings[2])?];
         let mut found = Outcome { place: self.name.clone(), method: candidate.name, ..Outcome::default() };

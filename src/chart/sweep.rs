@@ -6,8 +6,8 @@
 
 use crate::gpu::Gpu;
 use crate::measure::{Candidate, Deviations, Truth, all_methods, drift, evaluations, method_words, scattered};
-use crate::program::{Choice, Purpose, Schedule};
-use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced};
+use crate::program::{Choice, Schedule};
+use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced, Tracer};
 use crate::scene::Scene;
 
 /// How to measure.
@@ -149,9 +149,8 @@ impl Sweep<'_> {
     ) -> Result<Vec<Point>, RenderError> {
         let mut scene = candidate.applied(scene, candidate.controls[0]);
         scene.rays.max_segments = SEGMENTS;
-        let choice = Choice { purpose: Purpose::Pixels, ..Choice::default() };
-        let mut few =
-            Renderer::new(self.gpu, &scene, RenderSettings { choice, segments: 256, ..RenderSettings::default() })?;
+        let settings = RenderSettings { segments: 256, ..RenderSettings::default() };
+        let mut few = Tracer::new(self.gpu, &scene, settings, starts.purpose())?;
         let choice = Choice { schedule: self.schedule, ..Choice::default() };
         let mut all =
             Renderer::new(self.gpu, &scene, RenderSettings { choice, apart: true, ..RenderSettings::default() })?;

@@ -56,11 +56,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let aimed: Vec<[f64; 6]> = places.iter().map(|x| aimed(first.source, *x)).collect();
     let rays = if shot.is_empty() { Rays::Given(&aimed) } else { Rays::Between(&pairs) };
     let settings = arguments.device.settings(Vec::new());
-    let Settled { scene, settings, renderer } =
+    let Settled { scene, settings, light_tracer, .. } =
         settle(&gpu, (&film, None), scene.clone(), settings, rays, &mut StartUp::default())?;
-    let (found, totals) = match renderer {
+    let (found, totals) = match light_tracer {
         _ if shot.is_empty() => Default::default(),
-        Some(mut renderer) => renderer.paths_between(&pairs)?,
+        Some(mut tracer) => tracer.paths_between(&pairs)?,
         None => light_paths(&gpu, &scene, &settings, &pairs)?,
     };
     let grids = light_grids(&gpu, &scene, &settings)?;

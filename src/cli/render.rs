@@ -255,7 +255,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let rate = still.animation.as_ref().map(|animation| animation.rate);
     let again = arguments.again(still.rays.auto.is_some() || before.is_some(), targets[0]);
     let is_film = arguments.frames.is_some();
-    let Settled { scene: leading, settings, renderer } = arguments.lead(&gpu, &film, still, settings, &mut launch)?;
+    let Settled { scene: leading, settings, renderer, .. } =
+        arguments.lead(&gpu, &film, still, settings, &mut launch)?;
     launch.count(StartPart::Method);
     let measured = arguments.verify.map(|count| verify(&gpu, &leading, &settings, count as usize)).transpose()?;
     // Scripts have it with the picture.

@@ -5,7 +5,7 @@ use super::frames::Film;
 use crate::error::Error;
 use crate::gpu::{Gpu, halved_pictures};
 use crate::measure::{Preparation, calibrate, calibrate_paths, compared_layers};
-use crate::render::{RenderSettings, Renderer, StartPart, StartUp};
+use crate::render::{LightTracer, RenderSettings, Renderer, StartPart, StartUp};
 use crate::scene::Scene;
 
 /// A scene with its method.
@@ -15,6 +15,8 @@ pub(super) struct Settled<'a> {
     pub settings: RenderSettings,
     /// Of the same program, where a search has compiled it.
     pub renderer: Option<Renderer<'a>>,
+    /// As well, for the paths between lights and places.
+    pub light_tracer: Option<LightTracer<'a>>,
 }
 
 /// The scene with a method, found by calibration where it leaves that open. `scene` is that of `film`, or of a frame of it; `launch`
@@ -32,7 +34,7 @@ pub(super) fn settle<'a>(
         tell!("note: {remark}");
     }
     if scene.rays.auto.is_none() {
-        return Ok(Settled { scene, settings, renderer: None });
+        return Ok(Settled { scene, settings, renderer: None, light_tracer: None });
     }
     let place = Place::of(gpu, film, frame, &settings, rays);
     let kept = place.as_ref().and_then(Place::find);
@@ -42,20 +44,24 @@ pub(super) fn settle<'a>(
         if kept.compared_layers {
             settings.choice.layers = compared_layers(&settings.choice.layers);
         }
-        return Ok(Settled { scene, settings, renderer: None });
+        return Ok(Settled { scene, settings, renderer: None, light_tracer: None });
     }
-    let (calibration, renderer) = match rays {
-        Rays::Given(rays) => (calibrate(gpu, &scene, &settings, Some(rays))?, None),
+    let (calibration, renderer, light_tracer) = match rays {
+        Rays::Given(rays) => (calibrate(gpu, &scene, &settings, Some(rays))?, None, None),
         Rays::Camera(count) => match Preparation::new(gpu, &scene, &settings)? {
             Some(prepared) => {
                 launch.count(StartPart::Program);
-                prepared.choose(count)?
+                let (calibration, renderer) = prepared.choose(count)?;
+                (calibration, renderer, None)
             }
-            None => (None, None),
+            None => (None, None, None),
         },
-        Rays::Between(pairs) => calibrate_paths(gpu, &scene, &settings, pairs)?.unzip(),
+        Rays::Between(pairs) => {
+            let (calibration, tracer) = calibrate_paths(gpu, &scene, &settings, pairs)?.unzip();
+            (calibration, None, tracer)
+        }
     };
-    let Some(calibration) = calibration else { return Ok(Settled { scene, settings, renderer }) };
+    let Some(calibration) = calibration else { return Ok(Settled { scene, settings, renderer, light_tracer }) };
     let said = calibration.to_string();
     let warning = calibration.warning();
     tell_choice(&said, warning.as_deref());
@@ -65,7 +71,7 @@ pub(super) fn settle<'a>(
         place.keep(&Decision { said, warning, followed: scene.rays.followed(), compared_layers });
     }
     settings.choice.layers = calibration.layers;
-    Ok(Settled { scene, settings, renderer })
+    Ok(Settled { scene, settings, renderer, light_tracer })
 }
 
 fn tell_choice(said: &str, warning: Option<&str>) {

@@ -11,7 +11,7 @@
 use super::ends::{End, Finest, Settled, compared_layers, ends};
 use super::{Candidate, cost};
 use crate::gpu::Gpu;
-use crate::program::{Choice, Purpose};
+use crate::program::Choice;
 use crate::render::{RenderError, RenderSettings, Renderer};
 use crate::scene::{Control, LightGrid, Method, Scene};
 
@@ -66,8 +66,8 @@ pub(super) struct Trying<'a> {
 }
 
 impl<'a> Trying<'a> {
-    /// Compiles the program of a picture of `scene` by a method. None where its runs cannot be compared: for what is not a picture,
-    /// for a method without settings to compare, and for an accuracy beyond the digits of a picture's layers.
+    /// Compiles the program of a picture of `scene` by a method. None where its runs cannot be compared: for a method
+    /// without settings to compare, and for an accuracy beyond the digits of a picture's layers.
     pub fn new(
         gpu: &'a Gpu,
         scene: &Scene,
@@ -76,7 +76,7 @@ impl<'a> Trying<'a> {
         (accuracy, max_segments): (f64, u32),
     ) -> Result<Option<Self>, RenderError> {
         let has_settings = candidate.controls.len() > FIRST_TRUTH + STRIDE;
-        if settings.choice.purpose != Purpose::Picture || accuracy < FINEST || !has_settings {
+        if accuracy < FINEST || !has_settings {
             return Ok(None);
         }
         let mut small = candidate.applied(scene, candidate.controls[FIRST_TRUTH]);

@@ -23,7 +23,7 @@ use super::truth::FINEST;
 use crate::gpu::Gpu;
 use crate::model::control::{embedded, four_digits};
 use crate::model::method::TOLERANT;
-use crate::render::{LightPath, RenderError, RenderSettings, Renderer, shooting};
+use crate::render::{LightPath, LightTracer, RenderError, RenderSettings};
 use crate::scene::{Control, Precision, Scene};
 
 /// Pairs of a light and a place that settings are tried on, at most.
@@ -41,31 +41,31 @@ const CAP: f64 = 0.3;
 /// Directions at the light, in radians, that belong to one path at both settings.
 const ONE_PATH: f64 = 1e-2;
 
-/// Finds the setting for the paths between `pairs` of a place and a light, and the renderer that finds them by it; none where the scene
+/// Finds the setting for the paths between `pairs` of a place and a light, and the light tracer that finds them by it; none where the scene
 /// names a method.
 pub fn calibrate_paths<'a>(
     gpu: &'a Gpu,
     scene: &Scene,
     settings: &RenderSettings,
     pairs: &[[DVec3; 2]],
-) -> Result<Option<(Calibration, Renderer<'a>)>, RenderError> {
+) -> Result<Option<(Calibration, LightTracer<'a>)>, RenderError> {
     let Some(accuracy) = scene.accuracy() else { return Ok(None) };
     let _stage = gpu.progress.stage(SEARCH);
     let tried: Vec<_> = pairs.iter().step_by(pairs.len().div_ceil(PAIRS).max(1)).copied().collect();
     let mut candidates = fast_methods(scene);
     let at = candidates.iter().position(|candidate| candidate.method == TOLERANT).unwrap_or(0);
     let trying = Trying { gpu, scene, settings, accuracy, pairs: &tried, candidate: candidates.swap_remove(at) };
-    let (mut found, renderer) = trying.search(scene.rays.precision)?;
+    let (mut found, tracer) = trying.search(scene.rays.precision)?;
     let is_settled = found.reached() || found.rays.all == 0;
     if is_settled || scene.rays.precision == Precision::Double || !gpu.f64 {
-        return Ok(Some((found, renderer)));
+        return Ok(Some((found, tracer)));
     }
-    let (double, double_renderer) = trying.search(Precision::Double)?;
+    let (double, double_tracer) = trying.search(Precision::Double)?;
     if scene.rays.auto.is_some_and(|auto| auto.precision) && double.chosen.error < found.chosen.error {
-        return Ok(Some((double, double_renderer)));
+        return Ok(Some((double, double_tracer)));
     }
     found.in_double = Some(double.chosen).filter(|trial| trial.error < found.chosen.error);
-    Ok(Some((found, renderer)))
+    Ok(Some((found, tracer)))
 }
 
 /// A search among the settings of one method.
@@ -87,19 +87,19 @@ fn count(paths: &Paths) -> usize {
 
 impl<'a> Trying<'a, '_> {
     /// Finds the first setting that is right in numbers of this precision or, if none is, the one with the most right paths; and returns a
-    /// renderer that uses it.
-    fn search(&self, precision: Precision) -> Result<(Calibration, Renderer<'a>), RenderError> {
+    /// light tracer that uses it.
+    fn search(&self, precision: Precision) -> Result<(Calibration, LightTracer<'a>), RenderError> {
         let (method, max_segments) = (self.candidate.method, segments(self.scene));
         let controls = self.controls(precision);
         let mut scene = self.candidate.applied(self.scene, controls[0]);
         (scene.rays.precision, scene.rays.max_segments) = (precision, max_segments);
-        let mut renderer = shooting(self.gpu, scene, self.settings)?;
-        let mut coarse = renderer.paths_between(self.pairs)?.0;
+        let mut tracer = LightTracer::new(self.gpu, scene, self.settings)?;
+        let mut coarse = tracer.paths_between(self.pairs)?.0;
         let mut best: Option<(Compared, Control)> = None;
         let mut before = None;
         for &control in &controls[1..] {
-            renderer.retune(control, max_segments)?;
-            let fine = renderer.paths_between(self.pairs)?.0;
+            tracer.retune(control, max_segments)?;
+            let fine = tracer.paths_between(self.pairs)?.0;
             // Finer steps may leave no room for a path that coarser ones find.
             let most = best.as_ref().map_or(0, |(best, _)| best.rays.all);
             let found = Compared::of((&coarse, &fine), most, before, MARGIN * self.accuracy);
@@ -116,8 +116,8 @@ impl<'a> Trying<'a, '_> {
         let (chosen, rays) = best.map_or((unjudged(), Settled::default()), |(best, control)| {
             (Trial { method, control, error: best.error, cost: f64::NAN }, best.rays)
         });
-        renderer.retune(chosen.control, max_segments)?;
-        Ok((Calibration { precision, rays, ..chosen_for(self.scene, self.settings, self.accuracy, chosen) }, renderer))
+        tracer.retune(chosen.control, max_segments)?;
+        Ok((Calibration { precision, rays, ..chosen_for(self.scene, self.settings, self.accuracy, chosen) }, tracer))
     }
 
     /// Settings from coarse to fine, each compared with the one before. One that has no numbers is compared with itself.

@@ -6,8 +6,7 @@ use std::fmt;
 use super::{Candidate, Deviations, Truth, cost, fast_methods, method_words, scattered};
 use crate::gpu::Gpu;
 use crate::model::method::TOLERANT;
-use crate::program::{Choice, Purpose};
-use crate::render::{RenderError, RenderSettings, Renderer, Starts, Traced};
+use crate::render::{RenderError, RenderSettings, Starts, Traced, Tracer};
 use crate::scene::{Control, Method, Precision, Scene};
 
 /// Rays whose error is measured.
@@ -59,15 +58,12 @@ impl<'a> Trials<'a> {
         accuracy: f64,
     ) -> Result<Self, RenderError> {
         let tolerance = (1e-3 * accuracy).min(1e-10);
-        let purpose = if given.is_some() { Purpose::Trace } else { Purpose::Pixels };
-        let choice = Choice { purpose, layers: Vec::new(), ..settings.choice.clone() };
-        let settings = RenderSettings { choice, ..settings.clone() };
         let pixels = scattered(scene.image.size, RAYS, 1);
         let given =
             given.map(|rays| rays.iter().step_by(rays.len().div_ceil(RAYS).max(1)).copied().collect::<Vec<_>>());
         let starts = given.as_deref().map_or(Starts::Pixels(&pixels, 1024), Starts::Given);
         let truth = Truth::new(gpu, scene, tolerance, starts)?;
-        Ok(Self { gpu, scene, settings, given, pixels, truth, accuracy })
+        Ok(Self { gpu, scene, settings: settings.clone(), given, pixels, truth, accuracy })
     }
 
     fn starts(&self) -> Starts<'_> {
@@ -99,10 +95,10 @@ impl<'a> Trials<'a> {
         scene.rays.max_segments = segments(self.scene);
         // Few rays: what counts is not how many run but how many passes are recorded.
         let settings = RenderSettings { segments: 256, ..self.settings.clone() };
-        let mut renderer = Renderer::new(self.gpu, &scene, settings)?;
+        let mut tracer = Tracer::new(self.gpu, &scene, settings, self.starts().purpose())?;
         let mut tried = |control| -> Result<Trial, RenderError> {
-            renderer.retune(control, scene.rays.max_segments)?;
-            let (rays, _) = renderer.follow(self.starts())?;
+            tracer.retune(control, scene.rays.max_segments)?;
+            let (rays, _) = tracer.follow(self.starts())?;
             let error = Deviations::new(&rays, &self.truth).seen.sure99;
             let mean = |count: fn(&Traced) -> u32| {
                 rays.iter().map(|ray| f64::from(count(ray))).sum::<f64>() / rays.len().max(1) as f64

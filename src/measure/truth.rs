@@ -3,8 +3,7 @@
 use crate::gpu::{Gpu, GpuError, adapters};
 use crate::model::control::{embedded, exact};
 use crate::model::method::{CLOSED_FORMS, TOLERANT};
-use crate::program::{Choice, Purpose};
-use crate::render::{RenderError, RenderSettings, Renderer, Starts, Status, Traced};
+use crate::render::{RenderError, RenderSettings, Starts, Status, Traced, Tracer};
 use crate::scene::{Precision, Scene, Segment};
 
 /// The least tolerance that f64 is sure to keep.
@@ -90,20 +89,15 @@ impl Truth {
         let other = double_device(gpu)?;
         let gpu = other.as_ref().unwrap_or(gpu);
         let scene = reference(scene, tolerance);
-        let purpose = if matches!(starts, Starts::Given(_)) { Purpose::Trace } else { Purpose::Pixels };
-        let choice = Choice { purpose, ..Choice::default() };
-        let mut renderer = Renderer::new(
-            gpu,
-            &scene,
-            RenderSettings { choice, segments: SEGMENTS_PER_PASS, ..RenderSettings::default() },
-        )?;
-        let fine = renderer.follow(starts)?.0;
+        let settings = RenderSettings { segments: SEGMENTS_PER_PASS, ..RenderSettings::default() };
+        let mut tracer = Tracer::new(gpu, &scene, settings, starts.purpose())?;
+        let fine = tracer.follow(starts)?.0;
         let control = scene.rays.control;
         let Some(tolerance) = control.tolerance() else {
             return Ok(Self(fine.into_iter().map(Known::Whole).collect()));
         };
-        renderer.retune(embedded::with(10.0 * tolerance, control.cap), scene.rays.max_segments)?;
-        let loose = renderer.follow(starts)?.0;
+        tracer.retune(embedded::with(10.0 * tolerance, control.cap), scene.rays.max_segments)?;
+        let loose = tracer.follow(starts)?.0;
         let radius = scene.rays.bound.radius;
         let known = |(fine, loose): (Traced, Traced)| known(fine, &loose, radius);
         Ok(Self(fine.into_iter().zip(loose).map(known).collect()))

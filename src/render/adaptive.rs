@@ -38,7 +38,7 @@ impl Renderer<'_> {
         progress: &dyn Fn(f64),
         sums: &mut Adaptive,
     ) -> Result<(), RenderError> {
-        let image = &self.scene.image;
+        let image = &self.prepared.scene.image;
         let first = constant("pass/refine", "FIRST_SAMPLES") as u32;
         let at = |number: u32, refines: Refines| Sample { origin, image: image.size, number, refines: Some(refines) };
         let pixels = tile.size.map(u64::from).iter().product::<u64>();
@@ -47,7 +47,7 @@ impl Renderer<'_> {
             let [taken, open] = [taken, open].map(|rays| rays as f64);
             progress((taken + open * done) / (taken + open * f64::from(image.samples + 1 - sample)));
         };
-        self.run_sample(tile, at(0, Refines::FIRST), clock, &|done| tell(0, pixels, 0, done))?;
+        self.prepared.run_sample(tile, at(0, Refines::FIRST), clock, &|done| tell(0, pixels, 0, done))?;
         sums.samples += pixels;
         let mut taken = pixels;
         let mut open = self.read_refined(tile, sums)?;
@@ -56,8 +56,8 @@ impl Renderer<'_> {
             if open == 0 {
                 break;
             }
-            let refines = Refines { listed: self.program.features.lists_open(), list };
-            self.run_sample(tile, at(sample, refines), clock, &|done| tell(taken, open, sample, done))?;
+            let refines = Refines { listed: self.prepared.program.features.lists_open(), list };
+            self.prepared.run_sample(tile, at(sample, refines), clock, &|done| tell(taken, open, sample, done))?;
             sums.samples += open;
             taken += open;
             if sample >= first && sample.is_power_of_two() {
@@ -70,7 +70,7 @@ impl Renderer<'_> {
 
     /// How many pixels want more samples; those that stopped at the cap since this was read last are added to `sums`.
     fn read_refined(&self, tile: &Tile, sums: &mut Adaptive) -> Result<u64, GpuError> {
-        let records = Records::take(self.gpu, &self.program, tile, &Role::Refined)?;
+        let records = Records::take(self.prepared.gpu, &self.prepared.program, tile, &Role::Refined)?;
         let Some(refined) = records.rows().next() else { return Ok(0) };
         sums.capped += u64::from(refined.uint("capped"));
         Ok(refined.uint("open").into())

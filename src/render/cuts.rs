@@ -18,17 +18,17 @@ const RAY: u64 = 8;
 impl Renderer<'_> {
     /// Renders another part of the picture from now on; all of it without one. It has to be inside.
     pub fn set_window(&mut self, window: Option<Window>) {
-        self.settings.window = window;
+        self.prepared.settings.window = window;
     }
 
     /// The rows at which so many bands begin, and after them the picture's height. Every band has a row at least, so that there may be
     /// no more of them than rows.
     pub fn cuts(&mut self, parts: u32) -> Result<Vec<u32>, RenderError> {
-        let rows = self.scene.image.size[1];
+        let rows = self.prepared.scene.image.size[1];
         if parts < 2 {
             return Ok(vec![0, rows]);
         }
-        let scene = self.scene.clone().into_owned();
+        let scene = self.prepared.scene.clone().into_owned();
         let mut small = scene.clone();
         let longer = scene.image.size.into_iter().max().unwrap_or(1);
         let side = |side: u32| u64::from(side) * u64::from(SMALL.min(longer)) / u64::from(longer);
@@ -37,7 +37,7 @@ impl Renderer<'_> {
             // Not one, which would be another program where there are several.
             small.image.samples = small.image.samples.min(2);
         }
-        let window = self.settings.window;
+        let window = self.prepared.settings.window;
         self.set_window(None);
         self.set_scene(small)?;
         let costs = self.strip_costs();
@@ -49,10 +49,11 @@ impl Renderer<'_> {
 
     /// Of strips of equal height, from the top.
     fn strip_costs(&mut self) -> Result<Vec<u64>, RenderError> {
-        let [width, height] = self.scene.image.size;
+        let [width, height] = self.prepared.scene.image.size;
         let strips = height.min(STRIPS);
         let mut costs = Vec::new();
-        let _stage = self.gpu.progress.measured("dividing the image into parts of equal cost", f64::from(strips));
+        let _stage =
+            self.prepared.gpu.progress.measured("dividing the image into parts of equal cost", f64::from(strips));
         for i in 0..strips {
             let [first, next] = [i, i + 1].map(|i| i * height / strips);
             self.set_window(Some(Window { origin: [0, first], size: [width, next - first] }));

@@ -17,10 +17,11 @@ use rayon::prelude::*;
 
 use super::clock::Clock;
 use super::grids::{Gridded, LightGrids, LightReport};
+use super::prepared::Prepared;
+use super::ray_tiles::{BATCH, ray_tile};
 use super::readback::read_buffer;
-use super::renderer::TileEnd;
-use super::trace::{BATCH, ray_tile};
-use super::{RenderError, RenderSettings, Renderer, Totals};
+use super::tile::TileEnd;
+use super::{RenderError, RenderSettings, Totals};
 use crate::gpu::{Aim, Emission, Gpu, LightField, LightVolume, Tile, light_bytes, pack};
 use crate::program::{Choice, Masks, Purpose, Role, Schedule, constant};
 use crate::progress::Stage;
@@ -37,49 +38,15 @@ const FOR_BRICKS: u64 = 2;
 /// Parts of what guides paths, in all.
 const GUIDE_PARTS: u64 = 1 << 19;
 
-impl<'a> Renderer<'a> {
-    /// Makes the grids of its lights, where the scene has such, and links, compiles and uploads.
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings) -> Result<Self, RenderError> {
-        let grids = LightGrids::new(gpu, scene, &settings)?;
-        Self::of(gpu, Cow::Borrowed(scene), settings, grids)
-    }
-
-    /// As [`new`](Self::new), of a scene that it keeps.
-    pub fn keeping(gpu: &'a Gpu, scene: Scene, settings: RenderSettings) -> Result<Self, RenderError> {
-        let grids = LightGrids::new(gpu, &scene, &settings)?;
-        Self::of(gpu, Cow::Owned(scene), settings, grids)
-    }
-
-    /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
-    /// pass is compiled again.
-    ///
-    /// # Errors
-    ///
-    /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
-    pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
-        let grids = self.grids_for(&scene)?;
-        self.change_scene(scene, grids)
-    }
-
-    /// Those of the moment before, where light is the same.
-    pub(super) fn grids_for(&self, scene: &Scene) -> Result<LightGrids, RenderError> {
-        let (before, grids) =
-            self.moments.last().map_or((&*self.scene, &self.grids), |moment| (&moment.scene, &moment.grids));
-        let is_kept = !grids.fields.is_empty() && scene.is_lit_as(before);
-        if is_kept { Ok(grids.clone()) } else { LightGrids::new(self.gpu, scene, &self.settings) }
-    }
-}
-
-impl LightGrids {
-    pub(super) fn new(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
-        let made = match settings.choice.purpose {
-            Purpose::Picture if scene.has_shadows(Shadows::Grid) => light_grids(gpu, scene, settings)?,
-            Purpose::Picture => guide(gpu, scene, settings)?,
-            _ => Vec::new(),
-        };
-        let (fields, reports): (Vec<_>, _) = made.into_iter().unzip();
-        Ok(Self { fields: fields.into(), reports })
-    }
+/// The grids that a picture of the scene needs: those of its lights, or of what guides its paths.
+pub(super) fn grids_of(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<LightGrids, RenderError> {
+    let made = if scene.has_shadows(Shadows::Grid) {
+        light_grids(gpu, scene, settings)?
+    } else {
+        guide(gpu, scene, settings)?
+    };
+    let (fields, reports): (Vec<_>, _) = made.into_iter().unzip();
+    Ok(LightGrids { fields: fields.into(), reports })
 }
 
 /// The grids of a scene's lights that have one, in the order of the file.
@@ -155,7 +122,8 @@ fn fields(
         followed.rays.max_segments = followed.rays.max_segments.max(ARCS);
     }
     let own = RenderSettings { choice, window: None, ..settings.clone() };
-    let mut maker = Maker { renderer: Renderer::new(gpu, &followed, own)? };
+    let prepared = Prepared::new(gpu, Cow::Borrowed(&followed), own, LightGrids::default())?;
+    let mut maker = Maker { prepared };
     // Each light's share of what bricks may take: of the memory, and of a buffer.
     let limit = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
     let coarse: u64 = volumes.iter().map(|volume| volume.voxels() as u64).sum();
@@ -176,7 +144,7 @@ fn fields(
 const ARCS: u32 = 1 << 12;
 
 struct Maker<'a> {
-    renderer: Renderer<'a>,
+    prepared: Prepared<'a>,
 }
 
 impl Maker<'_> {
@@ -188,14 +156,14 @@ impl Maker<'_> {
         room: u64,
     ) -> Result<(LightField, LightReport), RenderError> {
         let (started, mut totals, mut clock) =
-            (Instant::now(), Totals::default(), Clock::new(self.renderer.gpu, false));
+            (Instant::now(), Totals::default(), Clock::new(self.prepared.gpu, false));
         let guides = wanted.guides();
         let Wanted { of, emission, grid: LightGrid { refine, paths, .. }, narrows } = *wanted;
         let unit = constant("segment/leave_light", "LIGHT_UNIT");
         let pilots = (paths / 2).clamp(PILOTS[0], PILOTS[1]);
         let all = f64::from(paths) * f64::from(if refine > 1 { 1 + FOR_PARTS } else { 1 });
         let pilots_in_all = f64::from(u32::from(narrows) * pilots) * if refine > 1 { 2.0 } else { 1.0 };
-        let stage = self.renderer.gpu.progress.part("", all + pilots_in_all, 1.0);
+        let stage = self.prepared.gpu.progress.part("", all + pilots_in_all, 1.0);
         let mut shine = |aim: &Aim, refine: u32, bricks: &[u32], count: usize| {
             self.shine(&emission, aim, (&volume, refine, bricks), count, (&mut totals, &mut clock, &stage))
         };
@@ -231,7 +199,7 @@ impl Maker<'_> {
                 [(flux, made.volume.h), (flux / f64::from(FOR_PARTS), part)].map(|(f, h)| DOUBT * f / (h * h));
             made = made.guiding(voxel as f32, part as f32);
         }
-        self.renderer.finish_totals(&mut totals, &clock, started)?;
+        self.prepared.finish_totals(&mut totals, &clock, started)?;
         if let (Gridded::Light(light), true) = (of, totals.lost > 0) {
             return Err(RenderError::LightLost { light });
         }
@@ -249,15 +217,15 @@ impl Maker<'_> {
         count: usize,
         (totals, clock, stage): (&mut Totals, &mut Clock, &Stage),
     ) -> Result<Shone, RenderError> {
-        let gpu = self.renderer.gpu;
+        let gpu = self.prepared.gpu;
         let mut shone = Shone { sums: vec![[0.0; 4]; count], reaches: Vec::with_capacity(aim.paths() as usize) };
-        let layout = self.renderer.layout(&Role::LightVolume)?;
+        let layout = self.prepared.layout(&Role::LightVolume)?;
         let row = pack("light_volume", layout, [volume.row(refine)])?;
         let mut first = 0;
         while first < aim.paths() {
             let batch = first..aim.paths().min(first + BATCH as u32);
             let rays: Vec<[f64; 6]> = batch.clone().into_par_iter().map(|k| emission.path(k, aim.point(k))).collect();
-            let (mut tile, mut sample) = ray_tile(&self.renderer, &rays)?;
+            let (mut tile, mut sample) = ray_tile(&self.prepared, &rays)?;
             // What is drawn at random for a path depends on its place in its batch, and on that.
             sample.number = first / BATCH as u32;
             tile.add_input(gpu, &Role::LightVolume, &row)?;
@@ -267,8 +235,8 @@ impl Maker<'_> {
             let paths = rays.len() as f64;
             let told = Cell::new(0.0);
             let progress = |done: f64| stage.advance((done - told.replace(done)) * paths);
-            self.renderer.run_sample(&tile, sample, clock, &progress)?;
-            if self.renderer.read_tally(&tile, totals, None)? == TileEnd::Again {
+            self.prepared.run_sample(&tile, sample, clock, &progress)?;
+            if self.prepared.read_tally(&tile, totals, None)? == TileEnd::Again {
                 stage.advance(-paths);
                 continue;
             }

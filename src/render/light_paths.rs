@@ -1,14 +1,18 @@
 //! The paths that lead from lights to places, found by shooting.
 
+use std::borrow::Cow;
 use std::time::Instant;
 
 use glam::DVec3;
 
 use super::clock::Clock;
+use super::grids::LightGrids;
+use super::prepared::Prepared;
+use super::ray_tiles::{BATCH, ray_tile};
 use super::records::{Records, Row};
-use super::trace::{BATCH, ray_tile};
-use super::{RenderError, RenderSettings, Renderer, Totals};
-use crate::gpu::Gpu;
+use super::{RenderError, RenderSettings, Totals};
+use crate::gpu::{Gpu, GpuError};
+use crate::model::Control;
 use crate::program::{Choice, Masks, Purpose, Role, Schedule, all_shots, constant};
 use crate::scene::Scene;
 
@@ -50,31 +54,46 @@ pub fn light_paths(
     settings: &RenderSettings,
     pairs: &[[DVec3; 2]],
 ) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
-    shooting(gpu, scene.clone(), settings)?.paths_between(pairs)
+    LightTracer::new(gpu, scene.clone(), settings)?.paths_between(pairs)
 }
 
-/// A renderer whose program finds paths from lights, for [`Renderer::paths_between`].
-pub fn shooting<'a>(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Renderer<'a>, RenderError> {
-    let choice = Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: Masks::Off, ..Choice::default() };
-    Renderer::keeping(gpu, scene, RenderSettings { choice, ..settings.clone() })
+/// Finds the paths that lead from lights to places.
+#[derive(Debug)]
+pub struct LightTracer<'a> {
+    prepared: Prepared<'a>,
 }
 
-impl Renderer<'_> {
-    /// For each pair of a place and a light the paths between them, as [`light_paths`] does; the program's purpose is to find them.
+impl<'a> LightTracer<'a> {
+    /// Links, compiles and uploads.
+    pub fn new(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
+        let choice =
+            Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: Masks::Off, ..Choice::default() };
+        let settings = RenderSettings { choice, ..settings.clone() };
+        Ok(Self { prepared: Prepared::new(gpu, Cow::Owned(scene), settings, LightGrids::default())? })
+    }
+
+    /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
+    /// is compiled again.
+    pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
+        self.prepared.retune(control, max_segments)
+    }
+
+    /// For each pair of a place and a light the paths between them, as [`light_paths`] does.
     pub fn paths_between(&mut self, pairs: &[[DVec3; 2]]) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
-        let (each, started) = (all_shots(&self.scene), Instant::now());
-        let mut clock = Clock::new(self.gpu, true);
+        let prepared = &mut self.prepared;
+        let (each, started) = (all_shots(&prepared.scene), Instant::now());
+        let mut clock = Clock::new(prepared.gpu, true);
         let (mut found, mut totals) = (Vec::with_capacity(pairs.len()), Totals::default());
-        let stage = self.gpu.progress.measured("shooting rays at lights", pairs.len() as f64);
+        let stage = prepared.gpu.progress.measured("shooting rays at lights", pairs.len() as f64);
         let abreast = constant("pass/shots", "ABREAST") as usize;
         for batch in pairs.chunks(BATCH / each) {
             // One ray for each path that is looked for. What fills up a row is a place at its light.
             let row = |pair: Option<&[DVec3; 2]>| pair.map_or([0.0; 6], |[x, s]| [x.x, x.y, x.z, s.x, s.y, s.z]);
             let rows = batch.chunks(abreast).map(|pairs| (0..abreast).map(|i| row(pairs.get(i))).collect::<Vec<_>>());
             let rays: Vec<[f64; 6]> = rows.flat_map(|pairs| pairs.repeat(each)).collect();
-            let (tile, sample) = ray_tile(self, &rays)?;
-            self.run_sample(&tile, sample, &mut clock, &|_| {})?;
-            self.read_tally(&tile, &mut totals, None)?;
+            let (tile, sample) = ray_tile(prepared, &rays)?;
+            prepared.run_sample(&tile, sample, &mut clock, &|_| {})?;
+            prepared.read_tally(&tile, &mut totals, None)?;
             let path = |row: Row| {
                 let path = LightPath {
                     leaves: row.vector("leaves"),
@@ -86,7 +105,7 @@ impl Renderer<'_> {
                 (row.uint("found") == 1).then_some(path)
             };
             let rows: Vec<_> =
-                Records::read(self.gpu, &self.program, &tile, &Role::Records)?.rows().map(path).collect();
+                Records::read(prepared.gpu, &prepared.program, &tile, &Role::Records)?.rows().map(path).collect();
             stage.advance(batch.len() as f64);
             let own = |pair: usize| {
                 let first = pair / abreast * each * abreast + pair % abreast;
@@ -94,7 +113,7 @@ impl Renderer<'_> {
             };
             found.extend((0..batch.len()).map(own));
         }
-        self.finish_totals(&mut totals, &clock, started)?;
+        prepared.finish_totals(&mut totals, &clock, started)?;
         Ok((found, totals))
     }
 }

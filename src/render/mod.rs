@@ -7,8 +7,9 @@
 //! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
 //! dispatch drops the rays that have ended. Submissions are kept short, because drivers kill long ones.
 //!
-//! `Renderer::new` makes a scene ready for a device; `picture` renders it band by band and tile by tile, `runner` runs the steps of a tile's
-//! samples that `schedule` lists, and `values` reads what they came to. `trace` and `light_paths` have rays of their own.
+//! [`Prepared`](prepared::Prepared) is a scene made ready for a device, `tile` a part of the picture on it, and `runner` runs the steps of
+//! a tile's samples that `schedule` lists. Three use them: [`Renderer`] makes pictures band by band and tile by tile, and `values` reads what
+//! they came to; [`Tracer`] follows single rays; [`LightTracer`] and `light_grid` follow light from its sources.
 
 mod adaptive;
 mod band;
@@ -22,8 +23,11 @@ mod light_grid;
 mod light_paths;
 mod moments;
 mod noise;
+mod paths;
 mod picture;
 mod plan;
+mod prepared;
+mod ray_tiles;
 mod readback;
 mod records;
 mod renderer;
@@ -35,9 +39,11 @@ mod settings;
 mod small;
 mod start;
 mod step;
-mod tiles;
+mod tile;
+mod tiling;
 mod totals;
 mod trace;
+mod traced;
 mod values;
 mod watch;
 mod window;
@@ -46,14 +52,16 @@ pub use band::{Band, Plane, Rendering};
 pub use error::RenderError;
 pub use grids::{Gridded, LightReport};
 pub use light_grid::light_grids;
-pub use light_paths::{LightPath, light_paths, shooting};
+pub use light_paths::{LightPath, LightTracer, light_paths};
 pub use noise::Noise;
+pub use paths::{pixel_starts, trace_paths};
 pub use renderer::Renderer;
 pub use schedule::{steps, usual_steps};
 pub use settings::RenderSettings;
 pub use start::{StartPart, StartUp};
 pub use step::{Dispatch, PixelList, Step};
 pub use totals::{Adaptive, Clamped, Status, Totals};
-pub use trace::{PathPoint, Starts, Traced, pixel_starts, trace, trace_paths, trace_pixels};
+pub use trace::{Starts, Tracer, trace, trace_pixels};
+pub use traced::{PathPoint, Traced};
 pub use watch::{Earlier, Preview, Watch};
 pub use window::Window;

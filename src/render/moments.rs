@@ -4,38 +4,27 @@
 //! binding those. Samples are summed on the device as ever. All moments lie there at once: what is the same in two of them, such as
 //! meshes that stay where they are, and pictures, is there once.
 
+use super::RenderError;
 use super::grids::LightGrids;
-use super::renderer::Moment;
-use super::{RenderError, Renderer};
+use super::prepared::{Moment, Prepared};
 use crate::gpu::{Geometry, GpuError, SceneBuffers, Stored};
 use crate::program::Program;
 use crate::scene::Scene;
 
-impl Renderer<'_> {
-    /// Has the samples of the next picture show these scenes in turn, the n-th the n-th and the first again after the last, until
-    /// another scene is set; none is the scene itself. Of the first sample of all are the layers that are of one ray.
-    ///
-    /// # Errors
-    ///
-    /// [`RenderError::OtherProgram`] where one of them needs other passes than the renderer's scene.
-    pub fn set_moments(&mut self, scenes: Vec<Scene>) -> Result<(), RenderError> {
-        self.moments.clear();
-        let mut stored = Stored::new();
-        for scene in scenes {
-            let grids = self.grids_for(&scene)?;
-            self.add_moment(scene, grids, &mut stored)?;
-        }
-        self.plan_passes(self.passes);
-        Ok(())
-    }
-
+impl Prepared<'_> {
     /// As the moments of a renderer of the same scene by another schedule.
     pub(super) fn take_moments(&mut self, moments: &[Moment]) -> Result<(), RenderError> {
         let mut stored = Stored::new();
         moments.iter().try_for_each(|own| self.add_moment(own.scene.clone(), own.grids.clone(), &mut stored))
     }
 
-    fn add_moment(&mut self, scene: Scene, grids: LightGrids, stored: &mut Stored) -> Result<(), RenderError> {
+    /// Uploads what another moment shows, as far as no other has it: what is `stored` is there already.
+    pub(super) fn add_moment(
+        &mut self,
+        scene: Scene,
+        grids: LightGrids,
+        stored: &mut Stored,
+    ) -> Result<(), RenderError> {
         let geometry = Geometry::after(std::mem::take(&mut self.before), &scene);
         let program =
             Program::after(Some(&self.program), &scene, &geometry.analysis, &self.settings.choice, geometry.extent())?;
@@ -60,7 +49,7 @@ mod tests {
     use super::*;
     use crate::gpu::Gpu;
     use crate::program::{Choice, Schedule};
-    use crate::render::{Band, RenderSettings};
+    use crate::render::{Band, RenderSettings, Renderer};
 
     fn scene(at: f64) -> Scene {
         let text = format!(
@@ -121,13 +110,13 @@ mod tests {
         let gpu = Gpu::open(None).unwrap();
         let first = scene(3.0);
         let mut renderer = Renderer::new(&gpu, &first, settings(Schedule::Fused, u64::MAX)).unwrap();
-        let bytes = |renderer: &Renderer| SceneBuffers::bytes(renderer.all_buffers());
+        let bytes = |renderer: &Renderer| SceneBuffers::bytes(renderer.prepared.all_buffers());
         let alone = bytes(&renderer);
         // As a film loads its files: once.
         let moment = |at| Scene { pictures: first.pictures.clone(), ..scene(at) };
         renderer.set_moments([3.1, 3.2, 3.3, 3.4].map(moment).to_vec()).unwrap();
-        let picture = renderer.buffers.picture(0).unwrap();
-        assert!(renderer.moments.iter().all(|moment| moment.buffers.picture(0) == Some(picture)));
+        let picture = renderer.prepared.buffers.picture(0).unwrap();
+        assert!(renderer.prepared.moments.iter().all(|moment| moment.buffers.picture(0) == Some(picture)));
         assert!(bytes(&renderer) < alone + alone / 2, "{} {alone}", bytes(&renderer));
     }
 

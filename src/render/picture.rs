@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use super::band::{Band, Bands, Rendering};
 use super::clock::Clock;
-use super::renderer::TileEnd;
 use super::sample::Sample;
+use super::tile::TileEnd;
 use super::watch::{Earlier, Preview, Round, Watch};
 use super::{Adaptive, Clamped, Noise, RenderError, Renderer, Totals, Window};
 use crate::gpu::Tile;
@@ -24,19 +24,19 @@ impl Renderer<'_> {
         watch: &Watch,
     ) -> Result<Totals, RenderError> {
         let started = Instant::now();
-        let mut clock = Clock::new(self.gpu, self.settings.apart);
-        let noise = self.scene.rays.paths.map(|_| Noise::default());
-        let clamped = self.scene.output.clamp.map(|_| Clamped::default());
+        let mut clock = Clock::new(self.prepared.gpu, self.prepared.settings.apart);
+        let noise = self.prepared.scene.rays.paths.map(|_| Noise::default());
+        let clamped = self.prepared.scene.output.clamp.map(|_| Clamped::default());
         let mut totals = Totals { adaptive: self.adaptive(), noise, clamped, ..Totals::default() };
-        let (first, samples) = (watch.earlier.map_or(0, |earlier| earlier.samples), self.scene.image.samples);
-        let stage = self.gpu.progress.part("rendering", f64::from(samples.saturating_sub(first)), 1.0);
+        let (first, samples) = (watch.earlier.map_or(0, |earlier| earlier.samples), self.prepared.scene.image.samples);
+        let stage = self.prepared.gpu.progress.part("rendering", f64::from(samples.saturating_sub(first)), 1.0);
         let own = match watch.preview {
             Some(preview) => self.preview((preview, &stage), watch, &mut clock, &mut totals)?,
             None => None,
         };
         let last = Round::new(own.as_ref().or(watch.earlier), samples, true);
         self.render_round(rows, &mut clock, &last.told(&stage, first), &mut totals)?;
-        self.finish_totals(&mut totals, &clock, started)?;
+        self.prepared.finish_totals(&mut totals, &clock, started)?;
         Ok(totals)
     }
 
@@ -56,7 +56,7 @@ impl Renderer<'_> {
             let before = own.as_ref().or(watch.earlier);
             let until = before.map_or(0, |earlier| earlier.samples).saturating_add(samples);
             // Adaptive pixels take as many as they need, of which none are left for later.
-            if until >= self.scene.image.samples || totals.adaptive.is_some() {
+            if until >= self.prepared.scene.image.samples || totals.adaptive.is_some() {
                 return Ok(own);
             }
             let begun = Instant::now();
@@ -107,14 +107,14 @@ impl Renderer<'_> {
     ) -> Result<Option<Band>, RenderError> {
         let [width, height] = self.window().size;
         let [tile_width, tile_height] = self.tile_size()?;
-        let margin = self.program.features.margin();
+        let margin = self.prepared.program.features.margin();
         let tile_rows = tile_height.min(height - first_row);
         let mut band = self.band(first_row, tile_rows);
         for left in (0..width).step_by(tile_width as usize) {
             let size = [tile_width.min(width - left), tile_rows];
             let made = match &*tile {
                 Some(made) if made.size == size.map(|side| side + margin) => made,
-                _ => tile.insert(self.tile(size.map(|side| side + margin))?),
+                _ => tile.insert(self.prepared.tile(size.map(|side| side + margin))?),
             };
             let [all, done, own] =
                 [[width, height], [width, first_row], size].map(|[x, y]| f64::from(x) * f64::from(y));
@@ -123,13 +123,13 @@ impl Renderer<'_> {
             let at = Window { origin: [left, first_row], size };
             self.render_tile(made, at, clock, (round, &progress), totals)?;
             // Adaptive sampling takes as many as it needs.
-            let rays = self.scene.image.adaptive.is_none().then(|| self.rays_of(size, round));
-            if self.read_tally(made, totals, rays)? == TileEnd::Again {
+            let rays = self.prepared.scene.image.adaptive.is_none().then(|| self.rays_of(size, round));
+            if self.prepared.read_tally(made, totals, rays)? == TileEnd::Again {
                 return Ok(None);
             }
             let noise = totals.noise.as_mut().filter(|_| round.is_last);
             let values = self.read_values(made)?;
-            values.put(left, round, &self.settings.choice.layers, &mut band, noise);
+            values.put(left, round, &self.prepared.settings.choice.layers, &mut band, noise);
             if let Some(clamped) = &mut totals.clamped {
                 values.add_clamped(round, clamped);
             }
@@ -140,7 +140,7 @@ impl Renderer<'_> {
     /// Rays of a tile in a round of samples.
     fn rays_of(&self, size: [u32; 2], round: &Round) -> u64 {
         let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
-        let corners = if self.program.features.keeps_footprints { count(1) } else { 0 };
+        let corners = if self.prepared.program.features.keeps_footprints { count(1) } else { 0 };
         u64::from(round.until - round.begins()) * count(0) + corners
     }
 
@@ -155,7 +155,7 @@ impl Renderer<'_> {
     /// What adaptive sampling is to do, if it is asked for.
     fn adaptive(&self) -> Option<Adaptive> {
         let [width, height] = self.window().size.map(u64::from);
-        let image = &self.scene.image;
+        let image = &self.prepared.scene.image;
         let new =
             |tolerance| Adaptive { pixels: width * height, samples: 0, capped: 0, most: image.samples, tolerance };
         image.adaptive.map(new)
@@ -164,25 +164,25 @@ impl Renderer<'_> {
     /// The layers of the picture's first sample, on one tile: for pictures that are no larger. `None` if a path outlives the pass that was
     /// to follow all of it.
     pub fn first_sample(&mut self) -> Result<Option<Rendering>, RenderError> {
-        let size = self.scene.image.size;
-        let margin = self.program.features.margin();
+        let size = self.prepared.scene.image.size;
+        let margin = self.prepared.program.features.margin();
         let started = Instant::now();
-        let rays = self.scene.image.adaptive.is_none().then(|| size.map(u64::from).into_iter().product());
+        let rays = self.prepared.scene.image.adaptive.is_none().then(|| size.map(u64::from).into_iter().product());
         loop {
-            let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
-            let tile = self.tile(size.map(|side| side + margin))?;
-            self.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
-            let unfinished = self.add_tally(&tile, &mut totals, rays)?;
-            if unfinished && self.is_whole() {
+            let (mut totals, mut clock) = (Totals::default(), Clock::new(self.prepared.gpu, false));
+            let tile = self.prepared.tile(size.map(|side| side + margin))?;
+            self.prepared.run_sample(&tile, Sample::first(size), &mut clock, &|_| {})?;
+            let unfinished = self.prepared.add_tally(&tile, &mut totals, rays)?;
+            if unfinished && self.prepared.is_whole() {
                 return Ok(None);
             }
-            if unfinished && self.make_room()? {
+            if unfinished && self.prepared.make_room()? {
                 continue;
             }
             let mut band = self.band(0, size[1]);
-            let wanted = &self.settings.choice.layers;
+            let wanted = &self.prepared.settings.choice.layers;
             self.read_values(&tile)?.put(0, &Round::new(None, 1, true), wanted, &mut band, None);
-            self.finish_totals(&mut totals, &clock, started)?;
+            self.prepared.finish_totals(&mut totals, &clock, started)?;
             return Ok(Some(Rendering { band, totals }));
         }
     }
@@ -192,7 +192,7 @@ impl Renderer<'_> {
         let width = self.window().size[0];
         let black = || vec![0.0; rows as usize * width as usize];
         let color = [black(), black(), black()];
-        let alpha = self.scene.is_transparent().then(black);
+        let alpha = self.prepared.scene.is_transparent().then(black);
         Band { first_row, rows, width, color, alpha, layers: Vec::new() }
     }
 
@@ -210,16 +210,16 @@ impl Renderer<'_> {
             return self.sample_adaptively(tile, origin, clock, progress, sums);
         }
         let first = round.begins();
-        if self.program.features.keeps_footprints {
-            self.run_sample(tile, Sample::corners(origin, self.scene.image.size), clock, &|_| {})?;
+        if self.prepared.program.features.keeps_footprints {
+            self.prepared.run_sample(tile, Sample::corners(origin, self.prepared.scene.image.size), clock, &|_| {})?;
         }
         if let Some(earlier) = round.earlier {
-            earlier.put(self.gpu, &self.program, tile, part)?;
+            earlier.put(self.prepared.gpu, &self.prepared.program, tile, part)?;
         }
         for number in first..round.until {
-            let sample = Sample { origin, image: self.scene.image.size, number, refines: None };
+            let sample = Sample { origin, image: self.prepared.scene.image.size, number, refines: None };
             let done = |part: f64| progress((f64::from(number - first) + part) / f64::from(round.until - first));
-            self.run_sample(tile, sample, clock, &done)?;
+            self.prepared.run_sample(tile, sample, clock, &done)?;
         }
         Ok(())
     }

@@ -13,8 +13,8 @@ use wgpu::{
     BindGroup, CommandEncoder, CommandEncoderDescriptor, ComputePass, ComputePassDescriptor, PollType, SubmissionIndex,
 };
 
-use super::Renderer;
 use super::clock::{Clock, Stage};
+use super::prepared::Prepared;
 use super::sample::Sample;
 use super::step::{Dispatch, Step};
 use crate::gpu::{GpuError, List, Listed, SECTION, SceneBuffers, Selection, Tile};
@@ -25,7 +25,7 @@ const SUBMISSION: u64 = 1 << 26;
 /// Submissions that may be under way at once.
 const IN_FLIGHT: usize = 3;
 
-impl Renderer<'_> {
+impl Prepared<'_> {
     /// Runs one sample of a tile: all its rounds, in submissions short enough for any driver. `progress` is given the fraction of
     /// their work that has ended, whenever a submission ends: the last call has 1.
     pub(super) fn run_sample(
@@ -104,7 +104,7 @@ fn stage_of(pass: Pass, round: u32, apart: bool) -> Stage {
 
 /// One sample under way.
 struct Runner<'r, 'a> {
-    renderer: &'r Renderer<'a>,
+    prepared: &'r Prepared<'a>,
     tile: &'r Tile,
     buffers: &'r SceneBuffers,
     groups: HashMap<(Pass, Selection), BindGroup>,
@@ -118,10 +118,10 @@ struct Runner<'r, 'a> {
 }
 
 impl<'r, 'a> Runner<'r, 'a> {
-    fn new(renderer: &'r Renderer<'a>, tile: &'r Tile, sample: Sample, told: &'r dyn Fn(u64)) -> Self {
-        let buffers = renderer.buffers_of(sample.number);
+    fn new(prepared: &'r Prepared<'a>, tile: &'r Tile, sample: Sample, told: &'r dyn Fn(u64)) -> Self {
+        let buffers = prepared.buffers_of(sample.number);
         let (groups, recorded, under_way) = (HashMap::new(), Vec::new(), VecDeque::new());
-        Self { renderer, tile, buffers, groups, recorded, under_way, ended: 0, told }
+        Self { prepared, tile, buffers, groups, recorded, under_way, ended: 0, told }
     }
 
     /// Submits what is recorded. Steps of the same stage that follow each other share a compute pass.
@@ -129,9 +129,9 @@ impl<'r, 'a> Runner<'r, 'a> {
         if self.recorded.is_empty() {
             return Ok(());
         }
-        let gpu = self.renderer.gpu;
+        let gpu = self.prepared.gpu;
         for i in 0..self.recorded.len() {
-            self.prepare(i)?;
+            self.bind(i)?;
         }
         let mut encoder = gpu.device.create_command_encoder(&CommandEncoderDescriptor { label: None });
         let apart = clock.apart;
@@ -140,7 +140,7 @@ impl<'r, 'a> Runner<'r, 'a> {
             drop(encoder.begin_compute_pass(&descriptor));
             clock.settle(&mut encoder);
         }
-        let lists = self.renderer.plan.batch;
+        let lists = self.prepared.plan.batch;
         let batch = |round: u32| u64::from(round) / lists.rounds;
         let key = |(round, step): &(u32, Step)| {
             (batch(*round), stage_of(step.pass, *round, apart), step.pass == Pass::Refine)
@@ -158,7 +158,7 @@ impl<'r, 'a> Runner<'r, 'a> {
             let mut current = None;
             for (round, step) in steps {
                 let key = (step.pass, lists.selection(step, *round));
-                let (Some(pipeline), Some(group)) = (self.renderer.pipelines.get(step.pass), self.groups.get(&key))
+                let (Some(pipeline), Some(group)) = (self.prepared.pipelines.get(step.pass), self.groups.get(&key))
                 else {
                     continue;
                 };
@@ -177,12 +177,12 @@ impl<'r, 'a> Runner<'r, 'a> {
         self.wait(IN_FLIGHT)
     }
 
-    fn prepare(&mut self, i: usize) -> Result<(), GpuError> {
+    fn bind(&mut self, i: usize) -> Result<(), GpuError> {
         let (round, step) = self.recorded[i];
-        let renderer = self.renderer;
-        let key = (step.pass, renderer.plan.batch.selection(&step, round));
-        if let (false, Some(pipeline)) = (self.groups.contains_key(&key), renderer.pipelines.get(step.pass)) {
-            let group = self.tile.bind_group(renderer.gpu, pipeline, self.buffers, key.1)?;
+        let prepared = self.prepared;
+        let key = (step.pass, prepared.plan.batch.selection(&step, round));
+        if let (false, Some(pipeline)) = (self.groups.contains_key(&key), prepared.pipelines.get(step.pass)) {
+            let group = self.tile.bind_group(prepared.gpu, pipeline, self.buffers, key.1)?;
             self.groups.insert(key, group);
         }
         Ok(())
@@ -191,7 +191,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     /// No ray is active before a round's setup says so, and no pixel is open in the next round before its shading says so. What
     /// the batch before has left open stays.
     fn clear_lists(&self, encoder: &mut CommandEncoder, batch: u64) {
-        let half = self.renderer.plan.batch.rounds * SECTION;
+        let half = self.prepared.plan.batch.rounds * SECTION;
         for (of, offset, size) in [(Listed::Active, 0, None), (Listed::Open, batch % 2 * half, Some(half))] {
             for list in List::both(of) {
                 if let Some(buffer) = self.tile.arguments(list) {
@@ -203,8 +203,8 @@ impl<'r, 'a> Runner<'r, 'a> {
 
     /// Where the step's own sections lie in the buffers that are cut into such, in the order of the bindings.
     fn offsets(&self, step: &Step, round: u32) -> Vec<u32> {
-        let plan = &self.renderer.plan;
-        let bindings = self.renderer.pipelines.get(step.pass).map_or(&[][..], |pipeline| &pipeline.bindings);
+        let plan = &self.prepared.plan;
+        let bindings = self.prepared.pipelines.get(step.pass).map_or(&[][..], |pipeline| &pipeline.bindings);
         let offset = |role: &Role| match role {
             Role::Parameters => Some(plan.parameters_of(step) * SECTION),
             Role::Arguments(Access::Read) => Some(plan.batch.place(step.read, round).offset()),
@@ -220,12 +220,12 @@ impl<'r, 'a> Runner<'r, 'a> {
             Dispatch::Listed => true,
             Dispatch::ListedLater => round > 0,
         };
-        let read = self.renderer.plan.batch.place(step.read, round);
+        let read = self.prepared.plan.batch.place(step.read, round);
         match self.tile.arguments(read.list) {
             Some(buffer) if indirect => pass.dispatch_workgroups_indirect(buffer, read.offset()),
             _ => {
-                let [across, down] = self.renderer.pipelines.group;
-                let rows = down * if step.pass == Pass::Whole { self.renderer.gpu.profile.lane_pixels } else { 1 };
+                let [across, down] = self.prepared.pipelines.group;
+                let rows = down * if step.pass == Pass::Whole { self.prepared.gpu.profile.lane_pixels } else { 1 };
                 pass.dispatch_workgroups(self.tile.size[0].div_ceil(across), self.tile.size[1].div_ceil(rows), 1);
             }
         }
@@ -235,7 +235,7 @@ impl<'r, 'a> Runner<'r, 'a> {
     fn wait(&mut self, left: usize) -> Result<(), GpuError> {
         while self.under_way.len() > left {
             let Some((index, weight)) = self.under_way.pop_front() else { break };
-            self.renderer
+            self.prepared
                 .gpu
                 .device
                 .poll(PollType::Wait { submission_index: Some(index), timeout: None })

@@ -13,11 +13,11 @@ const SMALL: u32 = 224;
 impl Renderer<'_> {
     /// The device's time for one sample of the small picture.
     pub(super) fn small_time(&self) -> Result<Duration, RenderError> {
-        let (tile, sample) = (self.tile(self.small_size())?, self.small_sample());
-        let (mut totals, mut clock) = (Totals::default(), Clock::new(self.gpu, false));
+        let (tile, sample) = (self.prepared.tile(self.small_size())?, self.small_sample());
+        let (mut totals, mut clock) = (Totals::default(), Clock::new(self.prepared.gpu, false));
         let started = Instant::now();
-        self.run_sample(&tile, sample, &mut clock, &|_| {})?;
-        self.finish_totals(&mut totals, &clock, started)?;
+        self.prepared.run_sample(&tile, sample, &mut clock, &|_| {})?;
+        self.prepared.finish_totals(&mut totals, &clock, started)?;
         Ok(totals.advance())
     }
 
@@ -25,17 +25,17 @@ impl Renderer<'_> {
     pub fn expected_time(&mut self) -> Result<Duration, RenderError> {
         let size = self.small_size();
         let mut taken = Duration::ZERO;
-        let _stage = self.gpu.progress.stage("estimating the time");
+        let _stage = self.prepared.gpu.progress.stage("estimating the time");
         // The first compiles.
         for _ in 0..2 {
-            let tile = self.tile(size)?;
+            let tile = self.prepared.tile(size)?;
             let started = Instant::now();
-            self.run_sample(&tile, self.small_sample(), &mut Clock::new(self.gpu, false), &|_| {})?;
-            let _ = self.read_tally(&tile, &mut Totals::default(), None)?;
+            self.prepared.run_sample(&tile, self.small_sample(), &mut Clock::new(self.prepared.gpu, false), &|_| {})?;
+            let _ = self.prepared.read_tally(&tile, &mut Totals::default(), None)?;
             taken = started.elapsed();
         }
         let pixels = |size: [u32; 2]| size.map(f64::from).into_iter().product::<f64>();
-        let many = pixels(self.window().size) / pixels(size) * f64::from(self.scene.image.samples);
+        let many = pixels(self.window().size) / pixels(size) * f64::from(self.prepared.scene.image.samples);
         Ok(Duration::try_from_secs_f64(taken.as_secs_f64() * many).unwrap_or(Duration::MAX))
     }
 
@@ -45,8 +45,8 @@ impl Renderer<'_> {
 
     fn small_sample(&self) -> Sample {
         let Window { origin, .. } = self.window();
-        let refines = self.program.features.adapts.then_some(Refines::FIRST);
-        let image = self.scene.image.size.map(|side| self.small(side).max(1));
+        let refines = self.prepared.program.features.adapts.then_some(Refines::FIRST);
+        let image = self.prepared.scene.image.size.map(|side| self.small(side).max(1));
         Sample { origin: origin.map(|side| self.small(side)), image, number: 0, refines }
     }
 

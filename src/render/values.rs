@@ -21,8 +21,8 @@ impl Renderer<'_> {
     /// Waits for a tile.
     pub(super) fn read_values(&self, tile: &Tile) -> Result<Values<'_>, RenderError> {
         let roles = [&Role::Pixels, &Role::Moments];
-        let [pixels, moments] = Records::read_all(self.gpu, &self.program, tile, roles)?;
-        let margin = self.program.features.margin();
+        let [pixels, moments] = Records::read_all(self.prepared.gpu, &self.prepared.program, tile, roles)?;
+        let margin = self.prepared.program.features.margin();
         Ok(Values { pixels, moments: Moments::of(&moments), size: tile.size, margin })
     }
 }

@@ -1,0 +1,221 @@
+//! A scene made ready for a device: its program, pipelines and data, and what runs for each round of a sample.
+
+use std::borrow::Cow;
+
+use wgpu::ErrorFilter;
+
+use super::grids::LightGrids;
+use super::plan::Plan;
+use super::schedule::{PassCounts, fused_segments, steps};
+use super::{RenderError, RenderSettings, Window};
+use crate::gpu::{Before, Geometry, Gpu, GpuError, Pipelines, SceneBuffers, pack, schedule_values};
+use crate::model::{Control, Value};
+use crate::program::{BindingKind, Choice, Features, Layout, Program, Purpose, Regions, Role, Schedule};
+use crate::scene::Scene;
+
+/// A scene's program, pipelines and data on a device.
+#[derive(Debug)]
+pub(super) struct Prepared<'a> {
+    pub gpu: &'a Gpu,
+    pub scene: Cow<'a, Scene>,
+    pub settings: RenderSettings,
+    /// The linked program.
+    pub program: Program,
+    pub pipelines: Pipelines,
+    pub buffers: SceneBuffers,
+    /// What samples show in turn instead, if anything: the moments while a shutter is open.
+    pub moments: Vec<Moment>,
+    /// Which objects have an inside.
+    pub regions: Regions,
+    /// Of the scene's lights.
+    pub grids: LightGrids,
+    /// Kept for the next frame.
+    pub before: Before,
+    pub max_segments: u32,
+    pub passes: PassCounts,
+    /// What runs for each round of a sample.
+    pub plan: Plan,
+}
+
+/// A scene that some of a picture's samples show, of the same program.
+#[derive(Debug)]
+pub(super) struct Moment {
+    pub scene: Scene,
+    pub grids: LightGrids,
+    pub buffers: SceneBuffers,
+}
+
+impl<'a> Prepared<'a> {
+    /// Links, compiles and uploads.
+    pub(super) fn new(
+        gpu: &'a Gpu,
+        mut scene: Cow<'a, Scene>,
+        mut settings: RenderSettings,
+        grids: LightGrids,
+    ) -> Result<Self, RenderError> {
+        settings.choice.device = gpu.profile;
+        // Whatever rays are followed for besides a picture, they end where they meet a surface.
+        if settings.choice.purpose != Purpose::Picture && scene.rays.paths.is_some() {
+            scene.to_mut().rays.paths = None;
+        }
+        let given = settings.choice.purpose.is_given();
+        if !given && scene.camera.is_none() {
+            return Err(RenderError::NoCamera);
+        }
+        if let Some(window) = settings.window.filter(|window| !window.fits(scene.image.size)) {
+            return Err(RenderError::Window { window, picture: scene.image.size });
+        }
+        let geometry = placed(gpu, Before::default(), &scene);
+        let stage = gpu.progress.stage("generating the shaders");
+        let program = Program::new(&scene, &geometry.analysis, &settings.choice, geometry.extent())?;
+        drop(stage);
+        settings.choice.schedule = program.features.schedule;
+        let [width, _] = settings.window.unwrap_or(Window::whole(scene.image.size)).size;
+        let is_picture = settings.choice.purpose == Purpose::Picture;
+        let pipelines = Pipelines::new(gpu, &program, if is_picture { width } else { u32::MAX })?;
+        settings.segments = fused_segments(settings.segments, &program.features, scene.rays.max_segments);
+        let segments = settings.segments_a_pass();
+        let scope = gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let buffers = SceneBuffers::new(gpu, &scene, &geometry, &program, &grids.fields, segments, (None, None))?;
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let what = "the scene's objects, pictures and grids".to_owned();
+            return Err(GpuError::Full { what, reason: error.to_string() }.into());
+        }
+        let max_segments = scene.rays.max_segments;
+        let passes = PassCounts::usual();
+        let plan = planned(&scene, &program.features, passes, max_segments, settings.segments);
+        let regions = geometry.analysis.regions.clone();
+        Ok(Self {
+            gpu,
+            scene,
+            settings,
+            program,
+            pipelines,
+            buffers,
+            moments: Vec::new(),
+            regions,
+            grids,
+            before: geometry.into_before(),
+            max_segments,
+            passes,
+            plan,
+        })
+    }
+
+    /// Goes on with another scene of the same program.
+    pub(super) fn change_scene(&mut self, mut scene: Scene, grids: LightGrids) -> Result<(), RenderError> {
+        let RenderSettings { window, choice, .. } = &self.settings;
+        if choice.purpose != Purpose::Picture {
+            scene.rays.paths = None;
+        }
+        if let Some(window) = window.filter(|window| !window.fits(scene.image.size)) {
+            return Err(RenderError::Window { window, picture: scene.image.size });
+        }
+        let geometry = placed(self.gpu, std::mem::take(&mut self.before), &scene);
+        let program = Program::after(Some(&self.program), &scene, &geometry.analysis, choice, geometry.extent())?;
+        if !program.runs_as(&self.program) {
+            return Err(RenderError::OtherProgram);
+        }
+        self.grids = grids;
+        self.moments.clear();
+        let (segments, fields, before) = (self.settings.segments_a_pass(), &self.grids.fields, Some(&self.buffers));
+        self.buffers = SceneBuffers::new(self.gpu, &scene, &geometry, &program, fields, segments, (before, None))?;
+        self.regions = geometry.analysis.regions.clone();
+        self.before = geometry.into_before();
+        self.program = program;
+        self.max_segments = scene.rays.max_segments;
+        self.scene = Cow::Owned(scene);
+        self.plan_passes(PassCounts::usual());
+        Ok(())
+    }
+
+    /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
+    /// is compiled again.
+    pub(super) fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
+        // What is made of the scene later is made with these.
+        let rays = &mut self.scene.to_mut().rays;
+        (rays.control, rays.max_segments) = (control, max_segments);
+        self.rewrite("control", &control.values())?;
+        self.set_segments(max_segments, self.settings.segments)
+    }
+
+    /// Changes how many segments a path may have, and how many of them a fused pass takes.
+    pub(super) fn set_segments(&mut self, max_segments: u32, segments: u32) -> Result<(), GpuError> {
+        self.max_segments = max_segments;
+        self.settings.segments = segments;
+        self.rewrite("schedule", &schedule_values(max_segments, self.settings.segments_a_pass()))?;
+        self.plan_passes(PassCounts::usual());
+        Ok(())
+    }
+
+    /// Gives one of the scene's uniforms other values.
+    fn rewrite<N: AsRef<str>>(&self, name: &str, values: &[(N, Value)]) -> Result<(), GpuError> {
+        for binding in self.program.bindings() {
+            let BindingKind::Block { members, .. } = &binding.kind else { continue };
+            for member in members.iter().filter(|member| member.value.name == name) {
+                let bytes = pack(name, &member.layout, [values])?;
+                for buffer in self.all_buffers().filter_map(|scene| scene.buffer(&binding.role)) {
+                    self.gpu.queue.write_buffer(buffer, u64::from(member.offset), &bytes);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The scene's own buffers, and those of its moments.
+    pub(super) fn all_buffers(&self) -> impl Iterator<Item = &SceneBuffers> + Clone {
+        std::iter::once(&self.buffers).chain(self.moments.iter().map(|moment| &moment.buffers))
+    }
+
+    /// What a sample shows.
+    pub(super) fn buffers_of(&self, sample: u32) -> &SceneBuffers {
+        let moment = (sample as usize).checked_rem(self.moments.len()).map(|k| &self.moments[k]);
+        moment.map_or(&self.buffers, |moment| &moment.buffers)
+    }
+
+    /// How the buffer for a binding of this role lies.
+    pub(super) fn layout(&self, role: &Role) -> Result<&Layout, GpuError> {
+        self.program.layout(role).ok_or_else(|| GpuError::Layout {
+            binding: role.to_string(),
+            problem: "the program does not bind it".to_owned(),
+        })
+    }
+
+    /// Records so many passes from now on.
+    pub(super) fn plan_passes(&mut self, passes: PassCounts) {
+        self.passes = passes;
+        self.plan = planned(&self.scene, &self.program.features, passes, self.max_segments, self.settings.segments);
+    }
+
+    /// Makes room for rays that outlived the passes that were to follow them: whole paths are followed by the schedule `fused` from now on, and
+    /// that has more passes. Returns `false` if there is as much room as there can be.
+    pub(super) fn make_room(&mut self) -> Result<bool, RenderError> {
+        if self.is_whole() {
+            let choice = Choice { schedule: Schedule::Fused, ..self.settings.choice.clone() };
+            let settings = RenderSettings { choice, ..self.settings.clone() };
+            let mut fused = Self::new(self.gpu, self.scene.clone(), settings, self.grids.clone())?;
+            fused.take_moments(&self.moments)?;
+            *self = fused;
+            return Ok(true);
+        }
+        let Some(more) = self.passes.more(&self.gpu.profile, self.program.features.suspends) else { return Ok(false) };
+        self.plan_passes(more);
+        Ok(true)
+    }
+
+    /// Are paths followed in one pass?
+    pub(super) fn is_whole(&self) -> bool {
+        self.settings.choice.schedule == Schedule::Whole
+    }
+}
+
+/// What runs for each round of a sample.
+fn planned(scene: &Scene, features: &Features, passes: PassCounts, max_segments: u32, segments: u32) -> Plan {
+    Plan::new(steps(scene, features, passes, max_segments, segments), features.rounds)
+}
+
+/// Places a scene's objects, and builds what is searched for them.
+fn placed(gpu: &Gpu, before: Before, scene: &Scene) -> Geometry {
+    let _stage = gpu.progress.stage("building the acceleration structure");
+    Geometry::after(before, scene)
+}

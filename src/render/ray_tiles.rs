@@ -1,0 +1,112 @@
+//! Tiles whose pixels are single rays: what starts them is written, and their records are read.
+
+use glam::DVec3;
+
+use super::prepared::Prepared;
+use super::records::{Records, Row};
+use super::sample::Sample;
+use super::{PathPoint, RenderError, Status, Traced};
+use crate::gpu::{Tile, pack};
+use crate::model::Object;
+use crate::model::Value::Vec3;
+use crate::model::law::Facts;
+use crate::program::{Regions, Role};
+use crate::scene::Scene;
+
+/// Rays of one batch.
+pub(super) const BATCH: usize = 1 << 18;
+/// Rays in one row of the state's textures.
+pub(super) const ROW: u32 = 1024;
+
+/// Does a ray start where nothing comes out?
+pub(super) fn is_swallowed(law: &Facts, ray: &[f64; 6]) -> bool {
+    law.swallows(DVec3::from_slice(&ray[..3]))
+}
+
+/// The end of a ray that starts there.
+pub(super) fn captured_at(ray: &[f64; 6]) -> Traced {
+    let [x, v] = [0, 3].map(|k| [ray[k], ray[k + 1], ray[k + 2]]);
+    Traced { status: Status::Captured, x, v, tau: 0.0, depth: 0.0, steps: 0, rejected: 0, object: None }
+}
+
+/// A tile with one pixel a ray.
+pub(super) fn ray_tile(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<(Tile, Sample), RenderError> {
+    let row = |ray: &[f64; 6]| {
+        [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
+    };
+    let bytes = pack("given", prepared.layout(&Role::Given)?, batch.iter().map(row))?;
+    let mut tile = list_tile(prepared, batch.len(), ROW, &Role::Given, &bytes)?;
+    if prepared.program.layout(&Role::GivenSets).is_some() {
+        let meshes = closed_meshes(&prepared.scene, &prepared.regions);
+        let mut sets: Vec<u32> = Vec::with_capacity(batch.len());
+        for (i, ray) in batch.iter().enumerate() {
+            // Many may start at one place.
+            let known = i.checked_sub(1).filter(|before| batch[*before][..3] == ray[..3]).map(|before| sets[before]);
+            sets.push(known.unwrap_or_else(|| starting_set(&meshes, ray)));
+        }
+        tile.add_input(prepared.gpu, &Role::GivenSets, bytemuck::cast_slice(&sets))?;
+    }
+    let image = tile.size;
+    Ok((tile, Sample::first(image)))
+}
+
+/// A mesh that rays may start in: its bit in the set of regions, and the corners of the box about it.
+type ClosedMesh<'a> = (usize, &'a Object, (DVec3, DVec3));
+
+fn closed_meshes<'a>(scene: &'a Scene, regions: &Regions) -> Vec<ClosedMesh<'a>> {
+    let objects = regions.regions.iter().map(|region| &scene.objects[region.object]).enumerate();
+    let meshes = objects.filter(|(_, object)| object.shape.mesh().is_some());
+    meshes.map(|(bit, object)| (bit, object, object.bounds())).collect()
+}
+
+/// The meshes that a ray starts in, as bits of the set of regions. To ask a mesh takes as long as it has triangles.
+fn starting_set(meshes: &[ClosedMesh], ray: &[f64; 6]) -> u32 {
+    let x = DVec3::new(ray[0], ray[1], ray[2]);
+    let near = |(lo, hi): &(DVec3, DVec3)| x.cmpge(*lo).all() && x.cmple(*hi).all();
+    let inside = meshes.iter().filter(|(_, object, bounds)| near(bounds) && object.contains(x));
+    inside.fold(0, |set, (bit, ..)| set | 1 << bit)
+}
+
+/// A tile whose pixels stand for pixels of the picture.
+pub(super) fn pixel_tile(prepared: &Prepared, batch: &[[u32; 2]], row: u32) -> Result<(Tile, Sample), RenderError> {
+    let tile = list_tile(prepared, batch.len(), row, &Role::Chosen, bytemuck::cast_slice(batch))?;
+    Ok((tile, Sample::first(prepared.scene.image.size)))
+}
+
+/// A tile of rows of `row` pixels, with a list of what each is and room for their records.
+fn list_tile(prepared: &Prepared, count: usize, row: u32, role: &Role, list: &[u8]) -> Result<Tile, RenderError> {
+    let width = row.min(count as u32).max(1);
+    let size = [width, (count as u32).div_ceil(width).max(1)];
+    let mut tile = prepared.tile(size)?;
+    tile.add_input(prepared.gpu, role, list)?;
+    let records = u64::from(prepared.layout(&Role::Records)?.span) * u64::from(size[0]) * u64::from(size[1]);
+    tile.add_storage(prepared.gpu, &Role::Records, records)?;
+    Ok(tile)
+}
+
+pub(super) fn read_records(prepared: &Prepared, tile: &Tile, count: usize) -> Result<Vec<Traced>, RenderError> {
+    let traced = |row: Row| Traced {
+        status: Status::from_code(row.uint("status")),
+        x: row.vector("x"),
+        v: row.vector("v"),
+        tau: row.float("tau"),
+        depth: row.float("depth"),
+        steps: row.uint("steps"),
+        rejected: row.uint("rejected"),
+        object: row.uint("object").checked_sub(1),
+    };
+    Ok(Records::read(prepared.gpu, &prepared.program, tile, &Role::Records)?.rows().take(count).map(traced).collect())
+}
+
+/// Where rays start, after the setup alone: it knows of some that they end in their first segment, and records that end.
+pub(super) fn read_starts(
+    prepared: &Prepared,
+    tile: &Tile,
+    count: usize,
+) -> Result<Vec<(Status, PathPoint)>, RenderError> {
+    let begun = |row: Row| {
+        let start = PathPoint { x: row.vector("from_x"), v: row.vector("from_v"), tau: 0.0 };
+        (Status::from_code(row.uint("status")), start)
+    };
+    Ok(Records::read(prepared.gpu, &prepared.program, tile, &Role::Records)?.rows().take(count).map(begun).collect())
+}

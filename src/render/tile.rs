@@ -1,0 +1,81 @@
+//! A tile of a program's state: made, told what sample comes, and its tally read.
+
+use std::time::Instant;
+
+use wgpu::ErrorFilter;
+
+use super::clock::Clock;
+use super::prepared::Prepared;
+use super::records::Records;
+use super::sample::Sample;
+use super::{RenderError, Totals};
+use crate::gpu::{GpuError, SECTION, Tile, pack};
+use crate::program::Role;
+
+/// What became of a tile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum TileEnd {
+    Done,
+    /// Rays were still under way when the passes ended. There is more room for them now, and the tile is to be rendered again.
+    Again,
+}
+
+impl Prepared<'_> {
+    /// A tile of this program's state.
+    pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
+        let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
+        let plan = &self.plan;
+        let tile = Tile::new(self.gpu, &self.program, size, &plan.sections())?;
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            let what = format!("a tile of {}×{} pixels", size[0], size[1]);
+            return Err(GpuError::Full { what, reason: error.to_string() });
+        }
+        if let Some(layout) = self.program.layout(&Role::Parameters) {
+            for (i, parameters) in plan.parameters.iter().enumerate() {
+                let bytes = pack("dispatch parameters", layout, [parameters.row()])?;
+                tile.write(self.gpu, &Role::Parameters, i as u64 * SECTION, &bytes);
+            }
+        }
+        Ok(tile)
+    }
+
+    pub(super) fn write_sample(&self, tile: &Tile, sample: Sample, round: u32) -> Result<(), GpuError> {
+        let Some(layout) = self.program.layout(&Role::Frame) else { return Ok(()) };
+        tile.write(self.gpu, &Role::Frame, 0, &pack("frame", layout, [sample.row(tile.size, round)])?);
+        Ok(())
+    }
+
+    /// Adds the tile's tally to `totals`, and clears it. Returns `true` if rays are still under way.
+    ///
+    /// `rays` is how many there are, where that is known beforehand: a device that stops an invocation for its loops says nothing,
+    /// and what a pass of whole paths then left out is only missing from the count.
+    pub(super) fn add_tally(&self, tile: &Tile, totals: &mut Totals, rays: Option<u64>) -> Result<bool, GpuError> {
+        let records = Records::take(self.gpu, &self.program, tile, &Role::Tally)?;
+        let Some(tally) = records.rows().next() else { return Ok(false) };
+        totals.add_tally(&tally);
+        let missing = self.is_whole() && rays.is_some_and(|rays| Totals::counted(&tally) < rays);
+        Ok(missing || Totals::unfinished(&tally) > 0)
+    }
+
+    /// As [`add_tally`](Self::add_tally), unless rays are still under way for which there can be more room.
+    pub(super) fn read_tally(
+        &mut self,
+        tile: &Tile,
+        totals: &mut Totals,
+        rays: Option<u64>,
+    ) -> Result<TileEnd, RenderError> {
+        let before = totals.clone();
+        if self.add_tally(tile, totals, rays)? && self.make_room()? {
+            *totals = before;
+            return Ok(TileEnd::Again);
+        }
+        Ok(TileEnd::Done)
+    }
+
+    /// Adds the time that the device and the host took.
+    pub(super) fn finish_totals(&self, totals: &mut Totals, clock: &Clock, started: Instant) -> Result<(), GpuError> {
+        totals.device = clock.read(self.gpu)?;
+        totals.wall = started.elapsed();
+        Ok(())
+    }
+}
