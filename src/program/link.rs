@@ -9,7 +9,7 @@
 //! for processors. Then they are split into declarations: `copies` makes one copy of a region's for each kind of region, the names
 //! suffixed, and a switch wherever shared parts call one; `inline` writes functions that only hand on a value where they are called. Of
 //! each pass `lower` joins the uniforms in one block, and `bindings` what is kept for each pixel in one buffer; everything that is bound
-//! gets a number.
+//! gets a number. A pass is written in reading order: the entry point, then what it calls, then what that calls, file by file.
 //!
 //! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them.
 
@@ -64,9 +64,10 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
             extend(&mut reached, kept.iter().copied().collect(), &all, &by_name);
             reached.retain(|i| !kept.contains(i));
         }
+        let rank = reading_order(&all, &by_name, entry);
         let reached: Vec<&Declaration> = reached.into_iter().map(|i| &all[i]).collect();
         let nothing = Pixels::default();
-        pass(&units, &reached, entry, &parts.device, if keeps { &pixels } else { &nothing })
+        pass(&units, (&reached, &rank), entry, &parts.device, if keeps { &pixels } else { &nothing })
     };
     entries.iter().zip(reached).map(pass).collect()
 }
@@ -74,7 +75,7 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
 /// The declarations that an entry point reaches, lowered.
 fn pass(
     units: &Arc<Vec<Unit>>,
-    reached: &[&Declaration],
+    (reached, rank): (&[&Declaration], &HashMap<usize, usize>),
     entry: &str,
     device: &DeviceProfile,
     pixels: &Pixels,
@@ -89,7 +90,9 @@ fn pass(
         let splices = [lowering.splices(declaration), pixels.splices(declaration)].concat();
         (*declaration).clone().spliced(splices)
     });
-    let numbered: Vec<_> = made.into_iter().chain(own).map(|declaration| numbers.given(declaration)).collect();
+    let mut numbered: Vec<_> = made.into_iter().chain(own).map(|declaration| numbers.given(declaration)).collect();
+    // What was generated comes last.
+    numbered.sort_by_key(|declaration| rank.get(&declaration.origin().unit).copied().unwrap_or(usize::MAX));
     let mut linked = Linked::new(entry, units.clone());
     linked.push(&numbered);
     Ok(linked)
@@ -130,6 +133,21 @@ fn extend(reached: &mut BTreeSet<usize>, mut open: Vec<usize>, all: &[Declaratio
             }
         }
     }
+}
+
+/// The files that `entry` reaches, by unit, in the order in which they are needed: breadth first.
+fn reading_order(all: &[Declaration], by_name: &HashMap<&str, usize>, entry: &str) -> HashMap<usize, usize> {
+    let mut order: Vec<usize> = by_name.get(entry).copied().into_iter().collect();
+    let mut seen: BTreeSet<usize> = order.iter().copied().collect();
+    let mut rank = HashMap::new();
+    let mut next = 0;
+    while let Some(declaration) = order.get(next).map(|&i| &all[i]) {
+        let after = rank.len();
+        rank.entry(declaration.origin().unit).or_insert(after);
+        order.extend(declaration.used().filter_map(|name| by_name.get(name).copied()).filter(|i| seen.insert(*i)));
+        next += 1;
+    }
+    rank
 }
 
 #[cfg(test)]
@@ -188,6 +206,19 @@ mod tests {
         parts.regions.truncate(1);
         let linked = link(&parts, "entry").unwrap();
         assert!(linked.source.contains("fn law_derivative(") && !linked.source.contains("switch"));
+    }
+
+    #[test]
+    fn a_pass_is_written_from_its_entry_point_down() {
+        let parts = Parts {
+            shared: vec![
+                unit("a.wgsl", "fn deep(x: f32) -> f32 {\n    return x + x;\n}\n"),
+                unit("b.wgsl", "fn law_derivative(x: f32) -> f32 {\n    return x * deep(x);\n}\n"),
+                unit("pass/entry.wgsl", ENTRY),
+            ],
+            ..Parts::default()
+        };
+        assert_eq!(link(&parts, "entry").unwrap().parts(), ["pass/entry.wgsl", "b.wgsl", "a.wgsl"]);
     }
 
     #[test]
