@@ -1,23 +1,23 @@
-//! The guide: what a user needs to know, a page for each subject.
+//! The user's guide, a page for each subject.
 //!
 //! *Idea.* A page is a Markdown file beside this one. One list makes it a module here, to be read in a browser, and a [`Page`], which
 //! `bentray help` prints.
 //!
-//! | page | of what |
+//! | page | contents |
 //! |---|---|
-//! | [`scenes`] | the format, objects, materials, cameras, `--set`, and the scenes that are here |
+//! | [`scenes`] | the file format, objects, materials, cameras, `--set`, and the sample scenes |
 //! | [`laws`] | how light travels: forces, flows, curves |
 //! | [`media`] | glass, lenses and air; surfaces that refract |
-//! | [`light`] | lamps, shadows, light from surface to surface, filters, dispersion |
-//! | [`spacetimes`] | holes, observers, discs, wormholes, line elements, motion |
-//! | [`accuracy`] | the automatic choice, methods, charts, checks |
-//! | [`films`] | frames, large pictures, more samples later |
-//! | [`diagrams`] | rays as tables and drawings |
-//! | [`layers`] | what an EXR holds, and how to read it |
-//! | [`performance`] | what the numbers mean, samples, schedules, benchmarks |
-//! | [`scripts`] | results as JSON: what each key is |
-//! | [`extending`] | laws of your own, the library, adding a kind |
-//! | [`physics`] | what pictures of curved spacetimes show, and why: a page for each |
+//! | [`light`] | lights, shadows, path tracing, absorption, dispersion |
+//! | [`spacetimes`] | black holes, observers, disks, wormholes, custom metrics, motion |
+//! | [`accuracy`] | choosing a method automatically, charts, checks |
+//! | [`films`] | animation, large images, distributed rendering, adding samples later |
+//! | [`diagrams`] | rays as tables and diagrams |
+//! | [`layers`] | the layers of an EXR, and how to read them |
+//! | [`performance`] | program output, sampling, memory, kernel scheduling, benchmarks |
+//! | [`scripts`] | results as JSON: the meaning of each key |
+//! | [`extending`] | custom laws, the library, adding a kind |
+//! | [`physics`] | what images of curved spacetimes show, and why: a page for each |
 
 #![allow(clippy::doc_markdown)]
 // Pages name the file that a link leads to; `links` names the module for rustdoc, though it would find some by itself.
@@ -26,11 +26,11 @@
 /// A page of the guide.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Page {
-    /// Its topic, which is its file's name and its module's.
+    /// The topic, which is the name of the file and of the module.
     pub name: &'static str,
-    /// What it is of, in a few words.
+    /// The contents, in a few words.
     pub about: &'static str,
-    /// All of it, as Markdown.
+    /// The page in Markdown.
     pub text: &'static str,
 }
 
@@ -86,18 +86,18 @@ macro_rules! pages {
 pub mod physics;
 
 pages! {
-    scenes: "the format, objects, materials, cameras, --set, and the scenes that are here",
+    scenes: "the file format, objects, materials, cameras, --set, and the sample scenes",
     laws: "how light travels: forces, flows, curves",
     media: "glass, lenses and air; surfaces that refract",
-    light: "lamps, shadows, light from surface to surface, filters, dispersion",
-    spacetimes: "holes, observers, discs, wormholes, line elements, motion",
-    accuracy: "the automatic choice, methods, charts, checks",
-    films: "frames, large pictures, more samples later",
-    diagrams: "rays as tables and drawings",
-    layers: "what an EXR holds, and how to read it",
-    performance: "what the numbers mean, samples, schedules, benchmarks",
-    scripts: "results as JSON: what each key is",
-    extending: "laws of your own, the library, adding a kind",
+    light: "lights, shadows, path tracing, absorption, dispersion",
+    spacetimes: "black holes, observers, disks, wormholes, custom metrics, motion",
+    accuracy: "choosing a method automatically, charts, checks",
+    films: "animation, large images, distributed rendering, adding samples later",
+    diagrams: "rays as tables and diagrams",
+    layers: "the layers of an EXR, and how to read them",
+    performance: "program output, sampling, memory, kernel scheduling, benchmarks",
+    scripts: "results as JSON: the meaning of each key",
+    extending: "custom laws, the library, adding a kind",
 }
 
 impl Page {

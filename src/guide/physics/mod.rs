@@ -4,21 +4,21 @@
 
 use super::Page;
 
-/// What there is on physics.
+/// The list of pages on physics.
 pub const CONTENTS: Page = Page {
     name: "physics",
-    about: "what pictures of curved spacetimes show, and why",
+    about: "what images of curved spacetimes show, and why",
     text: include_str!("physics.md"),
 };
 
 pages! {
     shadow: "the shadow of a black hole",
-    luminet: "Luminet's disc",
-    accretion: "a disc in colour",
-    wormhole: "through a wormhole",
-    warp_bubble: "a warp bubble",
-    charged_holes: "two black holes at rest",
+    luminet: "Luminet's disk",
+    accretion: "an accretion disk in color",
     fall: "a fall through a horizon",
     ergosphere: "in the ergosphere",
-    motion: "what moves is seen where it was",
+    motion: "moving objects are seen where they were",
+    wormhole: "through a wormhole",
+    charged_holes: "two black holes at rest",
+    warp_bubble: "a warp bubble",
 }
