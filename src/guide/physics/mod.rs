@@ -5,11 +5,8 @@
 use super::Page;
 
 /// The list of pages on physics.
-pub const CONTENTS: Page = Page {
-    name: "physics",
-    about: "what images of curved spacetimes show, and why",
-    text: include_str!("physics.md"),
-};
+pub const CONTENTS: Page =
+    Page { name: "physics", about: "what images of curved spacetimes show, and why", text: include_str!("physics.md") };
 
 pages! {
     shadow: "the shadow of a black hole",
