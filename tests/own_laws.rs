@@ -174,6 +174,22 @@ fn rays_that_a_law_makes_infinite_have_failed() {
     }
 }
 
+/// Along a helix, dx = (−y, x, ½): ten steps or so, each within a relative error of 1e-6.
+#[test]
+fn a_users_flow_is_followed() {
+    let folder = tempfile::tempdir().unwrap();
+    let wgsl = "fn flow_field(x: Real3) -> Real3 {\n    return Real3(-x.y, x.x, 0.5);\n}\n";
+    std::fs::write(folder.path().join("law.wgsl"), wgsl).unwrap();
+    let text = "law = { kind = \"wgsl\", file = \"law.wgsl\", depends = \"flow\" }\n\
+                rays = { bound = { radius = 30 }, length = 2, method = \"dormand-prince\", tolerance = 1e-6 }\n";
+    let scene = Scene::parse(text, &folder.path().join("scene.toml"), &[]).unwrap();
+    let (ends, _) = trace(&gpu(), &scene, &RenderSettings::default(), &[[3.0, 0.0, 0.0, 0.0, 0.0, 1.0]]).unwrap();
+    let (sine, cosine) = 2_f64.sin_cos();
+    for (found, expected) in ends[0].x.into_iter().zip([3.0 * cosine, 3.0 * sine, 1.0]) {
+        assert!((found - expected).abs() < 3e-5, "{:?}", ends[0]);
+    }
+}
+
 /// What a law depends on decides which methods it suits; all of those follow it.
 #[test]
 fn shipped_laws_are_followed_to_their_ends() {

@@ -98,7 +98,7 @@ fn pass(
     Ok(linked)
 }
 
-fn index<'d>(all: &'d [Declaration], units: &[Unit]) -> Result<HashMap<&'d str, usize>, ProgramError> {
+pub(super) fn index<'d>(all: &'d [Declaration], units: &[Unit]) -> Result<HashMap<&'d str, usize>, ProgramError> {
     let mut by_name = HashMap::new();
     for (i, declaration) in all.iter().enumerate() {
         if let Some(first) = by_name.insert(declaration.name(), i) {
@@ -117,7 +117,11 @@ fn index<'d>(all: &'d [Declaration], units: &[Unit]) -> Result<HashMap<&'d str, 
 }
 
 /// The declarations that `entry` reaches, in the order of the parts.
-fn reach(all: &[Declaration], by_name: &HashMap<&str, usize>, entry: &str) -> Result<BTreeSet<usize>, ProgramError> {
+pub(super) fn reach(
+    all: &[Declaration],
+    by_name: &HashMap<&str, usize>,
+    entry: &str,
+) -> Result<BTreeSet<usize>, ProgramError> {
     let start = *by_name.get(entry).ok_or_else(|| ProgramError::NoEntry(entry.to_owned()))?;
     let mut reached = BTreeSet::from([start]);
     extend(&mut reached, vec![start], all, by_name);

@@ -44,6 +44,8 @@ mod skies;
 mod sources;
 mod spacetime;
 mod structure;
+#[cfg(test)]
+mod tests;
 mod tokens;
 mod touching;
 mod unit;

@@ -1,0 +1,186 @@
+//! Every part is there for something: a shipped scene links it, or a scene or a test that is named here.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use super::copies::with_region_copies;
+use super::fold::folded;
+use super::link::{index, reach};
+use super::short_lists::in_uniforms;
+use super::sources::Sources;
+use super::*;
+use crate::scene::Scene;
+
+/// What each of [`OTHERS`] begins with.
+const BEGINNING: &str = "camera.position = [0, 0, 9]\nrays.bound.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
+
+/// Scenes, each with parts that no scene before it links.
+const OTHERS: [&str; 17] = [
+    "camera.kind = 'panorama'
+     camera.stereo = { separation = 0.1, convergence = 3 }",
+    "camera.stereo = { separation = 0.1, convergence = 3 }
+     image = { samples = 64, adaptive = 0.1 }
+     rays.method = 'rk4'
+     rays.precision = 'f64'",
+    "camera.stereo.separation = 0.1
+     law.kind = 'schwarzschild'
+     law.form = 'geodesic'
+     rays.method = 'rk4-doubling'
+     rays.segment = 'chord'",
+    "camera.frame = 'static'
+     camera.shift = true
+     law.kind = 'schwarzschild'
+     objects = [{ shape = 'sphere', center = [4, 0, 0], material = 'm' }]
+     rays.method = 'rk4-doubling'
+     rays.doubling = 'paper'
+     rays.precision = 'f16'",
+    "camera.frame = 'static'
+     camera.shift = true
+     law.kind = 'reissner-nordstrom'
+     objects = [{ shape = 'sphere', center = [4, 0, 0], material = 'm' }]
+     rays.method = 'bogacki-shampine'",
+    "camera.frame = 'static'
+     camera.shift = true
+     law.kind = 'wormhole'
+     law.other = [200, 0, 0]",
+    "law.kind = 'reissner-nordstrom'
+     rays.method = 'planar'",
+    "law.kind = 'kerr-newman'
+     law.spin = 0.5
+     rays.method = 'separated'",
+    "law.kind = 'lorenz'
+     law.order = 2
+     rays.method = 'leapfrog'
+     rays.curvature_step = 2",
+    "camera.kind = 'plane'
+     camera.height = 1
+     law.kind = 'lorenz'
+     rays.method = 'groeller'
+     rays.step = 0.01",
+    "law.kind = 'sources'
+     law.parameter = 'length'
+     law.sources = [{ kind = 'line', direction = [0, 1, 0], position = [0, 0, 0], strength = 1 }]
+     rays.method = 'euler'
+     rays.step = 0.1",
+    "law.kind = 'sources'
+     law.sources = [{ position = [0, 0, 0], strength = 1 }]
+     rays.method = 'groeller'
+     rays.step = 0.01",
+    "camera.kind = 'plane'
+     camera.height = 1
+     law = { kind = 'parametric', x = 't', y = 't', z = 't', t = [0, 1] }",
+    "camera.kind = 'plane'
+     camera.height = 1
+     law = { kind = 'parametric', axes = 'camera', x = 't', y = 't', z = 't', t = [0, 1] }",
+    "rays.accelerate = 'none'
+     sky.faces = ['F', 'F', 'F', 'F', 'F', 'F']
+     materials.a.diffuse.image = 'F'
+     materials.b = { kind = 'fan', rays = [['dx', 'dy', 'dz', '1']] }
+     lights = [{ kind = 'point', position = [0, 9, 0], shadows = 'straight', clear = 'filtered' }]
+     objects = [{ shape = 'mesh', file = 'data/teapot.obj', material = 'a' }, { shape = 'box', material = 'b' }, { shape = 'box', center = [3, 0, 0], interior = { kind = 'constant', n = 1.5, roughness = 0.2, filter = [0, 1, 1] } }]",
+    "law.kind = 'schwarzschild'
+     rays.accelerate = 'grid'
+     lights = [{ kind = 'point', position = [0, 9, 0], shadows = 'shooting' }]
+     objects = [{ shape = 'mesh', file = 'data/teapot.obj', material = 'm' }]",
+    "rays.transport = 'paths'
+     output.clamp = 5
+     sky.image = 'F'
+     materials.a = { diffuse = [0.5, 0.5, 0.5], specular = [0.2, 0.2, 0.2] }
+     objects = [{ shape = 'box', material = 'a' }]",
+];
+
+/// Media and what absorbs in them, each of them inside a sphere, of scenes by these methods.
+const MEDIA: [(&str, &str); 7] = [
+    ("exact", "kind = 'maxwell-fisheye'"),
+    ("exact", "kind = 'linear', gradient = [0, 0.1, 0]"),
+    ("rkn4", "kind = 'eaton', filter = { color = '0.5' }"),
+    ("snell", "kind = 'sech', n0 = 1.5, g = 0.1, filter = { density = ['0.1', '0.2', 'x^2'] }"),
+    (
+        "rk4",
+        "kind = 'profile', points = [[-2, 1.2], [2, 1.1]], filter = { texture = 'ramp', frequency = 2, ramp = 'F' }",
+    ),
+    (
+        "rk4",
+        "kind = 'noise', amplitude = 0.1, frequency = 2, filter = { texture = 'ramp', frequency = 2, ramp = 'F', axis = [0, 1, 0] }",
+    ),
+    ("rk4", "kind = 'expression', n = '1.2 + 0.1*x'"),
+];
+
+/// Parts that no scene of a few lines links, or no scene at all, each with a test that does.
+const TESTED: [(&str, &str); 9] = [
+    ("ceiling/multiply_add", "json_is_for_scripts"),
+    ("ceiling/texture_read", "json_is_for_scripts"),
+    ("ceiling/texture_write", "json_is_for_scripts"),
+    ("law/time_given", "a_users_flow_is_followed"),
+    ("medium/grid", "splines_go_through_their_samples"),
+    ("segment/order_placed", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),
+    ("segment/structure/bvh_instances", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),
+    ("shape/instance", "a_mesh_that_is_kept_once_is_met_where_its_copies_are"),
+    ("surface/vertex_colors", "vertex_colors_multiply_the_color_of_any_material"),
+];
+
+/// The files of this kind in a folder and below it.
+fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
+    let paths = folder.read_dir().unwrap().map(|entry| entry.unwrap().path());
+    let all = paths.flat_map(|path| if path.is_dir() { files(&path, extension) } else { vec![path] });
+    all.filter(|path| path.extension().is_some_and(|own| own == extension)).collect()
+}
+
+/// What a scene can be asked for: pictures by every schedule, all layers, every way to skip ended rays, and every purpose.
+fn choices() -> Vec<Choice> {
+    let plain = Choice::default;
+    let purposes = [Purpose::Trace, Purpose::Pixels, Purpose::Lit, Purpose::Light, Purpose::Caustics, Purpose::Bare];
+    let schedules = Schedule::ALL.map(|schedule| Choice { schedule, masks: schedule.masks(), ..plain() });
+    let purposes = purposes.map(|purpose| Choice { purpose, schedule: Schedule::Fused, ..plain() });
+    let others = [
+        Choice { layers: Layer::ALL.to_vec(), ..plain() },
+        Choice { schedule: Schedule::Fused, masks: Masks::Off, ..plain() },
+    ];
+    schedules.into_iter().chain(purposes).chain(others).collect()
+}
+
+/// The parts of all that the passes of a scene call, before functions that only hand on a value are written where they are called.
+fn reached(scene: &Scene) -> BTreeSet<String> {
+    let analysis = Analysis::of(scene);
+    let mut reached = BTreeSet::new();
+    for choice in choices() {
+        let features = Features::of(scene, &choice, &analysis);
+        let parts = plan(scene, &analysis, &features).unwrap();
+        let mut sources = Sources::of(&parts);
+        sources.edit(|tokens, _| in_uniforms(tokens, &parts.lengths));
+        sources.edit(folded);
+        let (all, units) = with_region_copies(sources).unwrap();
+        let by_name = index(&all, &units).unwrap();
+        let declarations = features.passes().into_iter().flat_map(|pass| reach(&all, &by_name, pass.entry()).unwrap());
+        let units = declarations.map(|i| &units[all[i].origin().unit]).filter(|unit| unit.author == Author::BuiltIn);
+        reached.extend(units.map(|unit| unit.file.trim_end_matches(".wgsl").to_owned()));
+    }
+    reached
+}
+
+#[test]
+fn every_part_is_linked() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut linked = BTreeSet::new();
+    for path in files(&root.join("scenes"), "toml") {
+        linked.extend(reached(&Scene::load(&path, &[]).unwrap()));
+    }
+    let media = MEDIA.map(|(method, medium)| {
+        format!("rays.method = '{method}'\nobjects = [{{ shape = 'sphere', interior = {{ {medium} }} }}]")
+    });
+    for text in OTHERS.into_iter().chain(media.iter().map(String::as_str)) {
+        let whole = BEGINNING.to_owned() + &text.replace("'F'", "'data/stars.png'");
+        let scene = Scene::parse(&whole, &root.join("scenes/test.toml"), &[]);
+        let own = reached(&scene.unwrap_or_else(|error| panic!("{error}")));
+        assert!(!own.is_subset(&linked), "all of this is linked by others:\n{text}");
+        linked.extend(own);
+    }
+    let all = all_parts().into_iter().map(|part| part.file.trim_end_matches(".wgsl"));
+    let others: Vec<&str> = all.filter(|part| !linked.contains(*part)).collect();
+    assert_eq!(others, TESTED.map(|(part, _)| part), "parts that no scene links");
+    let tests: String =
+        files(&root.join("tests"), "rs").iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
+    for (part, test) in TESTED {
+        assert!(tests.contains(&format!("#[test]\nfn {test}()")), "no test {test} links {part}");
+    }
+}
