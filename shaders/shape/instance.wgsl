@@ -47,22 +47,18 @@ fn surface_instance(primitive: u32, x: Real3) -> Surface {
     let space = OwnSpace(own.row_x, own.row_y, own.row_z);
     let triangle = own.first + primitive - own.primitives;
     let place = corners[triangle];
-    let first = TRIANGLE_WORDS * triangle;
-    let vertices = vec3u(mesh[first], mesh[first + 1u], mesh[first + 2u]);
-    let p = mesh_vertex(vertices.x);
-    let q = mesh_vertex(vertices.y);
-    let r = mesh_vertex(vertices.z);
+    let v = mesh_vertices(triangle);
     let at = own_point(space, x);
     let n = cross(place.q - place.p, place.r - place.p);
     let steep = scene_gradient(space, n);
     let share = triangle_shares(place.p, place.q, place.r, at);
-    let normal = share.x * normalize(scene_gradient(space, p.normal))
-        + share.y * normalize(scene_gradient(space, q.normal))
-        + share.z * normalize(scene_gradient(space, r.normal));
-    let uv = share.x * p.uv + share.y * q.uv + share.z * r.uv;
+    let normal = share.x * normalize(scene_gradient(space, v[0].normal))
+        + share.y * normalize(scene_gradient(space, v[1].normal))
+        + share.z * normalize(scene_gradient(space, v[2].normal));
+    let uv = share.x * v[0].uv + share.y * v[1].uv + share.z * v[2].uv;
     let gap = dot(n, at - place.p) / length(steep);
     if HAS_VERTEX_COLORS {
-        note_corners(vertices, share);
+        note_corners(triangle, share);
     }
     return Surface(gap, 0.0, normalize(steep), vec3f(normalize(normal)), vec2f(uv), own.material, own.object);
 }

@@ -77,20 +77,22 @@ fn triangle_shares(p: Real3, q: Real3, r: Real3, x: Real3) -> Real3 {
     return Real3(1.0 - v - w, v, w);
 }
 
+fn mesh_vertices(i: u32) -> array<Vertex, 3> {
+    let at = TRIANGLE_WORDS * i;
+    return array<Vertex, 3>(mesh_vertex(mesh[at]), mesh_vertex(mesh[at + 1u]), mesh_vertex(mesh[at + 2u]));
+}
+
 fn surface_triangle(i: u32, x: Real3) -> Surface {
     let place = corners[i];
-    let at = TRIANGLE_WORDS * i;
-    let vertices = vec3u(mesh[at], mesh[at + 1u], mesh[at + 2u]);
-    let p = mesh_vertex(vertices.x);
-    let q = mesh_vertex(vertices.y);
-    let r = mesh_vertex(vertices.z);
+    let v = mesh_vertices(i);
     let across = normalize(cross(place.q - place.p, place.r - place.p));
     let share = triangle_shares(place.p, place.q, place.r, x);
-    let normal = normalize(share.x * p.normal + share.y * q.normal + share.z * r.normal);
-    let uv = share.x * p.uv + share.y * q.uv + share.z * r.uv;
+    let normal = normalize(share.x * v[0].normal + share.y * v[1].normal + share.z * v[2].normal);
+    let uv = share.x * v[0].uv + share.y * v[1].uv + share.z * v[2].uv;
     let gap = dot(across, x - place.p);
     if HAS_VERTEX_COLORS {
-        note_corners(vertices, share);
+        note_corners(i, share);
     }
+    let at = TRIANGLE_WORDS * i;
     return Surface(gap, 0.0, across, vec3f(normal), vec2f(uv), mesh[at + 4u], mesh[at + 3u]);
 }

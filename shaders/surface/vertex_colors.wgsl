@@ -10,8 +10,9 @@ const COLOR_WORD: u32 = 5u;
 var<private> colored_corners: vec3u;
 var<private> colored_share: vec3f;
 
-fn note_corners(vertices: vec3u, share: Real3) {
-    colored_corners = vertices + COLOR_WORD;
+fn note_corners(triangle: u32, share: Real3) {
+    let at = TRIANGLE_WORDS * triangle;
+    colored_corners = vec3u(mesh[at], mesh[at + 1u], mesh[at + 2u]) + COLOR_WORD;
     colored_share = vec3f(share);
 }
 
