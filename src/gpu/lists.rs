@@ -186,7 +186,7 @@ impl Source<'_> {
         // A fan is told by its place among them.
         let fans = self.scene.fans();
         let place = |i: usize| fans.iter().position(|(material, _)| *material == i);
-        let fan = |i: usize| place(i).map(|which| ("bit".into(), Uint(which as u32)));
+        let fan = |i: usize| place(i).map(|which| ("fan".into(), Uint(which as u32)));
         let side = |bit: usize| -> Row {
             let object = self.geometry.analysis.regions.regions[bit].object;
             let gloss = self.scene.objects[object].interior().map(|interior| interior.gloss).unwrap_or_default();

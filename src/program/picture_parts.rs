@@ -97,7 +97,6 @@ pub(super) fn material_parts(scene: &Scene, features: &Features, names: &mut Nam
     names.all(&kinds);
     names.each("surface/pattern", patterns.iter().map(|(part, _)| *part));
     names.each("surface/light", lights.iter().copied());
-    names.add("surface/light/blinn_phong");
     let parts_of = |wanted: fn(&Facts) -> bool| -> Vec<&str> {
         ends()
             .filter(|material| wanted(&material.surface.facts()))

@@ -21,13 +21,19 @@ fn material(k: usize) -> Record {
         ("kind", Uint(constant("surface/material/phong", "PHONG") as u32)),
         ("second_color", V3(DVec3::new(0.0, 0.0, 1.0))),
         ("pattern", Uint(constant("surface/pattern/checker", "CHECKER") as u32)),
-        ("specular", V3(SPECULAR)),
-        ("shininess", Float(SHININESS[k])),
-        ("emission", V3(EMISSION)),
-        ("ambient", Float(AMBIENT)),
         ("repeat", V2(DVec2::new(4.0, 2.0))),
         ("image", Uint(0)),
         ("bit", Uint(0)),
+        ("specular", V3(SPECULAR)),
+        ("exponent", Float(SHININESS[k])),
+        ("emission", V3(EMISSION)),
+        ("ambient", Float(AMBIENT)),
+        ("diffuse", V3(DVec3::ZERO)),
+        ("temperature", Float(0.0)),
+        ("brightness", Float(0.0)),
+        ("transmit_exponent", Float(0.0)),
+        ("roughness", Float(0.0)),
+        ("fan", Uint(0)),
     ]
 }
 
@@ -63,7 +69,7 @@ fn blinn_phong_answers() {
         inputs.push([row(to_light.as_vec3(), (k % 4) as f32), row(normal.as_vec3(), 0.0), row(view.as_vec3(), 0.0)]);
     }
     let body = "put(0u, vec4f(blinn_phong(materials[u32(p0.w)], vec3f(0.0, 1.0, 0.5), p0.xyz, p1.xyz, p2.xyz), 0.0));";
-    let probe = materials(Probe::new(&["surface/material", "surface/light/blinn_phong"]));
+    let probe = materials(Probe::new(&["surface/material", "surface/material/phong"]));
     let mut errors = Errors::of("blinn_phong");
     let mut lit = 0;
     for (input, [got]) in inputs.iter().zip(&probe.run::<3, 1>(&gpu(), body, &inputs)) {
@@ -108,7 +114,6 @@ fn lights_add_up() {
         "surface/material",
         "surface/material/phong",
         "surface/material/emissive",
-        "surface/light/blinn_phong",
         "surface/light/point",
         "surface/light/directional",
         "surface/shadow/straight",

@@ -44,11 +44,9 @@ fn matter_accretion(x: Real3) -> Real4 {
     return Real4((Real(u.x) * out + Real(u.y) * cross(equator.axis, out)) / rho, Real(u.z));
 }
 
-// In `emission`: the temperature of the hottest ring in kelvins, and its luminance. F goes with the fourth power of temperature. Without
-// one it is white, and as bright as all its frequencies together.
+// F goes with the fourth power of temperature. Without a temperature it is white, and as bright as all its frequencies together.
 fn radiance_accretion(material: Material, color: vec3f, lit: Lit) -> vec3f {
     let heat = sqrt(orbit_at(length(from_axis(Real3(lit.x)))).light) * color_shift();
-    let body = material.emission;
     let white = vec3f(heat * heat * heat * heat);
-    return color * body.y * select(black_body_color(body.x * heat, body.x), white, body.x == 0.0);
+    return color * material.brightness * select(black_body_color(material.temperature * heat, material.temperature), white, material.temperature == 0.0);
 }

@@ -10,17 +10,17 @@ fn scatter_fan(material: Material, surface: Surface, end: PathPoint, index: u32,
     let speed = length(end.v);
     let d = end.v / speed;
     let n = select(surface.across, -surface.across, dot(surface.across, d) > 0.0);
-    let count = fan_count(material.bit);
+    let count = fan_count(material.fan);
     var total: Real = 0.0;
     for (var i = 0u; i < count; i++) {
-        total += max(fan_ray(material.bit, i, d, n).w, 0.0);
+        total += max(fan_ray(material.fan, i, d, n).w, 0.0);
     }
     var taken = Real4(0.0);
     var branch = Branch(true, 1.0, false);
     var share = 1.0;
     var rest = total;
     for (var i = 0u; i < count; i++) {
-        let own = fan_ray(material.bit, i, d, n);
+        let own = fan_ray(material.fan, i, d, n);
         let part = max(own.w, 0.0) / rest;
         if !(part > 0.0) {
             continue;

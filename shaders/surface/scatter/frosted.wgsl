@@ -3,13 +3,12 @@
 
 const FROSTED: u32 = 6u;
 
-// material.shininess is the lobe's exponent in transmission, and material.ambient that in reflection; 0 where it is smooth.
 fn scatter_frosted(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
     let near_medium = medium_object();
     let passed = scatter_transmissive(material, surface, end, index, pixel);
     let across = vec3f(surface.across);
     let reflects = dot(vec3f(passed.v), across) * dot(vec3f(end.v), across) < 0.0;
-    let exponent = select(material.shininess, material.ambient, reflects);
+    let exponent = select(material.transmit_exponent, material.exponent, reflects);
     // Between the same medium on both sides there is no surface.
     if exponent == 0.0 || (!reflects && medium_object() == near_medium) {
         return passed;

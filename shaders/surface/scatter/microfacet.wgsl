@@ -4,7 +4,6 @@
 
 const MICROFACET: u32 = 8u;
 
-// material.shininess is a.
 fn scatter_microfacet(material: Material, surface: Surface, end: PathPoint, index: u32, pixel: vec2u) -> Scattered {
     let bits = inside;
     let near_medium = medium_object();
@@ -16,7 +15,7 @@ fn scatter_microfacet(material: Material, surface: Surface, end: PathPoint, inde
     }
     let way = normalize(end.v);
     let axis = vec3f(select(surface.across, -surface.across, dot(surface.across, way) > 0.0));
-    let facet = seen_facet(-vec3f(way), axis, material.shininess, lobe_point(pixel, index));
+    let facet = seen_facet(-vec3f(way), axis, material.roughness, lobe_point(pixel, index));
     let both = refraction(n1 * way, Real3(facet), n1, n2);
     if both.reflectance == 0.0 {
         return Scattered(both.transmitted, vec3f(1.0), false, true);
@@ -31,7 +30,7 @@ fn scatter_microfacet(material: Material, surface: Surface, end: PathPoint, inde
     let onward = select(both.transmitted, both.reflected, taken.reflects);
     let height = dot(normalize(vec3f(onward)), axis);
     let lost = (height > 0.0) != taken.reflects;
-    return Scattered(onward, vec3f(taken.weight * open_facets(height, material.shininess)), taken.cut || lost, true);
+    return Scattered(onward, vec3f(taken.weight * open_facets(height, material.roughness)), taken.cut || lost, true);
 }
 
 // The normal of a facet, as often as it is seen from the direction `view` (Heitz 2018, by the spherical caps of Dupuy and Benyoub 2023). u: a

@@ -50,6 +50,6 @@ impl Surface for Accretion {
     }
 
     fn values(&self) -> Row {
-        row! { emission: Vec3(DVec3::new(self.temperature.unwrap_or(0.0), self.brightness, 0.0)) }
+        row! { temperature: Float(self.temperature.unwrap_or(0.0)), brightness: Float(self.brightness) }
     }
 }

@@ -39,7 +39,7 @@ impl Surface for Blackbody {
     }
 
     fn values(&self) -> Row {
-        row! { emission: Vec3(DVec3::new(self.temperature, self.brightness, 0.0)) }
+        row! { temperature: Float(self.temperature), brightness: Float(self.brightness) }
     }
 
     fn emission(&self, color: DVec3) -> DVec3 {

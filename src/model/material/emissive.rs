@@ -47,7 +47,7 @@ impl Surface for Emissive {
     }
 
     fn values(&self) -> Row {
-        row! { specular: Vec3(self.diffuse) }
+        row! { diffuse: Vec3(self.diffuse) }
     }
 
     fn emission(&self, color: DVec3) -> DVec3 {

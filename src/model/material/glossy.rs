@@ -37,7 +37,7 @@ impl Surface for Glossy {
     }
 
     fn values(&self) -> Row {
-        row! { shininess: Float(self.exponent) }
+        row! { exponent: Float(self.exponent) }
     }
 
     fn albedo(&self, color: DVec3) -> DVec3 {

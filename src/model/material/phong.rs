@@ -61,7 +61,7 @@ impl Surface for Phong {
         row! {
             ambient: Float(self.ambient),
             specular: Vec3(self.specular),
-            shininess: Float(self.shininess),
+            exponent: Float(self.shininess),
             emission: Vec3(self.emission),
         }
     }

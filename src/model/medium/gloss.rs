@@ -45,12 +45,14 @@ impl Gloss {
     /// The members of its `Material` in WGSL that are its own.
     #[must_use]
     pub fn values(self) -> Row {
-        let (reflect, transmit) = match self {
-            Self::Smooth => (0.0, 0.0),
-            Self::Lobes { reflect, transmit } => (reflect.unwrap_or(0.0), transmit.unwrap_or(0.0)),
-            Self::Microfacets { roughness } => (0.0, roughness),
-        };
-        row! { ambient: Float(reflect), shininess: Float(transmit) }
+        match self {
+            Self::Smooth => Row::new(),
+            Self::Lobes { reflect, transmit } => row! {
+                exponent: Float(reflect.unwrap_or(0.0)),
+                transmit_exponent: Float(transmit.unwrap_or(0.0)),
+            },
+            Self::Microfacets { roughness } => row! { roughness: Float(roughness) },
+        }
     }
 }
 
