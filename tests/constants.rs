@@ -7,7 +7,7 @@ use bentray::program::constant;
 use crate::support::sources;
 
 /// Calls of `constant` that make up what they ask for, and all that this can be.
-const COMPUTED: [(&str, &[(&str, &str)]); 5] = [
+const COMPUTED: [(&str, &[(&str, &str)]); 6] = [
     (
         "part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()",
         &[
@@ -20,22 +20,23 @@ const COMPUTED: [(&str, &[(&str, &str)]); 5] = [
             ("surface/scatter/frosted", "FROSTED"),
             ("surface/scatter/microfacet", "MICROFACET"),
             ("surface/scatter/transmissive", "TRANSMISSIVE"),
-            ("surface/pattern/constant", "CONSTANT"),
-            ("surface/pattern/checker", "CHECKER"),
-            ("surface/pattern/image", "IMAGE"),
         ],
     ),
     (
-        "&part, &name",
+        "\"surface/pattern\", &material.color.part().to_uppercase()",
+        &[("surface/pattern", "CONSTANT"), ("surface/pattern", "CHECKER"), ("surface/pattern", "IMAGE")],
+    ),
+    (
+        "\"filter/density\", &filter.kind().to_uppercase()",
         &[
-            ("filter/even", "EVEN"),
-            ("filter/formula", "FORMULA"),
-            ("filter/color_formula", "COLOR_FORMULA"),
-            ("filter/texture/mix", "MIX"),
-            ("filter/texture/wrapped", "WRAPPED"),
-            ("filter/texture/rainbow", "RAINBOW"),
-            ("filter/texture/ramp", "RAMP"),
-            ("filter/texture/marble", "MARBLE"),
+            ("filter/density", "EVEN"),
+            ("filter/density", "FORMULA"),
+            ("filter/density", "COLOR_FORMULA"),
+            ("filter/density", "MIX"),
+            ("filter/density", "WRAPPED"),
+            ("filter/density", "RAINBOW"),
+            ("filter/density", "RAMP"),
+            ("filter/density", "MARBLE"),
         ],
     ),
     (

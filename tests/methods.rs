@@ -50,21 +50,9 @@ const SETTINGS: &[(&str, For, &str)] = &[
         For::SecondOrder,
         "method/step/rkn4 method/control/planned method/control/curvature method/memory_step",
     ),
-    (
-        "method=euler-doubling",
-        For::All,
-        "method/step/euler method/control/doubled method/control/doubling_rejecting method/memory_step",
-    ),
-    (
-        "method=rk4-doubling",
-        For::All,
-        "method/step/rk4 method/control/doubled method/control/doubling_rejecting method/memory_step",
-    ),
-    (
-        "method=euler-doubling doubling=paper",
-        For::All,
-        "method/step/euler method/control/doubled method/control/doubling_paper method/memory_step",
-    ),
+    ("method=euler-doubling", For::All, "method/step/euler method/control/doubling method/memory_step"),
+    ("method=rk4-doubling", For::All, "method/step/rk4 method/control/doubling method/memory_step"),
+    ("method=euler-doubling doubling=paper", For::All, "method/step/euler method/control/doubling method/memory_step"),
     ("method=bogacki-shampine", For::All, "method/step/bogacki_shampine method/control/embedded method/memory_pair"),
     ("method=dormand-prince", For::All, "method/step/dormand_prince method/control/embedded method/memory_pair"),
     (
@@ -198,8 +186,8 @@ fn check_scenes(precisions: &[State]) {
 #[test]
 fn in_16_and_32_bits_methods_have_their_own_parts_only() {
     check_scenes(&[
-        (Precision::Half, "real/f32 state/ray state/texture state/texels_f16"),
-        (Precision::Single, "real/f32 state/ray state/texture state/texels_f32"),
+        (Precision::Half, "real/f32 state/ray state/texture"),
+        (Precision::Single, "real/f32 state/ray state/texture"),
     ]);
 }
 

@@ -8,3 +8,8 @@ fn law_derivative(p: Phase) -> Phase {
 fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     return rate[1];
 }
+
+// G95's Table 1 under forces: v ← v − Σ M d(r) n̂.
+fn next_velocity(p: Phase) -> Real3 {
+    return p[1] + law_acceleration(p[0], law_held(p));
+}

@@ -9,12 +9,3 @@ fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     let along = dot(rate[1], rate[0]) * rate[0];
     return (rate[1] - along) / length(p[1]);
 }
-
-fn path_velocity(v: Real3) -> Real3 {
-    return normalize(v);
-}
-
-// The length to the nearest source.
-fn law_scale(p: Phase) -> Real {
-    return source_distance(p[0]);
-}

@@ -22,3 +22,8 @@ fn law_projected(p: Phase) -> Phase {
 fn law_scale(p: Phase) -> Real {
     return flow_time();
 }
+
+// G95's Table 1 under a flow: v ← F(x).
+fn next_velocity(p: Phase) -> Real3 {
+    return flow_field(p[0]);
+}

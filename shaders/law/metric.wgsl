@@ -1,23 +1,58 @@
-// Light by a line element that does not change with t: v = dx/dτ, τ = t_camera − t.
+// Light by a line element: v = dx/dτ, τ = t_camera − t. Where a throat joins two sides of space, each is drawn round a mouth of its own, and a
+// place is on the side of the mouth that it is nearer to; a little beyond the throat, l < 0, it is still on the side that it came from.
 
 struct Law {
     center: Real3,
+    // When the picture is taken.
+    time: Real,
+    // The other side's mouth, and ρ₀.
+    other: Real3,
+    radius: Real,
 }
 
 var<uniform> law: Law;
 
+// 1 on this side, −1 on the other: of the place that was asked for last.
+var<private> metric_side: Real;
+
+// From the mouth that is nearer.
+fn mouth_offset(x: Real3) -> Real3 {
+    let here = x - law.center;
+    let there = x - law.other;
+    let beyond = dot(there, there) < dot(here, here);
+    metric_side = select(Real(1.0), -1.0, beyond);
+    return select(here, there, beyond);
+}
+
 fn metric_place(x: Real3) -> Real3 {
+    if HAS_THROAT {
+        return mouth_offset(x);
+    }
     return x - law.center;
 }
 
 fn law_pull(at: Real3, v: Real3) -> Real3 {
-    return metric_pull(metric_bend(at - law.center, v, 0.0), v);
+    return metric_pull(metric_bend(metric_place(at), v, 0.0), v);
+}
+
+fn law_pull_at(at: Real3, v: Real3, tau: Real) -> Real3 {
+    return metric_pull(metric_bend(metric_place(at), v, law.time - tau), v);
+}
+
+fn law_stretch_at(at: Real3, v: Real3, tau: Real) -> Real4 {
+    return metric_stretch(metric_bend(metric_place(at), v, law.time - tau), v);
 }
 
 fn law_start(x: Real3, v: Real3) -> Phase {
-    return Phase(x, as_light(metric_at(x - law.center, 0.0), v));
+    if CARRIES_TIME {
+        return Phase(Real4(x, 0.0), Real4(as_light(metric_at(metric_place(x), law.time), v), 0.0));
+    }
+    return Phase(x, as_light(metric_at(metric_place(x), 0.0), v));
 }
 
 fn law_scale(p: Phase) -> Real {
-    return abs(metric_scale(p[0] - law.center, 0.0)) / length(p[1]);
+    if CARRIES_TIME {
+        return abs(metric_scale(metric_place(p[0].xyz), law.time - p[1].w)) / length(p[1].xyz);
+    }
+    return abs(metric_scale(metric_place(p[0]), 0.0)) / length(p[1]);
 }

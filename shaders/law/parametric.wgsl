@@ -10,6 +10,22 @@ struct ParametricCurve {
 
 var<uniform> law: ParametricCurve;
 
+// Whose axes the curve has: the camera's, or the scene's.
+struct Axes {
+    x: Real3,
+    y: Real3,
+    z: Real3,
+}
+
+var<uniform> axes: Axes;
+
+fn law_axes(c: Real3) -> Real3 {
+    if !TURNS_WITH_CAMERA {
+        return c;
+    }
+    return c.x * axes.x + c.y * axes.y + c.z * axes.z;
+}
+
 // Place and velocity, but for where the curve lies.
 fn ray_curve(tau: Real) -> mat2x3<Real> {
     let c = curve_point(law.first + tau);

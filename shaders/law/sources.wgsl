@@ -7,3 +7,11 @@ const FAR_AWAY: Real = 1e30;
 fn law_acceleration(x: Real3, held: Real) -> Real3 {
     return source_acceleration(x);
 }
+
+// The tau to the nearest one.
+fn law_scale(p: Phase) -> Real {
+    if BY_LENGTH {
+        return source_distance(p[0]);
+    }
+    return source_distance(p[0]) / length(p[1]);
+}

@@ -1,4 +1,4 @@
-// Steps are measured in τ itself.
+// Steps are measured in τ itself, which may be the path's length.
 
 // The size of the step from ray to next, in the measure that retaken_step takes.
 fn own_size(ray: Ray, next: Ray) -> Real {
@@ -7,11 +7,17 @@ fn own_size(ray: Ray, next: Ray) -> Real {
 
 // τ in that measure, along the line from p.
 fn own_measure(p: Phase, tau: Real) -> Real {
+    if BY_LENGTH {
+        return tau * length(p[1].xyz);
+    }
     return tau;
 }
 
 // How fast τ goes in it.
 fn own_pace(p: Phase) -> Real {
+    if BY_LENGTH {
+        return 1.0 / length(p[1].xyz);
+    }
     return 1.0;
 }
 

@@ -2,6 +2,9 @@
 // on its surface.
 
 fn nearby(s: Segment) -> u32 {
+    if !HAS_OBJECTS {
+        return 0u;
+    }
     if HAS_LEAPS {
         return select(items_near(s), 0xffffffffu, leaps());
     }
@@ -9,6 +12,9 @@ fn nearby(s: Segment) -> u32 {
 }
 
 fn first_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
+    if !HAS_OBJECTS {
+        return Hit(0.0, NOTHING);
+    }
     if HAS_LEAPS {
         if leaps() {
             return leap_hit(s);

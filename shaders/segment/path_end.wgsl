@@ -65,11 +65,14 @@ fn open_guess(code: u32, step: LastStep) -> Real {
     return select(secant_guess(code, step), min(own_measure(step.phase, line_exit(step.phase)), step.h), code == ESCAPED && inwards);
 }
 
-// ray: the state at the start of its last segment, which is followed again, to its very end.
+// ray: the state at the start of its last segment, which is followed again, to its very end; unless the last step of a path ends there.
 fn path_end(ray: Ray, hit: Hit) -> PathPoint {
     let x = ray.phase[0].xyz;
     let v = ray.phase[1].xyz;
-    let unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
+    var unfollowed = ray.status == ALIVE || ray.status == MISSED || ray.status == OUTSIDE;
+    if ENDS_WITH_STEPS {
+        unfollowed = unfollowed || ray.status == FAILED;
+    }
     let nowhere = unfollowed || (ray.status == CAPTURED && law_captured(x, v));
     if nowhere {
         if FOLLOWS_SHIFT {
@@ -79,6 +82,10 @@ fn path_end(ray: Ray, hit: Hit) -> PathPoint {
         return PathPoint(far[0], far[1], ray.tau, 0.0);
     }
     let step = last_step(ray);
+    if ENDS_WITH_STEPS {
+        let far = departed(ray.status, step.end[0].xyz, step.end[1].xyz);
+        return PathPoint(far[0], far[1], step.end_tau, 1.0);
+    }
     if stops_inside(ray.status) {
         return stop_point(ray.status, hit, step);
     }

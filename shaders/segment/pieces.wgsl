@@ -29,6 +29,9 @@ fn nearer_hit(hit: Hit, t: Real, primitive: u32) -> Hit {
 
 // The ray's status after a segment: hits come first, except that what lies inside a horizon is not seen.
 fn segment_status(s: Segment, tau: Real, index: u32, hit: Hit) -> u32 {
+    if !HAS_OBJECTS {
+        return open_status(s, tau, index);
+    }
     if hit.primitive == NOTHING {
         return open_status(s, tau, index);
     }

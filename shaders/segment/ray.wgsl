@@ -17,6 +17,14 @@ struct Ray {
     status: u32,
 }
 
+// How fast a place moves, of a state's velocity.
+fn path_velocity(v: Real3) -> Real3 {
+    if BY_LENGTH {
+        return normalize(v);
+    }
+    return v;
+}
+
 // One segment: positions and velocities at its ends, and its extent in tau.
 struct Segment {
     x0: Real3,

@@ -1,6 +1,7 @@
 // Segments of rays under way: each until it ends, or the pass has had its number of them.
 //
-// Those that nothing is near and that end no path are followed in a loop of their own, in which nothing else is done.
+// Those that nothing is near and that end no path are followed in a loop of their own, in which nothing else is done. Rays from a light leave
+// it in the voxels on their way.
 
 fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, Hit>, segments: ptr<function, u32>) {
     while (*ray).status == ALIVE {
@@ -23,6 +24,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
                 break;
             }
             clear_last_hit();
+            if LEAVES_LIGHT {
+                leave_light(quick.segment, 1.0, light_weight());
+            }
             if FILTERS {
                 filter_step(*ray, next);
             }
@@ -43,6 +47,9 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
         let code = known_status(segment_status(segment, next.tau, (*ray).index, hit));
         clear_last_hit();
         *segments += 1u;
+        if LEAVES_LIGHT {
+            leave_light(segment, select(1.0, hit.t, hit.primitive != NOTHING), light_weight());
+        }
         if code == ALIVE {
             if FILTERS {
                 filter_step(*ray, next);
@@ -60,5 +67,10 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }
         rejoin();
+    }
+    if LEAVES_LIGHT {
+        if spot.valid {
+            keep_reach(spot.pixel);
+        }
     }
 }

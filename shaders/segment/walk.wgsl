@@ -81,7 +81,10 @@ fn walked_hit(s: Segment, near: u32, pixel: vec2u) -> Hit {
             store_hit(pixel, hit);
         }
     } else {
-        hit = structure_hit(s, sought, listed_hit(s, pieces, near));
+        hit = listed_hit(s, pieces, near);
+        if HAS_STRUCTURE {
+            hit = structure_hit(s, sought, hit);
+        }
     }
     return Hit(select(hit.t, 0.0, hit.primitive == NOTHING), hit.primitive);
 }

@@ -2,6 +2,9 @@
 
 fn seen_at(ray: Ray, hit: Hit) -> Seen {
     let end = path_end(ray, hit);
+    if !HAS_OBJECTS {
+        return Seen(end, vec3f(0.0), vec3f(0.0), 0u);
+    }
     if ray.status != HIT {
         return Seen(end, vec3f(0.0), vec3f(0.0), 0u);
     }
@@ -29,6 +32,9 @@ fn seen_at(ray: Ray, hit: Hit) -> Seen {
 // Where the ray ended, and which object it hit.
 fn recorded_at(ray: Ray, hit: Hit) -> Recorded {
     let end = path_end(ray, hit);
+    if !HAS_OBJECTS {
+        return Recorded(end, 0u);
+    }
     if ray.status != HIT {
         return Recorded(end, 0u);
     }

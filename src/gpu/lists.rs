@@ -178,7 +178,7 @@ impl Source<'_> {
         let code = |part: &str| constant(part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()) as u32;
         let vertex_colors = constant("surface/vertex_colors", "VERTEX_COLORS") as u32;
         let row = |material: &Material| -> Row {
-            let pattern = code(&format!("surface/pattern/{}", material.color.part()));
+            let pattern = constant("surface/pattern", &material.color.part().to_uppercase()) as u32;
             let pattern = pattern | if material.color.has_vertex_colors() { vertex_colors } else { 0 };
             let kinds = row! { kind: Uint(code(material.surface.facts().part)), pattern: Uint(pattern) };
             [kinds, material.color.values(), material.surface.values()].concat()

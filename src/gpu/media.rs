@@ -17,9 +17,8 @@ impl Source<'_> {
         let formulas = |objects: usize| (0..objects).filter_map(of_object).filter_map(Filter::formulas).count();
         let row = |filter: Option<&Filter>, before: usize| {
             let filter = filter.unwrap_or(&none);
-            let part = format!("filter/{}", filter.part());
-            let name = part.rsplit('/').next().unwrap_or_default().to_uppercase();
-            let kind = vec![("kind".into(), Uint(constant(&part, &name) as u32))];
+            let code = constant("filter/density", &filter.kind().to_uppercase()) as u32;
+            let kind = vec![("kind".into(), Uint(code))];
             [filter.values(formulas(before)), kind].concat()
         };
         let regions = self.geometry.analysis.regions.regions.iter();

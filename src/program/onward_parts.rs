@@ -11,15 +11,14 @@ pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names
     if !features.filters {
         return;
     }
-    names.all(&["filter/along", "filter/track", "filter/jumping"]);
-    let mut kinds: Vec<&str> = scene.filters().map(Filter::part).collect();
+    names.all(&["filter/along", "filter/density", "filter/track", "filter/jumping"]);
+    let mut kinds: Vec<_> = scene.filters().map(|filter| (filter.texture().is_some(), filter.kind())).collect();
     // Where nothing absorbs it is even.
-    kinds.push("even");
+    kinds.push((false, "even"));
     kinds.sort_unstable();
     kinds.dedup();
-    names.each("filter", kinds.iter().copied());
     if scene.filters().any(|filter| filter.texture().is_some()) {
-        names.all(&["filter/texture/noise", "medium/fractal_noise"]);
+        names.all(&["filter/noise", "medium/fractal_noise"]);
     }
     let formulas: Vec<_> = scene.filters().filter_map(Filter::formulas).collect();
     if !formulas.is_empty() {
@@ -76,7 +75,6 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
 
 /// What a path carries, and how it goes on.
 fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    let glossy = scene.used_materials().any(|material| material.surface.facts().is_glossy);
     let aims = scene.aims();
     names.all(&[
         "path/carried",
@@ -85,7 +83,7 @@ fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
         "path/vertex",
         "path/scatter",
         "path/aim/flight",
-        if glossy { "path/answer/glossy" } else { "path/answer/matte" },
+        "path/answer",
     ]);
     names.when(features.clamps, &["picture/clamped"]);
     if !aims.is_empty() {

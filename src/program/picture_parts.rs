@@ -95,7 +95,7 @@ pub(super) fn material_parts(scene: &Scene, features: &Features, names: &mut Nam
         lights.into_iter().filter(|(_, there)| *there && features.is_lit).map(|(name, _)| name).collect();
     names.add("surface/material");
     names.all(&kinds);
-    names.each("surface/pattern", patterns.iter().map(|(part, _)| *part));
+    names.add("surface/pattern");
     names.each("surface/light", lights.iter().copied());
     let parts_of = |wanted: fn(&Facts) -> bool| -> Vec<&str> {
         ends()

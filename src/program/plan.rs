@@ -54,6 +54,14 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
         "state/finish",
         "segment/last_hit",
         "segment/quick",
+        "segment/follow",
+        "segment/hits",
+        "segment/lists",
+        "segment/path_end",
+        "segment/pieces",
+        "segment/walk",
+        "shape/placed",
+        "surface/seen",
         "segment/stop",
         "state/counts",
         "state/loops",
@@ -62,18 +70,23 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
     names.make(features.unit());
     names.make(generated::loop_budget(features.device.loop_budget));
     names.make(generated::counts(scene, features, regions));
-    names.all(match features.precision {
-        Precision::Half => &["real/f32", "state/texture", "state/texels_f16"],
-        Precision::Single => &["real/f32", "state/texture", "state/texels_f32"],
-        Precision::Double => &["real/f64", "state/buffer"],
+    names.all(if features.precision == Precision::Double {
+        &["real/f64", "state/buffer"]
+    } else {
+        &["real/f32", "state/texture"]
     });
+    names.make(generated::texels(features.precision));
     names.add(if scene.rays.control.kind.remembers { "method/memory_pair" } else { "method/memory_step" });
     names.each("pass", features.passes().iter().map(|pass| pass.entry()));
     scatter_parts(scene, features, regions, &mut names);
     schedule_parts(features, &mut names);
     camera_parts(scene, features, &mut names);
-    law_parts(scene, &mut names)?;
-    segment_parts(scene, features, &mut names);
+    law_parts(scene, &mut names);
+    if let Segment::Chord { steps } = scene.rays.segment
+        && features.writes_chords_out
+    {
+        names.make(generated::chord(steps));
+    }
     surface_parts(scene, features, analysis, &mut names);
     picture_parts(scene, features, &mut names)?;
     material_parts(scene, features, &mut names);
@@ -100,27 +113,19 @@ fn shadow_parts(features: &Features, names: &mut Names) {
 
 fn schedule_parts(features: &Features, names: &mut Names) {
     names.all(&[
-        match features.masks {
-            Masks::Off => "state/active/all",
-            Masks::Grid => "state/active/grid",
-            Masks::List => "state/active/list",
-        },
-        match (features.lists_open(), features.rounds > 1) {
-            (false, _) => "state/round/once",
-            (true, false) => "state/round/chosen",
-            (true, true) => "state/round/open",
-        },
+        if features.masks == Masks::List { "state/active/list" } else { "state/active/grid" },
+        "state/round",
         samples_part(features),
     ]);
     names.all(match features.masks {
-        _ if features.purpose.leaves_light() => &["segment/run_light", "segment/leave_light"],
+        _ if features.purpose.leaves_light() => &["segment/run_active", "segment/leave_light"],
         Masks::Off => &["segment/run_all"],
         Masks::Grid | Masks::List => &["segment/run_active"],
     });
 }
 
 /// What a state is, where rays may go, and where they end.
-fn law_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
+fn law_parts(scene: &Scene, names: &mut Names) {
     let captures = scene.captures(None);
     let facts = scene.law.facts();
     let by_formula = facts.line_element().is_some_and(|element| element.graph().4.is_some());
@@ -131,41 +136,24 @@ fn law_parts(scene: &Scene, names: &mut Names) -> Result<(), ProgramError> {
     let anchors = captures.iter().map(|capture| capture.anchor).chain(facts.anchors.iter().copied());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
     let kinds: Vec<_> = ANCHORS.into_iter().filter(|kind| anchors.contains(kind)).collect();
-    names.wgsl(kinds.iter().map(|kind| kind.part()))?;
     if !kinds.is_empty() {
+        names.add("law/offset");
         names.make(generated::anchors(&kinds));
-    }
-    Ok(())
-}
-
-/// What a segment is, and where it ends.
-fn segment_parts(scene: &Scene, features: &Features, names: &mut Names) {
-    names.add(if features.ends_with_steps { "segment/path_end_stepped" } else { "segment/path_end" });
-    match scene.rays.segment {
-        Segment::Arc { .. } => names.all(&["segment/follow_step", "segment/last_step"]),
-        Segment::Chord { steps } => {
-            names.add("segment/follow_chord");
-            if features.writes_chords_out {
-                names.make(generated::chord(steps));
-            }
-        }
     }
 }
 
 fn surface_parts(scene: &Scene, features: &Features, analysis: &Analysis, names: &mut Names) {
     let all = solids(scene.objects.iter());
-    if all.is_empty() {
-        names.all(&["segment/no_surfaces"]);
-        return;
-    }
-    let Analysis { regions, structure } = analysis;
-    names.all(&["segment/pieces", "segment/hits", "segment/walk", "segment/lists", "shape/placed"]);
     let moving = solids(scene.travels().map(|(_, object, _)| object));
     if moving.is_empty() {
         names.add("segment/hit_still");
     } else {
         names.all(&["segment/hit_moving", "shape/moving"]);
     }
+    if all.is_empty() {
+        return;
+    }
+    let Analysis { regions, structure } = analysis;
     names.each("shape", all.iter().map(|solid| solid.name));
     if structure.once {
         names.add("shape/instance");
@@ -180,10 +168,7 @@ fn surface_parts(scene: &Scene, features: &Features, analysis: &Analysis, names:
     sided.retain(|solid| solid.lists.is_some());
     listed.retain(|solid| !structure.holds(solid));
     names.when(structure.near, &["segment/near_balls"]);
-    if structure.solids.is_empty() {
-        names.add("segment/structure/none");
-    } else {
-        names.add("segment/pieces");
+    if features.has_structure {
         names.add(structure.order());
         names.each("segment/structure", structure.parts().iter().copied());
     }
@@ -193,5 +178,4 @@ fn surface_parts(scene: &Scene, features: &Features, analysis: &Analysis, names:
     } else {
         generated::lists(scene, analysis, &listed, &sided)
     });
-    names.add("surface/seen");
 }

@@ -39,7 +39,7 @@ pub(super) fn region_parts(
         Motion::Closed(form) => closed_motion(form, scene, regions, kind, &mut names)?,
         Motion::Solved => {
             names.all(&SOLVED_PARTS);
-            names.all(&["law/path_as_velocity", "motion/pace_tau", "method/first_derivative"]);
+            names.all(&["motion/pace_tau", "method/first_derivative"]);
             names.all(scene.rays.method.kind.parts);
             names.all(scene.rays.control.kind.parts);
         }
@@ -56,7 +56,6 @@ fn closed_motion(
     names: &mut Names,
 ) -> Result<(), ProgramError> {
     names.all(form.parts);
-    names.add("law/path_as_velocity");
     if let Some(curve) = scene.law.facts().curve() {
         names.wgsl(scene.law.parts())?;
         names.make(formula::curve(&curve.curve));
@@ -76,13 +75,10 @@ fn closed_motion(
 fn law_motion(scene: &Scene, features: &Features, names: &mut Names) -> Result<(), ProgramError> {
     let on_orbit = features.on_orbit;
     let facts = scene.law.facts();
-    let [path, pace] = facts.pace;
     let orbit = facts.orbit;
     match orbit.filter(|_| on_orbit) {
-        Some(_) => {
-            names.all(&[path, "motion/orbit", "motion/pace_orbit"]);
-        }
-        None => names.all(&[path, pace]),
+        Some(_) => names.all(&["motion/orbit", "motion/pace_orbit"]),
+        None => names.add("motion/pace_tau"),
     }
     let asked = features.is_asymptotic || features.shoots || features.is_extreme;
     if let Some(orbit) = orbit.filter(|_| on_orbit || asked) {

@@ -15,7 +15,7 @@ use crate::scene::Scene;
 const BEGINNING: &str = "camera.position = [0, 0, 9]\nrays.bound.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
 
 /// Scenes, each with parts that no scene before it links.
-const OTHERS: [&str; 17] = [
+const OTHERS: [&str; 15] = [
     "camera.kind = 'panorama'
      camera.stereo = { separation = 0.1, convergence = 3 }",
     "camera.stereo = { separation = 0.1, convergence = 3 }
@@ -62,16 +62,9 @@ const OTHERS: [&str; 17] = [
      law.sources = [{ kind = 'line', direction = [0, 1, 0], position = [0, 0, 0], strength = 1 }]
      rays.method = 'euler'
      rays.step = 0.1",
-    "law.kind = 'sources'
-     law.sources = [{ position = [0, 0, 0], strength = 1 }]
-     rays.method = 'groeller'
-     rays.step = 0.01",
     "camera.kind = 'plane'
      camera.height = 1
      law = { kind = 'parametric', x = 't', y = 't', z = 't', t = [0, 1] }",
-    "camera.kind = 'plane'
-     camera.height = 1
-     law = { kind = 'parametric', axes = 'camera', x = 't', y = 't', z = 't', t = [0, 1] }",
     "rays.accelerate = 'none'
      sky.faces = ['F', 'F', 'F', 'F', 'F', 'F']
      materials.a.diffuse.image = 'F'

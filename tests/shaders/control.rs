@@ -103,9 +103,10 @@ fn capped(input: &[Vec4; 2]) -> f64 {
 #[test]
 fn the_papers_doubling() {
     let inputs = rays(62);
-    let rule = ["method/control/doubled", "method/control/doubling_paper"];
-    let out = probe("method/step/euler", &rule, false, doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
-    let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_paper's sizes"));
+    let rule = ["method/control/doubling"];
+    let probe = probe("method/step/euler", &rule, false, doubling()).with("KEEPS_ERRORS");
+    let out = probe.run::<2, 5>(&gpu(), CONTROL, &inputs);
+    let (mut kept, mut sizes) = (Kept::new(), Errors::of("sizes by the paper's doubling"));
     let (mut grown, mut shrunk, mut same, mut open) = (0, 0, 0, 0);
     for (input, output) in inputs.iter().zip(&out) {
         let p = [wide(input[0]), wide(input[1])];
@@ -130,7 +131,7 @@ fn the_papers_doubling() {
         let over = if error > TOLERANCE { 21.0 } else { 20.0 };
         assert_eq!(output[2].w, over, "what is kept over the tolerance is counted");
     }
-    println!("doubling_paper: {grown} grow, {same} stay, {shrunk} shrink, {open} for rounding to decide");
+    println!("the paper's doubling: {grown} grow, {same} stay, {shrunk} shrink, {open} for rounding to decide");
     assert!(grown.min(shrunk).min(same) > 150 && open < 150);
     kept.report();
     sizes.report();
@@ -158,10 +159,10 @@ fn tried(scheme: Scheme, order: f64, p: Phase, mut h: f64) -> (f64, f64, u32, bo
 fn doubling_that_rejects() {
     let gpu = gpu();
     let inputs = rays(63);
-    let rule = ["method/control/doubled", "method/control/doubling_rejecting"];
+    let rule = ["method/control/doubling"];
     for (step, scheme, order) in [("method/step/euler", euler as Scheme, 1.0), ("method/step/rk4", rk4, 4.0)] {
         let out = probe(step, &rule, false, doubling()).run::<2, 5>(&gpu, CONTROL, &inputs);
-        let (mut kept, mut sizes) = (Kept::new(), Errors::of("doubling_rejecting's sizes"));
+        let (mut kept, mut sizes) = (Kept::new(), Errors::of("sizes by doubling that rejects"));
         let (mut twice, mut open) = (0, 0);
         for (input, output) in inputs.iter().zip(&out) {
             let p = [wide(input[0]), wide(input[1])];
@@ -184,7 +185,7 @@ fn doubling_that_rejects() {
             sizes.check(output[1].w, next, unsure(error) * next, input);
         }
         println!(
-            "doubling_rejecting with {step}: {twice} rejected first, {open} for rounding to decide, of {}",
+            "doubling that rejects with {step}: {twice} rejected first, {open} for rounding to decide, of {}",
             inputs.len()
         );
         assert!(twice > 150 && open < 150);
@@ -199,7 +200,7 @@ fn a_ray_that_no_try_moves() {
     let inputs: Vec<[Vec4; 2]> = [Vec4::new(f32::NAN, 1.0, 0.0, 0.5), Vec4::new(f32::INFINITY, 1.0, 0.0, 0.5)]
         .map(|x| [x, Vec4::new(1.0, 0.0, 0.0, 1.0)])
         .into();
-    let rule = ["method/control/doubled", "method/control/doubling_rejecting"];
+    let rule = ["method/control/doubling"];
     let out = probe("method/step/rk4", &rule, false, doubling()).run::<2, 5>(&gpu(), CONTROL, &inputs);
     for (input, output) in inputs.iter().zip(&out) {
         assert_eq!(output[2], Vec4::new(0.0, 3.0, 10.0, 36.0), "taken, index, steps, rejected");
@@ -219,12 +220,13 @@ fn the_last_step_is_shortened_to_the_length() {
     let rules: [(&[&str], Record); 3] = [
         (&["method/control/fixed"], vec![("step", Float(0.25)), ("eta", Float(ETA))]),
         (&["method/control/scaled"], vec![("eta", Float(0.25))]),
-        (&["method/control/doubled", "method/control/doubling_paper"], doubling()),
+        (&["method/control/doubling"], doubling()),
     ];
     for (rule, values) in rules {
         let body =
             format!("{CONTROL} put(5u, vec4f(f32(length_reached(next.tau)), f32(length_reached(p0.w)), 0.0, 0.0));");
-        let out = probe("method/step/euler", rule, true, values).run::<2, 6>(&gpu, &body, &inputs);
+        let probe = probe("method/step/euler", rule, true, values).with("KEEPS_ERRORS");
+        let out = probe.run::<2, 6>(&gpu, &body, &inputs);
         let mut sizes = Errors::of("sizes under a length");
         let mut shortened = 0;
         for (input, output) in inputs.iter().zip(&out) {

@@ -189,12 +189,12 @@ fn first_hit_of_arcs_in_several_pieces() {
         "segment/pieces",
         "segment/walk",
         "segment/lists",
-        "segment/structure/none",
         "shape/placed",
         "shape/sphere",
     ];
     let probe = Probe::new(&parts)
         .with("HAS_LISTS")
+        .with("HAS_OBJECTS")
         .stub(
             "fn piece_hit(a: vec3f, b: vec3f, best: Hit) -> Hit {
                 var hit = best;

@@ -20,7 +20,7 @@ fn material(k: usize) -> Record {
         ("color", V3(DVec3::new(1.0, 0.0, 0.0))),
         ("kind", Uint(constant("surface/material/phong", "PHONG") as u32)),
         ("second_color", V3(DVec3::new(0.0, 0.0, 1.0))),
-        ("pattern", Uint(constant("surface/pattern/checker", "CHECKER") as u32)),
+        ("pattern", Uint(constant("surface/pattern", "CHECKER") as u32)),
         ("repeat", V2(DVec2::new(4.0, 2.0))),
         ("image", Uint(0)),
         ("bit", Uint(0)),
@@ -189,7 +189,7 @@ fn checkers_alternate() {
         }
     }
     let body = "put(0u, vec4f(pattern_checker(materials[0], p0.xy), 0.0)); put(1u, vec4f(pattern_constant(materials[0], p0.xy), 0.0));";
-    let probe = materials(Probe::new(&["surface/material", "surface/pattern/checker", "surface/pattern/constant"]));
+    let probe = materials(Probe::new(&["surface/material", "surface/pattern"]));
     for (input, output) in inputs.iter().zip(&probe.run::<1, 2>(&gpu(), body, &inputs)) {
         let want = if input[0].z == 1.0 { DVec3::Z } else { DVec3::X };
         assert_eq!(wide(output[0]), want, "at {input:?}");
@@ -214,7 +214,7 @@ fn pictures_on_surfaces() {
             )]);
         }
     }
-    let probe = materials(Probe::new(&["surface/material", "surface/image", "surface/pattern/image"])).stub(stub);
+    let probe = materials(Probe::new(&["surface/material", "surface/image", "surface/pattern"])).stub(stub);
     let out = probe.run::<1, 1>(&gpu(), "put(0u, vec4f(pattern_image(materials[0], p0.xy), 0.0));", &inputs);
     for (input, [got]) in inputs.iter().zip(&out) {
         assert!(

@@ -80,7 +80,6 @@ fn probe() -> Probe {
         "state/loops",
         "law/phase_space",
         "law/sources",
-        "law/scale_to_source",
         "law/falloff/inverse_square",
         "law/falloff/cubic",
         "law/falloff/yukawa",
@@ -178,7 +177,7 @@ fn the_way_from_a_line_is_across_it() {
     });
     let inputs: Vec<_> = inputs.collect();
     let body = "put(0u, vec4f(offset_line(p0.xyz, p1.xyz), 0.0));";
-    let out = Probe::new(&["law/offset/line"]).run::<2, 1>(&gpu(), body, &inputs);
+    let out = Probe::new(&["law/offset"]).run::<2, 1>(&gpu(), body, &inputs);
     let mut errors = Errors::of("way from a line");
     for (input, output) in inputs.iter().zip(&out) {
         let (d, u) = (wide(input[0]), wide(input[1]).normalize());

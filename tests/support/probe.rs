@@ -103,7 +103,7 @@ impl Probe {
         // What forces come from is a point, unless the probe says otherwise.
         let mut probe = probe
             .stub("fn anchor_offset(kind: u32, d: Real3, along: Real3) -> Real3 { return offset_center(d, along); }");
-        probe.units.push(unit("law/offset/center"));
+        probe.units.push(unit("law/offset"));
         probe
     }
 

@@ -29,7 +29,7 @@ const KEYS: &[Key] = &[
 pub static REJECTING: Kind = Kind {
     name: "rejecting",
     keys: KEYS,
-    parts: &["method/control/doubled", "method/control/doubling_rejecting"],
+    parts: &["method/control/doubling"],
     values,
     evaluations: |step, steps, rejected| 3.0 * step * (steps + rejected),
     suffix: "-doubling",
@@ -41,13 +41,7 @@ pub static REJECTING: Kind = Kind {
 };
 
 /// Two thresholds, and only the next step changes (W04 §4.2).
-pub static PAPER: Kind = Kind {
-    name: "paper",
-    parts: &["method/control/doubled", "method/control/doubling_paper"],
-    remark: " (paper)",
-    keeps_errors: true,
-    ..REJECTING
-};
+pub static PAPER: Kind = Kind { name: "paper", remark: " (paper)", keeps_errors: true, ..REJECTING };
 
 fn values(control: &Control) -> Row {
     row! { tolerance: Float(control.setting), grow_below: Float(control.grow_below), eta: Float(control.cap) }

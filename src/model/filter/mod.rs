@@ -60,14 +60,14 @@ impl Filter {
         Self { density, glow: DVec3::ZERO, tolerance: Self::TOLERANCE, center: DVec3::ZERO }
     }
 
-    /// The name of the WGSL part that has its density, in `shaders/filter/`.
+    /// Its kind: `density_KIND` in `shaders/filter/density.wgsl` is its density.
     #[must_use]
-    pub fn part(&self) -> &'static str {
+    pub fn kind(&self) -> &'static str {
         match &self.density {
             Density::Even(_) => "even",
             Density::Formula(_) => "formula",
             Density::Color(_) => "color_formula",
-            Density::Texture(texture) => texture.part(),
+            Density::Texture(texture) => texture.kind(),
         }
     }
 

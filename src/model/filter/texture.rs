@@ -33,15 +33,15 @@ pub enum Look {
 }
 
 impl Texture {
-    /// The name of its WGSL part.
+    /// The name of its density in WGSL.
     #[must_use]
-    pub fn part(&self) -> &'static str {
+    pub fn kind(&self) -> &'static str {
         match self.look {
-            Look::Mix(_) => "texture/mix",
-            Look::Wrapped(..) => "texture/wrapped",
-            Look::Rainbow => "texture/rainbow",
-            Look::Ramp(_) => "texture/ramp",
-            Look::Marble(..) => "texture/marble",
+            Look::Mix(_) => "mix",
+            Look::Wrapped(..) => "wrapped",
+            Look::Rainbow => "rainbow",
+            Look::Ramp(_) => "ramp",
+            Look::Marble(..) => "marble",
         }
     }
 

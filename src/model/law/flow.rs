@@ -32,7 +32,7 @@ impl FlowOrder {
     /// A field's part under this order.
     pub(super) fn parts(self, field: &'static str) -> Vec<Wgsl> {
         match self {
-            Self::Velocity => Wgsl::parts(&[field, "law/flow", "law/next_by_flow"]),
+            Self::Velocity => Wgsl::parts(&[field, "law/flow"]),
             Self::Acceleration => [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&[field, "law/flow_acceleration"])].concat(),
         }
     }

@@ -83,8 +83,7 @@ pub static KINDS: Kinds<Read> = Kinds {
 };
 
 /// The parts of a usual law of the second order: it holds nothing, and takes starts and steps as they are.
-const USUAL_PARTS: [&str; 5] =
-    ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is", "law/next_by_force"];
+const USUAL_PARTS: [&str; 4] = ["law/accelerated", "law/held_nothing", "law/start_as_given", "law/projected_as_is"];
 
 /// What is known of a law whatever the place.
 #[derive(Debug, Clone)]
@@ -116,8 +115,8 @@ pub struct Facts<'a> {
     pub closed_form: Option<&'static ClosedForm>,
     /// The τ at which its rays end of themselves.
     pub length: Option<f64>,
-    /// What its τ is to the path: the parts that know how fast a place moves, and what a step is measured in.
-    pub pace: [&'static str; 2],
+    /// Is τ the path's length, whatever the velocity?
+    pub by_length: bool,
     /// Do orbits of light lie within the place where rays are captured, so that some turn there and are not?
     pub turns_before_capture: bool,
     /// The part that ends light from below a horizon, and the horizon.
@@ -177,7 +176,7 @@ impl Default for Facts<'_> {
             throat: None,
             closed_form: None,
             length: None,
-            pace: ["law/path_as_velocity", "motion/pace_tau"],
+            by_length: false,
             turns_before_capture: false,
             below: None,
             swallows: None,

@@ -193,7 +193,7 @@ impl Law for OwnLaw {
         let shared: &[&'static str] = match self.depends {
             Depends::Place => &["law/accelerated"],
             Depends::Velocity => &["law/by_velocity"],
-            Depends::Time => &["law/by_time", "law/start_at_zero"],
+            Depends::Time => &["law/by_time", "law/start_as_given"],
             Depends::Flow => &["law/flow"],
         };
         let declared = Wgsl::Text { file: "generated/law.wgsl".into(), text: self.declared().into() };

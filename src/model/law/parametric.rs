@@ -152,8 +152,7 @@ impl Parametric {
 
 impl Law for Parametric {
     fn parts(&self) -> Vec<Wgsl> {
-        let axes = if self.turned.is_some() { "law/axes_turned" } else { "law/axes_as_given" };
-        Wgsl::parts(&["law/parametric", "law/by_time", "law/projected_as_is", axes, "medium/formula"])
+        Wgsl::parts(&["law/parametric", "law/by_time", "law/projected_as_is", "medium/formula"])
     }
 
     fn values(&self) -> Vec<Binding> {

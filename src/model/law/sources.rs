@@ -122,7 +122,7 @@ impl Sources {
 
 impl Law for Sources {
     fn parts(&self) -> Vec<Wgsl> {
-        [Wgsl::parts(&USUAL_PARTS), Wgsl::parts(&["law/scale_to_source"]), self.forces()].concat()
+        [Wgsl::parts(&USUAL_PARTS), self.forces()].concat()
     }
 
     fn values(&self) -> Vec<Binding> {
@@ -201,13 +201,7 @@ impl Law for ByLength {
     }
 
     fn facts(&self) -> Facts<'_> {
-        Facts {
-            order: Order::General,
-            pace: ["law/by_length", "motion/pace_length"],
-            usual_steps: UsualSteps::Orbit,
-            orbit: None,
-            ..self.0.facts()
-        }
+        Facts { order: Order::General, by_length: true, usual_steps: UsualSteps::Orbit, orbit: None, ..self.0.facts() }
     }
 
     fn captures(&self, clearance: Option<&dyn Fn(DVec3) -> f64>) -> Vec<Capture> {

@@ -12,7 +12,6 @@ pub mod spheroid;
 
 use glam::DVec3;
 
-use super::Wgsl;
 use super::falloff::Falloff;
 use super::same::named;
 use crate::document::reader::TableReader;
@@ -26,7 +25,7 @@ pub const ANCHORS: [&Kind; 3] = [SOURCES[0], SOURCES[1], &spheroid::KIND];
 
 /// What is known of a kind of source.
 pub struct Kind {
-    /// As a scene file has it; its WGSL part is of this name in `shaders/law/offset/`.
+    /// As a scene file has it; `offset_NAME` in `shaders/law/offset.wgsl` is its WGSL.
     pub name: &'static str,
     /// The keys that it reads besides those that all sources have.
     pub keys: &'static [Key],
@@ -96,14 +95,6 @@ impl Capture {
     #[must_use]
     pub fn distance(&self, x: DVec3) -> f64 {
         self.anchor.offset(x).length() - self.radius
-    }
-}
-
-impl Kind {
-    /// Its WGSL.
-    #[must_use]
-    pub fn part(&self) -> Wgsl {
-        Wgsl::Part(format!("law/offset/{}", self.name).into())
     }
 }
 

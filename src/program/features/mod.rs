@@ -117,6 +117,12 @@ pub struct Features {
     pub keeps_last: bool,
     /// The part that ends rays from below a horizon, if the camera may be there.
     pub below_part: Option<&'static str>,
+    /// States carry the time of the ray.
+    pub carries_time: bool,
+    /// τ is the path's length, whatever the velocity.
+    pub by_length: bool,
+    /// The curve that all rays follow has the axes of the camera.
+    pub turns_with_camera: bool,
     /// Some object moves.
     pub travels: bool,
     /// The law is a wormhole's.
@@ -160,6 +166,12 @@ pub struct Features {
     pub writes_chords_out: bool,
     /// Steps are tried again when their error is too large.
     pub rejects: bool,
+    /// Steps whose error is too large are kept.
+    pub keeps_errors: bool,
+    /// The objects of some kinds are in a structure.
+    pub has_structure: bool,
+    /// Some surface has a highlight on paths.
+    pub is_glossy: bool,
     /// What pixels see of pictures and patterns is known.
     pub keeps_footprints: bool,
     /// Light is as bright as its shift makes it.
@@ -181,15 +193,11 @@ impl Features {
         let Choice { purpose, masks, layers, device, .. } = choice.clone();
         let is_picture = purpose == Purpose::Picture;
         let facts = scene.law.facts();
-        let rounds = match scene.rays.branches {
-            Branches::Enumerated(depth) if is_picture && scene.branches() => 1 << depth,
-            _ => 1,
-        };
+        let rounds = rounds(scene, is_picture);
         let shoots = scene.has_shadows(Shadows::Shooting);
         // A path is one pass in pictures that follow one path a sample, and whose state is not to be rounded between segments.
         let fits = is_picture && rounds == 1 && scene.rays.precision != Precision::Half && !shoots;
         let schedule = if choice.schedule == Schedule::Whole && !fits { Schedule::Fused } else { choice.schedule };
-        let many_steps = matches!(scene.rays.segment, Segment::Chord { steps } if steps > 1);
         let camera = scene.camera.as_ref();
         let grids = || scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let beams = is_picture && camera.is_some_and(|camera| camera.shift);
@@ -205,7 +213,7 @@ impl Features {
             device,
             precision: scene.rays.precision,
             rounds,
-            slots: if schedule == Schedule::Paper && many_steps { 3 } else { 2 },
+            slots: slots(scene, schedule),
 
             has_objects: !scene.objects.is_empty(),
             keeps_taken: keeps_taken(scene, regions),
@@ -259,6 +267,9 @@ impl Features {
             ends_with_steps,
             keeps_last: ends_with_steps && !scene.rays.segment.has_chords() && schedule == Schedule::Whole,
             below_part: below_part(scene, purpose, facts.below),
+            carries_time: facts.carries_time,
+            by_length: facts.by_length,
+            turns_with_camera: facts.curve().is_some_and(|curve| curve.turned.is_some()),
             travels: scene.travels().next().is_some(),
             has_throat: facts.throat.is_some(),
             joins_whole,
@@ -272,6 +283,9 @@ impl Features {
             views: camera.and_then(|camera| Some(camera.stereo?.layout)),
             adapts: is_picture && scene.image.adaptive.is_some(),
             is_filmic: scene.output.tonemap == Tonemap::Filmic,
+            keeps_errors: scene.rays.control.kind.keeps_errors,
+            has_structure: !structure.solids.is_empty(),
+            is_glossy: scene.used_materials().any(|material| material.surface.facts().is_glossy),
             keeps_footprints: is_picture && scene.has_footprints(),
             beams,
             shifts_hues: beams && camera.is_some_and(|camera| camera.hues),
@@ -334,6 +348,20 @@ impl Features {
     pub fn asks_tau(&self) -> bool {
         self.needs_arcs || !matches!(self.purpose, Purpose::Picture | Purpose::Bare)
     }
+}
+
+/// Returns how many rounds a sample has at most: one for each leaf of the full tree of a path.
+fn rounds(scene: &Scene, is_picture: bool) -> u32 {
+    match scene.rays.branches {
+        Branches::Enumerated(depth) if is_picture && scene.branches() => 1 << depth,
+        _ => 1,
+    }
+}
+
+/// Returns how many slots the state has: `paper` keeps the start of a chord beside those that its steps alternate between.
+fn slots(scene: &Scene, schedule: Schedule) -> usize {
+    let has_many_steps = matches!(scene.rays.segment, Segment::Chord { steps } if steps > 1);
+    if schedule == Schedule::Paper && has_many_steps { 3 } else { 2 }
 }
 
 /// The part that ends light from below a horizon, unless it is known that the camera is above: a film has one program for all places that its

@@ -10,7 +10,7 @@ use super::unit::Unit;
 use super::{Features, LoopBudget, Purpose};
 use crate::model::shape::SOLIDS;
 use crate::model::source;
-use crate::scene::Scene;
+use crate::scene::{Precision, Scene};
 pub(super) use shapes::{lists, near, shapes};
 pub use shapes::{solid_code, solid_codes};
 pub(super) use switch::{switch, unit};
@@ -144,17 +144,15 @@ pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
     unit("generated/aims.wgsl", text)
 }
 
-/// What filters leave of light, by their kinds.
-pub(super) fn filters(kinds: &[&str]) -> Unit {
-    let textured = |part: &str| part.starts_with("texture/");
-    let call = |part: &&str| {
-        let kind = own_name(part);
-        let sum = if textured(part) { ", sum" } else { "" };
+/// What filters leave of light, by their kinds, each with whether it is a texture.
+pub(super) fn filters(kinds: &[(bool, &str)]) -> Unit {
+    let call = |(is_texture, kind): &(bool, &str)| {
+        let sum = if *is_texture { ", sum" } else { "" };
         (kind.to_uppercase(), format!("density_{kind}(filter_at, q{sum})"))
     };
     let calls: Vec<_> = kinds.iter().map(call).collect();
     // A texture's sum, which is long, stands once, whatever is made of it.
-    let text = if kinds.iter().any(|part| textured(part)) {
+    let text = if kinds.iter().any(|(is_texture, _)| *is_texture) {
         let signature = "fn textured_density(filter_at: Filter, q: Real3, sum: f32) -> vec3f";
         switch(signature, "filter_at.kind", &calls)
             + "\nfn filter_density(filter_at: Filter, q: Real3) -> vec3f {\n    \
@@ -239,6 +237,12 @@ pub(super) fn loop_budget(budget: Option<LoopBudget>) -> Unit {
 pub(super) fn region(is_empty: bool, is_whole: bool) -> Unit {
     let text = format!("const IS_EMPTY: bool = {is_empty};\nconst IS_WHOLE: bool = {is_whole};\n");
     unit("generated/region.wgsl", text)
+}
+
+/// The texels of the state's textures.
+pub(super) fn texels(precision: Precision) -> Unit {
+    let texel = if precision == Precision::Half { "rgba16float" } else { "rgba32float" };
+    unit("generated/texels.wgsl", format!("alias StateTexture = texture_storage_2d<{texel}, write>;\n"))
 }
 
 /// How many media a kind of region has.

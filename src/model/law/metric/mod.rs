@@ -165,22 +165,18 @@ fn says_none(why: &str, help: &str) -> [String; 2] {
 
 impl Law for Metric {
     fn parts(&self) -> Vec<Wgsl> {
-        let shared: &[&'static str] = match (self.carries_time(), self.throat) {
-            (true, _) => &["law/by_time", "law/metric_in_time"],
-            (false, Some(_)) => &["law/by_velocity", "law/metric_two_sided"],
-            (false, None) => &["law/by_velocity", "law/metric"],
-        };
-        let all = [shared, &["law/light_speed", "law/line_element", "law/projected_as_is", "medium/formula"]].concat();
-        Wgsl::parts(&all)
+        let order = if self.carries_time() { "law/by_time" } else { "law/by_velocity" };
+        let element = ["law/metric", "law/light_speed", "law/line_element", "law/projected_as_is", "medium/formula"];
+        [Wgsl::parts(&[order]), Wgsl::parts(&element)].concat()
     }
 
     fn values(&self) -> Vec<Binding> {
-        let row = match self.throat {
-            _ if self.carries_time() => row! { center: Vec3(self.center), time: Float(self.time) },
-            Some(throat) => {
-                row! { center: Vec3(self.center), other: Vec3(throat.mouths[1]), radius: Float(throat.rim()) }
-            }
-            None => row! { center: Vec3(self.center) },
+        let (other, radius) = self.throat.map_or((self.center, 0.0), |throat| (throat.mouths[1], throat.rim()));
+        let row = row! {
+            center: Vec3(self.center),
+            time: Float(self.time),
+            other: Vec3(other),
+            radius: Float(radius),
         };
         vec![Binding::one("law", row)]
     }
@@ -200,7 +196,7 @@ impl Law for Metric {
             keeps_time: true,
             throat: self.throat,
             form: Form::LineElement(&self.element),
-            momentum_parts: if in_time { &["law/momentum/metric_in_time"] } else { &["law/momentum/metric"] },
+            momentum_parts: &["law/momentum/metric"],
             refuses_surfaces: in_time.then_some("behind a surface a law that depends on t would begin again"),
             refuses_interiors: Some("light has speeds of its own in a spacetime"),
             refuses_sent_light: sent,

@@ -1,3 +1,13 @@
+// The color of a surface by place.
+
+// The same colour everywhere.
+
+const CONSTANT: u32 = 0u;
+
+fn pattern_constant(material: Material, uv: vec2f) -> vec3f {
+    return material.color;
+}
+
 // Two colours in turn; averaged over what a sample sees of them where that is known: over a box with the same spread, which has a closed
 // form.
 
@@ -26,4 +36,15 @@ fn alternating_mean(x: vec2f, side: vec2f) -> vec2f {
     let beside = min(2.0 * abs(x - round(x)), side) / max(side, vec2f(1e-30));
     let over = (alternating_sum(x + 0.5 * side) - alternating_sum(x - 0.5 * side)) / max(side, vec2f(1.0));
     return select(select(own * beside, own, side == vec2f(0.0)), over, side > vec2f(1.0));
+}
+
+// A picture, repeated.
+
+const IMAGE: u32 = 2u;
+
+fn pattern_image(material: Material, uv: vec2f) -> vec3f {
+    if KEEPS_FOOTPRINTS {
+        span_pattern(vec2f(1.0, -1.0) * material.repeat);
+    }
+    return image_sample(material.image, fract(vec2f(uv.x, 1.0 - uv.y) * material.repeat), true);
 }

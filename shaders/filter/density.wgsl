@@ -1,0 +1,79 @@
+// The density of each kind of filter, per unit length. Of a texture it follows from what the noise sums up to there.
+
+// The same density everywhere.
+
+const EVEN: u32 = 0u;
+
+fn density_even(filter_at: Filter, q: Real3) -> vec3f {
+    return filter_at.color;
+}
+
+// A density that the user wrote as formulas of the place.
+
+const FORMULA: u32 = 1u;
+
+fn density_formula(filter_at: Filter, q: Real3) -> vec3f {
+    return filter_formula(filter_at.which, q);
+}
+
+// A colour that the user wrote as formulas of the place: from 0 to 1, or it is none.
+
+const COLOR_FORMULA: u32 = 2u;
+
+fn density_color_formula(filter_at: Filter, q: Real3) -> vec3f {
+    let color = filter_formula(filter_at.which, q);
+    return select(vec3f(-1.0), density_of(color), color >= vec3f(0.0) & color <= vec3f(1.0 + 1e-6));
+}
+
+// Between two colours.
+
+const MIX: u32 = 3u;
+
+fn density_mix(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
+    return density_of(mix(filter_at.color, filter_at.high, texture_share(filter_at, sum)));
+}
+
+// Between two colours, several times over (thesis 2.4.3).
+
+const WRAPPED: u32 = 4u;
+
+fn density_wrapped(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
+    return density_of(mix(filter_at.color, filter_at.high, fract(filter_at.times * texture_share(filter_at, sum))));
+}
+
+// Seven colours, linear between. The thesis takes its rainbow from an equation that it does not print; this one is ours.
+
+const RAINBOW: u32 = 5u;
+
+fn density_rainbow(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
+    var stops = array<vec3f, 7>(
+        vec3f(0.95, 0.15, 0.15),
+        vec3f(0.95, 0.55, 0.12),
+        vec3f(0.95, 0.92, 0.15),
+        vec3f(0.2, 0.85, 0.25),
+        vec3f(0.15, 0.7, 0.95),
+        vec3f(0.2, 0.25, 0.95),
+        vec3f(0.65, 0.2, 0.9),
+    );
+    let at = 6.0 * texture_share(filter_at, sum);
+    let stop = min(u32(at), 5u);
+    return density_of(mix(stops[stop], stops[stop + 1u], at - f32(stop)));
+}
+
+// The colours of a picture's middle row, from left to right.
+
+const RAMP: u32 = 6u;
+
+fn density_ramp(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
+    return density_of(min(image_sample(filter_at.which, vec2f(texture_share(filter_at, sum), 0.5), false), vec3f(1.0)));
+}
+
+// Such a picture along an axis, in waves that noise disturbs (Suffern 2007): u = (1 + sin(y + a s))/2.
+
+const MARBLE: u32 = 7u;
+
+fn density_marble(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
+    let along = filter_at.frequency * dot(filter_at.axis, vec3f(q));
+    let share = 0.5 + 0.5 * sin(along + filter_at.times * sum);
+    return density_of(min(image_sample(filter_at.which, vec2f(share, 0.5), false), vec3f(1.0)));
+}

@@ -1,5 +1,0 @@
-// A ray's time begins with it.
-
-fn law_start(x: Real3, v: Real3) -> Phase {
-    return Phase(Real4(x, 0.0), Real4(v, 0.0));
-}
