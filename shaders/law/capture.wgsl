@@ -1,6 +1,7 @@
 // Rays inside a sphere and moving inwards are captured. For a Schwarzschild hole the sphere is the horizon, or wider, up to
 // the photon sphere r = 3M, where nothing of the scene lies between: what moves inwards there never comes back. Round
-// a hole that spins nearly as fast as it may, what turns before the horizon is not captured.
+// a hole that spins nearly as fast as it may, what turns before the horizon is not captured. A line element may say by a formula where rays
+// that move further in end.
 
 struct CaptureSphere {
     center: Real3,
@@ -13,6 +14,10 @@ struct CaptureSphere {
 var<uniform> capture_spheres: array<CaptureSphere, CAPTURE_COUNT>;
 
 fn law_captured(x: Real3, v: Real3) -> bool {
+    if CAPTURES_BY_FORMULA {
+        let gap = metric_gap(metric_place(x));
+        return gap.w < 0.0 && dot(gap.xyz, v) < 0.0;
+    }
     if !CAPTURES {
         return false;
     }
@@ -31,6 +36,9 @@ fn law_captured(x: Real3, v: Real3) -> bool {
 
 // Is x inside of one of the spheres, wherever it moves?
 fn inside_capture(x: Real3) -> bool {
+    if CAPTURES_BY_FORMULA {
+        return metric_gap(metric_place(x)).w < 0.0;
+    }
     if !CAPTURES {
         return false;
     }
@@ -52,6 +60,11 @@ fn captured_within() -> Real {
 
 // The outward normal and the signed distance of the nearest of the spheres.
 fn capture_gap(x: Real3) -> Real4 {
+    if CAPTURES_BY_FORMULA {
+        let gap = metric_gap(metric_place(x));
+        let steep = length(gap.xyz);
+        return Real4(gap.xyz / steep, gap.w / steep);
+    }
     if !CAPTURES {
         return Real4(0.0);
     }

@@ -31,7 +31,7 @@ pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names
 /// Which medium a ray is in, and what becomes of it at surfaces that it goes on from.
 pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
     if !features.scatters {
-        names.all(&["surface/region_none", "surface/scatter/none", "surface/branch/single"]);
+        names.all(&["surface/region_none", "surface/scatter/none"]);
         names.add(plain_weight(features));
         return;
     }
@@ -76,15 +76,7 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
 /// What a path carries, and how it goes on.
 fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
     let aims = scene.aims();
-    names.all(&[
-        "path/carried",
-        "path/random",
-        "surface/branch/single",
-        "path/vertex",
-        "path/scatter",
-        "path/aim/flight",
-        "path/answer",
-    ]);
+    names.all(&["path/carried", "path/random", "path/vertex", "path/scatter", "path/aim/flight", "path/answer"]);
     names.when(features.clamps, &["picture/clamped"]);
     if !aims.is_empty() {
         names.each("path/aim", aims.iter().copied());
@@ -102,7 +94,6 @@ fn sent_parts(scene: &Scene, features: &Features, names: &mut Names) {
         "surface/weight/none" if features.is_picture() => "surface/weight/colored",
         filtered => filtered,
     });
-    names.add(if features.enumerates { "surface/branch/enumerated" } else { "surface/branch/single" });
 }
 
 /// What is known of a ray's weight where no surface has changed it.

@@ -31,6 +31,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
         "real/hash",
         "shape/facing",
         "surface/black_body",
+        "surface/branch",
         "surface/image",
         "surface/light/field",
         "surface/occlusion",
@@ -128,11 +129,7 @@ fn schedule_parts(features: &Features, names: &mut Names) {
 fn law_parts(scene: &Scene, names: &mut Names) {
     let captures = scene.captures(None);
     let facts = scene.law.facts();
-    let by_formula = facts.line_element().is_some_and(|element| element.graph().4.is_some());
-    names.all(&[
-        if facts.carries_time { "law/phase_spacetime" } else { "law/phase_space" },
-        if by_formula { "law/capture_formula" } else { "law/capture" },
-    ]);
+    names.all(&[if facts.carries_time { "law/phase_spacetime" } else { "law/phase_space" }, "law/capture"]);
     let anchors = captures.iter().map(|capture| capture.anchor).chain(facts.anchors.iter().copied());
     let anchors: Vec<_> = anchors.map(|anchor| anchor.kind).collect();
     let kinds: Vec<_> = ANCHORS.into_iter().filter(|kind| anchors.contains(kind)).collect();

@@ -3,8 +3,8 @@
 //! *Theory.* Of light that goes a length d a part e^(−σd) is left, where σ is the density; a colour c that is left after a unit length
 //! has σ = −ln c. A density may vary over space, by formulas or by a texture of noise, and a medium may glow.
 //!
-//! *Practice.* A [`Filter`] belongs to an interior, or to the law's whole space. Each look has a WGSL part of its own in
-//! `shaders/filter/`.
+//! *Practice.* A [`Filter`] belongs to an interior, or to the law's whole space. Each kind of density has a function
+//! of its own in `shaders/filter/density.wgsl`.
 
 mod read;
 mod texture;

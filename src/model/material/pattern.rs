@@ -32,7 +32,7 @@ pub enum Pattern {
 }
 
 impl Pattern {
-    /// The names of their WGSL parts in `shaders/surface/pattern/`.
+    /// Their names in `shaders/surface/pattern.wgsl`.
     pub const PARTS: [&'static str; 3] = ["constant", "checker", "image"];
 
     /// Returns `true` if it varies in a way that pixels average over what they see of it.
@@ -92,7 +92,7 @@ impl Pattern {
         }
     }
 
-    /// The name of its WGSL part, without vertex colors.
+    /// Returns its name in WGSL, without vertex colors.
     #[must_use]
     pub fn part(&self) -> &'static str {
         Self::PARTS[match self {

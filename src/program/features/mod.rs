@@ -99,6 +99,8 @@ pub struct Features {
     pub compensates_tau: bool,
     /// Something captures rays.
     pub captures: bool,
+    /// Rays end where a formula of a line element says.
+    pub captures_by_formula: bool,
     /// Orbits of light lie within the place where rays are captured: those that turn there are not.
     pub is_extreme: bool,
     /// The bounding sphere is left for infinity.
@@ -258,6 +260,7 @@ impl Features {
             is_limited: scene.rays.length.is_some(),
             compensates_tau: compensates_tau(scene),
             captures: !scene.captures(None).is_empty(),
+            captures_by_formula: facts.line_element().is_some_and(|element| element.graph().4.is_some()),
             is_extreme: facts.turns_before_capture,
             is_asymptotic: scene.rays.asymptotic,
             needs_arcs: scene.needs_arcs(),
@@ -279,7 +282,7 @@ impl Features {
             has_images: !scene.pictures.is_empty(),
             has_vertex_colors: scene.uses_vertex_colors(),
             is_transparent: scene.is_transparent(),
-            enumerates: is_picture && matches!(scene.rays.branches, Branches::Enumerated(_)),
+            enumerates: is_picture && scene.scatters() && matches!(scene.rays.branches, Branches::Enumerated(_)),
             views: camera.and_then(|camera| Some(camera.stereo?.layout)),
             adapts: is_picture && scene.image.adaptive.is_some(),
             is_filmic: scene.output.tonemap == Tonemap::Filmic,

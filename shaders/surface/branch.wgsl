@@ -1,4 +1,7 @@
-// Both, without a stack and without noise: the whole path is followed anew for every leaf of its tree. Bit k of a pixel's code
+// Which of two rays is followed. One of them at random, as often as its part of the light, so that every ray weighs the same; or the
+// transmitted one, for rays that are traced, which have no weight.
+//
+// Or both, without a stack and without noise: the whole path is followed anew for every leaf of its tree. Bit k of a pixel's code
 // says which ray is taken at the k-th branching: 0 transmits, 1 reflects. Codes are taken in the order of a depth-first walk:
 // the next one differs at the last branching whose reflected ray has not been followed, so that a tree of n leaves takes n
 // rounds, whatever its depth; with all of them followed, the pixel rests.
@@ -19,11 +22,15 @@ const MET_BITS: u32 = 5u;
 var<private> branch_code: u32;
 
 fn load_branches(pixel: vec2u) {
-    branch_code = pixel_branches[place_in_tile(pixel)];
+    if ENUMERATES {
+        branch_code = pixel_branches[place_in_tile(pixel)];
+    }
 }
 
 fn store_branches(pixel: vec2u) {
-    pixel_branches[place_in_tile(pixel)] = branch_code;
+    if ENUMERATES {
+        pixel_branches[place_in_tile(pixel)] = branch_code;
+    }
 }
 
 fn low_bits(n: u32) -> u32 {
@@ -46,6 +53,9 @@ fn branches_left(pixel: vec2u) -> bool {
 
 // False where the pixel has no path left.
 fn begin_branches(pixel: vec2u) -> bool {
+    if !ENUMERATES {
+        return true;
+    }
     if frame.branch == 0u {
         branch_code = 0u;
         return true;
@@ -61,16 +71,32 @@ fn begin_branches(pixel: vec2u) -> bool {
 }
 
 fn chosen_branch(pixel: vec2u, index: u32, reflectance: f32) -> Branch {
-    let met = branches_met();
-    if met >= branching.depth {
-        return Branch(false, 0.0, true);
+    if ENUMERATES {
+        let met = branches_met();
+        if met >= branching.depth {
+            return Branch(false, 0.0, true);
+        }
+        branch_code += 1u << MET;
+        let reflects = ((branch_code >> met) & 1u) == 1u;
+        return Branch(reflects, select(1.0 - reflectance, reflectance, reflects), false);
     }
-    branch_code += 1u << MET;
-    let reflects = ((branch_code >> met) & 1u) == 1u;
-    return Branch(reflects, select(1.0 - reflectance, reflectance, reflects), false);
+    if FOLLOWS_PATHS {
+        // The choices at one surface lie in the upper bits.
+        return Branch(path_point(pixel, BRANCH + (index >> 16u)).x < reflectance, 1.0, false);
+    }
+    if !DRAWS {
+        return Branch(false, 1.0, false);
+    }
+    let whole = frame.origin + pixel;
+    let seed = (whole.x * 0x9e3779b1u) ^ (whole.y * 0x85ebca77u) ^ (frame.sample * 0xc2b2ae3du) ^ (index * 0x27d4eb2fu);
+    return Branch(f32(hashed(seed) >> 8u) / 16777216.0 < reflectance, 1.0, false);
 }
 
-// The first of all paths that share this stretch takes what media add on it: that whose later branches all transmit.
+// Is what media add here in no other branch's sum? The first of all paths that share this stretch takes it: that whose later branches all
+// transmit.
 fn glow_is_new() -> bool {
+    if !ENUMERATES {
+        return true;
+    }
     return ((branch_code & low_bits(MET)) >> branches_met()) == 0u;
 }
