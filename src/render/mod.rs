@@ -7,7 +7,7 @@
 //! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
 //! dispatch drops the rays that have ended. Submissions are kept short, because drivers kill long ones.
 //!
-//! [`Prepared`](prepared::Prepared) is a scene made ready for a device, `tile` a part of the picture on it, and `runner` runs the steps of
+//! `Prepared` is a scene made ready for a device, `tile` a part of the picture on it, and `runner` runs the steps of
 //! a tile's samples that `schedule` lists. Three use them: [`Renderer`] makes pictures band by band and tile by tile, and `values` reads what
 //! they came to; [`Tracer`] follows single rays; [`LightTracer`] and `light_grid` follow light from its sources.
 

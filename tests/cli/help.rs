@@ -30,7 +30,7 @@ fn help_prints_every_page_and_the_help_of_every_command() {
         assert!(!shown.contains("[`") && !shown.contains("`]: "), "{shown}");
     }
     assert!(folder.run("help scenes").succeeds().out.contains("`bentray help media`"));
-    assert!(folder.run("help accretion").succeeds().out.contains("[Luminet's picture] (`bentray help luminet`)"));
+    assert!(folder.run("help accretion").succeeds().out.contains("[Luminet's disk] (`bentray help luminet`)"));
     assert_eq!(folder.run("help warp-bubble").succeeds().out, folder.run("help warp_bubble").succeeds().out);
     for command in ["render", "check", "trace", "bench", "help", "formula fresnel"] {
         let help = folder.run(&format!("help {command}")).succeeds().out;
