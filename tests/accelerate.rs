@@ -48,7 +48,7 @@ fn shapes(random: &mut Random, of_each: usize, about: f64) -> String {
             let kind = if shape == "ellipsoid" { "sphere" } else { shape };
             let scale =
                 if shape == "sphere" { format!("{size}") } else { format!("[{size}, {}, {}]", size * 1.5, size * 2.0) };
-            let hole = if shape == "disk" && i % 2 == 0 { "hole = 0.4\n" } else { "" };
+            let hole = if shape == "disk" && i % 2 == 0 { "inner_radius = 0.4\n" } else { "" };
             write!(
                 text,
                 "[[objects]]\nshape = \"{kind}\"\ntranslate = {place:?}\nrotate = {angles:?}\nscale = {scale}\n{hole}\
@@ -88,7 +88,7 @@ fn ends(
     rays: &[[f64; 6]],
 ) -> Vec<Traced> {
     let text = format!(
-        "{keys}max_segments = 60\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{objects}"
+        "{keys}max_segments = 60\nbounding_sphere = {{ radius = 17 }}\nacceleration = \"{accelerate}\"\n{MATERIAL}{objects}"
     );
     let scene = Scene::parse(&text, &folder.join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"));
     let settings = RenderSettings { choice: Choice { schedule, ..Choice::default() }, ..RenderSettings::default() };
@@ -149,7 +149,7 @@ fn program_of(scene: &Scene, geometry: &Geometry) -> Result<Program, ProgramErro
 fn the_structure_follows_the_scene() {
     let scene = |accelerate: &str, of_each| {
         let text = format!(
-            "[rays]\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{MATERIAL}{}",
+            "[rays]\nbounding_sphere = {{ radius = 17 }}\nacceleration = \"{accelerate}\"\n{MATERIAL}{}",
             shapes(&mut Random::new(6), of_each, 0.3)
         );
         Scene::parse(&text, Path::new("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
@@ -193,9 +193,9 @@ fn heaps(each: usize) -> tempfile::TempDir {
 
 fn heap_scene(folder: &tempfile::TempDir, accelerate: &str) -> Scene {
     let text = format!(
-        "[image]\nsize = [8, 6]\n[camera]\nkind = \"plane\"\nposition = [3, 3, 30]\nheight = 1\n\
-         [rays]\nmethod = \"euler\"\nstep = 50\nbound = {{ radius = 40 }}\nmax_segments = 3\n\
-         accelerate = \"{accelerate}\"\n{MATERIAL}[[objects]]\nshape = \"mesh\"\nfile = \"heaps.obj\"\nmaterial = \"m\"\n"
+        "[image]\nsize = [8, 6]\n[camera]\nkind = \"orthographic\"\nposition = [3, 3, 30]\nheight = 1\n\
+         [rays]\nmethod = \"euler\"\nstep = 50\nbounding_sphere = {{ radius = 40 }}\nmax_segments = 3\n\
+         acceleration = \"{accelerate}\"\n{MATERIAL}[[objects]]\nshape = \"mesh\"\nfile = \"heaps.obj\"\nmaterial = \"m\"\n"
     );
     Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -241,9 +241,9 @@ fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("heaps.obj"), obj).unwrap();
     let text = format!(
-        "[image]\nsize = [2, 1]\n[camera]\nkind = \"plane\"\nposition = [0, 0, 30]\nheight = 1e-3\n\
-         [rays]\nmethod = \"euler\"\nstep = 50\nbound = {{ radius = 40 }}\nmax_segments = 3\n\
-         accelerate = \"grid\"\n{MATERIAL}[[objects]]\nshape = \"mesh\"\nfile = \"heaps.obj\"\nmaterial = \"m\"\n"
+        "[image]\nsize = [2, 1]\n[camera]\nkind = \"orthographic\"\nposition = [0, 0, 30]\nheight = 1e-3\n\
+         [rays]\nmethod = \"euler\"\nstep = 50\nbounding_sphere = {{ radius = 40 }}\nmax_segments = 3\n\
+         acceleration = \"grid\"\n{MATERIAL}[[objects]]\nshape = \"mesh\"\nfile = \"heaps.obj\"\nmaterial = \"m\"\n"
     );
     let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap();
     for schedule in [Schedule::Whole, Schedule::Segment] {
@@ -262,7 +262,8 @@ fn a_heap_in_one_cell_fails_in_sight_or_is_met() {
 /// What does not move is not built again, and what moves is.
 #[test]
 fn a_structure_is_kept_while_nothing_moves() {
-    let text = format!("[rays]\nbound = {{ radius = 17 }}\n{MATERIAL}{}", shapes(&mut Random::new(7), 20, 0.3));
+    let text =
+        format!("[rays]\nbounding_sphere = {{ radius = 17 }}\n{MATERIAL}{}", shapes(&mut Random::new(7), 20, 0.3));
     let scene = |text: &str| Scene::parse(text, Path::new("scene.toml"), &[]).unwrap();
     let after = |structure: &Built, scene: &Scene| {
         let before = Before { structure: Some(structure.clone()), ..Before::default() };
@@ -276,6 +277,6 @@ fn a_structure_is_kept_while_nothing_moves() {
     let fresh = Geometry::new(&moved).structure;
     assert!(fresh != first);
     assert_eq!(after(&first, &moved), fresh);
-    let grid = text.replace("[rays]", "[rays]\naccelerate = \"grid\"");
+    let grid = text.replace("[rays]", "[rays]\nacceleration = \"grid\"");
     assert_eq!(after(&first, &scene(&grid)), Geometry::new(&scene(&grid)).structure);
 }

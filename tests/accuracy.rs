@@ -19,7 +19,9 @@ use crate::support::{gpu, scene};
 fn at_infinity(law: &str, method: &str) -> Scene {
     let (kind, rest) = law.split_once(";[[").map_or((law, String::new()), |(kind, rest)| (kind, format!("[[{rest}")));
     let lines = |text: &str| text.replace(';', "\n");
-    let rays = format!("[rays]\nmax_segments = 20000\nbound = {{ radius = 50 }}\nasymptotic = true\n{method}\n");
+    let rays = format!(
+        "[rays]\nmax_segments = 20000\nbounding_sphere = {{ radius = 50 }}\nsky_at_infinity = true\n{method}\n"
+    );
     scene(&format!("[law]\n{}\n{}\n{rays}", lines(kind), lines(&rest)))
 }
 
@@ -90,7 +92,7 @@ fn a_long_flow_ends_when_it_should() {
     let gpu = gpu();
     let ends = |precision: &str| {
         let text = format!(
-            "[law]\nkind = \"rossler\"\n[rays]\nbound = {{ radius = 500 }}\nlength = 20\nmax_segments = 20000\n\
+            "[law]\nkind = \"rossler\"\n[rays]\nbounding_sphere = {{ radius = 500 }}\nmax_parameter = 20\nmax_segments = 20000\n\
              method = \"rk4\"\nstep = 0.002\nprecision = \"{precision}\"\n"
         );
         let starts = [[1.0, 1.0, 0.0], [2.0, -3.0, 0.0], [-4.0, 2.0, 0.1]].map(|[x, y, z]| [x, y, z, 1.0, 0.0, 0.0]);
@@ -105,7 +107,7 @@ fn a_long_flow_ends_when_it_should() {
 }
 
 const HOLE: &str = "[image]\nsize = [96, 72]\n[camera]\nposition = [0, 2, 20]\n[law]\nkind = \"schwarzschild\"\n[rays]\n\
-                    bound = { radius = 100 }\n";
+                    bounding_sphere = { radius = 100 }\n";
 
 #[test]
 fn a_calibrated_scene_is_as_accurate_as_was_asked() {
@@ -135,7 +137,7 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
                 center = [4, 0, -3]\nradius = 2\n";
     let eye = "[image]\nsize = [80, 60]\n[camera]\nposition = [0, 2, 20]\n";
     let fields = "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 0.2 }, \
-                  { position = [5, 1, 0], strength = -0.1, falloff = { yukawa = 0.3 } }]\n[rays]\nbound = { radius = 60 }\n";
+                  { position = [5, 1, 0], strength = -0.1, falloff = { yukawa = 0.3 } }]\n[rays]\nbounding_sphere = { radius = 60 }\n";
     for text in [HOLE.to_owned(), format!("{HOLE}{ball}"), format!("{eye}{fields}"), format!("{eye}{fields}{ball}")] {
         let asked = scene(&text);
         let found =
@@ -168,8 +170,8 @@ fn a_small_picture_is_as_accurate_as_was_asked() {
 fn a_calibration_says_what_cannot_be_had() {
     let gpu = gpu();
     let flow = scene(
-        "[image]\nsize = [32, 24]\n[camera]\nkind = \"plane\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\n\
-         up = [0, 0, 1]\nheight = 20\n[law]\nkind = \"lorenz\"\n[rays]\nbound = { radius = 500 }\nlength = 18\n\
+        "[image]\nsize = [32, 24]\n[camera]\nkind = \"orthographic\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\n\
+         up = [0, 0, 1]\nheight = 20\n[law]\nkind = \"lorenz\"\n[rays]\nbounding_sphere = { radius = 500 }\nmax_parameter = 18\n\
          max_segments = 20000\naccuracy = 1e-5\n",
     );
     let calibration = calibrate(&gpu, &flow, &RenderSettings::default(), None).unwrap().unwrap();
@@ -177,7 +179,7 @@ fn a_calibration_says_what_cannot_be_had() {
     assert!(!calibration.reached() && calibration.to_string().contains("no method reaches"));
     // On orbits that never end nothing can be measured, whatever the methods' errors seem to be.
     let bound = scene(
-        "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 100 }]\n[rays]\nbound = { radius = 100 }\n\
+        "[law]\nkind = \"sources\"\nsources = [{ position = [0, 0, 0], strength = 100 }]\n[rays]\nbounding_sphere = { radius = 100 }\n\
          max_segments = 200\n",
     );
     let rays = [[0.0, 3.0, 50.0, 0.0, 0.0, -1.0], [2.0, -5.0, 50.0, 0.0, 0.0, -1.0]];
@@ -208,7 +210,8 @@ fn every_fate_is_right() {
         }
     }
     for method in ["planar", "rkn4", "rk4", "dormand-prince", "bogacki-shampine"] {
-        let rays_table = format!("[rays]\nbound = {{ radius = 1001 }}\nmax_segments = 5000\nmethod = \"{method}\"\n");
+        let rays_table =
+            format!("[rays]\nbounding_sphere = {{ radius = 1001 }}\nmax_segments = 5000\nmethod = \"{method}\"\n");
         let scene = scene(&format!("[law]\nkind = \"schwarzschild\"\n{rays_table}"));
         let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
         let wrong = ends.iter().zip(&fates).filter(|(end, fate)| end.status != **fate).count();

@@ -13,7 +13,7 @@ use glam::DVec3;
 use crate::support::{gpu, scene};
 
 /// A glowing ball before a sky, in straight space.
-const BALL: &str = "[rays]\nbound = { radius = 20 }\n[sky]\ncolor = [0.1, 0.2, 0.3]\n\
+const BALL: &str = "[rays]\nbounding_sphere = { radius = 20 }\n[sky]\ncolor = [0.1, 0.2, 0.3]\n\
     [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.5, 0.2], [0.2, 0.9, 1]] }\n\
     [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n";
 
@@ -30,7 +30,7 @@ fn with_status() -> RenderSettings {
 #[test]
 fn a_panorama_of_a_bare_sky_is_the_sky() {
     let text = "[camera]\nkind = \"panorama\"\nposition = [1, 2, 3]\nlook_at = [1, 2, -9]\n\
-        [rays]\nbound = { radius = 1e-3, center = [1, 2, 3] }\n[sky]\nimage = \"data/stars.png\"\n";
+        [rays]\nbounding_sphere = { radius = 1e-3, center = [1, 2, 3] }\n[sky]\nimage = \"data/stars.png\"\n";
     let mut scene = scene(text);
     let size = scene.pictures[0].size;
     let sky = scene.pictures[0].pixels.clone();
@@ -62,9 +62,12 @@ fn a_panorama_of_a_bare_sky_is_the_sky() {
 /// Each half of a pair is, bit for bit, what a camera in the place of that eye sees.
 #[test]
 fn each_view_is_the_picture_of_its_eye() {
-    for kind in
-        ["kind = \"pinhole\"", "kind = \"plane\"\nheight = 3", "kind = \"fisheye\"\nfov = 100", "kind = \"panorama\""]
-    {
+    for kind in [
+        "kind = \"pinhole\"",
+        "kind = \"orthographic\"\nheight = 3",
+        "kind = \"fisheye\"\nfov = 100",
+        "kind = \"panorama\"",
+    ] {
         for (layout, view) in [("side-by-side", [24_u32, 20]), ("top-bottom", [48, 10])] {
             let text = format!(
                 "[image]\nsize = [48, 20]\n[camera]\nposition = [0, 0, 5]\nlook_at = [0, 0, 0]\n{kind}\n\
@@ -130,18 +133,18 @@ fn views_cross_where_they_shall() {
     ball(&fisheye(90.0, ", convergence = 5"), 0.0, 1e-3);
     ball(&format!("kind = \"panorama\"\nfov = [90, 90]\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
     // Parallel rays from parallel planes have no parallax but the eyes' distance; that of crossing ones depends on depth.
-    ball(&format!("kind = \"plane\"\nheight = 4\n{}", stereo("")), 0.125, 1e-3);
-    ball(&format!("kind = \"plane\"\nheight = 4\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
+    ball(&format!("kind = \"orthographic\"\nheight = 4\n{}", stereo("")), 0.125, 1e-3);
+    ball(&format!("kind = \"orthographic\"\nheight = 4\n{}", stereo(", convergence = 5")), 0.0, 1e-3);
 }
 
-const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 30 }\nmethod = \"planar\"\n\
+const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 30 }\nmethod = \"planar\"\n\
     [sky]\ncolor = [0.1, 0.2, 0.3]\n";
 
 /// Outside the disk there are no rays, also where the others come from far away, in either frame: what is counted there is
 /// neither sky nor an error, and every pixel's alpha is the share of its samples inside.
 #[test]
 fn outside_the_disk_there_is_nothing() {
-    for (frame, more) in [("coordinate", ""), ("static", ""), ("static", "asymptotic = true\n")] {
+    for (frame, more) in [("coordinate", ""), ("static", ""), ("static", "sky_at_infinity = true\n")] {
         for corners in ["black", "transparent"] {
             let text = format!(
                 "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 40]\nframe = \"{frame}\"\nkind = \"fisheye\"\nfov = 300\n\
@@ -183,7 +186,7 @@ fn the_shadow_has_its_size_in_a_fisheye() {
     let angle = f64::asin((27.0 * (1.0 - 2.0 / r)).sqrt() / r);
     for fov in [120.0, 900.0_f64] {
         let text = format!(
-            "[image]\nsize = [2001, 2001]\n[camera]\nkind = \"fisheye\"\nposition = [0, 0, 6]\nfov = {fov}\nframe = \"static\"\n{}",
+            "[image]\nsize = [2001, 2001]\n[camera]\nkind = \"fisheye\"\nposition = [0, 0, 6]\nfov = {fov}\nobserver = \"static\"\n{}",
             HOLE.replace("color = [0.1, 0.2, 0.3]", "color = [1, 1, 1]")
         );
         let gpu = gpu();
@@ -239,7 +242,7 @@ fn rays_of_64_bits_start_in_directions_of_64_bits() {
     ] {
         for (precision, bound) in [("f32", 2e-7), ("f64", 4e-15)] {
             let scene = scene(&format!(
-                "[image]\nsize = [7, 3]\n[camera]\nposition = [0, 0, 1]\n{camera}\n[rays]\nbound = {{ radius = 9 }}\n\
+                "[image]\nsize = [7, 3]\n[camera]\nposition = [0, 0, 1]\n{camera}\n[rays]\nbounding_sphere = {{ radius = 9 }}\n\
                  precision = \"{precision}\"\n"
             ));
             let start = pixel_starts(&gpu(), &scene, &RenderSettings::default(), &[pixel]).unwrap()[0];
@@ -255,9 +258,9 @@ fn rays_of_64_bits_start_in_directions_of_64_bits() {
 fn rays_come_to_the_bounding_sphere_as_an_observer_sees_them() {
     let starts = |radius: f64| {
         let scene = scene(&format!(
-            "[image]\nsize = [5, 3]\n[camera]\nposition = [50, 4, 0]\nlook_at = [0, 40, 0]\nfov = 40\nframe = \"moving\"\n\
+            "[image]\nsize = [5, 3]\n[camera]\nposition = [50, 4, 0]\nlook_at = [0, 40, 0]\nfov = 40\nobserver = \"boosted\"\n\
              velocity = [0, 0.6, 0]\n[law]\nkind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"\n\
-             [rays]\nbound = {{ radius = {radius} }}\n"
+             [rays]\nbounding_sphere = {{ radius = {radius} }}\n"
         ));
         let pixels: Vec<[u32; 2]> = (0..15).map(|i| [i % 5, i / 5]).collect();
         pixel_starts(&gpu(), &scene, &RenderSettings::default(), &pixels).unwrap()

@@ -28,14 +28,14 @@ fn charged_holes_are_those_of_kerr_and_newman_without_spin() {
         }
         let ends_by = |law: &str, rays_table: &str| {
             let scene = scene(&format!(
-                "[law]\n{law}\n[rays]\nbound = {{ radius = 30 }}\nmax_segments = 20000\nprecision = \"f64\"\n{rays_table}"
+                "[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 30 }}\nmax_segments = 20000\nprecision = \"f64\"\n{rays_table}"
             ));
             trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap().0
         };
         let fine = "method = \"dormand-prince\"\ntolerance = 1e-12";
         let spinless = ends_by(&format!("kind = \"kerr-newman\"\ncharge = {charge}"), fine);
         let charged = format!("kind = \"reissner-nordstrom\"\ncharge = {charge}");
-        let vast = format!("{charged}\ncosmological = 0.01");
+        let vast = format!("{charged}\ncosmological_constant = 0.01");
         for (law, method, bound) in
             [(&charged, fine, 1e-8), (&vast, fine, 1e-8), (&charged, "method = \"planar\"\nscaled_step = 0.005", 1e-7)]
         {

@@ -22,7 +22,7 @@ fn matter_moves_and_shines_as_closed_forms_say() {
         let spin: f64 = row[1].parse().unwrap();
         let kerr = format!("kind=\"kerr-newman\";spin={spin}");
         for (law, bound) in [(kerr.replace(';', "\n"), 3e-7), (typed(&kerr), 3e-6)] {
-            let law = scene(&format!("[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n")).law;
+            let law = scene(&format!("[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 60 }}\n")).law;
             let (edge, orbits) = matter::orbits(&*law, 60.0, 4096).unwrap();
             let radius = |rho: f64| (rho * rho - spin * spin).sqrt();
             let off = radius(orbits[edge].rho) / row[2].parse::<f64>().unwrap() - 1.0;
@@ -64,10 +64,10 @@ fn discs_of_holes_without_spin_are_alike() {
         let kerr = format!("kind = \"kerr-newman\"\ncharge = {charge}");
         let seen = |law: &str| {
             scene(&format!(
-                "[image]\nsize = [24, 16]\n[camera]\nposition = [14, 2, 3]\nup = [0, 1, 0]\nfov = 60\nframe = \"static\"\nshift = true\n\
-                 [law]\n{law}\naxis = [0, 1, 0]\n[rays]\nbound = {{ radius = 60 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-6\n\
+                "[image]\nsize = [24, 16]\n[camera]\nposition = [14, 2, 3]\nup = [0, 1, 0]\nfov = 60\nobserver = \"static\"\nredshift = true\n\
+                 [law]\n{law}\naxis = [0, 1, 0]\n[rays]\nbounding_sphere = {{ radius = 60 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-6\n\
                  [materials.m]\nkind = \"accretion\"\ntemperature = 7000\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\n\
-                 radius = 20\nhole = 3\n"
+                 radius = 20\ninner_radius = 3\n"
             ))
         };
         let told = seen(&kerr);
@@ -98,27 +98,31 @@ fn discs_of_holes_without_spin_are_alike() {
 /// Observers on circular orbits and falling ones, by closed forms.
 #[test]
 fn observers_round_holes_without_spin_move_as_they_should() {
-    for law in ["kind = \"schwarzschild\"", "kind = \"reissner-nordstrom\"\ncharge = 0.5\ncosmological = 0.0003"] {
+    for law in
+        ["kind = \"schwarzschild\"", "kind = \"reissner-nordstrom\"\ncharge = 0.5\ncosmological_constant = 0.0003"]
+    {
         let law = scene(&format!(
-            "[law]\n{law}\nmass = 1.5\ncenter = [1, 2, 3]\naxis = [0, 3, 4]\n[rays]\nbound = {{ radius = 60 }}\n"
+            "[law]\n{law}\nmass = 1.5\ncenter = [1, 2, 3]\naxis = [0, 3, 4]\n[rays]\nbounding_sphere = {{ radius = 60 }}\n"
         ))
         .law;
         let axis = DVec3::new(0.0, 0.6, 0.8);
         let x = 11.0 * DVec3::new(0.0, 0.8, -0.6);
         let metric = law.metric(DVec3::new(1.0, 2.0, 3.0) + x, 0.0).unwrap();
         let of = |frame: CameraFrame| law.observer(frame, DVec3::new(1.0, 2.0, 3.0) + x).unwrap().unwrap();
-        for frame in [CameraFrame::Orbiting, CameraFrame::CounterOrbiting, CameraFrame::Falling, CameraFrame::Zamo] {
+        for frame in
+            [CameraFrame::ProgradeOrbit, CameraFrame::RetrogradeOrbit, CameraFrame::Infalling, CameraFrame::Zamo]
+        {
             let u = of(frame);
             assert!((u.dot(metric * u) + 1.0).abs() < 1e-13 && u.w > 0.0, "{frame:?}: {u}");
         }
-        let orbit = of(CameraFrame::Orbiting);
+        let orbit = of(CameraFrame::ProgradeOrbit);
         assert!(orbit.truncate().dot(axis.cross(x)) > 0.0);
         // Of a geodesic: ∂g_tt/∂r + Ω² ∂g_φφ/∂r = 0.
         let clock = |r: f64| -law.metric(DVec3::new(1.0, 2.0, 3.0) + r / 11.0 * x, 0.0).unwrap().w_axis.w;
         let slope = (clock(11.001) - clock(10.999)) / 0.002;
         let turning = orbit.truncate().length() / (11.0 * orbit.w);
         assert!((turning * turning / (0.5 * slope / 11.0) - 1.0).abs() < 1e-6, "{turning}");
-        let falling = of(CameraFrame::Falling);
+        let falling = of(CameraFrame::Infalling);
         assert!(((metric * falling).w + 1.0).abs() < 1e-13 && falling.truncate().dot(x) < 0.0);
     }
 }
@@ -127,7 +131,7 @@ fn observers_round_holes_without_spin_move_as_they_should() {
 #[test]
 fn matter_falls_in_from_the_innermost_stable_orbit() {
     for law in ["kind=\"kerr-newman\"\nspin=0.7", "kind=\"kerr-newman\"\nspin=0.3\ncharge=0.5\naxis=[0, 1, 0]"] {
-        let law = scene(&format!("[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n")).law;
+        let law = scene(&format!("[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 60 }}\n")).law;
         let [_, axis] = law.equator().unwrap();
         let (edge, orbits) = matter::orbits(&*law, 60.0, 1000).unwrap();
         let out = axis.any_orthonormal_vector();
@@ -170,7 +174,9 @@ fn black_bodies_have_their_colours() {
 
 /// The light of the hottest ring round a hole that spins so.
 fn hottest(spin: f64) -> f64 {
-    let law = scene(&format!("[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbound = {{ radius = 200 }}\n")).law;
+    let law =
+        scene(&format!("[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbounding_sphere = {{ radius = 200 }}\n"))
+            .law;
     let (_, orbits) = matter::orbits(&*law, 200.0, 4096).unwrap();
     orbits.iter().map(|orbit| orbit.flux).fold(0.0, f64::max)
 }
@@ -202,10 +208,10 @@ fn light_of_discs_is_shifted_as_series_say() {
                 }
                 // What lies at other distances is open, so that later crossings are seen as well.
                 let scene = scene(&format!(
-                    "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nframe = \"static\"\n\
-                     shift = true\n[law]\n{law}\n[rays]\nbound = {{ radius = 200 }}\n{method}\nprecision = \"{precision}\"\n\
+                    "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nobserver = \"static\"\n\
+                     redshift = true\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 200 }}\n{method}\nprecision = \"{precision}\"\n\
                      max_segments = 20000\n[materials.m]\nkind = \"accretion\"\ntemperature = 9000\n[[objects]]\nshape = \"disk\"\n\
-                     material = \"m\"\nnormal = [0, 0, 1]\nradius = {}\nhole = {}\n",
+                     material = \"m\"\nnormal = [0, 0, 1]\nradius = {}\ninner_radius = {}\n",
                     origin.to_array(),
                     (origin + way).to_array(),
                     1.05 * rho,
@@ -244,11 +250,11 @@ fn light_of_translucent_discs_adds_up() {
         let rho = |crossing: &Vec<Option<f64>>| crossing[0].unwrap().hypot(crossing[1].unwrap());
         let outer = crossings.iter().map(rho).fold(0.0, f64::max);
         let text = format!(
-            "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nframe = \"static\"\n\
-             shift = true\n[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbound = {{ radius = 200 }}\nmethod = \"separated\"\n\
+            "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nobserver = \"static\"\n\
+             redshift = true\n[law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbounding_sphere = {{ radius = 200 }}\nmethod = \"separated\"\n\
              scaled_step = 0.05\nmax_segments = 1000\n[materials.m]\nkind = \"accretion\"\n\
              temperature = 9000\nopacity = {OPACITY}\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\nnormal = [0, 0, 1]\n\
-             radius = {}\nhole = 0.5\n",
+             radius = {}\ninner_radius = 0.5\n",
             origin.to_array(),
             (origin + way).to_array(),
             1.01 * outer

@@ -40,7 +40,7 @@ fn prisms_turn_each_wavelength_by_its_least_deviation() {
             let (along, face) = (DVec3::new(cos, sin, 0.0), DVec3::new(-0.5, 0.75_f64.sqrt(), 0.0));
             let start = face - 3.0 * along;
             let text = format!(
-                "[rays]\nbound = {{ radius = 8 }}\nwavelength = {nm}\nprecision = \"{precision}\"\n\
+                "[rays]\nbounding_sphere = {{ radius = 8 }}\nwavelength = {nm}\nprecision = \"{precision}\"\n\
                  [[objects]]\nshape = \"mesh\"\nfile = {file:?}\ninterior = {{ kind = \"sellmeier\", glass = \"SF11\" }}\n"
             );
             let ray = [start.x, start.y, start.z, along.x, along.y, along.z];
@@ -79,7 +79,7 @@ fn means(text: &str) -> [(f64, f64); 3] {
 fn ball(interior: &str, sky: &str, rest: &str) -> String {
     format!(
         "[image]\nsize = [40, 40]\nsamples = 256\n[camera]\nposition = [0, 0, 4]\nfov = 28\n[sky]\ncolor = {sky}\n\
-         [rays]\nbound = {{ radius = 6 }}\ntransport = \"paths\"\n\
+         [rays]\nbounding_sphere = {{ radius = 6 }}\nlighting = \"path-tracing\"\n\
          [[objects]]\nshape = \"sphere\"\ninterior = {interior}\n{rest}"
     )
 }

@@ -75,13 +75,13 @@ fn unread(module: &naga::Module) -> Vec<String> {
 
 /// Cameras and samplings that no shipped scene has.
 const PICTURES: [&[&str]; 7] = [
-    &["image.pattern=progressive"],
+    &["image.sampler=sobol"],
     &["image.adaptive=0.1", "image.samples=64", "output.tonemap=filmic"],
     &["image.adaptive=0.1", "image.samples=64", "camera.kind=fisheye", "camera.corners=transparent"],
     &["camera.kind=fisheye"],
     &["camera.kind=fisheye", "camera.corners=transparent", "camera.stereo={ separation = 1, convergence = 9 }"],
     &["camera.kind=panorama", "camera.fov=[360, 180]", "camera.stereo={ separation = 1, layout = \"top-bottom\" }"],
-    &["camera.frame=static", "camera.stereo={ separation = 1, convergence = 9 }", "rays.asymptotic=true"],
+    &["camera.observer=static", "camera.stereo={ separation = 1, convergence = 9 }", "rays.sky_at_infinity=true"],
 ];
 
 #[test]
@@ -162,8 +162,8 @@ fn every_scene_is_valid_in_64_bits() {
     let double: [Override; 1] = ["rays.precision=\"f64\"".parse().unwrap()];
     let filtered = FILTERS.map(|filter| {
         scene(&format!(
-            "[rays]\nbound = {{ radius = 9 }}\nprecision = \"f64\"\n[[objects]]\nshape = \"sphere\"\n\
-             interior = {{ kind = \"constant\", n = 1.5, filter = {{ {filter} }} }}\n"
+            "[rays]\nbounding_sphere = {{ radius = 9 }}\nprecision = \"f64\"\n[[objects]]\nshape = \"sphere\"\n\
+             interior = {{ kind = \"constant\", n = 1.5, absorption = {{ {filter} }} }}\n"
         ))
     });
     let shipped = folders.iter().flat_map(|folder| scenes_in(&format!("scenes{folder}")));

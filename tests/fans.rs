@@ -9,7 +9,7 @@ use crate::support::{gpu, scene};
 /// A ball and a pane of the material, before a sky, a floor and another ball.
 fn room(material: &str, rays: &str, law: &str) -> String {
     format!(
-        "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 2, 9]\nfov = 45\n[law]\n{law}\n[rays]\nbound = {{ radius = 40 }}\n{rays}\n\
+        "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 2, 9]\nfov = 45\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 40 }}\n{rays}\n\
          [sky]\ncolor = [0.4, 0.55, 0.8]\n[materials.floor]\ndiffuse = {{ checker = [[0.9, 0.9, 0.8], [0.2, 0.3, 0.4]], repeat = [9, 9] }}\n\
          [materials.odd]\n{material}\n[[objects]]\nshape = \"plane\"\ncenter = [0, -2, 0]\nsize = [30, 30]\nmaterial = \"floor\"\n\
          [[objects]]\nshape = \"sphere\"\ncenter = [-0.6, -0.4, -3]\nmaterial = \"floor\"\n\
@@ -32,15 +32,17 @@ fn alike(a: &[DVec3], b: &[DVec3]) -> f64 {
     same as f64 / a.len() as f64
 }
 
-const LAWS: [&str; 2] =
-    ["kind = \"straight\"", "kind = \"sources\"\nsources = [{ position = [0, 4, 0], strength = 0.3, capture = 0.05 }]"];
+const LAWS: [&str; 2] = [
+    "kind = \"straight\"",
+    "kind = \"sources\"\nsources = [{ position = [0, 4, 0], strength = 0.3, capture_radius = 0.05 }]",
+];
 const MIRROR: &str = "[\"dx + 2*c*nx\", \"dy + 2*c*ny\", \"dz + 2*c*nz\", \"1\"]";
 const ON: &str = "[\"2*dx\", \"2*dy\", \"2*dz\", \"1\"]";
 
 #[test]
 fn a_fan_of_one_ray_is_a_mirror_or_nothing() {
     for law in LAWS {
-        let odd = |ray: &str| picture(&room(&format!("kind = \"fan\"\nrays = [{ray}]"), "", law));
+        let odd = |ray: &str| picture(&room(&format!("kind = \"ray-splitter\"\nrays = [{ray}]"), "", law));
         let mirror = picture(&room("kind = \"mirror\"", "", law));
         let part = alike(&odd(MIRROR), &mirror);
         assert!(part > 0.995, "{law}: {part}");
@@ -60,7 +62,7 @@ fn a_fan_of_one_ray_is_a_mirror_or_nothing() {
 fn weights_are_what_a_surface_gives_back() {
     let three = |a: f64, b: f64, c: f64| {
         let ray = |x: &str, w: f64| format!("[\"dx + {x}*nx\", \"dy + {x}*ny\", \"dz + {x}*nz\", \"{w}\"]");
-        format!("kind = \"fan\"\nrays = [{}, {}, {}]", ray("2*c", a), ray("3*c", b), ray("4*c", c))
+        format!("kind = \"ray-splitter\"\nrays = [{}, {}, {}]", ray("2*c", a), ray("3*c", b), ray("4*c", c))
     };
     let furnace = |material: &str, rays: &str| {
         let text = room(material, rays, LAWS[0]);
@@ -70,7 +72,7 @@ fn weights_are_what_a_surface_gives_back() {
     let sky = DVec3::new(0.4, 0.55, 0.8);
     for (weights, sum) in [([0.5, 0.3, 0.2], 1.0), ([0.25, 0.15, 0.1], 0.5)] {
         let [a, b, c] = weights;
-        for rays in ["branches = 12", "branches = \"random\""] {
+        for rays in ["max_splits = 12", "max_splits = \"stochastic\""] {
             for color in furnace(&three(a, b, c), rays) {
                 let share = color / sky;
                 let whole = (share - DVec3::ONE).abs().max_element() < 1e-4;

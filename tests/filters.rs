@@ -19,15 +19,15 @@ fn to_screen(medium: &str, filter: &str, [from, along, to]: [DVec3; 3], rays: &s
     let ball: Vec<&str> = medium.split_whitespace().collect();
     let (law, object, normal, size) = match ball[..] {
         ["ball", n, radius] => {
-            let interior = format!("{{ kind = \"constant\", n = {n}, filter = {{ {filter} }} }}");
+            let interior = format!("{{ kind = \"constant\", n = {n}, absorption = {{ {filter} }} }}");
             let object = format!("[[objects]]\nshape = \"sphere\"\nradius = {radius}\ninterior = {interior}\n");
             (String::new(), object, along, 30.0)
         }
         ["straight"] => {
-            (format!("[law]\nkind = \"straight\"\nfilter = {{ {filter} }}\n"), String::new(), to - from, 0.1)
+            (format!("[law]\nkind = \"straight\"\nabsorption = {{ {filter} }}\n"), String::new(), to - from, 0.1)
         }
         _ => (
-            format!("[law]\nkind = \"medium\"\nindex = {{ {medium} }}\nfilter = {{ {filter} }}\n"),
+            format!("[law]\nkind = \"medium\"\nindex = {{ {medium} }}\nabsorption = {{ {filter} }}\n"),
             String::new(),
             to - from,
             0.02,
@@ -36,7 +36,7 @@ fn to_screen(medium: &str, filter: &str, [from, along, to]: [DVec3; 3], rays: &s
     let (from, look, to, normal) = (from.to_array(), (from + along).to_array(), to.to_array(), normal.to_array());
     format!(
         "[image]\nsize = [1, 1]\n[camera]\nposition = {from:?}\nlook_at = {look:?}\nup = [0.01, 0.02, 1]\nfov = 0.001\n\
-         [rays]\nbound = {{ radius = 100 }}\n{rays}\n{law}[materials.screen]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n{object}\
+         [rays]\nbounding_sphere = {{ radius = 100 }}\n{rays}\n{law}[materials.screen]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n{object}\
          [[objects]]\nshape = \"disk\"\nmaterial = \"screen\"\ncenter = {to:?}\nnormal = {normal:?}\nradius = {size}\n"
     )
 }
@@ -49,7 +49,7 @@ fn filters_are_as_exact_as_they_are_asked_to_be() {
             let [medium, filter, from, along, to, left] = row[..] else { panic!("{row:?}") };
             let places = [from, along, to].map(|text| vector(text).unwrap());
             let filter = format!("{filter}, tolerance = {tolerance}");
-            let branches = if medium.starts_with("ball") { "branches = 2" } else { "" };
+            let branches = if medium.starts_with("ball") { "max_splits = 2" } else { "" };
             let picture = rendered(&scene(&to_screen(medium, &filter, places, branches)), Choice::default());
             let expected = vector(left).unwrap().to_array();
             for (channel, expected) in expected.into_iter().enumerate() {
@@ -82,8 +82,8 @@ fn filters_follow_integrated_paths() {
 #[test]
 fn lenses_filter_by_the_length_of_their_paths() {
     let text = "[image]\nsize = [1, 1]\n[camera]\nposition = [-10, 0.4, 0]\nlook_at = [0, 0.4, 0]\nfov = 0.001\n\
-                [rays]\nbound = { radius = 20 }\n[sky]\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\n\
-                interior = { kind = \"luneburg\", c = 2, filter = [0.9, 0.6, 0.3] }\n";
+                [rays]\nbounding_sphere = { radius = 20 }\n[sky]\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\n\
+                interior = { kind = \"luneburg\", c = 2, absorption = [0.9, 0.6, 0.3] }\n";
     for rays in ["", "closed_forms = false\nmethod = \"rk4\"\n"] {
         let text = text.replace("[sky]", &format!("{rays}[sky]"));
         let picture = rendered(&scene(&text), Choice::default());
@@ -100,8 +100,8 @@ fn media_glow() {
     for transport in ["lights", "paths"] {
         let text = format!(
             "[image]\nsize = [3, 3]\n[camera]\nposition = [0, 0, 0]\nlook_at = [0, 0, -1]\nfov = 0.001\n\
-             [law]\nkind = \"straight\"\nfilter = {{ color = [0.9, 0.5, 1], glow = [0.1, 0.2, 0.3] }}\n\
-             [rays]\nbound = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
+             [law]\nkind = \"straight\"\nabsorption = {{ transmittance = [0.9, 0.5, 1], emission = [0.1, 0.2, 0.3] }}\n\
+             [rays]\nbounding_sphere = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
              [materials.wall]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n[[objects]]\nshape = \"box\"\nmaterial = \"wall\"\n\
              center = [0, 0, -3]\nsize = [4, 4, 2]\n"
         );
@@ -114,9 +114,9 @@ fn media_glow() {
 }
 
 /// A ball that absorbs under an even sky: R + (1 − R)² t/(1 − R t), t = c^chord; all its light the same, branch by branch or by paths.
-const BALL: &str = "[image]\nsize = [24, 24]\nsamples = 64\n[camera]\nkind = \"plane\"\nheight = 1.6\nposition = [0, 0, 4]\n\
-    [sky]\ncolor = [1, 1, 1]\n[rays]\nbound = { radius = 9 }\n[[objects]]\nshape = \"sphere\"\n\
-    interior = { kind = \"constant\", n = 1.5, filter = { color = [0.65, 0.45, 0.1], glow = [0.2, 0, 0] } }\n";
+const BALL: &str = "[image]\nsize = [24, 24]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 1.6\nposition = [0, 0, 4]\n\
+    [sky]\ncolor = [1, 1, 1]\n[rays]\nbounding_sphere = { radius = 9 }\n[[objects]]\nshape = \"sphere\"\n\
+    interior = { kind = \"constant\", n = 1.5, absorption = { transmittance = [0.65, 0.45, 0.1], emission = [0.2, 0, 0] } }\n";
 
 fn ball(sin: f64, color: f64, glow: f64) -> f64 {
     let index = 1.5_f64;
@@ -140,7 +140,9 @@ fn balls_absorb_in_every_order_of_reflection() {
                 .map(|(color, glow)| if b < 0.97 { ball(b, color, glow) } else { f64::NAN })
         })
         .collect();
-    for (rays, allowed) in [("branches = 8", 2e-3), ("branches = \"random\"", 0.04), ("transport = \"paths\"", 0.04)] {
+    for (rays, allowed) in
+        [("max_splits = 8", 2e-3), ("max_splits = \"stochastic\"", 0.04), ("lighting = \"path-tracing\"", 0.04)]
+    {
         let samples = if rays.contains(" 8") { "samples = 1" } else { "samples = 64" };
         let text = BALL.replace("samples = 64", samples).replace("[[objects]]", &format!("{rays}\n[[objects]]"));
         let picture = rendered(&scene(&text), Choice::default());
@@ -157,9 +159,9 @@ fn balls_absorb_in_every_order_of_reflection() {
 fn every_schedule_filters_alike() {
     let texts = [
         BALL.replace("samples = 64", "samples = 1"),
-        BALL.replace("samples = 64", "samples = 2").replace("[[objects]]", "transport = \"paths\"\n[[objects]]"),
+        BALL.replace("samples = 64", "samples = 2").replace("[[objects]]", "lighting = \"path-tracing\"\n[[objects]]"),
         BALL.replace("samples = 64", "samples = 1")
-            .replace("[sky]", "[law]\nkind = \"medium\"\nindex = { kind = \"gaussian\", a = 1.6, radius = 9 }\nfilter = [0.9, 0.8, 0.7]\n[sky]")
+            .replace("[sky]", "[law]\nkind = \"medium\"\nindex = { kind = \"gaussian\", a = 1.6, radius = 9 }\nabsorption = [0.9, 0.8, 0.7]\n[sky]")
             .replace("interior = {", "material = \"m\" #")
             .replace("[[objects]]", "method = \"rk4\"\n[materials.m]\nkind = \"mirror\"\n[[objects]]"),
     ];
@@ -192,12 +194,12 @@ fn formulas_belong_to_their_objects() {
     let ball = |x: f64, density: &str, priority: u32| {
         format!(
             "[[objects]]\nshape = \"sphere\"\ncenter = [{x}, 0, 0]\nradius = 0.5\npriority = {priority}\n\
-             interior = {{ kind = \"constant\", n = 1, filter = {{ density = {density} }} }}\n"
+             interior = {{ kind = \"constant\", n = 1, absorption = {{ coefficient = {density} }} }}\n"
         )
     };
     let text = format!(
-        "[image]\nsize = [2, 1]\n[camera]\nkind = \"plane\"\nheight = 2\nposition = [0, 0, 4]\n[sky]\ncolor = [1, 1, 1]\n\
-         [rays]\nbound = {{ radius = 9 }}\n{}{}",
+        "[image]\nsize = [2, 1]\n[camera]\nkind = \"orthographic\"\nheight = 2\nposition = [0, 0, 4]\n[sky]\ncolor = [1, 1, 1]\n\
+         [rays]\nbounding_sphere = {{ radius = 9 }}\n{}{}",
         ball(-1.0, "\"1 + 0*x\"", 0),
         ball(1.0, "\"2 + 0*x\"", 5)
     );
@@ -211,8 +213,8 @@ fn formulas_belong_to_their_objects() {
 #[test]
 fn filters_follow_orbits() {
     let text = "[image]\nsize = [8, 6]\n[camera]\nposition = [0, 0, 12]\nlook_at = [5, 0, 0]\nfov = 30\n[sky]\ncolor = [1, 1, 1]\n\
-                [law]\nkind = \"schwarzschild\"\nfilter = { density = \"0.02 + 0.2*exp(-r^2/20)\" }\n\
-                [rays]\nbound = { radius = 30 }\nmethod = ";
+                [law]\nkind = \"schwarzschild\"\nabsorption = { coefficient = \"0.02 + 0.2*exp(-r^2/20)\" }\n\
+                [rays]\nbounding_sphere = { radius = 30 }\nmethod = ";
     let [planar, solved] = ["\"planar\"\n", "\"dormand-prince\"\ntolerance = 1e-6\n"]
         .map(|method| rendered(&scene(&format!("{text}{method}")), Choice::default()).band.color);
     assert!(planar[0].iter().filter(|x| **x > 0.1).count() > 12);

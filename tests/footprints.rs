@@ -21,8 +21,8 @@ fn shown(scene: &Scene) -> Band {
 /// A wall of 4 by 4, seen by parallel rays so that it fills the picture.
 fn wall(size: u32, color: &str) -> Scene {
     scene(&format!(
-        "[image]\nsize = [{size}, {size}]\nfootprints = true\n[camera]\nkind = \"plane\"\nheight = 4\nposition = [0, 0, 9]\n[rays]\n\
-         bound = {{ radius = 20 }}\n[materials.m]\nkind = \"emissive\"\ncolor = {color}\n[[objects]]\nshape = \"plane\"\n\
+        "[image]\nsize = [{size}, {size}]\nfootprints = true\n[camera]\nkind = \"orthographic\"\nheight = 4\nposition = [0, 0, 9]\n[rays]\n\
+         bounding_sphere = {{ radius = 20 }}\n[materials.m]\nkind = \"emissive\"\ncolor = {color}\n[[objects]]\nshape = \"plane\"\n\
          normal = [0, 0, 1]\nsize = [4, 4]\nmaterial = \"m\"\n"
     ))
 }
@@ -101,7 +101,7 @@ fn checkers_are_means_over_the_pixel() {
 }
 
 const LENS: &str = "[image]\nsize = [60, 40]\n[camera]\nposition = [0, 1, 20]\nfov = 60\n[law]\nkind = \"schwarzschild\"\n\
-    [rays]\nmethod = \"planar\"\nbound = { radius = 60 }\n[sky]\nimage = \"data/stars.png\"\n\
+    [rays]\nmethod = \"planar\"\nbounding_sphere = { radius = 60 }\n[sky]\nimage = \"data/stars.png\"\n\
     [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.7, 0.3], [0.1, 0, 0.2]], repeat = [90, 90] }\n\
     [[objects]]\nshape = \"plane\"\nsize = [60, 60]\ncenter = [0, -4, 0]\nmaterial = \"m\"\n";
 

@@ -24,8 +24,8 @@ const LAWS: &str = r#"
     steps  | round | ball  | 1 | { kind = "wgsl", file = "laws/vortex.wgsl", parameters = { axis = [0, 0, 1], strength = 0.2, width = 1 } }
     steps  | round | ball  | 1 | { kind = "wgsl", file = "laws/lattice.wgsl", parameters = { spacing = 1.3, depth = 0.02, half_turn = 3.141592653589793 } }
     steps  | round | ball  | 1 | { kind = "wgsl", file = "laws/magnetic.wgsl", depends = "velocity", parameters = { axis = [0, 1, 0], strength = 0.3, width = 1 } }
-    closed | round | ball  | 1 | { kind = "straight", filter = { density = 0.3, glow = [0.3, 0.15, 0.09] } }
-    steps  | round | ball  | 1 | { kind = "sources", sources = [{ position = [0, 0.6, 0], strength = -0.2 }], filter = { density = 0.3, glow = [0.3, 0.15, 0.09] } }
+    closed | round | ball  | 1 | { kind = "straight", absorption = { coefficient = 0.3, emission = [0.3, 0.15, 0.09] } }
+    steps  | round | ball  | 1 | { kind = "sources", sources = [{ position = [0, 0.6, 0], strength = -0.2 }], absorption = { coefficient = 0.3, emission = [0.3, 0.15, 0.09] } }
 "#;
 
 /// The same of media that fill space. Walls are where the index is the same all over them.
@@ -74,7 +74,7 @@ const INTERIORS: &str = r#"
     leaps  | front  | sphere | 1 | { kind = "explosion", amplitude = 0.3, frequency = 2, octaves = 2 }
     leaps  | front  | rod    | 1 | { kind = "expression", n = "1.3 + 0.2*sin(3*x)*cos(2*y) + 0.1*z" }
     leaps  | front  | sphere | 1 | GRID
-    closed | front  | sphere | 1 | { kind = "constant", n = 1.5, filter = { density = 0.4, glow = [0.9, 0.45, 0.27] } }
+    closed | front  | sphere | 1 | { kind = "constant", n = 1.5, absorption = { coefficient = 0.4, emission = [0.9, 0.45, 0.27] } }
 "#;
 
 /// Of light that bends back to the surface that it leaves.
@@ -145,7 +145,7 @@ fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(
         let brighter = Formula::parse(row[3]).unwrap_or_else(|error| panic!("{error:?}")).value(DVec3::ZERO);
         let text = format!(
             "image = {{ size = {size:?}, samples = {samples_a_pixel} }}\ncamera = {{ {camera} }}\nlaw = {law}\n\
-             rays = {{ bound = {{ radius = 4 }}, transport = \"paths\", {rays} }}\npaths = {{ roulette = 100000, aim = false }}\n\
+             rays = {{ bounding_sphere = {{ radius = 4 }}, lighting = \"path-tracing\", {rays} }}\npaths = {{ roulette = 100000, aim = false }}\n\
              objects = [{objects}]\n[materials]\nmirror = {{ kind = \"mirror\" }}\ndark = {{ kind = \"phong\", diffuse = [0, 0, 0] }}\n\
              wall = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [0.5, 0.4, 0.3] }}\n\
              # Where n² is four times as large.\nbright = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [2, 1.6, 1.2] }}\n"

@@ -29,8 +29,8 @@ const LOBES: [[f64; 4]; 6] = [
 fn disk(material: &str, transport: &str, degrees: f64) -> String {
     let (sin, cos) = degrees.to_radians().sin_cos();
     format!(
-        "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"plane\"\nheight = 0.001\nposition = [{}, {}, 0]\n\
-         up = [0, 0, 1]\n[sky]\ncolor = [1, 1, 1]\n[rays]\nbound = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
+        "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 0.001\nposition = [{}, {}, 0]\n\
+         up = [0, 0, 1]\n[sky]\ncolor = [1, 1, 1]\n[rays]\nbounding_sphere = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
          [materials.m]\n{material}\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\nradius = 2\n",
         5.0 * sin,
         5.0 * cos
@@ -57,7 +57,7 @@ fn lobes_keep_what_lies_above_the_surface() {
     }
 }
 
-const BALL: &str = "[image]\nsize = [32, 32]\nsamples = 16\n[camera]\nposition = [0, 0, 4]\nfov = 40\n[rays]\nbound = { radius = 9 }\n\
+const BALL: &str = "[image]\nsize = [32, 32]\nsamples = 16\n[camera]\nposition = [0, 0, 4]\nfov = 40\n[rays]\nbounding_sphere = { radius = 9 }\n\
     [materials.wall]\nkind = \"emissive\"\ncolor = { checker = [[1, 1, 1], [0.2, 0.4, 0.6]] }\n\
     [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, 0, -3]\nsize = [9, 9, 1]\n\
     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, GLOSS }\n";
@@ -123,10 +123,10 @@ fn microfacets_reflect_and_transmit_by_their_distribution() {
     for (a, n, degrees) in [(0.3, 1.5, 0.0), (0.3, 1.5, 60.0), (0.6, 1.5, 45.0), (0.5, 1.3, 75.0), (1.0, 2.4, 30.0)] {
         let expected = microfacet_albedos(a, n, degrees);
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
-        for transport in ["branches = \"random\"", "transport = \"paths\"", "branches = 1"] {
+        for transport in ["max_splits = \"stochastic\"", "lighting = \"path-tracing\"", "max_splits = 1"] {
             let text = format!(
-                "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nkind = \"plane\"\nheight = 0.001\nposition = [{}, {}, 0]\n\
-                 up = [0, 0, 1]\n[sky]\ncolor = [1, 0, 0]\n[rays]\nbound = {{ radius = 3000 }}\n{transport}\n\
+                "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nkind = \"orthographic\"\nheight = 0.001\nposition = [{}, {}, 0]\n\
+                 up = [0, 0, 1]\n[sky]\ncolor = [1, 0, 0]\n[rays]\nbounding_sphere = {{ radius = 3000 }}\n{transport}\n\
                  [materials.lamp]\nkind = \"emissive\"\ncolor = [0, {}, 0]\n\
                  [[objects]]\nshape = \"box\"\ncenter = [0, -1, 0]\nsize = [1000, 2, 1000]\ninterior = {{ kind = \"constant\", n = {n}, roughness = {a} }}\n\
                  [[objects]]\nshape = \"box\"\nmaterial = \"lamp\"\ncenter = [0, -1, 0]\nsize = [999.9, 1.99, 999.9]\n",
@@ -151,7 +151,7 @@ fn microfacets_reflect_and_transmit_by_their_distribution() {
 #[test]
 fn lost_light_is_counted() {
     let rough = BALL.replace("GLOSS", "reflect_exponent = 2, transmit_exponent = 2");
-    let text = rough.replace("[rays]", "[rays]\nbranches = \"random\"");
+    let text = rough.replace("[rays]", "[rays]\nmax_splits = \"stochastic\"");
     let picture = rendered(&text, Choice::default());
     assert!(picture.totals.count(Status::Cut) > 0, "{}", picture.totals);
     assert_eq!(picture.totals.unfollowed(), 0, "{}", picture.totals);

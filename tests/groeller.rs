@@ -42,7 +42,7 @@ const STARTS: [[f64; 6]; 4] = [
 ];
 
 fn ends(law: &str, rays: &str) -> Vec<Traced> {
-    let text = format!("[law]\n{law}\n[rays]\nbound = {{ radius = 40 }}\nmax_segments = 100000\n{rays}\n");
+    let text = format!("[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 40 }}\nmax_segments = 100000\n{rays}\n");
     trace(&gpu(), &scene(&text), &RenderSettings::default(), &STARTS).unwrap().0
 }
 

@@ -46,7 +46,7 @@ fn whole_scene(shown: &str) -> String {
         scene += "\n[camera]\nposition = [0, 0, 9]\n";
     }
     if !has("[rays]") {
-        scene += "\n[rays]\nbound = { radius = 30 }\n";
+        scene += "\n[rays]\nbounding_sphere = { radius = 30 }\n";
     }
     let named: BTreeSet<&str> =
         shown.split("\nmaterial = \"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
@@ -164,7 +164,7 @@ fn commands_run() {
         let commands = commands(text);
         for words in &commands {
             let runs = match words[0].as_str() {
-                "chart" | "bench" => vec![only_read(words)],
+                "compare" | "bench" => vec![only_read(words)],
                 "render" if is_physics => vec![only_read(words), checked(words)],
                 _ => vec![quick(words)],
             };
@@ -199,7 +199,7 @@ fn commands_that_are_named_exist() {
     }
 }
 
-/// What prose calls by a table's name and a key, such as `camera.shift`, is a key of the reference.
+/// What prose calls by a table's name and a key, such as `camera.redshift`, is a key of the reference.
 #[test]
 fn keys_that_are_named_exist() {
     let tables: BTreeSet<&str> = REFERENCE.iter().map(|key| key.table).filter(|table| !table.contains('.')).collect();

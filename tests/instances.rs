@@ -62,7 +62,9 @@ fn places(random: &mut Random, count: usize) -> String {
 }
 
 fn scene(folder: &Path, keys: &str, accelerate: &str, objects: &str) -> Scene {
-    let text = format!("{keys}max_segments = 60\nbound = {{ radius = 17 }}\naccelerate = \"{accelerate}\"\n{objects}");
+    let text = format!(
+        "{keys}max_segments = 60\nbounding_sphere = {{ radius = 17 }}\nacceleration = \"{accelerate}\"\n{objects}"
+    );
     Scene::parse(&text, &folder.join("scene.toml"), &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 

@@ -17,7 +17,7 @@ const ROOM: &str = "[image]\nsize = [40, 30]\n[camera]\nposition = [1, 2, 8]\nfo
 
 fn room(rays: &str, objects: &[&str]) -> String {
     let objects = objects.iter().map(|object| format!("[[objects]]\n{object}\n")).collect::<Vec<_>>().concat();
-    format!("[rays]\nbound = {{ radius = 25 }}\n{rays}\n{ROOM}{objects}")
+    format!("[rays]\nbounding_sphere = {{ radius = 25 }}\n{rays}\n{ROOM}{objects}")
 }
 
 fn rendered(scene: &Scene, choice: Choice) -> Rendering {
@@ -32,13 +32,13 @@ const FLAT_MIRROR: &str =
 #[test]
 fn all_schedules_give_the_same_picture() {
     let scenes = [
-        room("branches = 3", &[GLASS, FLAT_MIRROR]),
+        room("max_splits = 3", &[GLASS, FLAT_MIRROR]),
         room(
-            "branches = 2\ntolerance = 1e-5",
+            "max_splits = 2\ntolerance = 1e-5",
             &["shape = \"sphere\"\ninterior = { kind = \"gaussian\", a = 1.6, b = 0.2 }"],
         ),
         room(
-            "branches = 2",
+            "max_splits = 2",
             &[
                 "shape = \"sphere\"\nradius = 2\ninterior = { kind = \"inverse-r\" }",
                 "shape = \"sphere\"\ncenter = [0.8, 0.3, 0.5]\nradius = 0.5\nmaterial = \"mirror\"",
@@ -46,7 +46,7 @@ fn all_schedules_give_the_same_picture() {
             ],
         ),
         // Enough rounds for longer passes, and for several batches of them.
-        room("branches = 8\n", &[GLASS, "shape = \"sphere\"\nradius = 0.6\ninterior = 1"]),
+        room("max_splits = 8\n", &[GLASS, "shape = \"sphere\"\nradius = 0.6\ninterior = 1"]),
     ];
     // With few segments some rays are given up on a surface, and stay on the side that they came from.
     for (text, segments) in scenes.iter().flat_map(|text| [(text, 60), (text, 3)]) {
@@ -77,7 +77,7 @@ fn a_closed_mesh_of_glass_is_what_its_shape_is() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("cube.obj"), CUBE).unwrap();
     let picture = |object: &str, camera: &str| {
-        let text = room("branches = 3", &[object]).replace("position = [1, 2, 8]", camera);
+        let text = room("max_splits = 3", &[object]).replace("position = [1, 2, 8]", camera);
         let scene = Scene::parse(&text, &folder.path().join("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"));
         rendered(&scene, Choice::default()).band.color
     };
@@ -126,7 +126,8 @@ fn meshes_are_solid_however_their_files_wind_them() {
     ];
     for (file, size) in [("inward", "[2, 2, 2]"), ("both", "[3, 2, 2]")] {
         let ends = |object: &str| {
-            let scene = read(&format!("[rays]\nbound = {{ radius = 20 }}\n[[objects]]\n{object}\ninterior = 1.5\n"));
+            let scene =
+                read(&format!("[rays]\nbounding_sphere = {{ radius = 20 }}\n[[objects]]\n{object}\ninterior = 1.5\n"));
             trace(&gpu(), &scene, &RenderSettings::default(), &rays).unwrap().0
         };
         let mesh = format!("shape = \"mesh\"\nfile = \"{file}.obj\"");
@@ -137,11 +138,11 @@ fn meshes_are_solid_however_their_files_wind_them() {
             // A few roundings at 20 units from the middle.
             assert!(apart(found.x, expected.x) < 2e-5 && apart(found.v, expected.v) < 2e-6, "{file}: {found:?}");
         }
-        let light = "[[lights]]\nkind = \"point\"\nposition = [0.5, 6, 1]\nshadows = \"straight\"\n\
+        let light = "[[lights]]\nkind = \"point\"\nposition = [0.5, 6, 1]\nshadows = \"straight-rays\"\n\
             [materials.white]\n[[objects]]\nshape = \"plane\"\ncenter = [0, -1.4, 0]\nsize = [9, 9]\nmaterial = \"white\"\n";
         for camera in ["position = [1, 2, 8]", "position = [0.9, 0.2, 0.3]\nlook_at = [0, 0, -5]"] {
             let picture = |object: &str| {
-                let text = room("branches = 3", &[&format!("{object}\ninterior = 1.5")]);
+                let text = room("max_splits = 3", &[&format!("{object}\ninterior = 1.5")]);
                 let scene = read(&(text.replace("position = [1, 2, 8]", camera) + light));
                 rendered(&scene, Choice::default()).band.color
             };
@@ -163,7 +164,7 @@ fn random_branches_have_the_mean_of_all() {
         let color = rendered(&scene, Choice::default()).band.color;
         color.map(|channel| f64::from(channel.iter().sum::<f32>()) / channel.len() as f64)
     };
-    let (all, random) = (mean("branches = 8", 16), mean("branches = \"random\"", 400));
+    let (all, random) = (mean("max_splits = 8", 16), mean("max_splits = \"stochastic\"", 400));
     for (a, b) in all.iter().zip(&random) {
         assert!((a - b).abs() < 4e-3, "{all:?} {random:?}");
     }
@@ -178,7 +179,7 @@ fn traced(text: &str, rays: &[[f64; 6]]) -> Vec<Traced> {
 fn spirals_meet_what_is_in_their_way() {
     let text = |rays: &str| {
         format!(
-            "[rays]\nbound = {{ radius = 12 }}\nmax_segments = 4000\n{rays}\n[materials.m]\nkind = \"emissive\"\n\
+            "[rays]\nbounding_sphere = {{ radius = 12 }}\nmax_segments = 4000\n{rays}\n[materials.m]\nkind = \"emissive\"\n\
              color = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\nradius = 4\ninterior = {{ kind = \"inverse-r\" }}\n\
              [[objects]]\nshape = \"sphere\"\ncenter = [-1.2, 0.4, 0.3]\nradius = 0.7\nmaterial = \"m\"\n\
              [[objects]]\nshape = \"sphere\"\ncenter = [0.5, 2.6, -0.6]\nradius = 0.5\nmaterial = \"m\"\n"
@@ -213,7 +214,7 @@ fn spirals_meet_what_is_in_their_way() {
 #[test]
 fn rays_in_their_limits() {
     let lens = |medium: &str| {
-        format!("[rays]\nbound = {{ radius = 5 }}\n[[objects]]\nshape = \"sphere\"\ninterior = {medium}\n")
+        format!("[rays]\nbounding_sphere = {{ radius = 5 }}\n[[objects]]\nshape = \"sphere\"\ninterior = {medium}\n")
     };
     let along_x = [[-4.0, 0.0, 0.0, 1.0, 0.0, 0.0]];
     // With how far from the axis a ray touches the sphere, or just misses it where the index jumps: there one that is met is turned.
@@ -238,12 +239,13 @@ fn rays_in_their_limits() {
         assert!(DVec3::from(outwards.x).distance(DVec3::NEG_X * 5.0) < 2e-6, "{medium}: {:?}", outwards.x);
         assert_eq!(outwards.steps, 1, "{medium}");
     }
-    let rod = "[rays]\nbound = { radius = 20 }\n[[objects]]\nshape = \"cylinder\"\naxis = [1, 0, 0]\nheight = 12\n\
+    let rod = "[rays]\nbounding_sphere = { radius = 20 }\n[[objects]]\nshape = \"cylinder\"\naxis = [1, 0, 0]\nheight = 12\n\
                interior = { kind = \"rod\", n0 = 1.6, g = 0.3 }\n";
     let end = traced(rod, &[[-15.0, 0.0, 0.0, 1.0, 0.0, 0.0]])[0];
     assert!(DVec3::from(end.x).distance(DVec3::X * 20.0) < 1e-5, "{:?}", end.x);
     // Past the critical angle nothing leaves: from inside glass a steep ray is turned back at the first face it meets.
-    let slab = "[rays]\nbound = { radius = 5 }\n[[objects]]\nshape = \"box\"\nsize = [8, 1, 1]\ninterior = 1.5\n";
+    let slab =
+        "[rays]\nbounding_sphere = { radius = 5 }\n[[objects]]\nshape = \"box\"\nsize = [8, 1, 1]\ninterior = 1.5\n";
     let total = traced(slab, &[[0.0, 0.0, 0.0, 1.0, 0.4, 0.0]])[0];
     assert_eq!(total.status, Status::Escaped);
     assert!(total.x[0] > 3.9 && total.v[0] > 0.0, "guided to the end: {:?} {:?}", total.x, total.v);

@@ -18,7 +18,8 @@ use crate::support::{gpu, scene};
 fn shadows_end_where_spherical_orbits_of_light_say() {
     let rows = rows(include_str!("tables/kerr_shadows.tsv"));
     let gpu = gpu();
-    let scene_of = |row: &[&str]| format!("[law]\n{}\nmax_segments = 20000\nbound = {{ radius = 60 }}\n", row[1]);
+    let scene_of =
+        |row: &[&str]| format!("[law]\n{}\nmax_segments = 20000\nbounding_sphere = {{ radius = 60 }}\n", row[1]);
     let by = |method: &str| format!("\n[rays]\nmethod = \"{method}\"");
     let general = by("dormand-prince") + "\ntolerance = 1e-6";
     let laws = |law: &str| {
@@ -99,7 +100,7 @@ fn critical_curves_are_where_closed_forms_say() {
             [1.0 - out, 1.0 + out].map(|k| [middle + k * (point[0] - middle), k * point[1]])
         });
         let rays: Vec<_> = rays.map(|seen| light_seen_at(&hole, inclination, seen)).collect();
-        let base = "[rays]\nbound = { radius = 60 }\nmax_segments = 20000\n";
+        let base = "[rays]\nbounding_sphere = { radius = 60 }\nmax_segments = 20000\n";
         let mut laws = vec![
             format!("[law]\n{law}\n{base}method = \"separated\"\n"),
             format!("[law]\n{law}\n{base}method = \"dormand-prince\"\ntolerance = 1e-6\n"),
@@ -164,8 +165,8 @@ fn seen_light(law: &dyn Law, camera: &Camera, d: DVec3) -> DVec3 {
 #[test]
 fn light_without_energy_comes_from_the_horizon() {
     let rows = rows(include_str!("tables/kerr_ergosphere.tsv"));
-    let base = "[camera]\nposition = [1.3, 0.9, 0.2]\nlook_at = [0.3, 0.9, 0.2]\nup = [0, 0, 1]\nframe = \"zamo\"\n\
-                [law]\nkind = \"kerr-newman\"\nspin = 0.998\n[rays]\nbound = { radius = 60 }\nmax_segments = 20000\n";
+    let base = "[camera]\nposition = [1.3, 0.9, 0.2]\nlook_at = [0.3, 0.9, 0.2]\nup = [0, 0, 1]\nobserver = \"zamo\"\n\
+                [law]\nkind = \"kerr-newman\"\nspin = 0.998\n[rays]\nbounding_sphere = { radius = 60 }\nmax_segments = 20000\n";
     let seen = scene(base);
     let camera = seen.camera.as_ref().unwrap();
     let x = camera.position;
@@ -222,7 +223,7 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
         let x = DVec3::from_array(at);
         let base = format!(
             "[camera]\nposition = {at:?}\nlook_at = [0, 0, 0]\nup = [0, 0, 1]\nframe = \"{frame}\"\n\
-             [law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbound = {{ radius = 60 }}\nmax_segments = 20000\n"
+             [law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbounding_sphere = {{ radius = 60 }}\nmax_segments = 20000\n"
         );
         let seen = scene(&base);
         let camera = seen.camera.as_ref().unwrap();
@@ -291,7 +292,7 @@ fn every_fate_is_right_round_spinning_holes() {
         }
         for method in ["rk4", "dormand-prince", "bogacki-shampine", "separated"] {
             let scene = scene(&format!(
-                "[law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbound = {{ radius = 1001 }}\n\
+                "[law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbounding_sphere = {{ radius = 1001 }}\n\
                  max_segments = 20000\nmethod = \"{method}\"\n"
             ));
             let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();

@@ -117,7 +117,7 @@ fn a_luneburg_lens_has_one_focus() {
     let (center, radius) = (DVec3::new(0.5, -0.25, 1.0), 2.0);
     let d = DVec3::new(2.0, 1.0, -2.0) / 3.0;
     let (across, up) = d.any_orthonormal_pair();
-    let text = "[rays]\nbound = { center = [0.5, -0.25, 1.0], radius = 4 }\n[[objects]]\nshape = \"sphere\"\n\
+    let text = "[rays]\nbounding_sphere = { center = [0.5, -0.25, 1.0], radius = 4 }\n[[objects]]\nshape = \"sphere\"\n\
         center = [0.5, -0.25, 1.0]\nradius = 2\ninterior = { kind = \"luneburg\", c = 2 }\n";
     // As seeds of a sunflower stand: evenly, and none at the same angle.
     let ray = |i: i32| {
@@ -141,7 +141,7 @@ fn a_luneburg_lens_has_one_focus() {
 fn a_drawn_spiral_ends_where_its_leap_does() {
     let gpu = gpu();
     let scene = scene(
-        "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nradius = 2\n\
+        "[rays]\nbounding_sphere = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nradius = 2\n\
          interior = { kind = \"inverse-r\", k = 2 }\n",
     );
     let ray = |i: u32| {

@@ -17,7 +17,7 @@ fn grids(text: &str) -> Vec<(LightField, LightReport)> {
 
 fn lamp(rest: &str) -> String {
     format!(
-        "[[lights]]\nkind = \"point\"\nposition = [0.3, 0.2, -0.4]\nfalloff = \"inverse-square\"\nshadows = \"grid\"\n{rest}\n"
+        "[[lights]]\nkind = \"point\"\nposition = [0.3, 0.2, -0.4]\nfalloff = \"inverse-square\"\nshadows = \"photon-grid\"\n{rest}\n"
     )
 }
 
@@ -33,8 +33,8 @@ fn places() -> impl Iterator<Item = DVec3> {
 /// Straight light: 1/r², from the lamp. And light from far away is as bright everywhere.
 #[test]
 fn straight_light_falls_off_with_the_square_of_the_distance() {
-    let sun = "[[lights]]\nkind = \"directional\"\ndirection = [1, 0, 0.5]\nshadows = \"grid\"\nvoxels = 32\n";
-    let text = format!("[rays]\nbound = {{ radius = 9 }}\n{WALLS}{}{sun}", lamp("voxels = 48"));
+    let sun = "[[lights]]\nkind = \"directional\"\ndirection = [1, 0, 0.5]\nshadows = \"photon-grid\"\nvoxels = 32\n";
+    let text = format!("[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{}{sun}", lamp("voxels = 48"));
     let found = grids(&text);
     let (mut off, mut turned, mut count) = (0.0_f64, 0.0_f64, 0.0);
     for x in places() {
@@ -58,7 +58,8 @@ fn straight_light_falls_off_with_the_square_of_the_distance() {
 #[test]
 fn glass_about_a_lamp_keeps_its_light() {
     let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0.3, 0.2, -0.4]\nradius = 0.5\ninterior = 1.5\n";
-    let found = grids(&format!("[rays]\nbound = {{ radius = 9 }}\n{WALLS}{ball}{}", lamp("voxels = 32\nrefine = 1")));
+    let found =
+        grids(&format!("[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{ball}{}", lamp("voxels = 32\nrefine = 1")));
     let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
     let bright = |x: DVec3| f64::from(found[0].0.at(x).unwrap().w) * x.distance_squared(DVec3::new(0.3, 0.2, -0.4));
     let all = mean(places().map(bright).collect());
@@ -71,7 +72,7 @@ fn grids_approach_what_shooting_finds() {
     let law = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [1, -0.5, 0.6]\nstrength = 0.4\n";
     let text = |voxels: u32| {
         format!(
-            "{law}[rays]\nmethod = \"dormand-prince\"\nbound = {{ radius = 9 }}\n{WALLS}{}",
+            "{law}[rays]\nmethod = \"dormand-prince\"\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{}",
             lamp(&format!("voxels = {voxels}\nrefine = 1"))
         )
     };
@@ -103,7 +104,7 @@ const ROOM: &str = "[image]\nsize = [48, 36]\n[camera]\nposition = [0, 0.3, 6]\n
 fn shadows_lie_where_straight_ones_do() {
     let picture = |shadows: &str| {
         let light = lamp("").replace("grid", shadows);
-        let room = scene(&format!("{ROOM}[rays]\nbound = {{ radius = 9 }}\n{WALLS}{light}"));
+        let room = scene(&format!("{ROOM}[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{light}"));
         Renderer::new(&gpu(), &room, RenderSettings::default()).unwrap().picture().unwrap()
     };
     let [grid, straight, none] = ["grid", "straight", "none"].map(picture);
@@ -123,7 +124,7 @@ fn shadows_lie_where_straight_ones_do() {
 fn pictures_do_not_depend_on_the_schedule() {
     let law = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [1, -0.5, 0.6]\nstrength = 0.4\n";
     let room = scene(&format!(
-        "{ROOM}{law}[rays]\nmethod = \"dormand-prince\"\nbound = {{ radius = 9 }}\n{WALLS}{}",
+        "{ROOM}{law}[rays]\nmethod = \"dormand-prince\"\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{}",
         lamp("voxels = 16\npaths = 16384")
     ));
     let picture = |schedule, masks, tile_pixels| {
@@ -143,7 +144,7 @@ fn pictures_do_not_depend_on_the_schedule() {
 /// A grid that is more than the memory is refused with both numbers; one whose parts are takes fewer of them, and says so.
 #[test]
 fn memory_is_kept_to() {
-    let room = scene(&format!("{ROOM}[rays]\nbound = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 48")));
+    let room = scene(&format!("{ROOM}[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 48")));
     let with = |memory| light_grids(&gpu(), &room, &RenderSettings { memory, ..RenderSettings::default() });
     let Err(RenderError::LightGrid { needed, allowed, .. }) = with(1 << 20) else { panic!("not refused") };
     assert!(needed > 1 << 20 && allowed == 1 << 20);
@@ -155,7 +156,7 @@ fn memory_is_kept_to() {
 /// A frame in which nothing moves that light meets takes the grid of the one before.
 #[test]
 fn grids_are_kept_while_the_light_stays() {
-    let text = format!("{ROOM}[rays]\nbound = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 16"));
+    let text = format!("{ROOM}[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{}", lamp("voxels = 16"));
     let first = scene(&text);
     let gpu = gpu();
     let mut renderer = Renderer::new(&gpu, &first, RenderSettings::default()).unwrap();

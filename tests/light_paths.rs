@@ -25,7 +25,8 @@ fn paths_are_where_closed_forms_say() {
     for row in include_str!("tables/light_paths.tsv").lines().filter(|line| !line.starts_with('#')) {
         let fields: Vec<&str> = row.split('\t').collect();
         let law = fields[1].replace(';', "\n");
-        let text = format!("[law]\n{law}\n[rays]\nbound = {{ radius = {} }}\nmax_segments = 3000\n", fields[2]);
+        let text =
+            format!("[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = {} }}\nmax_segments = 3000\n", fields[2]);
         let [light, place] = [3, 4].map(|k: usize| DVec3::from_slice(&numbers(fields[k])));
         let scene = scene(&text);
         let (found, totals) = light_paths(&gpu, &scene, &RenderSettings::default(), &[[place, light]]).unwrap();
@@ -43,14 +44,14 @@ fn paths_are_where_closed_forms_say() {
     }
 }
 
-const CENTRE: &str = "[[law.sources]]\nposition = [0, 2, 0]\nstrength = 0.6\ncapture = 0.1\n";
+const CENTRE: &str = "[[law.sources]]\nposition = [0, 2, 0]\nstrength = 0.6\ncapture_radius = 0.1\n";
 const HARDLY: &str = "[[law.sources]]\nposition = [0, -30, 0]\nstrength = 1e-9\n";
 
 /// A wall behind a centre, a ball before it.
 fn lit(law: &str, shadows: &str, falloff: &str) -> String {
     format!(
         "[image]\nsize = [64, 48]\n[camera]\nposition = [0, 8, 20]\nlook_at = [0, 0, 0]\nfov = 50\n[law]\n{law}\n\
-         [rays]\nbound = {{ radius = 60 }}\n{}\n[materials.wall]\ndiffuse = [1, 1, 1]\nspecular = [0, 0, 0]\nambient = 0\n\
+         [rays]\nbounding_sphere = {{ radius = 60 }}\n{}\n[materials.wall]\ndiffuse = [1, 1, 1]\nspecular = [0, 0, 0]\nambient = 0\n\
          [[objects]]\nshape = \"plane\"\ncenter = [0, -3, 0]\nsize = [40, 40]\nmaterial = \"wall\"\n\
          [[objects]]\nshape = \"sphere\"\ncenter = [3, 0, 3]\nradius = 1.2\nmaterial = \"wall\"\n\
          [[lights]]\nkind = \"point\"\nposition = [4, 12, 5]\nshadows = \"{shadows}\"\nfalloff = \"{falloff}\"\ncolor = [150, 150, 150]\n",
@@ -121,7 +122,7 @@ fn paths_are_as_accurate_as_is_asked_for() {
     for (accuracy, bits) in [(1e-4, 32), (1e-6, 64), (1e-9, 64)] {
         let scene = scene(&format!(
             "[law]\nkind = \"medium\"\nindex = {{ kind = \"inverse-r\", k = 3 }}\n\
-             [rays]\nmethod = \"auto\"\naccuracy = {accuracy:e}\nprecision = \"f{bits}\"\nbound = {{ radius = 20 }}\nmax_segments = 9000\n",
+             [rays]\nmethod = \"auto\"\naccuracy = {accuracy:e}\nprecision = \"f{bits}\"\nbounding_sphere = {{ radius = 20 }}\nmax_segments = 9000\n",
         ));
         let (found, mut renderer) = calibrate_paths(&gpu, &scene, &RenderSettings::default(), &pairs).unwrap().unwrap();
         assert!(found.chosen.error <= accuracy, "{found}");
@@ -147,7 +148,7 @@ fn light_that_comes_back_is_found() {
     let (way, pull, start) = (place - light, gradient / 4.0, 1.5 * 1.5 + gradient.dot(light));
     let scene = scene(
         "[law]\nkind = \"medium\"\nindex = { kind = \"linear\", n0 = 1.5, gradient = [0.3, -0.6, 0.1] }\n\
-         [rays]\nbound = { radius = 60 }\nmax_segments = 3000\n",
+         [rays]\nbounding_sphere = { radius = 60 }\nmax_segments = 3000\n",
     );
     let (found, _) = light_paths(&gpu(), &scene, &RenderSettings::default(), &[[place, light]]).unwrap();
     // |way − pull T²|² = n² T², for the time T of the flight.

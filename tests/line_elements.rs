@@ -62,7 +62,7 @@ fn rays_without_a_line_element_fail() {
     ] {
         for method in ["rk4", "dormand-prince"] {
             let scene = scene(&format!(
-                "[law]\nkind = \"metric\"\nline_element = \"{element}\"\nscale = \"3\"\n[rays]\nbound = {{ radius = 9 }}\n\
+                "[law]\nkind = \"metric\"\nline_element = \"{element}\"\nscale = \"3\"\n[rays]\nbounding_sphere = {{ radius = 9 }}\n\
                  method = \"{method}\"\n"
             ));
             let ray = [x.x, x.y, x.z, v.x, v.y, v.z];

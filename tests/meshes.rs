@@ -128,7 +128,8 @@ fn nothing_tunnels_out_of_a_closed_box() {
             if (i + k) % 2 == 1 || method.contains("snell") && !law.contains("medium") {
                 continue;
             }
-            let keys = format!("[law]\n{law}\n[rays]\n{method}\nmax_segments = 300\nbound = {{ radius = 17 }}\n");
+            let keys =
+                format!("[law]\n{law}\n[rays]\n{method}\nmax_segments = 300\nbounding_sphere = {{ radius = 17 }}\n");
             let first_order = (law.contains("lorenz") || law.contains("rossler")) && !law.contains("order");
             let ends = traced_by_the_binary(folder.path(), &keys, if first_order { "starts.csv" } else { "rays.csv" });
             assert_eq!(ends.lines().count(), 3_001, "{keys}");
@@ -173,7 +174,7 @@ fn the_hierarchy_finds_what_brute_force_finds() {
     let gpu = gpu();
     let bunny = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/data/bunny.obj");
     let folder = with_mesh(&std::fs::read_to_string(bunny).unwrap());
-    let scene = bent_scene(folder.path(), "[rays]\nbound = { radius = 30 }");
+    let scene = bent_scene(folder.path(), "[rays]\nbounding_sphere = { radius = 30 }");
     let geometry = Geometry::new(&scene);
     let mut random = Random(11);
     let rays: Vec<[f64; 6]> = (0..2000)
@@ -223,8 +224,8 @@ fn suspended_walks_go_on() {
     .unwrap();
     let folder = with_mesh(&obj);
     for keys in [
-        "[rays]\nbound = { radius = 20 }",
-        "[rays]\nmethod = \"euler\"\nstep = 30\nbound = { radius = 20 }\nmax_segments = 5",
+        "[rays]\nbounding_sphere = { radius = 20 }",
+        "[rays]\nmethod = \"euler\"\nstep = 30\nbounding_sphere = { radius = 20 }\nmax_segments = 5",
     ] {
         let scene = bent_scene(folder.path(), keys);
         let geometry = Geometry::new(&scene);
@@ -250,7 +251,7 @@ fn suspended_walks_go_on() {
 fn large_meshes_are_usable() {
     let gpu = gpu();
     let folder = with_mesh(&box_obj(9.0, 92));
-    let scene = bent_scene(folder.path(), "[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 17 }");
+    let scene = bent_scene(folder.path(), "[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 17 }");
     assert!(Geometry::new(&scene).triangles.len() > 100_000);
     let (ends, _) =
         trace(&gpu, &scene, &RenderSettings::default(), &rays_from(DVec3::new(5.0, 4.0, 3.0), 5_000)).unwrap();

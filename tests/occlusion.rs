@@ -15,8 +15,8 @@ fn rendered(text: &str, choice: Choice) -> Rendering {
 /// A white floor, seen from so near that all pixels show one place.
 fn floor(ambient: &str, objects: &str, x: f64) -> String {
     format!(
-        "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"plane\"\nheight = 1e-5\nposition = [{x}, 0.002, 0]\n\
-         look_at = [{x}, 0, 0]\nup = [0, 0, 1]\n[rays]\nbound = {{ radius = 450 }}\n[ambient]\n{ambient}\n\
+        "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 1e-5\nposition = [{x}, 0.002, 0]\n\
+         look_at = [{x}, 0, 0]\nup = [0, 0, 1]\n[rays]\nbounding_sphere = {{ radius = 450 }}\n[ambient]\n{ambient}\n\
          [materials.m]\nkind = \"phong\"\ndiffuse = [1, 0.5, 0]\nambient = 1\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"m\"\ncenter = [0, -1, 0]\nsize = [400, 2, 400]\n{objects}"
     )
@@ -39,7 +39,7 @@ fn what_is_open_is_as_bright() {
         ("", disk, 1.5, 0.873_704_7),
         ("distance = 1", WALL, 0.0, 0.804_498_9),
         ("", &*glass, 1.0, 0.646_446_6),
-        ("clear = \"open\"", &*glass, 1.0, 1.0),
+        ("transparent = \"ignored\"", &*glass, 1.0, 1.0),
         ("floor = 0.25", &*opaque, 1.0, 0.25 + 0.75 * 0.646_446_6),
     ] {
         let picture = rendered(&floor(ambient, objects, x), Choice::default());
@@ -52,7 +52,7 @@ fn what_is_open_is_as_bright() {
 /// Lights shine through glass whatever that does to ambient light.
 #[test]
 fn glass_casts_no_shadow_of_lights() {
-    let light = "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\nshadows = \"straight\"\n";
+    let light = "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\nshadows = \"straight-rays\"\n";
     for gloss in [
         "interior = 1.5\n",
         "interior = { kind = \"constant\", n = 1.5, transmit_exponent = 100 }\n",
@@ -75,15 +75,15 @@ fn clear_things_shut_out_what_asks_for_it() {
     };
     let all = [
         light("shadows = \"none\"\n", 1.0),
-        light("shadows = \"straight\"\n", 0.5),
-        light("shadows = \"straight\"\nclear = \"closed\"\n", 0.25),
+        light("shadows = \"straight-rays\"\n", 0.5),
+        light("shadows = \"straight-rays\"\ntransparent = \"opaque\"\n", 0.25),
     ];
     for gloss in [
         "interior = 1.5\n",
         "interior = { kind = \"constant\", n = 1.5, transmit_exponent = 100 }\n",
         "material = \"m\"\n",
     ] {
-        for ambient in ["floor = 1", "floor = 1\nclear = \"open\""] {
+        for ambient in ["floor = 1", "floor = 1\ntransparent = \"ignored\""] {
             let text = format!("{}{}", floor(ambient, &format!("{BALL}{gloss}"), 0.5), all.concat());
             let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
             let expected = if gloss.starts_with("material") { 2.0 } else { 2.5 };
@@ -103,7 +103,10 @@ const THROUGH: f64 = 0.96 * 0.96;
 fn lit(law: &str, objects: &str, light: &str) -> Rendering {
     let text = floor("floor = 1", objects, 0.0).replace("ambient = 1", "ambient = 0");
     let text = text.replace("[ambient]\nfloor = 1\n", law).replace("diffuse = [1, 0.5, 0]", "diffuse = [1, 1, 1]");
-    rendered(&format!("{text}[[lights]]\n{light}shadows = \"straight\"\nclear = \"filtered\"\n"), Choice::default())
+    rendered(
+        &format!("{text}[[lights]]\n{light}shadows = \"straight-rays\"\ntransparent = \"tinted\"\n"),
+        Choice::default(),
+    )
 }
 
 #[test]
@@ -121,19 +124,19 @@ fn clear_things_weaken_light_on_straight_lines() {
             "[[objects]]\nshape = \"box\"\ncenter = [0, 1.5, 0]\nsize = [20, 1, 20]\ninterior = {{ kind = \"constant\", {interior} }}\n"
         )
     };
-    let ball = |filter: &str| format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, filter = {filter} }}\n");
+    let ball = |filter: &str| format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, absorption = {filter} }}\n");
     let cases = [
         (slab("n = 1.5"), above, "", [THROUGH; 3]),
         (slab("n = 1.5, transmit_exponent = 50"), above, "", [THROUGH; 3]),
-        (slab("n = 1.5, filter = [0.5, 0.25, 1]"), near, "", [0.5 * THROUGH, 0.25 * THROUGH, THROUGH]),
+        (slab("n = 1.5, absorption = [0.5, 0.25, 1]"), near, "", [0.5 * THROUGH, 0.25 * THROUGH, THROUGH]),
         (
-            slab("n = 1.5, filter = [0.5, 1, 0]"),
+            slab("n = 1.5, absorption = [0.5, 1, 0]"),
             slanting,
             "",
             [0.5_f64.powf(1.0 / c), 1.0, 0.0].map(|t| c * t * slanted * slanted),
         ),
         // Where indices agree there is nothing but the filter.
-        (slab("n = 1, filter = [0.5, 1, 0.2]"), above, "", [0.5, 1.0, 0.2]),
+        (slab("n = 1, absorption = [0.5, 1, 0.2]"), above, "", [0.5, 1.0, 0.2]),
         (
             ball("{ density = [\"0.1 + 0.4*r^2\", \"0.3\", \"exp(-y)\"] }"),
             above,
@@ -145,16 +148,16 @@ fn clear_things_weaken_light_on_straight_lines() {
             ],
         ),
         // Through space alone, down to the floor; and the camera is 0.002 above it.
-        (String::new(), near, "filter = [0.9, 0.5, 1]\n", [0.9_f64.powf(3.002), 0.5_f64.powf(3.002), 1.0]),
+        (String::new(), near, "absorption = [0.9, 0.5, 1]\n", [0.9_f64.powf(3.002), 0.5_f64.powf(3.002), 1.0]),
         // Two bodies, and the space around them.
         (
             format!(
                 "{}{}",
-                slab("n = 1.5, filter = [0.5, 0.5, 0.5]"),
+                slab("n = 1.5, absorption = [0.5, 0.5, 0.5]"),
                 slab("n = 1.5").replace("1.5, 0]", "2.5, 0]").replace("[20, 1, 20]", "[20, 0.5, 20]")
             ),
             near,
-            "filter = [0.5, 1, 1]\n",
+            "absorption = [0.5, 1, 1]\n",
             [0.5_f64.powf(2.502), 0.5, 0.5].map(|t| t * THROUGH * THROUGH),
         ),
         (format!("{RAISED}material = \"m\"\n"), above, "", [0.0; 3]),
@@ -177,10 +180,10 @@ fn clear_things_weaken_light_on_straight_lines() {
 fn lights_of_all_kinds_share_a_scene() {
     let light = |part: f64, clear: &str| {
         format!(
-            "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\ncolor = [{part}, {part}, {part}]\nshadows = \"straight\"\nclear = \"{clear}\"\n"
+            "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\ncolor = [{part}, {part}, {part}]\nshadows = \"straight-rays\"\nclear = \"{clear}\"\n"
         )
     };
-    let glass = format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, filter = [0.5, 0.5, 0.5] }}\n");
+    let glass = format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, absorption = [0.5, 0.5, 0.5] }}\n");
     let lights = [light(1.0, "open"), light(0.5, "filtered"), light(0.25, "closed")].concat();
     let text = format!("{}{lights}", floor("floor = 1", &glass, 0.0));
     let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
@@ -188,7 +191,7 @@ fn lights_of_all_kinds_share_a_scene() {
     assert!((mean - expected).abs() < 1e-3, "{mean} for {expected}");
     // A dome of glass over the place: all ambient light comes through it head on.
     let dome = glass.replace("center = [0, 1.2, 0]", "center = [0, 0, 0]");
-    let (mean, error) = mean_of(&rendered(&floor("clear = \"filtered\"", &dome, 0.0), Choice::default()), 0);
+    let (mean, error) = mean_of(&rendered(&floor("transparent = \"tinted\"", &dome, 0.0), Choice::default()), 0);
     let expected = 0.96 * 0.5;
     assert!((mean - expected).abs() < 4.0 * error + 2e-3, "{mean} ± {error} for {expected}");
 }
@@ -197,7 +200,7 @@ fn lights_of_all_kinds_share_a_scene() {
 fn bent_scene(law: &str, more: &str) -> String {
     format!(
         "[image]\nsize = [24, 18]\nsamples = 256\n[camera]\nkind = \"pinhole\"\nposition = [0, 6, 12]\nlook_at = [0, 1, 0]\nfov = 50\n\
-         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-5\nbound = {{ radius = 40 }}\n{law}{more}\
+         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-5\nbounding_sphere = {{ radius = 40 }}\n{law}{more}\
          [materials.white]\ndiffuse = [1, 1, 1]\nspecular = [0, 0, 0]\n\
          [materials.black]\ndiffuse = [0, 0, 0]\nspecular = [0, 0, 0]\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"white\"\ncenter = [0, -2, 0]\nsize = [12, 1, 12]\n\
@@ -217,8 +220,8 @@ fn bent_paths_find_as_much_open() {
             rendered(&bent_scene(law, ambient).replace("specular", "ambient = 1\nspecular"), Choice::default())
         };
         let [open, straight, whole] = ["[ambient]\nrays = \"law\"\n", "[ambient]\n", ""].map(lit);
-        let more = "[paths]\ndepth = 1\naim = false\n[sky]\ncolor = [1, 1, 1]\n";
-        let paths = rendered(&bent_scene(&format!("transport = \"paths\"\n{law}"), more), Choice::default());
+        let more = "[path_tracing]\nmax_depth = 1\nlight_sampling = false\n[sky]\ncolor = [1, 1, 1]\n";
+        let paths = rendered(&bent_scene(&format!("lighting = \"path-tracing\"\n{law}"), more), Choice::default());
         let at = |picture: &Rendering, i: usize| f64::from(picture.band.color[0][i]);
         // Pixels that show the floor and nothing else.
         let floor: Vec<usize> = (0..24 * 18).filter(|i| at(&whole, *i) > 0.9999).collect();

@@ -54,7 +54,10 @@ fn rays_end_where_closed_forms_say() {
     let gpu = gpu();
     let scene_of = |row: &[&str]| {
         let law = row[1].replace(';', "\n");
-        format!("[law]\n{law}\n[rays]\nscaled_step = 0.03\nmax_segments = 4000\nbound = {{ radius = {} }}\n", row[2])
+        format!(
+            "[law]\n{law}\n[rays]\nscaled_step = 0.03\nmax_segments = 4000\nbounding_sphere = {{ radius = {} }}\n",
+            row[2]
+        )
     };
     let ends = traced(&gpu, &rows, scene_of, |row| (vector(row[3]), vector(row[4])));
     for (row, end) in rows.iter().zip(ends) {
@@ -83,7 +86,7 @@ fn rays_of_media_end_where_closed_forms_say() {
             let stop = row[2].replace(';', "\n");
             format!(
                 "[law]\nkind = \"medium\"\nindex = {}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
-                 precision = \"{precision}\"\nmax_segments = 20000\nbound = {{ radius = {} }}\n{stop}\n",
+                 precision = \"{precision}\"\nmax_segments = 20000\nbounding_sphere = {{ radius = {} }}\n{stop}\n",
                 row[1], row[3]
             )
         };
@@ -117,7 +120,7 @@ fn flows_follow_their_orbits() {
     let gpu = gpu();
     let scene_of = |row: &[&str]| {
         format!(
-            "[law]\nkind = \"{}\"\n[rays]\nscaled_step = 0.05\nmax_segments = 4000\nbound = {{ radius = 500 }}\nlength = {}\n",
+            "[law]\nkind = \"{}\"\n[rays]\nscaled_step = 0.05\nmax_segments = 4000\nbounding_sphere = {{ radius = 500 }}\nmax_parameter = {}\n",
             row[1], row[3]
         )
     };
@@ -138,8 +141,8 @@ fn rays_keep_what_their_law_keeps() {
     let rays: Vec<[f64; 6]> = (0..64).map(|i| [-9.0, 0.2 * f64::from(i) - 6.4, 0.7, 1.0, 0.0, 0.0]).collect();
     for index in [explosion, noise] {
         let medium = format!(
-            "[law]\nkind = \"medium\"\nindex = {index}\n[rays]\nscaled_step = 0.05\nmax_segments = 4000\nlength = 9\n\
-             bound = {{ radius = 20 }}\n"
+            "[law]\nkind = \"medium\"\nindex = {index}\n[rays]\nscaled_step = 0.05\nmax_segments = 4000\nmax_parameter = 9\n\
+             bounding_sphere = {{ radius = 20 }}\n"
         );
         // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.
         let (ends, _) = trace(&gpu, &scene(&medium), &RenderSettings::default(), &rays).unwrap();
@@ -170,8 +173,8 @@ fn speed_follows_the_index_of_every_medium() {
         "{ kind = \"profile\", points = [[-2, 1.25], [-1, 1.375], [0, 1.125], [0.5, 1.25], [2, 1.0625], [9, 1]] }",
     ] {
         let text = format!(
-            "[law]\nkind = \"medium\"\nindex = {index}\n[rays]\ntolerance = 1e-6\nmax_segments = 4000\nlength = 3\n\
-             bound = {{ radius = 20 }}\n"
+            "[law]\nkind = \"medium\"\nindex = {index}\n[rays]\ntolerance = 1e-6\nmax_segments = 4000\nmax_parameter = 3\n\
+             bounding_sphere = {{ radius = 20 }}\n"
         );
         let scene = scene(&text);
         let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
@@ -191,7 +194,7 @@ fn speed_follows_the_index_of_every_medium() {
 fn paths_can_be_followed_back() {
     let gpu = gpu();
     let hole = scene(
-        "[law]\nkind = \"schwarzschild\"\n[rays]\nscaled_step = 0.03\nmax_segments = 4000\nbound = { radius = 30 }\n",
+        "[law]\nkind = \"schwarzschild\"\n[rays]\nscaled_step = 0.03\nmax_segments = 4000\nbounding_sphere = { radius = 30 }\n",
     );
     let rays: Vec<[f64; 6]> = (0..40).map(|i| [-29.9, 6.5 + 0.2 * f64::from(i), 1.0, 1.0, 0.0, 0.0]).collect();
     let (ends, _) = trace(&gpu, &hole, &RenderSettings::default(), &rays).unwrap();

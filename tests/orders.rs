@@ -73,8 +73,8 @@ impl Law {
     /// Where the device says that they end.
     fn ends(&self, gpu: &Gpu, precision: &str, rays: &str, segments: u32) -> Vec<Traced> {
         let text = format!(
-            "[law]\n{}\n[rays]\nprecision = \"{precision}\"\nlength = {:?}\nmax_segments = {segments}\n{rays}\n\
-             bound = {{ radius = 1e4 }}\n",
+            "[law]\n{}\n[rays]\nprecision = \"{precision}\"\nmax_parameter = {:?}\nmax_segments = {segments}\n{rays}\n\
+             bounding_sphere = {{ radius = 1e4 }}\n",
             self.text, self.length
         );
         let starts: Vec<[f64; 6]> = self.starts().map(|[x, v]| [x.x, x.y, x.z, v.x, v.y, v.z]).collect();

@@ -18,7 +18,7 @@ fn loaded(folder: &Path, wgsl: &str, law: &str, rays: &str) -> Result<Scene, Sce
     std::fs::write(folder.join("law.wgsl"), wgsl).unwrap();
     let text = format!(
         "[image]\nsize = [48, 32]\n[camera]\nposition = [0, 1, 12]\nfov = 60\n[law]\nkind = \"wgsl\"\nfile = \"law.wgsl\"\n{law}\n\
-         [rays]\nbound = {{ radius = 30 }}\n{rays}\n[sky]\ncolor = [0.2, 0.4, 0.8]\n[materials.red]\nkind = \"emissive\"\n\
+         [rays]\nbounding_sphere = {{ radius = 30 }}\n{rays}\n[sky]\ncolor = [0.2, 0.4, 0.8]\n[materials.red]\nkind = \"emissive\"\n\
          color = [1, 0.2, 0.1]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"red\"\ncenter = [4, 0, -3]\n"
     );
     let path = folder.join("scene.toml");
@@ -45,7 +45,7 @@ fn a_law_that_repeats_a_built_in_one_gives_its_picture_bit_by_bit() {
     let folder = tempfile::tempdir().unwrap();
     for method in ["rk4", "rkn4", "dormand-prince", "euler-doubling"] {
         let rays = format!("method = \"{method}\"\nmax_segments = 4000");
-        let parameters = "parameters = { center = [0, 0, 0], mass = 1 }\ncaptures = [[0, 0, 0, 3]]";
+        let parameters = "parameters = { center = [0, 0, 0], mass = 1 }\ncapture_spheres = [[0, 0, 0, 3]]";
         let own = scene_with(folder.path(), functions, parameters, &rays);
         let text = std::fs::read_to_string(folder.path().join("scene.toml")).unwrap();
         let text =

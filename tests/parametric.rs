@@ -82,7 +82,7 @@ fn first_box(curve: Curve, fastest: f64, start: DVec3, all: &[Cuboid]) -> (Optio
 fn text([x, y, z]: [&str; 3], all: &[Cuboid], rays: &str) -> String {
     let mut text = format!(
         "[law]\nkind = \"parametric\"\nx = \"{x}\"\ny = \"{y}\"\nz = \"{z}\"\nt = [0, {LAST}]\n\
-         [rays]\nbound = {{ radius = {RADIUS} }}\nmax_segments = 20000\n{rays}\n[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n"
+         [rays]\nbounding_sphere = {{ radius = {RADIUS} }}\nmax_segments = 20000\n{rays}\n[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n"
     );
     for (middle, half) in all {
         let (middle, size) = (middle.to_array(), (2.0 * *half).to_array());
@@ -150,7 +150,7 @@ fn every_way_to_follow_a_curve_finds_the_same() {
     let all = boxes(&mut random, 300, 8.0);
     let starts: Vec<DVec3> = (0..400).map(|_| within(&mut random, 8.0)).collect();
     let usual = traced(&text(FAMILIES[1].0, &all, ""), &starts);
-    for rays in ["accelerate = \"bvh\"", "accelerate = \"grid\"", "accelerate = \"none\""] {
+    for rays in ["acceleration = \"bvh\"", "acceleration = \"grid\"", "acceleration = \"none\""] {
         assert!(traced(&text(FAMILIES[1].0, &all, rays), &starts) == usual, "{rays}");
     }
     let solved = traced(&text(FAMILIES[1].0, &all, "method = \"rk4\"\nstep = 0.02\narc_tolerance = 1e-5"), &starts);
@@ -180,7 +180,7 @@ fn curves_meet_spheres_where_closed_forms_say() {
             let [x, y, z] = FAMILIES[family].0;
             let text = format!(
                 "[law]\nkind = \"parametric\"\nx = \"{x}\"\ny = \"{y}\"\nz = \"{z}\"\nt = [0, 12]\n\
-                 [rays]\nbound = {{ radius = 200 }}\nprecision = \"{bits}\"\n[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
+                 [rays]\nbounding_sphere = {{ radius = 200 }}\nprecision = \"{bits}\"\n[materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
                  [[objects]]\nshape = \"sphere\"\ncenter = {middle:?}\nradius = {radius}\nmaterial = \"m\"\n"
             );
             let end = traced(&text, &[DVec3::from(start)])[0];
@@ -201,8 +201,8 @@ fn curves_meet_spheres_where_closed_forms_say() {
 fn curves_turn_with_the_camera() {
     let law = |axes: &str| {
         format!(
-            "[camera]\nkind = \"plane\"\nposition = [1, 2, 3]\nlook_at = [4, 2, 3]\nup = [0, 0, 1]\nheight = 2\n\
-             [law]\nkind = \"parametric\"\nx = \"t\"\ny = \"2*t\"\nz = \"-3*t\"\nt = [0, 1]\naxes = \"{axes}\"\n[rays]\nbound = {{ radius = 50 }}\n"
+            "[camera]\nkind = \"orthographic\"\nposition = [1, 2, 3]\nlook_at = [4, 2, 3]\nup = [0, 0, 1]\nheight = 2\n\
+             [law]\nkind = \"parametric\"\nx = \"t\"\ny = \"2*t\"\nz = \"-3*t\"\nt = [0, 1]\naxes = \"{axes}\"\n[rays]\nbounding_sphere = {{ radius = 50 }}\n"
         )
     };
     // Looking along x with z up: right is −y.
@@ -212,7 +212,7 @@ fn curves_turn_with_the_camera() {
         assert!((DVec3::from(end.x) - DVec3::new(1.0, 2.0, 3.0)).distance(want) < 1e-5, "{axes}: {end:?}");
     }
     let circle = format!(
-        "[law]\nkind = \"parametric\"\nx = \"cos(t)\"\ny = \"sin(t)\"\nz = \"0\"\nt = [0, {TAU}]\n[rays]\nbound = {{ radius = 50 }}\n"
+        "[law]\nkind = \"parametric\"\nx = \"cos(t)\"\ny = \"sin(t)\"\nz = \"0\"\nt = [0, {TAU}]\n[rays]\nbounding_sphere = {{ radius = 50 }}\n"
     );
     let end = traced(&circle, &[DVec3::ZERO])[0];
     assert_eq!(end.status, Status::Ended, "{end:?}");

@@ -10,7 +10,7 @@ use crate::support::{gpu, mean_of, scene, scenes_in};
 fn furnace(law: &str, camera: &str, rest: &str) -> String {
     format!(
         "[image]\nsize = [24, 16]\nsamples = 4\n[camera]\nposition = {camera}\nlook_at = [3, 0.5, 0.2]\nfov = 70\n\
-         [law]\n{law}\n[rays]\nbound = {{ radius = 4 }}\ntransport = \"paths\"\n[paths]\nroulette = 100000\naim = false\n\
+         [law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 4 }}\nlighting = \"path-tracing\"\n[path_tracing]\nrr_depth = 100000\nlight_sampling = false\n\
          [materials.wall]\nkind = \"phong\"\ndiffuse = [0.5, 0.2, 0]\nemission = [0.5, 0.4, 0.3]\n\
          [[objects]]\nshape = \"sphere\"\nradius = 2\nmaterial = \"wall\"\n{rest}"
     )
@@ -33,9 +33,9 @@ fn lamps_light_as_closed_forms_say() {
     for (lamp, form_factor) in lamps {
         for aim in [true, false] {
             let text = format!(
-                "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"plane\"\nheight = 1e-4\nposition = [0, 0.02, 0]\n\
-                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[rays]\nbound = {{ radius = 30 }}\ntransport = \"paths\"\n\
-                 [paths]\naim = {aim}\n[materials.floor]\nkind = \"phong\"\ndiffuse = [1, 0.5, 0]\n\
+                "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 1e-4\nposition = [0, 0.02, 0]\n\
+                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[rays]\nbounding_sphere = {{ radius = 30 }}\nlighting = \"path-tracing\"\n\
+                 [path_tracing]\nlight_sampling = {aim}\n[materials.floor]\nkind = \"phong\"\ndiffuse = [1, 0.5, 0]\n\
                  [materials.lamp]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\nshape = \"box\"\nmaterial = \"floor\"\n\
                  center = [0, -1, 0]\nsize = [24, 2, 24]\n[[objects]]\nmaterial = \"lamp\"\n{lamp}\n"
             );
@@ -53,12 +53,12 @@ fn lamps_light_as_closed_forms_say() {
 fn room(law: &str, aims: [bool; 2], aim: bool) -> String {
     format!(
         "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nposition = [0, 0.2, 2.6]\nfov = 50\n[law]\n{law}\n\
-         [rays]\nbound = {{ radius = 8 }}\ntransport = \"paths\"\n[paths]\naim = {aim}\n\
+         [rays]\nbounding_sphere = {{ radius = 8 }}\nlighting = \"path-tracing\"\n[path_tracing]\nlight_sampling = {aim}\n\
          [sky]\ncolor = [0.1, 0.2, 0.3]\n\
          [materials.wall]\nkind = \"phong\"\ndiffuse = [0.7, 0.6, 0.5]\n\
          [materials.shiny]\nkind = \"phong\"\ndiffuse = [0.3, 0.3, 0.3]\nspecular = [0.5, 0.5, 0.5]\nshininess = 12\n\
          [materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.9, 0.9]\n\
-         [materials.a]\nkind = \"emissive\"\ncolor = [6, 6, 5]\naim = {}\n[materials.b]\nkind = \"emissive\"\ncolor = [5, 7, 9]\naim = {}\n\
+         [materials.a]\nkind = \"emissive\"\ncolor = [6, 6, 5]\nlight_sampling = {}\n[materials.b]\nkind = \"emissive\"\ncolor = [5, 7, 9]\nlight_sampling = {}\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, -1.5, 0]\nsize = [6, 1, 6]\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"shiny\"\ncenter = [0, 0, -2]\nsize = [6, 3, 0.5]\n\
          [[objects]]\nshape = \"sphere\"\nmaterial = \"mirror\"\ncenter = [-0.7, -0.5, 0]\nradius = 0.4\n\
@@ -100,9 +100,9 @@ fn a_guide_changes_the_noise_and_not_the_light() {
     for (law, rest) in [("kind = \"straight\"", ball), (bent, "")] {
         let [(on, on_error), (off, off_error)] = [true, false].map(|guide| {
             let text = format!(
-                "[image]\nsize = [24, 24]\nsamples = 256\n[camera]\nkind = \"plane\"\nheight = 0.4\nposition = [0, 0.1, 0]\n\
-                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[law]\n{law}\n[rays]\nbound = {{ radius = 9 }}\n\
-                 transport = \"paths\"\n[paths]\nguide = {guide}\n[materials.floor]\nkind = \"phong\"\n\
+                "[image]\nsize = [24, 24]\nsamples = 256\n[camera]\nkind = \"orthographic\"\nheight = 0.4\nposition = [0, 0.1, 0]\n\
+                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 9 }}\n\
+                 lighting = \"path-tracing\"\n[path_tracing]\nguiding = {guide}\n[materials.floor]\nkind = \"phong\"\n\
                  diffuse = [0.8, 0.8, 0.8]\n[materials.lamp]\nkind = \"emissive\"\ncolor = [40, 40, 40]\n\
                  [[objects]]\nshape = \"box\"\nmaterial = \"floor\"\ncenter = [0, -0.5, 0]\nsize = [5, 1, 5]\n\
                  [[objects]]\nshape = \"sphere\"\nmaterial = \"lamp\"\ncenter = [0, 5, 0]\nradius = 0.12\n{rest}"
@@ -170,7 +170,7 @@ fn glass_under_an_even_sky_vanishes() {
     for interior in ["1.5", "{ kind = \"luneburg\", c = 2 }", "{ kind = \"constant\", n = 2.4 }"] {
         let text = format!(
             "[image]\nsize = [16, 16]\nsamples = 4\n[camera]\nposition = [0, 0, 4]\nfov = 40\n[sky]\ncolor = [1, 0.5, 0.25]\n\
-             [rays]\nbound = {{ radius = 9 }}\ntransport = \"paths\"\n[[objects]]\nshape = \"sphere\"\ninterior = {interior}\n"
+             [rays]\nbounding_sphere = {{ radius = 9 }}\nlighting = \"path-tracing\"\n[[objects]]\nshape = \"sphere\"\ninterior = {interior}\n"
         );
         let picture = rendered(&scene(&text), RenderSettings::default());
         for (channel, expected) in [1.0, 0.5, 0.25].into_iter().enumerate() {
@@ -187,7 +187,7 @@ fn the_error_is_what_seeds_differ_by() {
         .replace("samples = 256", "samples = 64")
         .replace("[16, 16]", "[24, 24]");
     let of = |seed: &str| {
-        let change: Override = format!("paths.seed={seed}").parse().unwrap();
+        let change: Override = format!("path_tracing.seed={seed}").parse().unwrap();
         let scene = Scene::parse(&text, std::path::Path::new("test.toml"), &[change]).unwrap();
         let choice = Choice { layers: vec![Layer::Error], ..Choice::default() };
         rendered(&scene, RenderSettings { choice, ..RenderSettings::default() })

@@ -14,7 +14,7 @@ use glam::DVec3;
 use crate::support::{gpu, scene, shipped_scenes};
 
 const HOLE: &str = "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 15]\n[law]\nkind = \"schwarzschild\"\n\
-    [rays]\nbound = { radius = 30 }\n[sky]\nimage = \"data/stars.png\"\n\
+    [rays]\nbounding_sphere = { radius = 30 }\n[sky]\nimage = \"data/stars.png\"\n\
     [materials.m]\ndiffuse = { checker = [[1, 0.2, 0.1], [0.9, 0.9, 0.9]] }\n\
     [[objects]]\nshape = \"sphere\"\ncenter = [5, 0, -3]\nradius = 2\nmaterial = \"m\"\n\
     [[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n";
@@ -76,7 +76,7 @@ fn a_large_sky_is_where_it_is_in_its_file() {
     const BLOCK: u32 = 250;
     const BLOCKS: u32 = 10;
     let mut scene = scene(
-        "[image]\nsize = [4, 10]\n[camera]\nkind = \"panorama\"\nposition = [0, 0, 1]\n[rays]\nbound = { radius = 9 }\n\
+        "[image]\nsize = [4, 10]\n[camera]\nkind = \"panorama\"\nposition = [0, 0, 1]\n[rays]\nbounding_sphere = { radius = 9 }\n\
          [sky]\nimage = \"data/stars.png\"\n",
     );
     for scale in [1.0, 10_000.0] {
@@ -136,7 +136,7 @@ fn the_shadow_has_its_size() {
         let fov = (2.0 * (1.5_f64 / 401.0).atan()).to_degrees();
         let text = format!(
             "[image]\nsize = [401, 3]\n[camera]\nposition = [0, 0, 20]\nfov = {fov}\nframe = \"{frame}\"\n\
-             [law]\nkind = \"schwarzschild\"\n[rays]\nbound = {{ radius = 50 }}\n[sky]\ncolor = [1, 1, 1]\n"
+             [law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = {{ radius = 50 }}\n[sky]\ncolor = [1, 1, 1]\n"
         );
         let scene = scene(&text);
         let picture = rendered(&scene, RenderSettings::default());
@@ -149,10 +149,10 @@ fn the_shadow_has_its_size() {
 }
 
 /// A cylinder that is tilted and flattened, inside a ring, over a disk.
-const ROUND: &str = "[image]\nsize = [96, 72]\n[camera]\nposition = [1, 5, 12]\n[rays]\nbound = { radius = 30 }\n\
+const ROUND: &str = "[image]\nsize = [96, 72]\n[camera]\nposition = [1, 5, 12]\n[rays]\nbounding_sphere = { radius = 30 }\n\
     [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.2, 0.1], [0.1, 0.3, 0.9]] }\n\
     [[objects]]\nshape = \"cylinder\"\nradius = 1.5\nheight = 4\naxis = [1, 2, 1]\nscale = [1, 1, 0.5]\nmaterial = \"m\"\n\
-    [[objects]]\nshape = \"disk\"\nradius = 4\nhole = 2.5\nnormal = [0, 1, 0.3]\nmaterial = \"m\"\n\
+    [[objects]]\nshape = \"disk\"\nradius = 4\ninner_radius = 2.5\nnormal = [0, 1, 0.3]\nmaterial = \"m\"\n\
     [[objects]]\nshape = \"disk\"\ncenter = [0, -3, 0]\nradius = 5\nmaterial = \"m\"\n";
 
 /// Every crossing of a line with an object's faces that lies on it, by where the line is at the planes and circles themselves.

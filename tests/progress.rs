@@ -18,7 +18,7 @@ size = [32, 24]
 [camera]
 position = [0, 0, 5]
 [rays]
-bound = { radius = 10 }
+bounding_sphere = { radius = 10 }
 [materials.white]
 kind = "emissive"
 color = [1, 1, 1]
@@ -89,7 +89,7 @@ fn samples_that_end_are_reported() {
         }
     }
     let (gpu, progress) = watched();
-    let ball = ball(&["image.samples=5", "rays.transport=paths"]);
+    let ball = ball(&["image.samples=5", "rays.lighting=path-tracing"]);
     let looks = Looks(&progress, RefCell::default());
     let mut renderer = Renderer::new(&gpu, &ball, RenderSettings::default()).unwrap();
     renderer.render_watched(&mut |_| Ok(()), &Watch { preview: Some(&looks), earlier: None }).unwrap();

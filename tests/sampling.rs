@@ -20,9 +20,9 @@ position = [0, 0, 9]
 [law]
 kind = "straight"
 [rays]
-bound = { radius = 20 }
+bounding_sphere = { radius = 20 }
 max_segments = 8
-branches = 2
+max_splits = 2
 [sky]
 color = [0.1, 0.2, 0.3]
 [materials.silver]
@@ -52,13 +52,13 @@ const BALL: &str = r#"
 size = [32, 24]
 adaptive = 0.02
 [camera]
-kind = "plane"
+kind = "orthographic"
 height = 24
 position = [0, 0, 15]
 [law]
 kind = "straight"
 [rays]
-bound = { radius = 40 }
+bounding_sphere = { radius = 40 }
 [materials.white]
 kind = "emissive"
 color = [1, 1, 1]

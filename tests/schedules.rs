@@ -16,15 +16,15 @@ use crate::support::{gpu, scene, scenes_in, shipped_scenes};
 const VARIANTS: [&[&str]; 11] = [
     &["--schedule", "fused"],
     &["--schedule", "whole"],
-    &["--schedule", "whole", "--no-masks"],
+    &["--schedule", "whole", "--no-early-termination"],
     &["--schedule", "fused", "--segments-per-pass", "3"],
-    &["--schedule", "fused", "--no-masks"],
-    &["--schedule", "fused", "--segments-per-pass", "2", "--no-list"],
+    &["--schedule", "fused", "--no-early-termination"],
+    &["--schedule", "fused", "--segments-per-pass", "2", "--no-compaction"],
     &["--schedule", "segment"],
-    &["--schedule", "segment", "--no-masks"],
-    &["--schedule", "segment", "--no-list"],
+    &["--schedule", "segment", "--no-early-termination"],
+    &["--schedule", "segment", "--no-compaction"],
     &["--schedule", "paper"],
-    &["--schedule", "paper", "--no-masks"],
+    &["--schedule", "paper", "--no-early-termination"],
 ];
 
 /// One of each schedule, and one with passes that are cut short.
@@ -87,7 +87,7 @@ fn methods_do_not_depend_on_the_schedule() {
     let hole = shipped_scenes().into_iter().find(|path| path.ends_with("fig4e_schwarzschild.toml")).unwrap();
     let methods: [&[&str]; 4] = [
         &["--set", "rays.segment=chord", "--set", "rays.steps_per_segment=5"],
-        &["--set", "rays.method=rk4-doubling", "--set", "rays.length=90"],
+        &["--set", "rays.method=rk4-doubling", "--set", "rays.max_parameter=90"],
         &[
             "--set",
             "rays.method=euler-doubling",
@@ -113,14 +113,14 @@ fn what_is_grollers_does_not_depend_on_the_schedule() {
     let helix = "law={ kind = \"parametric\", x = \"cos(2*t)\", y = \"t\", z = \"sin(2*t)\", t = [0, 28] }";
     let centre = "law={ kind = \"sources\", sources = [{ position = [0, 7, 2], strength = -0.8 }] }";
     let by_length = centre.replace("sources = [", "parameter = \"length\", sources = [");
-    let fan = "materials.water={ kind = \"fan\", rays = [[\"dx\", \"-dy\", \"dz\", \"0.6\"], [\"dx\", \"dy\", \"dz\", \"0.4\"]] }";
+    let fan = "materials.water={ kind = \"ray-splitter\", rays = [[\"dx\", \"-dy\", \"dz\", \"0.6\"], [\"dx\", \"dy\", \"dz\", \"0.4\"]] }";
     let steps = "rays.scaled_step=0.1";
     let all: [(&str, &[&str]); 6] = [
-        ("towers.toml", &[centre, steps, "lights.0.shadows=shooting"]),
+        ("towers.toml", &[centre, steps, "lights.0.shadows=curved-rays"]),
         ("towers.toml", &[centre, steps, fan]),
         ("towers.toml", &[&by_length, steps]),
         ("towers.toml", &[centre, "rays.method=groeller", "rays.step=0.5", "rays.max_segments=200"]),
-        ("towers.toml", &[fan, "rays.branches=2"]),
+        ("towers.toml", &[fan, "rays.max_splits=2"]),
         ("twelve.toml", &[helix]),
     ];
     for (name, keys) in all {
@@ -145,7 +145,7 @@ position = [0, 1, 14]
 [law]
 kind = "schwarzschild"
 [rays]
-bound = { radius = 30 }
+bounding_sphere = { radius = 30 }
 max_segments = 80
 method = "rk4"
 [sky]
@@ -206,8 +206,11 @@ fn cameras_do_not_depend_on_the_schedule() {
     let scene = hole(folder.path());
     let pair = "camera.stereo={ separation = 0.5, convergence = 9 }";
     let disk = ["camera.kind=fisheye", "camera.fov=500", "camera.corners=transparent", "image.samples=3", pair];
-    let around =
-        ["camera.kind=panorama", "camera.frame=static", "camera.stereo={ separation = 0.5, layout = \"top-bottom\" }"];
+    let around = [
+        "camera.kind=panorama",
+        "camera.observer=static",
+        "camera.stereo={ separation = 0.5, layout = \"top-bottom\" }",
+    ];
     for keys in [&disk[..], &around] {
         let more: Vec<&str> = keys.iter().flat_map(|key| ["--set", key]).collect();
         assert_all_the_same(&scene, &more);

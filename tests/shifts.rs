@@ -27,23 +27,23 @@ pub fn shifts(picture: &Rendering) -> &[f32] {
 #[test]
 fn the_sky_is_as_bright_as_its_shift() {
     let flat = "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2\"\nscale = \"9\"";
-    let moving = "frame = \"moving\"\nvelocity = [0, 0.6, 0]";
+    let moving = "observer = \"boosted\"\nvelocity = [0, 0.6, 0]";
     let hole = "kind = \"kerr-newman\"\nspin = 0.5";
-    let charged = "kind = \"reissner-nordstrom\"\ncharge = 0.8\ncosmological = 0.003";
+    let charged = "kind = \"reissner-nordstrom\"\ncharge = 0.8\ncosmological_constant = 0.003";
     let near_charged = 1.0 / (1.0 - 0.2 + 0.0064 - 0.1_f64).sqrt();
     let near_hole = 1.0 / (1.0 - 2.0 * 1000.0 / (10_000.0_f64)).sqrt();
     for (law, frame, ahead, g) in [
         (flat, moving, [10, 1, 0], 2.0),
         (flat, moving, [10, -1, 0], 0.5),
         (flat, moving, [11, 0, 0], 0.8),
-        (hole, "frame = \"static\"", [10, 0, 1], near_hole),
-        (charged, "frame = \"static\"", [10, 1, 1], near_charged),
+        (hole, "observer = \"static\"", [10, 0, 1], near_hole),
+        (charged, "observer = \"static\"", [10, 1, 1], near_charged),
     ] {
         // In the equator of a spinning hole Σ = r², and r = 10.
         let x = if law == hole { (100.0_f64 + 0.25).sqrt() } else { 10.0 };
         let picture = rendered(&scene(&format!(
             "[image]\nsize = [1, 1]\n[camera]\nposition = [{x:?}, 0, 0]\nfov = 1\n{frame}\nlook_at = {ahead:?}\nup = [1, 1, 1]\n\
-             shift = true\n[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n[sky]\ncolor = [1, 0.5, 0.25]\n"
+             redshift = true\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 60 }}\n[sky]\ncolor = [1, 0.5, 0.25]\n"
         )));
         let found = f64::from(shifts(&picture)[0]);
         assert!((found / g - 1.0).abs() < 1e-5, "{frame} towards {ahead:?}: {found}, not {g}");
@@ -60,21 +60,21 @@ fn light_is_shifted_as_clocks_and_speeds_say() {
     let clock = |r: f64| (1.0 - 2.0 / r).sqrt();
     let hole = "kind = \"schwarzschild\"";
     let geodesic = "kind = \"schwarzschild\"\nform = \"geodesic\"";
-    let wormhole = "kind = \"wormhole\"\nother = [90, 0, 0]";
+    let wormhole = "kind = \"wormhole\"\nother_mouth = [90, 0, 0]";
     let ball = "[[objects]]\nshape = \"sphere\"\ncenter = [0, 0, 12]\nradius = 0.5\nmaterial = \"a\"\n";
-    let rest = "frame = \"static\"";
+    let rest = "observer = \"static\"";
     for (law, frame, objects, expected) in [
         (hole, rest, "", 1.0 / clock(6.0)),
         (geodesic, rest, "", 1.0 / clock(6.0)),
         (hole, rest, ball, clock(11.5) / clock(6.0)),
         (wormhole, rest, "", 1.0),
         (wormhole, rest, ball, 1.0),
-        (wormhole, "frame = \"moving\"\nvelocity = [0, 0, 0.6]", "", 2.0),
-        (wormhole, "frame = \"moving\"\nvelocity = [0, 0, -0.6]", ball, 0.5),
+        (wormhole, "observer = \"boosted\"\nvelocity = [0, 0, 0.6]", "", 2.0),
+        (wormhole, "observer = \"boosted\"\nvelocity = [0, 0, -0.6]", ball, 0.5),
     ] {
         let scene = scene(&format!(
             "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 6]\nlook_at = [0, 0, 20]\nfov = 1\n{frame}\n[law]\n{law}\n\
-             [rays]\nbound = {{ radius = 40 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-6\n\
+             [rays]\nbounding_sphere = {{ radius = 40 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-6\n\
              [materials.a]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n{objects}"
         ));
         let shift = f64::from(shifts(&rendered(&scene))[0]);
@@ -93,7 +93,7 @@ fn light_shifts_in_time_as_series_say() {
         for (precision, tolerance, bound) in [("f32", 1e-6, 1e-4), ("f64", 1e-12, 1e-7)] {
             let scene = scene(&format!(
                 "[image]\nsize = [1, 1]\n[camera]\nposition = {origin:?}\nlook_at = {ahead:?}\nup = [0.3, 0.2, 1]\nfov = 1\n{}\n\
-                 [law]\n{}\n[rays]\nbound = {{ radius = 100 }}\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
+                 [law]\n{}\n[rays]\nbounding_sphere = {{ radius = 100 }}\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
                  precision = \"{precision}\"\nmax_segments = 5000\n[materials.a]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
                  [[objects]]\nshape = \"disk\"\nmaterial = \"a\"\nradius = 0.02\ncenter = {:?}\nnormal = {:?}\n",
                 row[7].replace(';', "\n"),
@@ -124,10 +124,10 @@ fn light_shifts_in_time_as_series_say() {
 fn light_reddens_as_space_grows() {
     let space = "kind = \"metric\"\nline_element = \"-dt^2 + exp(2*H*t)*(dx^2 + dy^2 + dz^2)\"\nscale = \"5\"\n\
                  parameters = { H = 0.05 }\ntime = 3";
-    for (frame, doppler) in [("frame = \"static\"", 1.0), ("frame = \"moving\"\nvelocity = [0.6, 0, 0]", 2.0)] {
+    for (frame, doppler) in [("observer = \"static\"", 1.0), ("observer = \"boosted\"\nvelocity = [0.6, 0, 0]", 2.0)] {
         let scene = scene(&format!(
-            "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 0]\nlook_at = [1, 0, 0]\nup = [0, 0, 1]\nfov = 1\n{frame}\nshift = true\n[law]\n{space}\n\
-             [rays]\nbound = {{ radius = 10 }}\nmethod = \"rk4\"\nscaled_step = 0.05\n[sky]\ncolor = [1, 1, 1]\n"
+            "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 0]\nlook_at = [1, 0, 0]\nup = [0, 0, 1]\nfov = 1\n{frame}\nredshift = true\n[law]\n{space}\n\
+             [rays]\nbounding_sphere = {{ radius = 10 }}\nmethod = \"rk4\"\nscaled_step = 0.05\n[sky]\ncolor = [1, 1, 1]\n"
         ));
         // dx = e^(−Ht) dt: from x = 10 the light has come e^(−Ht) − e^(−3H) = 10 H.
         let grown = 1.0 / (1.0 + 0.5 * (0.15_f64).exp());
@@ -151,8 +151,8 @@ fn hues_shift_as_those_of_black_bodies() {
                 let hues = if kept { "kept" } else { "black-body" };
                 let rgb = color.to_array();
                 let picture = rendered(&scene(&format!(
-                    "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 0]\nlook_at = [0, {ahead}, 0]\nup = [0, 0, 1]\nfov = 1\nframe = \"moving\"\n\
-                     velocity = [0, 0.6, 0]\nshift = true\nhues = \"{hues}\"\n[rays]\nbound = {{ radius = 60 }}\n[sky]\ncolor = {:?}\n\
+                    "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 0]\nlook_at = [0, {ahead}, 0]\nup = [0, 0, 1]\nfov = 1\nobserver = \"boosted\"\n\
+                     velocity = [0, 0.6, 0]\nredshift = true\ncolor_shift = \"{hues}\"\n[rays]\nbounding_sphere = {{ radius = 60 }}\n[sky]\ncolor = {:?}\n\
                      [materials.a]\nkind = \"emissive\"\ncolor = {rgb:?}\n{surface}",
                     sky.to_array()
                 )));

@@ -46,9 +46,9 @@ fn the_sky_lights_as_sums_over_it_say() {
         let exact = 50.0 * (even + sun * of_sun / PI);
         let errors = [true, false].map(|aim| {
             let text = format!(
-                "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nkind = \"plane\"\nheight = 1e-4\nposition = [0, 0.02, 0]\n\
-                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[rays]\nbound = {{ radius = 30 }}\ntransport = \"paths\"\n\
-                 [sky]\n{sky}\nintensity = 50\n[paths]\naim = {aim}\n[materials.floor]\nkind = \"phong\"\n\
+                "[image]\nsize = [16, 16]\nsamples = 256\n[camera]\nkind = \"orthographic\"\nheight = 1e-4\nposition = [0, 0.02, 0]\n\
+                 look_at = [0, 0, 0]\nup = [0, 0, 1]\n[rays]\nbounding_sphere = {{ radius = 30 }}\nlighting = \"path-tracing\"\n\
+                 [sky]\n{sky}\nintensity = 50\n[path_tracing]\nlight_sampling = {aim}\n[materials.floor]\nkind = \"phong\"\n\
                  diffuse = [1, 1, 1]\n[[objects]]\nshape = \"disk\"\nmaterial = \"floor\"\nscale = 24\n"
             );
             let (mean, error) = mean_of(&rendered(&scene(&text), RenderSettings::default()), 0);
@@ -69,7 +69,7 @@ fn only_what_is_bright_in_the_sky_is_aimed_at() {
         let at = |x, y| image::Luma([if [x, y] == pixel { 255 } else { 90 + y as u8 }]);
         image::GrayImage::from_fn(64, 32, at).save(&path).unwrap();
         let text = format!(
-            "[rays]\nbound = {{ radius = 3 }}\ntransport = \"paths\"\n[sky]\nimage = {path:?}\n[[objects]]\nshape = \"sphere\"\n\
+            "[rays]\nbounding_sphere = {{ radius = 3 }}\nlighting = \"path-tracing\"\n[sky]\nimage = {path:?}\n[[objects]]\nshape = \"sphere\"\n\
              material = \"grey\"\n[materials.grey]\nkind = \"phong\"\n"
         );
         let mut scene = scene(&text);

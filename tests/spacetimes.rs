@@ -20,7 +20,7 @@ pub fn typed(law: &str) -> String {
     // Into the past light nears a horizon for ever.
     let horizon = (1.0 - a * a - charge * charge).max(0.0).sqrt() + 1.01;
     format!(
-        "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2 + f*l^2\"\nscale = \"R\"\ncaptured = \"R < horizon\"\n\
+        "kind = \"metric\"\nline_element = \"-dt^2 + dx^2 + dy^2 + dz^2 + f*l^2\"\nscale = \"R\"\ncapture_condition = \"R < horizon\"\n\
          parameters = {{ a = {a}, Q = {charge}, horizon = {horizon} }}\n\
          terms = {{ k = \"(r^2 - a^2)/2\", d = \"sqrt(k^2 + a^2*z^2)\", R = \"sqrt(k + d)\", f = \"(2*R - Q^2)/(2*d)\", \
          l = \"dt + ((R*x + a*y)*dx + (R*y - a*x)*dy)/(R^2 + a^2) + z*dz/R\" }}"
@@ -55,7 +55,7 @@ fn rays_round_spinning_holes_end_where_series_say() {
             };
             format!(
                 "[law]\n{law}\ncenter = {center:?}\n[rays]\n{method}\nprecision = \"{precision}\"\nmax_segments = 20000\n\
-                 bound = {{ center = {center:?}, radius = {} }}\n",
+                 bounding_sphere = {{ center = {center:?}, radius = {} }}\n",
                 row[2]
             )
         };
@@ -103,7 +103,7 @@ fn without_spin_and_charge_it_is_schwarzschilds() {
         let law = row[1].replace("schwarzschild", "kerr-newman").replace(";form=\"path\"", "").replace(';', "\n");
         format!(
             "[law]\n{law}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-12\nprecision = \"f64\"\nmax_segments = 20000\n\
-             bound = {{ radius = {} }}\n",
+             bounding_sphere = {{ radius = {} }}\n",
             row[2]
         )
     };
@@ -132,7 +132,7 @@ fn observers_have_the_axes_of_their_four_velocities() {
             row[3]
         );
         let velocity = row.get(10).map_or(String::new(), |v| format!("velocity = {:?}\n", vector(v).to_array()));
-        let scene = scene(&format!("{camera}{velocity}[law]\n{law}\n[rays]\nbound = {{ radius = 60 }}\n"));
+        let scene = scene(&format!("{camera}{velocity}[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 60 }}\n"));
         let camera = scene.camera.as_ref().unwrap();
         let fed = observer(&*scene.law, camera).unwrap();
         let column = |name: &str| match fed.iter().find(|(member, _)| member == name) {
@@ -175,7 +175,7 @@ fn separated_orbits_end_where_others_do() {
         let ends = ["method = \"separated\"\nscaled_step = 0.03", "method = \"dormand-prince\"\ntolerance = 1e-7"].map(|method| {
             let scene = scene(&format!(
                 "[law]\nkind = \"kerr-newman\"\nspin = 0.9\naxis = [1, 2, 2]\n[rays]\n{method}\nmax_segments = 20000\n\
-                 bound = {{ center = {bound}, radius = {length} }}\n{objects}"
+                 bounding_sphere = {{ center = {bound}, radius = {length} }}\n{objects}"
             ));
             trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap().0
         });
@@ -220,7 +220,7 @@ fn paths_to_be_drawn_are_arcs() {
         "kind = \"schwarzschild\"\n[rays]\nmethod = \"planar\"",
         "kind = \"kerr-newman\"\nspin = 0.95\n[rays]\nmethod = \"separated\"",
     ] {
-        let scene = scene(&format!("[law]\n{law}\nscaled_step = 0.1\nbound = {{ radius = 25 }}\n"));
+        let scene = scene(&format!("[law]\n{law}\nscaled_step = 0.1\nbounding_sphere = {{ radius = 25 }}\n"));
         let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
         let paths = trace_paths(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
         for (end, (status, path)) in ends.iter().zip(&paths) {

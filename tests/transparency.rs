@@ -23,8 +23,8 @@ fn alpha(scene: &Scene) -> Vec<f32> {
 /// A picture of parallel rays, 4 by 4 units, of this on the z axis; more of [rays] before it.
 fn before(size: u32, rays: &str, object: &str) -> Scene {
     scene(&format!(
-        "sky = \"transparent\"\n[image]\nsize = [{size}, {size}]\n[camera]\nkind = \"plane\"\nheight = 4\nposition = [0, 0, 5]\n\
-         [rays]\nbound = {{ radius = 9 }}\n{rays}\n[materials.shine]\nkind = \"emissive\"\ncolor = [0.5, 1, 2]\n\
+        "sky = \"transparent\"\n[image]\nsize = [{size}, {size}]\n[camera]\nkind = \"orthographic\"\nheight = 4\nposition = [0, 0, 5]\n\
+         [rays]\nbounding_sphere = {{ radius = 9 }}\n{rays}\n[materials.shine]\nkind = \"emissive\"\ncolor = [0.5, 1, 2]\n\
          [materials.mirror]\nkind = \"mirror\"\ncolor = [0.25, 0.5, 0.75]\n[materials.matte]\ndiffuse = [0.8, 0.8, 0.8]\n\
          [[objects]]\n{object}\n"
     ))
@@ -32,8 +32,8 @@ fn before(size: u32, rays: &str, object: &str) -> Scene {
 
 const BALL: &str = "shape = \"sphere\"\nmaterial = \"shine\"";
 /// White light comes out of it as [1/4, 1/16, 1], so that 7/16 of the sky is seen.
-const SLAB: &str = "shape = \"box\"\nmin = [-4, -4, -1]\nmax = [4, 4, 1]\ninterior = { kind = \"constant\", n = 1, filter = [0.5, 0.25, 1] }";
-const PATHS: &str = "transport = \"paths\"";
+const SLAB: &str = "shape = \"box\"\nmin = [-4, -4, -1]\nmax = [4, 4, 1]\ninterior = { kind = \"constant\", n = 1, absorption = [0.5, 0.25, 1] }";
+const PATHS: &str = "lighting = \"path-tracing\"";
 
 /// A disk of radius 1 covers a part of the picture that its samples find, and colors are multiplied by that.
 #[test]
@@ -82,7 +82,10 @@ fn alpha_is_what_would_not_be_seen_of_the_sky() {
         }
     }
     // Media that glow are followed as paths are: their light needs no sky behind it.
-    let glowing = SLAB.replace("filter = [0.5, 0.25, 1]", "filter = { color = [0.5, 0.25, 1], glow = [1, 0, 0] }");
+    let glowing = SLAB.replace(
+        "absorption = [0.5, 0.25, 1]",
+        "absorption = { transmittance = [0.5, 0.25, 1], emission = [1, 0, 0] }",
+    );
     let picture = rendered(&before(4, "", &glowing), Schedule::Whole);
     assert!(picture.band.alpha.expect("alpha").iter().all(|x| (x - 9.0 / 16.0).abs() < 1e-5));
     assert!(picture.band.color[0].iter().all(|x| *x > 0.5));
@@ -91,8 +94,8 @@ fn alpha_is_what_would_not_be_seen_of_the_sky() {
 /// Glass shows what it lets through and what it reflects: on the axis, all of it.
 #[test]
 fn clear_glass_covers_nothing() {
-    let clear = SLAB.replace("n = 1, filter = [0.5, 0.25, 1]", "n = 1.5");
-    let scene = before(4, "branches = 6", &clear);
+    let clear = SLAB.replace("n = 1, absorption = [0.5, 0.25, 1]", "n = 1.5");
+    let scene = before(4, "max_splits = 6", &clear);
     // After six splits 0.04⁵ of the light is still between the faces.
     for covered in alpha(&scene) {
         assert!((0.0..1e-4).contains(&covered), "{covered}");
@@ -104,7 +107,7 @@ fn clear_glass_covers_nothing() {
 fn holes_are_covered_in_every_schedule() {
     let hole = scene(
         "sky = \"transparent\"\n[image]\nsize = [24, 24]\nsamples = 2\n[camera]\nposition = [0, 0, 20]\nfov = 60\n\
-         [law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 30 }\n",
+         [law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 30 }\n",
     );
     assert_eq!(hole.sky, Sky::Transparent);
     let whole = rendered(&hole, Schedule::Whole).band;

@@ -18,7 +18,7 @@ const RADIUS: f64 = 1.5;
 fn sphere_passing(precision: &str, camera: &str) -> String {
     format!(
         "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 9]\n{camera}\ntime = {WHEN}\n[law]\nkind = \"straight\"\n[rays]\n\
-         bound = {{ radius = 40 }}\nprecision = \"{precision}\"\n[materials.a]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
+         bounding_sphere = {{ radius = 40 }}\nprecision = \"{precision}\"\n[materials.a]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
          [[objects]]\nshape = \"sphere\"\nmaterial = \"a\"\ncenter = {:?}\nradius = {RADIUS}\nvelocity = {:?}\n\
          [[objects]]\nshape = \"sphere\"\nmaterial = \"a\"\ncenter = [0, 6, 0]\n",
         START.to_array(),
@@ -92,7 +92,7 @@ fn passing_light_is_shifted_by_its_speed() {
     let ahead = START + (WHEN - tau) * VELOCITY;
     let d = (ahead - eye).normalize();
     let stretch = 1.0 / (1.0 - VELOCITY.length_squared()).sqrt();
-    let camera = format!("look_at = {:?}\nfov = 1\nframe = \"static\"", ahead.to_array());
+    let camera = format!("look_at = {:?}\nfov = 1\nobserver = \"static\"", ahead.to_array());
     let found = f64::from(shifts(&rendered(&scene(&sphere_passing("f32", &camera))))[0]);
     let told = 1.0 / (stretch * (1.0 + VELOCITY.dot(d)));
     assert!((found / told - 1.0).abs() < 1e-5, "{found} for {told}");
@@ -112,20 +112,21 @@ fn orbiting_spheres_are_met_in_time() {
         let crossing = DVec3::new(told[0], told[1], 0.0);
         let head = |method: &str, objects: &str| {
             format!(
-                "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nframe = \"static\"\ntime = 13\n\
-                 [law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbound = {{ radius = 200 }}\n{method}\nprecision = \"f64\"\n\
+                "[image]\nsize = [1, 1]\n[camera]\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\nfov = 1\nobserver = \"static\"\ntime = 13\n\
+                 [law]\nkind = \"kerr-newman\"\nspin = {spin}\n[rays]\nbounding_sphere = {{ radius = 200 }}\n{method}\nprecision = \"f64\"\n\
                  max_segments = 20000\n[materials.a]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n{objects}",
                 origin.to_array(),
                 (origin + way).to_array()
             )
         };
         let fine = "method = \"dormand-prince\"\ntolerance = 1e-10";
-        let disk = "[[objects]]\nshape = \"disk\"\nnormal = [0, 0, 1]\nradius = 150\nhole = 1.5\nmaterial = \"a\"\n";
+        let disk =
+            "[[objects]]\nshape = \"disk\"\nnormal = [0, 0, 1]\nradius = 150\ninner_radius = 1.5\nmaterial = \"a\"\n";
         let still = scene(&head(fine, disk));
         let law = still.law.clone();
         let pixel = bentray::render::trace_pixels(&gpu(), &still, &RenderSettings::default(), &[[0, 0]]).unwrap().0;
         assert!(DVec3::from(pixel[0].x).distance(crossing) < 1e-5, "{:?} for {crossing}", pixel[0].x);
-        let u = law.observer(CameraFrame::Orbiting, crossing).unwrap().unwrap();
+        let u = law.observer(CameraFrame::ProgradeOrbit, crossing).unwrap().unwrap();
         let turning = u.truncate().dot(DVec3::Z.cross(crossing)) / (u.w * crossing.length_squared());
         // So that it is at the crossing 13 − τ after it is in its place.
         let placed = |late: f64| {
@@ -171,14 +172,14 @@ fn moving_objects_are_the_same_in_all_schedules() {
             .collect();
         format!(
             "[image]\nsize = [48, 32]\n[camera]\nposition = [0, -20, 7]\nup = [0, 0, 1]\nfov = 50\ntime = {time}\n[law]\nkind = \"kerr-newman\"\n\
-             spin = 0.8\n[rays]\nbound = {{ radius = 40 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-5\n[materials.a]\n\
+             spin = 0.8\n[rays]\nbounding_sphere = {{ radius = 40 }}\nmethod = \"dormand-prince\"\ntolerance = 1e-5\n[materials.a]\n\
              kind = \"emissive\"\ncolor = {{ checker = [[1, 0, 0], [0, 1, 0]] }}\n[materials.b]\nkind = \"mirror\"\n{}[[objects]]\nshape = \"sphere\"\n\
              center = [0, 9, 3]\nmaterial = \"b\"\n[sky]\ncolor = [0.2, 0.3, 0.4]\n",
             objects.concat()
         )
     };
     let picture = |text: &str, schedule: Schedule, accelerate: &str| {
-        let scene = scene(&text.replace("[rays]\n", &format!("[rays]\naccelerate = \"{accelerate}\"\n")));
+        let scene = scene(&text.replace("[rays]\n", &format!("[rays]\nacceleration = \"{accelerate}\"\n")));
         let choice = Choice { schedule, layers: vec![Layer::Position], ..Choice::default() };
         let settings = RenderSettings { choice, ..RenderSettings::default() };
         Renderer::new(&gpu(), &scene, settings).unwrap().picture().unwrap()

@@ -55,8 +55,8 @@ fn scene(n: u32, rays: &str, materials: &str, objects: &[String]) -> Scene {
     let is_traced = rays.contains("paths");
     let lights = if is_traced { "" } else { "lights = [{ kind = \"directional\", direction = [0, 0, -1] }]\n" };
     let text = format!(
-        "image = {{ size = [{SIZE}, {SIZE}] }}\ncamera = {{ kind = \"plane\", height = {}, position = [0, 0, 20] }}\n\
-         sky = {{ color = [1, 1, 1] }}\nrays = {{ bound = {{ radius = 40 }}, {rays} }}\n\
+        "image = {{ size = [{SIZE}, {SIZE}] }}\ncamera = {{ kind = \"orthographic\", height = {}, position = [0, 0, 20] }}\n\
+         sky = {{ color = [1, 1, 1] }}\nrays = {{ bounding_sphere = {{ radius = 40 }}, {rays} }}\n\
          objects = [{{ shape = \"mesh\", file = \"cube.obj\", {objects} }}]\n\
          {lights}{materials}\n",
         2.0 * HALF
@@ -106,7 +106,7 @@ const SINGLE: f64 = 4.0 * 20.0 * U * 0.27 / 1.8 + DOUBLE;
 fn vertex_colors_are_mixed_by_barycentric_coordinates() {
     for accelerate in ["bvh", "grid", "none"] {
         for (precision, tolerance) in [("f32", SINGLE), ("f64", DOUBLE)] {
-            let rays = format!("accelerate = \"{accelerate}\", precision = \"{precision}\"");
+            let rays = format!("acceleration = \"{accelerate}\", precision = \"{precision}\"");
             check(&scene(2, &rays, EMISSIVE, &[PLACE.to_owned()]), Schedule::Whole, tolerance, |_, p| color(p));
         }
     }
@@ -129,9 +129,9 @@ fn vertex_colors_multiply_the_color_of_any_material() {
             DVec3::splat(0.75),
         ),
         ("", "{ kind = \"mirror\", color = { color = [0.5, 1, 0.25], vertex_colors = true } }", half),
-        ("transport = \"paths\"", "{ diffuse = { vertex_colors = true } }", DVec3::ONE),
+        ("lighting = \"path-tracing\"", "{ diffuse = { vertex_colors = true } }", DVec3::ONE),
         (
-            "transport = \"paths\"",
+            "lighting = \"path-tracing\"",
             "{ kind = \"emissive\", color = { color = [0.5, 1, 0.25], vertex_colors = true } }",
             half,
         ),
@@ -152,7 +152,7 @@ fn meshes_that_are_kept_once_have_their_colors_in_every_place() {
         let material = if i.is_multiple_of(3) { "plain" } else { "m" };
         format!("scale = [0.7, 0.5, 0.1], rotate = [0, 0, {turn}], translate = {at:?}, material = \"{material}\"")
     };
-    let scene = scene(40, "accelerate = \"bvh\"", materials, &(0..16).map(place).collect::<Vec<_>>());
+    let scene = scene(40, "acceleration = \"bvh\"", materials, &(0..16).map(place).collect::<Vec<_>>());
     assert!(Analysis::of(&scene).structure.once);
     // The smallest scale is 0.5 across the view, where it was 1.8.
     check(&scene, Schedule::Whole, 1.8 / 0.5 * SINGLE, |object, p| {

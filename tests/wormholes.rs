@@ -43,7 +43,7 @@ fn rays_end_on_the_side_and_where_quadratures_say() {
             let scene_of = |row: &[&str]| {
                 format!(
                     "[law]\n{}\ncenter = {:?}\nother = {:?}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
-                     precision = \"{precision}\"\nmax_segments = 20000\nbound = {{ center = {:?}, radius = {} }}\n",
+                     precision = \"{precision}\"\nmax_segments = 20000\nbounding_sphere = {{ center = {:?}, radius = {} }}\n",
                     if is_written { written(row[1]) } else { row[1].replace(';', "\n") },
                     shift.to_array(),
                     (shift + apart).to_array(),
@@ -96,8 +96,8 @@ fn angles_round_ellis_wormhole_are_elliptic_integrals() {
     ] {
         let law = Wormhole { radius, length: 0.0, mass: None, center: DVec3::ZERO, other: 3.0 * far * DVec3::X };
         let scene = scene(&format!(
-            "[law]\nkind = \"wormhole\"\nradius = {radius}\nother = [{}, 0, 0]\n[rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-13\n\
-             precision = \"f64\"\nmax_segments = 20000\nbound = {{ radius = {} }}\n",
+            "[law]\nkind = \"wormhole\"\nradius = {radius}\nother_mouth = [{}, 0, 0]\n[rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-13\n\
+             precision = \"f64\"\nmax_segments = 20000\nbounding_sphere = {{ radius = {} }}\n",
             3.0 * far,
             far + radius
         ));
@@ -145,7 +145,7 @@ fn every_ray_comes_out_on_the_right_side() {
         for method in ["rk4", "dormand-prince", "bogacki-shampine"] {
             let mass = mass.map_or(String::new(), |mass| format!("mass = {mass}\n"));
             let scene = scene(&format!(
-                "[law]\nkind = \"wormhole\"\nlength = {length}\n{mass}other = [300, 0, 0]\n[rays]\nbound = {{ radius = 120 }}\n\
+                "[law]\nkind = \"wormhole\"\nlength = {length}\n{mass}other_mouth = [300, 0, 0]\n[rays]\nbounding_sphere = {{ radius = 120 }}\n\
                  max_segments = 20000\nmethod = \"{method}\"\n"
             ));
             let (ends, _) = trace(&gpu, &scene, &RenderSettings::default(), &rays).unwrap();
@@ -163,7 +163,7 @@ fn every_ray_comes_out_on_the_right_side() {
 fn each_side_has_its_own_sky_and_objects() {
     let gpu = gpu();
     let lamp = "[materials.a]\nkind = \"emissive\"\ncolor = [0, 0.5, 0]\n[[objects]]\nshape = \"sphere\"\ncenter = [90, 0, 4]\nmaterial = \"a\"\n";
-    let (near, beyond) = ("[sky]\ncolor = [1, 0, 0]\n", "[sky.beyond]\ncolor = [0, 0, 1]\n");
+    let (near, beyond) = ("[sky]\ncolor = [1, 0, 0]\n", "[sky.other_side]\ncolor = [0, 0, 1]\n");
     for (ahead, rest, transport, expected) in [
         (9, format!("{near}{beyond}"), "lights", [1.0, 0.0, 0.0]),
         (0, format!("{near}{beyond}"), "lights", [0.0, 0.0, 1.0]),
@@ -174,7 +174,7 @@ fn each_side_has_its_own_sky_and_objects() {
     ] {
         let scene = scene(&format!(
             "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 6]\nlook_at = [0, 0, {ahead}]\nfov = 1\n[law]\nkind = \"wormhole\"\n\
-             other = [90, 0, 0]\n[rays]\nbound = {{ radius = 30 }}\nmethod = \"dormand-prince\"\ntransport = \"{transport}\"\n{rest}"
+             other_mouth = [90, 0, 0]\n[rays]\nbounding_sphere = {{ radius = 30 }}\nmethod = \"dormand-prince\"\ntransport = \"{transport}\"\n{rest}"
         ));
         let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
         let color = DVec3::from_array([0, 1, 2].map(|channel| f64::from(picture.band.color[channel][0])));

@@ -29,7 +29,7 @@ fn a_lens_as_a_formula_is_the_lens() {
         ("method = \"rk4\"\nscaled_step = 0.02", 1e-5),
         ("method = \"dormand-prince\"\ntolerance = 1e-12\nprecision = \"f64\"", 1e-11),
     ] {
-        let rays = format!("{rays}\nmax_segments = 4000\nbound = {{ radius = 1 }}");
+        let rays = format!("{rays}\nmax_segments = 4000\nbounding_sphere = {{ radius = 1 }}");
         let [a, b] = [lens, formula].map(|index| ends(index, &rays, &parallel_rays()));
         let off = furthest(&a, &b);
         println!("{rays}: {off:e}");
@@ -50,8 +50,7 @@ fn a_fisheye_as_a_formula_has_circles() {
         })
         .collect();
     let rays: Vec<[f64; 6]> = directions.iter().map(|d| [p.x, p.y, p.z, d.x, d.y, d.z]).collect();
-    let table =
-        "method = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbound = { radius = 30 }\nlength = 1";
+    let table = "method = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbounding_sphere = { radius = 30 }\nlength = 1";
     for (d, end) in directions.iter().zip(ends(index, table, &rays)) {
         assert_eq!(end.status, Status::Ended);
         let to_center = across.reject_from_normalized(*d).normalize();
@@ -84,7 +83,7 @@ fn rays_fail_where_there_is_no_index() {
     for method in methods {
         for n in ["1.5 + 0 * x + 0.2 * sqrt(1 - x)", "1.5 + 0.1 * (1 - x)^1.5"] {
             let index = format!("{{ kind = \"expression\", n = \"{n}\" }}");
-            let table = format!("{method}\nmax_segments = 4000\nbound = {{ radius = 5 }}");
+            let table = format!("{method}\nmax_segments = 4000\nbounding_sphere = {{ radius = 5 }}");
             for (ray, end) in rays.iter().zip(ends(&index, &table, &rays)) {
                 let is_seen = matches!(end.status, Status::Failed | Status::Stalled);
                 assert!(is_seen, "{n} by {method}: {ray:?} ends at {:?}: {:?}", end.x, end.status);
@@ -93,9 +92,11 @@ fn rays_fail_where_there_is_no_index() {
     }
     // Below 0 there is a value, which is no index.
     let steep = "{ kind = \"expression\", n = \"1.01 - exp(4 * x)\" }";
-    for end in
-        ends(steep, "method = \"rk4\"\nscaled_step = 0.2\nmax_segments = 400\nbound = { radius = 5 }", &rays[8..])
-    {
+    for end in ends(
+        steep,
+        "method = \"rk4\"\nscaled_step = 0.2\nmax_segments = 400\nbounding_sphere = { radius = 5 }",
+        &rays[8..],
+    ) {
         assert_eq!(end.status, Status::Failed);
     }
 }
@@ -107,7 +108,7 @@ fn samples_of_an_index_bend_as_it_does() {
     let folder = tempfile::tempdir().unwrap();
     let index = |q: DVec3| 1.0 + 0.2 * (-q.length_squared()).exp();
     let formula = "{ kind = \"expression\", n = \"1 + 0.2 * exp(-r^2)\" }";
-    let table = "method = \"rk4\"\nscaled_step = 0.05\nmax_segments = 4000\nbound = { radius = 2 }";
+    let table = "method = \"rk4\"\nscaled_step = 0.05\nmax_segments = 4000\nbounding_sphere = { radius = 2 }";
     let mut errors = Vec::new();
     for count in [17_u32, 33] {
         let place = |i: u32| 5.0 * f64::from(i) / f64::from(count - 1) - 2.5;

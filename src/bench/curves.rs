@@ -32,7 +32,7 @@ fn ways() -> [Way; 6] {
     let tree = format!("arc_tolerance = {OFF}\n");
     let way = |name, structure: &str, keys: &str| Way {
         name,
-        keys: format!("accelerate = \"{structure}\"\n{keys}"),
+        keys: format!("acceleration = \"{structure}\"\n{keys}"),
         structured: structure != "none",
     };
     [
@@ -75,9 +75,9 @@ pub(super) fn curves(bench: &Bench) -> Result<(Table, Chart), RenderError> {
 
 fn scene([width, height]: [u32; 2], count: u32, keys: &str) -> Result<Scene, RenderError> {
     let mut text = format!(
-        "[image]\nsize = [{width}, {height}]\n[camera]\nkind = \"plane\"\nposition = [0, -6, 0]\nup = [0, 0, 1]\nheight = 8\n\
+        "[image]\nsize = [{width}, {height}]\n[camera]\nkind = \"orthographic\"\nposition = [0, -6, 0]\nup = [0, 0, 1]\nheight = 8\n\
          [law]\nkind = \"parametric\"\nx = \"cos(2*t)\"\ny = \"t\"\nz = \"sin(2*t)\"\nt = [0, 12]\n\
-         [rays]\nbound = {{ radius = 15 }}\nmax_segments = 2000\n{keys}\
+         [rays]\nbounding_sphere = {{ radius = 15 }}\nmax_segments = 2000\n{keys}\
          [materials.m]\ndiffuse = [0.8, 0.6, 0.4]\n[[lights]]\nkind = \"point\"\nposition = [10, -20, 20]\n"
     );
     // Boxes fill a thirtieth of a cube of side 10. Roberts's R3 sequence.

@@ -119,7 +119,7 @@ fn scene(
     accelerate: Accelerate,
 ) -> Result<Scene, RenderError> {
     let text = format!(
-        "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 0, 14]\n{keys}bound = {{ radius = 30 }}\n\
+        "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 0, 14]\n{keys}bounding_sphere = {{ radius = 30 }}\n\
          [materials.m]\ndiffuse = [0.8, 0.6, 0.4]\n[[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n\
          [[objects]]\nshape = \"sphere\"\nradius = 4\nmaterial = \"m\"\n"
     );

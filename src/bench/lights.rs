@@ -15,11 +15,11 @@ use crate::render::{RenderError, RenderSettings, Renderer, light_grids, light_pa
 use crate::scene::{Light, LightGrid, Precision, Scene, Shadows};
 
 const LAWS: [(&str, &str); 3] = [
-    ("a centre", "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.3, capture = 1e-3 }]"),
+    ("a centre", "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.3, capture_radius = 1e-3 }]"),
     (
         "two centres",
-        "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.15, capture = 1e-3 }, \
-         { position = [-1, 1.2, -1], strength = 0.1, capture = 1e-3 }]",
+        "kind = \"sources\"\nsources = [{ position = [1, 1.6, 0], strength = 0.15, capture_radius = 1e-3 }, \
+         { position = [-1, 1.2, -1], strength = 0.1, capture_radius = 1e-3 }]",
     ),
     (
         "a lens",
@@ -74,14 +74,14 @@ fn room([width, height]: [u32; 2], law: &str) -> Result<Scene, RenderError> {
     let [x, y, z] = LAMP.to_array();
     let text = format!(
         "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0.5, 3.2, 6]\nlook_at = [0, 0.8, 0]\nfov = 55\n[law]\n{law}\n\
-         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-5\nbound = {{ radius = 12 }}\n\
+         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-5\nbounding_sphere = {{ radius = 12 }}\n\
          [materials.wall]\ndiffuse = [1, 1, 1]\nambient = 0\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, -0.1, 0]\nsize = [6, 0.2, 6]\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [0, 1.4, -2.9]\nsize = [6, 2.8, 0.2]\n\
          [[objects]]\nshape = \"sphere\"\nmaterial = \"wall\"\ncenter = [-0.6, 0.5, 0.2]\nradius = 0.5\n\
          [[objects]]\nshape = \"box\"\nmaterial = \"wall\"\ncenter = [1.6, 0.6, -1.2]\nsize = [0.5, 1.2, 0.5]\n\
          [[objects]]\nshape = \"cylinder\"\nmaterial = \"wall\"\ncenter = [-1.9, 0.8, -1.2]\naxis = [0, 1, 0]\nheight = 1.6\nradius = 0.25\n\
-         [[lights]]\nkind = \"point\"\nposition = [{x}, {y}, {z}]\ncolor = [9, 9, 9]\nfalloff = \"inverse-square\"\nshadows = \"grid\"\n"
+         [[lights]]\nkind = \"point\"\nposition = [{x}, {y}, {z}]\ncolor = [9, 9, 9]\nfalloff = \"inverse-square\"\nshadows = \"photon-grid\"\n"
     );
     own_scene(&text)
 }

@@ -204,7 +204,7 @@ pub(super) fn scene(size: [u32; 2], law: &str, spheres: u32, segments: u32, how:
     let [width, height] = size;
     // The paper tests every segment against every object; to partition space is one of its own next steps.
     let chords =
-        format!("segment = \"chord\"\nsteps_per_segment = 10\nmax_segments = {segments}\naccelerate = \"none\"");
+        format!("segment = \"chord\"\nsteps_per_segment = 10\nmax_segments = {segments}\nacceleration = \"none\"");
     let rays = match how {
         How::Plain => format!("method = \"euler\"\nstep = {STEP}\n{chords}"),
         How::Published => format!("method = \"euler-doubling\"\ndoubling = \"paper\"\ntolerance = 1e-3\n{chords}"),
@@ -212,7 +212,7 @@ pub(super) fn scene(size: [u32; 2], law: &str, spheres: u32, segments: u32, how:
     };
     let mut text = format!(
         "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 0, 20]\n\
-         [law]\n{law}\n[rays]\n{rays}\nbound = {{ radius = 25 }}\n[sky]\ncolor = [0.1, 0.1, 0.2]\n\
+         [law]\n{law}\n[rays]\n{rays}\nbounding_sphere = {{ radius = 25 }}\n[sky]\ncolor = [0.1, 0.1, 0.2]\n\
          [materials.red]\ndiffuse = [0.8, 0.1, 0.1]\n[[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n"
     );
     for i in 0..spheres {

@@ -140,7 +140,7 @@ fn room([width, height]: [u32; 2], radius: f64) -> Result<Scene, RenderError> {
     ];
     let text = format!(
         "[image]\nsize = [{width}, {height}]\n[camera]\nposition = [0, 1, 3.4]\nlook_at = [0, 1, 0]\nfov = 40\n\
-         [rays]\nbound = {{ center = [0, 1, 0], radius = 5 }}\ntransport = \"paths\"\n\
+         [rays]\nbounding_sphere = {{ center = [0, 1, 0], radius = 5 }}\nlighting = \"path-tracing\"\n\
          [materials.white]\ndiffuse = [0.75, 0.75, 0.75]\n[materials.red]\ndiffuse = [0.65, 0.06, 0.05]\n\
          [materials.green]\ndiffuse = [0.12, 0.5, 0.1]\n[materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.9, 0.9]\n\
          [materials.lamp]\nkind = \"emissive\"\ncolor = [{radiance}, {radiance}, {radiance}]\n{}\

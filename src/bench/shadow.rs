@@ -11,7 +11,7 @@ pub const CRITICAL: f64 = 5.196_152_422_706_632;
 /// none if none of those tried is.
 pub fn shadow_edge(gpu: &Gpu, rays: &str) -> Result<Option<f64>, RenderError> {
     let text = format!(
-        "[law]\nkind = \"schwarzschild\"\nform = \"geodesic\"\n[rays]\n{rays}\nmax_segments = 20000\nbound = {{ radius = 50 }}\n"
+        "[law]\nkind = \"schwarzschild\"\nform = \"geodesic\"\n[rays]\n{rays}\nmax_segments = 20000\nbounding_sphere = {{ radius = 50 }}\n"
     );
     let scene = own_scene(&text)?;
     let impact: Vec<f64> = (0..2000).map(|i| 0.01 * f64::from(i)).collect();

@@ -134,7 +134,7 @@ impl<'a> Place<'a> {
         a.angle_to(b).max(place).max(speed)
     }
 
-    /// Until which τ every ray is right, tried at tenths of `rays.length`; none without a length.
+    /// Until which τ every ray is right, tried at tenths of `rays.max_parameter`; none without a length.
     pub fn divergence(&self, candidate: &Candidate) -> Result<Option<f64>, RenderError> {
         let Some(length) = self.scene.rays.length else { return Ok(None) };
         let mut right = 0.0;

@@ -219,8 +219,8 @@ fn read_scenes(name: Name, given: &[PathBuf]) -> Result<Vec<(String, Scene)>, Er
     let folder = Path::new("scenes");
     let paths = match (given, name) {
         ([], Name::Sampling) => SAMPLED.iter().map(|file| folder.join(file)).collect(),
-        ([], Name::Compaction) => super::chart::scenes_in(&folder.join("bench"))?,
-        ([], _) => super::chart::scenes_in(folder)?,
+        ([], Name::Compaction) => super::compare::scenes_in(&folder.join("bench"))?,
+        ([], _) => super::compare::scenes_in(folder)?,
         (given, _) => given.to_vec(),
     };
     let stem = |path: &Path| path.file_stem().map_or_else(|| "scene".into(), |s| s.to_string_lossy().into_owned());

@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     fn frames(text: &str) -> Result<Vec<u32>, String> {
-        let animation = "[rays]\nbound = { radius = 9 }\n[animation]\nframes = 24\n\
+        let animation = "[rays]\nbounding_sphere = { radius = 9 }\n[animation]\nframes = 24\n\
                          [[animation.tracks]]\nkey = \"sky.color\"\nvalues = [[0, 0, 0], [1, 1, 1]]\n";
         let scene = Scene::parse(animation, "scene.toml".as_ref(), &[]).map_err(|error| error.to_string())?;
         text.parse::<Frames>()?.of(&scene).map_err(|error| error.to_string())

@@ -47,7 +47,7 @@ pub(super) struct Before {
 impl Before {
     /// Reads a picture that keeps its sums.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
-        let problem = "it keeps no sums to continue from: EXRs of pictures with transport = \"paths\" do, in the layers `sums` \
+        let problem = "it keeps no sums to continue from: EXRs of pictures with lighting = \"path-tracing\" do, in the layers `sums` \
                        and `spread`";
         let none = || OutputError::Part { path: path.to_owned(), problem: problem.to_owned() };
         let (settings, band) = picture(path)?;
@@ -92,7 +92,7 @@ impl Before {
         }
         if scene.image.pattern == SamplePattern::MultiJittered {
             return wrong(
-                "multi-jittered samples are made for a number that is known beforehand: leave `pattern` out".to_owned(),
+                "multi-jittered samples are made for a number that is known beforehand: leave `sampler` out".to_owned(),
             );
         }
         if self.settings.window != window {

@@ -19,7 +19,7 @@ use crate::scene::{LightSource, Scene, Shadows};
 /// Find the paths that lead from a scene's lights to given places, and write their directions and the spread of their bundles
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The scene file, or - for standard input; of its lights those with shadows = "shooting" or "grid" are used
+    /// The scene file, or - for standard input; of its lights those with shadows = "curved-rays" or "photon-grid" are used
     scene: PathBuf,
     /// A CSV file with the header x,y,z: the places; `-` is standard input
     #[arg(long, value_name = "FILE")]
@@ -44,8 +44,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let lights: Vec<_> = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows.follows_the_law()).collect();
     let shot = shot_lights(&scene);
     let Some((_, first)) = lights.first() else {
-        let problem =
-            "the scene has no light with shadows = \"shooting\" or \"grid\", and paths are found from such lights";
+        let problem = "the scene has no light with shadows = \"curved-rays\" or \"photon-grid\", and paths are found from such lights";
         return Err(of_scene(&arguments.scene, problem));
     };
     let places: Vec<DVec3> = read_places(&arguments.at)?.into_iter().map(DVec3::from).collect();

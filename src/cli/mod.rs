@@ -24,15 +24,13 @@ macro_rules! usage {
     };
 }
 
-mod assemble;
 mod bench;
-mod chart;
 mod check;
+mod compare;
 mod decisions;
 mod devices;
 mod doctor;
 mod farm;
-mod film;
 mod format;
 mod formula;
 mod frame_list;
@@ -43,6 +41,7 @@ mod help;
 mod import;
 mod interrupt;
 mod light;
+mod merge;
 mod new;
 mod options;
 mod origin;
@@ -54,6 +53,7 @@ mod settle;
 mod share;
 mod shell;
 mod trace;
+mod video;
 mod watch;
 mod wgsl;
 mod words;
@@ -64,6 +64,7 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 use std::process::ExitCode;
 
+use clap::error::ContextKind;
 use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::document::given_name;
@@ -82,16 +83,16 @@ struct Cli {
 #[derive(Debug, Subcommand)]
 enum Command {
     Render(render::Arguments),
-    Assemble(assemble::Arguments),
+    Merge(merge::Arguments),
     Farm(farm::Arguments),
-    Film(film::Arguments),
+    Video(video::Arguments),
     Check(check::Arguments),
     Trace(trace::Arguments),
     Light(light::Arguments),
     Devices(devices::Arguments),
     Doctor(doctor::Arguments),
     Wgsl(wgsl::Arguments),
-    Chart(chart::Arguments),
+    Compare(compare::Arguments),
     Bench(bench::Arguments),
     Formula(formula::Arguments),
     New(new::Arguments),
@@ -113,11 +114,11 @@ pub fn run() -> Result<ExitCode, Error> {
         Command::Render(arguments) => return render::run(&arguments),
         Command::Check(arguments) => return check::run(&arguments),
         Command::Doctor(arguments) => return doctor::run(&arguments),
-        Command::Chart(arguments) => return chart::run(&arguments),
+        Command::Compare(arguments) => return compare::run(&arguments),
         Command::Help(arguments) => return help::run(&arguments, &Cli::command()),
-        Command::Assemble(arguments) => assemble::run(&arguments),
+        Command::Merge(arguments) => merge::run(&arguments),
         Command::Farm(arguments) => farm::run(&arguments),
-        Command::Film(arguments) => film::run(&arguments),
+        Command::Video(arguments) => video::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Light(arguments) => light::run(&arguments),
         Command::Devices(arguments) => devices::run(&arguments),
@@ -132,10 +133,37 @@ pub fn run() -> Result<ExitCode, Error> {
     done.map(|()| ExitCode::SUCCESS)
 }
 
+/// Words that people try for a command or an option, and what it is called.
+const RENAMED: &[(&[&str], &str)] = &[
+    (&["film", "movie", "encode", "ffmpeg"], "bentray video"),
+    (&["assemble", "join", "stitch"], "bentray merge"),
+    (&["chart", "accuracy", "convergence"], "bentray compare"),
+    (&["validate", "lint"], "bentray check"),
+    (&["init", "create", "template"], "bentray new"),
+    (&["convert"], "bentray import"),
+    (&["benchmark"], "bentray bench"),
+    (&["gpus", "adapters", "info"], "bentray devices"),
+    (&["geodesic", "raytrace", "rays"], "bentray trace"),
+    (&["--no-list"], "--no-compaction"),
+    (&["--no-masks"], "--no-early-termination"),
+    (&["--method-of"], "--method-from"),
+    (&["--frame", "--range", "--limits"], "--view"),
+    (&["--spp", "-s"], "--samples"),
+    (&["--resolution", "--width", "--height", "-r"], "--size"),
+    (&["--out", "--file"], "--output"),
+    (&["--gpu", "--adapter"], "--device"),
+];
+
 /// Help where it was asked for, and else what is wrong with the words of the command line; a scene in a command's place is to be rendered.
 fn refuse(error: &clap::Error) -> ExitCode {
     // Whoever lost the messages is not told of it.
     let _ = error.print();
+    let unknown = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand].map(|kind| error.get(kind));
+    for word in unknown.into_iter().flatten() {
+        if let Some((_, right)) = RENAMED.iter().find(|(words, _)| words.contains(&word.to_string().as_str())) {
+            tell!("did you mean `{right}`?");
+        }
+    }
     let scene = std::env::args().nth(1).filter(|name| has_extension(name.as_ref(), "toml"));
     if let (clap::error::ErrorKind::InvalidSubcommand, Some(scene)) = (error.kind(), scene) {
         tell!("to render a scene: bentray render {scene} -o picture.png");

@@ -35,7 +35,7 @@ pub(super) struct SceneOptions {
     precision: Option<Bits>,
     /// Follow rays as for this picture of bentray's, an EXR or a PNG: by its method with all settings, instead of the scene's
     #[arg(long, value_name = "PICTURE", value_parser = paths::file())]
-    method_of: Option<PathBuf>,
+    method_from: Option<PathBuf>,
 }
 
 /// A precision, or none where that is left to the search for a method.
@@ -112,16 +112,16 @@ pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
 impl SceneOptions {
     /// Is the method that of a picture whose program kept what a search compares?
     pub(super) fn is_compared(&self) -> bool {
-        self.method_of.as_ref().is_some_and(|picture| said(picture, COMPARED).is_ok_and(|text| text == "true"))
+        self.method_from.as_ref().is_some_and(|picture| said(picture, COMPARED).is_ok_and(|text| text == "true"))
     }
 
     /// All changes, as the scene reader takes them.
     pub(super) fn overrides(&self) -> Result<Vec<Override>, Error> {
-        let method = self.method_of.as_ref().map(|picture| -> Result<_, Error> {
+        let method = self.method_from.as_ref().map(|picture| -> Result<_, Error> {
             let followed = said(picture, FOLLOWED)?;
             let picture = picture.display();
             let overrides = follow_as(&followed).map_err(|error| usage!("{picture}: {error}"))?;
-            Ok(overrides.into_iter().map(|over| over.from_option(format!("--method-of {picture}"))).collect())
+            Ok(overrides.into_iter().map(|over| over.from_option(format!("--method-from {picture}"))).collect())
         });
         let method: Vec<Override> = method.transpose()?.unwrap_or_default();
         let size = self.size.map(|[w, h]| (format!("image.size=[{w}, {h}]"), format!("--size {w}x{h}")));
@@ -148,10 +148,10 @@ pub(super) struct DeviceFlags {
     schedule: Option<Schedule>,
     /// Run ended rays along too, as without the 2004 paper's early termination
     #[arg(long)]
-    no_masks: bool,
+    no_early_termination: bool,
     /// Skip ended rays where they lie, not by a list of the active ones: for schedules of several passes
-    #[arg(long, conflicts_with = "no_masks")]
-    no_list: bool,
+    #[arg(long, conflicts_with = "no_early_termination")]
+    no_compaction: bool,
     /// K: segments of one pass of `fused`. Without it, large pictures choose it by rendering themselves small
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
     segments_per_pass: Option<u32>,
@@ -187,13 +187,13 @@ impl DeviceFlags {
 
     /// The schedule that is asked for, if only by what is for it alone.
     fn schedule(&self) -> Schedule {
-        let is_for_fused = self.no_masks || self.no_list || self.segments_per_pass.is_some();
+        let is_for_fused = self.no_early_termination || self.no_compaction || self.segments_per_pass.is_some();
         self.schedule.unwrap_or(if is_for_fused { Schedule::Fused } else { Schedule::Whole })
     }
 
     /// The choice with the masks that are asked for.
     fn masked(&self, choice: Choice) -> Choice {
-        let masks = match (self.no_masks, self.no_list) {
+        let masks = match (self.no_early_termination, self.no_compaction) {
             (true, _) => Masks::Off,
             (false, true) => Masks::Grid,
             (false, false) => choice.masks,

@@ -178,24 +178,24 @@ impl Arguments {
         let asked = |layer| self.layers.as_ref().is_some_and(|layers| layers.contains(&Some(layer)));
         if asked(Layer::Error) && scene.rays.paths.is_none() && scene.image.adaptive.is_none() {
             return Err(usage!(
-                "the layer `error` is of pictures that take random samples: with transport = \"paths\" or image.adaptive"
+                "the layer `error` is of pictures that take random samples: with lighting = \"path-tracing\" or image.adaptive"
             ));
         }
         if SUMS.into_iter().any(asked) && !is_continuable(&scene) {
             return Err(usage!(
-                "the layers `sums` and `spread` are of pictures with transport = \"paths\" and without image.adaptive"
+                "the layers `sums` and `spread` are of pictures with lighting = \"path-tracing\" and without image.adaptive"
             ));
         }
         if asked(Layer::Shift) && !scene.has_frequencies() {
             return Err(usage!(
-                "the layer `shift` is of pictures without paths that an observer sees: with camera.frame, and a law of \
+                "the layer `shift` is of pictures without paths that an observer sees: with camera.observer, and a law of \
                            spacetime without t"
             ));
         }
         if asked(Layer::Orders) && !scene.has_orders() {
             return Err(usage!(
                 "the layer `orders` is of surfaces with `opacity` below 1, without clear objects, fans, image.adaptive and \
-                           random rays.branches"
+                           random rays.max_splits"
             ));
         }
         match self.crop.filter(|window| !window.fits(scene.image.size)) {
@@ -306,14 +306,14 @@ pub(super) fn warn(totals: &Totals) {
     if totals.unfiltered > 0 {
         tell!(
             "warning: on {} stretches of paths a filter could not be had to its tolerance, or is below 0 or above 1 there: raise \
-             filter.tolerance, or mend the formula",
+             absorption.tolerance, or mend the formula",
             totals.unfiltered
         );
     }
     if totals.overrun > 0 {
         tell!(
             "warning: {} segments need more loop iterations than this device runs in one pass, and their rays failed: use \
-             `accelerate = \"bvh\"`, fewer sources of force, shorter loops in WGSL of your own, or fewer steps a segment; or render on a GPU",
+             `acceleration = \"bvh\"`, fewer sources of force, shorter loops in WGSL of your own, or fewer steps a segment; or render on a GPU",
             totals.overrun
         );
     }

@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let film = Film::new(&arguments.scene, arguments.changes.overrides()?).on(arguments.device.name());
     let scene = film.load(None)?;
     if arguments.drift && scene.rays.asymptotic {
-        return Err(usage!("--drift compares a ray's two ends, and with rays.asymptotic they lie at infinity"));
+        return Err(usage!("--drift compares a ray's two ends, and with rays.sky_at_infinity they lie at infinity"));
     }
     if arguments.diagram.attractor.is_some() && scene.law.facts().ignores_direction.is_none() {
         return Err(usage!("--attractor is of flows, such as lorenz, and this scene's law is none"));

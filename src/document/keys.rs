@@ -36,7 +36,7 @@ pub(crate) use keys;
 /// A row of the reference: what there is to know of a key.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct KeyReference {
-    /// The table it stands in, such as `rays.bound`; empty for the top level, NAME for a name of the user's.
+    /// The table it stands in, such as `rays.bounding_sphere`; empty for the top level, NAME for a name of the user's.
     pub table: &'static str,
     /// The key.
     pub key: &'static str,

@@ -13,6 +13,7 @@ mod kinds;
 mod listing;
 mod overrides;
 pub mod reader;
+pub(crate) mod synonyms;
 mod text;
 pub mod values;
 

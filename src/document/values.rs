@@ -2,6 +2,7 @@
 //!
 //! Every number becomes a 32-bit float somewhere behind, so all are finite and of magnitude 0 or 10⁻³⁰ to 10³⁰.
 
+use super::synonyms::synonym;
 use super::{Fault, Node, Value};
 use glam::{DVec2, DVec3};
 use std::ops::RangeInclusive;
@@ -185,7 +186,7 @@ pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
     let near = nearest.filter(|n| levenshtein(name, n) <= 1 + name.chars().count() / 4);
     // `kerr` for `kerr-newman`.
     let begun = || names.iter().find(|n| name.len() >= 3 && (n.starts_with(name) || n.contains(&format!("-{name}"))));
-    let meant = near.or_else(begun);
+    let meant = synonym(name, names).or(near.copied()).or_else(|| begun().copied());
     let list = names.join(", ");
     match meant {
         Some(nearest) => format!("did you mean `{nearest}`? {kind}: {list}"),

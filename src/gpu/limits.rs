@@ -60,7 +60,7 @@ mod tests {
     fn a_triangle_takes_the_bytes_that_programs_of_meshes_bind() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-        let text = "[camera]\nposition = [0, 0, 5]\n[rays]\nbound = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\n\
+        let text = "[camera]\nposition = [0, 0, 5]\n[rays]\nbounding_sphere = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\n\
                     file = \"a.obj\"\nmaterial = \"m\"\n";
         let scene = Scene::parse(text, &folder.path().join("scene.toml"), &[]).unwrap();
         let geometry = Geometry::new(&scene);

@@ -68,7 +68,7 @@ impl<'a> Plane<'a> {
 
     /// The circular orbit there, without its light.
     fn circular(&self, rho: f64) -> Option<Orbit> {
-        let u = self.law.observer(CameraFrame::Orbiting, self.at(rho))?.ok()?;
+        let u = self.law.observer(CameraFrame::ProgradeOrbit, self.at(rho))?.ok()?;
         let g = self.law.metric(self.at(rho), 0.0)?;
         let lowered = g * u;
         let momentum = rho * lowered.dot(self.around.extend(0.0));

@@ -54,7 +54,7 @@ mod tests {
     fn scene(at: f64) -> Scene {
         let text = format!(
             "[image]\nsize = [16, 12]\nsamples = 8\n[camera]\nposition = [{at}, 0, 9]\n[law]\nkind = \"schwarzschild\"\n[rays]\n\
-             method = \"rk4\"\nbound = {{ radius = 20 }}\n[sky]\nimage = \"data/stars.png\"\n[materials.m]\nkind = \"emissive\"\n\
+             method = \"rk4\"\nbounding_sphere = {{ radius = 20 }}\n[sky]\nimage = \"data/stars.png\"\n[materials.m]\nkind = \"emissive\"\n\
              color = [1, 0.5, 0.2]\n[[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [{at}, 2, 0]\n"
         );
         Scene::parse(&text, std::path::Path::new("scenes/test.toml"), &[]).unwrap()

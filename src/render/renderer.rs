@@ -105,7 +105,7 @@ mod tests {
     fn scene(rest: &str) -> Scene {
         let text = format!(
             "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 0, 9]\n[law]\nkind = \"schwarzschild\"\n\
-             [rays]\nmethod = \"rk4\"\nbound = {{ radius = 20 }}\n[materials.m]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n\
+             [rays]\nmethod = \"rk4\"\nbounding_sphere = {{ radius = 20 }}\n[materials.m]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n\
              [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n{rest}"
         );
         Scene::parse(&text, std::path::Path::new("test.toml"), &[]).unwrap()
@@ -138,7 +138,7 @@ mod tests {
     fn pictures_stay_on_the_device_as_long_as_they_are_the_same() {
         let gpu = Gpu::open(None).unwrap();
         let text = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 0, 9]\n[sky]\nimage = \"data/stars.png\"\n\
-                    [rays]\nbound = { radius = 20 }\n";
+                    [rays]\nbounding_sphere = { radius = 20 }\n";
         let first = Scene::parse(text, std::path::Path::new("scenes/test.toml"), &[]).unwrap();
         let mut other = first.clone();
         other.pictures[0].pixels = vec![[0.0, 0.5, 1.0]; first.pictures[0].pixels.len()].into();

@@ -170,7 +170,7 @@ pub(super) mod tests {
 
     fn scene(segment: &str, image: &str) -> Scene {
         let text = format!(
-            "[law]\nkind = \"schwarzschild\"\n[rays]\nmax_segments = 6\n{segment}\nbound = {{ radius = 50 }}\n\
+            "[law]\nkind = \"schwarzschild\"\n[rays]\nmax_segments = 6\n{segment}\nbounding_sphere = {{ radius = 50 }}\n\
              [materials.m]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n\
              [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = [9, 0, 0]\n\
              [image]\n{image}\n"

@@ -19,7 +19,7 @@ pub enum Status {
     Escaped,
     /// Fell into a hole or a source.
     Captured,
-    /// Reached `rays.length`.
+    /// Reached `rays.max_parameter`.
     Ended,
     /// Used `rays.max_segments`.
     Exhausted,
@@ -27,7 +27,7 @@ pub enum Status {
     Stalled,
     /// Not finite any more.
     Failed,
-    /// Would have split once more than `rays.branches` allows, or weighs nothing any more.
+    /// Would have split once more than `rays.max_splits` allows, or weighs nothing any more.
     Cut,
     /// Not a ray: the picture has none there, as outside a fisheye's disk.
     Outside,

@@ -97,7 +97,7 @@ pub enum Clear {
 impl Clear {
     /// The words for it in a scene's file.
     pub(super) const WORDS: [(&str, Self); 3] =
-        [("open", Self::Open), ("filtered", Self::Filtered), ("closed", Self::Closed)];
+        [("ignored", Self::Open), ("tinted", Self::Filtered), ("opaque", Self::Closed)];
 }
 
 impl Shadows {

@@ -113,8 +113,8 @@ impl Optics<'_> {
             table.fault(&["segment"], problem, "use segment = \"arc\"");
         }
         if asymptotic && has_interiors {
-            let problem = "`asymptotic` is for scenes without interiors";
-            table.fault(&["asymptotic"], problem, "leave it out");
+            let problem = "`sky_at_infinity` is for scenes without interiors";
+            table.fault(&["sky_at_infinity"], problem, "leave it out");
         }
         if precision == Precision::Half {
             let problem = "16 bits are too few for rays that go on from surfaces";

@@ -39,7 +39,7 @@ pub struct Rays {
     pub wavelength: f64,
 }
 
-/// `[paths]`: how paths are followed from surface to surface.
+/// `[path_tracing]`: how paths are followed from surface to surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Paths {
     /// Surfaces that send a path on, at most; as many as light needs without.

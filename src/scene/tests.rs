@@ -20,13 +20,14 @@ mod properties;
 mod rounding;
 mod scenes;
 mod shells;
+mod synonyms;
 mod touching;
 
 use super::{Mistake, Override, Scene, SceneError};
 use std::path::Path;
 
 /// The least that every scene needs.
-const RAYS: &str = "[rays]\nbound = { radius = 10 }\n";
+const RAYS: &str = "[rays]\nbounding_sphere = { radius = 10 }\n";
 
 fn parse(text: &str) -> Result<Scene, SceneError> {
     Scene::parse(text, Path::new("scene.toml"), &[])

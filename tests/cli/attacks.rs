@@ -64,7 +64,7 @@ fn many_mistakes_are_counted_and_some_are_shown() {
     assert!(ran.err.len() < 2000, "{}", ran.err.len());
     ran.fails(1, &["scene.toml:1:", "not TOML: "]);
     // A key that several kinds have is named once.
-    folder.write("scene.toml", "[camera]\nposition = [0, 0, 5]\nfow = 3\n[rays]\nbound = { radius = 9 }\n");
+    folder.write("scene.toml", "[camera]\nposition = [0, 0, 5]\nfow = 3\n[rays]\nbounding_sphere = { radius = 9 }\n");
     let ran = folder.run("check scene.toml").fails(1, &["unknown key `fow`"]);
     let keys = ran.err.split("keys here: ").nth(1).unwrap().lines().next().unwrap();
     let all: Vec<&str> = keys.split(", ").collect();
@@ -119,7 +119,7 @@ fn seen(folder: &Folder) -> (Vec<f32>, bool) {
 #[test]
 fn rays_from_the_middle_of_an_infinite_index_are_black() {
     let scene = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 0, 0]\nlook_at = [0, 0, -1]\n[rays]\n\
-        bound = { radius = 10 }\n[sky]\ncolor = [0.2, 0.3, 0.4]\n";
+        bounding_sphere = { radius = 10 }\n[sky]\ncolor = [0.2, 0.3, 0.4]\n";
     let law = |index: &str| format!("{scene}[law]\nkind = \"medium\"\nindex = {index}\n");
     let ball = format!("{scene}[[objects]]\nshape = \"sphere\"\nradius = 2\ninterior = 1.5\n");
     for (scene, black) in [
@@ -139,7 +139,7 @@ fn rays_from_the_middle_of_an_infinite_index_are_black() {
 #[test]
 fn nothing_is_said_of_no_rays() {
     let scene = "[image]\nsize = [16, 16]\n[camera]\nposition = [0, 0, 15]\n[law]\nkind = \"sources\"\n[[law.sources]]\n\
-        position = [0, 0, 0]\nstrength = 20\n[rays]\nbound = { radius = 50 }\n[sky]\ncolor = [0.1, 0.2, 0.3]\n";
+        position = [0, 0, 0]\nstrength = 20\n[rays]\nbounding_sphere = { radius = 50 }\n[sky]\ncolor = [0.1, 0.2, 0.3]\n";
     let folder = Folder::with(scene);
     // No ray of it can escape, whatever follows it.
     for method in ["euler", "rk4", "dormand-prince"] {

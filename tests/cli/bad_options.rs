@@ -49,7 +49,7 @@ fn a_chart_is_of_methods_that_there_are() {
     let folder = Folder::with(BALL);
     for places in ["scene.toml", "--stability --scenes ."] {
         std::fs::write(folder.path("scene.csv"), "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n").unwrap();
-        let ran = folder.run(&format!("chart {places} -o chart --methods rk4,exat"));
+        let ran = folder.run(&format!("compare {places} -o chart --methods rk4,exat"));
         ran.fails(1, &["--methods: there is no `exat` for these scenes; did you mean `exact`? methods: "]);
     }
     assert!(!folder.path("chart").exists());
@@ -75,7 +75,7 @@ fn changes_that_are_no_key_and_value_exit_with_2() {
         ("foo", "`foo`: expected KEY=VALUE, as in rays.step=0.05"),
         ("a..b=1", "`a..b=1`: the key must be names joined by dots"),
         ("=3", "`=3`: the key must be names joined by dots"),
-        ("rays.length=[1", "`rays.length=[1`: the value is not TOML: "),
+        ("rays.max_parameter=[1", "`rays.max_parameter=[1`: the value is not TOML: "),
     ];
     for (change, text) in cases {
         folder.run(&format!("check scene.toml --set {change}")).fails(2, &[text]);
@@ -88,17 +88,23 @@ fn changes_that_do_not_suit_the_scene_exit_with_1() {
     folder.write("a.png", "an old picture");
     let cases: [(&str, &[&str]); 7] = [
         (
-            "--set rays.bond=3",
+            "--set rays.max_segment=3",
             &[
-                "--set rays.bond=3:1:1: unknown key `bond`",
-                "did you mean `bound`?",
-                "\n    rays.bond=3\n    ^^^^^^^^^\n",
+                "--set rays.max_segment=3:1:1: unknown key `max_segment`",
+                "did you mean `max_segments`?",
+                "\n    rays.max_segment=3\n    ^^^^^^^^^^^^^^^^\n",
             ],
         ),
         ("--set imag.size=3", &["--set imag.size=3:1:1: unknown key `imag`", "did you mean `image`?"]),
-        ("--set rays.bound.radius=nan", &["--set rays.bound.radius=nan:1:19: not a finite number"]),
-        ("--set rays.bound=abc", &[":1:12: expected a table, found the string \"abc\"", "bound = { radius = 50 }"]),
-        ("--set rays.bound=7.5", &[":1:12: expected a table, found a number", "for example bound = { radius = 7.5 }"]),
+        ("--set rays.bounding_sphere.radius=nan", &["--set rays.bounding_sphere.radius=nan:1:19: not a finite number"]),
+        (
+            "--set rays.bounding_sphere=abc",
+            &[":1:12: expected a table, found the string \"abc\"", "bounding_sphere = { radius = 50 }"],
+        ),
+        (
+            "--set rays.bounding_sphere=7.5",
+            &[":1:12: expected a table, found a number", "for example bounding_sphere = { radius = 7.5 }"],
+        ),
         ("--set objects.3.radius=1", &[":1:1: `objects` has 1 entries, counted from 0, and none is `3`"]),
         ("--set image.samples=0", &["--set image.samples=0:1:15: expected a whole number, 1 to 1048576, found 0"]),
     ];

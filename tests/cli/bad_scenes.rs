@@ -15,7 +15,7 @@ const WRITTEN: &[Case] = &[
         &["scene.toml:4:2: not TOML: duplicate key", "it stands above already", "two brackets, each time: [[objects]]"],
     ),
     (
-        "[image]\nsise = [8, 8]\n[rays]\nbound = { radius = 10 }\n",
+        "[image]\nsise = [8, 8]\n[rays]\nbounding_sphere = { radius = 10 }\n",
         &[
             "scene.toml:2:1: unknown key `sise`",
             "\n    sise = [8, 8]\n    ^^^^\n",
@@ -23,7 +23,7 @@ const WRITTEN: &[Case] = &[
         ],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nmaterial = \"rad\"\n\
+        "[rays]\nbounding_sphere = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nmaterial = \"rad\"\n\
          [materials.red]\ndiffuse = [1, 0, 0]\n",
         &[
             "scene.toml:5:12: there is no material `rad`",
@@ -32,8 +32,11 @@ const WRITTEN: &[Case] = &[
         ],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\nmethod = \"rk5\"\n",
-        &["scene.toml:3:10: unknown word `rk5`", "did you mean `rk4`? choices: auto, exact, planar, separated, euler"],
+        "[rays]\nbounding_sphere = { radius = 10 }\nmethod = \"rk5\"\n",
+        &[
+            "scene.toml:3:10: unknown word `rk5`",
+            "did you mean `dormand-prince`? choices: auto, exact, planar, separated, euler",
+        ],
     ),
     ("[image]\nsize = [8, 8]\n", &["scene.toml:1:1: the table [rays] is missing", "help: "]),
 ];
@@ -41,46 +44,49 @@ const WRITTEN: &[Case] = &[
 /// Values.
 const VALUES: &[Case] = &[
     (
-        "[rays]\nbound = { radius = \"ten\" }\n",
-        &["scene.toml:2:20: expected a number, found the string \"ten\"", "^^^^^"],
+        "[rays]\nbounding_sphere = { radius = \"ten\" }\n",
+        &["scene.toml:2:30: expected a number, found the string \"ten\"", "^^^^^"],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\n[camera]\nposition = [0, 0, 5]\nfov = \"45deg\"\n",
+        "[rays]\nbounding_sphere = { radius = 10 }\n[camera]\nposition = [0, 0, 5]\nfov = \"45deg\"\n",
         &["scene.toml:5:7: expected a number, found the string \"45deg\"", "fov is number", "degrees"],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nmaterial = [1, 0, 0]\n",
+        "[rays]\nbounding_sphere = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\nmaterial = [1, 0, 0]\n",
         &["scene.toml:5:12: expected a string, found an array of 3", "help: material is name"],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\n[law]\nkind = \"kerr\"\n",
+        "[rays]\nbounding_sphere = { radius = 10 }\n[law]\nkind = \"kerr\"\n",
         &["scene.toml:4:8: unknown word `kerr`", "did you mean `kerr-newman`?"],
     ),
-    ("[rays]\nbound = { radius = nan }\n", &["scene.toml:2:20: not a finite number", "all numbers must be finite"]),
     (
-        "[rays]\nbound = { radius = 10, center = [0, -inf, 0] }\n",
+        "[rays]\nbounding_sphere = { radius = nan }\n",
+        &["scene.toml:2:30: not a finite number", "all numbers must be finite"],
+    ),
+    (
+        "[rays]\nbounding_sphere = { radius = 10, center = [0, -inf, 0] }\n",
         &["scene.toml:2:37: not a finite number", "all numbers must be finite"],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\n[image]\nsize = [0, 12]\n",
+        "[rays]\nbounding_sphere = { radius = 10 }\n[image]\nsize = [0, 12]\n",
         &["scene.toml:4:9: expected a whole number, 1 to 65536, found 0"],
     ),
-    ("[rays]\nbound = { radius = -10 }\n", &["scene.toml:2:20: expected a number above 0, found -10"]),
+    ("[rays]\nbounding_sphere = { radius = -10 }\n", &["scene.toml:2:30: expected a number above 0, found -10"]),
     (
-        "[rays]\nbound = { radius = 10 }\n[materials.m]\n[[objects]]\nshape = \"sphere\"\nradius = -1.5\n\
+        "[rays]\nbounding_sphere = { radius = 10 }\n[materials.m]\n[[objects]]\nshape = \"sphere\"\nradius = -1.5\n\
          material = \"m\"\n",
         &["scene.toml:6:10: expected a number above 0, found -1.5"],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\n[materials.m]\n[[objects]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\n\
+        "[rays]\nbounding_sphere = { radius = 10 }\n[materials.m]\n[[objects]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\n\
          radius = 1.5\nmaterial = \"m\"\n",
         &[
             "scene.toml:5:9: the object reaches 0.5 beyond the bound, where rays do not come",
-            "a radius of 10.5 would do in rays.bound",
+            "a radius of 10.5 would do in rays.bounding_sphere",
         ],
     ),
     (
-        "[rays]\nbound = { radius = 10 }\n[law]\nkind = \"schwarzschild\"\nmass = 0.75\n[camera]\n\
+        "[rays]\nbounding_sphere = { radius = 10 }\n[law]\nkind = \"schwarzschild\"\nmass = 0.75\n[camera]\n\
          position = [0, 1.25, 0]\nup = [1, 0, 0]\n",
         &["scene.toml:7:12: the camera is inside the horizon: r = 1.2500 ≤ 2M = 1.5", "move it away from the hole"],
     ),
@@ -150,7 +156,7 @@ fn a_scene_file_that_is_missing_or_no_text_is_named() {
 
 #[test]
 fn a_scene_without_camera_is_traced_but_not_rendered() {
-    let folder = Folder::with("[rays]\nbound = { radius = 10 }\n");
+    let folder = Folder::with("[rays]\nbounding_sphere = { radius = 10 }\n");
     folder.write("out.png", "an old picture");
     let ran = folder.run("render scene.toml -o out.png");
     assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));

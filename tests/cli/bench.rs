@@ -26,7 +26,7 @@ fn json_is_for_scripts() {
     folder.write(
         "hole.toml",
         "[camera]\nposition = [0, 0, 20]\n[law]\nkind = \"schwarzschild\"\n\
-         [rays]\nmethod = \"rk4\"\nscaled_step = 0.3\nbound = { radius = 30 }\n",
+         [rays]\nmethod = \"rk4\"\nscaled_step = 0.3\nbounding_sphere = { radius = 30 }\n",
     );
     let ran = folder.run(&format!("bench limit hole.toml scene.toml {SMALL} --json")).succeeds();
     let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();

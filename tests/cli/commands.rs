@@ -176,7 +176,8 @@ fn a_reader_that_goes_away_is_no_fault() {
 fn help_names_every_option() {
     let folder = Folder::new();
     let scene = "--set <KEY=VALUE>; --size <WxH>; --samples <N>";
-    let device = "--device <NAME>; --schedule <SCHEDULE>; --no-masks; --no-list; --segments-per-pass <K>";
+    let device =
+        "--device <NAME>; --schedule <SCHEDULE>; --no-early-termination; --no-compaction; --segments-per-pass <K>";
     let cases = [
         ("", "render; check; trace; devices; wgsl; new; --version"),
         ("render", &format!("<SCENE>; -o, --output <FILE>; --layers <LAYER>; --strict; {scene}; {device}")),

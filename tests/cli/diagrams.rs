@@ -5,7 +5,7 @@ use super::{BALL, Folder};
 
 /// Luneburg's lens, whose ball is all that there is: rays that enter it in parallel meet where the middle one leaves it.
 const LENS: &str = "[law]\nkind = \"medium\"\nindex = { kind = \"luneburg\", radius = 1, c = 2 }\n\
-                    [rays]\nmethod = \"rk4\"\nbound = { radius = 1 }\n";
+                    [rays]\nmethod = \"rk4\"\nbounding_sphere = { radius = 1 }\n";
 
 /// The number after a text.
 fn number_after(text: &str, before: &str) -> f64 {
@@ -43,10 +43,10 @@ fn a_diagram_needs_no_table() {
     // The frame is the ball's, and the bound beyond it.
     assert!(!svg.contains("bound"));
     folder
-        .run(&format!("trace scene.toml {rays} --plot b.svg --frame all --cut y=0.5"))
+        .run(&format!("trace scene.toml {rays} --plot b.svg --view all --cut y=0.5"))
         .fails(1, &["the bundle from [-5, 0, 0]"]);
-    folder.run(&format!("trace scene.toml {rays} --plot b.png --frame all --cut y")).succeeds();
-    folder.run(&format!("trace scene.toml {rays} --plot c.svg --frame all --cut y")).succeeds();
+    folder.run(&format!("trace scene.toml {rays} --plot b.png --view all --cut y")).succeeds();
+    folder.run(&format!("trace scene.toml {rays} --plot c.svg --view all --cut y")).succeeds();
     let svg = folder.text("c.svg");
     assert!(svg.contains("bound") && svg.contains("z (scene units)") && !svg.contains("y (scene units)"));
     assert_eq!(folder.names(), ["a.svg", "b.png", "c.svg", "scene.toml"]);
@@ -84,7 +84,7 @@ fn windings_are_counted() {
 #[test]
 fn tight_spirals_are_wound_to_their_end() {
     let folder = Folder::with(
-        "[rays]\nprecision = \"f64\"\nbound = { radius = 4.0000001 }\n\
+        "[rays]\nprecision = \"f64\"\nbounding_sphere = { radius = 4.0000001 }\n\
          [[objects]]\nshape = \"sphere\"\nradius = 4\ninterior = { kind = \"inverse-r\", k = 4 }\n",
     );
     for (psi, bound) in [(0.3_f64, 1e-6), (0.01, 1e-6), (0.001, 1e-4)] {
@@ -119,8 +119,8 @@ fn mistakes_in_a_diagram_exit_with_2() {
         ("--plot a.svg --cut w", &["`w`: expected x, y, z"]),
         ("--plot a.svg --cut z=high", &["`z=high`: expected a number"]),
         ("--plot a.svg --cut normal=[0,0,0]", &["`normal` has no direction"]),
-        ("--plot a.svg --frame [0,1,2]", &["four numbers [left, right, bottom, top]"]),
-        ("--plot a.svg --frame [1,0,0,1]", &["left must be less than right"]),
+        ("--plot a.svg --view [0,1,2]", &["four numbers [left, right, bottom, top]"]),
+        ("--plot a.svg --view [1,0,0,1]", &["left must be less than right"]),
         ("--plot a.svg --windings [0,0]", &["`[0,0]` is not three numbers"]),
     ];
     for (arguments, texts) in cases {

@@ -48,7 +48,7 @@ fn films_without_ffmpeg_hold_the_frames() {
     let shown: u32 = gif.iter().map(|frame| frame.delay().numer_denom_ms().0).sum();
     assert_eq!(shown, 170);
     // Of frames that are asked for as well, and by a command of its own, it is the same.
-    folder.run("film 0.png 1.png 2.png 3.png 4.png -o more.gif --rate 30").succeeds();
+    folder.run("video 0.png 1.png 2.png 3.png 4.png -o more.gif --rate 30").succeeds();
     assert!(folder.read("film.gif") == folder.read("again.gif") && folder.read("film.gif") == folder.read("more.gif"));
 }
 
@@ -110,12 +110,12 @@ fn what_is_no_film_is_refused() {
     folder.run("render scene.toml -o a.png").succeeds();
     folder.run("render scene.toml -o b.png --size 8x8").succeeds();
     for (arguments, code, text) in [
-        ("film a.png b.png -o c.gif", 1, "b.png: cannot be a frame of a film: it has 8x8 pixels, and a.png 16x12"),
-        ("film a.png scene.toml -o c.gif", 1, "scene.toml: cannot be a frame of a film"),
-        ("film a.png none.png -o c.gif", 1, "none.png: cannot be a frame of a film"),
-        ("film a.png -o a.png", 1, "a.png: this is one of the frames, which would be lost"),
-        ("film a.png -o c.avi", 1, "c.avi: the name of a film must end in .mp4, .webm, .gif, .png or .apng"),
-        ("film a.png -o c.gif --rate 0", 2, "`0` is not a number of frames a second"),
+        ("video a.png b.png -o c.gif", 1, "b.png: cannot be a frame of a film: it has 8x8 pixels, and a.png 16x12"),
+        ("video a.png scene.toml -o c.gif", 1, "scene.toml: cannot be a frame of a film"),
+        ("video a.png none.png -o c.gif", 1, "none.png: cannot be a frame of a film"),
+        ("video a.png -o a.png", 1, "a.png: this is one of the frames, which would be lost"),
+        ("video a.png -o c.avi", 1, "c.avi: the name of a film must end in .mp4, .webm, .gif, .png or .apng"),
+        ("video a.png -o c.gif --rate 0", 2, "`0` is not a number of frames a second"),
         ("render scene.toml -o c.exr --frames all", 1, "c.exr: --frames write a file each"),
         ("render scene.toml -o c.gif", 1, "c.gif: a film is of frames: add --frames all"),
         ("render scene.toml -o c.gif --frames all --set animation.rate=0", 1, "frames a second, from 0.1 to 1000"),

@@ -14,11 +14,11 @@ values = [[0, 0, 5], [0.7, 0.3, 4.1]]
 [[animation.tracks]]
 key = "law.mass"
 values = [0.1, 0.3, 0.2]
-at = [1, 3, 4]
+keyframes = [1, 3, 4]
 [[animation.tracks]]
 key = "objects.0.center"
 values = [[1.5, 0, 0], [1.9, 0.1, -0.3]]
-at = [0, 2]
+keyframes = [0, 2]
 [[animation.tracks]]
 key = "materials.red.color"
 values = [[1, 0, 0], [0.5, 0.4, 0.3]]
@@ -62,7 +62,7 @@ fn frames_are_the_stills_of_their_values_to_the_byte() {
     assert!(folder.read("film_003.exr") == one);
     folder.run("render scene.toml -o top_{frame}.exr --frames 3 --crop 0,0,16x5").succeeds();
     folder.run("render scene.toml -o rest_{frame}.exr --frames 3 --crop 0,5,16x7").succeeds();
-    folder.run("assemble top_3.exr rest_3.exr -o whole.exr").succeeds();
+    folder.run("merge top_3.exr rest_3.exr -o whole.exr").succeeds();
     assert!(folder.read("whole.exr") == one);
 }
 
@@ -88,7 +88,7 @@ fn finished_frames_are_known_by_what_made_them() {
         ("--set sky.color=[0,0,1]", "0.exr is rendered again: its `sky.color` is `[0.2, 0.3, 0.4]`, not `[0, 0, 1]`"),
         ("--set rays.method=euler", "0.exr is rendered again: its `method` is `"),
         ("--samples 4", "0.exr is rendered again: its `samples` is `1`, not `4`"),
-        ("--set output.bits=16", "0.exr is rendered again: its `shown` is `"),
+        ("--set output.bit_depth=16", "0.exr is rendered again: its `shown` is `"),
         ("--crop 0,0,4x4", "0.exr is rendered again: its `part` is `0,0,16x12 of 16x12`, not `0,0,4x4 of 16x12`"),
         ("--layers depth", "0.exr is rendered again: its `layers` is `depth,position,"),
     ] {
@@ -107,7 +107,8 @@ fn finished_frames_are_known_by_what_made_them() {
 fn a_frame_of_another_program_names_the_key_before_any_is_rendered() {
     let folder = film();
     // A stretched sphere is an ellipsoid.
-    let stretched = "[[animation.tracks]]\nkey = \"objects.0.scale\"\nvalues = [[1, 1, 1], [1, 2, 1]]\nat = [1, 2]\n";
+    let stretched =
+        "[[animation.tracks]]\nkey = \"objects.0.scale\"\nvalues = [[1, 1, 1], [1, 2, 1]]\nkeyframes = [1, 2]\n";
     folder.write("scene.toml", folder.text("scene.toml") + stretched);
     let message = "frame 2 needs another program than frame 0, because of `objects.0.scale`: ";
     let ran = folder.run("render scene.toml -o {frame}.png --frames all");

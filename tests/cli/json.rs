@@ -9,9 +9,9 @@ use super::{BALL, Folder, Ran};
 const FILM: &str = "[animation]\nframes = 3\nrate = 12\n[[animation.tracks]]\nkey = \"sky.color\"\n\
     values = [[0, 0, 0], [1, 1, 1]]\n";
 /// A light whose shadows are in a grid.
-const GRID: &str = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 1, 6]\n[rays]\nbound = { radius = 9 }\n\
+const GRID: &str = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 1, 6]\n[rays]\nbounding_sphere = { radius = 9 }\n\
     [materials.m]\ndiffuse = [1, 1, 1]\n[[objects]]\nshape = \"box\"\nmaterial = \"m\"\nsize = [4, 0.2, 4]\n\
-    [[lights]]\nkind = \"point\"\nposition = [0, 2, 0]\nfalloff = \"inverse-square\"\nshadows = \"grid\"\nvoxels = 16\n";
+    [[lights]]\nkind = \"point\"\nposition = [0, 2, 0]\nfalloff = \"inverse-square\"\nshadows = \"photon-grid\"\nvoxels = 16\n";
 const HOLE: &str = "--set law.kind=schwarzschild --set law.mass=0.2 --set rays.method=rk4";
 
 impl Ran {
@@ -247,7 +247,7 @@ fn every_key_is_in_the_guide_and_no_other() {
         "check --reference",
         "check scene.toml grid.toml typo.toml",
         "render grid.toml -o a.png --set image.adaptive=0.05 --samples 16",
-        "render scene.toml -o a.png --set rays.transport=paths --set output.clamp=1 --samples 2",
+        "render scene.toml -o a.png --set rays.lighting=path-tracing --set output.clamp=1 --samples 2",
         "render scene.toml -o a.png --verify 9",
         "render scene.toml -o film.gif --frames 0..1",
         "bench compaction scene.toml --size 16x16 --repeats 1",

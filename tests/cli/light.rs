@@ -2,9 +2,9 @@
 
 use super::Folder;
 
-const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 60 }\ntolerance = 1e-6\n\
+const HOLE: &str = "[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 60 }\ntolerance = 1e-6\n\
     [materials.m]\ndiffuse = [1, 1, 1]\n[[objects]]\nshape = \"sphere\"\ncenter = [-3, 3.5, 1]\nradius = 0.2\nmaterial = \"m\"\n\
-    [[lights]]\nkind = \"point\"\nposition = [12, 0, 0]\nshadows = \"shooting\"\n";
+    [[lights]]\nkind = \"point\"\nposition = [12, 0, 0]\nshadows = \"curved-rays\"\n";
 
 /// Round a hole a light has an image on either side; an inverse-square centre that repels leaves a place without any.
 #[test]
@@ -44,16 +44,16 @@ fn what_cannot_be_lit_is_said() {
     folder
         .run("light scene.toml --at rays.csv -o -")
         .fails(1, &["rays.csv: line 1", "`vx` is not a column of a places file"]);
-    folder.write("scene.toml", HOLE.replace("\"shooting\"", "\"straight\""));
-    folder.run("light scene.toml --at places.csv -o -").fails(1, &["no light with shadows = \"shooting\""]);
+    folder.write("scene.toml", HOLE.replace("\"curved-rays\"", "\"straight-rays\""));
+    folder.run("light scene.toml --at places.csv -o -").fails(1, &["no light with shadows = \"curved-rays\""]);
 }
 
 /// Light in a grid: what it takes is said, and what does not fit is refused with both numbers.
 #[test]
 fn grids_say_what_they_take() {
-    let scene = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 1, 6]\n[rays]\nbound = { radius = 9 }\n\
+    let scene = "[image]\nsize = [16, 12]\n[camera]\nposition = [0, 1, 6]\n[rays]\nbounding_sphere = { radius = 9 }\n\
         [materials.m]\ndiffuse = [1, 1, 1]\n[[objects]]\nshape = \"box\"\nmaterial = \"m\"\nsize = [4, 0.2, 4]\n\
-        [[lights]]\nkind = \"point\"\nposition = [0, 2, 0]\nfalloff = \"inverse-square\"\nshadows = \"grid\"\nvoxels = 24\n";
+        [[lights]]\nkind = \"point\"\nposition = [0, 2, 0]\nfalloff = \"inverse-square\"\nshadows = \"photon-grid\"\nvoxels = 24\n";
     let folder = Folder::with(scene);
     let checked = folder.run("check scene.toml").succeeds();
     assert!(checked.out.contains("a grid of 24×5×24 voxels, 65536 paths"), "{}", checked.out);

@@ -48,7 +48,7 @@ fn a_calibration_says_what_it_chose() {
 
 /// A picture says how its rays were followed, all of it: another render does the same, whatever its scene says.
 #[test]
-fn the_method_of_a_picture_is_repeated() {
+fn the_method_from_a_picture_is_repeated() {
     let folder = Folder::with(BALL);
     for (method, sought) in [
         (String::new(), true),
@@ -63,7 +63,7 @@ fn the_method_of_a_picture_is_repeated() {
             folder.write("other.toml", BALL.replace("[rays]", "[rays]\nmethod = \"leapfrog\"\nstep = 0.5\nmax_segments = 7"));
             let wrong = folder.run(&format!("render scene.toml -o b.exr {HOLE} {other}")).succeeds();
             assert!(folder.read("a.exr") != folder.read("b.exr"), "{}", wrong.err);
-            let ran = folder.run(&format!("render other.toml -o b.exr {HOLE} --method-of {of}")).succeeds();
+            let ran = folder.run(&format!("render other.toml -o b.exr {HOLE} --method-from {of}")).succeeds();
             assert!(!ran.err.contains("auto: "), "{}", ran.err);
             assert!(folder.read("a.exr") == folder.read("b.exr"), "{method} of {of}");
         }
@@ -71,12 +71,12 @@ fn the_method_of_a_picture_is_repeated() {
     // What does not fit another scene is named as it was given.
     folder.run(&format!("render scene.toml -o a.png {HOLE} --set rays.method=planar")).succeeds();
     folder
-        .run("render scene.toml -o b.exr --method-of a.png")
-        .fails(1, &["--method-of a.png:1:13: planar needs a law with a single centre", "rays.method=\"planar\"\n"]);
+        .run("render scene.toml -o b.exr --method-from a.png")
+        .fails(1, &["--method-from a.png:1:13: planar needs a law with a single centre", "rays.method=\"planar\"\n"]);
     folder.write("no.png", "no picture");
-    folder.run("render scene.toml -o b.exr --method-of no.png").fails(1, &["no.png: this is not a whole PNG"]);
-    folder.run("render scene.toml -o b.exr --method-of none.exr").fails(1, &["none.exr: cannot read the file"]);
-    folder.run("render scene.toml -o b.exr --method-of scene.toml").fails(1, &["scene.toml: the name must end in"]);
+    folder.run("render scene.toml -o b.exr --method-from no.png").fails(1, &["no.png: this is not a whole PNG"]);
+    folder.run("render scene.toml -o b.exr --method-from none.exr").fails(1, &["none.exr: cannot read the file"]);
+    folder.run("render scene.toml -o b.exr --method-from scene.toml").fails(1, &["scene.toml: the name must end in"]);
 }
 
 /// What a search came to is kept for the next render, and never changes it: not where it is missing, broken, or of another scene.
@@ -124,7 +124,7 @@ fn a_decision_is_kept_and_changes_nothing() {
 fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     let folder = Folder::with(
         "[image]\nsize = [48, 27]\n[camera]\nposition = [0, 0, 100]\nlook_at = [0.0525, 0, 99]\nfov = 0.02\n\
-         [law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 200 }\n",
+         [law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 200 }\n",
     );
     let line = |arguments: &str| {
         let ran = folder.run(arguments).succeeds();
@@ -142,7 +142,7 @@ fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
     assert!(double.contains(", precision f64") && !double.contains("no method reaches"), "{double}");
     assert!(folder.read("a.exr") != folder.read("b.exr"));
     line("render scene.toml -o d.exr --precision f64");
-    folder.run("render scene.toml -o c.exr --method-of b.exr").succeeds();
+    folder.run("render scene.toml -o c.exr --method-from b.exr").succeeds();
     assert!(folder.read("b.exr") == folder.read("c.exr"));
     folder
         .run("check scene.toml --precision auto --set rays.method=rk4")
@@ -153,7 +153,7 @@ fn where_32_bits_do_not_suffice_64_are_named_or_taken() {
 fn a_chart_is_tables_plots_and_a_page() {
     let folder = Folder::with(BALL);
     let ran = folder
-        .run(&format!("chart scene.toml -o report --rays 1000 --compared 40 --repeats 1 --methods planar,rk4 {HOLE}"))
+        .run(&format!("compare scene.toml -o report --rays 1000 --compared 40 --repeats 1 --methods planar,rk4 {HOLE}"))
         .succeeds();
     assert!(ran.out.contains("fastest") && ran.out.contains("f32 floor"), "{}", ran.out);
     let csv = folder.text("report/scene.csv");
@@ -174,17 +174,17 @@ fn a_chart_is_tables_plots_and_a_page() {
     ] {
         assert!(!folder.read(&format!("report/{name}")).is_empty());
     }
-    folder.run("chart all -o report").fails(1, &["scenes holds no scenes", "--scenes"]);
+    folder.run("compare all -o report").fails(1, &["scenes holds no scenes", "--scenes"]);
 }
 
 #[test]
 fn places_where_methods_fail_are_a_table() {
     let folder = Folder::with(BALL);
-    let place = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = 1\n[rays]\nbound = { radius = 20 }\n";
+    let place = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = 1\n[rays]\nbounding_sphere = { radius = 20 }\n";
     std::fs::create_dir(folder.path("places")).unwrap();
     folder.write("places/centre.toml", place);
     folder.write("places/centre.csv", "x,y,z,vx,vy,vz\n-10,0,0,1,0,0\n-10,5,0,1,0,0\n");
-    let ran = folder.run("chart --stability --scenes places -o report --methods rk4,euler").succeeds();
+    let ran = folder.run("compare --stability --scenes places -o report --methods rk4,euler").succeeds();
     assert!(ran.out.contains("centre") && ran.out.contains("given up") && ran.out.contains("silent"), "{}", ran.out);
     let table = folder.text("report/stability.csv");
     assert!(table.contains("centre,rk4,1,1,0,0,0,0,"));
@@ -195,7 +195,7 @@ fn places_where_methods_fail_are_a_table() {
         assert!(explains.contains(&true), "`{column}` in {page}");
     }
     folder.write("places/more.toml", place);
-    folder.run("chart --stability --scenes places -o report").fails(1, &["more.csv"]);
+    folder.run("compare --stability --scenes places -o report").fails(1, &["more.csv"]);
 }
 
 #[test]
@@ -207,10 +207,12 @@ fn drift_is_measured_when_asked() {
     let ran = folder.run(&format!("{trace} {hole}")).succeeds();
     assert!(ran.err.contains("relative drift") && ran.err.contains("angular momentum"), "{}", ran.err);
     let ran = folder
-        .run(&format!("{trace} --set law.kind=lorenz --set law.order=2 --set rays.length=1 --set rays.method=rk4"))
+        .run(&format!(
+            "{trace} --set law.kind=lorenz --set law.order=2 --set rays.max_parameter=1 --set rays.method=rk4"
+        ))
         .succeeds();
     assert!(ran.err.contains("keeps nothing"), "{}", ran.err);
-    folder.run(&format!("{trace} {hole} --set rays.asymptotic=true")).fails(1, &["--drift", "asymptotic"]);
+    folder.run(&format!("{trace} {hole} --set rays.sky_at_infinity=true")).fails(1, &["--drift", "sky_at_infinity"]);
 }
 
 /// Tracing in 64 bits gives digits that 32 have not.

@@ -43,7 +43,7 @@ size = [16, 12]
 [camera]
 position = [0, 0, 5]
 [rays]
-bound = { radius = 10 }
+bounding_sphere = { radius = 10 }
 [sky]
 color = [0.2, 0.3, 0.4]
 [materials.red]

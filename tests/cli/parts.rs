@@ -17,14 +17,14 @@ fn parts_by_any_schedule_make_the_whole_to_the_byte() {
     let parts = [
         ("0,0,13x17", "--schedule paper"),
         ("13,0,27x9", "--schedule segment --memory 560000"),
-        ("11,7,29x11", "--segments-per-pass 3 --no-masks --memory 210000"),
+        ("11,7,29x11", "--segments-per-pass 3 --no-early-termination --memory 210000"),
         ("0,17,40x13", "--memory 48KiB"),
     ];
     folder.run(&format!("render scene.toml -o whole.exr -o whole.png {HOLE}")).succeeds();
     for (i, (crop, more)) in parts.iter().enumerate() {
         folder.run(&format!("render scene.toml -o part{i}.exr --crop {crop} {more} {HOLE}")).succeeds();
     }
-    folder.run("assemble part2.exr part0.exr part3.exr part1.exr -o made.exr -o made.png").succeeds();
+    folder.run("merge part2.exr part0.exr part3.exr part1.exr -o made.exr -o made.png").succeeds();
     assert!(folder.read("made.exr") == folder.read("whole.exr"));
     assert!(folder.read("made.png") == folder.read("whole.png"));
     // A PNG is what is seen through the window.
@@ -33,10 +33,10 @@ fn parts_by_any_schedule_make_the_whole_to_the_byte() {
     assert_eq!(part.dimensions(), (29, 11));
     assert!(part.enumerate_pixels().all(|(x, y, pixel)| pixel == whole.get_pixel(11 + x, 7 + y)));
     // The whole is a part of itself, and what is missing is named.
-    folder.run("assemble whole.exr part1.exr -o made.exr").succeeds();
+    folder.run("merge whole.exr part1.exr -o made.exr").succeeds();
     assert!(folder.read("made.exr") == folder.read("whole.exr"));
     folder
-        .run("assemble part0.exr part1.exr part3.exr -o made.exr")
+        .run("merge part0.exr part1.exr part3.exr -o made.exr")
         .fails(1, &["made.exr: the parts leave a gap at column 13, row 9: render it with --crop 13,9,27x8"]);
     assert!(folder.read("made.exr") == folder.read("whole.exr"));
 }
@@ -62,11 +62,11 @@ fn parts_of_other_pictures_are_refused() {
     ] {
         let crop = if more.starts_with("--crop") { "" } else { "--crop 8,0,8x12" };
         folder.run(&format!("render scene.toml -o right.exr {crop} {more}")).succeeds();
-        folder.run("assemble left.exr right.exr -o whole.exr").fails(1, &[text]);
+        folder.run("merge left.exr right.exr -o whole.exr").fails(1, &[text]);
     }
-    folder.run("assemble left.exr nothing.exr -o whole.exr").fails(1, &["nothing.exr: cannot read the file"]);
-    folder.run("assemble left.exr scene.toml -o whole.exr").fails(1, &["scene.toml: this is not a whole EXR"]);
-    folder.run("assemble left.exr -o whole.jpg").fails(1, &["whole.jpg: the name must end in .png"]);
+    folder.run("merge left.exr nothing.exr -o whole.exr").fails(1, &["nothing.exr: cannot read the file"]);
+    folder.run("merge left.exr scene.toml -o whole.exr").fails(1, &["scene.toml: this is not a whole EXR"]);
+    folder.run("merge left.exr -o whole.jpg").fails(1, &["whole.jpg: the name must end in .png"]);
     assert_eq!(folder.text("whole.exr"), "an old whole");
 }
 
@@ -102,7 +102,7 @@ fn equal_parts_make_the_whole_to_the_byte() {
     }
     let names: Vec<String> = (1..=5).map(|part| format!("made.part-{part}-of-5.exr")).collect();
     let parts = names.join(" ");
-    folder.run(&format!("assemble {parts} -o made.exr -o made.png")).succeeds();
+    folder.run(&format!("merge {parts} -o made.exr -o made.png")).succeeds();
     assert!(folder.read("made.exr") == folder.read("whole.exr") && folder.read("made.png") == folder.read("whole.png"));
     // Bands are of equal work, not of equal height: paths that come near the hole take more steps.
     let far = "--set law.kind=schwarzschild --set law.mass=0.1 --set rays.method=dormand-prince --set rays.tolerance=1e-6 \

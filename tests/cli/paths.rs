@@ -2,8 +2,8 @@
 
 use super::Folder;
 
-const ROOM: &str = "[image]\nsize = [12, 12]\nsamples = 16\n[camera]\nposition = [0, 0, 2.5]\n[rays]\nbound = { radius = 9 }\n\
-    transport = \"paths\"\n[materials.m]\nkind = \"phong\"\n[materials.lamp]\nkind = \"emissive\"\ncolor = [4, 4, 4]\n\
+const ROOM: &str = "[image]\nsize = [12, 12]\nsamples = 16\n[camera]\nposition = [0, 0, 2.5]\n[rays]\nbounding_sphere = { radius = 9 }\n\
+    lighting = \"path-tracing\"\n[materials.m]\nkind = \"phong\"\n[materials.lamp]\nkind = \"emissive\"\ncolor = [4, 4, 4]\n\
     [[objects]]\nshape = \"box\"\nmaterial = \"m\"\ncenter = [0, -1, 0]\nsize = [4, 0.2, 4]\n\
     [[objects]]\nshape = \"sphere\"\nmaterial = \"lamp\"\ncenter = [0, 1, 0]\nradius = 0.3\n";
 
@@ -12,7 +12,7 @@ fn pictures_say_their_noise() {
     let folder = Folder::with(ROOM);
     let checked = folder.run("check scene.toml").succeeds();
     assert!(checked.out.contains("paths aim at 1 lamps: objects 1 (from 0)"), "{}", checked.out);
-    let checked = folder.run("check scene.toml --set paths.aim=false").succeeds();
+    let checked = folder.run("check scene.toml --set path_tracing.light_sampling=false").succeeds();
     assert!(checked.out.contains("paths aim at nothing"), "{}", checked.out);
     folder
         .run("render scene.toml -o out.exr --layers error,normal")
@@ -21,7 +21,7 @@ fn pictures_say_their_noise() {
     let bytes = std::fs::read(folder.path("out.exr")).unwrap();
     assert!(bytes.windows(6).any(|name| name == b"error\0"), "no layer of errors");
     folder.run("render scene.toml -o one.png --samples 1").succeeds().says(&["its noise is not known"]);
-    let cut = folder.run("render scene.toml -o cut.png --set paths.depth=0").succeeds();
+    let cut = folder.run("render scene.toml -o cut.png --set path_tracing.max_depth=0").succeeds();
     cut.says(&[" cut "]);
     // A lamp of radiance 4 is too bright for a clamp of 1, and no sample for one of 5.
     let clamped = folder.run("render scene.toml -o clamped.png --set output.clamp=1").succeeds();
@@ -30,7 +30,7 @@ fn pictures_say_their_noise() {
         .run("render scene.toml -o clamped.png --set output.clamp=5")
         .succeeds()
         .says(&["; 0 samples clamped, which took 0.00 %"]);
-    folder.write("scene.toml", ROOM.replace("transport = \"paths\"\n", ""));
+    folder.write("scene.toml", ROOM.replace("lighting = \"path-tracing\"\n", ""));
     folder.run("render scene.toml -o out.exr --layers error").fails(1, &["the layer `error` is of pictures"]);
 }
 
@@ -70,12 +70,12 @@ fn pictures_go_on_where_they_were() {
         assert_eq!(ran.code, Some(1));
     }
     go_on("--crop 0,0,4x4 --continue few.exr").fails(1, &["few.exr: it shows the part 0,0,12x12"]);
-    go_on("--set image.pattern=multi-jittered --continue few.exr").fails(1, &["known beforehand"]);
+    go_on("--set image.sampler=multi-jittered --continue few.exr").fails(1, &["known beforehand"]);
     go_on("--layers error").succeeds();
     go_on("--continue more.exr").fails(1, &["more.exr: it keeps no sums"]);
     go_on("--samples 1").succeeds();
     go_on("--continue more.exr").fails(1, &["it has one sample a pixel"]);
-    folder.write("scene.toml", ROOM.replace("transport = \"paths\"\n", ""));
+    folder.write("scene.toml", ROOM.replace("lighting = \"path-tracing\"\n", ""));
     go_on("--layers sums").fails(1, &["the layers `sums` and `spread` are of pictures"]);
 }
 
@@ -104,11 +104,11 @@ fn previews_are_pictures_so_far() {
 
 #[test]
 fn filters_that_are_none_are_warned_of() {
-    let filter = "[law]\nkind = \"straight\"\nfilter = { density = \"x - 1\" }\n";
-    let folder = Folder::with(&format!("{filter}{}", ROOM.replace("transport = \"paths\"\n", "")));
+    let filter = "[law]\nkind = \"straight\"\nabsorption = { coefficient = \"x - 1\" }\n";
+    let folder = Folder::with(&format!("{filter}{}", ROOM.replace("lighting = \"path-tracing\"\n", "")));
     let ran = folder.run("render scene.toml -o out.png").succeeds();
     ran.says(&["filters not known on ", "warning: on ", "is below 0 or above 1"]);
-    let ramp = "filter = { texture = \"ramp\", frequency = 1, ramp = \"none.png\" }";
-    folder.write("scene.toml", format!("{filter}{ROOM}").replace("filter = { density = \"x - 1\" }", ramp));
+    let ramp = "absorption = { texture = \"ramp\", frequency = 1, ramp = \"none.png\" }";
+    folder.write("scene.toml", format!("{filter}{ROOM}").replace("absorption = { coefficient = \"x - 1\" }", ramp));
     folder.run("render scene.toml -o out.png").fails(1, &["none.png"]);
 }

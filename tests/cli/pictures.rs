@@ -44,7 +44,7 @@ fn pictures_decode_to_the_scene_in_8_16_and_32_bits() {
     // Rounding alone is half a unit; the rest is for f32 in the curve.
     assert!(difference(&png, &linear, 255.0) <= 0.51);
 
-    folder.run("render scene.toml -o a.png --set output.bits=16").succeeds();
+    folder.run("render scene.toml -o a.png --set output.bit_depth=16").succeeds();
     folder.run("render scene.toml -o a.exr").succeeds();
     let (png, linear) = (decoded(&folder, "a.png"), decoded(&folder, "a.exr").into_rgb32f());
     assert_eq!(png.color(), ColorType::Rgb16);
@@ -79,11 +79,11 @@ fn a_render_says_what_repeats_it() {
     };
     let folder = Folder::with(BALL);
     let ran = folder.run("render scene.toml -o a.png -o a.exr --set law.kind=schwarzschild --size 20x10").succeeds();
-    assert!(again(&folder, &ran).ends_with("--size 20x10 --method-of a.png"));
-    let paths = "--set rays.transport=paths --samples";
+    assert!(again(&folder, &ran).ends_with("--size 20x10 --method-from a.png"));
+    let paths = "--set rays.lighting=path-tracing --samples";
     folder.run(&format!("render scene.toml -o b.exr {paths} 2")).succeeds();
     let ran = folder.run(&format!("render scene.toml -o a.png -o a.exr {paths} 5 --continue b.exr")).succeeds();
-    assert!(again(&folder, &ran).ends_with("--samples 5 --method-of a.png"));
+    assert!(again(&folder, &ran).ends_with("--samples 5 --method-from a.png"));
 }
 
 #[test]
@@ -103,13 +103,13 @@ fn the_bytes_are_the_same_every_time_and_on_every_schedule() {
     }
     let others = [
         "",
-        "--no-masks",
+        "--no-early-termination",
         "--segments-per-pass 1",
-        "--segments-per-pass 3 --no-masks",
+        "--segments-per-pass 3 --no-early-termination",
         "--schedule segment",
-        "--schedule segment --no-masks",
+        "--schedule segment --no-early-termination",
         "--schedule paper",
-        "--schedule paper --no-masks",
+        "--schedule paper --no-early-termination",
     ];
     for more in others {
         assert!(first == render("b", more), "{more}");
@@ -158,7 +158,7 @@ fn only_transparent_corners_have_alpha() {
     );
     let black = (decoded(&folder, "a.png").into_rgb8(), decoded(&folder, "a.exr").into_rgb32f());
     for bits in [8, 16] {
-        render(&format!("--set camera.corners=transparent --set output.bits={bits}"));
+        render(&format!("--set camera.corners=transparent --set output.bit_depth={bits}"));
         let (png, exr) = (decoded(&folder, "a.png"), decoded(&folder, "a.exr"));
         assert_eq!(png.color(), if bits == 8 { ColorType::Rgba8 } else { ColorType::Rgba16 });
         assert_eq!(channels(&folder, "a.exr"), ["A", "B", "G", "R"]);

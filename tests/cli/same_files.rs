@@ -61,6 +61,6 @@ fn parts_are_not_written_over_by_their_whole() {
     folder.run("render scene.toml -o low.exr --crop 0,6,16x6").succeeds();
     refused(
         &folder,
-        &[("assemble top.exr low.exr -o ./low.exr", "./low.exr: this is one of the parts, which would be lost")],
+        &[("merge top.exr low.exr -o ./low.exr", "./low.exr: this is one of the parts, which would be lost")],
     );
 }

@@ -38,9 +38,9 @@ fn what_stays_where_it_is_is_sharp_to_the_bit() {
 fn an_edge_that_passes_leaves_a_ramp() {
     let folder = Folder::with(
         "[image]\nsize = [32, 4]\nsamples = 256\n[camera]\nposition = [0, 0, 16]\nfov = 14.250032697803595\n[rays]\n\
-         bound = { radius = 90 }\n[materials.white]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\n\
+         bounding_sphere = { radius = 90 }\n[materials.white]\nkind = \"emissive\"\ncolor = [1, 1, 1]\n[[objects]]\n\
          shape = \"plane\"\nmaterial = \"white\"\nrotate = [90, 0, 0]\nsize = [40, 40]\n[animation]\nframes = 3\nshutter = 0.5\n\
-         [[animation.tracks]]\nkey = \"objects.0.center\"\nvalues = [[-28, 0, 0], [4, 0, 0]]\nat = [1, 2]\n",
+         [[animation.tracks]]\nkey = \"objects.0.center\"\nvalues = [[-28, 0, 0], [4, 0, 0]]\nkeyframes = [1, 2]\n",
     );
     // 4 pixels in tan(fov/2)·16·2 = 4 units: a pixel is one. The right edge goes from −8 to 8.
     folder.run("render scene.toml -o {frame}.exr --frames 1").succeeds();
@@ -62,7 +62,7 @@ fn what_the_shutter_does_not_go_with_is_said() {
     let folder = Folder::with(&film(16, "shutter = 0.5", AWAY));
     for (set, message) in [
         ("animation.shutter=1.5", "expected a part of the time between two frames, 0 to 1, found 1.5"),
-        ("animation.moments=12", "expected a power of two, 2 to 1024"),
+        ("animation.shutter_samples=12", "expected a power of two, 2 to 1024"),
         ("image.adaptive=0.05", "adaptive sampling judges pixels by rays of one moment"),
     ] {
         folder.run(&format!("render scene.toml -o {{frame}}.png --frames 0 --set {set}")).fails(1, &[message]);
@@ -71,7 +71,7 @@ fn what_the_shutter_does_not_go_with_is_said() {
     ran.says(&["warning: the shutter is open, but one sample a pixel shows one moment"]);
     // A moment that is wrong, where every frame is right: the camera meets the horizon.
     let hole = "[law]\nkind = \"schwarzschild\"\n";
-    let track = "key = \"camera.position\"\nvalues = [[0, 0, 5], [0, 0, 1]]\nat = [3, 3.5]";
+    let track = "key = \"camera.position\"\nvalues = [[0, 0, 5], [0, 0, 1]]\nkeyframes = [3, 3.5]";
     folder.write("scene.toml", film(16, "shutter = 0.5", track) + hole);
     for command in ["check scene.toml", "render scene.toml -o {frame}.png --frames all"] {
         folder.run(command).fails(1, &["frame 3.5: "]);

@@ -30,7 +30,7 @@ fn a_scene_from_standard_input_is_that_of_a_file() {
     assert_eq!(found.out.replace("-: ", "scene.toml: "), folder.run("check scene.toml").succeeds().out);
     let wrong = fed(&folder, "check -", &scene.replace("radius = 10", "radius = -1"));
     assert_eq!(wrong.code, Some(1));
-    wrong.says(&["standard input:7:20: "]);
+    wrong.says(&["standard input:7:30: "]);
     fed(&folder, "render - -o sky.png", &scene).fails(1, &["sky.png: this is a file of the scene"]);
     // A table may come from there as well, but not both.
     let rays = "x,y,z,vx,vy,vz\n0,0,5,0,0,-1\n";
@@ -59,15 +59,15 @@ fn files_that_need_a_name_are_no_stream() {
         "render scene.toml -o -",
         "render scene.toml -o a.png --preview -",
         "render scene.toml -o a.png --continue -",
-        "render scene.toml -o a.png --method-of -",
+        "render scene.toml -o a.png --method-from -",
         "trace scene.toml --pixel 0,0 --plot -",
-        "assemble - -o a.exr",
-        "assemble a.exr -o -",
-        "film - -o a.gif",
-        "film a.png -o -",
+        "merge - -o a.exr",
+        "merge a.exr -o -",
+        "video - -o a.gif",
+        "video a.png -o -",
         "formula snell -o -",
         "import - -o scene.toml",
-        "chart scene.toml -o -",
+        "compare scene.toml -o -",
         "farm slurm scene.toml -o a.png --parts 2 --folder -",
     ] {
         folder.run(arguments).fails(2, &["this cannot be standard input or output: name a file"]);

@@ -23,7 +23,7 @@ fn trace(folder: &Folder, more: &str) -> Rows {
 fn rays_end_on_the_bound_at_their_length_and_on_surfaces() {
     let bound = [1.0, 2.0, 3.0];
     let folder = Folder::with(
-        "[rays]\nbound = { center = [1, 2, 3], radius = 10 }\n[materials.m]\n\
+        "[rays]\nbounding_sphere = { center = [1, 2, 3], radius = 10 }\n[materials.m]\n\
          [[objects]]\nshape = \"sphere\"\ncenter = [7, 2, 3]\nradius = 2\nmaterial = \"m\"\n\
          [[objects]]\nshape = \"sphere\"\ncenter = [1, -4, 3]\nradius = 3\nmaterial = \"m\"\n",
     );
@@ -59,7 +59,7 @@ fn rays_end_on_the_bound_at_their_length_and_on_surfaces() {
         }
         assert!(hits.iter().all(|n| *n > 2) && escapes > 100, "{law}");
 
-        let rows = trace(&folder, &format!("{law} --set rays.length=2.7"));
+        let rows = trace(&folder, &format!("{law} --set rays.max_parameter=2.7"));
         assert!(rows.column("status").contains(&"ended"), "{law}");
         for (i, status) in rows.column("status").into_iter().enumerate() {
             let tau = rows.column("tau")[i];
@@ -112,7 +112,7 @@ fn no_ray_is_lost_without_a_word() {
     for status in rows.column("status") {
         assert!(totals.contains(&format!(" {status} 1")), "{totals}");
     }
-    for schedule in ["segment", "paper", "fused --no-masks --segments-per-pass 2"] {
+    for schedule in ["segment", "paper", "fused --no-early-termination --segments-per-pass 2"] {
         let arguments = format!("trace scene.toml --rays rays.csv -o - {more} --schedule {schedule}");
         let other = folder.run(&arguments).succeeds();
         assert_eq!(other.out, ran.out, "{schedule}");
@@ -147,7 +147,7 @@ fn order_columns_and_totals_hold_for_many_rays() {
 
 #[test]
 fn the_shadow_edge_lies_at_the_critical_impact_parameter() {
-    let folder = Folder::with("[law]\nkind = \"schwarzschild\"\n[rays]\nbound = { radius = 1100 }\n");
+    let folder = Folder::with("[law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = { radius = 1100 }\n");
     // b = L/E with L = r s and E² = 1 − s² + (1 − 2/r) s², for a unit direction whose tangential part is s.
     let ray = |r: f64, b: f64| {
         let s = b / (r * r + 2.0 * b * b / r).sqrt();
@@ -199,7 +199,7 @@ fn paths_run_from_the_start_to_the_result() {
 #[test]
 fn pixels_start_where_the_camera_looks() {
     let folder = Folder::with(
-        "[image]\nsize = [40, 20]\nsamples = 9\n[camera]\nposition = [0, 0, 5]\nfov = 90\n[rays]\nbound = { radius = 8 }\n",
+        "[image]\nsize = [40, 20]\nsamples = 9\n[camera]\nposition = [0, 0, 5]\nfov = 90\n[rays]\nbounding_sphere = { radius = 8 }\n",
     );
     folder.run("trace scene.toml --pixel 0,0 --pixel 29,4 -o out.csv --path").succeeds();
     let rows = Rows::of(&folder.text("out.csv"), PATH_HEADER);
@@ -226,8 +226,8 @@ fn pixels_start_where_the_camera_looks() {
 #[test]
 fn an_attractor_is_drawn_behind_the_orbits() {
     let folder = Folder::with(
-        "[image]\nsize = [40, 30]\n[camera]\nkind = \"plane\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\nup = [0, 0, 1]\nheight = 45\n\
-         [law]\nkind = \"lorenz\"\n[rays]\nmethod = \"rk4\"\nbound = { center = [0, 0, 25], radius = 110 }\nlength = 1.5\n",
+        "[image]\nsize = [40, 30]\n[camera]\nkind = \"orthographic\"\nposition = [0, -12, 25]\nlook_at = [0, 0, 25]\nup = [0, 0, 1]\nheight = 45\n\
+         [law]\nkind = \"lorenz\"\n[rays]\nmethod = \"rk4\"\nbounding_sphere = { center = [0, 0, 25], radius = 110 }\nmax_parameter = 1.5\n",
     );
     folder.run("trace scene.toml --pixel 10,10 --plot with.svg --attractor 20 --cut y").succeeds();
     folder.run("trace scene.toml --pixel 10,10 --plot without.svg --cut y").succeeds();
@@ -240,7 +240,7 @@ fn an_attractor_is_drawn_behind_the_orbits() {
 
 #[test]
 fn nothing_comes_out_of_a_horizon() {
-    let folder = Folder::with("[rays]\nbound = { radius = 30 }\n");
+    let folder = Folder::with("[rays]\nbounding_sphere = { radius = 30 }\n");
     // Outwards and across, from 0.4 to 0.95 of the inner horizon's radius.
     for (law, inside) in [
         ("--set law.kind=schwarzschild", 2.0),
@@ -273,8 +273,8 @@ fn nothing_comes_out_of_a_horizon() {
 fn every_path_begins_where_its_ray_does() {
     let folder = Folder::with(
         "[image]\nsize = [12, 12]\n[camera]\nposition = [1.2, 0.4, 0.5]\nlook_at = [2.2, 0.4, 0.5]\nup = [0, 0, 1]\n\
-         kind = \"fisheye\"\nfov = 360\nframe = \"falling\"\n[law]\nkind = \"kerr-newman\"\nspin = 0.9\n\
-         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbound = { radius = 60 }\n",
+         kind = \"fisheye\"\nfov = 360\nobserver = \"infalling\"\n[law]\nkind = \"kerr-newman\"\nspin = 0.9\n\
+         [rays]\nmethod = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbounding_sphere = { radius = 60 }\n",
     );
     // Those in the circle that a fisheye's picture is.
     let pixels = (0..144_i32).map(|i| [i % 12, i / 12]);

@@ -12,7 +12,7 @@ use crate::support::{gpu, probe::Probe, scene};
 fn generated(name: &str, formula: &str) -> String {
     let text = format!(
         "[law]\nkind = \"medium\"\nindex = {{ kind = \"expression\", n = \"{formula}\" }}\n\
-         [rays]\nbound = {{ radius = 9 }}\ntolerance = 1e-6\n"
+         [rays]\nbounding_sphere = {{ radius = 9 }}\ntolerance = 1e-6\n"
     );
     let scene = scene(&text);
     let analysis = Analysis::of(&scene);

@@ -8,8 +8,7 @@ use glam::{DVec3, Vec4};
 use super::{Errors, Random, U, row, wide};
 use crate::support::{gpu, probe::Probe};
 
-const SCENE: &str =
-    "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = 1\n[rays]\nbound = { radius = 50 }\n";
+const SCENE: &str = "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = 1\n[rays]\nbounding_sphere = { radius = 50 }\n";
 
 /// A path: its unit direction at the light and at the place, the spread there, and how much its directions hang
 /// on a rounding: by how far its end moves in the plane for an angle at the light, and by how slow it arrives.

@@ -41,7 +41,7 @@ position = [0.5, 0, -4]
 strength = 2
 falloff = { yukawa = 0.5 }
 [rays]
-bound = { radius = 50 }
+bounding_sphere = { radius = 50 }
 "#;
 
 /// d(r) n̂ of each fall-off, and the relative error of its terms.

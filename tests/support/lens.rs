@@ -91,7 +91,7 @@ pub fn lenses() -> Vec<Lens> {
 pub fn lens_scene(lens: &Lens, rays: &str) -> String {
     let ([x, y, z], radius) = (lens.bound.center.to_array(), lens.bound.radius);
     format!(
-        "[rays]\n{rays}\nbound = {{ center = [{x:?}, {y:?}, {z:?}], radius = {radius:?} }}\n[[objects]]\n{}\n",
+        "[rays]\n{rays}\nbounding_sphere = {{ center = [{x:?}, {y:?}, {z:?}], radius = {radius:?} }}\n[[objects]]\n{}\n",
         lens.object
     )
 }

@@ -228,7 +228,7 @@ const GENERATED: [&str; 3] = ["IS_WHOLE", "HAS_LISTS", "FINDS_NEAR"];
 
 /// The constants that parts ask for: true for these.
 fn features(present: &[&str], generated: &[&str]) -> Unit {
-    let scene = super::scene("[rays]\nbound = { radius = 1 }\n");
+    let scene = super::scene("[rays]\nbounding_sphere = { radius = 1 }\n");
     let mut names = Features::of(&scene, &Choice::default(), &Analysis::of(&scene)).constants();
     names.extend(generated.iter().map(|name| ((*name).to_owned(), false)));
     for feature in present {

@@ -18,7 +18,7 @@ pub fn agreement(text: &str, tolerance: f64) -> f64 {
 }
 
 pub const ROOM: &str = "[image]\nsize = [128, 96]\n[camera]\nposition = [3, 2.5, 8]\nlook_at = [0, 0.2, 0]\nfov = 40\n\
-    [rays]\nbound = { radius = 25 }\nbranches = BRANCHES\n[sky]\ncolor = [0.2, 0.4, 0.7]\n\
+    [rays]\nbounding_sphere = { radius = 25 }\nbranches = BRANCHES\n[sky]\ncolor = [0.2, 0.4, 0.7]\n\
     [materials.floor]\nkind = \"phong\"\nambient = 0.3\n\
     diffuse = { checker = [[0.8, 0.2, 0.1], [0.9, 0.9, 0.8]], repeat = [6, 6] }\n\
     [materials.shiny]\ndiffuse = [0.1, 0.4, 0.2]\nspecular = [0.6, 0.5, 0.4]\nshininess = 20\nemission = [0.02, 0, 0.05]\n\
@@ -101,26 +101,26 @@ fn shadows_are_rendered_as_they_are_traced() {
     let shadowed = |text: String| {
         text.replace(
             "kind = \"point\"",
-            "kind = \"point\"\nshadows = \"straight\"\nfalloff = \"inverse-square\"\ncolor = [250, 220, 200]",
+            "kind = \"point\"\nshadows = \"straight-rays\"\nfalloff = \"inverse-square\"\ncolor = [250, 220, 200]",
         )
-        .replace("kind = \"directional\"", "kind = \"directional\"\nshadows = \"straight\"")
+        .replace("kind = \"directional\"", "kind = \"directional\"\nshadows = \"straight-rays\"")
     };
     let keys = |text: String, keys: &str| text.replace("[rays]\n", &format!("[rays]\n{keys}\n"));
     let scenes = [
         ("opaque", shadowed(room(0, &[ball]))),
-        ("without a structure", keys(shadowed(room(0, &[ball])), "accelerate = \"none\"")),
+        ("without a structure", keys(shadowed(room(0, &[ball])), "acceleration = \"none\"")),
         ("glass and mirror", shadowed(room(3, &[mirror, glass, ball]))),
         ("hierarchy", shadowed(room(0, &many))),
-        ("grid", keys(shadowed(room(0, &many)), "accelerate = \"grid\"")),
+        ("grid", keys(shadowed(room(0, &many)), "acceleration = \"grid\"")),
         ("solver", keys(shadowed(room(0, &many)), "method = \"rk4\"\nscaled_step = 0.05")),
     ];
     for (name, text) in &scenes {
         let part = agreement(text, 2e-5);
         assert!(part >= 0.998, "{name}: {part}");
-        let dark = agreement(&text.replace("shadows = \"straight\"", ""), 2e-5);
+        let dark = agreement(&text.replace("shadows = \"straight-rays\"", ""), 2e-5);
         assert!(dark >= 0.998, "{name} without shadows: {dark}");
     }
-    let [lit, plain] = [scenes[0].1.clone(), scenes[0].1.replace("shadows = \"straight\"", "")]
+    let [lit, plain] = [scenes[0].1.clone(), scenes[0].1.replace("shadows = \"straight-rays\"", "")]
         .map(|text| Tracer::new(&scene(&text)).picture());
     let shaded = lit.iter().zip(&plain).filter(|(a, b)| **a != **b).count();
     assert!(shaded * 40 > lit.len(), "{shaded} pixels in shadow");

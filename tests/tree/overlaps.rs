@@ -3,7 +3,7 @@
 use super::{difference, picture, with_objects};
 
 const VIEW: &str = "[image]\nsize = [24, 18]\n[camera]\nposition = [1, 2, 7]\nlook_at = [0, 0, 0]\nfov = 35\n\
-    [rays]\nbound = { radius = 20 }\nbranches = 4\n[sky]\nimage = \"data/stars.png\"\n\
+    [rays]\nbounding_sphere = { radius = 20 }\nmax_splits = 4\n[sky]\nimage = \"data/stars.png\"\n\
     [materials.m]\nkind = \"emissive\"\ncolor = { checker = [[1, 0.2, 0.1], [0.9, 0.9, 0.9]] }\n\
     [[objects]]\nshape = \"plane\"\ncenter = [0, -1.7, 0]\nsize = [8, 8]\nmaterial = \"m\"\n";
 

@@ -89,7 +89,7 @@ fn spirals_go_through_their_points() {
         let lens = lenses.iter().find(|lens| lens.name == row[0]).unwrap();
         let ball = "shape = \"sphere\"\nmaterial = \"black\"\nradius";
         let text = format!(
-            "[rays]\nbound = {{ radius = 12 }}\n[[objects]]\n{}\n[materials.black]\n[[objects]]\n{ball} = {}\n",
+            "[rays]\nbounding_sphere = {{ radius = 12 }}\n[[objects]]\n{}\n[materials.black]\n[[objects]]\n{ball} = {}\n",
             lens.object, row[1]
         );
         let scene = scene(&text);
@@ -110,7 +110,7 @@ fn spirals_go_through_their_points() {
 /// Taken for outgoing, an ingoing ray makes the same way as its mirror image in the sphere through its start.
 #[test]
 fn continued_spirals_go_out() {
-    let text = "[rays]\nbound = { radius = 12 }\n[[objects]]\nshape = \"sphere\"\nradius = 4\n\
+    let text = "[rays]\nbounding_sphere = { radius = 12 }\n[[objects]]\nshape = \"sphere\"\nradius = 4\n\
         interior = { kind = \"inverse-r\", k = 6, ingoing = \"continue\" }\n";
     let scene = scene(text);
     let tracer = Tracer::new(&scene);
@@ -138,7 +138,7 @@ fn continued_spirals_go_out() {
 fn lenses_have_their_focus() {
     let sphere = |interior: &str| {
         format!(
-            "[rays]\nbound = {{ radius = 9 }}\n[[objects]]\nshape = \"sphere\"\nradius = 2\ninterior = {{ {interior} }}\n"
+            "[rays]\nbounding_sphere = {{ radius = 9 }}\n[[objects]]\nshape = \"sphere\"\nradius = 2\ninterior = {{ {interior} }}\n"
         )
     };
     let luneburg = scene(&sphere("kind = \"luneburg\""));

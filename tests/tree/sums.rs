@@ -11,7 +11,7 @@ const SLAB: &str = "[image]\nsize = [24, 16]\n[camera]\nposition = [0, 6, 5]\nfo
     [[objects]]\nshape = \"plane\"\ncenter = [0, -2, 0]\nsize = [400, 400]\nmaterial = \"floor\"\n";
 
 fn slab(branches: u32) -> String {
-    format!("{SLAB}[rays]\nbound = {{ radius = 400 }}\nbranches = {branches}\n")
+    format!("{SLAB}[rays]\nbounding_sphere = {{ radius = 400 }}\nmax_splits = {branches}\n")
 }
 
 /// The camera ray of a pixel of [`SLAB`]: its angle with the vertical, from the file's numbers.
@@ -71,7 +71,7 @@ fn a_slab_reflects_the_whole_series() {
 /// the radiance comes out.
 #[test]
 fn radiance_changes_with_the_square_of_the_index() {
-    let ball = "[rays]\nbound = { radius = 20 }\nbranches = BRANCHES\n[sky]\ncolor = [1, 1, 1]\n\
+    let ball = "[rays]\nbounding_sphere = { radius = 20 }\nbranches = BRANCHES\n[sky]\ncolor = [1, 1, 1]\n\
         [[objects]]\nshape = \"sphere\"\nradius = 2\ninterior = 1.5\n";
     for branches in 0..8_u8 {
         let scene = scene(&ball.replace("BRANCHES", &branches.to_string()));
@@ -90,7 +90,7 @@ fn radiance_changes_with_the_square_of_the_index() {
 /// Total reflection, a mirror and a surface between like media do not branch: where none may, all of them are passed.
 #[test]
 fn what_does_not_branch_is_not_counted() {
-    let text = "[rays]\nbound = { radius = 20 }\nbranches = 0\n[sky]\ncolor = [9, 9, 9]\n\
+    let text = "[rays]\nbounding_sphere = { radius = 20 }\nmax_splits = 0\n[sky]\ncolor = [9, 9, 9]\n\
         [materials.lamp]\nkind = \"emissive\"\ncolor = [3, 2, 1]\n[materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.8, 0.7]\n\
         [[objects]]\nshape = \"box\"\nsize = [4, 4, 4]\ninterior = 1.5\n\
         [[objects]]\nshape = \"box\"\ncenter = [1.5, 1.5, 0]\nsize = [0.8, 0.8, 0.8]\ninterior = 1.5\n\
@@ -113,7 +113,7 @@ fn clear_objects_vanish_in_a_white_sky() {
     let scene = |branches: u32| {
         format!(
             "[image]\nsize = [16, 12]\n[camera]\nposition = [1, 2, 7]\nfov = 40\n[sky]\ncolor = [1, 1, 1]\n\
-             [rays]\nbound = {{ radius = 20 }}\nbranches = {branches}\n\
+             [rays]\nbounding_sphere = {{ radius = 20 }}\nmax_splits = {branches}\n\
              [[objects]]\nshape = \"sphere\"\nradius = 1.5\ninterior = {{ kind = \"luneburg\", c = 3 }}\n\
              [[objects]]\nshape = \"box\"\ncenter = [1.5, 0, 0]\nsize = [2, 2, 2]\nrotate = [10, 20, 30]\ninterior = \"water\"\npriority = 2\n\
              [[objects]]\nshape = \"sphere\"\ncenter = [-1, 0.5, 1]\nradius = 0.7\ninterior = 1.2\npriority = 1\n"
@@ -134,7 +134,7 @@ fn clear_objects_vanish_in_a_white_sky() {
 /// black.
 #[test]
 fn mirrors_show_the_mirrored_scene() {
-    let room = "[rays]\nbound = { radius = 30 }\n[sky]\nimage = \"data/stars.png\"\n\
+    let room = "[rays]\nbounding_sphere = { radius = 30 }\n[sky]\nimage = \"data/stars.png\"\n\
         [materials.m]\ndiffuse = { checker = [[1, 0.2, 0.1], [0.9, 0.9, 0.9]] }\nspecular = [0.5, 0.5, 0.5]\n\
         [[objects]]\nshape = \"sphere\"\ncenter = [0.5, 2, 0]\nradius = 1\nmaterial = \"m\"\n\
         [[lights]]\nkind = \"point\"\nposition = [10, 10, 20]\n[materials.mirror]\nkind = \"mirror\"\ncolor = [0.9, 0.8, 0.7]\n";

@@ -23,7 +23,7 @@ fn scenes() -> Vec<(&'static str, u32, Vec<String>)> {
     let water = "shape = \"box\"\nmin = [-0.7, -0.9, -0.3]\nmax = [1, 0.3, 0.8]\ninterior = \"water\"";
     let table = "shape = \"box\"\nmin = [-1.5, -1.8, -1]\nmax = [1.6, -0.9, 1.5]\nmaterial = \"shiny\"";
     let on_it = "shape = \"box\"\nmin = [-0.8, -0.9, -0.4]\nmax = [0.9, 0.5, 0.9]\ninterior = 1.5";
-    let disk = "shape = \"disk\"\ncenter = [0.1, -0.9, 0.2]\nradius = 1.4\nhole = 0.4\nmaterial = \"floor\"";
+    let disk = "shape = \"disk\"\ncenter = [0.1, -0.9, 0.2]\nradius = 1.4\ninner_radius = 0.4\nmaterial = \"floor\"";
     let mirror_box = table.replace("shiny", "mirror");
     let mirror_disk = disk.replace("floor", "mirror");
     let ball = "shape = \"sphere\"\ncenter = [0.2, -0.3, 0.5]\nradius = 1.1\ninterior = 1.5";
@@ -68,7 +68,7 @@ fn touching_objects_are_rendered_as_they_are_traced() {
 #[test]
 fn cylinders_and_disks_are_rendered_as_they_are_traced() {
     let rod = "shape = \"cylinder\"\ncenter = [0.2, -0.3, 0.5]\nradius = 0.8\nheight = 1.6\nrotate = [30, 10, 20]\ninterior = 1.5";
-    let ring = "shape = \"disk\"\ncenter = [-1.2, 0, 0]\nnormal = [1, 0.3, 0.5]\nradius = 1.2\nhole = 0.5\nmaterial = \"floor\"";
+    let ring = "shape = \"disk\"\ncenter = [-1.2, 0, 0]\nnormal = [1, 0.3, 0.5]\nradius = 1.2\ninner_radius = 0.5\nmaterial = \"floor\"";
     let post = "shape = \"cylinder\"\ncenter = [1.6, -0.8, 1.2]\nradius = 0.3\nheight = 1\nmaterial = \"floor\"";
     for (name, objects) in [("rod", [rod, post]), ("ring", [ring, rod])] {
         let part = agreement(&room(3, &objects), 1e-5);

@@ -17,7 +17,7 @@ impl Arguments {
     pub(super) fn again(&self, is_found: bool, first: Target) -> String {
         let stays = |path: &PathBuf| self.frame_folder().is_none_or(|folder| !path.starts_with(folder));
         let file = self.paths(first).into_iter().find(stays).filter(|_| is_found);
-        let method = file.into_iter().flat_map(|path| ["--method-of".to_owned(), path.display().to_string()]);
+        let method = file.into_iter().flat_map(|path| ["--method-from".to_owned(), path.display().to_string()]);
         let words: Vec<String> =
             ["bentray".to_owned()].into_iter().chain(typed(1, &STEPS, &TOLD)).chain(method).collect();
         quoted(&words)

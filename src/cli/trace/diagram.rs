@@ -24,7 +24,7 @@ pub(super) struct DiagramOptions {
     /// The part of it that is shown: "[left, right, bottom, top]" in scene units, objects (their box and half of it more) or all
     /// (every path and the bounding sphere). Without it objects, if the plane crosses any
     #[arg(long, value_name = "FRAME", value_parser = parse_frame)]
-    frame: Option<PlotRange>,
+    view: Option<PlotRange>,
     /// Find and mark where the rays of each fan, bundle or file come closest together, and by how much they miss each other there
     #[arg(long)]
     pub focus: bool,
@@ -139,7 +139,7 @@ impl Diagram<'_> {
         let turns = self.options.windings.map(|about| (about, self.turns(about)));
         let Some(path) = plot else { return Ok(()) };
         let surfaces = surfaces(scene, &self.plane);
-        let range = self.options.frame.unwrap_or(PlotRange::Objects);
+        let range = self.options.view.unwrap_or(PlotRange::Objects);
         let bound = Some((scene.rays.bound.center, scene.rays.bound.radius));
         let plot = PathPlot {
             range,

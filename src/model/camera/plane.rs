@@ -7,7 +7,7 @@ use crate::document::keys;
 use crate::document::values::positive;
 
 pub static KIND: Kind = Kind {
-    name: "plane",
+    name: "orthographic",
     keys: keys! { height: "number above 0" = "required", "height of the plane, scene units"; },
     read: |table| Some(Arc::new(Plane { height: table.required("height", "10", positive)? })),
 };

@@ -17,12 +17,12 @@ pub(crate) fn read(root: &TableReader, law: Option<&dyn Law>, size: [u32; 2]) ->
     let frame = seat.as_ref().map_or(CameraFrame::Coordinate, |seat| seat.frame);
     let look_at = table.or("look_at", DVec3::ZERO, vector);
     let up = table.or("up", DVec3::Y, direction);
-    let shift = table.or("shift", false, boolean);
-    let hues = shift && table.or("hues", false, word(&[("kept", false), ("black-body", true)]));
+    let shift = table.or("redshift", false, boolean);
+    let hues = shift && table.or("color_shift", false, word(&[("kept", false), ("black-body", true)]));
     if shift && law.is_some_and(|law| frame == CameraFrame::Coordinate || law.facts().momentum_parts.is_empty()) {
         let problem = "light has a frequency only for an observer, and by a law that says it";
-        let help = "choose a `frame`, with a law of a hole, of a wormhole or by a line element";
-        table.fault(&["shift"], problem, help);
+        let help = "choose an `observer`, with a law of a hole, of a wormhole or by a line element";
+        table.fault(&["redshift"], problem, help);
     }
     let stereo = stereo(&table, size);
     let camera = seat.and_then(|Seat { position, frame, time }| {
@@ -60,9 +60,9 @@ fn seat(table: &TableReader, law: Option<&dyn Law>) -> Option<Seat> {
 }
 
 fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
-    let frame = match table.or("frame", CameraFrame::Coordinate, word(&CameraFrame::WORDS)) {
-        CameraFrame::Moving(_) => {
-            CameraFrame::Moving(table.required("velocity", "[0.5, 0, 0]", slower_than_light).unwrap_or_default())
+    let frame = match table.or("observer", CameraFrame::Coordinate, word(&CameraFrame::WORDS)) {
+        CameraFrame::Boosted(_) => {
+            CameraFrame::Boosted(table.required("velocity", "[0.5, 0, 0]", slower_than_light).unwrap_or_default())
         }
         frame => frame,
     };
@@ -70,11 +70,11 @@ fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
         let (problem, help) = match frame {
             CameraFrame::Static => (
                 "the static frame needs a law of a hole or a spacetime",
-                "leave `frame` out: under other laws both frames are the same",
+                "leave `observer` out: under other laws both frames are the same",
             ),
-            _ => ("such an observer needs a law of a hole, or a \"metric\"", "leave `frame` out"),
+            _ => ("such an observer needs a law of a hole, or a \"metric\"", "leave `observer` out"),
         };
-        table.fault(&["frame"], problem, help);
+        table.fault(&["observer"], problem, help);
     }
     frame
 }
@@ -82,7 +82,7 @@ fn frame(table: &TableReader, law: Option<&dyn Law>) -> CameraFrame {
 /// Where an observer comes to who begins there and is left to himself for so long.
 fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Option<Seat> {
     if seat.frame == CameraFrame::Coordinate {
-        let help = "choose a `frame`: how he moves to begin with";
+        let help = "choose an `observer`: how he moves to begin with";
         table.fault(&["proper_time"], "time goes by for an observer, and there is none", help);
         return None;
     }
@@ -92,7 +92,7 @@ fn after_fall(table: &TableReader, seat: Seat, law: &dyn Law, proper: f64) -> Op
     let Some(Ok(u)) = law.observer(seat.frame, seat.position) else { return Some(seat) };
     match fall(law, Event { x: seat.position, t: 0.0, u }, proper) {
         Ok(event) => {
-            let frame = CameraFrame::Moving(event.velocity(law)?);
+            let frame = CameraFrame::Boosted(event.velocity(law)?);
             Some(Seat { position: event.x, frame, time: seat.time + event.t })
         }
         Err(end) => {
@@ -125,7 +125,7 @@ fn on_worldline(table: &TableReader, node: &Node, law: Option<&dyn Law>) -> Opti
     }
     let (fault, help) = match Path::through(points).and_then(|path| path.after(law, proper)) {
         Ok(event) => {
-            let frame = CameraFrame::Moving(event.velocity(law)?);
+            let frame = CameraFrame::Boosted(event.velocity(law)?);
             return Some(Seat { position: event.x, frame, time: event.t });
         }
         Err(NoPath::NotLater(i)) => (items[i].fault("this event is not later than the one before", ""), ""),
@@ -194,8 +194,8 @@ fn axes(table: &TableReader, position: DVec3, look_at: DVec3, up: DVec3) -> Opti
 
 fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
     if !camera.is_at_one_place() && (camera.shift || law.frame_part(camera.frame) == Some(OBSERVER_PART)) {
-        let help = "leave `frame` and `shift` out, or use a camera of one eye";
-        table.fault(&["frame"], "an observer is at one place, and rays start at more", help);
+        let help = "leave `observer` and `redshift` out, or use a camera of one eye";
+        table.fault(&["observer"], "an observer is at one place, and rays start at more", help);
     }
     let who = if camera.stereo.is_some() { "an eye of the camera" } else { "the camera" };
     // A plane's rays start all over it: those at such a place are captured, and the others are not.
@@ -206,8 +206,8 @@ fn check_against_law(table: &TableReader, camera: &Camera, law: &dyn Law) {
     }
     if let Some(why) = law.facts().ignores_direction.filter(|_| camera.projection.is_from_a_point()) {
         let help = match law.facts().order {
-            Order::Flow => "use kind = \"plane\" here, or order = 2 in [law]",
-            Order::Place | Order::General => "use kind = \"plane\" here",
+            Order::Flow => "use kind = \"orthographic\" here, or order = 2 in [law]",
+            Order::Place | Order::General => "use kind = \"orthographic\" here",
         };
         table.fault(&["kind"], format!("a camera at one point sees nothing under this law: {why}"), help);
     }

@@ -1,4 +1,4 @@
-//! `filter`: a colour, or a table.
+//! `absorption`: a colour, or a table.
 
 use glam::DVec3;
 
@@ -13,11 +13,11 @@ use crate::document::{KeyReference, Node, Value, key_rows};
 /// The reference's rows.
 pub(crate) fn reference() -> Vec<KeyReference> {
     key_rows! {
-        "filter" {
-            color if "no density and no texture": "[red, green, blue], or formulas" = "none",
+        "absorption" {
+            transmittance if "no coefficient and no texture": "[red, green, blue], or formulas" = "none",
                 "what is left of light after a unit length, 0 to 1: numbers, or one formula in x, y, z and r, or three";
-            density if "no color and no texture": "number, formula, or three" = "none", "the same as σ = -ln color, 0 or above";
-            texture if "no color and no density": "mix | wrapped | rainbow | ramp" = "none", "that colour by fractal noise";
+            coefficient if "no transmittance and no texture": "number, formula, or three" = "none", "the same as σ = −ln transmittance, 0 or above";
+            texture if "no transmittance and no coefficient": "mix | wrapped | rainbow | ramp" = "none", "that colour by fractal noise";
             low if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "the colour where the noise is least";
             high if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "the colour where it is most";
             times if r#"texture = "wrapped""#: "number above 0" = "5", "how often low to high is repeated";
@@ -28,7 +28,7 @@ pub(crate) fn reference() -> Vec<KeyReference> {
             frequency if "texture": "number above 0" = "required", "lattice cells a unit length";
             octaves if "texture": "whole number, 1 to 8" = "4", "terms of the noise";
             seed if "texture": "whole number" = "0", "chooses the noise";
-            glow: "[red, green, blue]" = "[0, 0, 0]", "radiance that the medium adds, per unit length";
+            emission: "[red, green, blue]" = "[0, 0, 0]", "radiance that the medium adds, per unit length";
             center: "[x, y, z]" = "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units";
             tolerance: "number above 0 and below 1" = "0.001",
                 "how far the optical depths of a piece of path and of its halves may differ; else it is cut again";
@@ -41,15 +41,15 @@ pub(crate) fn read(parent: &TableReader, node: &Node, center: DVec3, files: &mut
     if !matches!(node.value, Value::Table(_)) {
         return parent.reader.accept(part(node).map(Filter::even));
     }
-    let table = parent.reader.open("filter", node)?;
+    let table = parent.reader.open("absorption", node)?;
     let usual = Filter::even(DVec3::ONE);
     let small = number_where("a number above 0 and below 1", |x| x > 0.0 && x < 1.0);
     let center = table.or("center", center, vector);
-    let glow = table.or("glow", usual.glow, color);
+    let glow = table.or("emission", usual.glow, color);
     let tolerance = table.or("tolerance", usual.tolerance, small);
-    let density = match table.one_of(&["color", "density", "texture"]) {
-        Some(("color", node)) => colors(&table, node),
-        Some(("density", node)) => densities(&table, node),
+    let density = match table.one_of(&["transmittance", "coefficient", "texture"]) {
+        Some(("transmittance", node)) => colors(&table, node),
+        Some(("coefficient", node)) => densities(&table, node),
         Some(_) => texture(&table, files).map(Density::Texture),
         None => Some(usual.density),
     };
@@ -62,9 +62,10 @@ fn part(node: &Node) -> Read<DVec3> {
     let color = color(node)?;
     if color.max_element() > 1.0 {
         let problem = format!("expected channels from 0 to 1, found {}", color.max_element());
-        return Err(
-            node.fault(problem, "it is what is left of light after a unit length; a medium that adds light has `glow`")
-        );
+        return Err(node.fault(
+            problem,
+            "it is what is left of light after a unit length; a medium that adds light has `emission`",
+        ));
     }
     Ok(color)
 }

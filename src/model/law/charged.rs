@@ -15,7 +15,7 @@ pub static KIND: Kind = Kind {
     keys: keys! {
         mass: "number above 0" = "1", "M, scene units (G = c = 1)";
         charge: "number" = "0", "Q, scene units: above M there is no horizon, and nothing is captured";
-        cosmological: "number" = "0", "Λ, in one over scene units squared: it changes what observers see, and no path";
+        cosmological_constant: "number" = "0", "Λ, in one over scene units squared: it changes what observers see, and no path";
         center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
         axis: "[x, y, z]" = "[0, 0, 1]", "what matter and observers on orbits go round, anticlockwise seen from its tip";
     },
@@ -23,7 +23,7 @@ pub static KIND: Kind = Kind {
         let hole = RoundHole {
             mass: table.or("mass", 1.0, positive),
             charge: table.or("charge", 0.0, number),
-            cosmological: table.or("cosmological", 0.0, number),
+            cosmological: table.or("cosmological_constant", 0.0, number),
             center: table.or("center", DVec3::ZERO, vector),
             axis: table.or("axis", DVec3::Z, direction),
             form: HoleForm::Charged,
@@ -31,7 +31,7 @@ pub static KIND: Kind = Kind {
         if hole.photon_sphere().is_some_and(|r| hole.clock(r) <= 0.0) {
             let most = hole.cosmological_most();
             table.fault(
-                &["cosmological"],
+                &["cosmological_constant"],
                 "no place outside of this hole is at rest",
                 format!("use less than {most:.6}"),
             );

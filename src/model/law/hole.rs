@@ -187,22 +187,22 @@ impl Law for RoundHole {
         let offset = at - self.center;
         let found = match frame {
             CameraFrame::Coordinate => return None,
-            CameraFrame::Falling => self.falling(offset),
+            CameraFrame::Infalling => self.falling(offset),
             _ => {
-                let as_static = matches!(frame, CameraFrame::Normal | CameraFrame::Zamo);
+                let as_static = matches!(frame, CameraFrame::Eulerian | CameraFrame::Zamo);
                 let frame = if as_static { CameraFrame::Static } else { frame };
                 let orbiting = |sense: f64| Some(sense * self.orbiting(offset)?);
                 four_velocity(&self.metric(at, 0.0)?, frame, self.axis.cross(offset), &orbiting)
             }
         };
         Some(found.ok_or_else(|| match frame {
-            CameraFrame::Orbiting | CameraFrame::CounterOrbiting => {
+            CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit => {
                 let beyond = self.photon_sphere().unwrap_or(0.0);
                 let help = format!("those are in the plane through the hole across law.axis, beyond r = {beyond:.4}");
                 ["is on no circular orbit".to_owned(), help]
             }
-            CameraFrame::Falling => {
-                let help = "there charge or Λ has turned it round: use frame = \"moving\" and camera.velocity";
+            CameraFrame::Infalling => {
+                let help = "there charge or Λ has turned it round: use observer = \"boosted\" and camera.velocity";
                 ["is where nothing has fallen from rest", help].map(str::to_owned)
             }
             _ => ["is where nothing is at rest", "move it"].map(str::to_owned),

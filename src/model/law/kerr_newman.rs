@@ -151,7 +151,7 @@ impl KerrNewman {
     fn says_static(&self) -> [String; 2] {
         let edge = self.mass + (self.mass * self.mass - self.charge * self.charge).max(0.0).sqrt();
         let problem = "is inside the ergosphere, where nothing is at rest".to_owned();
-        [problem, format!("use frame = \"zamo\", or move it away: beyond r = {edge:.4} nothing is inside")]
+        [problem, format!("use observer = \"zamo\", or move it away: beyond r = {edge:.4} nothing is inside")]
     }
 
     fn says_orbiting(&self, sense: f64) -> [String; 2] {
@@ -291,7 +291,7 @@ impl Law for KerrNewman {
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let found = match frame {
             CameraFrame::Coordinate => return None,
-            CameraFrame::Falling => self.falling(at),
+            CameraFrame::Infalling => self.falling(at),
             _ => {
                 let around = self.axis.cross(at - self.center);
                 four_velocity(&self.metric(at, 0.0)?, frame, around, &|sense| self.orbiting(at, sense))
@@ -299,8 +299,8 @@ impl Law for KerrNewman {
         };
         Some(found.ok_or_else(|| match frame {
             CameraFrame::Static => self.says_static(),
-            CameraFrame::Orbiting => self.says_orbiting(1.0),
-            CameraFrame::CounterOrbiting => self.says_orbiting(-1.0),
+            CameraFrame::ProgradeOrbit => self.says_orbiting(1.0),
+            CameraFrame::RetrogradeOrbit => self.says_orbiting(-1.0),
             _ => ["is where there can be no such observer", "move it away from the hole"].map(str::to_owned),
         }))
     }

@@ -304,7 +304,7 @@ pub trait Law: fmt::Debug + Send + Sync + Same {
         self.observer(frame, DVec3::ZERO).map(|_| OBSERVER_PART)
     }
 
-    /// The center and the axis about which matter goes round, if it does: on the orbits of [`CameraFrame::Orbiting`].
+    /// The center and the axis about which matter goes round, if it does: on the orbits of [`CameraFrame::ProgradeOrbit`].
     fn equator(&self) -> Option<[DVec3; 2]> {
         None
     }
@@ -352,7 +352,7 @@ pub(crate) fn read(root: &TableReader, files: &mut Files) -> (Option<Arc<dyn Law
     }
     let Some(table) = root.subtable("law", "law") else { return (None, None) };
     let law = KINDS.chosen(&table).and_then(|read| read(&table, files));
-    let filter = table.node("filter").map(|node| filter::read(&table, node, DVec3::ZERO, files));
+    let filter = table.node("absorption").map(|node| filter::read(&table, node, DVec3::ZERO, files));
     table.finish();
     match filter {
         Some(None) => (None, None),

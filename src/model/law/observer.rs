@@ -15,18 +15,18 @@ pub enum CameraFrame {
     /// Those that an observer at rest measures.
     Static,
     /// Of one at rest in the slices of equal time.
-    Normal,
+    Eulerian,
     /// Of one with no angular momentum about the hole's axis.
     Zamo,
     /// Of one on a circular orbit round the hole's equator, the way that it spins.
-    Orbiting,
+    ProgradeOrbit,
     /// The other way.
-    CounterOrbiting,
+    RetrogradeOrbit,
     /// Of one that has fallen from rest, far away, without angular momentum.
-    Falling,
+    Infalling,
     /// Of one that moves, to one at rest in the slices of equal time, along this direction of the coordinates and at its length, in
     /// parts of light's speed.
-    Moving(DVec3),
+    Boosted(DVec3),
 }
 
 impl CameraFrame {
@@ -34,12 +34,12 @@ impl CameraFrame {
     pub const WORDS: [(&'static str, Self); 8] = [
         ("coordinate", Self::Coordinate),
         ("static", Self::Static),
-        ("normal", Self::Normal),
+        ("eulerian", Self::Eulerian),
         ("zamo", Self::Zamo),
-        ("orbiting", Self::Orbiting),
-        ("counter-orbiting", Self::CounterOrbiting),
-        ("falling", Self::Falling),
-        ("moving", Self::Moving(DVec3::ZERO)),
+        ("prograde-orbit", Self::ProgradeOrbit),
+        ("retrograde-orbit", Self::RetrogradeOrbit),
+        ("infalling", Self::Infalling),
+        ("boosted", Self::Boosted(DVec3::ZERO)),
     ];
 }
 
@@ -90,23 +90,23 @@ pub(super) fn four_velocity(
 ) -> Option<DVec4> {
     let way = |turning: f64| normalised(metric, (turning * around).extend(1.0));
     match frame {
-        CameraFrame::Coordinate | CameraFrame::Falling => None,
+        CameraFrame::Coordinate | CameraFrame::Infalling => None,
         CameraFrame::Static => way(0.0),
-        CameraFrame::Normal => normal(metric),
-        CameraFrame::Moving(velocity) => moving(metric, velocity),
+        CameraFrame::Eulerian => normal(metric),
+        CameraFrame::Boosted(velocity) => moving(metric, velocity),
         CameraFrame::Zamo => {
             let around = around.extend(0.0);
             let (mixed, own) = (around.dot(metric.w_axis), around.dot(*metric * around));
             way(if own > 0.0 { -mixed / own } else { 0.0 })
         }
-        CameraFrame::Orbiting => orbiting(1.0).and_then(way),
-        CameraFrame::CounterOrbiting => orbiting(-1.0).and_then(way),
+        CameraFrame::ProgradeOrbit => orbiting(1.0).and_then(way),
+        CameraFrame::RetrogradeOrbit => orbiting(-1.0).and_then(way),
     }
 }
 
 /// Returns the four-velocity of an observer in a space whose clocks all go alike: at rest, or moving. `None` for the other frames.
 pub(super) fn in_space(metric: &DMat4, frame: CameraFrame) -> Option<Result<DVec4, [String; 2]>> {
-    let is_known = matches!(frame, CameraFrame::Static | CameraFrame::Normal | CameraFrame::Moving(_));
+    let is_known = matches!(frame, CameraFrame::Static | CameraFrame::Eulerian | CameraFrame::Boosted(_));
     let found = || four_velocity(metric, frame, DVec3::ZERO, &|_| None);
     is_known.then(|| found().ok_or_else(|| ["is nowhere", "move it"].map(str::to_owned)))
 }

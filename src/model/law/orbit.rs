@@ -80,7 +80,8 @@ impl Throat {
     pub(crate) fn refuses_bound(&self, radius: f64) -> Option<(&'static str, [String; 2])> {
         let (apart, enough) = (self.mouths[0].distance(self.mouths[1]), 2.0 * radius);
         let problem = || format!("the bounding spheres round the two mouths overlap: they are {apart} apart");
-        (apart <= enough).then(|| ("other", [problem(), format!("move it to more than {enough} from law.center")]))
+        (apart <= enough)
+            .then(|| ("other_mouth", [problem(), format!("move it to more than {enough} from law.center")]))
     }
 
     /// As [`Law::refuses_eye`](super::Law::refuses_eye).

@@ -34,7 +34,7 @@ pub static KIND: Kind = Kind {
             "what its acceleration depends on, and so which functions the file has; flow for the first order, where it gives the velocity";
         scale: "number above 0" = "1",
             "the length over which the law changes, scene units (the time for a flow): steps are a fraction of it, unless the file has law_scale";
-        captures: "[[x, y, z, radius], ...]" = "[]", "spheres that capture rays moving inwards, scene units";
+        capture_spheres: "[[x, y, z, radius], ...]" = "[]", "spheres that capture rays moving inwards, scene units";
         parameters: "table of numbers, and of arrays of 2 to 4" = "{}", "members of `law` in the file";
     },
     read: |table, files| {
@@ -56,7 +56,7 @@ pub static KIND: Kind = Kind {
 
 /// All are read before any is missed.
 fn captures(table: &TableReader) -> Option<Vec<Capture>> {
-    let Some(node) = table.node("captures") else { return Some(Vec::new()) };
+    let Some(node) = table.node("capture_spheres") else { return Some(Vec::new()) };
     let Written::Array(items) = &node.value else {
         table.reader.fault(node.expected("spheres, [[x, y, z, radius], ...]"));
         return None;

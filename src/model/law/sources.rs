@@ -40,7 +40,7 @@ fn source(table: TableReader) -> Option<Source> {
     let position = table.required("position", "[0, 0, 0]", vector);
     let along = kind.and_then(|kind| (kind.along)(&table));
     let strength = table.required("strength", "1", not_zero);
-    let capture = table.or("capture", 0.0, not_negative);
+    let capture = table.or("capture_radius", 0.0, not_negative);
     let falloff = match table.node("falloff") {
         Some(node) => falloff::read(&table, node),
         None => Some(Falloff::INVERSE_SQUARE),

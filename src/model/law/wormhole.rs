@@ -24,7 +24,7 @@ pub static KIND: Kind = Kind {
         length: "number from 0" = "0", "2a, over which the throat is a tube of that radius: for a throat with `mass`";
         mass: "number above 0" = "none", "M: how far the throat takes to open, as by a hole of that mass; 1.43 M is the width of what it bends most. Without it the throat is Ellis's";
         center: "[x, y, z]" = "[0, 0, 0]", "the mouth on this side";
-        other: "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
+        other_mouth: "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
     },
     read: |table, _| {
         let mass = table.optional("mass", positive);
@@ -41,7 +41,7 @@ pub static KIND: Kind = Kind {
             length,
             mass,
             center: table.or("center", DVec3::ZERO, vector),
-            other: table.required("other", "[1000, 0, 0]", vector)?,
+            other: table.required("other_mouth", "[1000, 0, 0]", vector)?,
         }))
     },
 };
@@ -139,6 +139,6 @@ impl Law for Wormhole {
     }
 
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
-        in_space(&self.metric(at, 0.0)?, frame).filter(|_| frame != CameraFrame::Normal)
+        in_space(&self.metric(at, 0.0)?, frame).filter(|_| frame != CameraFrame::Eulerian)
     }
 }

@@ -14,13 +14,13 @@ pub static KIND: Kind = Kind {
     keys: keys! {
         color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "required", "radiance, linear";
         diffuse: "[red, green, blue]" = "[0, 0, 0]", "what it gives back of other light, on paths";
-        aim: "true | false" = "true", "whether paths aim at it";
+        light_sampling: "true | false" = "true", "whether paths aim at it";
     },
     read: |table, files| {
         let usual = Emissive::default();
         let emissive = Emissive {
             diffuse: table.or("diffuse", usual.diffuse, color),
-            is_aimed_at: table.or("aim", usual.is_aimed_at, boolean),
+            is_aimed_at: table.or("light_sampling", usual.is_aimed_at, boolean),
         };
         Some((pattern::read(table, "color", None, files)?, Arc::new(emissive)))
     },

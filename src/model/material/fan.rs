@@ -12,7 +12,7 @@ use crate::document::values::{Read, text};
 use crate::document::{Node, Value};
 
 pub static KIND: Kind = Kind {
-    name: "fan",
+    name: "ray-splitter",
     keys: keys! {
         color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]",
             "the part of the light that it gives back";

@@ -271,7 +271,7 @@ pub(crate) fn read_interior(
     }
     let table = parent.reader.open("medium", node)?;
     let medium = KINDS.chosen(&table).and_then(|read| read(&table, around, files));
-    let filter = table.node("filter").map(|node| filter::read(&table, node, around.center, files));
+    let filter = table.node("absorption").map(|node| filter::read(&table, node, around.center, files));
     let gloss = gloss::read(&table);
     table.finish();
     let filter = match filter {

@@ -151,7 +151,11 @@ pub(super) fn refuses_orbits(scene: Demands) -> Vec<Refusal> {
     let mut refused = Vec::new();
     if scene.ends {
         let problem = "steps along an orbit are measured by angle and cannot end at a given τ";
-        refused.push(Refusal { key: "length", problem, help: "use dormand-prince, or leave `length` out" });
+        refused.push(Refusal {
+            key: "max_parameter",
+            problem,
+            help: "use dormand-prince, or leave `max_parameter` out",
+        });
     }
     if scene.has_chords {
         let help = "use segment = \"arc\", or another method";

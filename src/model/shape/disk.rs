@@ -17,14 +17,14 @@ pub static KIND: Kind = Kind {
         CENTER,
         NORMAL,
         RADIUS,
-        keys! { hole: "number, 0 or above, below the radius" = "0", "radius of a round hole, scene units"; }[0],
+        keys! { inner_radius: "number, 0 or above, below the radius" = "0", "radius of a round hole, scene units"; }[0],
     ],
     read: |table, _, _| {
         let place = upright(table, "normal");
         let radius = table.or("radius", 1.0, positive);
-        let hole = table.or("hole", 0.0, not_negative);
+        let hole = table.or("inner_radius", 0.0, not_negative);
         if hole >= radius {
-            table.fault(&["hole"], format!("the hole must be smaller than the radius, {radius}"), "");
+            table.fault(&["inner_radius"], format!("the hole must be smaller than the radius, {radius}"), "");
             return None;
         }
         Some((Arc::new(Disk { hole: hole / radius }), place * DAffine3::from_scale(DVec3::splat(radius))))

@@ -132,7 +132,7 @@ fn check_inside(table: &TableReader, reaches: impl Iterator<Item = f64>, radius:
         let beyond = round_up(reach - radius);
         let problem = format!("the object reaches {beyond} beyond the bound, where rays do not come");
         let enough = round_up(reach);
-        let help = format!("for this object a radius of {enough} would do in rays.bound");
+        let help = format!("for this object a radius of {enough} would do in rays.bounding_sphere");
         table.fault(&["shape"], problem, help);
     }
 }

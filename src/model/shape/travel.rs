@@ -118,8 +118,8 @@ fn orbit(table: &TableReader, node: &Node, law: &dyn Law, middle: DVec3) -> Opti
         return None;
     };
     let frame = match &node.value {
-        Value::Text(word) if word == "prograde" => CameraFrame::Orbiting,
-        Value::Text(word) if word == "retrograde" => CameraFrame::CounterOrbiting,
+        Value::Text(word) if word == "prograde" => CameraFrame::ProgradeOrbit,
+        Value::Text(word) if word == "retrograde" => CameraFrame::RetrogradeOrbit,
         Value::Integer(_) | Value::Float(_) => {
             return Some(Travel::round(center, axis, table.reader.accept(number(node))?));
         }

@@ -398,7 +398,7 @@ pub(super) fn ends_with_steps(scene: &Scene) -> bool {
 
 /// Is the bounding sphere about the orbits' center, in every frame?
 fn is_about_center(scene: &Scene) -> bool {
-    let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bound");
+    let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bounding_sphere");
     let is_still = scene.animation.as_ref().is_none_or(|animation| !animation.keys.iter().any(moves));
     is_still && scene.law.facts().orbit.is_some_and(|orbit| orbit.center == scene.rays.bound.center)
 }

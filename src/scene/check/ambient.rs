@@ -38,7 +38,7 @@ pub fn read(root: &TableReader, optics: &Optics, chords: bool) -> Option<Occlusi
         along_law: along_law && optics.bends(),
         distance: table.optional("distance", positive),
         floor: table.or("floor", 0.0, fraction),
-        clear: if along_law { Clear::Closed } else { table.or("clear", Clear::Closed, word(&Clear::WORDS)) },
+        clear: if along_law { Clear::Closed } else { table.or("transparent", Clear::Closed, word(&Clear::WORDS)) },
     };
     table.finish();
     Some(occlusion)

@@ -43,7 +43,7 @@ pub fn read(root: &TableReader) -> Option<Tracks> {
         table.or("rate", 24.0, number_where("frames a second, from 0.1 to 1000", |x| (0.1..=1000.0).contains(&x)));
     let shutter = number_where("a part of the time between two frames, 0 to 1", |x| (0.0..=1.0).contains(&x));
     let shutter = table.or("shutter", 0.0, shutter);
-    let moments = table.or("moments", 64, power_of_two);
+    let moments = table.or("shutter_samples", 64, power_of_two);
     let mut tracks: Vec<Track> = Vec::new();
     for one in table.subtables("tracks", "animation.tracks") {
         let Some(track) = track(one, frames.unwrap_or(1)) else { continue };
@@ -66,8 +66,8 @@ fn track(table: TableReader, frames: u32) -> Option<Track> {
     let count = values.as_ref().map_or(0, Vec::len);
     let last = f64::from(frames - 1);
     let evenly = (0..count).map(|i| last * i as f64 / (count.max(2) - 1) as f64).collect();
-    let at = table.or("at", evenly, |node| ascending(node, count));
-    let smooth = table.or("between", false, word(&[("linear", false), ("smooth", true)]));
+    let at = table.or("keyframes", evenly, |node| ascending(node, count));
+    let smooth = table.or("interpolation", false, word(&[("linear", false), ("smooth", true)]));
     table.finish();
     let ((path, node), values) = (key?, values?);
     Some(Track { key: path.join("."), place: node.place, path, at, values, smooth })

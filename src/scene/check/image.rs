@@ -19,8 +19,8 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
     let size = array("two whole numbers, [width, height]", whole(1..=65_536));
     image.size = table.or("size", image.size, size);
     let samples = table.optional("samples", whole(1..=1_048_576));
-    let patterns = &[("multi-jittered", SamplePattern::MultiJittered), ("progressive", SamplePattern::Progressive)];
-    let pattern = table.optional("pattern", word(patterns));
+    let patterns = &[("multi-jittered", SamplePattern::MultiJittered), ("sobol", SamplePattern::Progressive)];
+    let pattern = table.optional("sampler", word(patterns));
     let tolerance =
         number_where("a standard error above 0 and below 1, of what a screen shows", |x| x > 0.0 && x < 1.0);
     image.adaptive = table.optional("adaptive", tolerance);
@@ -31,7 +31,7 @@ pub fn read(root: &TableReader, by_paths: bool) -> Image {
     image.samples = samples.unwrap_or(image.samples);
     image.pattern = pattern.unwrap_or(image.pattern);
     image.footprints = table.or("footprints", false, boolean);
-    if let Some(with) = [("image.adaptive", image.adaptive.is_some()), ("transport = \"paths\"", by_paths)]
+    if let Some(with) = [("image.adaptive", image.adaptive.is_some()), ("lighting = \"path-tracing\"", by_paths)]
         .into_iter()
         .find_map(|(with, is_there)| (is_there && image.footprints).then_some(with))
     {
@@ -55,6 +55,6 @@ fn check_adaptive(table: &TableReader, samples: Option<u32>, pattern: Option<Sam
     if pattern == Some(SamplePattern::MultiJittered) {
         let problem =
             "adaptive sampling stops anywhere in a pixel's samples, which multi-jittered ones are not made for";
-        table.fault(&["pattern"], problem, "leave `pattern` out, or write \"progressive\"");
+        table.fault(&["sampler"], problem, "leave `sampler` out, or write \"sobol\"");
     }
 }

@@ -141,7 +141,7 @@ pub(super) fn scene(reader: &Reader, files: &mut Files) -> Option<Scene> {
     let chords = rays.as_ref().is_some_and(|rays| rays.segment.has_chords());
     let lights = lights(&root, bound.map_or(1.0, |bound| bound.radius), &optics);
     if chords && lights.iter().any(|light| light.shadows == Shadows::Shooting) {
-        let help = "use segment = \"arc\", or shadows = \"straight\"";
+        let help = "use segment = \"arc\", or shadows = \"straight-rays\"";
         root.fault(&["lights"], "shooting follows arcs, and these rays are chords", help);
     }
     if chords && filter.is_some() {
@@ -204,7 +204,7 @@ fn check_bound(root: &TableReader, law: &dyn Law, bound: Bound) {
     };
     if let Some(capture) = law.captures(None).iter().find(|capture| swallows(capture)) {
         let problem = format!("all of it is inside of what captures rays, r = {:.4}", capture.radius);
-        root.fault_within("rays", "bound", problem, "use a larger radius".to_owned());
+        root.fault_within("rays", "bounding_sphere", problem, "use a larger radius".to_owned());
     }
 }
 
@@ -229,7 +229,7 @@ fn output(root: &TableReader, by_paths: bool) -> Output {
         let stops = number_where("a number of stops, -64 to 64", |x| x.abs() <= 64.0);
         output.exposure = table.or("exposure", 0.0, stops);
         output.tonemap = table.or("tonemap", Tonemap::None, word(Tonemap::NAMES));
-        output.bits = table.or("bits", 8, |node| match whole(8..=16)(node)? {
+        output.bits = table.or("bit_depth", 8, |node| match whole(8..=16)(node)? {
             8 => Ok(8),
             16 => Ok(16),
             other => Err(node.fault(format!("expected 8 or 16 bits, found {other}"), "")),
@@ -251,19 +251,19 @@ fn lights(root: &TableReader, reach: f64, optics: &Optics) -> Vec<Light> {
 
 const SHADOWS: &[(&str, Shadows)] = &[
     ("none", Shadows::None),
-    ("straight", Shadows::Straight),
-    ("grid", Shadows::Grid),
-    ("shooting", Shadows::Shooting),
+    ("straight-rays", Shadows::Straight),
+    ("photon-grid", Shadows::Grid),
+    ("curved-rays", Shadows::Shooting),
 ];
 
 /// What light cannot be shot through, or at.
 fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
     if !is_point {
-        let help = "use shadows = \"grid\" or \"straight\", or a point light far away";
+        let help = "use shadows = \"photon-grid\" or \"straight-rays\", or a point light far away";
         table.fault(&["shadows"], "shooting needs a light at a place", help);
     }
     if optics.objects.iter().any(|object| object.interior().is_some()) {
-        let help = "use shadows = \"grid\" or \"straight\", or take the interiors out of the scene";
+        let help = "use shadows = \"photon-grid\" or \"straight-rays\", or take the interiors out of the scene";
         table.fault(&["shadows"], "light is not shot through interiors", help);
     }
 }
@@ -271,7 +271,7 @@ fn check_shooting(table: &TableReader, is_point: bool, optics: &Optics) {
 /// Under some laws no light can be sent anywhere.
 fn check_aimed(table: &TableReader, optics: &Optics) {
     if let Some(why) = optics.law.and_then(|law| law.facts().refuses_sent_light) {
-        let help = "use shadows = \"straight\"";
+        let help = "use shadows = \"straight-rays\"";
         table.fault(&["shadows"], format!("light cannot be aimed under this law: {why}"), help);
     }
 }
@@ -302,9 +302,9 @@ fn light(table: TableReader, reach: f64, optics: &Optics) -> Option<Light> {
     // Light from far away is as bright everywhere.
     let falls = point == Some(true) && table.or("falloff", false, word(&[("none", false), ("inverse-square", true)]));
     let straight = shadows == Shadows::Straight;
-    let clear = if straight { table.or("clear", Clear::Open, word(&Clear::WORDS)) } else { Clear::Open };
+    let clear = if straight { table.or("transparent", Clear::Open, word(&Clear::WORDS)) } else { Clear::Open };
     let shot = shadows == Shadows::Shooting;
-    let size = if shot { table.or("size", 1e-3 * reach, positive) } else { 0.0 };
+    let size = if shot { table.or("min_distance", 1e-3 * reach, positive) } else { 0.0 };
     if shot {
         check_shooting(&table, point == Some(true), optics);
     }

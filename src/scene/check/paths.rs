@@ -1,4 +1,4 @@
-//! `rays.transport` and `[paths]`: whether light goes from surface to surface.
+//! `rays.lighting` and `[path_tracing]`: whether light goes from surface to surface.
 
 use crate::document::reader::TableReader;
 use crate::document::values::{boolean, whole, word};
@@ -7,22 +7,23 @@ use crate::scene::{Light, Paths};
 
 /// The paths that light takes from surface to surface, if it does.
 pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law>) -> Option<Paths> {
-    let follows = rays.is_some_and(|rays| rays.or("transport", false, word(&[("lights", false), ("paths", true)])));
+    let follows =
+        rays.is_some_and(|rays| rays.or("lighting", false, word(&[("direct", false), ("path-tracing", true)])));
     if let (true, Some(rays), Some(why)) = (follows, rays, law.and_then(|law| law.facts().ignores_direction)) {
         let problem = format!("light cannot go from surface to surface under this law: {why}");
-        rays.fault(&["transport"], problem, "use transport = \"lights\"");
+        rays.fault(&["lighting"], problem, "use lighting = \"direct\"");
     }
     let usual = Paths::default();
     let mut paths = usual;
-    if let Some(table) = root.subtable("paths", "paths") {
+    if let Some(table) = root.subtable("path_tracing", "path_tracing") {
         if !follows {
-            let help = "write transport = \"paths\" in [rays], or leave [paths] out";
-            table.fault(&[], "[paths] goes with transport = \"paths\"", help);
+            let help = "write lighting = \"path-tracing\" in [rays], or leave [path_tracing] out";
+            table.fault(&[], "[path_tracing] goes with lighting = \"path-tracing\"", help);
         }
-        paths.depth = table.optional("depth", whole(0..=1_000_000));
-        paths.roulette = table.or("roulette", usual.roulette, whole(1..=1_000_000));
-        paths.aim = table.or("aim", usual.aim, boolean);
-        paths.guide = table.or("guide", usual.guide, boolean);
+        paths.depth = table.optional("max_depth", whole(0..=1_000_000));
+        paths.roulette = table.or("rr_depth", usual.roulette, whole(1..=1_000_000));
+        paths.aim = table.or("light_sampling", usual.aim, boolean);
+        paths.guide = table.or("guiding", usual.guide, boolean);
         paths.seed = table.or("seed", usual.seed, whole(0..=u32::MAX));
         table.finish();
     }
@@ -33,7 +34,7 @@ pub fn read(root: &TableReader, rays: Option<&TableReader>, law: Option<&dyn Law
 pub fn refuse(root: &TableReader, lights: &[Light]) {
     if !lights.is_empty() {
         let problem = "lights without a surface are never met by a path, so that they give it nothing";
-        let help = "use a small ball of an emissive material in place of each, or transport = \"lights\"";
+        let help = "use a small ball of an emissive material in place of each, or lighting = \"direct\"";
         root.fault(&["lights"], problem, help);
     }
 }

@@ -30,7 +30,7 @@ const PRECISIONS: &[(&str, Option<Precision>)] = &[
 pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> {
     if root.node("rays").is_none() {
         let problem = "the table [rays] is missing";
-        let help = "at the least: [rays] with bound = { radius = 50 }";
+        let help = "at the least: [rays] with bounding_sphere = { radius = 50 }";
         root.fault(&[], problem, help);
         return None;
     }
@@ -39,7 +39,7 @@ pub fn table<'r, 'a>(root: &TableReader<'r, 'a>) -> Option<TableReader<'r, 'a>> 
 
 /// All but the bound, which was read before. None without it.
 pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option<Rays> {
-    let length = table.optional("length", positive);
+    let length = table.optional("max_parameter", positive);
     let own = optics.law.and_then(|law| law.facts().length);
     let length = length.into_iter().chain(own).reduce(f64::min);
     let segment = segment(&table, optics.arc_tolerance(bound.map_or(1.0, |bound| bound.radius)), is_polygon(&table));
@@ -60,7 +60,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
     let precision = precision.unwrap_or(Precision::Single);
     let max_segments = table.or("max_segments", 1000, whole(1..=1_000_000));
     let closed_forms = table.or("closed_forms", named.is_none_or(|named| named.kind.closed_forms), boolean);
-    let asymptotic = table.or("asymptotic", false, boolean);
+    let asymptotic = table.or("sky_at_infinity", false, boolean);
     if let (true, Some(law), Some(bound)) = (asymptotic, optics.law, bound) {
         check_asymptotic(&table, law, bound);
     }
@@ -73,7 +73,7 @@ pub fn read(table: TableReader, bound: Option<Bound>, optics: &Optics) -> Option
         let help = "choose a wavelength in that range (nm), or glass with another formula";
         table.fault(&["wavelength"], problem, help);
     }
-    let accelerate = table.or("accelerate", Accelerate::Auto, word(ACCELERATE));
+    let accelerate = table.or("acceleration", Accelerate::Auto, word(ACCELERATE));
     optics.check(&table, segment, asymptotic, precision);
     table.finish();
     Some(Rays {
@@ -103,10 +103,10 @@ fn wavelength(node: &Node) -> Read<f64> {
 /// What is followed where a surface splits a ray: on paths one of the two.
 fn branching(table: &TableReader, optics: &Optics) -> Branches {
     let usual = if optics.paths.is_some() { Branches::Random } else { Branches::Enumerated(4) };
-    let wanted = table.or("branches", usual, branches);
+    let wanted = table.or("max_splits", usual, branches);
     if optics.paths.is_some() && wanted != Branches::Random {
         let problem = "a path goes on in one way, drawn at random, wherever a surface splits it";
-        table.fault(&["branches"], problem, "leave it out, or write \"random\"");
+        table.fault(&["max_splits"], problem, "leave it out, or write \"stochastic\"");
     }
     wanted
 }
@@ -138,10 +138,10 @@ fn method(table: &TableReader, optics: &Optics, demands: Demands) -> (Option<Nam
     }
 }
 
-/// A depth, or `"random"`.
+/// A depth, or `"stochastic"`.
 fn branches(node: &Node) -> Read<Branches> {
     match &node.value {
-        Value::Text(_) => word(&[("random", Branches::Random)])(node),
+        Value::Text(_) => word(&[("stochastic", Branches::Random)])(node),
         _ => whole(0..=20)(node).map(Branches::Enumerated),
     }
 }
@@ -149,13 +149,13 @@ fn branches(node: &Node) -> Read<Branches> {
 /// Beyond the bound one centre's orbits go on in closed form, which has to be about the bound's own centre.
 fn check_asymptotic(table: &TableReader, law: &dyn Law, bound: Bound) {
     let Some(center) = law.facts().orbit.filter(|orbit| orbit.is_free_far_away).map(|orbit| orbit.center) else {
-        let problem = "`asymptotic` is for a hole's own law or one inverse-square source";
-        table.fault(&["asymptotic"], problem, "leave it out");
+        let problem = "`sky_at_infinity` is for a hole's own law or one inverse-square source";
+        table.fault(&["sky_at_infinity"], problem, "leave it out");
         return;
     };
     if center != bound.center {
-        let problem = "`asymptotic` needs the bound's centre at the law's";
-        table.fault(&["asymptotic"], problem, format!("set bound.center to {:?}", center.to_array()));
+        let problem = "`sky_at_infinity` needs the bound's centre at the law's";
+        table.fault(&["sky_at_infinity"], problem, format!("set bounding_sphere.center to {:?}", center.to_array()));
     }
 }
 
@@ -191,15 +191,15 @@ fn accuracy(node: &Node) -> Read<Accuracy> {
 /// The bounding sphere.
 pub fn bound(table: &TableReader) -> Option<Bound> {
     const EXAMPLE: &str = "{ center = [0, 0, 0], radius = 50 }";
-    let node = table.required_node("bound", EXAMPLE)?;
+    let node = table.required_node("bounding_sphere", EXAMPLE)?;
     if !matches!(node.value, Value::Table(_)) {
         // Who writes a number means the radius.
         let radius = positive(node).unwrap_or(50.0);
-        let help = format!("for example bound = {{ radius = {radius} }}");
+        let help = format!("for example bounding_sphere = {{ radius = {radius} }}");
         table.reader.fault(Fault { help, ..node.expected("a table") });
         return None;
     }
-    let bound = table.reader.open("rays.bound", node)?;
+    let bound = table.reader.open("rays.bounding_sphere", node)?;
     let center = bound.or("center", DVec3::ZERO, vector);
     let radius = bound.required("radius", "50", positive);
     bound.finish();

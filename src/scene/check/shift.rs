@@ -19,10 +19,10 @@ pub struct Rest<'a> {
 pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
     if camera.is_some_and(|camera| camera.shift) {
         if rest.paths {
-            root.fault(&["camera"], "the shift of light is of pictures without paths", "leave camera.shift out");
+            root.fault(&["camera"], "the shift of light is of pictures without paths", "leave camera.redshift out");
         } else if rest.filter.is_some_and(|filter| filter.glow != DVec3::ZERO) {
             let problem = "light that space adds has no frequency of its own";
-            root.fault(&["camera"], problem, "leave camera.shift out, or `glow` in law.filter");
+            root.fault(&["camera"], problem, "leave camera.redshift out, or `emission` in law.absorption");
         }
     }
     let Some(material) = rest.materials.iter().find(|material| material.surface.facts().orbits) else { return };
@@ -31,7 +31,8 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, rest: &Rest) {
         let help = "leave transport out, or use kind = \"blackbody\"";
         root.fault(&["materials"], format!("`{name}` orbits, and paths see nothing that does"), help);
     } else if rest.law.is_some_and(|law| matter::innermost_stable(law, rest.reach).is_none()) {
-        let problem = format!("`{name}` orbits, and this law has no innermost stable orbit within rays.bound");
+        let problem =
+            format!("`{name}` orbits, and this law has no innermost stable orbit within rays.bounding_sphere");
         root.fault(&["materials"], problem, "use law.kind = \"kerr-newman\", or a hole by its line element");
     }
 }

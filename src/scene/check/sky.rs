@@ -18,14 +18,14 @@ pub fn read(root: &TableReader, files: &mut Files, law: Option<&dyn Law>, paths:
     }
     let Some(table) = root.reader.open("sky", node) else { return (BLACK, None) };
     let sky = one(&table, files);
-    let beyond = table.subtable("beyond", "sky.beyond").map(|beyond| {
+    let beyond = table.subtable("other_side", "sky.other_side").map(|beyond| {
         if law.is_some_and(|law| law.facts().throat.is_none()) {
             let problem = "only a wormhole has another side";
-            table.fault(&["beyond"], problem, "leave it out, or use law.kind = \"wormhole\" or law.throat");
+            table.fault(&["other_side"], problem, "leave it out, or use law.kind = \"wormhole\" or law.throat");
         }
         if paths {
             let problem = "paths know one sky, that of both sides";
-            table.fault(&["beyond"], problem, "leave it out, or use transport = \"lights\"");
+            table.fault(&["other_side"], problem, "leave it out, or use lighting = \"direct\"");
         }
         let sky = one(&beyond, files);
         beyond.finish();

@@ -42,7 +42,7 @@ pub fn check(root: &TableReader, camera: Option<&Camera>, bound: Option<Bound>, 
     if camera.zip(centers).is_some_and(|(camera, balls)| is_outside(camera, balls)) {
         fault(
             "the camera is outside of the bounding sphere, from which on light's time is counted",
-            "use a larger rays.bound.radius",
+            "use a larger rays.bounding_sphere.radius",
         );
     }
 }

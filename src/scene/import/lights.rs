@@ -42,7 +42,7 @@ pub(super) fn lights(
                 let position = placed.world.translation;
                 places.push(position);
                 text.extend([format!(
-                    "[[lights]]\nkind = \"point\"\nposition = {}\ncolor = {}\nfalloff = \"inverse-square\"\nshadows = \"straight\"\n\n",
+                    "[[lights]]\nkind = \"point\"\nposition = {}\ncolor = {}\nfalloff = \"inverse-square\"\nshadows = \"straight-rays\"\n\n",
                     vector(position),
                     color(radiance)
                 )]);
@@ -62,5 +62,7 @@ pub(super) fn lights(
 
 fn directional(direction: DVec3, radiance: DVec3) -> String {
     let (direction, color) = (vector(direction), color(radiance));
-    format!("[[lights]]\nkind = \"directional\"\ndirection = {direction}\ncolor = {color}\nshadows = \"straight\"\n\n")
+    format!(
+        "[[lights]]\nkind = \"directional\"\ndirection = {direction}\ncolor = {color}\nshadows = \"straight-rays\"\n\n"
+    )
 }

@@ -71,8 +71,11 @@ pub fn import(file: &Gltf, scene: &Path) -> Result<Imported, SceneError> {
     let (lights, lamps) = lights::lights(file, &nodes, &extent, eyes[0], surfaces.shines(), &mut left);
     let center = extent.center();
     let reach = eyes.iter().chain(&lamps).map(|place| place.distance(center)).fold(extent.radius(), f64::max);
-    let bound =
-        format!("[rays]\nbound = {{ center = {}, radius = {} }}\n", vector(center), number(round_up(1.05 * reach)));
+    let bound = format!(
+        "[rays]\nbounding_sphere = {{ center = {}, radius = {} }}\n",
+        vector(center),
+        number(round_up(1.05 * reach))
+    );
     let head = format!("# From {}, by `bentray import`.\n", relative(file.path(), folder));
     let (materials, pictures) = surfaces.finish();
     let tables = [&head, &camera, &bound, &materials, &objects, &lights].map(|table| table.trim_end());

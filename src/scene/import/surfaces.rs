@@ -79,7 +79,7 @@ impl<'a> Surfaces<'a> {
                 };
                 let density = vector(density);
                 return format!(
-                    "interior = {{ kind = \"constant\", n = {index}, filter = {{ density = {density} }} }}"
+                    "interior = {{ kind = \"constant\", n = {index}, absorption = {{ coefficient = {density} }} }}"
                 );
             }
             left.out(

@@ -62,7 +62,7 @@ fn view(placed: &Placed, camera: &Camera, name: &str) -> Option<View> {
         }
         (None, Some(plane)) => {
             let (width, height) = (2.0 * f64::from(plane.xmag), 2.0 * f64::from(plane.ymag));
-            let kind = (height > 0.0).then(|| format!("kind = \"plane\"\nheight = {}\n", number(height)))?;
+            let kind = (height > 0.0).then(|| format!("kind = \"orthographic\"\nheight = {}\n", number(height)))?;
             (kind, width / height)
         }
         (None, None) => return None,

@@ -28,7 +28,7 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
     ]
     .concat();
     let mut all = keys::fixed();
-    add_copy(&mut all, "sky", "sky.beyond");
+    add_copy(&mut all, "sky", "sky.other_side");
     add_copy(&mut all, "materials.NAME.diffuse", "materials.NAME.color");
     for table in kinds.chunk_by(|a, b| a.table == b.table) {
         // The kinds of a table stand where the table does, or behind the table before it.
@@ -42,7 +42,7 @@ pub static REFERENCE: LazyLock<Vec<KeyReference>> = LazyLock::new(|| {
 
 /// Adds the keys of a table that is read as another is, behind that.
 fn add_copy(all: &mut Vec<KeyReference>, original: &'static str, copy: &'static str) {
-    let own = all.iter().filter(|row| row.table == original && row.key != "beyond");
+    let own = all.iter().filter(|row| row.table == original && row.key != "other_side");
     let other: Vec<_> = own.map(|row| KeyReference { table: copy, ..row.clone() }).collect();
     let at = all.iter().rposition(|row| row.table == original).map_or(all.len(), |last| last + 1);
     all.splice(at..at, other);
@@ -53,7 +53,7 @@ const AFTER: [(&str, &str); 5] = [
     ("law", "camera.stereo"),
     ("law.sources.falloff", "law.sources"),
     ("medium", "law.sources.falloff"),
-    ("filter", "medium"),
+    ("absorption", "medium"),
     ("materials.NAME", "output"),
 ];
 

@@ -29,7 +29,7 @@ fn fov(scene: &Scene) -> f64 {
 
 #[test]
 fn values_go_from_key_to_key() {
-    let position = track("camera.position", "values = [[0, 0, 9], [10, 0, 9], [10, 0, 5]]\nat = [0, 4, 8]");
+    let position = track("camera.position", "values = [[0, 0, 9], [10, 0, 9], [10, 0, 5]]\nkeyframes = [0, 4, 8]");
     for (k, expected) in [(0, [0.0, 9.0]), (1, [2.5, 9.0]), (4, [10.0, 9.0]), (6, [10.0, 7.0]), (10, [10.0, 5.0])] {
         let scene = frame(&position, &[], k).expect("a good frame");
         assert_eq!(scene.camera.expect("a camera").position, DVec3::new(expected[0], 0.0, expected[1]), "frame {k}");
@@ -52,7 +52,7 @@ proptest! {
     /// away from its ends.
     #[test]
     fn smooth_tracks_have_no_corners(values in prop::collection::vec(20.0..60.0_f64, 3), middle in 200_u32..800) {
-        let text = track("camera.fov", &format!("values = {values:?}\nat = [0, {middle}, 1000]\nbetween = \"smooth\""));
+        let text = track("camera.fov", &format!("values = {values:?}\nkeyframes = [0, {middle}, 1000]\ninterpolation = \"smooth\""));
         let text = text.replace("frames = 11", "frames = 1001");
         let at = |k: u32| fov(&frame(&text, &[], k).expect("a good frame"));
         for (k, value) in [0, middle, 1000].into_iter().zip(&values) {

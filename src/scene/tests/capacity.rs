@@ -10,8 +10,7 @@ use super::gltf::Made;
 use crate::assets::{Capacity, Held};
 use crate::scene::{Files, Scene};
 
-const SCENE: &str =
-    "[rays]\nbound = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nmaterial = \"m\"\nfile = \"NAME\"\n";
+const SCENE: &str = "[rays]\nbounding_sphere = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nmaterial = \"m\"\nfile = \"NAME\"\n";
 
 /// Loads a scene of this mesh for a device that holds five triangles; returns also how often it was asked for.
 fn load(name: &str, bytes: &[u8], always: u64) -> (Result<Scene, String>, u32) {

@@ -187,7 +187,7 @@ fn a_lamp_is_as_bright_as_its_vertex_colors() {
     let lamps = |color: &str| {
         let text = format!("v 0 0 0 {color}\nv 1 0 0 {color}\nv 0 1 0 {color}\nf 1 2 3\n");
         std::fs::write(folder.path().join("lamp.obj"), text).expect("written");
-        let text = "[rays]\nbound = { radius = 10 }\ntransport = \"paths\"\n[materials.m]\nkind = \"emissive\"\n\
+        let text = "[rays]\nbounding_sphere = { radius = 10 }\nlighting = \"path-tracing\"\n[materials.m]\nkind = \"emissive\"\n\
                     color = { color = [3, 3, 3], vertex_colors = true }\n[[objects]]\nshape = \"mesh\"\n\
                     file = \"lamp.obj\"\nmaterial = \"m\"\n";
         let scene =

@@ -13,7 +13,7 @@ const STL: &str =
     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid\n";
 const NRRD: &str = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\nspacings: 1 1 1\n\nabcdefgh";
 const CSV: &str = "height,n\n0,1.5\n4,1.25\n";
-const SCENE: &str = "[rays]\nbound = { radius = 9 }\n[materials.m]\n";
+const SCENE: &str = "[rays]\nbounding_sphere = { radius = 9 }\n[materials.m]\n";
 const GLTF: &str = "{\n  \"asset\": { \"version\": \"2.0\" }\n}\n";
 
 type Read = fn(&Path) -> Result<String, SceneError>;

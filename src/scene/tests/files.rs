@@ -157,7 +157,7 @@ fn a_scene_loads_each_file_once() {
     RgbImage::new(2, 2).save(path("a.png")).expect("saved");
     RgbImage::new(2, 2).save(path("b.png")).expect("saved");
     fs::write(path("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
-    let text = "[rays]\nbound = { radius = 9 }\n[sky]\nfaces = [\"a.png\", \"b.png\", \"./a.png\", \"a.png\", \"b.png\", \
+    let text = "[rays]\nbounding_sphere = { radius = 9 }\n[sky]\nfaces = [\"a.png\", \"b.png\", \"./a.png\", \"a.png\", \"b.png\", \
                 \"a.png\"]\nintensity = 2\n[materials.m]\ndiffuse = { image = \"b.png\" }\n[[objects]]\nshape = \"mesh\"\n\
                 file = \"m.obj\"\nmaterial = \"m\"\n[[objects]]\nshape = \"mesh\"\nfile = \"m.obj\"\nmaterial = \"m\"\n";
     fs::write(path("scene.toml"), text).expect("written");
@@ -186,7 +186,7 @@ fn scenes_that_share_their_files_load_each_once() {
     fs::write(path("n.raw"), [1; 8]).expect("written");
     let scene = |sky: &str, offset: f64| {
         format!(
-            "[rays]\nbound = {{ radius = 9 }}\n[sky]\nimage = \"{sky}\"\n[materials.m]\ndiffuse = {{ image = \"a.png\" }}\n\
+            "[rays]\nbounding_sphere = {{ radius = 9 }}\n[sky]\nimage = \"{sky}\"\n[materials.m]\ndiffuse = {{ image = \"a.png\" }}\n\
              [[objects]]\nshape = \"mesh\"\nfile = \"m.obj\"\nmaterial = \"m\"\n[[objects]]\nshape = \"sphere\"\n\
              interior = {{ kind = \"grid\", file = \"n.raw\", size = [2, 2, 2], type = \"u8\", min = [-1, -1, -1], \
              max = [1, 1, 1], offset = {offset} }}\n"

@@ -218,7 +218,7 @@ fn buffers_are_in_the_file_beside_it_or_in_the_text() {
         assert_eq!(Mesh::load(&path).unwrap_or_else(|error| panic!("{error}")), expected);
         // What a picture is made of is all of it.
         let scene = folder.path().join("scene.toml");
-        let text = "[rays]\nbound = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.gltf\"\n\
+        let text = "[rays]\nbounding_sphere = { radius = 9 }\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.gltf\"\n\
                     material = \"m\"\n";
         std::fs::write(&scene, text).expect("written");
         let mut files = Files::default();
@@ -268,7 +268,7 @@ fn parts_are_chosen_by_name_and_number() {
     std::fs::write(&path, made.glb(&rest)).expect("written");
     let scene = |keys: &str| {
         let text = format!(
-            "[rays]\nbound = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.glb\"\n\
+            "[rays]\nbounding_sphere = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.glb\"\n\
              material = \"m\"\n{keys}\n"
         );
         std::fs::write(folder.path().join("scene.toml"), text).expect("written");
@@ -287,7 +287,7 @@ fn parts_are_chosen_by_name_and_number() {
     assert!(scene("node = true").expect_err("an error").contains("expected a whole number"));
     let obj = "file = \"scenes/stability/sheet.obj\"\nshape = \"mesh\"\nmaterial = \"m\"\nnode = 0\n";
     let told = super::mistakes_of(super::parse(&format!(
-        "[rays]\nbound = {{ radius = 30 }}\n[materials.m]\n[[objects]]\n{obj}"
+        "[rays]\nbounding_sphere = {{ radius = 30 }}\n[materials.m]\n[[objects]]\n{obj}"
     )));
     assert!(told[0].problem.contains("it has no nodes: leave `node` and `primitive` out"), "{told:?}");
 }
@@ -310,7 +310,7 @@ fn nodes_with_the_same_mesh_share_it() {
         let object =
             |node: &u32| format!("[[objects]]\nshape = \"mesh\"\nfile = \"a.glb\"\nmaterial = \"m\"\nnode = {node}\n");
         let objects: String = nodes.iter().map(object).collect();
-        let text = format!("[rays]\nbound = {{ radius = 9 }}\n[materials.m]\n{objects}");
+        let text = format!("[rays]\nbounding_sphere = {{ radius = 9 }}\n[materials.m]\n{objects}");
         Scene::parse(&text, &folder.path().join("scene.toml"), &[])
     };
     let scene_of_three = scene(&[0, 1, 2]).unwrap_or_else(|error| panic!("{error}"));

@@ -144,7 +144,7 @@ fn gaps_are_distances() {
 fn a_cylinder_gives_its_medium_its_radius_and_axis() {
     let rod = |keys: &str, medium: &str| -> Arc<dyn Medium> {
         let text = format!(
-            "[rays]\nbound = {{ radius = 99 }}\n[[objects]]\nshape = \"cylinder\"\n{keys}\ninterior = {{ {medium} }}\n"
+            "[rays]\nbounding_sphere = {{ radius = 99 }}\n[[objects]]\nshape = \"cylinder\"\n{keys}\ninterior = {{ {medium} }}\n"
         );
         match good(&text).objects[0].interior().map(|interior| interior.medium.clone()) {
             Some(medium) => medium,
@@ -162,7 +162,7 @@ fn a_cylinder_gives_its_medium_its_radius_and_axis() {
     // An elliptic or a sheared cylinder has no radius.
     for place in ["scale = [3, 7, 2]", "axis = [0, 1, 1]\nscale = [1, 1, 2]"] {
         let text = format!(
-            "[rays]\nbound = {{ radius = 99 }}\n[[objects]]\nshape = \"cylinder\"\n{place}\ninterior = {{ kind = \"eaton\" }}\n"
+            "[rays]\nbounding_sphere = {{ radius = 99 }}\n[[objects]]\nshape = \"cylinder\"\n{place}\ninterior = {{ kind = \"eaton\" }}\n"
         );
         let error = parse(&text).expect_err("no radius").to_string();
         assert!(error.contains("missing key `radius`"), "{error}");

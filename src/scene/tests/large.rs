@@ -91,7 +91,7 @@ fn a_mesh_far_away_that_is_moved_to_the_origin_is_where_it_belongs() {
     ] {
         std::fs::write(folder.path().join(name), bytes).expect("written");
         let text = format!(
-            "[rays]\nbound = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"{name}\"\n{keys}\
+            "[rays]\nbounding_sphere = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"{name}\"\n{keys}\
              material = \"m\"\ntranslate = [{}, {}, {}]\n",
             -x, -y, -z
         );
@@ -140,7 +140,7 @@ fn a_medium_in_a_mesh_is_about_the_origin_of_the_file() {
     std::fs::write(folder.path().join("a.obj"), obj()).expect("written");
     let [x, y, z] = PLACE.to_array();
     let text = format!(
-        "[rays]\nbound = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.obj\"\nmaterial = \"m\"\n\
+        "[rays]\nbounding_sphere = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.obj\"\nmaterial = \"m\"\n\
          translate = [{}, {}, {}]\n",
         -x, -y, -z
     );

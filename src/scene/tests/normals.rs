@@ -37,7 +37,7 @@ fn mesh(text: &str, crease: f64) -> Mesh {
     let folder = tempfile::tempdir().expect("a folder");
     std::fs::write(folder.path().join("a.obj"), text).expect("written");
     let scene = format!(
-        "[rays]\nbound = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.obj\"\nmaterial = \"m\"\n\
+        "[rays]\nbounding_sphere = {{ radius = 9 }}\n[materials.m]\n[[objects]]\nshape = \"mesh\"\nfile = \"a.obj\"\nmaterial = \"m\"\n\
          crease = {crease}\n"
     );
     std::fs::write(folder.path().join("scene.toml"), scene).expect("written");
@@ -130,7 +130,7 @@ fn a_fan_at_one_vertex_is_quick() {
 
 #[test]
 fn a_crease_is_an_angle_of_a_mesh() {
-    let top = "[rays]\nbound = { radius = 30 }\n[materials.m]\n";
+    let top = "[rays]\nbounding_sphere = { radius = 30 }\n[materials.m]\n";
     let mesh = "[[objects]]\nshape = \"mesh\"\nmaterial = \"m\"\nfile = \"scenes/stability/sheet.obj\"\n";
     assert!(marked(&format!("{top}{mesh}crease = «181»\n")).problem.contains("an angle from 0 to 180 degrees"));
     let sphere = "[[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\n«crease» = 3\n";

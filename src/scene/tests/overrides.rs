@@ -23,10 +23,10 @@ fn values_are_replaced_and_added() {
         "law.form=geodesic",
         "law.center=[0,0,1]",
         "objects.0.radius=2",
-        "rays.bound.radius=20",
-        "rays.bound={ radius = 30 }",
+        "rays.bounding_sphere.radius=20",
+        "rays.bounding_sphere={ radius = 30 }",
         "materials.\"light red\".ambient=0.5",
-        "output.bits=16",
+        "output.bit_depth=16",
     ])
     .expect("good overrides");
     assert_eq!(scene.image.size, [10, 12]);
@@ -47,7 +47,7 @@ fn mistakes_are_found_on_the_command_line() {
         ("rays.step=abc", 11, "abc", "expected a number, found the string \"abc\""),
         ("rays.step= 0.0.5", 12, "0.0.5", "expected a number, found the string \"0.0.5\""),
         ("image.size=[10, 0]", 17, "0", "expected a whole number, 1 to 65536, found 0"),
-        ("rays.bound={ radius = 3, radios = 4 }", 26, "radios", "unknown key `radios`"),
+        ("rays.bounding_sphere={ radius = 3, radios = 4 }", 36, "radios", "unknown key `radios`"),
         ("image.sise=3", 1, "image.sise", "unknown key `sise`"),
         ("objects.1.radius=3", 1, "objects.1.radius", "`objects` has 1 entries, counted from 0, and none is `1`"),
         ("law.kind.x=3", 1, "law.kind.x", "`law.kind` is not a table"),

@@ -86,7 +86,7 @@ fn mistakes_in_a_profile_have_their_places() {
 fn a_scene_finds_its_profile() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = folder.path().join("scene.toml");
-    let text = "[rays]\nbound = { radius = 10 }\n[law]\nkind = \"medium\"\nindex = { kind = \"profile\", file = \"air.csv\", up = [0, 0, 2] }";
+    let text = "[rays]\nbounding_sphere = { radius = 10 }\n[law]\nkind = \"medium\"\nindex = { kind = \"profile\", file = \"air.csv\", up = [0, 0, 2] }";
     fs::write(folder.path().join("air.csv"), "\u{feff}height, n\n\n 0, 1.5 \n4,1.25\n").expect("written");
     let law = Scene::parse(text, &scene, &[]).unwrap_or_else(|e| panic!("{e}")).law;
     let InMedium(medium) = law.downcast().expect("a medium");

@@ -29,7 +29,7 @@ fn vector(range: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
 
 proptest! {
     #[test]
-    fn damaged_scenes_do_not_panic(text in damaged(TEMPLATES[0].text), set in damaged("rays.bound.radius=[3, \"a\"]")) {
+    fn damaged_scenes_do_not_panic(text in damaged(TEMPLATES[0].text), set in damaged("rays.bounding_sphere.radius=[3, \"a\"]")) {
         let sets: Vec<Override> = set.parse().into_iter().collect();
         if let Err(error) = Scene::parse(&text, Path::new("scene.toml"), &sets) {
             prop_assert!(!error.to_string().is_empty());

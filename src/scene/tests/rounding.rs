@@ -6,7 +6,7 @@ use super::good;
 fn ball(position: [f64; 3], center: [f64; 3], radius: f64, fov: f64, precision: &str) -> Option<String> {
     let text = format!(
         "[image]\nsize = [320, 240]\n[camera]\nposition = {position:?}\nlook_at = {center:?}\nfov = {fov}\n\
-         [rays]\nprecision = \"{precision}\"\nbound = {{ radius = 1e8 }}\n[materials.m]\n\
+         [rays]\nprecision = \"{precision}\"\nbounding_sphere = {{ radius = 1e8 }}\n[materials.m]\n\
          [[objects]]\nshape = \"sphere\"\nmaterial = \"m\"\ncenter = {center:?}\nradius = {radius}\n"
     );
     good(&text).rounded_away()

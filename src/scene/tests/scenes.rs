@@ -22,32 +22,32 @@ use std::path::Path;
 
 /// Between them these ask for every key.
 const KINDS: &[&str] = &[
-    "[camera]\nkind = \"plane\"\nposition = [1, 2, 3]\nheight = 4\n[law]\nkind = \"lorenz\"\norder = 2\n[rays]\n\
-     method = \"rk4-doubling\"\ndoubling = \"paper\"\nbound = { radius = 1 }\nsegment = \"chord\"\nlength = 7\n",
-    "[law]\nkind = \"rossler\"\n[rays]\nmethod = \"euler\"\nstep = 1\nbound = { radius = 1, center = [1, 2, 3] }\n",
+    "[camera]\nkind = \"orthographic\"\nposition = [1, 2, 3]\nheight = 4\n[law]\nkind = \"lorenz\"\norder = 2\n[rays]\n\
+     method = \"rk4-doubling\"\ndoubling = \"paper\"\nbounding_sphere = { radius = 1 }\nsegment = \"chord\"\nmax_parameter = 7\n",
+    "[law]\nkind = \"rossler\"\n[rays]\nmethod = \"euler\"\nstep = 1\nbounding_sphere = { radius = 1, center = [1, 2, 3] }\n",
     "[law]\nkind = \"sources\"\n[[law.sources]]\nposition = [0, 0, 0]\nstrength = -1\nfalloff = { cubic = 2 }\n\
-     [[law.sources]]\nposition = [0, 0, 1]\nstrength = 1\nfalloff = { yukawa = 3 }\ncapture = 1\n[[law.sources]]\n\
-     kind = \"line\"\ndirection = [0, 0, 2]\nposition = [0, 0, 0]\nstrength = 1\nfalloff = \"inverse-square\"\n[rays]\nbound = { radius = 1 }\n",
+     [[law.sources]]\nposition = [0, 0, 1]\nstrength = 1\nfalloff = { yukawa = 3 }\ncapture_radius = 1\n[[law.sources]]\n\
+     kind = \"line\"\ndirection = [0, 0, 2]\nposition = [0, 0, 0]\nstrength = 1\nfalloff = \"inverse-square\"\n[rays]\nbounding_sphere = { radius = 1 }\n",
     "[law]\nkind = \"medium\"\nindex = { kind = \"explosion\", radius = 1, amplitude = 0.2, frequency = 3 }\n[rays]\n\
-     method = \"snell\"\nbound = { radius = 1 }\n",
-    "[camera]\nposition = [0, 0, 9]\nframe = \"static\"\n[law]\nkind = \"schwarzschild\"\nmass = 2\n\
-     [rays]\nbound = { radius = 20 }\nmethod = \"euler-doubling\"\n",
-    "[law]\nkind = \"metric\"\nline_element = \"-dt^2 + a*dx^2 + dy^2 + dz^2\"\nscale = \"1\"\ncaptured = \"r < 1\"\ntime = 2\n\
-     rotate = [0, 0, 90]\ncenter = [1, 2, 3]\n[law.parameters]\na = 1\n[law.terms]\nb = \"2*a\"\n[rays]\nbound = { radius = 20 }\n",
-    "[law]\nkind = \"reissner-nordstrom\"\nmass = 2\n[rays]\nbound = { radius = 20 }\n",
-    "[camera]\nposition = [9, 0, 0]\n[law]\nkind = \"wormhole\"\nradius = 2\nlength = 0.5\nmass = 0.3\ncenter = [0, 0, 0]\nother = [99, 0, 0]\n\
-     [rays]\nbound = { radius = 20 }\n[sky]\n[sky.beyond]\nimage = \"sky.png\"\n",
-    "[camera]\nposition = [9, 0, 0]\nframe = \"moving\"\nvelocity = [0, 0.5, 0]\n[law]\nkind = \"kerr-newman\"\nspin = 0.5\n[rays]\nbound = { radius = 20 }\n\
+     method = \"snell\"\nbounding_sphere = { radius = 1 }\n",
+    "[camera]\nposition = [0, 0, 9]\nobserver = \"static\"\n[law]\nkind = \"schwarzschild\"\nmass = 2\n\
+     [rays]\nbounding_sphere = { radius = 20 }\nmethod = \"euler-doubling\"\n",
+    "[law]\nkind = \"metric\"\nline_element = \"-dt^2 + a*dx^2 + dy^2 + dz^2\"\nscale = \"1\"\ncapture_condition = \"r < 1\"\ntime = 2\n\
+     rotate = [0, 0, 90]\ncenter = [1, 2, 3]\n[law.parameters]\na = 1\n[law.terms]\nb = \"2*a\"\n[rays]\nbounding_sphere = { radius = 20 }\n",
+    "[law]\nkind = \"reissner-nordstrom\"\nmass = 2\n[rays]\nbounding_sphere = { radius = 20 }\n",
+    "[camera]\nposition = [9, 0, 0]\n[law]\nkind = \"wormhole\"\nradius = 2\nlength = 0.5\nmass = 0.3\ncenter = [0, 0, 0]\nother_mouth = [99, 0, 0]\n\
+     [rays]\nbounding_sphere = { radius = 20 }\n[sky]\n[sky.other_side]\nimage = \"sky.png\"\n",
+    "[camera]\nposition = [9, 0, 0]\nobserver = \"boosted\"\nvelocity = [0, 0.5, 0]\n[law]\nkind = \"kerr-newman\"\nspin = 0.5\n[rays]\nbounding_sphere = { radius = 20 }\n\
      [materials.a]\nkind = \"blackbody\"\ntemperature = 3000\n[materials.b]\nkind = \"accretion\"\ntemperature = 3000\n",
-    "[rays]\nbound = { radius = 10 }\n[sky]\nimage = \"sky.png\"\n[materials.a]\ndiffuse = { image = \"sky.png\" }\n\
+    "[rays]\nbounding_sphere = { radius = 10 }\n[sky]\nimage = \"sky.png\"\n[materials.a]\ndiffuse = { image = \"sky.png\" }\n\
      [materials.b]\nkind = \"emissive\"\ncolor = { checker = [[1, 1, 1], [0, 0, 0]] }\n[[objects]]\nshape = \"box\"\n\
      material = \"b\"\nmin = [0, 0, 0]\nmax = [1, 2, 3]\n[[objects]]\nshape = \"plane\"\nmaterial = \"a\"\n\
      [[objects]]\nshape = \"cylinder\"\nmaterial = \"a\"\n[[objects]]\nshape = \"disk\"\nmaterial = \"a\"\n\
      [[objects]]\nshape = \"mesh\"\nmaterial = \"a\"\nfile = \"mesh.obj\"\n[[lights]]\nkind = \"directional\"\n\
      direction = [0, -2, 0]\n",
-    "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"expression\", n = \"1 + x^2\" }\n\
+    "[rays]\nbounding_sphere = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"expression\", n = \"1 + x^2\" }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"grid\", file = \"n.raw\", size = [2, 2, 2], type = \"u8\" }\n",
-    "[rays]\nbound = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"gaussian\", a = 1.4 }\n\
+    "[rays]\nbounding_sphere = { radius = 10 }\n[[objects]]\nshape = \"sphere\"\ninterior = { kind = \"gaussian\", a = 1.4 }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"inverse-r\" }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"maxwell-fisheye\" }\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"rod\", n0 = 1.6, g = 0.3 }\n\
@@ -58,24 +58,24 @@ const KINDS: &[&str] = &[
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"noise\", amplitude = 0.2, frequency = 2, octaves = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"luneburg\", radius = 1, c = 3 }\n\
      [[objects]]\nshape = \"box\"\ninterior = { kind = \"constant\", n = 1.5 }\npriority = 1\n",
-    "[camera]\nposition = [1, 2, 3]\nshift = true\n[rays]\nbound = { radius = 9 }\n",
+    "[camera]\nposition = [1, 2, 3]\nredshift = true\n[rays]\nbounding_sphere = { radius = 9 }\n",
     "[camera]\nkind = \"fisheye\"\nposition = [1, 2, 3]\ncorners = \"transparent\"\n\
-     stereo = { separation = 0.5, layout = \"top-bottom\", convergence = 3 }\n[rays]\nbound = { radius = 1 }\n",
-    "[rays]\nbound = { radius = 9 }\n[[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"shooting\"\n\
-     [[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"straight\"\n\
-     [[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"grid\"\n",
-    "[rays]\nbound = { radius = 9 }\n[materials.m]\nkind = \"fan\"\nrays = [[\"dx\", \"dy\", \"dz\", \"1\"]]\n",
-    "[law]\nkind = \"parametric\"\nx = \"t\"\ny = \"t\"\nz = \"t\"\nt = [0, 1]\n[rays]\nbound = { radius = 1 }\n",
-    "[law]\nkind = \"wgsl\"\nfile = \"law.wgsl\"\n[rays]\nbound = { radius = 1 }\n",
-    "[law]\nkind = \"straight\"\nfilter = { color = [1, 1, 1] }\n[rays]\nbound = { radius = 9 }\n\
-     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, filter = { texture = \"wrapped\", \
+     stereo = { separation = 0.5, layout = \"top-bottom\", convergence = 3 }\n[rays]\nbounding_sphere = { radius = 1 }\n",
+    "[rays]\nbounding_sphere = { radius = 9 }\n[[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"curved-rays\"\n\
+     [[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"straight-rays\"\n\
+     [[lights]]\nkind = \"point\"\nposition = [0, 0, 1]\nshadows = \"photon-grid\"\n",
+    "[rays]\nbounding_sphere = { radius = 9 }\n[materials.m]\nkind = \"ray-splitter\"\nrays = [[\"dx\", \"dy\", \"dz\", \"1\"]]\n",
+    "[law]\nkind = \"parametric\"\nx = \"t\"\ny = \"t\"\nz = \"t\"\nt = [0, 1]\n[rays]\nbounding_sphere = { radius = 1 }\n",
+    "[law]\nkind = \"wgsl\"\nfile = \"law.wgsl\"\n[rays]\nbounding_sphere = { radius = 1 }\n",
+    "[law]\nkind = \"straight\"\nabsorption = { transmittance = [1, 1, 1] }\n[rays]\nbounding_sphere = { radius = 9 }\n\
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, absorption = { texture = \"wrapped\", \
      frequency = 2, low = [0, 0, 0], high = [1, 1, 1] } }\n\
-     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, filter = { texture = \"ramp\", \
+     [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"constant\", n = 1.5, absorption = { texture = \"ramp\", \
      frequency = 2, ramp = \"none.png\", axis = [0, 1, 0] } }\n",
-    "[rays]\nbound = { radius = 9 }\n[ambient]\nfloor = 0.2\n[materials.m]\nkind = \"glossy\"\nexponent = 9\n",
-    "[rays]\nbound = { radius = 9 }\ntransport = \"paths\"\n[paths]\ndepth = 2\n\
+    "[rays]\nbounding_sphere = { radius = 9 }\n[ambient]\nfloor = 0.2\n[materials.m]\nkind = \"glossy\"\nexponent = 9\n",
+    "[rays]\nbounding_sphere = { radius = 9 }\nlighting = \"path-tracing\"\n[path_tracing]\nmax_depth = 2\n\
      [[objects]]\nshape = \"sphere\"\ninterior = { kind = \"sellmeier\", b = [1], c = [0.01] }\n",
-    "[rays]\nbound = { radius = 1 }\n[animation]\nframes = 3\n[[animation.tracks]]\nkey = \"rays.bound.radius\"\n\
+    "[rays]\nbounding_sphere = { radius = 1 }\n[animation]\nframes = 3\n[[animation.tracks]]\nkey = \"rays.bounding_sphere.radius\"\n\
      values = [1, 2]\n",
 ];
 
@@ -183,10 +183,10 @@ fn pixels_have_angles() {
     near("kind = \"panorama\"", 4.5);
     near("kind = \"panorama\"\nfov = [360, 40]", 2.0);
     near("kind = \"panorama\"\nfov = [80, 180]\nstereo = { separation = 1 }", 2.0);
-    assert_eq!(angle("kind = \"plane\"\nheight = 2"), None);
+    assert_eq!(angle("kind = \"orthographic\"\nheight = 2"), None);
 }
 
-fn method_of(name: &str) -> Method {
+fn method_from(name: &str) -> Method {
     Method { kind: method::METHODS.into_iter().find(|kind| kind.name == name).expect(name), own: 0.0 }
 }
 
@@ -195,7 +195,7 @@ fn laws_and_methods_become_values() {
     let scene = good(KINDS[0]);
     let order = FlowOrder::Acceleration;
     assert_eq!(scene.law.downcast(), Some(&Lorenz { sigma: 10.0, rho: 28.0, beta: 8.0 / 3.0, order }));
-    assert_eq!(scene.rays.method, method_of("rk4"));
+    assert_eq!(scene.rays.method, method_from("rk4"));
     let Control { kind, setting, grow_below, cap } = scene.rays.control;
     assert_eq!((kind.name, setting, cap), (doubling::PAPER.name, 1e-5, 0.3));
     assert!((grow_below - 1e-6).abs() < 1e-18);
@@ -211,7 +211,7 @@ fn laws_and_methods_become_values() {
     assert_eq!(sources[2].falloff, Falloff::INVERSE_SQUARE);
     assert_eq!((sources[0].strength, sources[1].capture, sources[2].capture), (-1.0, 1.0, 0.0));
     let scene = good(KINDS[3]);
-    assert_eq!(scene.rays.method, Method { own: 0.001, ..method_of("snell") });
+    assert_eq!(scene.rays.method, Method { own: 0.001, ..method_from("snell") });
     assert_eq!(scene.rays.control, scaled::with(0.1));
     assert_eq!(good(KINDS[4]).camera.expect("a camera").frame, CameraFrame::Static);
 }
@@ -219,7 +219,7 @@ fn laws_and_methods_become_values() {
 #[test]
 fn shapes_go_where_their_keys_say() {
     let scene = good(
-        "[rays]\nbound = { radius = 100 }\n[materials.a]\n[materials.b]\ndiffuse = { checker = [[1, 1, 1], [0, 0, 0]] }\n\
+        "[rays]\nbounding_sphere = { radius = 100 }\n[materials.a]\n[materials.b]\ndiffuse = { checker = [[1, 1, 1], [0, 0, 0]] }\n\
          [[objects]]\nshape = \"sphere\"\nmaterial = \"b\"\ncenter = [1, 0, 0]\nradius = 2\nscale = 3\nrotate = [0, 0, 90]\n\
          translate = [0, 0, 5]\n[[objects]]\nshape = \"box\"\nmaterial = \"a\"\nmin = [1, 2, 3]\nmax = [2, 4, 6]\n\
          [[objects]]\nshape = \"plane\"\nmaterial = \"a\"\nnormal = [0, 0, -3]\nsize = [2, 4]\ncenter = [0, 0, 1]\n\

@@ -223,7 +223,7 @@ fn a_mesh_without_an_inside_is_refused() {
 /// A scene of one mesh that light goes through, and a sphere behind it.
 fn scene(folder: &Path, file: &str) -> Scene {
     let text = format!(
-        "[rays]\nbound = {{ radius = 20 }}\n[[objects]]\nshape = \"mesh\"\nfile = \"{file}\"\ninterior = 1.5\n\
+        "[rays]\nbounding_sphere = {{ radius = 20 }}\n[[objects]]\nshape = \"mesh\"\nfile = \"{file}\"\ninterior = 1.5\n\
          [[objects]]\nshape = \"sphere\"\ncenter = [0, 0, 9]\nmaterial = \"red\"\n[materials.red]\n"
     );
     Scene::parse(&text, &folder.join("scene.toml"), &[]).unwrap_or_else(|e| panic!("{e}"))
@@ -292,7 +292,7 @@ fn an_open_interior_is_a_mistake() {
     let path = folder.path().join("open.obj");
     std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("written");
     let text = format!(
-        "[rays]\nbound = {{ radius = 9 }}\n[[objects]]\nshape = \"mesh\"\nfile = '{}'\ninterior = 1.5\n",
+        "[rays]\nbounding_sphere = {{ radius = 9 }}\n[[objects]]\nshape = \"mesh\"\nfile = '{}'\ninterior = 1.5\n",
         path.display()
     );
     let mistakes = mistakes_of(parse(&text));

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 fn objects(tables: &[&str]) -> Scene {
     let tables: String = tables.iter().map(|table| format!("[[objects]]\n{table}\n")).collect::<Vec<_>>().concat();
-    good(&format!("[rays]\nbound = {{ radius = 99 }}\n[materials.m]\n{tables}"))
+    good(&format!("[rays]\nbounding_sphere = {{ radius = 99 }}\n[materials.m]\n{tables}"))
 }
 
 fn touch(first: &str, second: &str) -> bool {
@@ -99,7 +99,7 @@ fn closed_mirrors_count_among_what_a_ray_can_be_in() {
         let glass: String = (0..20).map(|i| row(i, "interior = 1.5")).collect();
         let mirrors: String = (0..mirrors).map(|i| row(30 + i, "material = \"m\"")).collect();
         let flat = "[[objects]]\nshape = \"plane\"\ncenter = [0, 5, 0]\nsize = [1, 1]\nmaterial = \"m\"\n";
-        format!("[rays]\nbound = {{ radius = 99 }}\n[materials.m]\nkind = \"mirror\"\n{glass}{mirrors}{flat}")
+        format!("[rays]\nbounding_sphere = {{ radius = 99 }}\n[materials.m]\nkind = \"mirror\"\n{glass}{mirrors}{flat}")
     };
     assert_eq!(good(&text(12)).objects.len(), 33);
     let error = parse(&text(13)).expect_err("33 bits").to_string();

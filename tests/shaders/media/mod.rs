@@ -51,7 +51,7 @@ struct Case {
 impl Case {
     fn medium(&self) -> Arc<dyn Medium> {
         let text = format!(
-            "[rays]\nbound = {{ radius = {BOUND} }}\n[[objects]]\nshape = \"box\"\ninterior = {}\n",
+            "[rays]\nbounding_sphere = {{ radius = {BOUND} }}\n[[objects]]\nshape = \"box\"\ninterior = {}\n",
             self.index
         );
         scene(&text).objects[0].interior().expect("an interior").medium.clone()

@@ -28,8 +28,8 @@ pub static KIND: Kind = Kind {
         parameters: "table of numbers" = "{}", "names for numbers";
         terms: "table of formulas" = "{}", "names for formulas, each of those before it";
         throat: "number above 0" = "none", "ρ₀ where space has two sides that a throat joins: each is drawn round a mouth of its own, r = ρ₀ + |l|, and `l` and `dl` are names for how far it is from the throat, below 0 on the other side";
-        other (" and throat"): "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
-        captured: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "where rays that go further in end";
+        other_mouth (" and throat"): "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
+        capture_condition: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "where rays that go further in end";
         time: "number" = "0", "t when the picture is taken";
         center: "[x, y, z]" = "[0, 0, 0]", "where x, y and z are 0";
         rotate: "[x, y, z]" = "[0, 0, 0]", "degrees about x, then y, then z of the scene";
@@ -242,9 +242,11 @@ impl Law for Metric {
     fn observer(&self, frame: CameraFrame, at: DVec3) -> Option<Result<DVec4, [String; 2]>> {
         let found = match frame {
             CameraFrame::Coordinate => return None,
-            CameraFrame::Zamo | CameraFrame::Orbiting | CameraFrame::CounterOrbiting if !self.is_axisymmetric() => {
+            CameraFrame::Zamo | CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit
+                if !self.is_axisymmetric() =>
+            {
                 let problem = "goes round an axis that the line element has not";
-                return Some(Err(says_none(problem, "use frame = \"moving\" or \"normal\"")));
+                return Some(Err(says_none(problem, "use observer = \"boosted\" or \"eulerian\"")));
             }
             _ => {
                 let around = self.axis().cross(self.arm(at));
@@ -252,14 +254,14 @@ impl Law for Metric {
             }
         };
         Some(found.ok_or_else(|| match frame {
-            CameraFrame::Static => says_none("is where nothing is at rest", "use frame = \"normal\", or move it"),
-            CameraFrame::Moving(_) => says_none("moves faster than light", "use less than 1"),
-            CameraFrame::Orbiting | CameraFrame::CounterOrbiting => {
+            CameraFrame::Static => says_none("is where nothing is at rest", "use observer = \"eulerian\", or move it"),
+            CameraFrame::Boosted(_) => says_none("moves faster than light", "use less than 1"),
+            CameraFrame::ProgradeOrbit | CameraFrame::RetrogradeOrbit => {
                 says_none("is on no circular orbit of matter", "those are in the plane z = 0, not too near")
             }
-            CameraFrame::Falling => {
+            CameraFrame::Infalling => {
                 let problem = "falls, and a line element does not say from where";
-                says_none(problem, "use frame = \"moving\" and camera.velocity")
+                says_none(problem, "use observer = \"boosted\" and camera.velocity")
             }
             _ => says_none("is where no space is", "move it"),
         }))
@@ -274,7 +276,7 @@ impl Law for Metric {
             return Some(refused);
         }
         if self.element.gap(self.spot(at, 0.0)).is_some_and(|gap| gap.w <= 0.0) {
-            return Some(says_none("is where rays end: see law.captured", "move it away"));
+            return Some(says_none("is where rays end: see law.capture_condition", "move it away"));
         }
         let metric = self.at(at);
         if !metric.is_finite() {

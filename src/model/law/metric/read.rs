@@ -11,12 +11,12 @@ use crate::document::values::{number, positive, text, vector};
 pub(super) fn read(table: &TableReader) -> Option<Metric> {
     let element = table.required_node("line_element", "\"-dt^2 + dx^2 + dy^2 + dz^2\"");
     let scale = table.required_node("scale", "\"r\"");
-    let captured = table.node("captured");
+    let captured = table.node("capture_condition");
     let parameters = named(table, "parameters", "law.parameters", &|node| table.reader.accept(number(node)));
     let terms = named(table, "terms", "law.terms", &|node| written(table, node));
     let rotate = table.or("rotate", DVec3::ZERO, vector);
     let throat = table.optional("throat", positive);
-    let other = throat.map(|_| table.required("other", "[1000, 0, 0]", vector));
+    let other = throat.map(|_| table.required("other_mouth", "[1000, 0, 0]", vector));
     let (time, center) = (table.or("time", 0.0, number), table.or("center", DVec3::ZERO, vector));
     let captured_text = match captured {
         Some(node) => Some(written(table, node)?),

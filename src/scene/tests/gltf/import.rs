@@ -213,7 +213,7 @@ fn cameras_and_lights_are_where_their_nodes_are() {
     // The other camera is there to be taken.
     let other = case.imported.text.replace("[camera]\nfov", "[none]\nfov").replace("# [camera]", "[camera]");
     let lines = other.lines().skip_while(|line| *line != "[camera]").take(6).map(|line| line.trim_start_matches("# "));
-    let text = format!("{}\n[rays]\nbound = {{ radius = 20 }}\n", lines.collect::<Vec<_>>().join("\n"));
+    let text = format!("{}\n[rays]\nbounding_sphere = {{ radius = 20 }}\n", lines.collect::<Vec<_>>().join("\n"));
     let plane = super::super::good(&text);
     let plane =
         plane.camera.as_ref().and_then(|camera| camera.projection.downcast::<Plane>().map(|plane| plane.height));

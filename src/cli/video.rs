@@ -1,4 +1,4 @@
-//! `bentray film`: pictures to a film.
+//! `bentray video`: pictures to a film.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `bentray chart`: speed against accuracy.
+//! `bentray compare`: speed against accuracy.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

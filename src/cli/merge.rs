@@ -1,4 +1,4 @@
-//! `bentray assemble`: parts of a picture to the whole.
+//! `bentray merge`: parts of a picture to the whole.
 
 use std::path::PathBuf;
 
