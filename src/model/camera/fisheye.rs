@@ -14,8 +14,8 @@ pub static KIND: Kind = Kind {
     name: "fisheye",
     keys: keys! {
         fov: "number above 0, up to 1000000" = "180",
-            "opening angle of the disk in the middle of the picture, degrees: above 360 the view goes round again";
-        corners: "black | transparent" = "black", "what is outside the disk; transparent gives PNG and EXR alpha";
+            "opening angle of the image circle, in degrees; above 360, the view repeats";
+        corners: "black | transparent" = "black", "area outside the image circle; transparent writes an alpha channel";
     },
     read: |table| {
         // Beyond that f32 has no place for the middle of a turn.

@@ -37,8 +37,8 @@ type Kind = document::Kind<Read>;
 pub static KINDS: Kinds<Read> = Kinds {
     table: "camera",
     chooser: "kind",
-    meaning: "how a point of the picture becomes a ray: as through a window, parallel, by the angle from the middle, \
-              or by longitude and latitude",
+    meaning: "projection: perspective, parallel, by the angle from the center of the image, or by longitude and \
+              latitude",
     example: None,
     all: &[&pinhole::KIND, &plane::KIND, &fisheye::KIND, &panorama::KIND],
 };

@@ -13,7 +13,7 @@ pub static KIND: Kind = Kind {
     name: "panorama",
     keys: keys! {
         fov: "[across, upwards], up to [360, 180]" = "[360, 180]",
-            "opening angles, degrees; the whole is laid out like an equirectangular sky";
+            "opening angles, in degrees; the full sphere has the layout of an equirectangular sky";
     },
     read: |table| Some(Arc::new(Panorama { fov: table.or("fov", [360.0, 180.0], sides) })),
 };

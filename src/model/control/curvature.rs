@@ -9,7 +9,7 @@ pub static KIND: Kind = Kind {
     name: "curvature",
     keys: keys! {
         curvature_step (" (the others choose their steps)"): "number above 0" = "none",
-            "every step turns the ray through this angle, degrees";
+            "angle by which the ray turns in each step, in degrees";
     },
     parts: &["method/control/planned", "method/control/curvature"],
     values: |control| row! { turn: Float(control.setting), eta: Float(control.cap) },

@@ -16,7 +16,7 @@ pub const TOLERANCE: Key = keys! {
 
 const KEYS: &[Key] = &[
     keys! {
-        doubling: "rejecting | paper" = "rejecting", "a step over the tolerance is tried again, or only the next is shorter";
+        doubling: "rejecting | paper" = "rejecting", "retry a step over the tolerance, or only shorten the next one";
     }[0],
     TOLERANCE,
     keys! {

@@ -9,7 +9,7 @@ use crate::model::row;
 /// η, which every control but the exact one has: as its setting, or as its cap.
 pub const SCALED_STEP: Key = keys! {
     scaled_step: "number above 0" = "0.1; 0.5 beside step or curvature_step; 0.3 for doubling and embedded methods",
-        "η: a step is η times the law's own scale at its place, or no longer than that where something else chooses it; planar: radians round the centre";
+        "η: a step is η times the length scale of the law at that position, or at most that if another key sets the step; for planar, radians around the center";
 }[0];
 
 /// What is known of it.

@@ -9,7 +9,7 @@ pub static KIND: Kind = Kind {
         "radius",
         keys! {
             cubic: "R" = "none",
-                "R: the force is 2r³/R³ − 3r²/R² + 1 inside this radius and nothing outside; scene units";
+                "R: the force is 2r³/R³ − 3r²/R² + 1 inside this radius and 0 outside; scene units";
         }[0],
     )),
     wgsl: "cubic",

@@ -15,21 +15,21 @@ pub(crate) fn reference() -> Vec<KeyReference> {
     key_rows! {
         "absorption" {
             transmittance if "no coefficient and no texture": "[red, green, blue], or formulas" = "none",
-                "what is left of light after a unit length, 0 to 1: numbers, or one formula in x, y, z and r, or three";
-            coefficient if "no transmittance and no texture": "number, formula, or three" = "none", "the same as σ = −ln transmittance, 0 or above";
-            texture if "no transmittance and no coefficient": "mix | wrapped | rainbow | ramp" = "none", "that colour by fractal noise";
-            low if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "the colour where the noise is least";
-            high if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "the colour where it is most";
-            times if r#"texture = "wrapped""#: "number above 0" = "5", "how often low to high is repeated";
-            ramp if r#"texture = "ramp""#: "file" = "required", "a picture whose middle row has the colours, from left to right";
+                "fraction of light that remains after a unit length, 0 to 1: three numbers, or one or three formulas in x, y, z and r";
+            coefficient if "no transmittance and no texture": "number, formula, or three" = "none", "absorption coefficient σ = −ln transmittance, 0 or above, per unit length";
+            texture if "no transmittance and no coefficient": "mix | wrapped | rainbow | ramp" = "none", "transmittance from fractal noise";
+            low if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "color where the noise is lowest";
+            high if r#"texture = "mix", or "wrapped""#: "[red, green, blue], 0 to 1" = "required", "color where the noise is highest";
+            times if r#"texture = "wrapped""#: "number above 0" = "5", "number of repetitions of low to high";
+            ramp if r#"texture = "ramp""#: "file" = "required", "image whose middle row contains the colors, from left to right";
             axis if r#"texture = "ramp""#: "[x, y, z]" = "none",
-                "the ramp in waves along this direction, disturbed by the noise: marble";
-            turbulence if r#"texture = "ramp", with axis"#: "number" = "3", "how much the noise disturbs them";
-            frequency if "texture": "number above 0" = "required", "lattice cells a unit length";
-            octaves if "texture": "whole number, 1 to 8" = "4", "terms of the noise";
-            seed if "texture": "whole number" = "0", "chooses the noise";
+                "direction of waves of the ramp, perturbed by the noise, as in marble";
+            turbulence if r#"texture = "ramp", with axis"#: "number" = "3", "strength of the perturbation";
+            frequency if "texture": "number above 0" = "required", "lattice cells per unit length";
+            octaves if "texture": "whole number, 1 to 8" = "4", "number of octaves of the noise";
+            seed if "texture": "whole number" = "0", "seed of the noise";
             emission: "[red, green, blue]" = "[0, 0, 0]", "radiance that the medium adds, per unit length";
-            center: "[x, y, z]" = "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units";
+            center: "[x, y, z]" = "the object's, or [0, 0, 0]", "origin of x, y, z and r; scene units";
             tolerance: "number above 0 and below 1" = "0.001",
                 "how far the optical depths of a piece of path and of its halves may differ; else it is cut again";
         }

@@ -14,10 +14,10 @@ pub static KIND: Kind = Kind {
     name: "reissner-nordstrom",
     keys: keys! {
         mass: "number above 0" = "1", "M, scene units (G = c = 1)";
-        charge: "number" = "0", "Q, scene units: above M there is no horizon, and nothing is captured";
-        cosmological_constant: "number" = "0", "Λ, in one over scene units squared: it changes what observers see, and no path";
-        center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
-        axis: "[x, y, z]" = "[0, 0, 1]", "what matter and observers on orbits go round, anticlockwise seen from its tip";
+        charge: "number" = "0", "Q, in scene units; above M there is no horizon, and no ray is captured";
+        cosmological_constant: "number" = "0", "Λ, in inverse scene units squared; changes what observers see, but no path";
+        center: "[x, y, z]" = "[0, 0, 0]", "position of the black hole";
+        axis: "[x, y, z]" = "[0, 0, 1]", "axis of orbiting matter and observers, counterclockwise seen from its tip";
     },
     read: |table, _| {
         let hole = RoundHole {

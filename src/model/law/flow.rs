@@ -18,7 +18,7 @@ pub enum FlowOrder {
 
 /// `order`.
 pub(super) const ORDER: Key = keys! {
-    order: "1, 2" = "1", "the field is the ray's velocity (1) or its acceleration (2)";
+    order: "1, 2" = "1", "the field is the velocity of the ray (1) or its acceleration (2)";
 }[0];
 
 impl FlowOrder {

@@ -29,10 +29,10 @@ pub static KIND: Kind = Kind {
     name: "kerr-newman",
     keys: keys! {
         mass: "number above 0" = "1", "M, scene units (G = c = 1)";
-        spin: "number" = "0", "a, the angular momentum over M, scene units: up to M for a hole with a horizon; the other way round below 0";
-        charge: "number" = "0", "Q, scene units: a² + Q² up to M² for a hole with a horizon";
-        axis: "[x, y, z]" = "[0, 0, 1]", "what the hole spins about, anticlockwise seen from its tip";
-        center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
+        spin: "number" = "0", "spin parameter a, the angular momentum over M, in scene units; |a| up to M has a horizon; negative values reverse the rotation";
+        charge: "number" = "0", "Q, in scene units; a² + Q² up to M² has a horizon";
+        axis: "[x, y, z]" = "[0, 0, 1]", "spin axis, counterclockwise seen from its tip";
+        center: "[x, y, z]" = "[0, 0, 0]", "position of the black hole";
     },
     read: |table, _| {
         let spin = table.or("spin", 0.0, number);

@@ -16,7 +16,7 @@ pub const SOLVED_PARTS: [&str; 5] =
 pub static KIND: Kind = Kind {
     name: "medium",
     keys: keys! {
-        index: "number, name or { kind, .. }" = "required", "the index of refraction: see medium";
+        index: "number, name or { kind, .. }" = "required", "index of refraction: see medium";
     },
     read: |table, files| {
         let node = table.required_node("index", "{ kind = \"maxwell-fisheye\", n0 = 2, a = 1 }")?;

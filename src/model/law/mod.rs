@@ -64,7 +64,7 @@ type Kind = document::Kind<Read>;
 pub static KINDS: Kinds<Read> = Kinds {
     table: "law",
     chooser: "kind",
-    meaning: "how light travels: straight, round a black hole, by sources of force, along a flow or a curve, or in a medium",
+    meaning: "how light travels: in straight lines, around a black hole, under forces, along a flow or a curve, or in a medium",
     example: None,
     all: &[
         &straight::KIND,

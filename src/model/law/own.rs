@@ -29,13 +29,13 @@ use crate::model::{Anchor, Binding, Capture, OwnWgsl, Promise, Row, Value, Wgsl,
 pub static KIND: Kind = Kind {
     name: "wgsl",
     keys: keys! {
-        file: "file" = "required", "the law in WGSL";
+        file: "file" = "required", "WGSL file of the law";
         depends: "place | velocity | time | flow" = "place",
-            "what its acceleration depends on, and so which functions the file has; flow for the first order, where it gives the velocity";
+            "what the acceleration depends on, which determines the functions of the file; flow for a first-order law, which gives the velocity";
         scale: "number above 0" = "1",
-            "the length over which the law changes, scene units (the time for a flow): steps are a fraction of it, unless the file has law_scale";
-        capture_spheres: "[[x, y, z, radius], ...]" = "[]", "spheres that capture rays moving inwards, scene units";
-        parameters: "table of numbers, and of arrays of 2 to 4" = "{}", "members of `law` in the file";
+            "length scale of the law, in scene units (time scale of a flow); steps are a fraction of it, unless the file defines law_scale";
+        capture_spheres: "[[x, y, z, radius], ...]" = "[]", "spheres that capture inward rays, in scene units";
+        parameters: "table of numbers, and of arrays of 2 to 4" = "{}", "members of `law` in the WGSL file";
     },
     read: |table, files| {
         let depends = &[

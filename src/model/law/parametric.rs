@@ -20,13 +20,13 @@ use crate::model::{Binding, ClosedForm, Start, Wgsl, row};
 pub static KIND: Kind = Kind {
     name: "parametric",
     keys: keys! {
-        x: "formula" = "required", "the ray's path as a function of t, with numbers, pi, and the operators and functions of `medium.n`";
-        y: "formula" = "required", "the same along y";
-        z: "formula" = "required", "the same along z";
+        x: "formula" = "required", "x of the ray as a function of t, with numbers, pi, and the operators and functions of `medium.n`";
+        y: "formula" = "required", "y of the ray, as for x";
+        z: "formula" = "required", "z of the ray, as for x";
         t: "[first, last]" = "required",
-            "the range of t; at 0, or at the first if the range has no 0, the ray goes through its pixel's point of the image plane";
+            "range of t; at t = 0, or at the first value if the range excludes 0, the ray crosses the image plane at its pixel";
         axes: "scene | camera" = "scene",
-            "whose axes the formulas have: the scene's, or the camera's, x to the right, y up and z towards the viewer";
+            "axes of the formulas: of the scene, or of the camera (x right, y up, z towards the viewer)";
     },
     read: |table, _| {
         let curve = curve(table);

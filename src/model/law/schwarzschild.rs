@@ -12,10 +12,10 @@ pub static KIND: Kind = Kind {
     name: "schwarzschild",
     keys: keys! {
         mass: "number above 0" = "1", "M, scene units (G = c = 1): the horizon is at r = 2M";
-        center: "[x, y, z]" = "[0, 0, 0]", "the hole's place";
+        center: "[x, y, z]" = "[0, 0, 0]", "position of the black hole";
         form: "path | geodesic" = "path",
-            "the equation that is integrated: of the path alone, or the full geodesic with its time";
-        axis: "[x, y, z]" = "[0, 0, 1]", "what matter and observers on orbits go round, anticlockwise seen from its tip";
+            "integrated equation: the path alone, or the full geodesic with time";
+        axis: "[x, y, z]" = "[0, 0, 1]", "axis of orbiting matter and observers, counterclockwise seen from its tip";
     },
     read: |table, _| {
         let forms = &[("path", HoleForm::Path), ("geodesic", HoleForm::Geodesic)];

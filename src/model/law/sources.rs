@@ -16,9 +16,9 @@ use crate::model::{Anchor, Binding, Capture, Row, Source, Wgsl, row};
 pub static KIND: Kind = Kind {
     name: "sources",
     keys: keys! {
-        sources: "array of tables" = "required", "the sources of force, at least one";
+        sources: "array of tables" = "required", "sources of force, at least one";
         parameter: "time | length" = "time",
-            "what the forces act over: time, as Newton has it, or the path's length, which is what Gröller's iteration comes to";
+            "independent variable: time (Newtonian), or path length, as in the iteration of Gröller (1995)";
     },
     read: |table, _| {
         let tables = table.subtables("sources", "law.sources");

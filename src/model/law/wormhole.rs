@@ -20,11 +20,11 @@ use crate::model::{Binding, Wgsl, row};
 pub static KIND: Kind = Kind {
     name: "wormhole",
     keys: keys! {
-        radius: "number above 0" = "1", "ρ₀ of the throat, scene units";
-        length: "number from 0" = "0", "2a, over which the throat is a tube of that radius: for a throat with `mass`";
-        mass: "number above 0" = "none", "M: how far the throat takes to open, as by a hole of that mass; 1.43 M is the width of what it bends most. Without it the throat is Ellis's";
-        center: "[x, y, z]" = "[0, 0, 0]", "the mouth on this side";
-        other_mouth: "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
+        radius: "number above 0" = "1", "throat radius ρ₀, in scene units";
+        length: "number from 0" = "0", "length 2a of the cylindrical part of the throat, in scene units; for a throat with `mass`";
+        mass: "number above 0" = "none", "M, which sets how fast the throat opens, as with a black hole of that mass; the lensing width is 1.43 M. Without it, an Ellis wormhole";
+        center: "[x, y, z]" = "[0, 0, 0]", "position of the mouth on this side";
+        other_mouth: "[x, y, z]" = "required", "position of the mouth on the other side, around which the objects there are placed";
     },
     read: |table, _| {
         let mass = table.optional("mass", positive);

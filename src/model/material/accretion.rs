@@ -13,11 +13,11 @@ pub static KIND: Kind = Kind {
     name: "accretion",
     keys: keys! {
         temperature: "number above 0" = "none: white",
-            "of the hottest ring, kelvins; without it all frequencies are shown together. The others' follow from the law's circular orbits (Page and Thorne 1974), on which matter goes round";
-        brightness: "number above 0" = "1", "the luminance of the hottest ring, at rest";
+            "temperature of the hottest ring, in kelvins; without it, total radiance over all frequencies. Other rings follow from matter on circular orbits of the law (Page and Thorne 1974)";
+        brightness: "number above 0" = "1", "luminance of the hottest ring, at rest";
         opacity: "number above 0, at most 1" = "1",
-            "the part of the light from behind that it holds back, and the part of a black body's light that it sends; below 1 rays see it wherever they cross it, each time with its own shift. Shadows take it as opaque";
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]", "its light times this";
+            "fraction of the light from behind that the disk absorbs, and its emissivity relative to a black body; below 1, every crossing of a ray adds light with its own redshift. Shadow rays treat it as opaque";
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]", "factor on the emitted light";
     },
     read: |table, files| {
         let temperature = table.optional("temperature", positive);

@@ -12,9 +12,9 @@ use crate::model::{Row, black_body, row};
 pub static KIND: Kind = Kind {
     name: "blackbody",
     keys: keys! {
-        temperature: "number above 0" = "required", "kelvins";
-        brightness: "number above 0" = "1", "its luminance";
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]", "its light times this";
+        temperature: "number above 0" = "required", "temperature, in kelvins";
+        brightness: "number above 0" = "1", "luminance";
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]", "factor on the emitted light";
     },
     read: |table, files| {
         let temperature = table.required("temperature", "5800", positive);

@@ -12,9 +12,9 @@ use crate::model::{Row, row};
 pub static KIND: Kind = Kind {
     name: "emissive",
     keys: keys! {
-        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "required", "radiance, linear";
-        diffuse: "[red, green, blue]" = "[0, 0, 0]", "what it gives back of other light, on paths";
-        light_sampling: "true | false" = "true", "whether paths aim at it";
+        color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "required", "emitted radiance, linear RGB";
+        diffuse: "[red, green, blue]" = "[0, 0, 0]", "diffuse reflectance, for path tracing";
+        light_sampling: "true | false" = "true", "use next-event estimation for this emitter";
     },
     read: |table, files| {
         let usual = Emissive::default();

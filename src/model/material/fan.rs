@@ -15,9 +15,9 @@ pub static KIND: Kind = Kind {
     name: "ray-splitter",
     keys: keys! {
         color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]",
-            "the part of the light that it gives back";
+            "reflectance";
         rays: "[[x, y, z, weight], ...], formulas" = "required",
-            "where rays go on, 1 to 8 of them, and what each weighs: functions of dx, dy, dz, the unit direction that comes in, nx, ny, nz, the unit normal on that side, and c, the cosine between; a direction to the other side goes through the surface";
+            "directions and weights of 1 to 8 outgoing rays: formulas in dx, dy, dz (incoming unit direction), nx, ny, nz (unit normal on that side) and c (cosine between them); a direction to the other side passes through the surface";
     },
     read: |table, files| {
         let color = pattern::read(table, "color", Some(DVec3::ONE), files);

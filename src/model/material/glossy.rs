@@ -13,9 +13,9 @@ pub static KIND: Kind = Kind {
     name: "glossy",
     keys: keys! {
         color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]",
-            "the part of the light that it gives back";
+            "reflectance";
         exponent: "number, 0 or above" = "required",
-            "e: directions are as dense as cosᵉ of the angle to the mirror's; those below the surface are dropped, and their light is lost";
+            "exponent e: directions follow a cosᵉ lobe around the mirror direction; light below the surface is lost";
     },
     read: |table, files| {
         let exponent = table.required("exponent", "100", not_negative);

@@ -11,7 +11,7 @@ pub static KIND: Kind = Kind {
     name: "mirror",
     keys: keys! {
         color: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[1, 1, 1]",
-            "the part of the light that it gives back";
+            "reflectance";
     },
     read: |table, files| Some((pattern::read(table, "color", Some(DVec3::ONE), files)?, Arc::new(Mirror))),
 };

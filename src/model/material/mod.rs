@@ -44,7 +44,7 @@ type Kind = document::Kind<Read>;
 pub static KINDS: Kinds<Read> = Kinds {
     table: "materials.NAME",
     chooser: "kind",
-    meaning: "how it answers light",
+    meaning: "how the surface reflects, transmits or emits light",
     example: None,
     all: &[&phong::KIND, &emissive::KIND, &blackbody::KIND, &accretion::KIND, &mirror::KIND, &glossy::KIND, &fan::KIND],
 };

@@ -13,11 +13,11 @@ pub static KIND: Kind = Kind {
     name: "phong",
     keys: keys! {
         diffuse: "[red, green, blue], { checker, repeat }, { image, repeat }, { vertex_colors }" = "[0.8, 0.8, 0.8]",
-            "the surface's colour, linear";
-        ambient: "number from 0 to 1" = "0.1", "fraction of the colour that needs no light";
-        specular: "[red, green, blue]" = "[0, 0, 0]", "colour of the highlight";
-        shininess: "number above 0" = "32", "the highlight's exponent";
-        emission: "[red, green, blue]" = "[0, 0, 0]", "radiance added";
+            "color of the surface, linear RGB";
+        ambient: "number from 0 to 1" = "0.1", "fraction of the color that is visible without light";
+        specular: "[red, green, blue]" = "[0, 0, 0]", "color of the highlight";
+        shininess: "number above 0" = "32", "exponent of the highlight";
+        emission: "[red, green, blue]" = "[0, 0, 0]", "emitted radiance";
     },
     read: |table, files| {
         let fraction = number_where("a number from 0 to 1", |x| (0.0..=1.0).contains(&x));

@@ -12,7 +12,7 @@ use crate::model::{Row, STRAIGHT, fields};
 
 pub static KIND: Kind = Kind {
     name: "constant",
-    keys: keys! { n: "number above 0" = "required", "the index"; },
+    keys: keys! { n: "number above 0" = "required", "index of refraction"; },
     read: |table, _, _| Some(Arc::new(Constant::read(table)?)),
 };
 

@@ -17,7 +17,7 @@ pub static KIND: Kind = Kind {
         CENTER,
         RADIUS,
         keys! {
-            amplitude: "number between -0.5 and 0.5" = "required", "of the noise: n = 1 + amplitude · noise, falling to 1 at R";
+            amplitude: "number between -0.5 and 0.5" = "required", "amplitude of the noise: n = 1 + amplitude · noise, falling to 1 at R";
         }[0],
         FREQUENCY,
         OCTAVES,

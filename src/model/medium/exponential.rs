@@ -15,7 +15,7 @@ pub static KIND: Kind = Kind {
     keys: &[
         ORIGIN,
         UP,
-        keys! { delta: "number above -1, other than 0" = "required", "n = 1 + δ e^(−y/H), y the height"; }[0],
+        keys! { delta: "number above -1, other than 0" = "required", "δ in n = 1 + δ e^(−y/H); y is the height"; }[0],
         keys! { height: "number above 0" = "required", "H, scene units"; }[0],
     ],
     read: |table, around, _| Some(Arc::new(Exponential::read(table, around)?)),

@@ -15,10 +15,10 @@ pub static KIND: Kind = Kind {
     name: "expression",
     keys: keys! {
         n: "formula" = "required",
-            "the index as a function of x, y, z and r, with numbers, pi, + - * / ^ ( ), sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh, atan, abs, min and max; its gradient is derived; rays fail where it is not above 0";
-        center: "[x, y, z]" = "the object's, or [0, 0, 0]", "where x, y, z and r are 0; scene units";
+            "index as a function of x, y, z and r, with numbers, pi, + - * / ^ ( ), sqrt, exp, log, sin, cos, tan, sinh, cosh, tanh, atan, abs, min and max; the gradient is derived; rays fail where n is not above 0";
+        center: "[x, y, z]" = "the object's, or [0, 0, 0]", "origin of x, y, z and r; scene units";
         scale: "number above 0" = "the object's radius, or 1",
-            "the length over which n changes, scene units: steps are a fraction of it";
+            "length scale of n, in scene units; steps are a fraction of it";
     },
     read: |table, around, _| Some(Arc::new(Expression::read(table, around)?)),
 };

@@ -15,15 +15,15 @@ pub static KIND: Kind = Kind {
     name: "grid",
     keys: keys! {
         file: "file" = "required",
-            "samples of the index, n = offset + scale · value, between which it is a Catmull-Rom spline: NRRD if it ends in .nrrd or .nhdr, else bare numbers, x fastest";
-        min: "[x, y, z]" = "as the NRRD file says, or required", "where the first sample is, scene units; with max";
+            "samples of the index, n = offset + scale · value, with Catmull–Rom interpolation: NRRD if the name ends in .nrrd or .nhdr, otherwise raw numbers, x fastest";
+        min: "[x, y, z]" = "as the NRRD file says, or required", "position of the first sample, in scene units; with max";
         max: "[x, y, z]" = "as the NRRD file says, or required",
-            "where the last sample is; beyond the grid the index is that at its border";
+            "position of the last sample; outside the grid, the index has its value at the border";
         scale: "number other than 0" = "1", "see file";
         offset: "number" = "0", "see file";
         size (", unless the file is NRRD"): "[nx, ny, nz], 2 or more" = "required", "samples along x, y and z";
-        type (", unless the file is NRRD"): "i8 | u8 | i16 | u16 | i32 | u32 | i64 | u64 | f32 | f64" = "required", "what a sample is";
-        endian (", unless the file is NRRD"): "little | big" = "little", "which end of a number comes first";
+        type (", unless the file is NRRD"): "i8 | u8 | i16 | u16 | i32 | u32 | i64 | u64 | f32 | f64" = "required", "data type of a sample";
+        endian (", unless the file is NRRD"): "little | big" = "little", "byte order of a sample";
     },
     read: |table, _, files| Some(Arc::new(Grid(samples(table, files)?))),
 };

@@ -17,7 +17,7 @@ pub static KIND: Kind = Kind {
         keys! { k: "number above 0" = "the object's radius, or required", "n = k/r"; }[0],
         keys! {
             ingoing: "black | continue" = "black",
-                "rays towards the centre are captured there, or followed as if they went outwards";
+                "capture rays that move towards the center, or follow them as if they moved outwards";
         }[0],
     ],
     read: |table, around, _| Some(Arc::new(InverseR::read(table, around)?)),

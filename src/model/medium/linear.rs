@@ -14,7 +14,7 @@ pub static KIND: Kind = Kind {
     name: "linear",
     keys: &[
         ORIGIN,
-        keys! { n0: "number above 0" = "1", "the index at the origin"; }[0],
+        keys! { n0: "number above 0" = "1", "index at the origin"; }[0],
         keys! { gradient: "[x, y, z], not all 0" = "required", "n² = n₀² + gradient · (x − origin)"; }[0],
     ],
     read: |table, around, _| Some(Arc::new(Linear::read(table, around)?)),

@@ -63,7 +63,7 @@ type Kind = document::Kind<Read>;
 pub static KINDS: Kinds<Read> = Kinds {
     table: "medium",
     chooser: "kind",
-    meaning: "how n varies: a number stands for { kind = \"constant\", n }, and so do the names of common media: \
+    meaning: "profile of the index n; a number means { kind = \"constant\", n }, and so do the names of common media: \
               vacuum, air, ice, water, ethyl-alcohol, fused-quartz, acrylic, crown-glass, polyester-resin, \
               flint-glass and diamond",
     example: Some("luneburg"),
@@ -205,7 +205,7 @@ pub struct Surroundings {
 /// `center`.
 const CENTER: Key = keys! {
     center: "[x, y, z]" = "the object's, or [0, 0, 0]",
-        "where r is 0, a point of the rod's axis, or of the noise's lattice; scene units";
+        "point of r = 0, a point on the axis of the rod, or the origin of the noise lattice; scene units";
 }[0];
 /// `radius`.
 const RADIUS: Key = keys! { radius: "number above 0" = "the object's, or required", "R, scene units"; }[0];
@@ -214,7 +214,7 @@ const ORIGIN: Key = keys! {
     origin: "[x, y, z]" = "the object's center, or [0, 0, 0]", "a point of height 0";
 }[0];
 /// `up`.
-const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "where height grows"; }[0];
+const UP: Key = keys! { up: "[x, y, z]" = "[0, 1, 0]", "direction of increasing height"; }[0];
 
 fn center(table: &TableReader, around: Surroundings) -> DVec3 {
     table.or("center", around.center, vector)

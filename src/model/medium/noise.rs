@@ -13,14 +13,14 @@ use crate::model::{Row, fields};
 /// `amplitude` of a sum about n₀.
 pub(super) const AMPLITUDE: Key = keys! {
     amplitude: "number" = "required",
-        "of the noise, which reaches 125/64 · (2 − 2^(1 − octaves)) times it: n must stay above 0; textured: where light goes in or out, with straight paths inside";
+        "amplitude of the noise, which reaches 125/64 · (2 − 2^(1 − octaves)) times this; n must stay above 0; textured: index at the surface, with straight paths inside";
 }[0];
 /// `frequency`.
-pub(super) const FREQUENCY: Key = keys! { frequency: "number above 0" = "required", "lattice cells a unit length"; }[0];
+pub(super) const FREQUENCY: Key = keys! { frequency: "number above 0" = "required", "lattice cells per unit"; }[0];
 /// `octaves`.
-pub(super) const OCTAVES: Key = keys! { octaves: "whole number, 1 to 8" = "1", "terms of the noise"; }[0];
+pub(super) const OCTAVES: Key = keys! { octaves: "whole number, 1 to 8" = "1", "number of octaves of the noise"; }[0];
 /// `seed`.
-pub(super) const SEED: Key = keys! { seed: "whole number" = "0", "chooses the noise"; }[0];
+pub(super) const SEED: Key = keys! { seed: "whole number" = "0", "seed of the noise"; }[0];
 
 pub static KIND: Kind = Kind {
     name: "noise",

@@ -18,11 +18,11 @@ pub static KIND: Kind = Kind {
         UP,
         keys! {
             file (" and no points"): "file" = "none",
-                "layered air, measured: CSV with the header height,n and a line for each point, heights over the origin in scene units";
+                "measured index profile: CSV with the header height,n and one point per line; heights above the origin, in scene units";
         }[0],
         keys! {
             points (" and no file"): "[[height, n], ...]" = "none",
-                "the points of the profile, by rising height: a smooth curve goes through them (the natural cubic spline), constant outside";
+                "points of the profile, by ascending height, joined by a natural cubic spline; constant outside";
         }[0],
     ],
     read: |table, around, files| Some(Arc::new(Layers::read(table, around, files)?)),

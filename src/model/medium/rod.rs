@@ -11,15 +11,15 @@ use crate::document::{Key, keys};
 use crate::model::{HARMONIC, Row, fields};
 
 /// `n0` of media that have it on an axis or a plane.
-pub(super) const N0: Key = keys! { n0: "number above 0" = "required", "the index on the axis, or on the plane"; }[0];
+pub(super) const N0: Key = keys! { n0: "number above 0" = "required", "index on the axis, or on the plane"; }[0];
 
 pub static KIND: Kind = Kind {
     name: "rod",
     keys: &[
         CENTER,
         N0,
-        keys! { g: "number above 0" = "required", "n = n₀ √(1 − g²ρ²), ρ the distance from the axis"; }[0],
-        keys! { axis: "[x, y, z]" = "the cylinder's, or [0, 0, 1]", "along the rod"; }[0],
+        keys! { g: "number above 0" = "required", "n = n₀ √(1 − g²ρ²); ρ is the distance from the axis"; }[0],
+        keys! { axis: "[x, y, z]" = "the cylinder's, or [0, 0, 1]", "direction of the rod"; }[0],
     ],
     read: |table, around, _| Some(Arc::new(Rod::read(table, around)?)),
 };

@@ -13,7 +13,7 @@ use crate::model::{Row, fields};
 
 pub static KIND: Kind = Kind {
     name: "sech",
-    keys: &[ORIGIN, UP, N0, keys! { g: "number above 0" = "required", "n = n₀ sech(g y), y the height"; }[0]],
+    keys: &[ORIGIN, UP, N0, keys! { g: "number above 0" = "required", "n = n₀ sech(g y); y is the height"; }[0]],
     read: |table, around, _| Some(Arc::new(Sech::read(table, around)?)),
 };
 

@@ -15,9 +15,9 @@ use crate::model::{Row, STRAIGHT, row};
 pub static KIND: Kind = Kind {
     name: "sellmeier",
     keys: keys! {
-        glass: "BK7 | SF11 | fused-silica | water | diamond" = "none", "a common one, in place of b and c";
-        b: "up to 4 numbers" = "none", "the strengths B";
-        c: "as many numbers" = "none", "the resonances C, square micrometres";
+        glass: "BK7 | SF11 | fused-silica | water | diamond" = "none", "a common glass, instead of b and c";
+        b: "up to 4 numbers" = "none", "Sellmeier coefficients B";
+        c: "as many numbers" = "none", "Sellmeier coefficients C, in square micrometers";
     },
     read: |table, _, _| read(table).map(|medium| Arc::new(medium) as Arc<dyn Medium>),
 };

@@ -277,8 +277,8 @@ pub fn method_words(method: Method, control: Control) -> String {
 /// The reference's rows of the keys that methods read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
-    let meaning = "the integrator; auto finds the cheapest at the accuracy. Left out, it is exact where no light is \
-                   bent, what suits the steps or the tolerance that are given, else auto";
+    let meaning = "the integrator; auto finds the cheapest at the accuracy. By default exact if no light is bent, \
+                   otherwise a method for the given steps or tolerance, otherwise auto";
     let all = names();
     let keys: Vec<Vec<Key>> = all.iter().map(|(_, named)| named.keys()).collect();
     let kinds = all.iter().zip(&keys).map(|((name, _), keys)| (&**name, &**keys));

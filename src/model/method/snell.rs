@@ -13,7 +13,7 @@ pub static KIND: Kind = Kind {
     },
     sweeps: || vec![("snell", scaled::sweep(16))],
     own: Some(&OwnNumber {
-        key: keys! { threshold: "number above 0" = "0.001", "the change of index at which the ray is refracted"; }[0],
+        key: keys! { threshold: "number above 0" = "0.001", "change of the index at which the ray is refracted"; }[0],
         default: 0.001,
         uniform: "snell",
     }),

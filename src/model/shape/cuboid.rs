@@ -15,9 +15,9 @@ pub static KIND: Kind = Kind {
     name: "box",
     keys: &[
         CENTER,
-        keys! { size: "[x, y, z], above 0" = "[1, 1, 1]", "edges, scene units"; }[0],
-        keys! { min: "[x, y, z]" = "none", "its lowest corner; with max in place of center and size"; }[0],
-        keys! { max: "[x, y, z]" = "none", "its highest corner"; }[0],
+        keys! { size: "[x, y, z], above 0" = "[1, 1, 1]", "edge lengths, in scene units"; }[0],
+        keys! { min: "[x, y, z]" = "none", "lowest corner, with max; instead of center and size"; }[0],
+        keys! { max: "[x, y, z]" = "none", "highest corner"; }[0],
     ],
     read: |table, _, _| Some((Arc::new(Cuboid), place(table)?)),
 };

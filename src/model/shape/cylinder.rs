@@ -19,8 +19,8 @@ pub static KIND: Kind = Kind {
     keys: &[
         CENTER,
         RADIUS,
-        keys! { height: "number above 0" = "2", "from face to face, scene units"; }[0],
-        keys! { axis: "[x, y, z]" = "[0, 1, 0]", "from the lower face to the upper"; }[0],
+        keys! { height: "number above 0" = "2", "distance between the faces, in scene units"; }[0],
+        keys! { axis: "[x, y, z]" = "[0, 1, 0]", "direction from the lower face to the upper"; }[0],
     ],
     read: |table, _, _| {
         let place = upright(table, "axis");

@@ -17,7 +17,7 @@ pub static KIND: Kind = Kind {
         CENTER,
         NORMAL,
         RADIUS,
-        keys! { inner_radius: "number, 0 or above, below the radius" = "0", "radius of a round hole, scene units"; }[0],
+        keys! { inner_radius: "number, 0 or above, below the radius" = "0", "radius of the hole, in scene units"; }[0],
     ],
     read: |table, _, _| {
         let place = upright(table, "normal");

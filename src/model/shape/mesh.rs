@@ -14,11 +14,11 @@ use crate::model::medium::Surroundings;
 pub static KIND: Kind = Kind {
     name: "mesh",
     keys: keys! {
-        file: "file" = "required", "an OBJ, PLY, STL or glTF file";
-        node: "name, or a whole number from 0" = "all of the file's scene", "of a glTF file: the node whose mesh it is, in its place in the file's scene";
-        primitive: "whole number from 0" = "all", "of a glTF file: which of the primitives of that mesh; each has a material of its own";
+        file: "file" = "required", "OBJ, PLY, STL or glTF file";
+        node: "name, or a whole number from 0" = "all of the file's scene", "glTF only: node whose mesh is used, with its transform in the scene of the file";
+        primitive: "whole number from 0" = "all", "glTF only: index of the primitive of that mesh; each primitive has its own material";
         crease: "number, 0 to 180" = "30",
-            "where the file has no normals: faces that meet at less than so many degrees look smooth; 0 shows every face";
+            "angle in degrees below which adjoining faces are shaded smoothly, for files without normals; 0 shades every face flat";
     },
     read: |table, _, files| {
         let file = table.required_node("file", "\"teapot.obj\"");

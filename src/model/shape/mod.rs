@@ -54,7 +54,7 @@ type Kind = document::Kind<Read>;
 pub static KINDS: Kinds<Read> = Kinds {
     table: "objects",
     chooser: "shape",
-    meaning: "what it is",
+    meaning: "shape of the object",
     example: Some("sphere"),
     all: &[&sphere::KIND, &plane::KIND, &cuboid::KIND, &cylinder::KIND, &disk::KIND, &mesh::KIND],
 };
@@ -173,8 +173,8 @@ fn ball(radius: f64, place: &Transform) -> (DVec3, f64) {
 same!(Shape);
 
 /// `center`.
-const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "its middle, scene units"; }[0];
+const CENTER: Key = keys! { center: "[x, y, z]" = "[0, 0, 0]", "center, in scene units"; }[0];
 /// `radius`.
 const RADIUS: Key = keys! { radius: "number above 0" = "1", "scene units"; }[0];
 /// `normal`.
-const NORMAL: Key = keys! { normal: "[x, y, z]" = "[0, 1, 0]", "where it faces"; }[0];
+const NORMAL: Key = keys! { normal: "[x, y, z]" = "[0, 1, 0]", "direction of the surface normal"; }[0];

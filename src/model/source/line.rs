@@ -7,7 +7,7 @@ use crate::document::values::direction;
 /// What is known of it.
 pub static KIND: Kind = Kind {
     name: "line",
-    keys: keys! { direction: "[x, y, z]" = "required", "along the line, which goes through position"; },
+    keys: keys! { direction: "[x, y, z]" = "required", "direction of the line through position"; },
     along: |table| table.required("direction", "[0, 0, 1]", direction),
     offset: |d, along| d.reject_from_normalized(along),
     is_point: false,

@@ -23,16 +23,16 @@ pub static KIND: Kind = Kind {
     name: "metric",
     keys: keys! {
         line_element: "formula" = "required",
-            "ds² (G = c = 1, −+++) in x, y, z, t, r, rho, theta, phi and dx, dy, dz, dt, dr, drho, dtheta, dphi, dOmega2, with what `parameters` and `terms` name; all that light needs is derived from it";
-        scale: "formula" = "required", "the length over which it changes, scene units, as a function of place and t: steps are a fraction of it";
-        parameters: "table of numbers" = "{}", "names for numbers";
-        terms: "table of formulas" = "{}", "names for formulas, each of those before it";
-        throat: "number above 0" = "none", "ρ₀ where space has two sides that a throat joins: each is drawn round a mouth of its own, r = ρ₀ + |l|, and `l` and `dl` are names for how far it is from the throat, below 0 on the other side";
-        other_mouth (" and throat"): "[x, y, z]" = "required", "the mouth on the other side: round it stands what is there";
-        capture_condition: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "where rays that go further in end";
-        time: "number" = "0", "t when the picture is taken";
-        center: "[x, y, z]" = "[0, 0, 0]", "where x, y and z are 0";
-        rotate: "[x, y, z]" = "[0, 0, 0]", "degrees about x, then y, then z of the scene";
+            "ds² (G = c = 1, −+++) in x, y, z, t, r, rho, theta, phi and dx, dy, dz, dt, dr, drho, dtheta, dphi, dOmega2, and in names from `parameters` and `terms`; the geodesic equation is derived from it";
+        scale: "formula" = "required", "length scale of the metric, in scene units, as a function of position and t; steps are a fraction of it";
+        parameters: "table of numbers" = "{}", "named numbers";
+        terms: "table of formulas" = "{}", "named formulas; each may use those before it";
+        throat: "number above 0" = "none", "throat radius ρ₀ of a space with two sides, each around its own mouth: r = ρ₀ + |l|; `l` and `dl` give the distance from the throat, negative on the other side";
+        other_mouth (" and throat"): "[x, y, z]" = "required", "position of the mouth on the other side, around which the objects there are placed";
+        capture_condition: "formula < formula" = "where the lapse is below 0.03, unless it changes with t", "condition under which rays are captured";
+        time: "number" = "0", "coordinate time t of the image";
+        center: "[x, y, z]" = "[0, 0, 0]", "origin of x, y and z";
+        rotate: "[x, y, z]" = "[0, 0, 0]", "rotation about x, then y, then z of the scene, in degrees";
     },
     read: |table, _| read::read(table).map(|law| Arc::new(law) as Arc<dyn Law>),
 };
