@@ -1,5 +1,5 @@
-//! `bentray bench`: the sources' tables repeated, how time grows, what samples are worth, how far from the device's limit a
-//! render is, and what a start takes.
+//! `bentray bench`: repeats the tables of the sources, and measures scaling, sampling, the distance of a render from the limits of the
+//! device, and the start-up time.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -20,33 +20,33 @@ use crate::output::report::write_report;
 use crate::output::{OutputError, has_extension};
 use crate::scene::{Mesh, Scene};
 
-/// Measure: the 2004 paper's tables, structures, schedules, how time grows, what samples are worth, the device's limit, and starts
+/// Run benchmarks: the tables of the 2004 paper, acceleration structures, schedules, scaling, sampling, device limits, and start-up
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// Which measurement
+    /// The benchmark
     #[arg(value_enum)]
     name: Name,
-    /// Scenes for `limit`, `sampling`, `compaction` and `start`, a mesh (.obj) for `groller`; without any some of the project's own,
-    /// in scenes/
+    /// Scenes for `limit`, `sampling`, `compaction` and `start`, or a mesh (.obj) for `groller`; by default, scenes of the project in
+    /// scenes/
     #[arg(value_name = "FILE", value_parser = paths::file())]
     files: Vec<PathBuf>,
-    /// Write tables (CSV), plots (SVG and PNG) and a page (index.html) into this folder; it is made if it is not there
+    /// Directory for tables (CSV), plots (SVG and PNG) and a page (index.html); created if missing
     #[arg(short, long, value_name = "DIR", value_parser = paths::file())]
     output: Option<PathBuf>,
-    /// The device whose name contains this
+    /// Use the device whose name contains NAME
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// Each time is the median of so many
+    /// Number of repetitions; each time is their median
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
-    /// Another viewport than the paper's 800x600, for a trial; for `sampling` another than 200x150, for `paths` than 48x48
+    /// Image size instead of 800x600, for a trial run; for `sampling` instead of 200x150, for `paths` instead of 48x48
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
     #[command(flatten)]
     format: Format,
 }
 
-/// Scenes of all kinds that `sampling` takes.
+/// The scenes of `sampling`, one of each kind.
 const SAMPLED: [&str; 6] = [
     "thesis/sunset.toml",
     "thesis/ring.toml",
@@ -58,27 +58,27 @@ const SAMPLED: [&str; 6] = [
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 enum Name {
-    /// The measurements of the 2004 paper: Table 1, Figure 5, and what its Euler steps see of a shadow
+    /// Measurements of Weiskopf et al. (2004): Table 1, Figure 5, and the shadow as seen with Euler steps
     Paper,
-    /// Objects found by a hierarchy, a grid, and one after the other, from 10 to 1,000,000 triangles
+    /// Object intersection with a hierarchy, a grid and a linear search, from 10 to 1,000,000 triangles
     Groller,
-    /// Light along bent paths: straight shadows, grids and shooting, their time against their error
+    /// Lights along curved rays: time against error for straight rays, photon grids and the shooting method
     Lights,
-    /// Light from surface to surface: time for the same error, by the size of a lamp and how paths find it
+    /// Path tracing: time to equal error, by emitter size and sampling method
     Paths,
-    /// The same work cut into passes in different ways
+    /// Equal work, divided into passes in different ways
     Schedules,
-    /// How time grows with pixels, steps, spheres, lights and samples
+    /// Time against the number of pixels, steps, spheres, lights and samples
     Scaling,
-    /// What samples are worth: the error against 1024 a pixel, uniform, with footprints and adaptive
+    /// Sampling error relative to 1024 samples per pixel: uniform, with footprints, and adaptive
     Sampling,
-    /// The device's own ceilings, and how much of a render its steps alone are
+    /// Limits of the device, and the share of the integration steps in a render
     Limit,
-    /// What a dense list of the active rays is worth, where few go on and where all do
+    /// Speedup by active-ray compaction, with few active rays and with all of them
     Compaction,
-    /// From launch to the first pixel, with the driver's cache empty and filled
+    /// Time from launch to the first pixel, with an empty and a filled driver cache
     Start,
-    /// All of them
+    /// All benchmarks
     All,
 }
 
@@ -101,7 +101,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     let stage = screen::progress().counted("measurement", names.len());
     for (i, name) in names.into_iter().enumerate() {
         stage.reach(i as f64);
-        // A measurement is no known number of renders.
+        // The number of renders of a measurement is unknown.
         let _renders = screen::progress().stage("");
         let bench = Bench { gpu: &gpu, repeats: arguments.repeats as usize, size: size(name) };
         let measured = Measured { device: &device, bench, report: measure(&bench, name, &given)? };
@@ -118,7 +118,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     Ok(())
 }
 
-/// A measurement, with where and how it was made.
+/// A measurement, with the device and the conditions under which it was made.
 struct Measured<'a> {
     device: &'a str,
     bench: Bench<'a>,
@@ -174,12 +174,12 @@ fn measure(bench: &Bench, name: Name, given: &Given) -> Result<Report, Error> {
     })
 }
 
-/// What measurements are about, read before the first of them.
+/// The inputs of the benchmarks, read before the first of them runs.
 struct Given {
     scenes: BTreeMap<Name, Vec<(String, Scene)>>,
-    /// What `groller` cuts up; nothing where it is not wanted.
+    /// The mesh that `groller` subdivides; empty if it is not needed.
     mesh: Mesh,
-    /// Scenes that are read by the programs that are started.
+    /// The scenes that the started processes read.
     started: Vec<PathBuf>,
 }
 
@@ -214,7 +214,7 @@ impl Given {
     }
 }
 
-/// The given scenes, or those that a measurement takes by itself.
+/// Reads the given scenes, or the default scenes of a benchmark.
 fn read_scenes(name: Name, given: &[PathBuf]) -> Result<Vec<(String, Scene)>, Error> {
     let folder = Path::new("scenes");
     let paths = match (given, name) {

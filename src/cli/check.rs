@@ -1,4 +1,4 @@
-//! `bentray check`: is a scene right, and what will be modelled?
+//! `bentray check`: validates scenes, and prints what will be compiled.
 
 mod mistakes;
 mod modelled;
@@ -19,7 +19,7 @@ use crate::gpu::{Geometry, adapters, check_meshes, memory};
 use crate::program::{Choice, Program, Schedule};
 use crate::scene::{REFERENCE, Scene, reference_markdown};
 
-/// Validate scenes, and say what will be modelled: parts, passes, bytes per pixel
+/// Validate scenes, and print what will be compiled: modules, passes, bytes per pixel
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene files; - is standard input
@@ -28,22 +28,22 @@ pub(super) struct Arguments {
     /// Print every key of the scene format instead
     #[arg(long)]
     reference: bool,
-    /// Name the parts of each pass, files of shaders/
+    /// Print the shader modules of each pass, as files of shaders/
     #[arg(long)]
     parts: bool,
-    /// List the dispatches that one round of a sample takes
+    /// Print the dispatches of one iteration of a sample
     #[arg(long)]
     commands: bool,
     #[command(flatten)]
     changes: SceneOptions,
-    /// The schedule to count passes and memory for
+    /// Schedule for which passes and memory are counted
     #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
     schedule: Schedule,
     #[command(flatten)]
     format: Format,
 }
 
-/// Every scene is checked, and every mistake reported, before the exit code says whether there were any.
+/// Checks every scene, and reports every error, before the exit code tells whether there were any.
 pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     if arguments.reference {
         arguments.format.say(&Reference)?;
@@ -87,10 +87,10 @@ fn check<'a>(path: &'a Path, arguments: &Arguments) -> Result<Modelled<'a>, Erro
     })
 }
 
-/// Frames that are looked at, at most.
+/// The maximum number of frames that are checked.
 const FRAMES: usize = 256;
 
-/// All frames are right, and run the first one's program. Says how many of them were looked at.
+/// Checks that the frames are valid and run the first frame's program. Returns the number of frames that were checked.
 fn check_frames(film: &Film, choice: &Choice, scene: &Scene) -> Result<u32, Error> {
     let Some(animation) = &scene.animation else { return Ok(0) };
     film.look_ahead(choice, animation, &(0..animation.frames).collect::<Vec<_>>(), FRAMES)

@@ -1,4 +1,4 @@
-//! `bentray compare`: speed against accuracy.
+//! `bentray compare`: charts speed against accuracy.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -19,46 +19,46 @@ use crate::output::{AtomicFile, OutputError};
 use crate::program::Schedule;
 use crate::scene::Scene;
 
-/// Chart speed against accuracy: every method that a scene's law allows, over its settings
+/// Chart speed against accuracy for every method that the scene's law supports, over its settings
 ///
-/// On a processor that takes minutes for a scene; --methods, --rays and --slowest make it less.
+/// On a CPU, this takes minutes per scene; --methods, --rays and --slowest reduce the time.
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The scene file, or `all` for every scene of a folder
+    /// The scene file, or `all` for every scene in a directory
     #[arg(required_unless_present = "stability", value_parser = paths::file())]
     scene: Option<PathBuf>,
-    /// Instead: follow the rays of every place where methods fail, by every method, and say what became of them
+    /// Instead, trace the rays of every case where methods fail, with every method, and print how they ended
     #[arg(long, conflicts_with = "scene")]
     stability: bool,
-    /// Only these methods, by their names in the chart
+    /// Use only these methods, by their names in the chart
     #[arg(long, value_name = "METHOD", value_delimiter = ',')]
     methods: Option<Vec<String>>,
-    /// The folder to write tables (CSV), plots (SVG and PNG) and a page (index.html) into; it is made if it is not there
+    /// Directory for tables (CSV), plots (SVG and PNG) and a page (index.html); created if missing
     #[arg(short, long, value_name = "DIR", value_parser = paths::file())]
     output: PathBuf,
-    /// The folder of the scenes for `all`, or of the places for --stability (scenes, each with its rays in a .csv beside it)
+    /// Directory of the scenes for `all`, or of the cases for --stability (scenes, each with its rays in a .csv next to it)
     /// [default: scenes, or scenes/stability]
     #[arg(long, value_name = "DIR", value_parser = paths::file())]
     scenes: Option<PathBuf>,
-    /// Rays that are timed, at least
+    /// Minimum number of rays that are timed
     #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = clap::value_parser!(u32).range(64..=100_000_000))]
     rays: u32,
-    /// Rays whose error is measured
+    /// Number of rays whose error is measured
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     compared: u32,
-    /// Each time is the median of so many
+    /// Number of repetitions; each time is their median
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeats: u32,
-    /// The schedule that is timed. In paper and segment, scattering at surfaces has a pass of its own and is left out; whole is timed
-    /// from the camera to the colour
+    /// Schedule that is timed. In paper and segment, scattering at surfaces has its own pass and is not timed; whole is timed from the
+    /// camera to the color
     #[arg(long, value_parser = schedules(), default_value = Schedule::Fused.name())]
     schedule: Schedule,
-    /// A method's curve ends at the setting that takes so many times the fastest method's time
+    /// End the curve of a method at the setting that takes FACTOR times as long as the fastest method
     #[arg(long, value_name = "FACTOR", default_value_t = 300.0)]
     slowest: f64,
     #[command(flatten)]
     changes: SceneOptions,
-    /// The device whose name contains this
+    /// Use the device whose name contains NAME
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
 }
@@ -107,7 +107,7 @@ fn open(arguments: &Arguments) -> Result<(Gpu, String), Error> {
     Ok((gpu, device))
 }
 
-/// The table of what became of all rays; a silent row fails the command.
+/// Writes the table of how all rays ended; the command fails if an error went unreported.
 fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error> {
     let load = |path: &PathBuf| {
         let scene = Scene::load(path, &arguments.changes.overrides()?)?;
@@ -152,7 +152,7 @@ fn stability(arguments: &Arguments, paths: &[PathBuf]) -> Result<ExitCode, Error
     Ok(ExitCode::SUCCESS)
 }
 
-/// Is each of the methods that are asked for one of a scene's?
+/// Checks that each requested method is available for one of the scenes.
 fn are_methods<'a>(arguments: &Arguments, scenes: impl Iterator<Item = &'a Scene>) -> Result<(), Error> {
     let mut known: Vec<&str> = Vec::new();
     for candidate in scenes.flat_map(all_methods) {
@@ -182,7 +182,7 @@ fn scenes(arguments: &Arguments) -> Result<Vec<PathBuf>, Error> {
     scenes_in(arguments.scenes.as_deref().unwrap_or(Path::new(default)))
 }
 
-/// The scenes of a folder, by name.
+/// Returns the scenes of a directory, ordered by name.
 pub(super) fn scenes_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let missing = |error| usage!("{} holds no scenes: {error}; name the folder with --scenes", folder.display());
     let entries = std::fs::read_dir(folder).map_err(missing)?;

@@ -1,23 +1,23 @@
-//! The command line: one file a subcommand.
+//! The command line, with one file per subcommand.
 //!
-//! Results go to stdout or the named files, messages and progress to stderr. Exit codes: 0 done, 1 failed,
-//! 2 usage. What scripts would read of a result is a `Found` of `format`, in words or as JSON.
+//! Results go to stdout or to the named files; messages and progress go to stderr. Exit codes: 0 for success, 1 for failure,
+//! 2 for a usage error. A result that scripts may read is a `Found` of `format`, which prints it as text or as JSON.
 
-/// A line of results to standard output, in functions that return this crate's error.
+/// Prints a line of results to standard output, in functions that return this crate's error.
 macro_rules! say {
     ($($format:tt)*) => {
         $crate::cli::say_line(format_args!($($format)*))?
     };
 }
 
-/// A line of messages to standard error: who has stopped reading them loses no more than those.
+/// Prints a line of messages to standard error. If the reader is gone, only the message is lost.
 macro_rules! tell {
     ($($format:tt)*) => {
         $crate::cli::tell_line(format_args!($($format)*))
     };
 }
 
-/// The error for words of the command line that only a scene or a file shows to be wrong.
+/// Creates the error for arguments that only a scene or a file shows to be wrong.
 macro_rules! usage {
     ($($format:tt)*) => {
         $crate::error::Error::Usage(format!($($format)*))
@@ -102,7 +102,7 @@ enum Command {
     Help(help::Arguments),
 }
 
-/// Runs the command that the process was called with.
+/// Runs the command given by the arguments of the process.
 pub fn run() -> Result<ExitCode, Error> {
     let command = match Cli::try_parse() {
         Ok(cli) => cli.command,
@@ -133,7 +133,7 @@ pub fn run() -> Result<ExitCode, Error> {
     done.map(|()| ExitCode::SUCCESS)
 }
 
-/// Words that people try for a command or an option, and what it is called.
+/// The words that users try for a command or an option, each with its real name.
 const RENAMED: &[(&[&str], &str)] = &[
     (&["film", "movie", "encode", "ffmpeg"], "bentray video"),
     (&["assemble", "join", "stitch"], "bentray merge"),
@@ -154,9 +154,9 @@ const RENAMED: &[(&[&str], &str)] = &[
     (&["--gpu", "--adapter"], "--device"),
 ];
 
-/// Help where it was asked for, and else what is wrong with the words of the command line; a scene in a command's place is to be rendered.
+/// Prints the help if it was requested, otherwise the usage error; if a scene stands in for the command, suggests `render`.
 fn refuse(error: &clap::Error) -> ExitCode {
-    // Whoever lost the messages is not told of it.
+    // If stderr is closed, nobody can be told.
     let _ = error.print();
     let unknown = [ContextKind::InvalidArg, ContextKind::InvalidSubcommand].map(|kind| error.get(kind));
     for word in unknown.into_iter().flatten() {
@@ -171,18 +171,18 @@ fn refuse(error: &clap::Error) -> ExitCode {
     ExitCode::from(error.exit_code() as u8)
 }
 
-/// Why a command failed, for whoever still reads it.
+/// Prints the reason why a command failed, if stderr is still open.
 pub fn tell_error(error: &Error) {
     tell!("error: {error}");
 }
 
-/// Returns the error that a command cannot use a scene, which may be right otherwise.
+/// Returns the error that a command cannot use this scene, which may be valid otherwise.
 fn of_scene(path: &Path, problem: impl Display) -> Error {
     usage!("{}: {problem}", given_name(path).display())
 }
 
 fn tell_line(line: Arguments) {
-    // Whoever lost the messages is not told of it: there is no place to.
+    // If stderr is closed, nobody can be told.
     let _ = screen::print_above(&mut io::stderr(), line);
 }
 

@@ -18,27 +18,27 @@ use crate::program::{Choice, Layer, Masks, Schedule};
 use crate::render::{RenderSettings, Window};
 use crate::scene::{Override, Precision, follow_as};
 
-/// Changes to the scene's values.
+/// Overrides for values of the scene
 #[derive(Debug, Args)]
 pub(super) struct SceneOptions {
-    /// Set a key of the scene, such as `rays.scaled_step=0.05` or `objects.0.radius=2`; `rays.accuracy=` leaves it out (repeatable)
+    /// Set a key of the scene, such as `rays.scaled_step=0.05` or `objects.0.radius=2`; `rays.accuracy=` removes the key (repeatable)
     #[arg(long = "set", value_name = "KEY=VALUE")]
     set: Vec<Override>,
-    /// The picture's size, instead of the scene's
+    /// Image size, instead of the scene's
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     size: Option<[u32; 2]>,
-    /// Rays per pixel, instead of the scene's
+    /// Samples per pixel, instead of the scene's
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_048_576))]
     samples: Option<u32>,
-    /// Bits of the numbers that paths are followed in, instead of the scene's
+    /// Precision of the arithmetic, instead of the scene's
     #[arg(long, value_parser = one_of(Bits::all(), Bits::name, Bits::meaning))]
     precision: Option<Bits>,
-    /// Follow rays as for this picture of bentray's, an EXR or a PNG: by its method with all settings, instead of the scene's
+    /// Use the integration method and all its settings from an image that bentray rendered (EXR or PNG), instead of the scene's
     #[arg(long, value_name = "PICTURE", value_parser = paths::file())]
     method_from: Option<PathBuf>,
 }
 
-/// A precision, or none where that is left to the search for a method.
+/// A precision, or `None` if the method search chooses it.
 #[derive(Debug, Clone, Copy)]
 struct Bits(Option<Precision>);
 
@@ -56,7 +56,7 @@ impl Bits {
     }
 }
 
-/// Reads one of these by its name, and says in the help what each of them means.
+/// Creates a parser for one of these values by its name; the help lists the meaning of each.
 pub(super) fn one_of<T: Copy + Send + Sync + 'static>(
     all: impl IntoIterator<Item = T>,
     name: fn(T) -> &'static str,
@@ -68,7 +68,7 @@ pub(super) fn one_of<T: Copy + Send + Sync + 'static>(
     PossibleValuesParser::new(words).try_map(read)
 }
 
-/// Reads the name of a schedule.
+/// Creates a parser for the name of a schedule.
 pub(super) fn schedules() -> impl TypedValueParser<Value = Schedule> {
     one_of(Schedule::ALL, Schedule::name, Schedule::meaning)
 }
@@ -81,7 +81,7 @@ pub(super) fn parse_size(text: &str) -> Result<[u32; 2], String> {
         .ok_or_else(|| format!("`{text}` is not a size such as 800x600, of 1 to 65536 pixels a side"))
 }
 
-/// The part of the picture that `X,Y,WxH` names.
+/// Parses the window `X,Y,WxH` of an image.
 pub(super) fn parse_window(text: &str) -> Result<Window, String> {
     let parsed = || {
         let mut words = text.splitn(3, ',').map(str::trim);
@@ -93,13 +93,13 @@ pub(super) fn parse_window(text: &str) -> Result<Window, String> {
     })
 }
 
-/// A time from a number of seconds.
+/// Parses a duration, in seconds.
 pub(super) fn parse_seconds(text: &str) -> Result<Duration, String> {
     let parsed = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     parsed.ok_or_else(|| format!("`{text}` is not a number of seconds such as 30 or 0.5"))
 }
 
-/// Bytes from a number with KiB, MiB, GiB or nothing behind it.
+/// Parses a number of bytes, with KiB, MiB, GiB or no unit.
 pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
     let units = [("KiB", 10), ("MiB", 20), ("GiB", 30), ("", 0)];
     let parsed = units.into_iter().find_map(|(unit, shift)| {
@@ -110,12 +110,12 @@ pub(super) fn parse_bytes(text: &str) -> Result<u64, String> {
 }
 
 impl SceneOptions {
-    /// Is the method that of a picture whose program kept what a search compares?
+    /// Returns `true` if the method is from an image whose program kept the layers that a search compares.
     pub(super) fn is_compared(&self) -> bool {
         self.method_from.as_ref().is_some_and(|picture| said(picture, COMPARED).is_ok_and(|text| text == "true"))
     }
 
-    /// All changes, as the scene reader takes them.
+    /// Returns all overrides, in the form that the scene reader takes.
     pub(super) fn overrides(&self) -> Result<Vec<Override>, Error> {
         let method = self.method_from.as_ref().map(|picture| -> Result<_, Error> {
             let followed = said(picture, FOLLOWED)?;
@@ -136,29 +136,29 @@ impl SceneOptions {
     }
 }
 
-/// The device and how its passes are cut.
+/// The device, and the division of a render into passes
 #[derive(Debug, Args)]
 pub(super) struct DeviceFlags {
-    /// The device whose name contains this; without it the first discrete GPU, else integrated, else CPU
+    /// Use the device whose name contains NAME; by default the first discrete GPU, else an integrated GPU, else a CPU
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// How the stages of a segment are cut into passes: all give the same picture. Without it `whole`, or `fused` where a flag below
-    /// is for that
+    /// Grouping of the stages of a segment into passes; the image is the same with each. By default `whole`, or `fused` if one of the flags
+    /// below requires it
     #[arg(long, value_parser = schedules())]
     schedule: Option<Schedule>,
-    /// Run ended rays along too, as without the 2004 paper's early termination
+    /// Disable early ray termination: run terminated rays too, as Weiskopf et al. (2004) measured for comparison
     #[arg(long)]
     no_early_termination: bool,
-    /// Skip ended rays where they lie, not by a list of the active ones: for schedules of several passes
+    /// Disable active-ray compaction; terminated rays are skipped in place (multi-pass schedules only)
     #[arg(long, conflicts_with = "no_early_termination")]
     no_compaction: bool,
-    /// K: segments of one pass of `fused`. Without it, large pictures choose it by rendering themselves small
+    /// Segments per pass (K) of `fused`; by default, large images choose it by rendering at a small size first
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=1024))]
     segments_per_pass: Option<u32>,
 }
 
 impl DeviceFlags {
-    /// Refuses what would be of no effect.
+    /// Rejects options that would have no effect.
     pub(super) fn check(&self) -> Result<(), Error> {
         match self.schedule.filter(|schedule| self.segments_per_pass.is_some() && !schedule.fuses()) {
             Some(schedule) => Err(usage!(
@@ -169,29 +169,29 @@ impl DeviceFlags {
         }
     }
 
-    /// The name that is asked for, or a part of it.
+    /// Returns the requested device name, or a part of it.
     pub(super) fn name(&self) -> Option<&str> {
         self.device.as_deref()
     }
 
-    /// Begins to open the device, while the scene is read.
+    /// Starts to open the device, while the scene is read.
     pub(super) fn open(&self) -> Opening {
         let name = self.device.clone();
         Opening(Some(thread::spawn(move || Gpu::open(name.as_deref()))))
     }
 
-    /// Is K left open?
+    /// Returns `true` if K is not specified.
     pub(super) fn chooses_segments(&self) -> bool {
         self.segments_per_pass.is_none()
     }
 
-    /// The schedule that is asked for, if only by what is for it alone.
+    /// Returns the requested schedule, or the schedule that the other flags require.
     fn schedule(&self) -> Schedule {
         let is_for_fused = self.no_early_termination || self.no_compaction || self.segments_per_pass.is_some();
         self.schedule.unwrap_or(if is_for_fused { Schedule::Fused } else { Schedule::Whole })
     }
 
-    /// The choice with the masks that are asked for.
+    /// Returns the choice with the requested masks.
     fn masked(&self, choice: Choice) -> Choice {
         let masks = match (self.no_early_termination, self.no_compaction) {
             (true, _) => Masks::Off,
@@ -201,7 +201,7 @@ impl DeviceFlags {
         Choice { masks, ..choice }
     }
 
-    /// Settings for pictures with these layers.
+    /// Returns the settings for images with these layers.
     pub(super) fn settings(&self, layers: Vec<Layer>) -> RenderSettings {
         let default = RenderSettings::default();
         RenderSettings {
@@ -212,16 +212,16 @@ impl DeviceFlags {
     }
 }
 
-/// A device that is being opened. It is waited for in any case: a driver must not be left in the middle of its start.
+/// A device that is being opened. Dropping it waits as well: a driver must not be interrupted while it starts.
 pub(super) struct Opening(Option<JoinHandle<Result<Gpu, GpuError>>>);
 
 impl Opening {
-    /// Waits for the device, and says which it is.
+    /// Waits for the device, and prints its name.
     pub(super) fn finish(mut self) -> Result<Gpu, GpuError> {
         let stage = screen::progress().stage("opening the device");
         let opened = self.0.take().map(JoinHandle::join);
         let lost = || Err(GpuError::Lost("it could not be opened".to_owned()));
-        // A thread that panicked has met a fault of this code: it goes on here.
+        // A thread that panicked hit a bug in this code; the panic continues here.
         let gpu = opened.map_or_else(lost, |opened| opened.unwrap_or_else(|e| panic::resume_unwind(e)))?;
         drop(stage);
         tell!("device: {} ({:?}, {})", gpu.info.name, gpu.info.device_type, gpu.info.backend);
@@ -235,7 +235,7 @@ impl Drop for Opening {
     }
 }
 
-/// A schedule with masks, for pictures without layers.
+/// Returns the choice of a schedule with its masks, for images without layers.
 pub(super) fn choice(schedule: Schedule) -> Choice {
     Choice { schedule, masks: schedule.masks(), ..Choice::default() }
 }

@@ -1,6 +1,6 @@
-//! `bentray render`: a scene to pictures.
+//! `bentray render`: renders a scene to images.
 //!
-//! *Length.* Over 300 lines, because the options of `render` are half of it.
+//! *Length.* Over 300 lines, because the options of `render` take half of it.
 
 mod again;
 mod files;
@@ -35,50 +35,50 @@ use crate::scene::Scene;
 pub(super) use picture::followed;
 use work::Work;
 
-/// Render a scene to a PNG (to look at) or an EXR (linear colour and layers), or both
+/// Render a scene to a PNG (for viewing), an EXR (linear color and layers), or both
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The scene file, or - for standard input; files that it names are then found relative to the working folder
+    /// The scene file, or - for standard input; the files that it names are then relative to the working directory
     pub(super) scene: PathBuf,
-    /// Where to write: .png or .exr; with --frames also a film, .mp4, .webm, .gif or .png (repeatable)
+    /// Output file, .png or .exr; with --frames also a video: .mp4, .webm, .gif or .png (repeatable)
     #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
-    /// Layers of the EXR; all of them unless named, `samples` where sampling is adaptive
+    /// Layers of the EXR; by default all, with `samples` only if sampling is adaptive
     #[arg(long, value_parser = layers(), value_delimiter = ',', value_name = "LAYER")]
     layers: Option<Vec<Option<Layer>>>,
     #[command(flatten)]
     pub(super) changes: SceneOptions,
     #[command(flatten)]
     device: DeviceFlags,
-    /// Render only this part of the picture: its left column, top row and size. An EXR keeps its place in the whole, so that
-    /// `assemble` can put parts together
+    /// Render only this window of the image: its left column, top row and size. An EXR keeps its position in the whole image, so that
+    /// `merge` can combine the windows
     #[arg(long, value_name = "X,Y,WxH", value_parser = parse_window, allow_hyphen_values = true)]
     crop: Option<Window>,
-    /// Render these frames of the scene's [animation]: A..B with both ends, one, all, or a list of them, each with a step if it has
-    /// one, such as 1,3,5..20:2. Each has files of its own, with its number where {frame} is in the name, or {frame:4} for at least
-    /// four digits; #### and %04d are understood too
+    /// Frames of the scene's [animation] to render: one number, A..B (inclusive), all, or a list of these, each with an optional step, such
+    /// as 1,3,5..20:2. Each frame has its own files; the frame number replaces {frame} in the name, or {frame:4} with at least four
+    /// digits; #### and %04d also work
     #[arg(long, value_name = "FRAMES", conflicts_with = "verify")]
     frames: Option<Frames>,
-    /// Render one of so many equal parts of the picture, or with --frames of the film: 3/64 (from 1), auto as Slurm, AWS Batch or SGE
-    /// say for this job, auto/64 also under Kubernetes, PBS and GNU parallel. Parts of a picture are EXRs, which `assemble` puts
-    /// together; what is finished is not rendered again
+    /// Render one of N equal parts of the image or, with --frames, of the animation: 3/64 (counted from 1); auto takes the job number
+    /// from Slurm, AWS Batch or SGE; auto/64 also works with Kubernetes, PBS and GNU parallel. Parts of an image are EXRs for `merge`;
+    /// finished parts are not rendered again
     #[arg(long, value_name = "K/N", conflicts_with_all = ["crop", "verify", "earlier", "preview"])]
     part: Option<Part>,
-    /// Add samples to a picture of random paths that was rendered before, up to as many as the scene now asks for: to the bit what a
-    /// single longer render gives. The EXR has to keep its sums, as it does unless --layers leaves them out
+    /// Add samples to an earlier path-traced image, up to the number in the scene: the result is bit-identical to one longer render. The EXR
+    /// must contain its accumulated sums, as it does unless --layers omits them
     #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames", value_parser = paths::file())]
     earlier: Option<PathBuf>,
-    /// While the picture is rendered, write what there is so far to this file: .png or .exr, which may be continued
+    /// Write the unfinished image to this file during the render: .png or .exr, which may be continued
     #[arg(long, value_name = "FILE", conflicts_with = "frames", value_parser = paths::file())]
     preview: Option<PathBuf>,
     /// Seconds between two previews
     #[arg(long, value_name = "SECONDS", default_value = "30", requires = "preview", value_parser = parse_seconds)]
     preview_every: Duration,
-    /// Memory of the device that the render may take: a picture that needs more is rendered in tiles. The scene's meshes, pictures and
-    /// grids may take as much of the host's: a file that needs more is refused
+    /// Device memory that the render may use: a larger image is rendered in tiles. Meshes, images and grids may use the same amount of host
+    /// memory: a larger file is an error
     #[arg(long, value_name = "BYTES", default_value = "1GiB", value_parser = parse_bytes)]
     memory: u64,
-    /// Follow N random pixels again in 64 bits, and print and store with the picture how far it is from the truth
+    /// Trace N random pixels again in 64 bits; print the deviation from this reference solution and store it in the image
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     verify: Option<u32>,
     /// Exit with 1 if any ray could not be followed to its end
@@ -88,7 +88,7 @@ pub(super) struct Arguments {
     pub(super) format: Format,
 }
 
-/// The layers that can be asked for, and none.
+/// Creates a parser for the names of all layers, and for `none`.
 fn layers() -> impl TypedValueParser<Value = Option<Layer>> {
     let all = Layer::ALL.into_iter().map(Some).chain([None]);
     one_of(
@@ -119,7 +119,7 @@ impl Arguments {
         self.output.iter().try_for_each(|path| self.check_name(path))
     }
 
-    /// Refuses a name without a place for the frame's number where there are frames, and one with a place where there are none.
+    /// Rejects a name without a frame number if there are frames, and a name with a frame number if there are none.
     fn check_name(&self, path: &Path) -> Result<(), Error> {
         let problem = match (numbered(path, 0), &self.frames) {
             (Err(problem), Some(_)) => problem,
@@ -133,7 +133,7 @@ impl Arguments {
         Err(usage!("{}: {problem}", path.display()))
     }
 
-    /// The frames that are asked for; without any, the picture.
+    /// Returns the requested frames, or a single `None` for a still image.
     pub(super) fn frames_of(&self, scene: &Scene) -> Result<Vec<Option<u32>>, Error> {
         match &self.frames {
             Some(frames) => Ok(frames.of(scene)?.into_iter().map(Some).collect()),
@@ -141,7 +141,7 @@ impl Arguments {
         }
     }
 
-    /// Refuses what cannot be rendered in parts.
+    /// Rejects options that cannot be combined with parts.
     pub(super) fn check_for_farm(&self) -> Result<(), Error> {
         self.check()?;
         if paths::is_standard(&self.scene) {
@@ -160,7 +160,7 @@ impl Arguments {
         }
     }
 
-    /// What is to be rendered of these frames.
+    /// Returns the targets to render, from these frames.
     fn targets(&self, frames: &[Option<u32>], scene: &Scene) -> Result<Vec<Target>, Error> {
         match self.part {
             Some(part) => targets_of(part.share()?, frames, scene),
@@ -168,7 +168,7 @@ impl Arguments {
         }
     }
 
-    /// The scene, or a frame of it, or the one that a picture is continued from.
+    /// Loads the scene, one of its frames, or the scene of an image that is continued.
     fn load(&self, film: &Film, frame: Option<u32>, before: Option<&Before>) -> Result<Scene, Error> {
         let scene = match (frame, before) {
             (_, Some(before)) => before.load(film)?,
@@ -205,10 +205,10 @@ impl Arguments {
     }
 }
 
-/// Frames that are looked at before any is rendered, at most.
+/// The maximum number of frames that are checked before any is rendered.
 const AHEAD: usize = 24;
 
-/// What a share of these frames is.
+/// Returns the targets of a share of these frames.
 pub(super) fn targets_of(share: Share, frames: &[Option<u32>], scene: &Scene) -> Result<Vec<Target>, Error> {
     let targets = share.of(frames);
     let rows = scene.image.size[1];
@@ -259,9 +259,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         arguments.lead(&gpu, &film, still, settings, &mut launch)?;
     launch.count(StartPart::Method);
     let measured = arguments.verify.map(|count| verify(&gpu, &leading, &settings, count as usize)).transpose()?;
-    // Scripts have it with the picture.
+    // With `--json`, scripts get the verification together with the image.
     if let Some(verification) = measured.as_ref().filter(|_| !arguments.format.json) {
-        // Who has stopped reading wants the picture all the same.
+        // If nobody reads the output any more, the image is still written.
         match say_line(format_args!("{verification}")) {
             Err(Error::Closed) => {}
             other => other?,
@@ -295,7 +295,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     Ok(if arguments.strict && unfollowed > 0 { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// Rays that were lost are named, whatever the exit code.
+/// Prints warnings for rays that were lost, whatever the exit code is.
 pub(super) fn warn(totals: &Totals) {
     let advice = [
         (Status::Alive, "had not ended when the passes ran out: this is a fault of bentray; please report it"),

@@ -1,4 +1,4 @@
-//! `bentray trace`: given rays to where they end.
+//! `bentray trace`: follows given rays to their ends.
 
 mod beams;
 mod diagram;
@@ -25,38 +25,38 @@ use crate::output::plot::check_plot;
 use crate::render::{PathPoint, RenderSettings, StartUp, Traced, pixel_starts, trace, trace_paths};
 use crate::scene::{CutPlane, Scene};
 
-/// Follow given rays through the same passes as a picture's, and write where they end or draw their paths
+/// Follow given rays through the same passes as an image, and write their end points or draw their paths
 #[derive(Debug, Args)]
 #[command(group(clap::ArgGroup::new("starts").args(["rays", "fan", "bundle", "pixel"]).required(true).multiple(true)))]
 #[command(group(clap::ArgGroup::new("results").args(["output", "plot", "focus", "windings"]).required(true).multiple(true)))]
 pub(super) struct Arguments {
-    /// The scene file, or - for standard input; of its camera only --pixel knows
+    /// The scene file, or - for standard input; its camera is used only with --pixel
     scene: PathBuf,
-    /// A CSV file with the header x,y,z,vx,vy,vz: each ray's start, its velocity taken as it is; `-` is standard input
+    /// A CSV file with the header x,y,z,vx,vy,vz: start and velocity of each ray, used unchanged; `-` is standard input
     #[arg(long, value_name = "FILE")]
     rays: Option<PathBuf>,
-    /// Rays from a point, such as "from=[-5,0,0] toward=[0,0,0] spread=30 count=9": SPREAD degrees between the outermost
+    /// Rays from a point, such as "from=[-5,0,0] toward=[0,0,0] spread=30 count=9", with SPREAD degrees between the outermost rays
     /// (repeatable)
     #[arg(long, value_name = "FAN", value_parser = Beam::fan)]
     fan: Vec<Beam>,
-    /// Parallel rays, such as "from=[-5,0,0] toward=[0,0,0] width=2 count=9": WIDTH between the outermost (repeatable)
+    /// Parallel rays, such as "from=[-5,0,0] toward=[0,0,0] width=2 count=9", with WIDTH between the outermost rays (repeatable)
     #[arg(long, value_name = "BUNDLE", value_parser = Beam::bundle)]
     bundle: Vec<Beam>,
-    /// The camera's ray through the middle of the picture's pixel X,Y, counted from its top left (repeatable)
+    /// The camera ray through the center of pixel X,Y, counted from the top left (repeatable)
     #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
     pixel: Vec<[u32; 2]>,
-    /// Where to write the results as CSV; `-` is standard output
+    /// Output file for the results, as CSV; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Write every segment's end instead of the path's
+    /// Write the end of every segment instead of the end of the path
     #[arg(long, requires = "output")]
     path: bool,
-    /// Draw the paths in a plane as SVG or PNG, with the surfaces that cross it
+    /// Draw the paths in a plane, as SVG or PNG, with the surfaces that intersect it
     #[arg(long, value_name = "FILE", value_parser = paths::file())]
     plot: Option<PathBuf>,
     #[command(flatten)]
     diagram: DiagramOptions,
-    /// Print by how much what the law keeps (energy, angular momentum, |v| = n) drifted along the rays
+    /// Print the drift of the constants of motion (energy, angular momentum, |v| = n) along the rays
     #[arg(long, conflicts_with = "path")]
     drift: bool,
     #[command(flatten)]
@@ -138,16 +138,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     Ok(table.map_or(Ok(()), Table::finish)?)
 }
 
-/// All rays in the order of the results: the file's, then the fans', the bundles', the camera's.
+/// All rays in the order of the results: from the file, the fans, the bundles, and the camera.
 struct Starts {
     rays: Vec<[f64; 6]>,
     groups: Vec<Group>,
-    /// The plane that is asked for, in which fans and bundles lie.
+    /// The requested plane, which contains the fans and bundles.
     plane: Option<CutPlane>,
 }
 
 impl Starts {
-    /// `aimed`: does it matter where a ray points?
+    /// Collects the rays of the arguments; `aimed` is `true` if the direction of a ray matters.
     fn of(arguments: &Arguments, aimed: bool) -> Result<Self, Error> {
         let read = |path| read_rays(path, aimed);
         let mut rays = arguments.rays.as_deref().map_or(Ok(Vec::new()), read)?;
@@ -162,7 +162,7 @@ impl Starts {
         Ok(Self { rays, groups, plane })
     }
 
-    /// With those of the camera behind them.
+    /// Appends the rays of the camera.
     fn add_pixels(
         &mut self,
         gpu: &Gpu,
@@ -178,12 +178,12 @@ impl Starts {
     }
 }
 
-/// Of an attractor's orbit, the part before it has come near.
+/// The initial fraction of an attractor's orbit that is not drawn, because it has not converged yet.
 const ARRIVING: f64 = 0.1;
-/// Segments of that orbit, at most.
+/// The maximum number of segments of that orbit.
 const ORBIT: u32 = 1 << 16;
 
-/// Where the orbit of a flow goes in the long run, whatever stands in its way.
+/// Traces the orbit that a flow approaches in the long run, ignoring all objects.
 fn attractor(gpu: &Gpu, scene: &Scene, settings: &RenderSettings, start: &[f64; 6], time: f64) -> Result<Curve, Error> {
     let mut scene = scene.clone();
     scene.objects.clear();
