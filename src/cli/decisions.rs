@@ -1,11 +1,11 @@
-//! What `auto` has found, kept in the user's cache folder, so that the next render of the same scene does not search again.
+//! The decisions of `auto`, stored in the user's cache folder, so that the next render of the same scene does not search again.
 //!
-//! *Theory.* A search comes to the same decision whenever it is made, since costs are counted and rays are the same. So a decision may
-//! be kept under everything that it depends on: the program, the device, the scene with its files and changes, and what is rendered
-//! of it. Nothing depends on its being there: without it the search is made again, and the picture is the same.
+//! *Theory.* A search always reaches the same decision, since costs are counted and rays are identical. So a decision may be stored under
+//! a hash of all its inputs: the program, the device, the scene with its files and overrides, and the part that is rendered. The image
+//! does not depend on the cache: if a decision is missing, the search runs again.
 //!
-//! *Practice.* A decision is a small TOML file, named by a 128-bit hash. What cannot be read or written is as if it were not there.
-//! `BENTRAY_CACHE` names another folder; where it is empty, nothing is kept.
+//! *Practice.* A decision is a small TOML file, named by a 128-bit hash. A file that cannot be read or written is treated as missing.
+//! `BENTRAY_CACHE` names another folder; if it is empty, nothing is stored.
 
 use std::env;
 use std::fs;
@@ -21,37 +21,37 @@ use super::frames::Film;
 use crate::gpu::Gpu;
 use crate::render::RenderSettings;
 
-/// The folder, instead of the user's.
+/// The environment variable that names the folder.
 const FOLDER: &str = "BENTRAY_CACHE";
 
-/// The rays that a method is wanted for.
+/// The rays for which a method is searched.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Rays<'r> {
-    /// These.
+    /// Given rays.
     Given(&'r [[f64; 6]]),
-    /// The camera's, so many.
+    /// This number of rays of the camera.
     Camera(u64),
-    /// Those from lights to places, as pairs of a place and a light.
+    /// Rays from lights to points, as pairs of a point and a light.
     Between(&'r [[DVec3; 2]]),
 }
 
-/// What a search came to.
+/// The result of a search.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Decision {
-    /// What was said of it.
+    /// The message about the result.
     pub said: String,
-    /// And warned of.
+    /// The warning about the result, if there was one.
     pub warning: Option<String>,
-    /// How rays are followed, as [`Rays::followed`](crate::scene::Rays::followed) has it.
+    /// The integration method, as a text of [`Rays::followed`](crate::scene::Rays::followed).
     pub followed: String,
-    /// Has the program that was compiled all layers that the search compared?
+    /// `true` if the compiled program has all layers that the search compared.
     pub compared_layers: bool,
 }
 
-/// Where the decision of one search is kept.
+/// The file that stores the decision of one search.
 pub(super) struct Place(PathBuf);
 
-/// The folder; none where nothing is to be kept.
+/// Returns the folder, or `None` if nothing is stored.
 pub(super) fn folder() -> Option<PathBuf> {
     match env::var_os(FOLDER) {
         Some(folder) if folder.is_empty() => None,
@@ -61,7 +61,7 @@ pub(super) fn folder() -> Option<PathBuf> {
 }
 
 impl Place {
-    /// For the rays of a scene; none where nothing can be kept.
+    /// Returns the file for the rays of a scene, or `None` if nothing can be stored.
     pub(super) fn of(
         gpu: &Gpu,
         film: &Film,
@@ -82,12 +82,12 @@ impl Place {
         Some(Self(folder.join(format!("{:032x}.toml", hasher.finish128().as_u128()))))
     }
 
-    /// What is kept there.
+    /// Returns the stored decision, if there is one.
     pub(super) fn find(&self) -> Option<Decision> {
         toml::from_str(&fs::read_to_string(&self.0).ok()?).ok()
     }
 
-    /// Keeps a decision, if that can be done.
+    /// Stores a decision, if possible.
     pub(super) fn keep(&self, decision: &Decision) {
         let written = self.0.parent().and_then(|folder| {
             fs::create_dir_all(folder).ok()?;
@@ -95,12 +95,12 @@ impl Place {
             file.write_all(toml::to_string(decision).ok()?.as_bytes()).ok()?;
             file.persist(&self.0).ok()
         });
-        // Without it the search is made again.
+        // If this fails, the search runs again next time.
         drop(written);
     }
 }
 
-/// The program, which another build of the same version is not.
+/// Identifies the program; another build of one version differs.
 fn program() -> Option<(PathBuf, u64, std::time::SystemTime)> {
     let path = env::current_exe().ok()?;
     let file = fs::metadata(&path).ok()?;

@@ -1,4 +1,4 @@
-//! `bentray devices`: what could render.
+//! `bentray devices`: lists the devices that can render.
 
 use clap::Args;
 use serde_json::{Value, json};
@@ -7,7 +7,7 @@ use super::format::{Format, Found};
 use crate::error::Error;
 use crate::gpu::{AdapterReport, GpuError, adapters};
 
-/// List the devices that could render, best first, and what each can do
+/// List the devices that can render, best first, with their capabilities
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
@@ -22,7 +22,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     arguments.format.say(&Devices(adapters))
 }
 
-/// What could render, best first.
+/// The devices that can render, best first.
 pub(super) struct Devices(pub Vec<AdapterReport>);
 
 impl Found for Devices {

@@ -1,4 +1,4 @@
-//! `bentray doctor`: is everything there that a render may need, and what is to be done if not?
+//! `bentray doctor`: checks for everything that a render may need, and prints what to install.
 
 use std::fs;
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::gpu::{AdapterReport, GpuError, adapters};
 use crate::output::check_film;
 
-/// Look whether everything is there that a render may need, and say what to install
+/// Check that everything a render needs is installed, and print what to install
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
@@ -27,14 +27,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     Ok(if found.devices.0.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// What is there.
+/// The results of the checks.
 struct Findings {
     devices: Devices,
-    /// Can films be videos?
+    /// `true` if videos can be encoded.
     video: bool,
-    /// Where decisions are kept, and can they be?
+    /// The folder for stored decisions, and `true` if it is writable.
     cache: Option<(PathBuf, bool)>,
-    /// Queues of jobs.
+    /// The job queues that were found.
     queues: Vec<&'static str>,
 }
 
@@ -94,7 +94,7 @@ impl Found for Findings {
     }
 }
 
-/// What would render.
+/// Describes the device that would render, and the number of others.
 fn device(adapters: &[AdapterReport]) -> String {
     let Some(best) = adapters.first() else { return format!("none: {}", GpuError::NoDevice) };
     let more = match adapters.len() - 1 {
@@ -104,7 +104,7 @@ fn device(adapters: &[AdapterReport]) -> String {
     format!("{} ({:?}, {}){more}", best.info.name, best.info.device_type, best.info.backend)
 }
 
-/// Can it compute in 64 bits, or another one?
+/// Describes the support for 64-bit arithmetic, on the best device or another one; `None` if there is no device.
 fn double(adapters: &[AdapterReport]) -> Option<String> {
     let best = adapters.first()?;
     let other = adapters.iter().find(|adapter| adapter.f64);

@@ -1,8 +1,8 @@
 //! `--json`: results for scripts.
 //!
-//! *Idea.* A result is one value that can be put into words and into JSON, so that people and scripts are told the same. Scripts get an
-//! object a line, as results come, and nothing else on standard output; messages and exit codes are what they are without `--json`.
-//! The guide's page `scripts` lists the keys, and a test compares it with what is printed.
+//! *Idea.* A result is one value that is printed as text or as JSON, so that people and scripts get the same information. Scripts get
+//! one object per line, as results arrive, and nothing else on standard output; messages and exit codes do not depend on `--json`.
+//! The guide's page `scripts` lists the keys, and a test compares it with the output.
 
 use std::path::Path;
 
@@ -12,19 +12,19 @@ use serde_json::Value;
 use super::say_line;
 use crate::error::Error;
 
-/// What a command has found.
+/// A result of a command.
 pub(super) trait Found {
-    /// Lines for people; empty where there is nothing to say to them.
+    /// Returns the lines for people; empty if there is nothing to print.
     fn text(&self) -> String;
 
-    /// An object for scripts. Units are in the names of its keys; what does not apply is null.
+    /// Returns the object for scripts. Keys contain their units; a field that does not apply is null.
     fn json(&self) -> Value;
 }
 
-/// Whom results are for.
+/// The format of results: text or JSON.
 #[derive(Debug, Clone, Copy, Args)]
 pub(super) struct Format {
-    /// Print results as JSON, for scripts: an object a line, whose keys `bentray help scripts` lists
+    /// Print results as JSON for scripts, one object per line; `bentray help scripts` lists the keys
     #[arg(long)]
     pub(super) json: bool,
 }
@@ -41,8 +41,8 @@ impl Format {
         Ok(())
     }
 
-    /// Has people read a result among the messages, and gives it to scripts. Whoever stopped reading wants what else is made all the
-    /// same.
+    /// Prints a result among the messages as text, or to standard output as JSON. If the reader is gone, the command still writes its
+    /// other outputs.
     pub(super) fn tell(self, found: &impl Found) -> Result<(), Error> {
         let text = found.text();
         if !text.is_empty() {
@@ -58,7 +58,7 @@ impl Format {
     }
 }
 
-/// A path as JSON has it: names that are no text are shown as well as can be.
+/// Returns a path for JSON; names that are not UTF-8 are shown as well as possible.
 pub(super) fn shown(path: impl AsRef<Path>) -> String {
     path.as_ref().display().to_string()
 }

@@ -1,4 +1,4 @@
-//! `bentray formula`: what the formulas look like, without a scene or a device.
+//! `bentray formula`: plots formulas, without a scene or a device.
 
 use std::path::PathBuf;
 
@@ -9,7 +9,7 @@ use crate::chart::{beer_chart, fresnel_chart, noise_chart, snell_chart, spiral_c
 use crate::error::Error;
 use crate::output::plot::{plot_lines, plot_paths};
 
-/// Draw a formula, to teach with
+/// Plot a formula, for teaching
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     #[command(subcommand)]
@@ -18,60 +18,60 @@ pub(super) struct Arguments {
 
 #[derive(Debug, Args)]
 struct Drawing {
-    /// Where to draw it, as SVG or PNG
+    /// Output file, .svg or .png
     #[arg(short, long, value_name = "FILE", value_parser = paths::file())]
     output: PathBuf,
 }
 
 #[derive(Debug, Subcommand)]
 enum Formula {
-    /// How much light a surface reflects and transmits, against the angle of incidence
+    /// Fraction of light that a surface reflects and transmits, against the angle of incidence
     Fresnel {
-        /// η, the index behind the surface over that before it (several with commas)
+        /// η, the index behind the surface divided by the index in front of it (several with commas)
         #[arg(long, value_name = "ETA", value_delimiter = ',', default_values_t = [1.4], value_parser = positive)]
         eta: Vec<f64>,
         #[command(flatten)]
         drawing: Drawing,
     },
-    /// How a surface refracts
+    /// Angle of refraction at a surface
     Snell {
-        /// η, the index behind the surface over that before it (several with commas)
+        /// η, the index behind the surface divided by the index in front of it (several with commas)
         #[arg(long, value_name = "ETA", value_delimiter = ',', default_values_t = [1.33, 1.52, 1.0 / 1.52], value_parser = positive)]
         eta: Vec<f64>,
         #[command(flatten)]
         drawing: Drawing,
     },
-    /// How much light is left after a distance in a filter
+    /// Fraction of light that remains after a distance in an absorbing medium
     Beer {
-        /// The part that is left after a distance of 1 (several with commas)
+        /// Fraction that remains after a distance of 1 (several with commas)
         #[arg(long, value_name = "C", value_delimiter = ',', default_values_t = [0.95, 0.8, 0.65, 0.45, 0.2], value_parser = part)]
         c: Vec<f64>,
-        /// The longest distance
+        /// Longest distance
         #[arg(long, value_name = "D", default_value_t = 5.0, value_parser = positive)]
         distance: f64,
         #[command(flatten)]
         drawing: Drawing,
     },
-    /// Noise along a line: its octaves and their sum, or the sum wrapped
+    /// Noise along a line: its octaves and their sum, or the wrapped sum
     Noise {
-        /// Terms of the sum, each twice as fine and half as high as the one before
+        /// Number of octaves, each with twice the frequency and half the amplitude of the one before
         #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=8))]
         octaves: u32,
-        /// The line's length, in cells of the first octave
+        /// Length of the line, in cells of the first octave
         #[arg(long, value_name = "CELLS", default_value_t = 8.0, value_parser = cells)]
         length: f64,
-        /// The random numbers' seed
+        /// Seed of the random numbers
         #[arg(long, value_name = "N", default_value_t = 0)]
         seed: u32,
-        /// Draw the sum from 0 to 1 and wrapped so many times, in place of octaves
+        /// Draw the sum from 0 to 1, and wrapped M times, instead of the octaves
         #[arg(long, value_name = "M", value_parser = positive)]
         wrap: Option<f64>,
         #[command(flatten)]
         drawing: Drawing,
     },
-    /// How far a ray goes round in an inverse-r sphere, against the angle at which it starts
+    /// Angle swept by a ray in an inverse-r sphere, against its starting angle
     Spiral {
-        /// R/S: the sphere's radius over that of the start
+        /// R/S: radius of the sphere divided by the starting radius
         #[arg(long, value_name = "R/S", default_value_t = std::f64::consts::E, value_parser = beyond_one)]
         ratio: f64,
         #[command(flatten)]
@@ -79,11 +79,11 @@ enum Formula {
     },
     /// Rays in an inverse-r sphere: logarithmic spirals
     Spirals {
-        /// Degrees between the ray and the circle where it starts: to 90 and on to 180 outwards, then inwards (several with commas)
+        /// Degrees between the ray and the circle through its start: outwards from 0 to 180, inwards above 180 (several with commas)
         #[arg(long, value_name = "DEGREES", value_delimiter = ',', default_values_t = [0.0, 30.0, 90.0, 150.0, 210.0, 270.0, 330.0])]
         #[arg(allow_negative_numbers = true, value_parser = angle)]
         psi: Vec<f64>,
-        /// R/S: the sphere's radius over that of the start
+        /// R/S: radius of the sphere divided by the starting radius
         #[arg(long, value_name = "R/S", default_value_t = 2.0, value_parser = beyond_one)]
         ratio: f64,
         #[command(flatten)]
@@ -128,7 +128,7 @@ fn beyond_one(text: &str) -> Result<f64, String> {
     number(text, |n| n > 1.0 && n <= 1e6).ok_or_else(|| format!("`{text}` is not a number above 1, at most 1e6"))
 }
 
-/// Degrees for which a spiral can be drawn: so near to a circle it winds a thousand times.
+/// Parses an angle for which a spiral can be drawn; very close to a circle, it would wind a thousand times.
 fn angle(text: &str) -> Result<f64, String> {
     let drawable = |n: f64| (0.0..360.0).contains(&n) && (n % 180.0 == 0.0 || n.to_radians().tan().abs() > 1e-3);
     number(text, drawable).ok_or_else(|| {

@@ -1,7 +1,7 @@
-//! `--frames`: which frames of an animation are rendered.
+//! `--frames`: the frames of an animation to render.
 //!
-//! *Practice.* Ranges with both ends, single frames and steps, with commas between them: `0..47`, `7`, `1,3,5-20:2`, `all:10`. Frames are
-//! rendered in ascending order, each once, however they are listed.
+//! *Practice.* The list has inclusive ranges, single frames and steps, separated by commas: `0..47`, `7`, `1,3,5-20:2`, `all:10`. Each
+//! frame is rendered once, in ascending order, whatever the order of the list.
 
 use std::ops::RangeInclusive;
 use std::str::FromStr;
@@ -9,14 +9,14 @@ use std::str::FromStr;
 use crate::error::Error;
 use crate::scene::Scene;
 
-/// `--frames` as it was given.
+/// The value of `--frames`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Frames(Vec<Run>);
 
-/// Frames at equal distances.
+/// A sequence of equally spaced frames.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Run {
-    /// The first and the last; none for all.
+    /// The first and the last frame; `None` for all.
     ends: Option<RangeInclusive<u32>>,
     step: usize,
 }
@@ -97,7 +97,7 @@ mod tests {
         assert_eq!(frames("1,3,5-20:2"), Ok(vec![1, 3, 5, 7, 9, 11, 13, 15, 17, 19]));
         assert_eq!(frames("all:10"), Ok(vec![0, 10, 20]));
         assert_eq!(frames("2..3:9"), Ok(vec![2]));
-        // In ascending order, each once.
+        // The frames are ascending, each once.
         assert_eq!(frames("9, 3..5, 4..6"), Ok(vec![3, 4, 5, 6, 9]));
     }
 

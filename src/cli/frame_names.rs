@@ -1,14 +1,14 @@
-//! Names of files with a place for the frame's number.
+//! File names with a placeholder for the frame number.
 //!
-//! *Practice.* `{frame}` is the number, and `{frame:4}` has at least four digits. What other programs write is understood too: `####` for as
-//! many digits as there are signs, from two on, and `%04d`, both in a file's own name and not in those of folders.
+//! *Practice.* `{frame}` is the number, and `{frame:4}` has at least four digits. The notations of other programs also work: `####`, with
+//! as many digits as there are signs (at least two), and `%04d`. Both count only in the name of the file, not in those of folders.
 
 use std::path::{Path, PathBuf, is_separator};
 
-/// The most digits that a name may ask for.
+/// The largest number of digits that a name may request.
 const WIDEST: usize = 20;
 
-/// Returns the path with a frame's number in every place for it; none if it has no such place. The error says what is wrong with one.
+/// Returns the path with a frame's number in every placeholder, or `None` without one. The error describes an invalid placeholder.
 pub(super) fn numbered(path: &Path, frame: u32) -> Result<Option<PathBuf>, String> {
     let Some(text) = path.to_str() else { return Ok(None) };
     let name = text.rfind(is_separator).map_or(0, |at| at + 1);
@@ -29,12 +29,12 @@ pub(super) fn numbered(path: &Path, frame: u32) -> Result<Option<PathBuf>, Strin
     Ok(has_place.then(|| (made + rest).into()))
 }
 
-/// The path of a frame, where a name that has no place for its number is that of all frames.
+/// Returns the path of a frame; a name without a placeholder is shared by all frames.
 pub(super) fn path_of(path: &Path, frame: u32) -> PathBuf {
     numbered(path, frame).ok().flatten().unwrap_or_else(|| path.to_owned())
 }
 
-/// Bytes of the place that a text begins with, and the digits that it asks for; none if it begins with something else.
+/// Returns the bytes of the placeholder at the start of a text, and its number of digits; `None` if there is no placeholder.
 fn place(text: &str, is_in_name: bool) -> Result<Option<(usize, usize)>, String> {
     if let Some(inner) = text.strip_prefix('{') {
         let wrong = |length: usize| format!("`{}` is not {{frame}} or {{frame:4}}", &text[..length]);
@@ -49,7 +49,7 @@ fn place(text: &str, is_in_name: bool) -> Result<Option<(usize, usize)>, String>
     if let Some(inner) = text.strip_prefix('%') {
         let digits = inner.find(|c: char| !c.is_ascii_digit()).unwrap_or(inner.len());
         let width = if digits == 0 { Some(0) } else { inner[..digits].parse().ok().filter(|width| *width <= WIDEST) };
-        // A word such as `100%done` is none.
+        // A word such as `100%done` is not a placeholder.
         let is_place = inner[digits..].strip_prefix('d').is_some_and(|after| !after.starts_with(char::is_alphanumeric));
         return Ok(width.filter(|_| is_place).map(|width| (digits + 2, width)));
     }

@@ -1,4 +1,4 @@
-//! Frames of an animation: their scenes, and whether one program runs them all.
+//! Frames of an animation: their scenes, and a check that one program runs them all.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -12,7 +12,7 @@ use crate::gpu::{Before, Geometry, mesh_capacity};
 use crate::program::{Choice, Program};
 use crate::scene::{Animation, Files, Override, Scene, SceneError, follow_as};
 
-/// `made` of the number that every key has in a frame, or of none.
+/// Calls `made` with a function that returns the frame number for every key, or with `None` without a frame.
 pub(super) fn with_frame<T>(frame: Option<u32>, made: impl FnOnce(Option<&dyn Fn(&str) -> f64>) -> T) -> T {
     match frame {
         Some(frame) => made(Some(&|_| frame.into())),
@@ -29,9 +29,9 @@ pub(super) struct Film<'a> {
     pub(super) path: &'a Path,
     pub(super) overrides: Vec<Override>,
     pub(super) files: RefCell<Files>,
-    /// Of the files' bytes.
+    /// The hashes of the files, by path.
     pub(super) hashes: RefCell<HashMap<PathBuf, String>>,
-    /// What the program of the frame before was made with.
+    /// The inputs of the previous frame's program.
     before: RefCell<Before>,
 }
 
@@ -41,29 +41,29 @@ impl<'a> Film<'a> {
         Self { path, overrides, files, hashes: RefCell::default(), before: RefCell::default() }
     }
 
-    /// Rejects meshes that the best device cannot hold, or the first whose name contains `device`, as soon as their size is known.
+    /// Rejects meshes that exceed the memory of the best device, or of the first whose name contains `device`, when their size is known.
     pub(super) fn on(self, device: Option<&str>) -> Self {
         Self { files: self.files.into_inner().holding(mesh_capacity(device)).into(), ..self }
     }
 
-    /// The same, with files that may take no more memory than this.
+    /// Limits the memory of the loaded files, in bytes.
     pub(super) fn within(self, memory: u64) -> Self {
         Self { files: self.files.into_inner().within(memory).into(), ..self }
     }
 
-    /// The scene, or a frame of it: `frame_of` as [`Scene::load_with`] has it.
+    /// Loads the scene, or one of its frames: `frame_of` is the argument of [`Scene::load_with`].
     pub(super) fn load(&self, frame_of: Option<&dyn Fn(&str) -> f64>) -> Result<Scene, SceneError> {
         Scene::load_with(&mut self.files.borrow_mut(), self.path, &self.overrides, frame_of)
     }
 
-    /// As [`load`](Self::load), with rays followed as a text of [`Rays::followed`](crate::scene::Rays::followed) says.
+    /// Loads the scene like [`load`](Self::load), with the method in a text of [`Rays::followed`](crate::scene::Rays::followed).
     pub(super) fn load_as(&self, frame: Option<u32>, followed: &str) -> Result<Scene, SceneError> {
         let overrides: Vec<Override> = self.overrides.iter().cloned().chain(follow_as(followed)?).collect();
         with_frame(frame, |frame_of| Scene::load_with(&mut self.files.borrow_mut(), self.path, &overrides, frame_of))
     }
 
-    /// Hashes what the scene is made of: its file, the changes to it, and the files that were loaded for it. None where one of them is
-    /// not there any more.
+    /// Hashes the inputs of the scene: its file, the overrides, and the files that were loaded for it. Returns `None` if one of them no
+    /// longer exists.
     pub(super) fn hash(&self, hasher: &mut impl Hasher) -> Option<()> {
         read_given(self.path).ok()?.hash(hasher);
         for over in &self.overrides {
@@ -76,13 +76,13 @@ impl<'a> Film<'a> {
         Some(())
     }
 
-    /// Its file, and those that were loaded for it, with what they are.
+    /// Returns the scene's file and the files loaded for it, each with a description.
     pub(super) fn inputs(&self) -> Vec<(PathBuf, &'static str)> {
         let own = self.files.borrow().paths().into_iter().map(|path| (path, "a file of the scene"));
         std::iter::once((self.path.to_owned(), "the scene's own file")).chain(own).collect()
     }
 
-    /// The program of a frame, which may be that of the frame before.
+    /// Builds the program of a frame, or reuses that of the previous frame.
     fn program(
         &self,
         before: Option<&Program>,
@@ -96,8 +96,8 @@ impl<'a> Film<'a> {
         Ok(program?)
     }
 
-    /// Looks at frames before any is rendered, of a long film at some of them, evenly, with the last: whether they are right, and run
-    /// the first one's program. Says at how many: no more than `most`.
+    /// Checks frames before any is rendered: that they are valid, and run the first frame's program. For a long animation it checks only
+    /// evenly spaced frames and the last, at most `most`. Returns the number of frames that were checked.
     pub(super) fn look_ahead(
         &self,
         choice: &Choice,
@@ -121,14 +121,14 @@ impl<'a> Film<'a> {
         Ok(looked_at as u32)
     }
 
-    /// The scenes that a frame shows while its shutter is open, as often as the frame's scene says, and in that order.
+    /// Loads the scenes of a frame's shutter samples, in order; the frame's scene gives their number.
     pub(super) fn moments(&self, frame: u32, scene: &Scene) -> Result<Vec<Scene>, Error> {
         let load = |time| self.load(Some(&|_| time)).map_err(|error| of_frame(time, error.into()));
         scene.moments(frame).into_iter().map(load).collect()
     }
 
-    /// That two frames have different programs, with those of the keys that make it so when they alone go from the first frame to
-    /// the other.
+    /// Creates the error that two frames need different programs. It names the keys that alone cause this when they change from the first
+    /// frame to the other.
     pub(super) fn other_program(&self, keys: &[String], [first, frame]: [f64; 2]) -> Error {
         let choice = Choice::default();
         let moved = |moved: Option<&str>| {

@@ -1,8 +1,8 @@
-//! `--continue`: more samples for a picture that was rendered before, from its own EXR.
+//! `--continue`: adds samples to an image that was rendered before, from its own EXR.
 //!
-//! *Idea.* A path's ray depends on its pixel and its sample's number alone, and the file keeps the sums of its samples bit for bit. So what
-//! is added to them makes the picture that one longer render would have made, if the scene is still the same: the file says which it was,
-//! and by which method its rays were followed.
+//! *Idea.* The ray of a path depends only on its pixel and its sample number, and the file stores the sums of its samples bit for bit. So
+//! further samples give the image of one longer render, if the scene is unchanged: the file identifies the scene, and the method that
+//! followed its rays.
 
 use std::path::{Path, PathBuf};
 
@@ -16,18 +16,18 @@ use crate::program::Layer;
 use crate::render::{Band, Earlier, Window};
 use crate::scene::{SamplePattern, Scene};
 
-/// What a picture says of itself that may be otherwise afterwards.
+/// The metadata of an image that may change when it is continued.
 const MAY_DIFFER: [&str; 1] = [SAMPLES];
 
-/// Layers that hold what a picture is continued from.
+/// The layers from which an image is continued.
 pub(super) const SUMS: [Layer; 2] = [Layer::Sums, Layer::Spread];
 
-/// Can a picture of this scene be continued, if its file keeps the sums?
+/// Returns `true` if an image of this scene can be continued, provided that its file keeps the sums.
 pub(super) fn is_continuable(scene: &Scene) -> bool {
     scene.rays.paths.is_some() && scene.image.adaptive.is_none()
 }
 
-/// How a picture that has so many samples so far is written, where `settings` are those of the finished one.
+/// Returns the file settings after `samples` samples, where `settings` are those of the finished image.
 pub(super) fn after(mut settings: FileSettings, samples: u32) -> FileSettings {
     if let Some((_, text)) = settings.metadata.iter_mut().find(|(key, _)| key == SAMPLES) {
         *text = samples.to_string();
@@ -35,7 +35,7 @@ pub(super) fn after(mut settings: FileSettings, samples: u32) -> FileSettings {
     settings
 }
 
-/// A picture to go on with.
+/// An image to continue.
 pub(super) struct Before {
     path: PathBuf,
     settings: FileSettings,
@@ -45,7 +45,7 @@ pub(super) struct Before {
 }
 
 impl Before {
-    /// Reads a picture that keeps its sums.
+    /// Reads an image that keeps its sums.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
         let problem = "it keeps no sums to continue from: EXRs of pictures with lighting = \"path-tracing\" do, in the layers `sums` \
                        and `spread`";
@@ -58,7 +58,7 @@ impl Before {
         Ok(Self { path: path.to_owned(), settings, band, samples, followed })
     }
 
-    /// The scene, with its rays followed as the picture's were.
+    /// Loads the scene, with the integration method of the image.
     pub(super) fn load(&self, film: &Film) -> Result<Scene, Error> {
         Ok(film.load_as(None, &self.followed)?)
     }
@@ -67,7 +67,7 @@ impl Before {
         Err(usage!("--continue {}: {problem}", self.path.display()))
     }
 
-    /// Refuses a picture that another scene, method or device made, or another version.
+    /// Rejects an image from another scene, method, device or version of bentray.
     pub(super) fn check_origin(&self, film: &Film, gpu: &Gpu, scene: &Scene) -> Result<(), Error> {
         let own = film.load(None)?.rays;
         if own.auto.is_none() && own.followed() != self.followed {
@@ -84,7 +84,7 @@ impl Before {
         Ok(())
     }
 
-    /// Refuses a picture that a longer render of the scene, with these layers of this part, would not have begun with.
+    /// Rejects an image that a longer render of the scene, with these layers and this window, would not have started with.
     pub(super) fn check(&self, scene: &Scene, layers: &[Layer], window: Window) -> Result<(), Error> {
         let wrong = |problem: String| self.wrong(&problem);
         if self.samples == 1 {
@@ -115,17 +115,17 @@ impl Before {
         }
     }
 
-    /// Layers that it has.
+    /// Returns the layers of the image.
     pub(super) fn layers(&self) -> &[Layer] {
         &self.settings.layers
     }
 
-    /// Was it made by a program that kept what a search compares?
+    /// Returns `true` if its program kept the layers that a search compares.
     pub(super) fn is_compared(&self) -> bool {
         self.settings.said(COMPARED) == Some("true")
     }
 
-    /// What the render goes on from.
+    /// Returns the sums from which the render continues.
     pub(super) fn earlier(self) -> Earlier {
         Earlier { samples: self.samples, band: self.band }
     }

@@ -1,6 +1,6 @@
-//! `bentray help`: what commands there are and what each takes, and the pages of the guide.
+//! `bentray help`: lists the commands, and prints their options and the pages of the guide.
 //!
-//! *Idea.* A topic is a command, or a page of [`guide`](crate::guide). Where one name is both, as `light` is, both are printed.
+//! *Idea.* A topic is a command, or a page of [`guide`](crate::guide). If one name is both, like `light`, both are printed.
 
 use std::fmt::Write;
 use std::process::ExitCode;
@@ -11,7 +11,7 @@ use crate::document::values::suggest;
 use crate::error::Error;
 use crate::guide::{PAGES, Page, pages, physics};
 
-/// What the process ends with where its command line is wrong, as clap has it.
+/// The exit code for a usage error, as in clap.
 const USAGE: u8 = 2;
 
 /// Print this message, the help of a command, or a page of the guide
@@ -21,18 +21,18 @@ pub(super) struct Arguments {
     topic: Vec<String>,
 }
 
-/// The guide's topics, to be read below the commands.
+/// Returns the list of the guide's topics, for display below the commands.
 pub(super) fn topics() -> String {
     let mut text = "Topics of the guide, for `bentray help TOPIC`:\n".to_owned();
     for Page { name, about, .. } in PAGES.iter().chain([&physics::CONTENTS]) {
-        // A string takes whatever is written to it.
+        // Writing to a string cannot fail.
         let _ = writeln!(text, "  {name:<11}  {about}");
     }
     let names: Vec<&str> = physics::PAGES.iter().map(|page| page.name).collect();
     text + "  and on physics: " + &names.join(", ")
 }
 
-/// Prints what is known of a topic; `cli` is the whole command line.
+/// Prints the help of a topic; `cli` is the whole command line.
 pub(super) fn run(arguments: &Arguments, cli: &clap::Command) -> Result<ExitCode, Error> {
     let topic = arguments.topic.join(" ");
     let page = pages().find(|page| page.name == topic.replace('-', "_")).map(Page::shown);
@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &Arguments, cli: &clap::Command) -> Result<ExitCode
     Ok(ExitCode::SUCCESS)
 }
 
-/// What `--help` behind these words prints, if they are a command.
+/// Returns the output of `--help` after these words, or `None` if they are not a command.
 fn help_of(cli: &clap::Command, words: &[String]) -> Option<String> {
     let find = |command: Option<_>, word| command.and_then(|command: &clap::Command| command.find_subcommand(word));
     words.iter().fold(Some(cli), find)?;

@@ -1,4 +1,4 @@
-//! `bentray import`: a scene from a file of another program.
+//! `bentray import`: converts a file of another program to a scene.
 
 use std::path::{Path, PathBuf};
 
@@ -15,10 +15,10 @@ use crate::scene::import::import;
 /// Write a scene from a glTF file: objects, materials, cameras and lights
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The file, .gltf or .glb
+    /// The input file, .gltf or .glb
     #[arg(value_parser = paths::file())]
     file: PathBuf,
-    /// Where to write the scene, or - for standard output; pictures within the file are written beside it, and nothing that is there already is replaced
+    /// Output scene, or - for standard output; embedded images are written next to it, and no existing file is replaced
     #[arg(short, long, value_name = "SCENE")]
     output: PathBuf,
 }
@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     }
     let folder = output.parent().unwrap_or(Path::new(""));
     let pictures = imported.pictures.iter().map(|(name, bytes)| (folder.join(name), bytes.as_slice()));
-    // The scene last: where it is, its pictures are.
+    // The scene is the last file, so that its images exist before it does.
     let files: Vec<(PathBuf, &[u8])> = pictures.chain([(output.clone(), imported.text.as_bytes())]).collect();
     if let Some((path, _)) = files.iter().rev().find(|(path, _)| path.exists()) {
         let problem = "this file exists; name another scene, or remove it first".to_owned();

@@ -1,8 +1,8 @@
-//! Signals that ask the process to end: Ctrl-C, a terminal that is closed, a queue whose time is up.
+//! Signals that ask the process to end: Ctrl-C, a closed terminal, or a queue whose time limit is near.
 //!
-//! *Practice.* Unfinished files are removed, so that what was there before is as it was; a line names the signal and says what is on disk;
-//! and the process ends with 128 plus the signal's number. A film first finishes the frame in hand, and ends at once at a second signal.
-//! A signal that whoever started the process has it ignore, as `nohup` does, stays ignored.
+//! *Practice.* Unfinished files are removed, so that earlier files remain; a line names the signal and reports the files on disk; and the
+//! process ends with 128 plus the signal's number. An animation first finishes the current frame, and ends at once at a second signal.
+//! A signal that was ignored when the process started, as with `nohup`, stays ignored.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -12,15 +12,15 @@ use signal_hook::low_level::{exit, signal_name};
 
 use crate::output::abandon_unfinished;
 
-/// The signal that asked; 0 for none.
+/// The signal that was received; 0 for none.
 static ASKED: AtomicI32 = AtomicI32::new(0);
-/// The frames of a film, and how many of them are on disk.
+/// The number of frames of the animation; the next value counts those on disk.
 static FRAMES: AtomicUsize = AtomicUsize::new(0);
 static DONE: AtomicUsize = AtomicUsize::new(0);
 
 /// Handles signals from now on.
 pub(super) fn listen() {
-    // Where there are no signals to listen to, what is under way ends as the system has it.
+    // If no signals can be handled, the process ends in the system's default way.
     let _ = system::listen();
 }
 
@@ -31,29 +31,29 @@ fn ask(signal: i32) {
         tell!("{}: stopping after this frame; once more to stop at once", name(signal));
         return;
     }
-    // Nobody begins another file before the process is gone. It goes at once: what else is done at an end would take the driver
-    // from under the render that is still running, and some drivers crash then.
+    // The lock keeps others from starting a file before the process is gone. It exits at once: other cleanup would take the driver away
+    // from the render that is still running, which crashes some drivers.
     let (unfinished, _held) = abandon_unfinished();
     tell!("{}", words(signal, &unfinished));
     exit(code(signal));
 }
 
-/// Frames follow each other: the one in hand is finished before the process ends.
+/// Registers a sequence of frames: the current one is finished before the process ends.
 pub(super) fn finish_first(frames: usize) {
     FRAMES.store(frames, Ordering::SeqCst);
 }
 
-/// So many of the frames are on disk.
+/// Records the number of frames on disk.
 pub(super) fn done(frames: usize) {
     DONE.store(frames, Ordering::SeqCst);
 }
 
-/// Was the process asked to end?
+/// Returns `true` if the process was asked to end.
 pub(super) fn is_asked() -> bool {
     ASKED.load(Ordering::SeqCst) != 0
 }
 
-/// Says why a film ends here, if the process was asked to end, and returns its exit code.
+/// Prints why an animation ends early, if the process was asked to end, and returns its exit code.
 pub(super) fn stopped() -> Option<ExitCode> {
     let signal = ASKED.load(Ordering::SeqCst);
     (signal != 0).then(|| {
@@ -62,7 +62,7 @@ pub(super) fn stopped() -> Option<ExitCode> {
     })
 }
 
-/// What shells report of a process that a signal ended.
+/// Returns the exit code that shells report for a process that ended by a signal.
 fn code(signal: i32) -> i32 {
     128 + signal
 }
@@ -71,7 +71,7 @@ fn name(signal: i32) -> String {
     signal_name(signal).map_or_else(|| format!("signal {signal}"), str::to_owned)
 }
 
-/// Which signal ended the process, and what is on disk.
+/// Returns the message with the signal that ended the process, and the files on disk.
 fn words(signal: i32, unfinished: &[PathBuf]) -> String {
     let frames = FRAMES.load(Ordering::SeqCst);
     let mut parts = vec![format!("stopped by {}", name(signal))];
@@ -101,7 +101,7 @@ mod system {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1, SIGUSR2};
     use signal_hook::iterator::Signals;
 
-    /// The signals of terminals, and those by which queues of jobs announce the end, with their names for `kill`.
+    /// The signals of terminals and of job queues before their time limit, with their names for `kill`.
     const ENDING: [(i32, &str); 5] =
         [(SIGHUP, "HUP"), (SIGINT, "INT"), (SIGTERM, "TERM"), (SIGUSR1, "USR1"), (SIGUSR2, "USR2")];
 
@@ -113,7 +113,7 @@ mod system {
         Ok(())
     }
 
-    /// The signals that the process ignores, as Linux says.
+    /// Returns the signals that the process ignores, as reported by Linux.
     fn ignored_by_system() -> Option<Vec<i32>> {
         let status = std::fs::read_to_string("/proc/self/status").ok()?;
         let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"))?;
@@ -121,8 +121,8 @@ mod system {
         Some((1..=64).filter(|signal| mask >> (signal - 1) & 1 == 1).collect())
     }
 
-    /// The same elsewhere: a child ignores what its parent does, and outlives such signals. No signal can be asked about without
-    /// `unsafe` code.
+    /// Returns the ignored signals on other systems: a child ignores those of its parent, and survives them. Without `unsafe` code, the
+    /// process cannot query a signal.
     fn ignored_by_child() -> Vec<i32> {
         let outlives = |name: &str| {
             let mut shell = Command::new("sh");

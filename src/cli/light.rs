@@ -1,4 +1,4 @@
-//! `bentray light`: the paths that lead from a scene's lights to given places.
+//! `bentray light`: finds the paths from a scene's lights to given points.
 
 use std::path::PathBuf;
 
@@ -16,15 +16,15 @@ use crate::output::csv::{LightRow, Table, read_places};
 use crate::render::{LightPath, StartUp, light_grids, light_paths};
 use crate::scene::{LightSource, Scene, Shadows};
 
-/// Find the paths that lead from a scene's lights to given places, and write their directions and the spread of their bundles
+/// Find the paths from a scene's lights to given points, and write their directions and the divergence of their ray bundles
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The scene file, or - for standard input; of its lights those with shadows = "curved-rays" or "photon-grid" are used
+    /// The scene file, or - for standard input; only lights with shadows = "curved-rays" or "photon-grid" are used
     scene: PathBuf,
-    /// A CSV file with the header x,y,z: the places; `-` is standard input
+    /// A CSV file of the points, with the header x,y,z; `-` is standard input
     #[arg(long, value_name = "FILE")]
     at: PathBuf,
-    /// Where to write the paths as CSV, a line for each, and one where there is none or for all of a grid's; `-` is standard output
+    /// Output CSV with one line per path; one line if there is no path, and one per point of a photon grid; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -85,7 +85,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Error> {
     Ok(table.finish()?)
 }
 
-/// The lights that are found by shooting, each with its place in the scene file.
+/// Returns the lights whose paths are found by the shooting method, each with its index in the scene file.
 fn shot_lights(scene: &Scene) -> Vec<(usize, DVec3)> {
     let lights = scene.lights.iter().enumerate().filter(|(_, light)| light.shadows == Shadows::Shooting);
     lights
@@ -96,7 +96,7 @@ fn shot_lights(scene: &Scene) -> Vec<(usize, DVec3)> {
         .collect()
 }
 
-/// A ray from a light straight to a place, for a calibration to try.
+/// Returns a ray from a light straight to a point, for a calibration to try.
 fn aimed(source: LightSource, place: DVec3) -> [f64; 6] {
     let (x, d) = match source {
         LightSource::Point(position) => (position, (place - position).normalize_or(DVec3::X)),
@@ -105,7 +105,7 @@ fn aimed(source: LightSource, place: DVec3) -> [f64; 6] {
     [x.x, x.y, x.z, d.x, d.y, d.z]
 }
 
-/// What a grid knows of all paths to a place together: their mean direction by flux, and the area that would be as bright.
+/// Returns the sum of all paths to a point in a photon grid: their flux-weighted mean direction, and the area of equal brightness.
 fn grid_row(place: usize, light: usize, field: Option<Vec4>) -> LightRow {
     let f = field.unwrap_or_default().truncate().as_dvec3();
     let lit = f.length() > 0.0;

@@ -1,4 +1,4 @@
-//! `bentray merge`: parts of a picture to the whole.
+//! `bentray merge`: combines parts of an image.
 
 use std::path::PathBuf;
 
@@ -8,13 +8,13 @@ use super::{paths, screen};
 use crate::error::Error;
 use crate::output::assemble;
 
-/// Put the parts of a picture together, EXRs rendered with --crop or --part: the same files as if it had been rendered at once
+/// Combine the parts of an image (EXRs rendered with --crop or --part) into the files that one whole render would write
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The parts; where they overlap, they must agree
+    /// The parts; overlapping parts must agree
     #[arg(required = true, value_name = "PART", value_parser = paths::file())]
     parts: Vec<PathBuf>,
-    /// Where to write the whole: .exr, or .png (repeatable)
+    /// Output file: .exr or .png (repeatable)
     #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
 }

@@ -1,4 +1,4 @@
-//! `bentray new`: a scene to start from.
+//! `bentray new`: writes a scene to start from.
 
 use std::path::PathBuf;
 
@@ -15,9 +15,9 @@ use crate::scene::{TEMPLATES, Template};
 /// Write a commented scene to start from
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// Where to write it, or - for standard output; a file that is there already is left alone
+    /// Output file, or - for standard output; an existing file is not replaced
     file: PathBuf,
-    /// What it shows
+    /// Template of the scene
     #[arg(long, value_parser = templates(), default_value = TEMPLATES[0].name)]
     template: &'static Template,
 }

@@ -1,4 +1,4 @@
-//! What a picture says of what made it.
+//! The metadata of an image: which program, scene and settings made it.
 
 use std::fs;
 use std::hash::Hasher;
@@ -14,7 +14,7 @@ use crate::measure::method_words;
 use crate::output::origin::{DEVICE, FOLLOWED, LINES, LISTED, SAMPLES, SCENE};
 use crate::scene::{Scene, SceneError, followed_keys};
 
-/// Of a scene, or of a frame of its film, whose method is settled.
+/// Returns the metadata for a scene, or for a frame of its animation, whose method is chosen.
 pub(super) fn origin(
     film: &Film,
     frame: Option<u32>,
@@ -36,7 +36,7 @@ pub(super) fn origin(
     Ok(said.into_iter().chain([hash]).chain(lines).map(|(key, text)| (key.to_owned(), text)).collect())
 }
 
-/// Of all that [`origin`] says, what is known without a device: of which scene the picture is, and how many samples it has.
+/// Returns the part of [`origin`] that needs no device: the scene of the image, and its number of samples.
 pub(super) fn scene_origin(
     film: &Film,
     frame: Option<u32>,
@@ -45,8 +45,8 @@ pub(super) fn scene_origin(
     Ok([(SCENE, hash(lines(film, frame)?.as_bytes())), (SAMPLES, scene.image.samples.to_string())])
 }
 
-/// Every value of the scene, and a hash of every file that was loaded for it, a line each. How rays are followed, how many samples there
-/// are and how pictures are shown is said elsewhere, and no part of it.
+/// Returns every value of the scene, and a hash of every file that was loaded for it, one per line. The integration method, the number
+/// of samples and the display settings are stored elsewhere, and are not included.
 fn lines(film: &Film, frame: Option<u32>) -> Result<String, Error> {
     let mut values = with_frame(frame, |frame_of| Scene::listing(film.path, &film.overrides, frame_of))?;
     for key in followed_keys() {
@@ -62,7 +62,7 @@ fn lines(film: &Film, frame: Option<u32>) -> Result<String, Error> {
 }
 
 impl Film<'_> {
-    /// Of a file's bytes, which are read once.
+    /// Returns the hash of a file's bytes, which are read only once.
     pub(super) fn hash_of(&self, path: PathBuf) -> Result<String, SceneError> {
         if let Some(known) = self.hashes.borrow().get(&path) {
             return Ok(known.clone());

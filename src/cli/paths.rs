@@ -1,4 +1,4 @@
-//! Files that a command reads and writes: which names are one file, so that nothing is written over what is read.
+//! The files that a command reads and writes. Detects different names of one file, so that no input is overwritten.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use crate::error::Error;
 use crate::output::destination;
 
-/// What two names of one file have in common, whether it is there or not.
+/// Returns a path that is equal for all names of one file, even if the file does not exist yet.
 fn identity(path: &Path) -> PathBuf {
     let path = destination(path);
     if path.exists() {
@@ -22,21 +22,21 @@ fn identity(path: &Path) -> PathBuf {
     path.file_name().map_or_else(|| folder.clone(), |name| folder.join(name))
 }
 
-/// The path that stands for standard input or output.
+/// Returns `true` for the path that means standard input or output.
 pub(super) fn is_standard(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Reads the name of a file that cannot be standard input or output.
+/// Creates a parser for the name of a file, which cannot be standard input or output.
 pub(super) fn file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().try_map(|path| if is_standard(&path) { Err(NO_STREAM) } else { Ok(path) })
 }
 
-/// Why some files have to have a name.
+/// The error for files that need a name.
 pub(super) const NO_STREAM: &str =
     "this cannot be standard input or output: name a file (`./-` is one that is called -)";
 
-/// Refuses to write two things to one file, or over what is read: each of these with what it is.
+/// Rejects outputs that share a file, or that would overwrite an input. Each input comes with its description.
 pub(super) fn check<'a>(
     outputs: impl IntoIterator<Item = &'a Path>,
     inputs: &[(PathBuf, &'static str)],

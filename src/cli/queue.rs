@@ -1,8 +1,8 @@
-//! `--part auto`: the part that a queue of jobs assigns to this one.
+//! `--part auto`: the part that a job queue assigns to this job.
 //!
-//! *Practice.* Queues tell each job its number in an environment variable of their own. Some count from 0, some from any number and in any
-//! steps, and only some say how many jobs there are. A queue's variables are used whole or rejected: a part that no job renders would be
-//! missing without an error.
+//! *Practice.* Each queue gives its jobs their number in a different environment variable. Some count from 0, some from any number and in
+//! any steps, and only some give the number of jobs. The variables of a queue are either all used or rejected: otherwise a part that no
+//! job renders would be missing without an error.
 /// Part `number`, from 0, of `count`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Share {
@@ -10,19 +10,19 @@ pub(super) struct Share {
     pub count: u32,
 }
 
-/// The variables of a queue.
+/// The environment variables of a queue.
 struct Queue {
     name: &'static str,
-    /// The number of this job.
+    /// The variable with the number of this job.
     number: &'static str,
     numbers: Numbers,
 }
 
-/// How a queue numbers its jobs.
+/// The numbering of jobs in a queue.
 enum Numbers {
-    /// One by one from this number, with the variable that counts them, if there is one.
+    /// Consecutive numbers from this one, with the variable for their count, if there is one.
     From(u32, Option<&'static str>),
-    /// As the user asks for them.
+    /// Numbers that the user chooses.
     Asked { first: &'static str, last: &'static str, step: &'static str, count: Option<&'static str> },
 }
 
@@ -41,10 +41,10 @@ const QUEUES: [Queue; 7] = [
     Queue::from("GNU parallel", "PARALLEL_SEQ", 1, None),
 ];
 
-/// The environment.
+/// A function that returns the value of an environment variable.
 type Variables<'a> = &'a dyn Fn(&str) -> Option<String>;
 
-/// Returns the part of this job, from the variables of the queue that runs it; `asked` is the number of parts, if it was given.
+/// Returns the part of this job, from the variables of its queue; `asked` is the number of parts, if the user gave it.
 pub(super) fn share(variables: Variables, asked: Option<u32>) -> Result<Share, String> {
     let mut there = Vec::new();
     for queue in &QUEUES {
@@ -63,7 +63,7 @@ pub(super) fn share(variables: Variables, asked: Option<u32>) -> Result<Share, S
     }
 }
 
-/// A variable's number; none if it is not set, or set to what SGE writes for a job outside an array.
+/// Returns the number in a variable; `None` if the variable is unset, or has the value that SGE sets outside an array.
 fn number(variables: Variables, name: &str) -> Result<Option<u32>, String> {
     let Some(text) = variables(name).filter(|text| !text.is_empty() && text != "undefined") else { return Ok(None) };
     text.trim().parse().map(Some).map_err(|_| format!("--part auto: {name} is `{text}`, which is not a whole number"))
@@ -103,7 +103,7 @@ impl Queue {
                 let [first, last, step] = [first, last, step].map(|name| number(variables, name));
                 let (first, last, step) = (first?, last?, step?.unwrap_or(1).max(1));
                 if let Some(parts) = asked {
-                    // Some parts may be run again, so each job's number is that of its part: all of them are checked in every job.
+                    // Some parts may run again, so each job has the number of its part. Every job checks the numbers of all.
                     let mut all = [first, last, Some(own)].into_iter().flatten();
                     return all
                         .try_fold(None, |_, one| self.counted(one, 1, parts).map(Some))
@@ -114,7 +114,7 @@ impl Queue {
                 let (length, said) =
                     (last.saturating_sub(first), count.map_or(Ok(None), |count| number(variables, count))?);
                 let jobs = (length / step).saturating_add(1);
-                // Jobs that are counted end with the last one; otherwise the end may be between two.
+                // If the queue gives a count, the last job ends the range; otherwise the end may be between two numbers.
                 let is_range = said.is_none_or(|said| said == jobs && length % step == 0);
                 let said = said.unwrap_or(jobs);
                 let place = own.checked_sub(first).filter(|offset| offset % step == 0).map(|offset| offset / step);
@@ -130,7 +130,7 @@ impl Queue {
         }
     }
 
-    /// The part of job `own`, where `count` are numbered one by one from `first`.
+    /// Returns the part of job `own`, if `count` jobs are numbered consecutively from `first`.
     fn counted(&self, own: u32, first: u32, count: u32) -> Result<Share, String> {
         let number = own.checked_sub(first).filter(|number| *number < count);
         number.map(|number| Share { number, count }).ok_or_else(|| {
@@ -154,7 +154,7 @@ mod tests {
         share(&variable, asked).map(|share| (share.number, share.count))
     }
 
-    /// As Slurm sets them in task `id` of an array with these numbers, in this step.
+    /// Returns the variables that Slurm sets in task `id` of an array with these numbers and this step.
     fn slurm(id: u32, ids: &[u32], step: u32) -> [(&'static str, u32); 5] {
         [
             ("SLURM_ARRAY_TASK_ID", id),
@@ -190,7 +190,7 @@ mod tests {
     fn parts_that_are_run_again_are_numbered_as_before() {
         assert_eq!(auto(&slurm(9, &[3, 9], 1), Some(64)), Ok((8, 64)));
         assert_eq!(auto(&sge(9, 3, 9, 3), Some(64)), Ok((8, 64)));
-        // Every job refuses an array that is counted from 0, so that none leaves a part out with success.
+        // Every job rejects an array that is counted from 0, so that no part is left out while all jobs succeed.
         for id in 0..4 {
             let problem = auto(&slurm(id, &[0, 1, 2, 3], 1), Some(4)).unwrap_err();
             assert!(
@@ -207,7 +207,7 @@ mod tests {
             let problem = auto(&slurm(id, &[1, 4, 9], step), None).unwrap_err();
             assert!(problem.contains("Number the jobs from 1 to 3, or write --part 3/64"), "{problem}");
         }
-        // Jobs that no step reaches, or behind the last.
+        // Jobs between two steps, or beyond the last.
         assert!(auto(&slurm(3, &[0, 2, 4], 2), None).is_err());
         assert!(auto(&slurm(6, &[0, 2, 4], 2), None).is_err());
         assert!(auto(&sge(3, 1, 5, 3), None).is_err());
@@ -220,7 +220,7 @@ mod tests {
             share(&|asked: &str| (asked == name).then(|| text.clone()), Some(3)).map(|share| share.number)
         };
         assert!(set("SLURM_ARRAY_TASK_ID", "1-3").unwrap_err().contains("SLURM_ARRAY_TASK_ID is `1-3`"));
-        // SGE has this in a job outside an array.
+        // SGE sets this in a job outside an array.
         assert!(set("SGE_TASK_ID", "undefined").unwrap_err().contains("none of these variables is set"));
         assert_eq!(set("SGE_TASK_ID", "2"), Ok(1));
         let two = [("PARALLEL_SEQ", 1), ("PBS_ARRAY_INDEX", 2)];
@@ -229,11 +229,11 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever range with whatever step is asked for, its jobs are all parts, each once and in order.
+        /// Checks that the jobs of any range with any step are all parts, each once and in order.
         #[test]
         fn every_part_of_a_range_is_some_jobs(first in 0_u32..50, jobs in 1_u32..50, step in 1_u32..9, over in 0_u32..9) {
             let ids: Vec<u32> = (0..jobs).map(|job| first + job * step).collect();
-            // Slurm has the last job's number, and SGE may have what was asked for.
+            // Slurm sets the number of the last job; SGE may set the requested end.
             let last = ids[ids.len() - 1] + over % step;
             for (place, id) in (0..).zip(&ids) {
                 prop_assert_eq!(auto(&slurm(*id, &ids, step), None), Ok((place, jobs)));

@@ -1,10 +1,10 @@
-//! Progress as users see it: one line at the bottom of a terminal, redrawn in place, or a line now and then in a log.
+//! The display of progress: one line at the bottom of a terminal, redrawn in place, or an occasional line in a log.
 //!
-//! *Idea.* Work reports its progress to memory; a thread here looks at it ten times a second and draws. So a terminal shows that the program
-//! is alive also while one unit of work takes long, and a log gets its lines on time.
+//! *Idea.* Work reports its progress to memory; a thread reads it ten times a second and draws. So a terminal shows that the program
+//! is alive even while one unit of work takes long, and a log gets its lines on time.
 //!
-//! *Practice.* All messages of the program go through [`cleared`], so that they stand above the line and never in it. Work that is done
-//! before [`PATIENCE`] draws nothing. The line has no color, and lines of a log have no control characters.
+//! *Practice.* All messages of the program go through [`cleared`], so that they appear above the line and never inside it. Work that
+//! ends before [`PATIENCE`] draws nothing. The line has no color, and lines of a log have no control characters.
 
 mod drawn;
 
@@ -19,31 +19,31 @@ use indicatif::ProgressDrawTarget;
 use crate::progress::Progress;
 use drawn::Screen;
 
-/// Time between two looks at the progress.
+/// The time between two readings of the progress.
 const TICK: Duration = Duration::from_millis(100);
-/// Work that takes less time is done without a line on the terminal.
+/// Work that takes less time draws no line on the terminal.
 const PATIENCE: Duration = Duration::from_millis(700);
-/// Time between two lines of a log.
+/// The time between two lines of a log.
 const EVERY: Duration = Duration::from_secs(30);
 
-/// The process has one terminal, so its work has one progress.
+/// The progress of the process, which is one because the process has one terminal.
 static PROGRESS: LazyLock<Progress> = LazyLock::new(Progress::watched);
-/// What is drawn; `None` before [`Drawing::begin`] and after its end.
+/// The current display; `None` before [`Drawing::begin`] and after its end.
 static SCREEN: Mutex<Option<Screen>> = Mutex::new(None);
 
-/// Returns the progress that is drawn.
+/// Returns the progress that is displayed.
 pub(super) fn progress() -> Progress {
     PROGRESS.clone()
 }
 
-/// Offers advice that is printed once, if the work at hand turns out to take long; `None` withdraws it.
+/// Sets advice that is printed once, if the current work turns out to take long; `None` withdraws it.
 pub(super) fn advise(advice: Option<String>) {
     if let Some(screen) = &mut *screen() {
         screen.advise(advice);
     }
 }
 
-/// Removes the line from the terminal, and keeps it away while the result is held: for a message, or the end of the process.
+/// Removes the line from the terminal, and keeps it away while the guard is held: for a message, or the end of the process.
 pub(super) fn cleared() -> MutexGuard<'static, Option<Screen>> {
     let mut screen = screen();
     if let Some(screen) = &mut *screen {
@@ -53,18 +53,18 @@ pub(super) fn cleared() -> MutexGuard<'static, Option<Screen>> {
 }
 
 fn screen() -> MutexGuard<'static, Option<Screen>> {
-    // A line that was drawn by half is redrawn.
+    // A line that was drawn halfway is redrawn.
     SCREEN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Draws the progress until it is dropped; then the terminal is as it was.
+/// The display of progress, until it is dropped; then the terminal is restored.
 pub(super) struct Drawing {
     end: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
 
 impl Drawing {
-    /// Begins to draw to standard error.
+    /// Starts to draw to standard error.
     pub(super) fn begin() -> Self {
         let term = std::env::var("TERM").ok();
         let is_redrawn = io::stderr().is_terminal() && redraws(term.as_deref());
@@ -79,7 +79,7 @@ impl Drawing {
                 }
             }
         };
-        // Without a thread there is work without progress.
+        // If no thread can be started, the work runs without progress.
         let thread = thread::Builder::new().name("progress".to_owned()).spawn(draw).ok();
         Self { end: Some(end), thread }
     }
@@ -88,7 +88,7 @@ impl Drawing {
 impl Drop for Drawing {
     fn drop(&mut self) {
         drop(self.end.take());
-        // It ends by itself, and what it drew is cleared below.
+        // The thread ends by itself, and its line is cleared below.
         let _ = self.thread.take().map(JoinHandle::join);
         if let Some(mut screen) = screen().take() {
             screen.clear();
@@ -96,12 +96,12 @@ impl Drop for Drawing {
     }
 }
 
-/// Returns `true` if a terminal of this name can redraw a line. On Windows terminals have no name.
+/// Returns `true` if a terminal of this name can redraw a line. On Windows, terminals have no name.
 fn redraws(term: Option<&str>) -> bool {
     term.map_or(cfg!(windows), |name| !["", "dumb"].contains(&name))
 }
 
-/// Prints a line of messages above what is drawn.
+/// Prints a line of messages above the progress line.
 pub(super) fn print_above(to: &mut dyn Write, line: std::fmt::Arguments) -> io::Result<()> {
     let _held = cleared();
     writeln!(to, "{line}")

@@ -1,4 +1,4 @@
-//! Which method a scene's rays are followed by, where it leaves that open: as was decided before, or by a search.
+//! The choice of a scene's integration method, if the scene leaves it open: from a stored decision, or by a search.
 
 use super::decisions::{Decision, Place, Rays};
 use super::frames::Film;
@@ -11,16 +11,16 @@ use crate::scene::Scene;
 /// A scene with its method.
 pub(super) struct Settled<'a> {
     pub scene: Scene,
-    /// They keep what is compiled already.
+    /// The settings, which reuse the layers and passes that are compiled already.
     pub settings: RenderSettings,
-    /// Of the same program, where a search has compiled it.
+    /// The renderer of this program, if a search has compiled it.
     pub renderer: Option<Renderer<'a>>,
-    /// As well, for the paths between lights and places.
+    /// The tracer of paths between lights and points, if a search has compiled it.
     pub light_tracer: Option<LightTracer<'a>>,
 }
 
-/// The scene with a method, found by calibration where it leaves that open. `scene` is that of `film`, or of a frame of it; `launch`
-/// is told how long compiling and searching took.
+/// Returns the scene with a method, found by calibration if the scene leaves it open. `scene` is the scene of `film`, or one of its
+/// frames; `launch` receives the time of compiling and searching.
 pub(super) fn settle<'a>(
     gpu: &'a Gpu,
     (film, frame): (&Film, Option<u32>),

@@ -1,8 +1,8 @@
-//! `--part`: one of so many equal parts of a film or a picture.
+//! `--part`: one of several equal parts of an animation or an image.
 //!
-//! *Theory.* A film is cut between its frames as long as there are enough of them; more parts than frames cut each frame into bands of rows
-//! ([`cuts`](crate::render::Renderer::cuts)). Which frames and bands a part has follows from its number alone, so that machines which
-//! know nothing of each other share the work.
+//! *Theory.* An animation is divided between its frames if there are enough of them; with more parts than frames, each frame is divided
+//! into bands of rows ([`cuts`](crate::render::Renderer::cuts)). The number of a part alone determines its frames and bands, so that
+//! machines share the work without communication.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -13,12 +13,12 @@ use super::queue;
 pub(super) use super::queue::Share;
 use crate::error::Error;
 
-/// `--part` as it was given.
+/// The value of `--part`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
-    /// The number, from 1, and how many there are.
+    /// The number of the part, from 1, and the number of parts.
     Given(u32, u32),
-    /// As the queue says, which may not say how many.
+    /// The part that the queue assigns, with the number of parts if the user gave it.
     Auto(Option<u32>),
 }
 
@@ -37,14 +37,14 @@ impl FromStr for Part {
     }
 }
 
-/// A band of a picture: which, from 0, of how many.
+/// A band of an image: its index, from 0, and the number of bands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Band {
     pub number: u32,
     pub count: u32,
 }
 
-/// What one file shows, or several of different formats: a picture or a frame, or a band of it.
+/// The content of an output file, or of several in different formats: an image, a frame, or a band of either.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Target {
     pub frame: Option<u32>,
@@ -52,7 +52,7 @@ pub(super) struct Target {
 }
 
 impl Part {
-    /// Which part it is.
+    /// Returns the share that this value denotes.
     pub(super) fn share(self) -> Result<Share, Error> {
         match self {
             Self::Given(number, count) => Ok(Share { number: number - 1, count }),
@@ -62,7 +62,7 @@ impl Part {
 }
 
 impl Share {
-    /// What the part has of a picture, or of a film's frames.
+    /// Returns the targets of this share of an image, or of the frames of an animation.
     pub(super) fn of(self, frames: &[Option<u32>]) -> Vec<Target> {
         let (all, number, count) = (frames.len() as u64, u64::from(self.number), u64::from(self.count));
         if count <= all {
@@ -78,7 +78,7 @@ impl Share {
 }
 
 impl Target {
-    /// Its file, where all of a film or a picture would go to `path`.
+    /// Returns the file of this target, if the whole animation or image would go to `path`.
     pub(super) fn path(self, path: &Path) -> PathBuf {
         let path = self.frame.map_or_else(|| path.to_owned(), |frame| path_of(path, frame));
         let Some(Band { number, count }) = self.band else { return path };
@@ -115,7 +115,7 @@ mod tests {
     }
 
     proptest! {
-        /// Every frame is somebody's, whole or in all of its bands, and nobody else's.
+        /// Checks that every frame belongs to exactly one part, whole or in all of its bands.
         #[test]
         fn shares_make_the_whole(frames in 1_u32..40, count in 1_u32..100) {
             let all: Vec<Option<u32>> = (0..frames).map(Some).collect();

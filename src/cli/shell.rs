@@ -1,4 +1,4 @@
-//! `bentray completions` and `bentray man`: what shells and man know of the command line.
+//! `bentray completions` and `bentray man`: print shell completions and manual pages.
 
 use clap::{Args, Command};
 use clap_complete::Shell;
@@ -7,7 +7,7 @@ use super::say_line;
 use crate::error::Error;
 use crate::output::OutputError;
 
-/// Print what has a shell complete commands, options and names of files
+/// Print a shell completion script
 #[derive(Debug, Args)]
 #[command(after_help = "For bash: bentray completions bash > ~/.local/share/bash-completion/completions/bentray")]
 pub(super) struct Completions {
@@ -15,11 +15,11 @@ pub(super) struct Completions {
     shell: Shell,
 }
 
-/// Print the manual page; of one command if it is named
+/// Print the manual page of bentray, or of one command
 #[derive(Debug, Args)]
 #[command(after_help = "For example: bentray man render | man -l -")]
 pub(super) struct Man {
-    /// A command, such as `render`
+    /// The command, such as `render`
     command: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! `bentray video`: pictures to a film.
+//! `bentray video`: encodes images as a video.
 
 use std::path::PathBuf;
 
@@ -8,16 +8,16 @@ use super::{paths, screen};
 use crate::error::Error;
 use crate::output::{film, lost_alpha};
 
-/// Make a film of pictures, in the order in which they are named: what `render --frames all -o film.mp4` does in the end
+/// Encode images as a video, in the given order; `render --frames all -o film.mp4` renders and encodes in one step
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
-    /// The pictures, all of one size
+    /// The images, all of equal size
     #[arg(required = true, value_name = "PICTURE", value_parser = paths::file())]
     frames: Vec<PathBuf>,
-    /// Where to write it: .mp4 or .webm, by ffmpeg, .gif, or .png, which is then an animated one (repeatable)
+    /// Output file: .mp4 or .webm (encoded with ffmpeg), .gif, or .png (animated PNG) (repeatable)
     #[arg(short, long, required = true, value_name = "FILE", value_parser = paths::file())]
     output: Vec<PathBuf>,
-    /// Frames a second
+    /// Frames per second
     #[arg(long, value_name = "N", default_value = "24", value_parser = parse_rate)]
     rate: f64,
 }

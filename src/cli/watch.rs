@@ -1,4 +1,4 @@
-//! A picture's previews, written while it is rendered.
+//! Previews of an image, written during the render.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -7,11 +7,11 @@ use super::screen;
 use crate::output::{FileSettings, OutputError, open};
 use crate::render::{Band, Preview, RenderError};
 
-/// A file that shows the picture so far, written anew now and then, whole each time.
+/// A file with the unfinished image, rewritten at intervals, complete each time.
 pub(super) struct PreviewFile {
     path: PathBuf,
     every: Duration,
-    /// How it is written after so many samples.
+    /// Returns the file settings after a number of samples.
     settings: Box<dyn Fn(u32) -> FileSettings>,
 }
 

@@ -1,4 +1,4 @@
-//! `bentray wgsl`: what a scene really runs.
+//! `bentray wgsl`: prints the program that a scene runs.
 
 use std::path::PathBuf;
 
@@ -11,25 +11,25 @@ use crate::gpu::{Geometry, adapters};
 use crate::program::{Choice, DeviceProfile, Program, Schedule};
 use crate::scene::Scene;
 
-/// Print the linked program of a scene, pass by pass, with the part's file over each piece
+/// Print the linked program of a scene, pass by pass, with the module's file name above each piece
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The scene file, or - for standard input
     scene: PathBuf,
-    /// Only this pass (setup, advance, shade, …)
+    /// Print only this pass (setup, advance, shade, …)
     #[arg(long)]
     pass: Option<String>,
     #[command(flatten)]
     changes: SceneOptions,
-    /// The schedule to link for
+    /// Schedule for which the program is linked
     #[arg(long, value_parser = schedules(), default_value = Schedule::Whole.name())]
     schedule: Schedule,
-    /// The kind of device to link for [default: that of the best device here]
+    /// Kind of device for which the program is linked [default: the best device of this machine]
     #[arg(long, value_name = "DEVICE", value_parser = PossibleValuesParser::new(DeviceProfile::NAMES))]
     for_device: Option<String>,
 }
 
-/// What the program is linked for: the kind of device that is asked for, or the one that would render here.
+/// Returns the profile to link for: of the requested kind of device, or of the device that would render here.
 fn profile(asked: Option<&str>) -> DeviceProfile {
     let here = || adapters().first().map(|device| device.profile);
     asked.map_or_else(here, DeviceProfile::named).unwrap_or_default()

@@ -1,8 +1,8 @@
-//! The words of the command line as they were typed, for commands that repeat them.
+//! The words of the command line as typed, for commands that repeat them.
 
 use std::env;
 
-/// What was typed behind the first `skip` words, without these options: some with a value behind them or after an `=`, and some alone.
+/// Returns the words after the first `skip`, without these options: some have a value after them or after `=`, and some have none.
 pub(super) fn typed(skip: usize, with_value: &[&str], alone: &[&str]) -> Vec<String> {
     without(env::args().skip(skip), with_value, alone)
 }
@@ -24,9 +24,9 @@ fn without(words: impl Iterator<Item = String>, with_value: &[&str], alone: &[&s
     kept
 }
 
-/// As a shell takes them.
+/// Quotes the words for a shell.
 pub(super) fn quoted(words: &[String]) -> String {
-    // Arguments have no NUL, which is all that cannot be quoted.
+    // Only NUL cannot be quoted, and arguments contain none.
     shlex::try_join(words.iter().map(String::as_str)).unwrap_or_else(|_| words.join(" "))
 }
 

@@ -6,7 +6,7 @@ use super::words::quoted;
 use crate::error::Error;
 use crate::output::{OutputError, has_extension, is_film};
 
-/// Refuses names of pictures and films: who asks for one means to render.
+/// Rejects the names of images and videos: a user who gives one wants to render.
 pub(super) fn check_scene_name(path: &Path) -> Result<(), Error> {
     if !is_film(path) && !["png", "exr"].iter().any(|end| has_extension(path, end)) {
         return Ok(());
@@ -16,7 +16,7 @@ pub(super) fn check_scene_name(path: &Path) -> Result<(), Error> {
     Err(OutputError::Setting { path: path.to_owned(), problem }.into())
 }
 
-/// Says what to do with a scene that was written.
+/// Prints what to do next with a scene that was written.
 pub(super) fn say_written(path: &Path) -> Result<(), Error> {
     let command = ["bentray", "render", &path.display().to_string(), "-o", "picture.png"].map(str::to_owned);
     say!("wrote {}; render it with `{}`", path.display(), quoted(&command));

@@ -1,4 +1,4 @@
-//! `bentray farm finish`: parts to pictures, and a last look at a film.
+//! `bentray farm finish`: combines parts into images, and checks the animation.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -45,10 +45,10 @@ pub(super) fn run(job: &Job) -> Result<(), Error> {
     job.format().say(&Whole { count: bands.len(), files: pictures })
 }
 
-/// The pictures that were put together.
+/// The images that were combined from parts.
 struct Whole {
     count: usize,
-    /// Of all of them, which may be several a picture.
+    /// The files of all images; an image may have several.
     files: Vec<PathBuf>,
 }
 
@@ -62,7 +62,7 @@ impl Found for Whole {
     }
 }
 
-/// Frames may differ in what the scene is, and in nothing else.
+/// Checks that all images are from one render; frames may differ only in the content of the scene.
 fn check_alike(pictures: &[PathBuf]) -> Result<(), Error> {
     let Some(first) = pictures.first() else { return Ok(()) };
     let said = settings_of(first)?.metadata;

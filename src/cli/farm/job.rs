@@ -1,4 +1,4 @@
-//! What all of `bentray farm` takes: a render, and into how many parts it is cut.
+//! The arguments that all of `bentray farm` shares: a render, and the number of its parts.
 
 use std::env;
 use std::fs;
@@ -18,20 +18,20 @@ use crate::error::Error;
 use crate::output::{AtomicFile, OutputError, settings_of};
 use crate::scene::Scene;
 
-/// Options that are no part's: with a value, and alone.
+/// The options of `farm` that parts do not get: those with a value, and flags.
 const OWN: [&str; 7] = ["--parts", "--folder", "--sbatch", "--image", "--volume", "--at-once", "--hosts"];
 const ALONE: [&str; 2] = ["--submit", "--json"];
 
-/// What a part's log ends in that failed, before its exit code.
+/// The last line in the log of a failed part, before its exit code.
 const FAILED: &str = "part failed: exit code ";
 
 /// A render in parts.
 #[derive(Debug, Args)]
 pub(super) struct Job {
-    /// Into how many parts the film or the picture is cut
+    /// Number of parts into which the animation or the image is divided
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
     parts: u32,
-    /// The folder of scripts and logs; without it NAME.farm for a scene NAME.toml
+    /// Directory for scripts and logs; by default NAME.farm for a scene NAME.toml
     #[arg(long, value_name = "DIR", value_parser = paths::file())]
     folder: Option<PathBuf>,
     #[command(flatten)]
@@ -43,12 +43,12 @@ impl Job {
         self.parts
     }
 
-    /// Whom results are for.
+    /// Returns the format of results.
     pub(super) fn format(&self) -> Format {
         self.render.format
     }
 
-    /// Reads the scene, and says what each part renders.
+    /// Reads the scene, and determines what each part renders.
     pub(super) fn load(&self) -> Result<Loaded<'_>, Error> {
         self.render.check_for_farm()?;
         let film = Film::new(&self.render.scene, self.render.changes.overrides()?);
@@ -65,27 +65,27 @@ impl Job {
         Ok(Loaded { job: self, film, scene, shares })
     }
 
-    /// The files of a target.
+    /// Returns the files of a target.
     pub(super) fn paths(&self, target: Target) -> Vec<PathBuf> {
         self.render.paths(target)
     }
 
-    /// The scene's name, which is the job's too.
+    /// Returns the name of the scene, which is also the name of the job.
     pub(super) fn name(&self) -> String {
         self.render.scene.file_stem().unwrap_or_default().to_string_lossy().into_owned()
     }
 
-    /// Where scripts and logs are.
+    /// Returns the folder for scripts and logs.
     pub(super) fn folder(&self) -> PathBuf {
         self.folder.clone().unwrap_or_else(|| PathBuf::from(format!("{}.farm", self.name())))
     }
 
-    /// Where part `number`, from 1, leaves its messages.
+    /// Returns the file for the messages of part `number`, counted from 1.
     pub(super) fn log(&self, number: u32) -> PathBuf {
         self.folder().join(format!("part-{number}.log"))
     }
 
-    /// Writes a file into the folder, which is made if it is not there. What stood there is replaced: it is made of the same words.
+    /// Writes a file into the folder, and creates the folder if needed. An existing file is replaced, since it has the same source.
     pub(super) fn write(&self, name: &str, text: &str) -> Result<PathBuf, Error> {
         let folder = self.folder();
         let path = folder.join(name);
@@ -101,12 +101,12 @@ pub(super) struct Loaded<'a> {
     job: &'a Job,
     film: Film<'a>,
     scene: Scene,
-    /// What each part renders.
+    /// The targets that each part renders.
     pub shares: Vec<Vec<Target>>,
 }
 
 impl Loaded<'_> {
-    /// Makes the films that are asked for, of pictures that are all there.
+    /// Makes the requested videos from frames that all exist.
     pub(super) fn make_films(&self, pictures: &[Target]) -> Result<(), Error> {
         match &self.scene.animation {
             Some(animation) => self.job.render.make_films(pictures, animation.rate),
@@ -114,7 +114,7 @@ impl Loaded<'_> {
         }
     }
 
-    /// Are all files of a target there, of this scene?
+    /// Returns `true` if all files of a target exist and are from this scene.
     pub(super) fn is_there(&self, target: Target) -> Result<bool, Error> {
         let paths = self.job.paths(target);
         let found: Vec<_> = paths.iter().filter_map(|path| settings_of(path).ok()).collect();
@@ -126,53 +126,53 @@ impl Loaded<'_> {
     }
 }
 
-/// This program's own path, for machines that have it in the same place.
+/// Returns the path of this program, for machines that have it at the same path.
 pub(super) fn program() -> String {
     env::current_exe().map_or_else(|_| "bentray".to_owned(), |path| path.display().to_string())
 }
 
-/// What was typed for `render`.
+/// Returns the arguments that were typed for `render`.
 fn words() -> Vec<String> {
     typed(3, &OWN, &ALONE)
 }
 
-/// The words that render a part which the shell or the queue names as `part`.
+/// Returns the command line that renders a part; the shell or the queue knows it as `part`.
 pub(super) fn render_words(program: &str, part: &str) -> Vec<String> {
     let own = [program.to_owned(), "render".to_owned()];
     own.into_iter().chain(words()).chain(["--part".to_owned(), part.to_owned()]).collect()
 }
 
-/// A shell's command that says when it has failed, for [`failure`] to find.
+/// Returns a shell command that reports a failure of `command`, in a form that [`failure`] finds.
 pub(super) fn or_say(command: &str) -> String {
     format!("{command} || {{ code=$?; echo \"{FAILED}$code\"; exit $code; }}")
 }
 
-/// Why a part failed that left these messages, if it did.
+/// Returns the last error in the log of a failed part, or else its exit code; `None` if the part did not fail.
 pub(super) fn failure(log: &str) -> Option<&str> {
     let code = log.lines().last()?.strip_prefix(FAILED)?;
     let ours = |line: &&str| line.starts_with("error: ");
     Some(log.lines().rev().find(ours).unwrap_or(code))
 }
 
-/// The words that put all parts together.
+/// Returns the command line that combines all parts.
 pub(super) fn finish_words(program: &str, parts: u32) -> Vec<String> {
     let own = [program, "farm", "finish"].map(str::to_owned);
     own.into_iter().chain(words()).chain(["--parts".to_owned(), parts.to_string()]).collect()
 }
 
-/// The words that say how far it is, for people to type.
+/// Returns the command line that prints the progress, for people to type.
 fn status_line(parts: u32) -> String {
     let own = ["bentray", "farm", "status"].map(str::to_owned);
     let words: Vec<String> = own.into_iter().chain(words()).chain(["--parts".to_owned(), parts.to_string()]).collect();
     quoted(&words)
 }
 
-/// What was written for a queue, and what is left to type.
+/// The files written for a queue, and the commands left to type.
 pub(super) struct Written {
     files: Vec<PathBuf>,
-    /// Commands that have the queue run it, in their order.
+    /// The commands that submit the job to the queue, in order.
     commands: Vec<String>,
-    /// The command that says how far it is.
+    /// The command that prints the progress.
     status: String,
 }
 
@@ -201,7 +201,7 @@ impl Found for Written {
     }
 }
 
-/// Numbers as queues take them: `1,3-5`.
+/// Formats numbers in the syntax of queues: `1,3-5`.
 pub(super) fn ranges(numbers: &[u32]) -> String {
     let mut sorted = numbers.to_vec();
     sorted.sort_unstable();

@@ -1,7 +1,7 @@
-//! `bentray farm kubernetes`: an indexed job, and one to run behind it that puts the parts together.
+//! `bentray farm kubernetes`: writes an indexed job, and a second job that combines the parts.
 //!
-//! *Practice.* Manifests are JSON, which kubectl takes as it takes YAML. All pods work in one volume, where the scene is and the pictures
-//! go.
+//! *Practice.* Manifests are JSON, which kubectl accepts like YAML. All pods work in one volume, which holds the scene and the
+//! images.
 
 use clap::Args;
 use serde_json::{Value, json};
@@ -10,21 +10,21 @@ use super::job::{Job, Written, finish_words, render_words};
 use crate::cli::words::quoted;
 use crate::error::Error;
 
-/// Where the volume is in a pod.
+/// The mount path of the volume in a pod.
 const FOLDER: &str = "/work";
-/// Times that a part is tried again.
+/// The number of retries of a part.
 const AGAIN: u32 = 3;
 
-/// Write the manifests of an indexed Kubernetes job, one pod a part, and of one that puts the parts together
+/// Write the manifests of an indexed Kubernetes job with one pod per part, and of a job that combines the parts
 #[derive(Debug, Args)]
 pub(super) struct Kubernetes {
-    /// The container image, with `bentray` in its path
+    /// Container image with `bentray` in its PATH
     #[arg(long, value_name = "IMAGE")]
     image: String,
-    /// The claim of a volume that all pods share: the scene is in it, under the path that is given here, and pictures go there
+    /// Claim of a volume that all pods share; it holds the scene, under the path given here, and receives the images
     #[arg(long, value_name = "CLAIM")]
     volume: String,
-    /// Pods at once
+    /// Maximum number of pods at a time
     #[arg(long, value_name = "N", default_value = "8")]
     at_once: u32,
     #[command(flatten)]
@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Kubernetes) -> Result<(), Error> {
     job.format().say(&Written::new(parts, files.to_vec(), vec![apply, wait, apply_last]))
 }
 
-/// A name that Kubernetes takes: small letters, digits and hyphens.
+/// Returns a name that Kubernetes accepts: lower-case letters, digits and hyphens.
 fn name(scene: &str, suffix: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
     let name: String = scene.chars().map(plain).take(40).collect();

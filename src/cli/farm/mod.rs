@@ -1,8 +1,8 @@
-//! `bentray farm`: a film or a picture on many machines, in equal parts.
+//! `bentray farm`: renders an animation or an image on many machines, in equal parts.
 //!
-//! *Idea.* No scheduler of our own: a part is `bentray render --part`, which any queue of jobs can run, and what a queue needs besides is a
-//! script. Each queue has a file here that writes it. Parts share nothing but the folder that they write to; a part that was cut off leaves
-//! nothing behind, and run again it renders only what is missing.
+//! *Idea.* There is no custom scheduler: a part is `bentray render --part`, which any job queue can run, and a queue also needs a
+//! script. Each queue has a file here that writes it. Parts share only the output folder. An interrupted part leaves no files behind;
+//! if it is run again, it renders only the missing files.
 
 mod finish;
 mod job;
@@ -16,7 +16,7 @@ use clap::{Args, Subcommand};
 use crate::error::Error;
 use job::Job;
 
-/// Render a film or a picture on many machines, in equal parts
+/// Render an animation or an image on many machines, in equal parts
 #[derive(Debug, Args)]
 #[command(
     subcommand_required = true,
@@ -32,12 +32,12 @@ enum Command {
     Slurm(slurm::Slurm),
     Kubernetes(kubernetes::Kubernetes),
     Parallel(parallel::Parallel),
-    /// Say which parts are done, failed, under way and missing
+    /// Print which parts are done, failed, running and missing
     Status {
         #[command(flatten)]
         job: Job,
     },
-    /// Put the parts together, and check that none is missing and all are of the same render
+    /// Combine the parts, and check that none is missing and that all are from one render
     Finish {
         #[command(flatten)]
         job: Job,

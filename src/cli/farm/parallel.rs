@@ -1,4 +1,4 @@
-//! `bentray farm parallel`: GNU parallel on this machine, or on a few that share its folder.
+//! `bentray farm parallel`: writes a script for GNU parallel, on this machine or on several that share its folder.
 
 use std::path::PathBuf;
 
@@ -9,14 +9,14 @@ use crate::cli::paths;
 use crate::cli::words::quoted;
 use crate::error::Error;
 
-/// Write a script that runs the parts by GNU parallel, and puts them together
+/// Write a script that runs the parts with GNU parallel and combines them
 #[derive(Debug, Args)]
 pub(super) struct Parallel {
-    /// Parts at once on each machine
+    /// Number of parts at a time on each machine
     #[arg(long, value_name = "N", default_value = "1")]
     at_once: u32,
-    /// A file of machines, one a line, as GNU parallel's --sshloginfile takes it; without it this machine. Each has bentray and the
-    /// folder in the same place
+    /// File of machines, one per line, as for GNU parallel's --sshloginfile; by default this machine. Each machine needs bentray and the
+    /// folder at the same paths
     #[arg(long, value_name = "FILE", value_parser = paths::file())]
     hosts: Option<PathBuf>,
     #[command(flatten)]
@@ -30,7 +30,7 @@ pub(super) fn run(arguments: &Parallel) -> Result<(), Error> {
     let folder = quoted(&[job.folder().display().to_string()]);
     let hosts = arguments.hosts.as_ref().map(|hosts| quoted(&[hosts.display().to_string()]));
     let hosts = hosts.map(|hosts| format!(" --sshloginfile {hosts}")).unwrap_or_default();
-    // Parallel's own shell reads the command once more, and has the part's number for `{}`; other braces are of file names.
+    // Parallel's shell parses the command again, and replaces `{}` by the part's number; other braces belong to file names.
     let render = render_words(&program(), &format!("@PART@/{parts}"));
     let command = format!("{{ {}; }} >{folder}/part-@PART@.log 2>&1", or_say(&quoted(&render)));
     let finish = quoted(&finish_words(&program(), parts));

@@ -1,7 +1,7 @@
-//! `bentray farm slurm`: an array of jobs, and one behind it that puts the parts together.
+//! `bentray farm slurm`: writes an array of jobs, and a following job that combines the parts.
 //!
-//! *Practice.* A node that dies has its part queued again. The last job runs whatever became of the others, so that it can say which are
-//! missing.
+//! *Practice.* If a node fails, its part is queued again. The last job runs even if others failed, so that it can report the missing
+//! parts.
 
 use std::io::stderr;
 use std::path::Path;
@@ -13,13 +13,13 @@ use super::job::{Job, Written, finish_words, or_say, program, render_words};
 use crate::cli::words::quoted;
 use crate::error::Error;
 
-/// Write the scripts of an array of Slurm jobs, one a part, and of one that puts the parts together
+/// Write the scripts of a Slurm job array with one job per part, and of a job that combines the parts
 #[derive(Debug, Args)]
 pub(super) struct Slurm {
-    /// Submit them too
+    /// Also submit the jobs
     #[arg(long)]
     submit: bool,
-    /// An option of sbatch for every part, such as --sbatch=--gres=gpu:1 (repeatable)
+    /// Option of sbatch for every part, such as --sbatch=--gres=gpu:1 (repeatable)
     #[arg(long, value_name = "OPTION", allow_hyphen_values = true)]
     sbatch: Vec<String>,
     #[command(flatten)]
@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &Slurm) -> Result<(), Error> {
     job.format().say(&Written::new(parts, [&scripts[..], &[submit]].concat(), commands))
 }
 
-/// Submits the jobs. What sbatch says of them is a message, and no result.
+/// Submits the jobs. The output of sbatch is a message, not a result.
 fn run_script(submit: &Path) -> Result<(), Error> {
     let failed = |why: String| usage!("{}: {why}", submit.display());
     let status = Command::new("bash").arg(submit).stdout(stderr()).status();

@@ -1,4 +1,4 @@
-//! `bentray farm status`: how far a film or a picture is that is rendered in parts.
+//! `bentray farm status`: prints the progress of a render in parts.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use crate::cli::format::Found;
 use crate::cli::share::Target;
 use crate::error::Error;
 
-/// What a part is.
+/// The state of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum State {
     Done,
@@ -21,7 +21,7 @@ enum State {
 impl State {
     const ALL: [Self; 4] = [Self::Done, Self::Failed, Self::UnderWay, Self::Missing];
 
-    /// In JSON.
+    /// Returns the name of the state in JSON.
     fn name(self) -> &'static str {
         match self {
             Self::Done => "done",
@@ -43,10 +43,10 @@ impl State {
 
 /// A part of a job.
 struct Part {
-    /// From 1.
+    /// The number of the part, from 1.
     number: u32,
     state: State,
-    /// Why it failed, if it did.
+    /// The reason of a failure, if the part failed.
     error: Option<String>,
 }
 
@@ -78,13 +78,13 @@ impl Part {
     }
 }
 
-/// Are its files there, or those of the picture that it is a band of?
+/// Returns `true` if the files of a target exist, or those of the image to which its band belongs.
 fn is_done(loaded: &Loaded, target: Target) -> Result<bool, Error> {
     Ok(loaded.is_there(target)? || loaded.is_there(Target { band: None, ..target })?)
 }
 
 impl Progress {
-    /// The parts that are so.
+    /// Returns the numbers of the parts in a state.
     fn numbers(&self, state: State) -> Vec<u32> {
         self.0.iter().filter(|part| part.state == state).map(|part| part.number).collect()
     }

@@ -1,4 +1,4 @@
-//! What is drawn of the progress, by the clock that it is given.
+//! The content of the progress display, as a function of the given time.
 
 use std::io::Write;
 use std::time::Duration;
@@ -7,18 +7,18 @@ use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::progress::{Estimate, State};
 
-/// Advice about long work is printed if at least this much time is left, after so much that this is sure.
+/// Advice about long work is printed if at least `LONG` remains, once `SURE` has passed and the estimate is reliable.
 const LONG: Duration = Duration::from_secs(60);
 const SURE: Duration = Duration::from_secs(5);
-/// Less time is not displayed.
+/// A shorter remaining time is not displayed.
 const SHORT: Duration = Duration::from_secs(1);
-/// Units of the bar.
+/// The number of units of the bar.
 const BAR: u64 = 1000;
 
-/// A terminal or a log, and what is known of the work.
+/// A terminal or a log, and the current state of the work.
 pub(in crate::cli) struct Screen {
     kind: Kind,
-    /// The stage at hand: its number, its begin, and its rate.
+    /// The current stage: its number, start time, and rate estimate.
     stage: (u64, Duration, Estimate),
     advice: Option<String>,
 }
@@ -29,12 +29,12 @@ enum Kind {
 }
 
 impl Screen {
-    /// A terminal, on which nothing is drawn before `patience` has passed.
+    /// Creates a display on a terminal, which draws nothing before `patience` has passed.
     pub fn terminal(target: impl Fn() -> ProgressDrawTarget + Send + 'static, patience: Duration) -> Self {
         Self::of(Kind::Terminal { target: Box::new(target), patience, line: None })
     }
 
-    /// A log with a line after each `every`.
+    /// Creates a display in a log, with one line per interval `every`.
     pub fn log(every: Duration) -> Self {
         Self::of(Kind::Log { every, next: every })
     }
@@ -47,7 +47,7 @@ impl Screen {
         self.advice = advice;
     }
 
-    /// Removes what is drawn.
+    /// Removes the line from the terminal.
     pub fn clear(&mut self) {
         if let Kind::Terminal { line, .. } = &mut self.kind
             && let Some(line) = line.take()
@@ -56,7 +56,7 @@ impl Screen {
         }
     }
 
-    /// Draws what is under way at a time since the start; lines of messages go to `out`.
+    /// Draws the current work at time `now` since the start; lines of messages go to `out`.
     pub fn look(&mut self, now: Duration, state: Option<&State>, out: &mut dyn Write) {
         let Some(state) = state else { return };
         if self.stage.0 != state.number {
@@ -71,7 +71,7 @@ impl Screen {
         let advice = if taken >= SURE && left.is_some_and(|left| left >= LONG) { self.advice.take() } else { None };
         if let Some(advice) = advice {
             self.clear();
-            // A reader that is gone loses no more than this.
+            // If the reader is gone, only this line is lost.
             let _ = writeln!(out, "{advice}");
         }
         let time = time(taken, left);
@@ -91,7 +91,7 @@ impl Screen {
     }
 }
 
-/// The time that is left, or that has passed if that is all that is known.
+/// Returns the remaining time, or the elapsed time if the remaining time is unknown.
 fn time(taken: Duration, left: Option<Duration>) -> Option<String> {
     match left {
         Some(left) => Some(format!("about {} left", HumanDuration(left))),
@@ -100,7 +100,7 @@ fn time(taken: Duration, left: Option<Duration>) -> Option<String> {
 }
 
 fn draw(line: &ProgressBar, state: &State, time: Option<String>) {
-    // A style is only refused for its own mistakes, and then the line has the default one.
+    // An invalid template would fall back to the default style.
     let template = if state.done.is_some() { "[{bar:24}] {percent:>3} %  {wide_msg}" } else { "{spinner} {wide_msg}" };
     if let Ok(style) = ProgressStyle::with_template(template) {
         line.set_style(style.progress_chars("=> ").tick_chars("-\\|/-"));
@@ -120,7 +120,7 @@ mod tests {
 
     use super::*;
 
-    /// A terminal of one line: the text on it, and every text that it ever had.
+    /// A terminal of one line: its current text, and every earlier text.
     #[derive(Debug, Clone, Default)]
     struct Line(Arc<Mutex<(String, Vec<String>)>>);
 
@@ -204,7 +204,7 @@ mod tests {
             std::thread::sleep(seconds(0.01));
         }
         assert_eq!(line.text(), "[======>                 ]  25 %  rendering, about 29 seconds left");
-        // Messages take the line's place.
+        // Messages replace the line.
         screen.clear();
         assert_eq!(line.text(), "");
         assert!(out.is_empty());
@@ -232,7 +232,7 @@ mod tests {
             screen.look(seconds(now), Some(&state), &mut out);
         }
         let text = String::from_utf8(out).unwrap();
-        // 20 s and 50 s after its begin the second stage has 230 s and 200 s left.
+        // 20 s and 50 s after its start, the second stage has 230 s and 200 s left.
         let expected = "compiling pass 1 of 3: 30 seconds so far\nrendering: 8 % done, about 4 minutes left\n\
                         rendering: 20 % done, about 3 minutes left\n";
         assert_eq!(text, expected);

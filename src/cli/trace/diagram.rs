@@ -1,4 +1,4 @@
-//! The ray diagram: its plane, its frame, and what is found in it.
+//! The ray diagram: its plane, its frame, and the measurements in it.
 
 use std::path::Path;
 
@@ -14,24 +14,24 @@ use crate::output::plot::{CrossSection, PathLine, PathPlot, PlotRange, SurfaceKi
 use crate::render::{PathPoint, Status};
 use crate::scene::{CutPlane, Scene};
 
-/// What a diagram shows and what is measured in it.
+/// Options for the content of a diagram, and for measurements in it
 #[derive(Debug, Args)]
 pub(super) struct DiagramOptions {
-    /// The plane that is shown: x, y or z (the axis that it is perpendicular to, through the first ray's start), z=25, or
-    /// "normal=[1,0,1] point=[0,0,0]". Without it, the plane in which the paths lie, else the two axes along which they extend most
+    /// Plane of the diagram: x, y or z (the axis perpendicular to it, through the start of the first ray), z=25, or
+    /// "normal=[1,0,1] point=[0,0,0]". By default the plane that contains the paths, else the two axes along which they extend most
     #[arg(long, value_name = "PLANE", value_parser = Cut::parse)]
     cut: Option<Cut>,
-    /// The part of it that is shown: "[left, right, bottom, top]" in scene units, objects (their box and half of it more) or all
-    /// (every path and the bounding sphere). Without it objects, if the plane crosses any
+    /// Visible part of the plane: "[left, right, bottom, top]" in scene units, objects (their bounding box, enlarged by half) or all
+    /// (every path and the bounding sphere). By default objects, if the plane intersects any
     #[arg(long, value_name = "FRAME", value_parser = parse_frame)]
     view: Option<PlotRange>,
-    /// Find and mark where the rays of each fan, bundle or file come closest together, and by how much they miss each other there
+    /// Find and mark where the rays of each fan, bundle or file come closest together, and measure how far apart they are there
     #[arg(long)]
     pub focus: bool,
-    /// Measure and write how many turns each path makes about "[x, y, z]", counter-clockwise as shown
+    /// Measure the number of turns of each path about "[x, y, z]", counterclockwise in the diagram, and write it
     #[arg(long, value_name = "POINT", value_parser = vector)]
     pub windings: Option<DVec3>,
-    /// Draw behind the paths of a flow where its orbits go in the long run: the first ray's, over TIME
+    /// Draw the flow's attractor behind the paths: the orbit of the first ray in the long run, over TIME
     #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "100", value_parser = parse_time, requires = "plot")]
     pub attractor: Option<f64>,
 }
@@ -41,11 +41,11 @@ fn parse_time(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| format!("`{text}`: expected a number above 0, at most 1000000"))
 }
 
-/// `--cut`.
+/// The value of `--cut`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Cut {
     normal: DVec3,
-    /// A point of the plane, if it is named.
+    /// A point of the plane, if one was given.
     point: Option<DVec3>,
 }
 
@@ -95,13 +95,13 @@ fn parse_frame(text: &str) -> Result<PlotRange, String> {
 /// Rays that belong together: those of a file, a fan or a bundle.
 #[derive(Debug)]
 pub(super) struct Group {
-    /// What they are, in messages.
+    /// The name of the group, for messages.
     pub name: String,
-    /// How many.
+    /// The number of rays.
     pub count: usize,
 }
 
-/// Rays followed, ready to be drawn.
+/// Traced rays, ready to be drawn.
 pub(super) struct Diagram<'a> {
     options: &'a DiagramOptions,
     groups: &'a [Group],
@@ -110,14 +110,14 @@ pub(super) struct Diagram<'a> {
 }
 
 impl DiagramOptions {
-    /// The plane that is asked for.
+    /// Returns the plane that the user requested, if any.
     pub fn asked_plane(&self, beams: &[Beam], given: &[[f64; 6]]) -> Option<CutPlane> {
         let cut = self.cut?;
         let first = beams.first().map(Beam::from).or(given.first().map(|&[x, y, z, ..]| DVec3::new(x, y, z)));
         CutPlane::new(cut.point.or(first).unwrap_or_default(), cut.normal)
     }
 
-    /// A diagram of paths in the plane that is asked for, else in theirs.
+    /// Creates a diagram of paths, in the requested plane or else in the plane of the paths.
     pub fn of<'a>(
         &'a self,
         asked: Option<CutPlane>,
@@ -133,7 +133,7 @@ impl DiagramOptions {
 }
 
 impl Diagram<'_> {
-    /// Measures, prints and draws what is asked for.
+    /// Measures, prints and draws what the options request.
     pub fn finish(self, scene: &Scene, plot: Option<&Path>, attractor: Option<Curve>) -> Result<(), Error> {
         let foci = if self.options.focus { self.foci() } else { Vec::new() };
         let turns = self.options.windings.map(|about| (about, self.turns(about)));
@@ -153,7 +153,7 @@ impl Diagram<'_> {
         Ok(plot_paths(path, &plot)?)
     }
 
-    /// The focus of every group, of the rays that came through.
+    /// Finds the focus of every group, from its rays that passed the scene, and prints it.
     fn foci(&self) -> Vec<Focus> {
         let mut foci = Vec::new();
         let mut rest = &self.lines[..];
@@ -187,7 +187,7 @@ impl Diagram<'_> {
     }
 }
 
-/// The plane in which paths lie, else the two axes along which they extend most, through the middle of where they start.
+/// Returns the plane of the paths, else the plane of the two axes along which they extend most, through the middle of their starts.
 fn plane_of(lines: &[PathLine]) -> CutPlane {
     let points: Vec<DVec3> = lines.iter().flat_map(|line| line.curve.flattened()).collect();
     if let Some(plane) = CutPlane::fit(&points) {
@@ -196,7 +196,7 @@ fn plane_of(lines: &[PathLine]) -> CutPlane {
     let (low, high) =
         points.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)));
     let extent = high - low;
-    // Of equal extents the later axis is left out.
+    // If extents are equal, the later axis is dropped.
     let least = (0..3).fold(2, |least, axis| if extent[axis] < extent[least] { axis } else { least });
     let starts = || lines.iter().filter_map(|line| line.curve.0.first()).map(|arc| arc[0]);
     let middle = starts().sum::<DVec3>() / starts().count().max(1) as f64;
@@ -208,7 +208,7 @@ fn plane_of(lines: &[PathLine]) -> CutPlane {
     CutPlane { point: middle, right, up }
 }
 
-/// What of a scene crosses the plane, the filled first.
+/// Returns the cross sections of a scene with the plane, filled ones first.
 fn surfaces(scene: &Scene, plane: &CutPlane) -> Vec<CrossSection> {
     let objects = scene.objects.iter().map(|object| {
         let kind = if object.interior().is_some() { SurfaceKind::Medium } else { SurfaceKind::Opaque };
