@@ -1,4 +1,4 @@
-//! What is wrong with a scene.
+//! The errors of a scene.
 
 use std::path::Path;
 
@@ -27,7 +27,7 @@ impl Found for Wrong<'_> {
         };
         let mistakes = match error {
             Error::Scene(SceneError::Mistakes(mistakes)) => mistakes.iter().map(object).collect(),
-            // Of the scene, or of a file that it names, as a whole.
+            // The error concerns the whole scene, or a file that it names.
             error => {
                 let file = match error {
                     Error::Scene(

@@ -1,4 +1,4 @@
-//! What will be modelled of a scene that is right.
+//! The report on a valid scene.
 
 use std::path::Path;
 
@@ -12,18 +12,18 @@ use crate::program::Program;
 use crate::render::usual_steps;
 use crate::scene::{Beam, Scene, Shadows};
 
-/// A scene, with what it comes to on the device.
+/// A scene, with its program and its size on the device.
 pub(super) struct Modelled<'a> {
     pub path: &'a Path,
     pub scene: Scene,
     pub geometry: Geometry,
     pub program: Program,
     pub memory: Memory,
-    /// Frames of its animation that were looked at.
+    /// The number of frames of its animation that were checked.
     pub frames_checked: u32,
-    /// Are the parts of each pass named?
+    /// `true` if the modules of each pass are listed.
     pub names_parts: bool,
-    /// Are the dispatches listed?
+    /// `true` if the dispatches are listed.
     pub names_commands: bool,
 }
 
@@ -105,7 +105,7 @@ impl Modelled<'_> {
         passes.collect()
     }
 
-    /// The dispatches of one round of a sample.
+    /// Returns the dispatches of one iteration of a sample.
     fn commands(&self) -> Vec<String> {
         usual_steps(&self.scene, &self.program.features).iter().map(ToString::to_string).collect()
     }
@@ -134,13 +134,13 @@ impl Modelled<'_> {
         passes.collect()
     }
 
-    /// What the law has to say of itself.
+    /// Returns the remark of the law about this scene, if it has one.
     fn remark(&self) -> Option<String> {
         let bound = &self.scene.rays.bound;
         self.scene.law.remark(bound.center, bound.radius)
     }
 
-    /// Pictures that are too large for the device that would be chosen, if there is one.
+    /// Describes images that are too large for the device that would be chosen, if there is one.
     fn halved_pictures(&self) -> Vec<String> {
         if self.scene.pictures.is_empty() {
             return Vec::new();
@@ -174,7 +174,7 @@ impl Modelled<'_> {
     }
 }
 
-/// A grid that holds a light's directions.
+/// A photon grid with the directions of a light.
 struct GridOfLight {
     light: usize,
     voxels: [u32; 3],
@@ -194,7 +194,7 @@ impl GridOfLight {
     }
 }
 
-/// What of the picture is drawn at random.
+/// Lists the random elements of the image.
 fn random_words(scene: &Scene) -> Vec<String> {
     let mut words = Vec::new();
     if scene.rays.paths.is_some() {
@@ -220,7 +220,7 @@ fn random_words(scene: &Scene) -> Vec<String> {
     words
 }
 
-/// Of what wavelengths light is, if that matters.
+/// Describes the wavelengths of light, if they matter.
 fn dispersion_words(scene: &Scene) -> Option<String> {
     scene.disperses().then(|| {
         if scene.rays.paths.is_some() {
@@ -231,7 +231,7 @@ fn dispersion_words(scene: &Scene) -> Option<String> {
     })
 }
 
-/// What guides paths, if anything does.
+/// Describes path guiding, if it is used.
 fn guide_words(scene: &Scene) -> Option<String> {
     let beam = |beam: &Beam| match beam.through {
         Some(object) => format!("from {} by {object}", beam.lamp.object),
@@ -242,7 +242,7 @@ fn guide_words(scene: &Scene) -> Option<String> {
     (!beams.is_empty()).then(|| format!("light guides them, {paths} paths of it each: {}", beams.join(", ")))
 }
 
-/// What segments search, if there is anything.
+/// Describes the acceleration structure that segments search, if there is one.
 fn structure_words(geometry: &Geometry) -> Option<String> {
     let Built { items, nodes, grid, .. } = &geometry.structure;
     let triangles = geometry.triangles.len();

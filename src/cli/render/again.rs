@@ -1,4 +1,4 @@
-//! The line that repeats a render.
+//! The command line that repeats a render.
 
 use std::path::PathBuf;
 
@@ -6,14 +6,14 @@ use super::Arguments;
 use crate::cli::share::Target;
 use crate::cli::words::{quoted, typed};
 
-/// Options that only say how a picture came about in steps.
+/// Options that only affect the steps in which an image is made.
 const STEPS: [&str; 3] = ["--continue", "--preview", "--preview-every"];
-/// And how that is told.
+/// Options that only affect the output format of the results.
 const TOLD: [&str; 1] = ["--json"];
 
 impl Arguments {
-    /// What to type for the same files: what was typed, without what only led to them in steps. Where the method was not named it is that
-    /// of the first file that stays: of a film without files for its frames it is found again.
+    /// Returns the command line for identical files: the typed one, without the options that only affect steps. If the method was not
+    /// given, it is taken from the first file that stays; for a video without files of its frames, the search is repeated.
     pub(super) fn again(&self, is_found: bool, first: Target) -> String {
         let stays = |path: &PathBuf| self.frame_folder().is_none_or(|folder| !path.starts_with(folder));
         let file = self.paths(first).into_iter().find(stays).filter(|_| is_found);

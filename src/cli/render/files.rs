@@ -1,4 +1,4 @@
-//! The files of a render: what each holds, and what it says of itself.
+//! The files of a render: their content and metadata.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use crate::render::Window;
 use crate::scene::Scene;
 
 impl Arguments {
-    /// The files of a target. A band has one alone, an EXR, from which files of any format are made when all bands are there.
+    /// Returns the files of a target. A band has a single EXR, from which all formats are made when all bands exist.
     pub(in crate::cli) fn paths(&self, target: Target) -> Vec<PathBuf> {
         let all = self.pictures();
         match target.band {
@@ -29,7 +29,7 @@ impl Arguments {
         }
     }
 
-    /// Begins the files of a target, which show this window.
+    /// Creates the files of a target, which show this window.
     pub(super) fn open(
         &self,
         scene: &Scene,
@@ -41,7 +41,7 @@ impl Arguments {
         self.paths(target).into_iter().map(|path| Ok(open(&path, &settings(&path))?)).collect()
     }
 
-    /// Are a target's files there, made by what would make them now? Files of something else are named.
+    /// Returns `true` if a target's files exist and match what would be rendered now; otherwise prints the reason for each differing file.
     pub(super) fn is_finished(
         &self,
         scene: &Scene,
@@ -55,7 +55,7 @@ impl Arguments {
             }
             let why = match settings_of(&path) {
                 Ok(found) => {
-                    // Where bands are cut follows from what is compared.
+                    // The borders of bands depend on the compared layers.
                     let window = if target.band.is_some() { found.window } else { self.window(scene) };
                     file_difference(&found, &file_settings(scene, (&path, window), layers, metadata))
                 }
@@ -68,12 +68,12 @@ impl Arguments {
         })
     }
 
-    /// What is rendered of a picture that is not cut into bands.
+    /// Returns the window that is rendered of an image without bands.
     pub(super) fn window(&self, scene: &Scene) -> Window {
         self.crop.unwrap_or(Window::whole(scene.image.size))
     }
 
-    /// Refuses to write over the scene's own files, or two things to one file.
+    /// Rejects outputs that would overwrite the scene's files, or that share a file.
     pub(super) fn check_files(&self, film: &Film, targets: &[Target]) -> Result<(), Error> {
         let films = self.output.iter().filter(|path| self.is_film(path)).cloned();
         let outputs = targets.iter().flat_map(|target| self.paths(*target)).chain(films).chain(self.preview.clone());
@@ -81,7 +81,7 @@ impl Arguments {
         paths::check(outputs.iter().map(PathBuf::as_path), &film.inputs())
     }
 
-    /// Opens all files and drops them again: a path that cannot be written is found before the work.
+    /// Opens all files and discards them, so that a path that cannot be written is found before the work.
     pub(super) fn try_files(&self, still: &Scene, targets: &[Target], layers: &[Layer]) -> Result<(), Error> {
         let window = self.window(still);
         for &target in targets {
@@ -97,7 +97,7 @@ impl Arguments {
         Ok(())
     }
 
-    /// The file that shows the picture while it is rendered.
+    /// Creates the file with the unfinished image.
     pub(super) fn preview(
         &self,
         scene: &Scene,
@@ -110,7 +110,7 @@ impl Arguments {
         Some(PreviewFile::new(path, self.preview_every, Box::new(settings)))
     }
 
-    /// Advice to ask for previews, for a picture that can have them and has none.
+    /// Returns advice to request previews, for an image that supports them and has none.
     pub(super) fn preview_advice(&self, scene: &Scene, target: Target) -> Option<String> {
         let has_samples = scene.image.samples > 1 && scene.image.adaptive.is_none();
         let is_still = self.frames.is_none() && target.band.is_none();
@@ -118,8 +118,8 @@ impl Arguments {
         advised.then(|| "help: --preview FILE.png shows the image while it is rendered".to_owned())
     }
 
-    /// In the order of [`Layer::ALL`], each once; none without an EXR to hold them. How many samples a pixel took is a layer of
-    /// adaptive pictures unless others ask for it.
+    /// Returns the layers in the order of [`Layer::ALL`], each once; none without an EXR. The number of samples per pixel is a layer of
+    /// adaptive images, unless --layers selects others.
     pub(super) fn layers(&self, scene: &Scene, before: Option<&Before>) -> Vec<Layer> {
         if !self.output.iter().chain(&self.preview).any(|path| is_exr(path)) {
             return Vec::new();
@@ -137,15 +137,15 @@ impl Arguments {
         Layer::ALL.into_iter().filter(keeps).collect()
     }
 
-    /// Those that the program keeps: what a search compares too where the picture that gives the method was made after one, for
-    /// another program may round otherwise.
+    /// Returns the layers that the program keeps. They include the layers that a search compares if the image of `--method-from` had
+    /// them, because another program may round differently.
     pub(super) fn kept(&self, layers: &[Layer], before: Option<&Before>) -> Vec<Layer> {
         let is_compared = before.map_or_else(|| self.changes.is_compared(), Before::is_compared);
         if is_compared { compared_layers(layers) } else { layers.to_owned() }
     }
 }
 
-/// How the file at `path` is to be written, which shows this window; `metadata` is what it says of itself.
+/// Returns the settings of the file at `path`, which shows this window and contains `metadata`.
 fn file_settings(
     scene: &Scene,
     (path, window): (&Path, Window),

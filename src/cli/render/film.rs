@@ -1,7 +1,7 @@
-//! Films among the files that are asked for: each is made of the frames' own files in the end.
+//! The requested videos: each is encoded from the files of its frames at the end.
 //!
-//! *Practice.* Where no frames are asked for as PNGs, they go to a folder beside the first film, which is removed when all films are there. A
-//! render that is stopped leaves it, and the same command goes on from it.
+//! *Practice.* If no frames are requested as PNGs, they go to a folder next to the first video, which is removed when all videos are
+//! complete. A render that is stopped keeps the folder, and the same command continues from it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,11 +17,11 @@ use crate::error::Error;
 use crate::output::{OutputError, alpha_in_film, check_film, film, has_extension, is_film};
 use crate::scene::Scene;
 
-/// A film that is finished.
+/// A video that is finished.
 struct Finished<'a> {
     path: &'a Path,
     frames: usize,
-    /// Frames a second.
+    /// The frame rate, in frames per second.
     rate: f64,
 }
 
@@ -36,7 +36,7 @@ impl Found for Finished<'_> {
 }
 
 impl Arguments {
-    /// Is this the name of a film, rather than of its frames?
+    /// Returns `true` if a path is the name of a video, and not of its frames.
     pub(super) fn is_film(&self, path: &Path) -> bool {
         self.frames.is_some() && is_film(path) && numbered(path, 0) == Ok(None)
     }
@@ -45,19 +45,19 @@ impl Arguments {
         self.output.iter().filter(|path| self.is_film(path))
     }
 
-    /// The folder of frames that are asked for only as a film.
+    /// Returns the folder for frames that are requested only as a video.
     pub(super) fn frame_folder(&self) -> Option<PathBuf> {
         let has_own = self.output.iter().filter(|path| !self.is_film(path)).any(|path| has_extension(path, "png"));
         self.films().next().filter(|_| !has_own).map(|film| film.with_extension("frames"))
     }
 
-    /// What is written of each frame: all that is asked for but films, and what those are made of.
+    /// Returns the files of each frame: all requested files except videos, and the images for the videos.
     pub(super) fn pictures(&self) -> Vec<PathBuf> {
         let own = self.output.iter().filter(|path| !self.is_film(path)).cloned();
         own.chain(self.frame_folder().map(|folder| folder.join("{frame:5}.png"))).collect()
     }
 
-    /// Refuses films that cannot be written, and makes the folder of frames.
+    /// Rejects videos that cannot be written, and creates the folder of frames.
     pub(in crate::cli) fn prepare_films(&self, scene: &Scene) -> Result<(), Error> {
         self.films().try_for_each(|path| check_film(path, self.window(scene).size))?;
         for path in self.films().filter(|_| scene.is_transparent()) {
@@ -70,7 +70,7 @@ impl Arguments {
         Ok(fs::create_dir_all(&folder).map_err(failed)?)
     }
 
-    /// Makes the films of these frames, which are all there.
+    /// Encodes the videos of these frames, which all exist.
     pub(in crate::cli) fn make_films(&self, targets: &[Target], rate: f64) -> Result<(), Error> {
         let pictures = self.pictures();
         let Some(png) = pictures.iter().find(|path| has_extension(path, "png")) else { return Ok(()) };
@@ -82,15 +82,15 @@ impl Arguments {
         Ok(())
     }
 
-    /// Removes the folder of frames that were asked for only as a film; those of another, longer film are left.
+    /// Removes the folder of frames that were requested only as a video; frames of another, longer video are kept.
     pub(super) fn clear_frames(&self, targets: &[Target]) {
         let Some(folder) = self.frame_folder() else { return };
         let own = targets.iter().flat_map(|target| self.paths(*target)).filter(|path| path.starts_with(&folder));
-        // What a render that was killed had under way.
+        // Unfinished files of a render that was killed.
         let lost = fs::read_dir(&folder).into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
         let lost = lost.filter(|path| path.extension().is_some_and(|extension| extension == "part"));
         for path in own.chain(lost) {
-            // What cannot be removed does no harm.
+            // A file that cannot be removed does no harm.
             let _ = fs::remove_file(path);
         }
         let _ = fs::remove_dir(folder);

@@ -1,4 +1,4 @@
-//! What a render came to, picture by picture: the words behind it, and the same for scripts.
+//! The result of a render for each image, as text and as JSON.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -11,37 +11,37 @@ use crate::measure::{Quantiles, Verification};
 use crate::render::{Adaptive, Clamped, LightReport, Noise, StartUp, Status, Totals, Window};
 use crate::scene::{Rays, Scene};
 
-/// A picture, a frame of a film, or a band of either.
+/// An image, a frame of an animation, or a band of either.
 pub(super) struct Picture<'a> {
-    /// The scene's file.
+    /// The scene file.
     pub scene: &'a Path,
     pub target: Target,
     pub files: Vec<PathBuf>,
-    /// None where its files were there already.
+    /// The details of the render; `None` if the files existed already.
     pub made: Option<&'a Made<'a>>,
 }
 
-/// How it was made, and what that took.
+/// The details and costs of a render.
 pub(super) struct Made<'a> {
     pub scene: &'a Scene,
-    /// What repeats the render.
+    /// The command line that repeats the render.
     pub again: &'a str,
-    /// The device, with its driver.
+    /// The name of the device, with its driver.
     pub device: String,
-    /// What of the picture was rendered.
+    /// The window of the image that was rendered.
     pub window: Window,
-    /// From the frame's beginning to its first pass.
+    /// The time from the start of the frame to its first pass.
     pub ready: Duration,
-    /// What the process's start took, with its first picture.
+    /// The times of the process's start, for its first image.
     pub launch: Option<&'a StartUp>,
     pub totals: Totals,
-    /// What grids of light came to.
+    /// The results of the photon grids.
     pub lights: &'a [&'a LightReport],
     pub verification: Option<&'a Verification>,
 }
 
 impl Made<'_> {
-    /// Rays that could not be followed, of the picture and of its lights.
+    /// Returns the number of rays that could not be followed, of the image and of its lights.
     pub(super) fn unfollowed(&self) -> u64 {
         self.lights.iter().map(|light| light.unfollowed()).sum::<u64>() + self.totals.unfollowed()
     }
@@ -83,7 +83,7 @@ fn merge(to: &mut Value, from: Value) {
     }
 }
 
-/// What was rendered, and how.
+/// Returns the scene, the device and the settings as JSON.
 fn scene(made: &Made) -> Value {
     json!({
         "command": made.again,
@@ -95,13 +95,13 @@ fn scene(made: &Made) -> Value {
     })
 }
 
-/// How rays are followed, by the keys of `[rays]`; null if that should be no table.
+/// Returns the integration settings by the keys of `[rays]`; null if they are not a table.
 pub(in crate::cli) fn followed(rays: &Rays) -> Value {
     let table: Option<toml::Table> = toml::from_str(&format!("rays = {}", rays.followed())).ok();
     table.and_then(|mut table| serde_json::to_value(table.remove("rays")?).ok()).unwrap_or_default()
 }
 
-/// What became of its rays.
+/// Returns the numbers of rays by their ends.
 fn counts(made: &Made) -> Value {
     let totals = &made.totals;
     let ends = Status::ENDS.into_iter().chain([Status::Alive]);
@@ -118,7 +118,7 @@ fn counts(made: &Made) -> Value {
     })
 }
 
-/// What it took.
+/// Returns the times of the render, and of its photon grids.
 fn times(made: &Made) -> Value {
     let stages = ["setup", "advance", "intersect", "scatter", "shade"];
     let by_stage = |times: [Duration; 5]| -> Value { stages.into_iter().zip(times.map(seconds)).collect() };
@@ -150,7 +150,7 @@ fn light(report: &LightReport) -> Value {
     })
 }
 
-/// How good it is, as far as that is known.
+/// Returns the quality of the image, as far as it is known.
 fn quality(made: &Made) -> Value {
     let Totals { adaptive, noise, clamped, .. } = &made.totals;
     json!({
@@ -173,7 +173,7 @@ fn quality(made: &Made) -> Value {
 
 fn verification(verification: &Verification) -> Value {
     let found = &verification.found;
-    // Of no ray there are no numbers, which JSON has as null.
+    // Without rays there are no numbers, which JSON represents as null.
     let quantiles = |q: &Quantiles| json!({ "median": q.median, "p99": q.p99, "max": q.max });
     json!({
         "rays": found.rays,

@@ -1,4 +1,4 @@
-//! One frame after the other, by the programs that were compiled for the first.
+//! Renders frames one after the other, with the programs that were compiled for the first.
 
 use std::time::Instant;
 
@@ -25,29 +25,29 @@ use crate::render::{
 };
 use crate::scene::Scene;
 
-/// What is being rendered, and with what.
+/// The state of a render.
 pub(super) struct Work<'a> {
     pub arguments: &'a Arguments,
-    /// What repeats it.
+    /// The command line that repeats it.
     pub again: String,
     pub film: Film<'a>,
     pub gpu: &'a Gpu,
-    /// The scene whose method is every frame's.
+    /// The scene whose method is used for every frame.
     pub leading: Scene,
     pub settings: RenderSettings,
-    /// Those of the files; there may be more on the device.
+    /// The layers of the files; the device may keep more.
     pub layers: Vec<Layer>,
     pub verification: Option<Verification>,
     pub launch: StartUp,
-    /// With the number of the frame that it was made for; a search has made one of the film's first.
+    /// The renderer, with the number of the frame for which it was made; a search makes one for the first frame.
     pub renderer: Option<(Renderer<'a>, Option<u32>)>,
-    /// Has something been rendered?
+    /// `true` once something has been rendered.
     pub is_under_way: bool,
 }
 
 impl Arguments {
-    /// The scene with its method settled, and the settings that keep what is compiled already. A film is led by its first frame, and
-    /// decides for all of its pictures, whole: so those who render other frames or parts of it come to the same.
+    /// Returns the scene with its method, and the settings that reuse what is compiled already. The first whole frame of an animation
+    /// determines the method of all frames, so that processes with other frames or parts make the same choice.
     pub(super) fn lead<'a>(
         &self,
         gpu: &'a Gpu,
@@ -66,7 +66,7 @@ impl Arguments {
 }
 
 impl Work<'_> {
-    /// What is known beforehand to be wrong.
+    /// Prints warnings about problems that are known before the render.
     fn warn_beforehand(&self) {
         for words in self.leading.warnings() {
             tell!("warning: {words}");
@@ -79,7 +79,7 @@ impl Work<'_> {
         }
     }
 
-    /// Renders what is not finished yet; what comes back is how many rays could not be followed.
+    /// Renders the unfinished targets. Returns the number of rays that could not be followed.
     pub(super) fn render_all(&mut self, targets: &[Target], earlier: Option<&Earlier>) -> Result<u64, Error> {
         self.warn_beforehand();
         let (mut unfollowed, mut there) = (0, 0);
@@ -107,7 +107,7 @@ impl Work<'_> {
         Ok(unfollowed)
     }
 
-    /// Renders a target, if it is not finished yet; what comes back is how many rays could not be followed.
+    /// Renders a target, if it is not finished yet. Returns the number of rays that could not be followed.
     fn render(&mut self, target: Target, earlier: Option<&Earlier>) -> Result<Option<u64>, Error> {
         let begun = Instant::now();
         let Target { frame, band } = target;
@@ -119,7 +119,7 @@ impl Work<'_> {
         said.push((COMPARED.to_owned(), (self.settings.choice.layers != self.layers).to_string()));
         said.extend(self.verification.iter().flat_map(Verification::metadata));
         let layers = self.layers.clone();
-        // A picture that is named alone is rendered whenever it is asked for.
+        // A still image is rendered again at each request.
         if (frame.is_some() || band.is_some()) && self.arguments.is_finished(&scene, target, &layers, &said) {
             self.tell(target, None)?;
             return Ok(None);
@@ -155,13 +155,13 @@ impl Work<'_> {
         Ok(Some(made.unfollowed()))
     }
 
-    /// Says what became of a target; nothing was made where it was finished before.
+    /// Prints the result of a target; `made` is `None` if it was finished before.
     fn tell(&self, target: Target, made: Option<&Made>) -> Result<(), Error> {
         let files = self.arguments.paths(target);
         self.arguments.format.tell(&Picture { scene: self.film.path, target, files, made })
     }
 
-    /// What is rendered of the picture; where it is a band, the renderer is told.
+    /// Returns the window to render; for a band, the renderer is set to it.
     fn window(&mut self, scene: &Scene, band: Option<Band>) -> Result<Window, RenderError> {
         let (Some(band), Some((renderer, _))) = (band, &mut self.renderer) else {
             return Ok(self.arguments.window(scene));
@@ -173,11 +173,11 @@ impl Work<'_> {
         Ok(window)
     }
 
-    /// Makes a renderer, or has the one that there is go on to another frame.
+    /// Creates a renderer, or moves the existing one to another frame.
     fn set_up(&mut self, scene: Scene, frame: Option<u32>, is_first: bool) -> Result<(), Error> {
         if let Some((renderer, first)) = &mut self.renderer {
             match (renderer.set_scene(scene.clone()), *first, frame) {
-                // A search's small picture may do with another program.
+                // The small image of a search may need another program.
                 (Err(RenderError::OtherProgram), ..) if is_first => self.renderer = None,
                 (Err(RenderError::OtherProgram), Some(a), Some(b)) => {
                     return Err(self.other_program([a.into(), b.into()]));
@@ -200,7 +200,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Has a frame show all moments for which the shutter is open.
+    /// Sets the shutter samples of a frame.
     fn open_shutter(&mut self, scene: &Scene, frame: Option<u32>) -> Result<(), Error> {
         let (Some(frame), Some((renderer, _))) = (frame, &mut self.renderer) else { return Ok(()) };
         let moments = self.film.moments(frame, scene)?.into_iter();
@@ -219,10 +219,10 @@ impl Work<'_> {
     }
 }
 
-/// Rays from which a picture takes so long, and so much room, that this is said before it starts.
+/// The number of rays above which the expected time and memory are printed before the start.
 const MANY: u64 = 1 << 27;
 
-/// How long a large picture will take, and of how much room.
+/// Describes the time and memory that a large image will need.
 fn expected(renderer: &mut Renderer, scene: &Scene, memory: u64) -> Result<Option<String>, RenderError> {
     let [width, height] = renderer.window().size;
     let rays = u64::from(width) * u64::from(height) * u64::from(scene.image.samples);
@@ -239,12 +239,12 @@ fn expected(renderer: &mut Renderer, scene: &Scene, memory: u64) -> Result<Optio
     )))
 }
 
-/// What a number of targets counts.
+/// Returns the unit in which targets are counted.
 fn unit_of(targets: &[Target]) -> &'static str {
     if targets.iter().any(|target| target.band.is_some()) { "part" } else { "frame" }
 }
 
-/// Where a scene leaves its method open, the first frame's is every frame's.
+/// Returns a scene with the first frame's method, if the scene leaves its method open.
 fn settled(scene: Scene, first: &Scene) -> Scene {
     if scene.rays.auto.is_none() {
         return scene;

@@ -6,27 +6,27 @@ use super::pairs::Pairs;
 use crate::error::Error;
 use crate::scene::CutPlane;
 
-/// Rays of one option, at most.
+/// The maximum number of rays of one option.
 const MOST: usize = 100_000;
-/// How far rays may point out of a plane and still lie in it, and how far they may start from it in parts of their distance.
+/// The tolerance for a ray in a plane: for the sine of its angle to the plane, and for the height of its start as a fraction of the extent.
 const OFF: f64 = 1e-9;
 
-/// Rays of one option, side by side in a plane.
+/// The rays of one option, next to each other in a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Beam {
     shape: Shape,
-    /// Where a fan starts, and the middle of a bundle.
+    /// The start of a fan, or the middle of a bundle.
     from: DVec3,
-    /// Unit vector of the middle ray.
+    /// The unit direction of the middle ray.
     along: DVec3,
     count: usize,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shape {
-    /// Degrees between the outermost rays.
+    /// The angle between the outermost rays, in degrees.
     Fan(f64),
-    /// Length between the outermost rays.
+    /// The distance between the outermost rays.
     Bundle(f64),
 }
 
@@ -50,12 +50,12 @@ impl Beam {
         Ok(Self { shape: shape()?, from, along, count: pairs.count("count", MOST)? })
     }
 
-    /// Where its rays start, or their middle.
+    /// Returns the start of the rays, or the middle of their starts.
     pub fn from(&self) -> DVec3 {
         self.from
     }
 
-    /// Its name in messages.
+    /// Returns the name of the beam in messages.
     pub fn name(&self) -> String {
         let [x, y, z] = self.from.to_array();
         let kind = if matches!(self.shape, Shape::Fan(_)) { "fan" } else { "bundle" };
@@ -67,7 +67,7 @@ impl Beam {
         self.along.dot(plane.normal()).abs() <= OFF && plane.height(self.from).abs() <= OFF * extent
     }
 
-    /// The plane that it lies in where none is asked for: as near as can be to x and y, else x and z, else y and z.
+    /// Returns the plane of the beam if none is requested: the closest to x and y, else to x and z, else to y and z.
     fn own_plane(&self) -> Option<CutPlane> {
         let axes = [DVec3::Z, DVec3::Y, DVec3::X];
         let steep = |axis: DVec3| self.along.dot(axis).abs();
@@ -76,11 +76,11 @@ impl Beam {
         CutPlane::new(self.from, least.reject_from_normalized(self.along))
     }
 
-    /// Its rays in a plane that it lies in, each a place and a unit velocity.
+    /// Returns the rays in a plane that contains the beam, each as a position and a unit velocity.
     fn rays(&self, plane: &CutPlane) -> Vec<[f64; 6]> {
         let normal = plane.normal();
         let ray = |i: usize| {
-            // From −1/2 to 1/2; a full circle's last ray would be its first.
+            // From −1/2 to 1/2; in a full circle, the last ray would coincide with the first.
             let gaps = if self.shape == Shape::Fan(360.0) { self.count } else { self.count - 1 };
             let part = if gaps == 0 { 0.0 } else { i as f64 / gaps as f64 - 0.5 };
             let (x, v) = match self.shape {
@@ -96,8 +96,8 @@ impl Beam {
     }
 }
 
-/// The rays of every beam: in the plane if one is asked for, else in one plane of two axes if all have that in common, else each
-/// in its own.
+/// Returns the rays of every beam: in `plane` if it is given, else in one plane of two axes if all beams allow it, else each beam in
+/// its own plane.
 pub(super) fn rays(beams: &[Beam], plane: Option<&CutPlane>) -> Result<Vec<Vec<[f64; 6]>>, Error> {
     if let Some(plane) = plane {
         if let Some(beam) = beams.iter().find(|beam| !beam.lies_in(plane)) {

@@ -1,15 +1,15 @@
-//! Options made of several values: `from=[0,0,5] toward=[0,0,0] count=9`, with spaces or commas between.
+//! Options with several values: `from=[0,0,5] toward=[0,0,0] count=9`, separated by spaces or commas.
 
 use glam::DVec3;
 
-/// The pairs of one option, with what is right for it.
+/// The pairs of one option, with an example of its syntax.
 pub(super) struct Pairs<'t> {
     pairs: Vec<(&'t str, &'t str)>,
     example: &'static str,
 }
 
 impl<'t> Pairs<'t> {
-    /// Reads pairs whose keys are all `known`; `example` is shown where they are not.
+    /// Reads pairs whose keys are all `known`; otherwise the error shows `example`.
     pub fn read(text: &'t str, known: &[&str], example: &'static str) -> Result<Self, String> {
         let mut pairs: Vec<(&str, &str)> = Vec::new();
         let mut rest = text.trim_matches(is_gap);
@@ -36,7 +36,7 @@ impl<'t> Pairs<'t> {
         Ok(Self { pairs, example })
     }
 
-    /// A value as written, if it is there.
+    /// Returns the text of a value, if it is given.
     pub fn get(&self, key: &str) -> Option<&'t str> {
         self.pairs.iter().find(|(known, _)| *known == key).map(|(_, value)| *value)
     }
@@ -45,19 +45,19 @@ impl<'t> Pairs<'t> {
         self.get(key).ok_or_else(|| format!("`{key}` is missing; as in `{}`", self.example))
     }
 
-    /// A place or a direction.
+    /// Returns a position or a direction.
     pub fn vector(&self, key: &str) -> Result<DVec3, String> {
         vector(self.required(key)?).map_err(|problem| format!("`{key}`: {problem}"))
     }
 
-    /// A number in (0, most].
+    /// Returns a number in (0, most].
     pub fn positive(&self, key: &str, most: f64) -> Result<f64, String> {
         let text = self.required(key)?;
         let number = text.parse().ok().filter(|number| *number > 0.0 && *number <= most);
         number.ok_or_else(|| format!("`{key}={text}`: expected a number above 0, at most {most}"))
     }
 
-    /// A whole number from 1 to `most`.
+    /// Returns a whole number from 1 to `most`.
     pub fn count(&self, key: &str, most: usize) -> Result<usize, String> {
         let text = self.required(key)?;
         let number = text.parse().ok().filter(|number| (1..=most).contains(number));
@@ -65,12 +65,12 @@ impl<'t> Pairs<'t> {
     }
 }
 
-/// `[1, 2, 3]`.
+/// Parses a vector such as `[1, 2, 3]`.
 pub(super) fn vector(text: &str) -> Result<DVec3, String> {
     numbers(text).map(DVec3::from_array).ok_or_else(|| format!("`{text}` is not three numbers such as [1, 0, -2.5]"))
 }
 
-/// So many finite numbers in brackets.
+/// Parses `N` finite numbers in brackets.
 pub(super) fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     let inner = text.trim().strip_prefix('[')?.strip_suffix(']')?;
     let words = inner.split(is_gap).filter(|word| !word.is_empty());
