@@ -20,7 +20,7 @@ use crate::output::report::write_report;
 use crate::output::{OutputError, has_extension};
 use crate::scene::{Mesh, Scene};
 
-/// Run benchmarks: the tables of the 2004 paper, acceleration structures, schedules, scaling, sampling, device limits, and start-up
+/// Run benchmarks: the tables of Weiskopf et al. (2004), acceleration structures, schedules, scaling, sampling, limits, and start-up
 #[derive(Debug, Args)]
 pub(super) struct Arguments {
     /// The benchmark

@@ -1,7 +1,7 @@
 //! File names with a placeholder for the frame number.
 //!
 //! *Practice.* `{frame}` is the number, and `{frame:4}` has at least four digits. The notations of other programs also work: `####`, with
-//! as many digits as there are signs (at least two), and `%04d`. Both count only in the name of the file, not in those of folders.
+//! as many digits as signs (at least two), and `%04d`. Both count only in the name of the file, not in names of folders.
 
 use std::path::{Path, PathBuf, is_separator};
 

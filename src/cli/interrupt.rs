@@ -31,8 +31,8 @@ fn ask(signal: i32) {
         tell!("{}: stopping after this frame; once more to stop at once", name(signal));
         return;
     }
-    // The lock keeps others from starting a file before the process is gone. It exits at once: other cleanup would take the driver away
-    // from the render that is still running, which crashes some drivers.
+    // The lock keeps others from starting a file before the process is gone. The process exits at once: other cleanup would take the driver
+    // away from the render that is still running, which crashes some drivers.
     let (unfinished, _held) = abandon_unfinished();
     tell!("{}", words(signal, &unfinished));
     exit(code(signal));

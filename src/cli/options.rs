@@ -146,7 +146,7 @@ pub(super) struct DeviceFlags {
     /// below requires it
     #[arg(long, value_parser = schedules())]
     schedule: Option<Schedule>,
-    /// Disable early ray termination: run terminated rays too, as Weiskopf et al. (2004) measured for comparison
+    /// Disable the early ray termination of Weiskopf et al. (2004): run terminated rays too
     #[arg(long)]
     no_early_termination: bool,
     /// Disable active-ray compaction; terminated rays are skipped in place (multi-pass schedules only)

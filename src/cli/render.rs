@@ -64,7 +64,7 @@ pub(super) struct Arguments {
     /// finished parts are not rendered again
     #[arg(long, value_name = "K/N", conflicts_with_all = ["crop", "verify", "earlier", "preview"])]
     part: Option<Part>,
-    /// Add samples to an earlier path-traced image, up to the number in the scene: the result is bit-identical to one longer render. The EXR
+    /// Add samples to an earlier path-traced image, up to the number in the scene: the result is bit-identical to one long render. The EXR
     /// must contain its accumulated sums, as it does unless --layers omits them
     #[arg(long = "continue", value_name = "EXR", conflicts_with = "frames", value_parser = paths::file())]
     earlier: Option<PathBuf>,

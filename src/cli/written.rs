@@ -16,7 +16,7 @@ pub(super) fn check_scene_name(path: &Path) -> Result<(), Error> {
     Err(OutputError::Setting { path: path.to_owned(), problem }.into())
 }
 
-/// Prints what to do next with a scene that was written.
+/// Prints the next steps for a scene that was written.
 pub(super) fn say_written(path: &Path) -> Result<(), Error> {
     let command = ["bentray", "render", &path.display().to_string(), "-o", "picture.png"].map(str::to_owned);
     say!("wrote {}; render it with `{}`", path.display(), quoted(&command));

@@ -103,6 +103,6 @@ named!(Kind);
 /// The reference's rows of the keys that kinds of source read.
 #[must_use]
 pub fn reference() -> Vec<KeyReference> {
-    let chooser = ("kind", SOURCES[0].name, "what the source is centred on");
+    let chooser = ("kind", SOURCES[0].name, "shape on which the source is centered");
     kind_rows("law.sources", chooser, &SOURCES.map(|kind| (kind.name, kind.keys)))
 }

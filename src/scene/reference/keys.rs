@@ -1,10 +1,10 @@
-//! Every table and key of the format, as the user reads them.
+//! Every table and key of the scene format, as `check --reference` prints them.
 //!
-//! `TABLE { key if WHEN: VALUE = DEFAULT, MEANING; }`: WHEN says beside what a key is read, where it is not always.
+//! `TABLE { key if WHEN: VALUE = DEFAULT, MEANING; }`: WHEN is the condition under which a key is read, if there is one.
 
 use crate::document::{KeyReference, key_rows};
 
-/// The keys that are read whatever the kinds of a scene are.
+/// Returns the keys that do not depend on the kinds in a scene.
 #[expect(clippy::too_many_lines, reason = "a table")]
 pub(super) fn fixed() -> Vec<KeyReference> {
     key_rows! {
