@@ -147,7 +147,7 @@ fn outside_the_disk_there_is_nothing() {
     for (frame, more) in [("coordinate", ""), ("static", ""), ("static", "sky_at_infinity = true\n")] {
         for corners in ["black", "transparent"] {
             let text = format!(
-                "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 40]\nframe = \"{frame}\"\nkind = \"fisheye\"\nfov = 300\n\
+                "[image]\nsize = [96, 64]\n[camera]\nposition = [0, 2, 40]\nobserver = \"{frame}\"\nkind = \"fisheye\"\nfov = 300\n\
                  corners = \"{corners}\"\n{}",
                 HOLE.replace("[sky]", &format!("{more}[sky]"))
             );

@@ -173,7 +173,7 @@ fn light_of_any_energy_is_shifted_as_its_constants_say() {
         }) {
             let scene = scene(&format!(
                 "[image]\nsize = {size:?}\nsamples = 1\n[camera]\nkind = \"{camera}\"\nposition = {:?}\nlook_at = {:?}\nup = [0, 0, 1]\n\
-                 fov = {fov}\nframe = \"{}\"\nredshift = true\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 60 }}\n{method}\n\
+                 fov = {fov}\nobserver = \"{}\"\nredshift = true\n[law]\n{law}\n[rays]\nbounding_sphere = {{ radius = 60 }}\n{method}\n\
                  precision = \"{precision}\"\nmax_segments = 1000\n[materials.m]\nkind = \"accretion\"\n[[objects]]\n\
                  shape = \"disk\"\nmaterial = \"m\"\nnormal = [0, 0, 1]\nradius = 12\ninner_radius = 1\n",
                 position.to_array(),

@@ -97,11 +97,11 @@ fn lenses_filter_by_the_length_of_their_paths() {
 /// A medium that absorbs and glows, before a wall: c^d L + ε (c^d − 1)/ln c.
 #[test]
 fn media_glow() {
-    for transport in ["lights", "paths"] {
+    for transport in ["direct", "path-tracing"] {
         let text = format!(
             "[image]\nsize = [3, 3]\n[camera]\nposition = [0, 0, 0]\nlook_at = [0, 0, -1]\nfov = 0.001\n\
              [law]\nkind = \"straight\"\nabsorption = {{ transmittance = [0.9, 0.5, 1], emission = [0.1, 0.2, 0.3] }}\n\
-             [rays]\nbounding_sphere = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
+             [rays]\nbounding_sphere = {{ radius = 20 }}\nlighting = \"{transport}\"\n\
              [materials.wall]\nkind = \"emissive\"\ncolor = [1, 0.5, 0]\n[[objects]]\nshape = \"box\"\nmaterial = \"wall\"\n\
              center = [0, 0, -3]\nsize = [4, 4, 2]\n"
         );
@@ -181,7 +181,9 @@ fn every_schedule_filters_alike() {
 #[test]
 fn bad_filters_are_counted() {
     let straight = [DVec3::ZERO, DVec3::X, DVec3::X * 3.0];
-    for filter in ["density = 'x - 1'", "color = '1.5 - x'", "density = '1/(x - 1.2)^2', tolerance = 1e-6"] {
+    for filter in
+        ["coefficient = 'x - 1'", "transmittance = '1.5 - x'", "coefficient = '1/(x - 1.2)^2', tolerance = 1e-6"]
+    {
         let picture = rendered(&scene(&to_screen("straight", filter, straight, "")), Choice::default());
         assert!(picture.totals.unfiltered > 0, "{filter}");
         assert!(picture.totals.to_string().contains("filters not known"), "{}", picture.totals);

@@ -145,7 +145,7 @@ fn check(table: &str, size: [u32; 2], samples_a_pixel: u32, law_and_objects: fn(
         let brighter = Formula::parse(row[3]).unwrap_or_else(|error| panic!("{error:?}")).value(DVec3::ZERO);
         let text = format!(
             "image = {{ size = {size:?}, samples = {samples_a_pixel} }}\ncamera = {{ {camera} }}\nlaw = {law}\n\
-             rays = {{ bounding_sphere = {{ radius = 4 }}, lighting = \"path-tracing\", {rays} }}\npaths = {{ roulette = 100000, aim = false }}\n\
+             rays = {{ bounding_sphere = {{ radius = 4 }}, lighting = \"path-tracing\", {rays} }}\npath_tracing = {{ rr_depth = 100000, light_sampling = false }}\n\
              objects = [{objects}]\n[materials]\nmirror = {{ kind = \"mirror\" }}\ndark = {{ kind = \"phong\", diffuse = [0, 0, 0] }}\n\
              wall = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [0.5, 0.4, 0.3] }}\n\
              # Where n² is four times as large.\nbright = {{ kind = \"phong\", diffuse = [0.5, 0.2, 0], emission = [2, 1.6, 1.2] }}\n"

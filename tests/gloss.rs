@@ -30,7 +30,7 @@ fn disk(material: &str, transport: &str, degrees: f64) -> String {
     let (sin, cos) = degrees.to_radians().sin_cos();
     format!(
         "[image]\nsize = [16, 16]\nsamples = 64\n[camera]\nkind = \"orthographic\"\nheight = 0.001\nposition = [{}, {}, 0]\n\
-         up = [0, 0, 1]\n[sky]\ncolor = [1, 1, 1]\n[rays]\nbounding_sphere = {{ radius = 20 }}\ntransport = \"{transport}\"\n\
+         up = [0, 0, 1]\n[sky]\ncolor = [1, 1, 1]\n[rays]\nbounding_sphere = {{ radius = 20 }}\nlighting = \"{transport}\"\n\
          [materials.m]\n{material}\n[[objects]]\nshape = \"disk\"\nmaterial = \"m\"\nradius = 2\n",
         5.0 * sin,
         5.0 * cos
@@ -44,7 +44,7 @@ fn lobes_keep_what_lies_above_the_surface() {
         let phong =
             format!("kind = \"phong\"\ndiffuse = [0, 0, 0]\nspecular = [1, 1, 1]\nshininess = {}", exponent.max(1e-6));
         for (material, transport, expected) in
-            [(&glossy, "lights", kept), (&glossy, "paths", kept), (&phong, "paths", albedo)]
+            [(&glossy, "direct", kept), (&glossy, "path-tracing", kept), (&phong, "path-tracing", albedo)]
         {
             let picture = rendered(&disk(material, transport, degrees), Choice::default());
             let (mean, error) = mean_of(&picture, 0);

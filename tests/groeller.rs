@@ -57,7 +57,7 @@ fn iterated(start: [f64; 6], step: f64, steps: u32, next: impl Fn(DVec3, DVec3) 
 
 #[test]
 fn the_iteration_is_as_printed() {
-    let rays = "method = \"groeller\"\nstep = 0.25\nlength = 10\nprecision = \"f64\"";
+    let rays = "method = \"groeller\"\nstep = 0.25\nmax_parameter = 10\nprecision = \"f64\"";
     let forces = ends(&format!("kind = \"sources\"\n{}", sources(0.25)), rays);
     for (start, end) in STARTS.into_iter().zip(forces) {
         let want = iterated(start, 0.25, 40, |x, v| v + 0.25 * force(x).0);
@@ -78,9 +78,9 @@ fn the_iteration_is_as_printed() {
 fn the_iteration_comes_to_the_law_by_length() {
     let law = |part: f64| format!("kind = \"sources\"\n{}", sources(part));
     let by_length = format!("kind = \"sources\"\nparameter = \"length\"\n{}", sources(1.0));
-    let exact = ends(&by_length, "tolerance = 1e-12\nlength = 12\nprecision = \"f64\"");
+    let exact = ends(&by_length, "tolerance = 1e-12\nmax_parameter = 12\nprecision = \"f64\"");
     let off = |h: f64| {
-        let rays = format!("method = \"groeller\"\nstep = {h}\nlength = 12\nprecision = \"f64\"");
+        let rays = format!("method = \"groeller\"\nstep = {h}\nmax_parameter = 12\nprecision = \"f64\"");
         let found = ends(&law(h), &rays);
         found.iter().zip(&exact).map(|(a, b)| a.distance_to(b)).collect::<Vec<_>>()
     };
@@ -89,7 +89,7 @@ fn the_iteration_comes_to_the_law_by_length() {
         assert!((1.7..2.3).contains(&ratio), "{coarse:e} to {fine:e}");
     }
     // By time it is another path.
-    let by_time = ends(&law(1.0), "tolerance = 1e-12\nlength = 12\nprecision = \"f64\"");
+    let by_time = ends(&law(1.0), "tolerance = 1e-12\nmax_parameter = 12\nprecision = \"f64\"");
     assert!(by_time.iter().zip(&exact).all(|(a, b)| a.distance_to(b) > 1e-2));
 }
 
@@ -98,9 +98,10 @@ fn the_iteration_comes_to_the_law_by_length() {
 fn the_law_by_length_keeps_what_it_says() {
     let law = format!("kind = \"sources\"\nparameter = \"length\"\n{}", sources(1.0));
     let sum = |x: DVec3, v: DVec3| v.length() + force(x).1;
-    for rays in
-        ["tolerance = 1e-12\nlength = 12\nprecision = \"f64\"", "scaled_step = 0.02\nlength = 12\nprecision = \"f64\""]
-    {
+    for rays in [
+        "tolerance = 1e-12\nmax_parameter = 12\nprecision = \"f64\"",
+        "scaled_step = 0.02\nmax_parameter = 12\nprecision = \"f64\"",
+    ] {
         for (start, end) in STARTS.into_iter().zip(ends(&law, rays)) {
             let before = sum(DVec3::from_slice(&start[..3]), DVec3::from_slice(&start[3..]));
             let after = sum(end.x.into(), end.v.into());

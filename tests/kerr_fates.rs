@@ -214,7 +214,7 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
         (0.5, 0.0, [0.0, -19.7, 3.5], "static"),
         (0.9, 0.0, [19.7, 0.0, 3.5], "static"),
         (0.998, 0.0, [5.0, 5.0, 4.0], "zamo"),
-        (0.95, 0.0, [0.0, 9.0, -1.0], "falling"),
+        (0.95, 0.0, [0.0, 9.0, -1.0], "infalling"),
         (0.6, 0.6, [2.0, -7.0, 0.0], "static"),
         (0.9995, 0.0, [0.0, -12.0, 2.0], "static"),
         (1.0, 0.0, [3.0, 19.0, 4.0], "static"),
@@ -222,7 +222,7 @@ fn shadows_have_sharp_edges_where_closed_curves_say() {
         let hole = KerrNewman { mass: 1.0, spin, axis: DVec3::Z, charge, center: DVec3::ZERO };
         let x = DVec3::from_array(at);
         let base = format!(
-            "[camera]\nposition = {at:?}\nlook_at = [0, 0, 0]\nup = [0, 0, 1]\nframe = \"{frame}\"\n\
+            "[camera]\nposition = {at:?}\nlook_at = [0, 0, 0]\nup = [0, 0, 1]\nobserver = \"{frame}\"\n\
              [law]\nkind = \"kerr-newman\"\nspin = {spin}\ncharge = {charge}\n[rays]\nbounding_sphere = {{ radius = 60 }}\nmax_segments = 20000\n"
         );
         let seen = scene(&base);

@@ -103,11 +103,11 @@ const ROOM: &str = "[image]\nsize = [48, 36]\n[camera]\nposition = [0, 0.3, 6]\n
 #[test]
 fn shadows_lie_where_straight_ones_do() {
     let picture = |shadows: &str| {
-        let light = lamp("").replace("grid", shadows);
+        let light = lamp("").replace("photon-grid", shadows);
         let room = scene(&format!("{ROOM}[rays]\nbounding_sphere = {{ radius = 9 }}\n{WALLS}{light}"));
         Renderer::new(&gpu(), &room, RenderSettings::default()).unwrap().picture().unwrap()
     };
-    let [grid, straight, none] = ["grid", "straight", "none"].map(picture);
+    let [grid, straight, none] = ["photon-grid", "straight-rays", "none"].map(picture);
     let (mut agree, mut all, mut dark) = (0, 0, 0);
     for ((grid, straight), none) in
         grid.band.color[0].iter().zip(&straight.band.color[0]).zip(&none.band.color[0]).filter(|(_, none)| **none > 0.0)

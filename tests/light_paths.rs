@@ -77,7 +77,7 @@ fn alike(a: &[f64], b: &[f64], part: f64) -> f64 {
 fn straight_light_is_shot_straight() {
     for falloff in ["none", "inverse-square"] {
         let [straight, shot] =
-            ["straight", "shooting"].map(|shadows| picture(&lit("kind = \"straight\"", shadows, falloff)));
+            ["straight-rays", "curved-rays"].map(|shadows| picture(&lit("kind = \"straight\"", shadows, falloff)));
         let part = alike(&straight, &shot, 2e-3);
         assert!(part > 0.99, "{falloff}: {part}");
     }
@@ -93,11 +93,11 @@ fn both_ways_to_shoot_agree() {
         }
         law
     };
-    let one = picture(&lit(&law(&[CENTRE]), "shooting", "inverse-square"));
-    let two = picture(&lit(&law(&[CENTRE, HARDLY]), "shooting", "inverse-square"));
+    let one = picture(&lit(&law(&[CENTRE]), "curved-rays", "inverse-square"));
+    let two = picture(&lit(&law(&[CENTRE, HARDLY]), "curved-rays", "inverse-square"));
     let part = alike(&one, &two, 2e-2);
     assert!(part > 0.95, "{part}");
-    let straight = picture(&lit(&law(&[CENTRE]), "straight", "inverse-square"));
+    let straight = picture(&lit(&law(&[CENTRE]), "straight-rays", "inverse-square"));
     assert!(alike(&one, &straight, 2e-2) < 0.7);
 }
 

@@ -138,7 +138,7 @@ fn clear_things_weaken_light_on_straight_lines() {
         // Where indices agree there is nothing but the filter.
         (slab("n = 1, absorption = [0.5, 1, 0.2]"), above, "", [0.5, 1.0, 0.2]),
         (
-            ball("{ density = [\"0.1 + 0.4*r^2\", \"0.3\", \"exp(-y)\"] }"),
+            ball("{ coefficient = [\"0.1 + 0.4*r^2\", \"0.3\", \"exp(-y)\"] }"),
             above,
             "",
             [
@@ -180,11 +180,11 @@ fn clear_things_weaken_light_on_straight_lines() {
 fn lights_of_all_kinds_share_a_scene() {
     let light = |part: f64, clear: &str| {
         format!(
-            "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\ncolor = [{part}, {part}, {part}]\nshadows = \"straight-rays\"\nclear = \"{clear}\"\n"
+            "[[lights]]\nkind = \"directional\"\ndirection = [0, -1, 0]\ncolor = [{part}, {part}, {part}]\nshadows = \"straight-rays\"\ntransparent = \"{clear}\"\n"
         )
     };
     let glass = format!("{RAISED}interior = {{ kind = \"constant\", n = 1.5, absorption = [0.5, 0.5, 0.5] }}\n");
-    let lights = [light(1.0, "open"), light(0.5, "filtered"), light(0.25, "closed")].concat();
+    let lights = [light(1.0, "ignored"), light(0.5, "tinted"), light(0.25, "opaque")].concat();
     let text = format!("{}{lights}", floor("floor = 1", &glass, 0.0));
     let (mean, _) = mean_of(&rendered(&text, Choice::default()), 0);
     let expected = 1.0 + 1.0 + 0.5 * 0.25 * THROUGH;

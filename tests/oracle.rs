@@ -146,7 +146,7 @@ fn rays_keep_what_their_law_keeps() {
         );
         // Traced on from where it ended, a ray of the medium starts with |v| = n there: it must have had that already.
         let (ends, _) = trace(&gpu, &scene(&medium), &RenderSettings::default(), &rays).unwrap();
-        let short = medium.replace("length = 9", "length = 1e-6");
+        let short = medium.replace("max_parameter = 9", "max_parameter = 1e-6");
         let again: Vec<[f64; 6]> =
             ends.iter().map(|e| [e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2]].map(f64::from)).collect();
         let (starts, _) = trace(&gpu, &scene(&short), &RenderSettings::default(), &again).unwrap();

@@ -181,7 +181,7 @@ fn a_users_flow_is_followed() {
     let wgsl = "fn flow_field(x: Real3) -> Real3 {\n    return Real3(-x.y, x.x, 0.5);\n}\n";
     std::fs::write(folder.path().join("law.wgsl"), wgsl).unwrap();
     let text = "law = { kind = \"wgsl\", file = \"law.wgsl\", depends = \"flow\" }\n\
-                rays = { bound = { radius = 30 }, length = 2, method = \"dormand-prince\", tolerance = 1e-6 }\n";
+                rays = { bounding_sphere = { radius = 30 }, max_parameter = 2, method = \"dormand-prince\", tolerance = 1e-6 }\n";
     let scene = Scene::parse(text, &folder.path().join("scene.toml"), &[]).unwrap();
     let (ends, _) = trace(&gpu(), &scene, &RenderSettings::default(), &[[3.0, 0.0, 0.0, 0.0, 0.0, 1.0]]).unwrap();
     let (sine, cosine) = 2_f64.sin_cos();

@@ -135,7 +135,7 @@ fn the_shadow_has_its_size() {
         // Vertical, for 3 rows; the picture is then as wide as it is far.
         let fov = (2.0 * (1.5_f64 / 401.0).atan()).to_degrees();
         let text = format!(
-            "[image]\nsize = [401, 3]\n[camera]\nposition = [0, 0, 20]\nfov = {fov}\nframe = \"{frame}\"\n\
+            "[image]\nsize = [401, 3]\n[camera]\nposition = [0, 0, 20]\nfov = {fov}\nobserver = \"{frame}\"\n\
              [law]\nkind = \"schwarzschild\"\n[rays]\nbounding_sphere = {{ radius = 50 }}\n[sky]\ncolor = [1, 1, 1]\n"
         );
         let scene = scene(&text);

@@ -186,7 +186,7 @@ fn what_is_kept_between_passes_is_all_that_matters() {
         "method=dormand-prince law.kind=straight",
         "method=leapfrog curvature_step=4 precision=f64",
         "method=rkn4 step=0.6 segment=chord steps_per_segment=3",
-        "method=rk4 step=0.1 length=17.03 segment=chord steps_per_segment=3",
+        "method=rk4 step=0.1 max_parameter=17.03 segment=chord steps_per_segment=3",
         "method=rk4 step=0.5 segment=chord steps_per_segment=17",
     ];
     for setting in settings {

@@ -122,11 +122,11 @@ fn observers_have_the_axes_of_their_four_velocities() {
     let four = |text: &str| DVec4::from_slice(&text.split(' ').map(|n| n.parse().unwrap()).collect::<Vec<f64>>());
     let rows = rows(include_str!("tables/kerr_frames.tsv"));
     let laws = rows.iter().flat_map(|row| [row[1].replace(';', "\n"), typed(row[1])].map(|law| (row, law)));
-    for (row, law) in laws.filter(|(row, law)| row[3] != "falling" || !law.contains("metric")) {
+    for (row, law) in laws.filter(|(row, law)| row[3] != "infalling" || !law.contains("metric")) {
         let (position, forward) = (vector(row[2]), vector(row[4]));
         let up = vector(row[5]).to_array();
         let camera = format!(
-            "[camera]\nposition = {:?}\nlook_at = {:?}\nup = {up:?}\nframe = \"{}\"\n",
+            "[camera]\nposition = {:?}\nlook_at = {:?}\nup = {up:?}\nobserver = \"{}\"\n",
             position.to_array(),
             (position + forward).to_array(),
             row[3]

@@ -52,7 +52,7 @@ fn scene(n: u32, rays: &str, materials: &str, objects: &[String]) -> Scene {
     std::fs::write(folder.path().join("cube.obj"), cube(n)).unwrap();
     let objects = objects.join(" }, { shape = \"mesh\", file = \"cube.obj\", ");
     // On paths only what shines gives light.
-    let is_traced = rays.contains("paths");
+    let is_traced = rays.contains("path-tracing");
     let lights = if is_traced { "" } else { "lights = [{ kind = \"directional\", direction = [0, 0, -1] }]\n" };
     let text = format!(
         "image = {{ size = [{SIZE}, {SIZE}] }}\ncamera = {{ kind = \"orthographic\", height = {}, position = [0, 0, 20] }}\n\

@@ -42,7 +42,7 @@ fn rays_end_on_the_side_and_where_quadratures_say() {
         for (precision, tolerance, floor, factor) in [("f32", 1e-6, 2e-5_f64, 40.0), ("f64", 1e-13, 1e-9, 0.0)] {
             let scene_of = |row: &[&str]| {
                 format!(
-                    "[law]\n{}\ncenter = {:?}\nother = {:?}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
+                    "[law]\n{}\ncenter = {:?}\nother_mouth = {:?}\n[rays]\nmethod = \"dormand-prince\"\ntolerance = {tolerance}\n\
                      precision = \"{precision}\"\nmax_segments = 20000\nbounding_sphere = {{ center = {:?}, radius = {} }}\n",
                     if is_written { written(row[1]) } else { row[1].replace(';', "\n") },
                     shift.to_array(),
@@ -165,16 +165,16 @@ fn each_side_has_its_own_sky_and_objects() {
     let lamp = "[materials.a]\nkind = \"emissive\"\ncolor = [0, 0.5, 0]\n[[objects]]\nshape = \"sphere\"\ncenter = [90, 0, 4]\nmaterial = \"a\"\n";
     let (near, beyond) = ("[sky]\ncolor = [1, 0, 0]\n", "[sky.other_side]\ncolor = [0, 0, 1]\n");
     for (ahead, rest, transport, expected) in [
-        (9, format!("{near}{beyond}"), "lights", [1.0, 0.0, 0.0]),
-        (0, format!("{near}{beyond}"), "lights", [0.0, 0.0, 1.0]),
-        (0, near.to_owned(), "lights", [1.0, 0.0, 0.0]),
-        (0, format!("{near}{beyond}{lamp}"), "lights", [0.0, 0.5, 0.0]),
-        (9, format!("{near}{lamp}"), "paths", [1.0, 0.0, 0.0]),
-        (0, format!("{near}{lamp}"), "paths", [0.0, 0.5, 0.0]),
+        (9, format!("{near}{beyond}"), "direct", [1.0, 0.0, 0.0]),
+        (0, format!("{near}{beyond}"), "direct", [0.0, 0.0, 1.0]),
+        (0, near.to_owned(), "direct", [1.0, 0.0, 0.0]),
+        (0, format!("{near}{beyond}{lamp}"), "direct", [0.0, 0.5, 0.0]),
+        (9, format!("{near}{lamp}"), "path-tracing", [1.0, 0.0, 0.0]),
+        (0, format!("{near}{lamp}"), "path-tracing", [0.0, 0.5, 0.0]),
     ] {
         let scene = scene(&format!(
             "[image]\nsize = [1, 1]\n[camera]\nposition = [0, 0, 6]\nlook_at = [0, 0, {ahead}]\nfov = 1\n[law]\nkind = \"wormhole\"\n\
-             other_mouth = [90, 0, 0]\n[rays]\nbounding_sphere = {{ radius = 30 }}\nmethod = \"dormand-prince\"\ntransport = \"{transport}\"\n{rest}"
+             other_mouth = [90, 0, 0]\n[rays]\nbounding_sphere = {{ radius = 30 }}\nmethod = \"dormand-prince\"\nlighting = \"{transport}\"\n{rest}"
         ));
         let picture = Renderer::new(&gpu, &scene, RenderSettings::default()).unwrap().picture().unwrap();
         let color = DVec3::from_array([0, 1, 2].map(|channel| f64::from(picture.band.color[channel][0])));

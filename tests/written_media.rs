@@ -50,7 +50,7 @@ fn a_fisheye_as_a_formula_has_circles() {
         })
         .collect();
     let rays: Vec<[f64; 6]> = directions.iter().map(|d| [p.x, p.y, p.z, d.x, d.y, d.z]).collect();
-    let table = "method = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbounding_sphere = { radius = 30 }\nlength = 1";
+    let table = "method = \"dormand-prince\"\ntolerance = 1e-6\nmax_segments = 4000\nbounding_sphere = { radius = 30 }\nmax_parameter = 1";
     for (d, end) in directions.iter().zip(ends(index, table, &rays)) {
         assert_eq!(end.status, Status::Ended);
         let to_center = across.reject_from_normalized(*d).normalize();

@@ -12,7 +12,8 @@ use super::*;
 use crate::scene::Scene;
 
 /// What each of [`OTHERS`] begins with.
-const BEGINNING: &str = "camera.position = [0, 0, 9]\nrays.bound.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
+const BEGINNING: &str =
+    "camera.position = [0, 0, 9]\nrays.bounding_sphere.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
 
 /// Scenes, each with parts that no scene before it links.
 const OTHERS: [&str; 15] = [
@@ -27,22 +28,22 @@ const OTHERS: [&str; 15] = [
      law.form = 'geodesic'
      rays.method = 'rk4-doubling'
      rays.segment = 'chord'",
-    "camera.frame = 'static'
-     camera.shift = true
+    "camera.observer = 'static'
+     camera.redshift = true
      law.kind = 'schwarzschild'
      objects = [{ shape = 'sphere', center = [4, 0, 0], material = 'm' }]
      rays.method = 'rk4-doubling'
      rays.doubling = 'paper'
      rays.precision = 'f16'",
-    "camera.frame = 'static'
-     camera.shift = true
+    "camera.observer = 'static'
+     camera.redshift = true
      law.kind = 'reissner-nordstrom'
      objects = [{ shape = 'sphere', center = [4, 0, 0], material = 'm' }]
      rays.method = 'bogacki-shampine'",
-    "camera.frame = 'static'
-     camera.shift = true
+    "camera.observer = 'static'
+     camera.redshift = true
      law.kind = 'wormhole'
-     law.other = [200, 0, 0]",
+     law.other_mouth = [200, 0, 0]",
     "law.kind = 'reissner-nordstrom'
      rays.method = 'planar'",
     "law.kind = 'kerr-newman'
@@ -52,7 +53,7 @@ const OTHERS: [&str; 15] = [
      law.order = 2
      rays.method = 'leapfrog'
      rays.curvature_step = 2",
-    "camera.kind = 'plane'
+    "camera.kind = 'orthographic'
      camera.height = 1
      law.kind = 'lorenz'
      rays.method = 'groeller'
@@ -62,20 +63,20 @@ const OTHERS: [&str; 15] = [
      law.sources = [{ kind = 'line', direction = [0, 1, 0], position = [0, 0, 0], strength = 1 }]
      rays.method = 'euler'
      rays.step = 0.1",
-    "camera.kind = 'plane'
+    "camera.kind = 'orthographic'
      camera.height = 1
      law = { kind = 'parametric', x = 't', y = 't', z = 't', t = [0, 1] }",
-    "rays.accelerate = 'none'
+    "rays.acceleration = 'none'
      sky.faces = ['F', 'F', 'F', 'F', 'F', 'F']
      materials.a.diffuse.image = 'F'
-     materials.b = { kind = 'fan', rays = [['dx', 'dy', 'dz', '1']] }
-     lights = [{ kind = 'point', position = [0, 9, 0], shadows = 'straight', clear = 'filtered' }]
-     objects = [{ shape = 'mesh', file = 'data/teapot.obj', material = 'a' }, { shape = 'box', material = 'b' }, { shape = 'box', center = [3, 0, 0], interior = { kind = 'constant', n = 1.5, roughness = 0.2, filter = [0, 1, 1] } }]",
+     materials.b = { kind = 'ray-splitter', rays = [['dx', 'dy', 'dz', '1']] }
+     lights = [{ kind = 'point', position = [0, 9, 0], shadows = 'straight-rays', transparent = 'tinted' }]
+     objects = [{ shape = 'mesh', file = 'data/teapot.obj', material = 'a' }, { shape = 'box', material = 'b' }, { shape = 'box', center = [3, 0, 0], interior = { kind = 'constant', n = 1.5, roughness = 0.2, absorption = [0, 1, 1] } }]",
     "law.kind = 'schwarzschild'
-     rays.accelerate = 'grid'
-     lights = [{ kind = 'point', position = [0, 9, 0], shadows = 'shooting' }]
+     rays.acceleration = 'grid'
+     lights = [{ kind = 'point', position = [0, 9, 0], shadows = 'curved-rays' }]
      objects = [{ shape = 'mesh', file = 'data/teapot.obj', material = 'm' }]",
-    "rays.transport = 'paths'
+    "rays.lighting = 'path-tracing'
      output.clamp = 5
      sky.image = 'F'
      materials.a = { diffuse = [0.5, 0.5, 0.5], specular = [0.2, 0.2, 0.2] }
@@ -86,15 +87,15 @@ const OTHERS: [&str; 15] = [
 const MEDIA: [(&str, &str); 7] = [
     ("exact", "kind = 'maxwell-fisheye'"),
     ("exact", "kind = 'linear', gradient = [0, 0.1, 0]"),
-    ("rkn4", "kind = 'eaton', filter = { color = '0.5' }"),
-    ("snell", "kind = 'sech', n0 = 1.5, g = 0.1, filter = { density = ['0.1', '0.2', 'x^2'] }"),
+    ("rkn4", "kind = 'eaton', absorption = { transmittance = '0.5' }"),
+    ("snell", "kind = 'sech', n0 = 1.5, g = 0.1, absorption = { coefficient = ['0.1', '0.2', 'x^2'] }"),
     (
         "rk4",
-        "kind = 'profile', points = [[-2, 1.2], [2, 1.1]], filter = { texture = 'ramp', frequency = 2, ramp = 'F' }",
+        "kind = 'profile', points = [[-2, 1.2], [2, 1.1]], absorption = { texture = 'ramp', frequency = 2, ramp = 'F' }",
     ),
     (
         "rk4",
-        "kind = 'noise', amplitude = 0.1, frequency = 2, filter = { texture = 'ramp', frequency = 2, ramp = 'F', axis = [0, 1, 0] }",
+        "kind = 'noise', amplitude = 0.1, frequency = 2, absorption = { texture = 'ramp', frequency = 2, ramp = 'F', axis = [0, 1, 0] }",
     ),
     ("rk4", "kind = 'expression', n = '1.2 + 0.1*x'"),
 ];

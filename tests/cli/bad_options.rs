@@ -96,7 +96,7 @@ fn changes_that_do_not_suit_the_scene_exit_with_1() {
             ],
         ),
         ("--set imag.size=3", &["--set imag.size=3:1:1: unknown key `imag`", "did you mean `image`?"]),
-        ("--set rays.bounding_sphere.radius=nan", &["--set rays.bounding_sphere.radius=nan:1:19: not a finite number"]),
+        ("--set rays.bounding_sphere.radius=nan", &["--set rays.bounding_sphere.radius=nan:1:29: not a finite number"]),
         (
             "--set rays.bounding_sphere=abc",
             &[":1:12: expected a table, found the string \"abc\"", "bounding_sphere = { radius = 50 }"],

@@ -65,7 +65,7 @@ const VALUES: &[Case] = &[
     ),
     (
         "[rays]\nbounding_sphere = { radius = 10, center = [0, -inf, 0] }\n",
-        &["scene.toml:2:37: not a finite number", "all numbers must be finite"],
+        &["scene.toml:2:47: not a finite number", "all numbers must be finite"],
     ),
     (
         "[rays]\nbounding_sphere = { radius = 10 }\n[image]\nsize = [0, 12]\n",

@@ -18,7 +18,7 @@ pub fn agreement(text: &str, tolerance: f64) -> f64 {
 }
 
 pub const ROOM: &str = "[image]\nsize = [128, 96]\n[camera]\nposition = [3, 2.5, 8]\nlook_at = [0, 0.2, 0]\nfov = 40\n\
-    [rays]\nbounding_sphere = { radius = 25 }\nbranches = BRANCHES\n[sky]\ncolor = [0.2, 0.4, 0.7]\n\
+    [rays]\nbounding_sphere = { radius = 25 }\nmax_splits = BRANCHES\n[sky]\ncolor = [0.2, 0.4, 0.7]\n\
     [materials.floor]\nkind = \"phong\"\nambient = 0.3\n\
     diffuse = { checker = [[0.8, 0.2, 0.1], [0.9, 0.9, 0.8]], repeat = [6, 6] }\n\
     [materials.shiny]\ndiffuse = [0.1, 0.4, 0.2]\nspecular = [0.6, 0.5, 0.4]\nshininess = 20\nemission = [0.02, 0, 0.05]\n\

@@ -71,7 +71,7 @@ fn a_slab_reflects_the_whole_series() {
 /// the radiance comes out.
 #[test]
 fn radiance_changes_with_the_square_of_the_index() {
-    let ball = "[rays]\nbounding_sphere = { radius = 20 }\nbranches = BRANCHES\n[sky]\ncolor = [1, 1, 1]\n\
+    let ball = "[rays]\nbounding_sphere = { radius = 20 }\nmax_splits = BRANCHES\n[sky]\ncolor = [1, 1, 1]\n\
         [[objects]]\nshape = \"sphere\"\nradius = 2\ninterior = 1.5\n";
     for branches in 0..8_u8 {
         let scene = scene(&ball.replace("BRANCHES", &branches.to_string()));
