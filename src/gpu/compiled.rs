@@ -1,4 +1,4 @@
-//! Compiled passes, kept for programs that have them too.
+//! Caches compiled passes for later programs that contain them.
 
 use std::collections::VecDeque;
 use std::sync::{Mutex, PoisonError};
@@ -14,26 +14,27 @@ pub struct Pipeline {
     pub pipeline: ComputePipeline,
     /// The layout of its only group.
     pub layout: BindGroupLayout,
-    /// What it binds, in order of number.
+    /// The bindings of the pass, in order of their numbers.
     pub bindings: Vec<Binding>,
 }
 
-/// How many are kept: those of a few programs.
+/// The number of passes in the cache, which suffices for a few programs.
 const KEPT: usize = 16;
 
-/// The passes compiled last, by their WGSL.
+/// The most recently compiled passes, by their WGSL.
 #[derive(Debug, Default)]
 pub(super) struct Compiled(Mutex<VecDeque<(String, u32, Pipeline)>>);
 
 impl Compiled {
-    /// The pass whose WGSL this is, with workgroups of so many pixels across, if it was compiled lately: a method that is tried has most passes of the picture's own program.
+    /// Returns the pass with this WGSL and workgroups of `across` pixels, if it is cached. A trial method shares most passes with the
+    /// image's program.
     pub(super) fn find(&self, source: &str, across: u32) -> Option<Pipeline> {
         let compiled = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let mut compiled = compiled.iter();
         compiled.find(|(kept, width, _)| kept == source && *width == across).map(|(.., pipeline)| pipeline.clone())
     }
 
-    /// Keeps a pass, in place of the oldest.
+    /// Adds a pass to the cache and removes the oldest one.
     pub(super) fn keep(&self, source: &str, across: u32, pipeline: &Pipeline) {
         let mut compiled = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         compiled.truncate(KEPT - 1);

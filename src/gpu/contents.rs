@@ -1,4 +1,4 @@
-//! A scene's values on the device: a buffer or texture for every binding of its program that is the same for all tiles.
+//! Stores the values of a scene on the device: a buffer or texture for every binding that is the same for all tiles.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::Hasher;
@@ -16,21 +16,22 @@ use super::{Geometry, Gpu, GpuError, LightField};
 use crate::program::{Binding, BindingKind, BlockMember, Layout, Program, Role, SceneValue};
 use crate::scene::{Picture, Scene};
 
-/// Storage buffers by what they hold, for scenes that are on the device at the same time and say much the same.
+/// Storage buffers by the hash of their contents, for similar scenes that are on the device at the same time.
 pub type Stored = HashMap<u128, Buffer>;
 
-/// The bindings of a scene.
+/// The buffers and textures of a scene.
 #[derive(Debug)]
 pub struct SceneBuffers {
-    /// Uniform and storage buffers, by what they are for.
+    /// Uniform and storage buffers, by their roles.
     buffers: BTreeMap<Role, Buffer>,
-    /// Pictures, by their place in the scene.
+    /// Textures, by their index in the scene.
     pictures: BTreeMap<usize, (Picture, Texture)>,
 }
 
 impl SceneBuffers {
-    /// Uploads what `program` binds of `scene`, with the `fields` of its lights' grids. `segments` is K, the segments of one fused pass. Pictures that lie on the device
-    /// `before` are taken from there, and buffers from what is `stored`, if anything is to be.
+    /// Uploads the values of `scene` that `program` binds, with the `fields` of its lights' grids. `segments` is K, the number of segments
+    /// of one fused pass. Textures that `before` has already uploaded are reused, and so are buffers with equal contents in `stored`, if
+    /// given.
     pub fn new(
         gpu: &Gpu,
         scene: &Scene,
@@ -48,7 +49,7 @@ impl SceneBuffers {
             match &binding.role {
                 Role::Uniforms(_) | Role::Scene(_) if !made.buffers.contains_key(&binding.role) => {
                     let bytes = source.bytes(binding)?;
-                    // A uniform may be written again, and is none of another's.
+                    // A uniform may be rewritten later, so it is never shared.
                     let stored = stored.as_deref_mut().filter(|_| matches!(binding.kind, BindingKind::Storage { .. }));
                     let buffer = match stored {
                         Some(stored) => upload_once(gpu, binding, &bytes, stored)?,
@@ -69,13 +70,13 @@ impl SceneBuffers {
         Ok(made)
     }
 
-    /// The buffer for a binding, if it is the scene's.
+    /// Returns the buffer for a binding, if it belongs to the scene.
     #[must_use]
     pub fn buffer(&self, role: &Role) -> Option<&Buffer> {
         self.buffers.get(role)
     }
 
-    /// The scene's picture in this place.
+    /// Returns the scene's texture with index `k`.
     #[must_use]
     pub fn picture(&self, k: usize) -> Option<&Texture> {
         self.pictures.get(&k).map(|(_, texture)| texture)
@@ -86,8 +87,8 @@ impl SceneBuffers {
         there.find(|(there, _)| Arc::ptr_eq(&there.pixels, &picture.pixels)).map(|(_, texture)| texture.clone())
     }
 
-    /// What scenes take on the device together.
-    // wgpu's handles hash by what they stand for, which never changes.
+    /// Returns the size of all scenes on the device together, in bytes; shared resources count once.
+    // wgpu's handles are hashed by the identity of the resource, which never changes.
     #[allow(clippy::mutable_key_type)]
     pub fn bytes<'s>(all: impl Iterator<Item = &'s Self> + Clone) -> u64 {
         let texture = |texture: &Texture| {
@@ -105,7 +106,7 @@ fn no_value(binding: &str) -> GpuError {
     GpuError::Layout { binding: binding.to_owned(), problem: "the scene has no value for it".to_owned() }
 }
 
-/// As [`upload`], unless what it holds is there.
+/// Uploads like [`upload`], unless a buffer with the same contents exists.
 fn upload_once(gpu: &Gpu, binding: &Binding, bytes: &[u8], stored: &mut Stored) -> Result<Buffer, GpuError> {
     let mut hasher = SipHasher24::new();
     hasher.write(bytes);
@@ -135,7 +136,7 @@ fn upload(gpu: &Gpu, binding: &Binding, bytes: &[u8]) -> Result<Buffer, GpuError
 }
 
 impl Source<'_> {
-    /// The bytes of one of the scene's buffers.
+    /// Returns the bytes of one of the scene's buffers.
     fn bytes(&self, binding: &Binding) -> Result<Vec<u8>, GpuError> {
         match (&binding.kind, &binding.role) {
             (BindingKind::Block { members, span }, _) => {

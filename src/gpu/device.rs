@@ -1,4 +1,4 @@
-//! Choosing and opening a device.
+//! Chooses and opens a device.
 
 use wgpu::{
     Adapter, AdapterInfo, Backends, Device, DeviceDescriptor, DeviceType, Features, Instance, InstanceDescriptor,
@@ -11,7 +11,7 @@ use super::quiet::quietly;
 use crate::program::{DeviceProfile, constant};
 use crate::progress::Progress;
 
-/// The numbers of `shaders/state/active.wgsl` that a device may have its own of.
+/// The constants of `shaders/state/active.wgsl` that a device may override.
 pub(super) const GROUP_WIDTH: &str = "GROUP_WIDTH";
 pub(super) const LANE_PIXELS: &str = "LANE_PIXELS";
 
@@ -22,19 +22,19 @@ pub struct Gpu {
     pub device: Device,
     /// Its only queue.
     pub queue: Queue,
-    /// What it is.
+    /// The name, kind, driver and backend of the adapter.
     pub info: AdapterInfo,
-    /// All that it can do: the device is opened with the adapter's own limits, and programs are checked against them.
+    /// The limits of the adapter, with which the device is opened; programs are checked against them.
     pub limits: Limits,
-    /// Can passes be timed?
+    /// `true` if passes can be timed.
     pub timestamps: bool,
-    /// Does WGSL have f64 there?
+    /// `true` if WGSL supports `f64` on this device.
     pub f64: bool,
-    /// Width and height of the block of pixels that one workgroup takes.
+    /// The width and height of the block of pixels of one workgroup.
     pub group: [u32; 2],
-    /// What programs and passes have to know of it.
+    /// The profile of the device, which programs and passes depend on.
     pub profile: DeviceProfile,
-    /// Where work on it reports how far it has come; unless [`Gpu::reporting`] says otherwise, to nobody.
+    /// The receiver of progress reports; nobody, unless set by [`Gpu::reporting`].
     pub progress: Progress,
     pub(super) compiled: Compiled,
 }
@@ -42,31 +42,31 @@ pub struct Gpu {
 /// One line of `bentray devices`.
 #[derive(Debug, Clone)]
 pub struct AdapterReport {
-    /// Name, kind, driver and backend.
+    /// The name, kind, driver and backend.
     pub info: AdapterInfo,
-    /// Can passes be timed?
+    /// `true` if passes can be timed.
     pub timestamps: bool,
-    /// Does WGSL have f64 there?
+    /// `true` if WGSL supports `f64` on this device.
     pub f64: bool,
-    /// What programs and passes have to know of it.
+    /// The profile of the device, which programs and passes depend on.
     pub profile: DeviceProfile,
-    /// The largest side of a texture.
+    /// The largest side of a texture, in texels.
     pub texture_side: u32,
-    /// The largest storage buffer, in bytes.
+    /// The size of the largest storage buffer, in bytes.
     pub storage_buffer: u64,
-    /// Storage textures that one pass may bind.
+    /// The number of storage textures that one pass may bind.
     pub storage_textures: u32,
 }
 
 fn instance() -> Instance {
-    // wgpu would validate every indirect dispatch by a pass of its own, which doubles the cost of a small one; our shaders
-    // clamp their own counts.
+    // wgpu would validate every indirect dispatch by a separate pass, which doubles the cost of a small dispatch; the shaders clamp the
+    // counts themselves.
     let flags = InstanceFlags::empty().with_env();
     let backends = Backends::VULKAN | Backends::METAL | Backends::DX12;
     Instance::new(InstanceDescriptor { flags, backends, ..InstanceDescriptor::new_without_display_handle() })
 }
 
-/// What the machine has, best first: discrete GPUs, integrated ones, virtual ones, CPUs.
+/// Returns all adapters, best first: discrete GPUs, integrated GPUs, virtual GPUs, CPUs.
 fn found() -> Vec<Adapter> {
     let mut all = quietly(|| pollster::block_on(instance().enumerate_adapters(Backends::all())));
     all.sort_by_key(|adapter| match adapter.get_info().device_type {
@@ -79,7 +79,7 @@ fn found() -> Vec<Adapter> {
     all
 }
 
-/// What is known of a device by what it is. Any processor is taken to run programs as Mesa does.
+/// Returns the profile of a device. Every CPU is assumed to run programs like Mesa's software driver.
 fn profile(device: &AdapterInfo) -> DeviceProfile {
     if device.device_type == DeviceType::Cpu {
         DeviceProfile::cpu(device.subgroup_max_size)
@@ -88,7 +88,7 @@ fn profile(device: &AdapterInfo) -> DeviceProfile {
     }
 }
 
-/// Every adapter and what it can do, in the order in which they would be chosen.
+/// Returns every adapter with its capabilities, in order of preference.
 #[must_use]
 pub fn adapters() -> Vec<AdapterReport> {
     let report = |adapter: &Adapter| {
@@ -112,14 +112,14 @@ pub(super) fn is_called(device: &AdapterInfo, name: Option<&str>) -> bool {
 }
 
 impl Gpu {
-    /// The device, with the driver and its version: on another one bits may differ.
+    /// Returns the name of the device with its driver and version; on another device results may differ in their last bits.
     #[must_use]
     pub fn words(&self) -> String {
         let AdapterInfo { name, device_type, backend, driver, driver_info, .. } = &self.info;
         format!("{name} ({device_type:?}, {backend}), {driver} {driver_info}")
     }
 
-    /// The best device, or the first whose name contains `name` (in any case).
+    /// Opens the best device, or the first one whose name contains `name` (in any case).
     pub fn open(name: Option<&str>) -> Result<Self, GpuError> {
         let all = found();
         let adapter = all.iter().find(|adapter| is_called(&adapter.get_info(), name)).ok_or_else(|| match name {
@@ -156,7 +156,7 @@ impl Gpu {
         Self { progress, ..self }
     }
 
-    /// An error if `needed` is more than the device allows.
+    /// Returns an error if `needed` is more than the device allows.
     pub fn check(&self, limit: &'static str, what: &str, allowed: u64, needed: u64) -> Result<(), GpuError> {
         if needed <= allowed {
             return Ok(());

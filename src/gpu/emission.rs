@@ -1,26 +1,26 @@
-//! The paths that leave a light.
+//! Computes the paths that leave a light.
 
 use glam::DVec3;
 
 use crate::scene::{Beam, Light, LightSource, Scene};
 
-/// Where a light's paths start and where they go, and the flux of each: evenly over all directions that lead into the bounding sphere from
-/// a light of intensity 1, evenly over the sphere's disk from one far away of irradiance 1. From a lamp they start all over the ellipsoid
-/// in the box about it, and lead into the ball of what they are sent to.
+/// The starts and directions of a light's paths, and their flux. From a point light of intensity 1 they fill the directions into the
+/// bounding sphere evenly; from a directional light of irradiance 1 they fill the disk of the bounding sphere evenly. From an emitter they
+/// start in the ellipsoid inscribed in its box, and lead into the bounding sphere of a target object or of the scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Emission {
     source: LightSource,
-    /// Of a lamp, the corners of the box about it.
+    /// The corners of the box of an emitter, if the light is one.
     lamp: Option<[DVec3; 2]>,
-    /// What paths lead into: centre and radius.
+    /// The sphere that the paths lead into: center and radius.
     into: (DVec3, f64),
-    /// The bounding sphere's.
+    /// The center of the bounding sphere.
     center: DVec3,
     radius: f64,
 }
 
 impl Emission {
-    /// Of a light in a scene.
+    /// Creates the emission of a light of the scene.
     #[must_use]
     pub fn new(scene: &Scene, light: &Light) -> Self {
         let bound = &scene.rays.bound;
@@ -28,7 +28,7 @@ impl Emission {
         Self { source: light.source, lamp: None, into: (center, radius), center, radius }
     }
 
-    /// Of a lamp.
+    /// Creates the emission of an emitter.
     #[must_use]
     pub fn of_lamp(scene: &Scene, beam: &Beam) -> Self {
         let bound = &scene.rays.bound;
@@ -38,7 +38,7 @@ impl Emission {
         Self { source: LightSource::Point(beam.lamp.center), lamp: Some([lo, hi]), into, center, radius }
     }
 
-    /// Of all paths together.
+    /// Returns the flux of all paths together.
     #[must_use]
     pub fn flux(&self) -> f64 {
         use std::f64::consts::PI;
@@ -48,13 +48,13 @@ impl Emission {
         }
     }
 
-    /// The cosine of the widest angle to the middle of what paths lead into.
+    /// Returns the cosine of the largest angle between a path from `position` and the center of the target sphere.
     fn widest(&self, position: DVec3) -> f64 {
         let part = self.into.1 / position.distance(self.into.0);
         if part < 1.0 { (1.0 - part * part).sqrt() } else { -1.0 }
     }
 
-    /// The start and the direction of the k-th path, for a point of the unit square.
+    /// Returns the start and the direction of the k-th path, for a point of the unit square.
     #[must_use]
     pub fn path(&self, k: u32, [even, turn]: [f64; 2]) -> [f64; 6] {
         let turn = std::f64::consts::TAU * turn;
@@ -76,7 +76,7 @@ impl Emission {
         [x.x, x.y, x.z, d.x, d.y, d.z]
     }
 
-    /// To the bounding sphere from outside; nothing acts on light before that.
+    /// Returns the distance to the bounding sphere for a point outside of it, because nothing bends light before that.
     fn way_in(&self, x: DVec3, d: DVec3) -> f64 {
         let off = x - self.center;
         let b = off.dot(d);
@@ -85,18 +85,18 @@ impl Emission {
     }
 }
 
-/// Of the way through the bounding sphere: starts lie inside it.
+/// The shift of path starts into the bounding sphere, as a fraction of half the chord.
 const INSIDE: f64 = 1e-6;
-/// Strata along each side of the unit square.
+/// The number of strata along each side of the unit square.
 const SIDE: u32 = 64;
 
-/// The strata of the unit square that paths are sent through, and how many through each.
+/// The strata of the unit square that paths are sent through, and the number of paths in each.
 ///
-/// *Theory.* Most ways from a light do not lead to where its light is looked for. A few paths tell which strata do; with those around
-/// them they take all the paths, as many each.
+/// *Theory.* Most directions from a light do not lead to the region of interest. A few pilot paths determine which strata do; these and
+/// their neighbors then share all paths equally.
 ///
-/// *Practice.* In a stratum paths are spread by Sobol's first two dimensions with Owen's scrambling: more evenly than at random, and
-/// unlike a lattice's without any pattern that voxels would show. Paths of a stratum come one after the other, and run side by side.
+/// *Practice.* Within a stratum, paths use the first two Sobol dimensions with Owen scrambling: they are more even than random points, and
+/// have no lattice pattern that voxels would show. The paths of a stratum have consecutive numbers and run side by side.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Aim {
     strata: Vec<u32>,
@@ -104,7 +104,7 @@ pub struct Aim {
 }
 
 impl Aim {
-    /// Everywhere, with at least so many paths.
+    /// Creates an aim through all strata, with at least `paths` paths.
     #[must_use]
     pub fn everywhere(paths: u32) -> Self {
         Self::through((0..SIDE * SIDE).collect(), paths)
@@ -115,14 +115,15 @@ impl Aim {
         Self { strata, each }
     }
 
-    /// So many paths through the strata of those of its own that `reach`, and all around them; through its own if none does.
+    /// Returns an aim with at least `paths` paths through those strata whose paths `reach` the target and their neighbors, as far as this
+    /// aim has them; through all strata of this aim if none does.
     #[must_use]
     pub fn narrowed(&self, reach: impl Iterator<Item = bool>, paths: u32) -> Self {
         let mut wanted = vec![false; (SIDE * SIDE) as usize];
         for (k, _) in (0..).zip(reach).filter(|(_, reaches)| *reaches) {
             let (row, column) = self.stratum(k);
             for row in row.saturating_sub(1)..(row + 2).min(SIDE) {
-                // All turns meet at the ends of the axis.
+                // All azimuths meet at the ends of the axis.
                 let columns = if row == 0 || row + 1 == SIDE { 0..SIDE } else { column + SIDE - 1..column + SIDE + 2 };
                 columns.for_each(|column| wanted[(row * SIDE + column % SIDE) as usize] = true);
             }
@@ -131,31 +132,31 @@ impl Aim {
         if strata.is_empty() { self.again(paths) } else { Self::through(strata, paths) }
     }
 
-    /// At least so many paths through the same strata.
+    /// Returns an aim with at least `paths` paths through the same strata.
     #[must_use]
     pub fn again(&self, paths: u32) -> Self {
         Self::through(self.strata.clone(), paths)
     }
 
-    /// How many paths there are.
+    /// Returns the number of paths.
     #[must_use]
     pub fn paths(&self) -> u32 {
         self.strata.len() as u32 * self.each
     }
 
-    /// The part of a light's flux that each carries.
+    /// Returns the fraction of the light's flux that each path carries.
     #[must_use]
     pub fn share(&self) -> f64 {
         1.0 / (f64::from(SIDE * SIDE) * f64::from(self.each))
     }
 
-    /// Row and column of a path's stratum.
+    /// Returns the row and column of a path's stratum.
     fn stratum(&self, k: u32) -> (u32, u32) {
         let stratum = self.strata[(k / self.each) as usize];
         (stratum / SIDE, stratum % SIDE)
     }
 
-    /// A path's point in the unit square.
+    /// Returns the point of a path in the unit square.
     #[must_use]
     pub fn point(&self, k: u32) -> [f64; 2] {
         let (row, column) = self.stratum(k);
@@ -164,20 +165,20 @@ impl Aim {
     }
 }
 
-/// A unit vector square to an axis, so far round it.
+/// Returns a unit vector perpendicular to `axis` at the azimuth `turn`, in radians.
 fn about(axis: DVec3, turn: f64) -> DVec3 {
     let (a, b) = axis.any_orthonormal_pair();
     turn.cos() * a + turn.sin() * b
 }
 
-/// A lamp's k-th place, in parts of the box about it: in the ellipsoid that touches its sides.
+/// Returns the k-th position in an emitter, as a fraction of its box: a point of the inscribed ellipsoid.
 fn place_in_box(k: u32) -> DVec3 {
     let ([x, y], [z, _]) = (even_point(k, SIDE * SIDE), even_point(k, SIDE * SIDE + 1));
     let off = DVec3::new(x, y, z) - 0.5;
     0.5 + off * (0.5 / off.length()).min(1.0)
 }
 
-/// The k-th point of a (0,2)-sequence in the unit square, one for each seed.
+/// Returns the k-th point of a (0,2)-sequence in the unit square; each seed gives another sequence.
 fn even_point(k: u32, seed: u32) -> [f64; 2] {
     let mut second = 0;
     let mut direction = 1_u32 << 31;
@@ -190,14 +191,14 @@ fn even_point(k: u32, seed: u32) -> [f64; 2] {
     [0, 1].map(|i| (f64::from(scrambled(dimensions[i], seeds[i])) + 0.5) / 2.0_f64.powi(32))
 }
 
-/// PCG's output function.
+/// Computes the output function of PCG.
 pub(crate) fn hashed(seed: u32) -> u32 {
     let state = seed.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
     word >> 22 ^ word
 }
 
-/// Flips each bit as the bits above it and the seed say: Laine and Karras's hash, with the constants of Vegdahl.
+/// Flips each bit depending on the higher bits and the seed: the Laine–Karras hash, with the constants of Vegdahl.
 fn scrambled(x: u32, seed: u32) -> u32 {
     let mut v = x.reverse_bits();
     v ^= v.wrapping_mul(0x3d20_adea);

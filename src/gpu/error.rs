@@ -1,4 +1,4 @@
-//! What can go wrong on the way to a device and on it.
+//! The errors of opening and using a device.
 
 use thiserror::Error;
 
@@ -6,7 +6,7 @@ fn others(there: &[String]) -> String {
     if there.is_empty() { String::new() } else { format!(" ({})", there.join(", ")) }
 }
 
-/// What to do about a limit, where something can be done.
+/// Returns a remedy for an exceeded limit, if there is one.
 fn remedy(limit: &str) -> &'static str {
     match limit {
         "max_storage_buffer_binding_size" => ": use fewer triangles or objects, or a coarser grid",
@@ -18,26 +18,26 @@ fn remedy(limit: &str) -> &'static str {
 /// A device that is missing, too small, or failed.
 #[derive(Debug, Error)]
 pub enum GpuError {
-    /// No adapter at all.
+    /// There is no adapter.
     #[error(
         "no Vulkan, Metal or DX12 device found; for one on the processor, install Mesa's: `apt-get install \
          mesa-vulkan-drivers` (Debian, Ubuntu), `dnf install mesa-vulkan-drivers` (Fedora), `pacman -S vulkan-swrast` (Arch)"
     )]
     NoDevice,
-    /// No adapter of that name.
+    /// No adapter has this name.
     #[error("no device named `{wanted}`; there are: {}", .there.join(", "))]
     NoSuchDevice {
-        /// What was asked for.
+        /// The requested name.
         wanted: String,
-        /// What there is.
+        /// The names of the available devices.
         there: Vec<String>,
     },
-    /// The driver refused.
+    /// The driver refused to open the device.
     #[error("{device} could not be opened: {reason}")]
     Refused {
         /// The adapter's name.
         device: String,
-        /// The driver's words.
+        /// The driver's message.
         reason: String,
     },
     /// A limit of the device is too low for the scene.
@@ -45,23 +45,23 @@ pub enum GpuError {
     Limit {
         /// The adapter's name.
         device: String,
-        /// wgpu's name of the limit.
+        /// The name of the limit in wgpu.
         limit: &'static str,
-        /// What it counts.
+        /// A description of the limited quantity.
         what: String,
-        /// Its value.
+        /// The value of the limit.
         allowed: u64,
-        /// What would be enough.
+        /// The value that the scene needs.
         needed: u64,
     },
-    /// The budget is too small for any tile.
+    /// The memory budget is too small for any tile.
     #[error(
         "{allowed} bytes of device memory are too few: this scene needs at least {needed} for the smallest tile; raise --memory"
     )]
     Memory {
-        /// The budget.
+        /// The memory budget, in bytes.
         allowed: u64,
-        /// What would be enough.
+        /// The bytes that would suffice.
         needed: u64,
     },
     /// The device has no memory left.
@@ -69,9 +69,9 @@ pub enum GpuError {
         "the device has no memory left for {what} ({reason}): lower --memory, render at a smaller --size, or use another device"
     )]
     Full {
-        /// What it was for.
+        /// The purpose of the memory.
         what: String,
-        /// The driver's words.
+        /// The driver's message.
         reason: String,
     },
     /// The device has no 64-bit numbers.
@@ -79,23 +79,23 @@ pub enum GpuError {
     NoDouble {
         /// The adapter's name.
         device: String,
-        /// Those that have them.
+        /// The names of the devices that support them.
         there: Vec<String>,
     },
-    /// The host's values do not fit the WGSL's layout: a slip in the program, found before anything runs.
+    /// The host's values do not match the WGSL's layout: an error in the program, found before anything runs.
     #[error("`{binding}`: {problem}")]
     Layout {
         /// The binding.
         binding: String,
-        /// What does not fit.
+        /// The mismatch.
         problem: String,
     },
-    /// The driver refused a pass.
+    /// The driver rejected a pass.
     #[error("the driver refused the pass `{pass}`: {reason}")]
     Pass {
-        /// Its entry point.
+        /// The entry point of the pass.
         pass: String,
-        /// The driver's words.
+        /// The driver's message.
         reason: String,
     },
     /// The device stopped answering.

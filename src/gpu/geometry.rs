@@ -1,4 +1,4 @@
-//! A scene's objects as the shaders see them: one list for each kind of shape, and a structure over those that are many.
+//! Stores the objects of a scene for the shaders: one list for each kind of shape, and an acceleration structure over large lists.
 
 use std::sync::Arc;
 
@@ -13,74 +13,74 @@ use crate::model::shape::{Placed, SOLIDS, Solid};
 use crate::program::{Analysis, Extent, Structure, constant, solid_code};
 use crate::scene::Scene;
 
-/// A shape other than a mesh, in its place.
+/// A shape other than a mesh, with its position.
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedShape {
-    /// Where, and of what size.
+    /// The position and size.
     pub placed: Placed,
-    /// Its place in the list of materials: the scene's own, and behind them one for each object that light goes through.
+    /// The index of its material: the materials of the scene are followed by one for each object that transmits light.
     pub material: u32,
-    /// Its bit in the set of regions, where rays go on from it.
+    /// Its bit in the set of regions, if rays continue from it.
     pub bit: Option<u32>,
-    /// Index into the scene's objects.
+    /// The index of the scene's object.
     pub object: u32,
-    /// Does it move?
+    /// `true` if it moves.
     pub moves: bool,
 }
 
-/// A solid in the upper bits of a primitive, by its name.
+/// Returns the code of a solid, which is stored in the upper bits of a primitive.
 fn code(name: &str) -> u32 {
     SOLIDS.into_iter().find(|solid| solid.name == name).map_or(0, solid_code)
 }
 
-/// An instance in the upper bits of an item.
+/// Returns the code of an instance, which is stored in the upper bits of an item.
 fn instance() -> u32 {
     constant("shape/instance", "INSTANCE") as u32
 }
 
-/// The only solid that is no list of its own: what meshes are made of.
+/// Returns the name of the only solid without a list: the triangle, of which meshes consist.
 fn triangle() -> &'static str {
     SOLIDS.into_iter().find(|solid| solid.lists.is_none()).map_or("", |solid| solid.name)
 }
 
-/// What a frame may go on with of the one before.
+/// The parts of a frame's geometry that the next frame may reuse.
 #[derive(Debug, Clone, Default)]
 pub struct Before {
-    /// What was searched.
+    /// The acceleration structure.
     pub structure: Option<Built>,
-    /// Meshes that are kept once.
+    /// The instanced meshes.
     pub meshes: Vec<Arc<KeptMesh>>,
 }
 
-/// Everything that can be hit.
+/// All objects that a ray can hit.
 #[derive(Debug, Clone, Default)]
 pub struct Geometry {
-    /// By the name of their solid.
+    /// The shapes, by the names of their solids.
     pub placed: std::collections::BTreeMap<&'static str, Vec<PlacedShape>>,
-    /// What segments search.
+    /// The acceleration structure that segments search.
     pub structure: Built,
-    /// Meshes that are kept once, in their places.
+    /// The instances of meshes.
     pub instances: Instances,
-    /// Three vertices and the object, which for meshes that are kept once is none.
+    /// The three vertices and the object of each triangle; the object is 0 for instanced meshes.
     pub triangles: Vec<[u32; 4]>,
-    /// Of all meshes: in the scene's space, or where they are kept once in their own.
+    /// The vertices of all meshes: in the scene's space, or in object space for instanced meshes.
     pub vertices: Vec<Vertex>,
-    /// Each object's place in the list of materials.
+    /// The index of each object's material.
     pub materials: Vec<u32>,
-    /// What was found of the scene.
+    /// The analysis of the scene.
     pub analysis: Analysis,
-    /// Each object's box: lower and upper corner.
+    /// The box of each object: lower and upper corner.
     pub boxes: Vec<(DVec3, DVec3)>,
 }
 
 impl Geometry {
-    /// Places every object of the scene and builds its structure.
+    /// Places every object of the scene and builds the acceleration structure.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         Self::after(Before::default(), scene)
     }
 
-    /// As [`Self::new`], with an earlier structure if that was built over the same boxes, and the hierarchies of the same meshes.
+    /// Creates the geometry like [`Self::new`], but reuses an earlier structure over the same boxes and the hierarchies of the same meshes.
     #[must_use]
     pub fn after(before: Before, scene: &Scene) -> Self {
         let instances = Instances::after(before.meshes);
@@ -99,27 +99,27 @@ impl Geometry {
             geometry.boxes.push(scene.swept(object));
         }
         for shapes in geometry.placed.values_mut() {
-            // In lists are those on which rays end, then those with sides; those that move are behind both.
+            // Lists begin with shapes on which rays end, then those with two sides; moving shapes are at the end.
             shapes.sort_by_key(|shape| (shape.moves, shape.bit.is_some()));
         }
         geometry.build(&structure, before.structure);
         geometry
     }
 
-    /// What the next frame may go on with.
+    /// Returns the parts that the next frame may reuse.
     #[must_use]
     pub fn into_before(self) -> Before {
         Before { structure: Some(self.structure), meshes: self.instances.into_meshes() }
     }
 
-    /// How far a search of its structure may go: of meshes that are kept once through all nodes in every place.
+    /// Returns the number of nodes and items that a search may visit; for instanced meshes, all nodes in every instance.
     #[must_use]
     pub fn extent(&self) -> Extent {
         let own = self.structure.extent();
         Extent { places: own.places + self.instances.nodes(), items: own.items + self.instances.triangles() }
     }
 
-    /// The nodes of the structure, and behind them those of each mesh that is kept once, whose items are triangles.
+    /// Returns the nodes of the structure, followed by the nodes of each instanced mesh, whose items are triangles.
     pub fn nodes(&self) -> impl Iterator<Item = Node> {
         let (mut nodes, mut items) = (self.structure.nodes.len() as u32, 0);
         let meshes = self.instances.meshes().flat_map(move |kept| {
@@ -131,21 +131,21 @@ impl Geometry {
         self.structure.nodes.iter().copied().chain(meshes)
     }
 
-    /// The box of everything.
+    /// Returns the box of all objects.
     #[must_use]
     pub fn bounds(&self) -> (DVec3, DVec3) {
         let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         self.boxes.iter().fold(nothing, |all, one| (all.0.min(one.0), all.1.max(one.1)))
     }
 
-    /// No part of any object is nearer to `x` than this.
+    /// Returns a lower bound of the distance from `x` to any object.
     #[must_use]
     pub fn clearance(&self, x: DVec3) -> f64 {
         let distance = |(lo, hi): &(DVec3, DVec3)| (x.clamp(*lo, *hi) - x).length();
         self.boxes.iter().map(distance).fold(f64::INFINITY, f64::min)
     }
 
-    /// The linear colors of [`Self::vertices`]; white where a mesh has none.
+    /// Returns the linear colors of [`Self::vertices`]; white if a mesh has none.
     pub fn vertex_colors<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = Vec3> + 'a {
         let kept = self.instances.meshes().map(|kept| &*kept.mesh);
         let placed = scene.objects.iter().filter_map(|object| object.shape.mesh()).map(|mesh| &**mesh);
@@ -153,7 +153,7 @@ impl Geometry {
         kept.filter(move |_| once).chain(placed.filter(move |_| !once)).flat_map(Mesh::colors_or_white)
     }
 
-    /// The primitive that an object is to the shaders; meshes are many.
+    /// Returns the primitive of an object in the shaders; a mesh has no single primitive.
     #[must_use]
     pub fn primitive(&self, object: usize) -> u32 {
         let place = |shapes: &Vec<PlacedShape>| shapes.iter().position(|shape| shape.object as usize == object);
@@ -186,7 +186,7 @@ impl Geometry {
         self.triangles.extend(mesh.triangles.iter().map(|[a, b, c]| [first + a, first + b, first + c, index]));
     }
 
-    /// Builds the structure, and brings what stands in it into its order.
+    /// Builds the acceleration structure, and sorts its contents into the order of its leaves.
     fn build(&mut self, structure: &Structure, before: Option<Built>) {
         let leaf = if structure.once { 1 } else { LEAF };
         let built = Built::new(self.items(structure), structure.search, leaf, before);
@@ -205,7 +205,7 @@ impl Geometry {
         self.structure = built;
     }
 
-    /// The vertices and triangles of meshes that are kept once.
+    /// Appends the vertices and triangles of instanced meshes.
     fn keep_meshes(&mut self) {
         for kept in self.instances.meshes() {
             let first = self.vertices.len() as u32;
@@ -214,7 +214,7 @@ impl Geometry {
         }
     }
 
-    /// What stands in the scene's structure.
+    /// Returns the items of the scene's acceleration structure.
     fn items(&self, structure: &Structure) -> Vec<Item> {
         let mut items = Vec::new();
         for (kind, shapes) in self.placed.iter().filter(|(kind, _)| holds(structure, kind)) {

@@ -1,9 +1,9 @@
-//! The tables of what glows: black bodies' colours, and the orbits of matter that shines.
+//! Tabulates the colors of black bodies and the orbits of emitting matter.
 
 use crate::model::{Binding, Law, black_body, matter, row};
 use crate::program::constant;
 
-/// The colours of black bodies.
+/// Returns the colors of black bodies.
 pub(super) fn black_bodies() -> Binding {
     let coolest = constant("surface/black_body", "COOLEST");
     let hottest = constant("surface/black_body", "HOTTEST");
@@ -15,7 +15,7 @@ pub(super) fn black_bodies() -> Binding {
     Binding::list("black_bodies", (0..count as u32).map(row).collect())
 }
 
-/// Matter round a law's axis, if there are orbits for it.
+/// Returns the circular orbits of matter around the axis of a law, if the law has any.
 pub(super) fn orbits(law: &dyn Law, outer: f64) -> Option<[Binding; 2]> {
     let [center, axis] = law.equator()?;
     let count = constant("surface/material/accretion", "ORBITS") as usize;

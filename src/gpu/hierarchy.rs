@@ -1,6 +1,6 @@
-//! A hierarchy of boxes over a scene's items, laid out depth first.
+//! Builds a bounding volume hierarchy over the items of a scene, stored depth first.
 //!
-//! *Practice.* It is the crate's (PLOC, then reinsertion), built on all cores.
+//! *Practice.* The crate obvhs builds the hierarchy on all cores (PLOC, then reinsertion).
 
 use std::collections::HashSet;
 
@@ -10,10 +10,10 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
 
-/// What can be met: its primitive, and its box.
+/// An item of the hierarchy: a primitive and its box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Item {
-    /// Kind and index, as in `shaders/segment/ray.wgsl`.
+    /// The kind and index of the primitive, encoded as in `shaders/segment/ray.wgsl`.
     pub primitive: u32,
     /// The box's lower corner.
     pub lo: Vec3,
@@ -28,26 +28,26 @@ pub struct Node {
     pub lo: Vec3,
     /// The box's upper corner.
     pub hi: Vec3,
-    /// The node after this one's subtree.
+    /// The index of the node that follows this node's subtree.
     pub skip: u32,
-    /// 0 inside the tree; in a leaf the number of items in the upper four bits, the first of them in the others.
+    /// The word of a leaf: the number of items in the upper four bits, and the index of the first item in the others; 0 in an inner node.
     pub leaf: u32,
 }
 
-/// Items in one leaf, at most.
+/// The maximum number of items in one leaf.
 pub(super) const LEAF: u32 = 4;
 
-/// The bits of a leaf's word that are its first item.
+/// The number of bits of a leaf's word that store its first item.
 const FIRST_BITS: u32 = 28;
 
 impl Node {
-    /// A leaf's first item, and how many it has; none inside the tree.
+    /// Returns the first item of a leaf and its number of items, or `None` for an inner node.
     #[must_use]
     pub fn items(&self) -> Option<(u32, u32)> {
         (self.leaf != 0).then_some((self.leaf & ((1 << FIRST_BITS) - 1), self.leaf >> FIRST_BITS))
     }
 
-    /// Its box, grown by what rounding may hide of it: this part of its coordinates.
+    /// Returns the box of the node, enlarged by `slack` times its coordinates to allow for rounding.
     #[must_use]
     pub fn grown(&self, slack: f64) -> [DVec3; 2] {
         let (lo, hi) = (self.lo.as_dvec3(), self.hi.as_dvec3());
@@ -55,17 +55,17 @@ impl Node {
         [lo - slack, hi + slack]
     }
 
-    /// The same node where as many nodes lie before its hierarchy, and as many items before its own.
+    /// Returns the node for a list in which `nodes` nodes and `items` items precede its own hierarchy.
     pub(super) fn behind(self, nodes: u32, items: u32) -> Self {
         let leaf = if self.leaf == 0 { 0 } else { self.leaf + items };
         Self { skip: self.skip + nodes, leaf, ..self }
     }
 }
 
-/// The nodes, and the items in the order of the leaves, of which none has more than `leaf`.
+/// Returns the nodes, and the items in the order of the leaves; no leaf has more than `leaf` items.
 pub(super) fn hierarchy(items: &[Item], leaf: u32) -> (Vec<Node>, Vec<u32>) {
     let boxes: Vec<Aabb> = items.iter().enumerate().map(|(i, item)| apart(i, item)).collect();
-    // Where most boxes coincide nothing is gained by moving them about, and it would take minutes.
+    // If most boxes coincide, reinsertion gains nothing and would take minutes.
     let distinct: HashSet<_> = items.iter().map(bits).collect();
     let preset = if 2 * distinct.len() < items.len() {
         BvhBuildParams { reinsertion_batch_ratio: 0.0, ..BvhBuildParams::medium_build() }
@@ -83,22 +83,22 @@ fn bits(item: &Item) -> [[u32; 3]; 2] {
     [item.lo, item.hi].map(|corner| corner.to_array().map(f32::to_bits))
 }
 
-/// An item's box as the builder sees it, grown by a little of its own. PLOC joins boxes that choose each other; where many of one size
-/// lie in one place all choose the same, and only two are joined in each pass over them all: 30,000 took 40 s and made a tree as deep
-/// as half their number.
+/// Returns the box of an item for the builder, enlarged by a small amount that differs between items. PLOC joins pairs of boxes that choose
+/// each other. If many boxes of one size coincide, all choose the same one, and each pass over all boxes joins only two: 30,000 boxes took
+/// 40 s and gave a tree half as deep as their number.
 fn apart(i: usize, item: &Item) -> Aabb {
-    // Points that fill a cube evenly, from first to last: Roberts's R3 sequence.
+    // Points that fill a cube evenly, from first to last: the R3 sequence of Roberts.
     let own = (i as f64 * DVec3::new(0.819_172_513_396, 0.671_043_606_703, 0.549_700_477_901)).fract().as_vec3();
-    // More than a rounding where the box lies, and little beside its size.
+    // More than the rounding error at the box, but small compared with its size.
     let rounding = 1e-6 * item.lo.abs().max(item.hi.abs()).max_element();
     let most = (6e-5 * (item.hi - item.lo).max_element()).max(rounding);
     Aabb::new(item.lo.into(), (item.hi + most * own).into())
 }
 
-/// Depth first, so that the next node to visit is the next in the list where the box is met, and `skip` where it is missed. Boxes are
-/// those of the items.
+/// Flattens the tree depth first: if a ray meets a box, the next node to visit is the next in the list, otherwise `skip`. Boxes are
+/// computed from the items.
 fn flatten(bvh: &Bvh2, items: &[Item], nodes: &mut Vec<Node>, order: &mut Vec<u32>) {
-    // An explicit stack: a degenerate mesh makes a tree too deep for recursion. `Err` closes the node whose subtree ended.
+    // Use an explicit stack, because a degenerate mesh makes the tree too deep for recursion. `Err` closes the node whose subtree ended.
     let mut open = vec![Ok(0)];
     while let Some(next) = open.pop() {
         let at: usize = match next {
@@ -122,8 +122,8 @@ fn flatten(bvh: &Bvh2, items: &[Item], nodes: &mut Vec<Node>, order: &mut Vec<u3
     }
 }
 
-/// What is known of a node when its subtree has ended: a leaf's items are the last in the order, and the first of two children is
-/// the node after their parent.
+/// Completes a node when its subtree has ended: the items of a leaf are the last in `order`, and the first child of an inner node follows
+/// its parent.
 fn close(node: usize, items: &[Item], nodes: &mut [Node], order: &[u32]) {
     let join = |(lo, hi): (Vec3, Vec3), (lo_2, hi_2): (Vec3, Vec3)| (lo.min(lo_2), hi.max(hi_2));
     let inside = |child: &Node| (child.lo, child.hi);
@@ -145,7 +145,7 @@ mod tests {
         boxes.into_iter().zip(0..).map(|((lo, hi), primitive)| Item { primitive, lo, hi }).collect()
     }
 
-    /// The most nodes from the root to a leaf, each of whose boxes is the least about its items.
+    /// Returns the largest number of nodes from the root to a leaf, and checks that each box is the smallest around its items.
     fn depth(items: &[Item], nodes: &[Node], order: &[u32]) -> usize {
         let mut ends: Vec<(usize, usize)> = Vec::new();
         let mut deepest = 0;

@@ -1,7 +1,7 @@
-//! Meshes that are kept once, and the places in which objects show them.
+//! Instances meshes that several objects share.
 //!
-//! *Practice.* Each mesh has a hierarchy of its own, in its own space, and the scene's holds one item for each place. A walk that
-//! comes to a place goes on in the mesh's hierarchy, with the segment mapped to its space, and comes back at its end.
+//! *Practice.* Each mesh has a hierarchy in its object space, and the scene's hierarchy has one item for each instance. A traversal that
+//! reaches an instance continues in the mesh's hierarchy, with the segment transformed to object space, and then returns.
 
 use std::sync::Arc;
 
@@ -14,11 +14,11 @@ use crate::model::{Object, Row, row};
 /// A mesh, and the hierarchy over its triangles.
 #[derive(Debug)]
 pub struct KeptMesh {
-    /// As it was read.
+    /// The mesh as it was read.
     pub mesh: Arc<Mesh>,
     /// The hierarchy's nodes.
     pub nodes: Vec<Node>,
-    /// The triangles in the order of its leaves.
+    /// The triangles, in the order of the hierarchy's leaves.
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -35,59 +35,59 @@ impl KeptMesh {
     }
 }
 
-/// One place of a mesh.
+/// One instance of a mesh.
 #[derive(Debug, Clone, Copy)]
 pub struct Instance {
-    /// Index into the scene's objects.
+    /// The index of the scene's object.
     pub object: u32,
-    /// Which of the meshes.
+    /// The index of the mesh.
     mesh: usize,
-    /// From the scene's space to the mesh's own.
+    /// The map from the scene's space to object space.
     own: DAffine3,
-    /// The node behind the leaf that holds it.
+    /// The node that follows the leaf with this instance.
     next: u32,
 }
 
-/// All meshes that are kept once, and their places in the order of the structure's leaves.
+/// All instanced meshes, and their instances in the order of the leaves of the acceleration structure.
 #[derive(Debug, Clone, Default)]
 pub struct Instances {
     meshes: Vec<Arc<KeptMesh>>,
     places: Vec<Instance>,
-    /// Those of an earlier frame.
+    /// The meshes of an earlier frame.
     before: Vec<Arc<KeptMesh>>,
 }
 
 impl Instances {
-    /// None yet. What was built for an earlier frame's meshes is gone on with.
+    /// Creates an empty set, which reuses the hierarchies of an earlier frame's meshes.
     #[must_use]
     pub fn after(before: Vec<Arc<KeptMesh>>) -> Self {
         Self { before, ..Self::default() }
     }
 
-    /// What the next frame may go on with.
+    /// Returns the meshes for the next frame to reuse.
     #[must_use]
     pub fn into_meshes(self) -> Vec<Arc<KeptMesh>> {
         self.meshes
     }
 
-    /// Are there none?
+    /// Returns `true` if there are no instances.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.places.is_empty()
     }
 
-    /// The places.
+    /// Returns the instances.
     #[must_use]
     pub fn places(&self) -> &[Instance] {
         &self.places
     }
 
-    /// The meshes.
+    /// Returns the meshes.
     pub fn meshes(&self) -> impl Iterator<Item = &KeptMesh> {
         self.meshes.iter().map(|kept| &**kept)
     }
 
-    /// One more place, of the object with this index.
+    /// Adds an instance of `mesh` for the object with this index.
     pub(super) fn add(&mut self, object: &Object, mesh: &Arc<Mesh>, index: u32) {
         let is_same = |kept: &&Arc<KeptMesh>| Arc::ptr_eq(&kept.mesh, mesh);
         let known = self.meshes.iter().position(|kept| is_same(&kept));
@@ -100,24 +100,25 @@ impl Instances {
         self.places.push(Instance { object: index, mesh: which, own, next: 0 });
     }
 
-    /// Brings the places into the order in which a structure holds them: each with its place before, and the node behind its leaf.
+    /// Sorts the instances into the order of an acceleration structure; `ordered` gives the old index of each, and the node after its leaf.
     pub(super) fn order(&mut self, ordered: impl Iterator<Item = (usize, u32)>) {
         self.places = ordered.map(|(from, next)| Instance { next, ..self.places[from] }).collect();
     }
 
-    /// The triangles of all places.
+    /// Returns the number of triangles of all instances.
     #[must_use]
     pub fn triangles(&self) -> u64 {
         self.places.iter().map(|place| self.meshes[place.mesh].triangles.len() as u64).sum()
     }
 
-    /// The nodes of all places' meshes.
+    /// Returns the number of nodes of all instances' meshes.
     #[must_use]
     pub fn nodes(&self) -> u64 {
         self.places.iter().map(|place| self.meshes[place.mesh].nodes.len() as u64).sum()
     }
 
-    /// The rows of `shaders/shape/instance.wgsl`, with `nodes_before` nodes before the meshes' own, and the material of each object.
+    /// Returns the rows of `shaders/shape/instance.wgsl`. The meshes' nodes follow `nodes_before` others; `materials` has one entry per
+    /// object.
     pub(super) fn rows(&self, nodes_before: u32, materials: &[u32]) -> Vec<Row> {
         let mut firsts = Vec::new();
         let (mut root, mut first) = (nodes_before, 0_u32);
@@ -126,7 +127,7 @@ impl Instances {
             root += kept.nodes.len() as u32;
             first += kept.triangles.len() as u32;
         }
-        // More than a word holds are refused before they are used.
+        // Counts that exceed a word are rejected before they are used.
         let (mut primitives, mut places) = (0_u32, 0_u32);
         let row = |place: &Instance| -> Row {
             let (kept, (root, first)) = (&self.meshes[place.mesh], firsts[place.mesh]);

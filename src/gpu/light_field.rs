@@ -1,11 +1,11 @@
-//! A light's grid (G95 §6): the voxels about what it lights, and what its light is in each.
+//! Stores the photon grid of a light (G95 §6): voxels around the lit objects, and the light in each.
 //!
-//! *Theory.* A path that carries the flux Φ over the length ℓ through a voxel of side h adds Φℓ/h³ along itself to the light vector F
-//! there, and as much to the fluence φ. A surface receives −F·n (Gershun's light field), however many paths come to it, as long as all
-//! come from its front. |F|/φ is 1 where they have one direction, and less where several meet.
+//! *Theory.* A path that carries the flux Φ over the length ℓ through a voxel of side h adds Φℓ/h³ along its direction to the light vector
+//! F there, and Φℓ/h³ to the fluence φ. A surface receives −F·n (Gershun, the light field), however many paths reach it, if all come from
+//! its front. |F|/φ is 1 if they have one direction, and less if several directions meet.
 //!
-//! *Practice.* A voxel that disagrees with its neighbours, in direction or in brightness, is cut into a brick of smaller ones: there are
-//! caustics, shadows' edges and surfaces. What is smooth stays coarse.
+//! *Practice.* A voxel whose light differs from its neighbors in direction or brightness is refined into a brick of smaller voxels; this
+//! happens at caustics, shadow edges and surfaces. Smooth regions stay coarse.
 
 use glam::{DVec3, IVec3, UVec3, Vec4};
 use rayon::prelude::*;
@@ -13,28 +13,28 @@ use rayon::prelude::*;
 use crate::model::{Row, row};
 use crate::scene::{Object, Scene};
 
-/// Voxels on each side of what is lit, so that there are some about every place where light is looked for.
+/// The number of voxels added on each side of the lit box, so that every lit position has neighbors.
 const MARGIN: u32 = 2;
-/// Of the brightest around: neighbours whose light differs by more are unlike.
+/// The difference from a neighbor above which a voxel is refined, as a fraction of the brightest light around it.
 const UNLIKE: f32 = 0.4;
-/// Of a voxel's own light: neighbours that differ by less are alike.
+/// The difference from a neighbor below which both are averaged, as a fraction of the voxel's own fluence.
 const ALIKE: f32 = 0.2;
-/// Paths through a part of a voxel, at least: of fewer it would show no more than their noise.
+/// The minimum number of paths through a subvoxel; with fewer it would show only noise.
 const PATHS: f64 = 12.0;
 
-/// Cubes in a box.
+/// A grid of cubic voxels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightVolume {
     /// The lower corner.
     pub lo: DVec3,
-    /// A voxel's side.
+    /// The side of a voxel.
     pub h: f64,
-    /// Voxels along each axis.
+    /// The number of voxels along each axis.
     pub count: [u32; 3],
 }
 
 impl LightVolume {
-    /// About all that shows lights and lies in the bounding sphere, with so many voxels along the longest side.
+    /// Creates a volume around all lit objects inside the bounding sphere, with `voxels` voxels along the longest side.
     #[must_use]
     pub fn new(scene: &Scene, voxels: u32) -> Self {
         let lit = |object: &&Object| scene.material_of(object).is_some_and(|material| material.surface.facts().is_lit);
@@ -46,19 +46,19 @@ impl LightVolume {
         let extent = if lo.cmple(hi).all() { hi - lo } else { DVec3::ZERO };
         let longest = if extent.max_element() > 0.0 { extent.max_element() } else { bound.radius };
         let h = longest / f64::from(voxels.saturating_sub(2 * MARGIN).max(1));
-        // Rounding adds no voxel.
+        // Do not let rounding add a voxel.
         let count = (extent / h - 1e-9).ceil().max(DVec3::ZERO).as_uvec3() + 2 * MARGIN;
         Self { lo: 0.5 * (lo + hi - h * count.as_dvec3()), h, count: count.to_array() }
     }
 
-    /// The number of a voxel, or of that on the rim which is next to it.
+    /// Returns the index of a voxel; positions outside are clamped to the rim.
     fn voxel(&self, at: IVec3) -> usize {
         let [nx, ny, nz] = self.count.map(u32::cast_signed);
         let at = at.clamp(IVec3::ZERO, IVec3::new(nx, ny, nz) - 1);
         ((at.z * ny + at.y) * nx + at.x) as usize
     }
 
-    /// How many there are.
+    /// Returns the number of voxels.
     #[must_use]
     pub fn voxels(&self) -> usize {
         self.count.iter().map(|n| *n as usize).product()
@@ -71,36 +71,36 @@ impl LightVolume {
     }
 }
 
-/// What a light's light is in each voxel.
+/// The light of one source in each voxel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LightField {
-    /// Where the voxels are.
+    /// The positions of the voxels.
     pub volume: LightVolume,
-    /// Parts along each axis of a voxel that is a brick.
+    /// The number of subvoxels along each axis of a brick.
     pub refine: u32,
-    /// For each voxel the number of its brick, from 1, or 0.
+    /// The number of each voxel's brick, counted from 1, or 0.
     pub bricks: Vec<u32>,
-    /// F and φ, first of the voxels, then of the bricks' parts.
+    /// F and φ, first of the voxels, then of the bricks' subvoxels.
     pub field: Vec<Vec4>,
 }
 
 impl LightField {
-    /// Without bricks, of these values for each voxel.
+    /// Creates a field without bricks from the values of the voxels.
     #[must_use]
     pub fn new(volume: LightVolume, refine: u32, voxels: &[Vec4]) -> Self {
         let bricks = vec![0; volume.voxels()];
         Self { volume, refine, bricks, field: smooth(voxels, volume.count) }
     }
 
-    /// The numbers of `LightSums` as light: `sums` are those of `flux`, in voxels of side h.
+    /// Converts the numbers of `LightSums` to light: `sums` come from paths that carry `flux`, in voxels of side h.
     #[must_use]
     pub fn values(sums: &[[f64; 4]], flux: f64, h: f64, unit: f64) -> Vec<Vec4> {
         let scale = flux / (unit * h * h);
         sums.iter().map(|sum| Vec4::from_array(sum.map(|n| (n * scale) as f32))).collect()
     }
 
-    /// As what guides paths. Where none came there is what lies around, or in the voxel of the part. And so much more fluence of no direction
-    /// wherever there is any: of few paths it is not known how far apart their directions are.
+    /// Prepares the field for path guiding: fills empty voxels from their neighbors and empty subvoxels from their voxel, and adds
+    /// isotropic fluence (`voxels`, `parts`), because directions estimated from few paths are uncertain.
     #[must_use]
     pub fn guiding(mut self, voxels: f32, parts: f32) -> Self {
         let count = self.volume.voxels();
@@ -121,8 +121,8 @@ impl LightField {
         self
     }
 
-    /// F and φ at a place that no surface is near: between the middles of voxels, or of parts where its own is in parts. None outside
-    /// of the voxels.
+    /// Returns F and φ at a position away from surfaces, interpolated between the centers of voxels, or of subvoxels in a brick; `None`
+    /// outside of the volume.
     #[must_use]
     pub fn at(&self, x: DVec3) -> Option<Vec4> {
         let place = (x - self.volume.lo) / self.volume.h;
@@ -141,7 +141,7 @@ impl LightField {
         }))
     }
 
-    /// Of a part, each voxel cut into `cut` along each axis, or of all of a voxel that is not in parts.
+    /// Returns the value of a subvoxel, if each voxel is cut into `cut` along each axis, or of the whole voxel if it has no brick.
     fn value(&self, part: IVec3, cut: u32) -> Vec4 {
         let n = cut.cast_signed();
         let voxel = part.div_euclid(IVec3::splat(n));
@@ -154,21 +154,21 @@ impl LightField {
         self.field[self.volume.voxels() + (brick.cast_signed() + (fine.z * n + fine.y) * n + fine.x) as usize]
     }
 
-    /// What it takes on the device while a picture is made.
+    /// Returns the size of the field on the device during a render, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         (size_of_val(&self.bricks[..]) + size_of_val(&self.field[..])) as u64
     }
 
-    /// Adds bricks for some voxels, of these values for each part.
+    /// Adds bricks for some voxels, with the values of their subvoxels.
     pub fn cut(&mut self, bricks: Vec<u32>, parts: &[Vec4]) {
         let count = [self.refine; 3];
         self.field.extend(parts.chunks(self.refine.pow(3) as usize).flat_map(|brick| smooth(brick, count)));
         self.bricks = bricks;
     }
 
-    /// Voxels in which light is so unlike that of a neighbour that they are worth cutting, where so many paths as carry `flux` each come
-    /// through a part: the most unlike first, and of two alike the first one.
+    /// Returns the voxels whose light differs so much from a neighbor that they are worth refining, if enough paths of `flux` each cross a
+    /// subvoxel. The largest difference comes first, and the lower index if two are equal.
     #[must_use]
     pub fn worth_cutting(&self, flux: f64) -> Vec<u32> {
         let part = self.volume.h / f64::from(self.refine);
@@ -187,8 +187,8 @@ impl LightField {
         all.into_iter().map(|(_, voxel)| voxel).collect()
     }
 
-    /// The members of `GridLight` in `shaders/surface/light/field.wgsl` that say where it lies: before its own there are so many voxels and
-    /// values of others.
+    /// Returns the members of `GridLight` in `shaders/surface/light/field.wgsl` that locate this field; `first_brick` voxels and `first`
+    /// values of other fields precede its own.
     #[must_use]
     pub(super) fn row(&self, first_brick: usize, first: usize) -> Row {
         let own = row! { first_brick: Uint(first_brick as u32), first: Uint(first as u32) };
@@ -196,13 +196,13 @@ impl LightField {
     }
 }
 
-/// Bytes on the device of `voxels` in which light is left and of as many in which it lies ready.
+/// Returns the bytes on the device for `voxels` voxels: the sums that paths add to, and the finished values.
 #[must_use]
 pub fn light_bytes(voxels: u64) -> u64 {
     voxels * (4 * size_of::<u32>() + size_of::<Vec4>() + size_of::<u32>()) as u64
 }
 
-/// Those that differ by at most one along each axis from one of so many voxels, with itself.
+/// Returns the voxels that differ by at most one along each axis from `voxel`, including itself.
 fn around(count: [u32; 3], voxel: usize) -> impl Iterator<Item = usize> {
     let [nx, ny, nz] = count.map(|n| n as usize);
     let (x, y, z) = (voxel % nx, voxel / nx % ny, voxel / nx / ny);
@@ -210,7 +210,7 @@ fn around(count: [u32; 3], voxel: usize) -> impl Iterator<Item = usize> {
     range(z, nz).flat_map(move |z| range(y, ny).flat_map(move |y| range(x, nx).map(move |x| (z * ny + y) * nx + x)))
 }
 
-/// Each voxel with those next to it that are alike: of what paths happened to come through it less noise is left, and edges stay.
+/// Averages each voxel with similar neighbors, which reduces the noise of the paths and preserves edges.
 fn smooth(field: &[Vec4], count: [u32; 3]) -> Vec<Vec4> {
     let mean = |voxel: usize| {
         let own = field[voxel];

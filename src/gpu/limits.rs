@@ -1,15 +1,16 @@
-//! Whether a device can hold a scene's meshes, before it is opened.
+//! Checks whether a device can hold a scene's meshes, before it is opened.
 
 use super::device::is_called;
 use super::{AdapterReport, Geometry, GpuError, adapters, mesh};
 use crate::assets::{Capacity, Held};
 use crate::program::{BindingKind, Program, element_bytes};
 
-/// Triangles that every device holds: WebGPU grants a buffer of 128 MiB, and rays are tested against 48 bytes of each triangle.
+/// The number of triangles that every device holds: WebGPU guarantees a buffer of 128 MiB, and rays are tested against 48 bytes per
+/// triangle.
 const ALWAYS: u64 = 1 << 20;
 
-/// Returns the number of triangles that a mesh may have on the best device, or on the first one whose name contains `device`. Their
-/// numbers are in 32 bits; [`check_meshes`] finds out whether a scene that was read fits.
+/// Returns the number of triangles that a mesh may have on the best device, or on the first one whose name contains `device`. Triangle
+/// indices have 32 bits; [`check_meshes`] checks whether a scene that was read fits.
 #[must_use]
 pub fn mesh_capacity(device: Option<&str>) -> Capacity {
     let wanted = device.map(str::to_owned);

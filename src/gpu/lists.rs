@@ -1,6 +1,6 @@
-//! The values of a scene's lists: shapes, meshes, materials, lights, force centres.
+//! Packs the lists of a scene: shapes, meshes, materials, lights and force centers.
 //!
-//! *Length.* Over 300 lines, because it is a table, with an arm for each list.
+//! *Length.* Over 300 lines, because it is a table with an arm for each list.
 
 use glam::DVec3;
 
@@ -21,7 +21,7 @@ use crate::program::{Layout, Obstacle, constant};
 use crate::scene::{Clear, Lamp, Light, LightSource, Segment, Shadows};
 
 impl Source<'_> {
-    /// What the scene's kinds feed their own parts.
+    /// Returns the bindings of the scene's kinds (law, method, camera, control and others).
     pub(super) fn of_kinds(&self) -> Vec<Binding> {
         let scene = self.scene;
         let camera = scene.camera.iter().flat_map(|camera| camera.values(scene.image.size));
@@ -42,7 +42,7 @@ impl Source<'_> {
             .collect()
     }
 
-    /// What black bodies' colours are, and how matter moves that orbits.
+    /// Returns the colors of black bodies and the orbits of matter, if the scene uses them.
     fn glowing(&self) -> Vec<Binding> {
         let scene = self.scene;
         let mut bindings = Vec::new();
@@ -60,7 +60,7 @@ impl Source<'_> {
         bindings
     }
 
-    /// The lists of solids: those on which rays end, those with two sides, and all of them.
+    /// Returns the lists of each solid: shapes on which rays end, shapes with two sides, and all shapes.
     fn solids(&self) -> Vec<Binding> {
         let lists = |solid: &Solid| {
             let lists = solid.lists.as_ref()?;
@@ -81,7 +81,7 @@ impl Source<'_> {
         SOLIDS.into_iter().filter_map(lists).flatten().collect()
     }
 
-    /// Traced rays are followed as far as they go; a picture's end as far out as nothing of the scene lies further in.
+    /// Returns the capture spheres: for images as large as they can be without containing objects, for traced rays unchanged.
     fn captures(&self) -> Vec<Row> {
         let clearance = |x: DVec3| self.geometry.clearance(x);
         let picture = !self.program.features.purpose.is_given();
@@ -172,8 +172,8 @@ impl Source<'_> {
         }
     }
 
-    /// A record for every kind, of which each has members of its own; behind the scene's one for each region, which says no more than
-    /// whose surface it is.
+    /// Packs a record for every material, with the members of its kind. The records of the scene's materials are followed by one for each
+    /// region, which only states whose surface it is.
     fn materials(&self, layout: &Layout) -> Result<Vec<u8>, GpuError> {
         let code = |part: &str| constant(part, &part.rsplit('/').next().unwrap_or(part).to_uppercase()) as u32;
         let vertex_colors = constant("surface/vertex_colors", "VERTEX_COLORS") as u32;
@@ -183,7 +183,7 @@ impl Source<'_> {
             let kinds = row! { kind: Uint(code(material.surface.facts().part)), pattern: Uint(pattern) };
             [kinds, material.color.values(), material.surface.values()].concat()
         };
-        // A fan is told by its place among them.
+        // A fan is identified by its index among the fans.
         let fans = self.scene.fans();
         let place = |i: usize| fans.iter().position(|(material, _)| *material == i);
         let fan = |i: usize| place(i).map(|which| ("fan".into(), Uint(which as u32)));
@@ -224,7 +224,7 @@ impl Source<'_> {
         if all.is_empty() { Ok(None) } else { pack(name, layout, all.iter().map(|(_, row)| row)).map(Some) }
     }
 
-    /// How parts know straight shadows, by what clear things do to them.
+    /// Returns the shaders' code for straight shadows, which depends on the treatment of transparent objects.
     pub(super) fn shadow_code(&self, clear: Clear) -> u32 {
         match clear {
             Clear::Filtered if self.scene.weakens_lines() => constant("surface/shadow/clear", "WEAKENED") as u32,
@@ -233,7 +233,7 @@ impl Source<'_> {
         }
     }
 
-    /// The lights that have a grid and the beams that guide paths, each with where its voxels begin.
+    /// Returns the rows of lights with a grid and of beams that guide paths, each with the location of its voxels.
     fn grid_lights(&self) -> Vec<Row> {
         let lights = self.scene.lights.iter().filter(|light| light.shadows == Shadows::Grid);
         let lights = lights.map(|light| {
@@ -244,7 +244,7 @@ impl Source<'_> {
             let falls = u32::from(light.falls_in_grid());
             row! { color: Vec3(light.color), falls: Uint(falls), position: Vec3(position) }
         });
-        // Of a beam the irradiance is asked for, of all colours together.
+        // The guide needs the irradiance of a beam, not its color.
         let guide = self.scene.beams().into_iter().map(|beam| -> Row {
             row! { color: Vec3(DVec3::splat(beam.lamp.power)), falls: Uint(1), position: Vec3(beam.lamp.center) }
         });
@@ -258,7 +258,7 @@ impl Source<'_> {
         lights.chain(guide).zip(self.fields).map(row).collect()
     }
 
-    /// How objects move, and what primitives they are.
+    /// Returns the motions of objects, with their primitives.
     fn travels(&self) -> Vec<Row> {
         let time = self.scene.camera.as_ref().map_or(0.0, |camera| camera.time);
         let row = |(i, object, travel): (usize, &Object, &Travel)| -> Row {
@@ -267,11 +267,11 @@ impl Source<'_> {
         self.scene.travels().map(row).collect()
     }
 
-    /// What segments may be near: of each list the shapes on which rays end, then those that they cross, then the
-    /// parts of the structure.
+    /// Returns the spheres and disks around everything that a segment may meet: for each list the shapes on which rays end, then those that
+    /// rays cross, then the parts of the acceleration structure.
     fn surroundings(&self) -> Vec<Row> {
         let g = self.geometry;
-        // Larger than these are by what rounding may hide of them; what it hides of a segment is the shaders'.
+        // Enlarge the spheres by their own rounding error; the shaders allow for the rounding error of the segment.
         let slack = constant("segment/near_balls", "NEAR_SLACK");
         let row = |(center, radius): (DVec3, f64), across: DVec3| {
             let radius = radius + slack * (radius + center.length());
@@ -291,7 +291,7 @@ impl Source<'_> {
         listed.chain(g.structure.parts().map(part)).collect()
     }
 
-    /// The tree over the curve that all rays follow.
+    /// Returns the tree over the curve that all rays follow.
     fn ray_nodes(&self) -> Vec<Row> {
         let rays = &self.scene.rays;
         let tolerance = match rays.segment {
@@ -301,7 +301,7 @@ impl Source<'_> {
         let length = rays.length.unwrap_or(f64::MAX);
         let nodes = self.scene.law.facts().curve().map(|curve| ray_tree(curve, length, tolerance)).unwrap_or_default();
         let row = |node: &RayNode| {
-            // Larger than these are by what 32 bits hide of them.
+            // Enlarge the boxes by the rounding error of 32 bits.
             let corner = |at: DVec3, sign: f64| at + sign * 1e-6 * at.abs();
             let [lo, hi] = node.corners;
             row! {
@@ -314,7 +314,7 @@ impl Source<'_> {
         nodes.iter().map(row).collect()
     }
 
-    /// The hierarchy of objects that it is walked against.
+    /// Returns the hierarchy of objects that is traversed together with the tree of the curve.
     fn object_nodes(&self) -> Vec<Row> {
         let g = self.geometry;
         let held = |name: &str| g.analysis.structure.solids.iter().any(|solid| solid.name == name);
@@ -337,7 +337,7 @@ impl Source<'_> {
         nodes.iter().map(row).collect()
     }
 
-    /// The objects that touch others, the opaque ones first.
+    /// Returns the objects that touch others, the opaque ones first.
     fn touching(&self) -> Vec<[(&'static str, Value); 2]> {
         let g = self.geometry;
         let clear = |&object: &usize| (object, g.analysis.regions.bit(object).map_or(0, |bit| 1 << bit));
@@ -346,7 +346,7 @@ impl Source<'_> {
         all.map(|(object, bits)| [("primitive", Uint(g.primitive(object))), ("bits", Uint(bits))]).collect()
     }
 
-    /// For each object its bit in the set of regions.
+    /// Returns the bit of each object in the set of regions.
     fn object_bits(&self) -> Vec<u32> {
         let bit = |object| self.geometry.analysis.regions.bit(object).map_or_else(no_bit, |bit| bit as u32);
         (0..self.scene.objects.len()).map(bit).collect()

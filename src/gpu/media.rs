@@ -1,4 +1,4 @@
-//! The values of media, by the names of their members in WGSL.
+//! Packs the values of media and absorption, by the names of their members in WGSL.
 
 use glam::DVec3;
 
@@ -8,12 +8,12 @@ use crate::model::{Filter, Medium, Row};
 use crate::program::{Region, constant};
 
 impl Source<'_> {
-    /// The rows of `filters`: of every region, and behind them of space.
+    /// Returns the rows of `filters`: one for each region, followed by one for the surrounding space.
     pub(super) fn filters(&self) -> Vec<Row> {
         let none = Filter::even(DVec3::ONE);
         let objects = &self.scene.objects;
         let of_object = |object: usize| objects[object].interior()?.filter.as_deref();
-        // Formulas are counted in the order of the file, whatever that of regions is.
+        // Formulas are counted in the order of the file, whatever the order of the regions.
         let formulas = |objects: usize| (0..objects).filter_map(of_object).filter_map(Filter::formulas).count();
         let row = |filter: Option<&Filter>, before: usize| {
             let filter = filter.unwrap_or(&none);
@@ -26,7 +26,7 @@ impl Source<'_> {
         of_regions.chain([row(self.scene.filter.as_ref(), objects.len())]).collect()
     }
 
-    /// The rows of `regions`.
+    /// Returns the rows of `regions`.
     pub(super) fn regions(&self) -> Vec<[(&'static str, Value); 5]> {
         let regions = &self.geometry.analysis.regions;
         let row = |region: &Region| {
@@ -41,7 +41,7 @@ impl Source<'_> {
         regions.regions.iter().map(row).collect()
     }
 
-    /// Do the camera's rays start inside of this mesh? Where an analytic shape is concerned every ray finds out for itself.
+    /// Returns `true` if the camera's rays start inside this mesh. For analytic shapes every ray determines this itself.
     fn starts_in(&self, object: usize) -> bool {
         let object = &self.scene.objects[object];
         let camera = self.scene.camera.as_ref().filter(|_| !self.program.features.purpose.is_given());
@@ -53,7 +53,7 @@ impl Source<'_> {
         kind.into_iter().flat_map(|kind| kind.media.iter().map(|medium| &**medium))
     }
 
-    /// Of the media of a kind.
+    /// Returns the rows of the media of a kind.
     pub(super) fn media(&self, kind: usize) -> Vec<Row> {
         let mut first = 0;
         let row = |medium: &dyn Medium| {
@@ -64,12 +64,12 @@ impl Source<'_> {
         self.of_kind(kind).map(row).collect()
     }
 
-    /// Of the profiles in them.
+    /// Returns the points of the profiles in the media of a kind.
     pub(super) fn profiles(&self, kind: usize) -> Vec<Row> {
         self.of_kind(kind).flat_map(Medium::points).collect()
     }
 
-    /// Of the grids in them.
+    /// Returns the samples of the grids in the media of a kind.
     pub(super) fn index_samples(&self, kind: usize) -> Vec<f32> {
         self.of_kind(kind).flat_map(|medium| medium.facts().samples.iter().copied()).collect()
     }

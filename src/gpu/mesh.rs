@@ -1,23 +1,23 @@
-//! What surfaces of meshes are asked for, in the words of `shaders/shape/triangle.wgsl`: triangles, and then vertices.
+//! Packs the surface data of meshes into the words of `shaders/shape/triangle.wgsl`: triangles, then vertices.
 
 use super::Geometry;
 use crate::program::constant;
 use crate::scene::Scene;
 
-/// Of a triangle and of a vertex.
+/// Returns the number of words per triangle and per vertex.
 fn sizes(colored: bool) -> [usize; 2] {
     let triangle = constant("shape/triangle", "TRIANGLE_WORDS") as usize;
     let color = constant("surface/vertex_colors", "COLOR_WORD") as usize;
     [triangle, if colored { color + 3 } else { color }]
 }
 
-/// How many words there are.
+/// Returns the number of words of all meshes.
 pub(super) fn count(geometry: &Geometry, colored: bool) -> usize {
     let [triangle, vertex] = sizes(colored);
     triangle * geometry.triangles.len() + vertex * geometry.vertices.len()
 }
 
-/// The words of the scene's meshes, with the colors of their vertices where some have any.
+/// Returns the words of the scene's meshes, with vertex colors if `colored`.
 pub(super) fn words(geometry: &Geometry, scene: &Scene, colored: bool) -> Vec<u32> {
     let mut words = Vec::with_capacity(count(geometry, colored));
     let [triangle, vertex] = sizes(colored);

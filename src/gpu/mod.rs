@@ -1,8 +1,8 @@
-//! The device, and a scene as what lies on it: pipelines, buffers, textures.
+//! Manages the device and a scene's resources on it: pipelines, buffers and textures.
 //!
-//! *Practice.* [`Gpu`] lives as long as the process; a [`Pipelines`] as long as one linked program; [`SceneBuffers`] as long as
-//! one scene; [`Tile`] as long as one tile of a picture. What is bound is found by its [role](crate::program::Role), and every layout is
-//! that which naga reflected: nothing is repeated here.
+//! *Practice.* [`Gpu`] lives as long as the process, [`Pipelines`] as long as one linked program, [`SceneBuffers`] as long as one scene,
+//! and [`Tile`] as long as one tile of an image. Bindings are found by their [role](crate::program::Role), and all layouts come from naga's
+//! reflection, so nothing is declared twice.
 
 mod compiled;
 mod contents;

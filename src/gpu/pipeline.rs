@@ -1,4 +1,4 @@
-//! Linked programs as pipelines; their bind group layouts are what naga reflected.
+//! Compiles linked programs to pipelines, with the bind group layouts that naga reflected.
 
 use std::error::Error;
 use std::num::NonZeroU64;
@@ -13,16 +13,16 @@ use super::device::{GROUP_WIDTH, LANE_PIXELS};
 use super::{Gpu, GpuError, Pipeline, adapters};
 use crate::program::{Binding, BindingKind, Layout, Linked, Pass, Program, Reflection};
 
-/// Every pass of a program.
+/// All passes of a program.
 #[derive(Debug)]
 pub struct Pipelines {
     passes: Vec<(Pass, Pipeline)>,
-    /// The pixels of a workgroup, across and down.
+    /// The size of a workgroup in pixels, across and down.
     pub group: [u32; 2],
 }
 
 impl Pipelines {
-    /// Compiles the program for the device, and for pictures of this width; refuses what exceeds the device's limits.
+    /// Compiles the program for the device and for images of `width` pixels; rejects programs that exceed the limits of the device.
     pub fn new(gpu: &Gpu, program: &Program, width: u32) -> Result<Self, GpuError> {
         let group = narrowed(gpu.group, width);
         let stage = gpu.progress.counted("compiling pass", program.passes.len());
@@ -34,20 +34,20 @@ impl Pipelines {
         Ok(Self { passes: program.passes.iter().map(made).collect::<Result<_, GpuError>>()?, group })
     }
 
-    /// The pipeline of `pass`, if the program has it.
+    /// Returns the pipeline of `pass`, if the program has it.
     #[must_use]
     pub fn get(&self, pass: Pass) -> Option<&Pipeline> {
         self.passes.iter().find(|(p, _)| *p == pass).map(|(_, pipeline)| pipeline)
     }
 
-    /// All passes.
+    /// Returns all passes.
     pub fn iter(&self) -> impl Iterator<Item = &(Pass, Pipeline)> {
         self.passes.iter()
     }
 }
 
 impl Pipeline {
-    /// Compiles one linked program, with workgroups of so many pixels across, unless it was compiled lately.
+    /// Compiles one linked program with workgroups of `across` pixels, unless it is cached.
     pub fn new(gpu: &Gpu, linked: &Linked, reflection: &Reflection, across: u32) -> Result<Self, GpuError> {
         if let Some(compiled) = gpu.compiled.find(&linked.source, across) {
             return Ok(compiled);
@@ -96,7 +96,7 @@ impl Pipeline {
     }
 }
 
-/// A workgroup of as many pixels that is no wider than it has to be: what lies beyond a picture's edge idles.
+/// Returns a workgroup of equal area that is no wider than an image of `width` pixels requires, because pixels beyond the edge are idle.
 fn narrowed([across, down]: [u32; 2], width: u32) -> [u32; 2] {
     let narrow = across.min(width.max(1).checked_next_power_of_two().unwrap_or(across));
     [narrow, across * down / narrow]
@@ -160,7 +160,7 @@ fn entry(binding: &Binding) -> Result<BindGroupLayoutEntry, GpuError> {
     Ok(BindGroupLayoutEntry { binding: binding.number, visibility: ShaderStages::COMPUTE, ty, count: None })
 }
 
-/// The texture that a storage binding of this format is of.
+/// Returns the texture format for a storage binding of this format.
 pub(super) fn texture_format(format: naga::StorageFormat) -> Option<TextureFormat> {
     Some(match format {
         naga::StorageFormat::R32Uint => TextureFormat::R32Uint,

@@ -1,9 +1,9 @@
-//! Keeps a driver's layer from reporting an error where there is none.
+//! Suppresses a false error message of a driver layer.
 //!
-//! *Practice.* A layer of Mesa's, which puts the desktop's GPU first, looks for a Wayland display whenever devices are listed. On a server
-//! without a desktop libwayland then writes a line that begins with `error:` to standard error, though nothing is wrong; only environment
-//! variables turn that off. So standard error is led through a pipe while devices are listed, and every other line is passed on as it
-//! comes. Where there is a desktop, nothing of this happens.
+//! *Practice.* A layer of Mesa, which puts the desktop's GPU first, looks for a Wayland display whenever devices are listed. On a server
+//! without a desktop, libwayland then writes a line that begins with `error:` to standard error, although nothing is wrong; only
+//! environment variables turn this off. Therefore standard error passes through a pipe while devices are listed, and every other line is
+//! forwarded at once. If there is a desktop, this module does nothing.
 
 /// Runs `list`, which lists devices, without libwayland's line.
 #[cfg(not(all(unix, not(target_vendor = "apple"))))]
@@ -14,7 +14,7 @@ pub(super) fn quietly<T>(list: impl FnOnce() -> T) -> T {
 /// Runs `list`, which lists devices, without libwayland's line.
 #[cfg(all(unix, not(target_vendor = "apple")))]
 pub(super) fn quietly<T>(list: impl FnOnce() -> T) -> T {
-    // Without a pipe the line is printed, which does no harm.
+    // Without a pipe the line is printed, which is harmless.
     let _filter = unix::is_expected().then(unix::Filter::begin).and_then(Result::ok);
     list()
 }
@@ -32,21 +32,21 @@ mod unix {
 
     use rustix::stdio::dup2_stderr;
 
-    /// What the line begins with.
+    /// The beginning of the suppressed line.
     const LINE: &[u8] = b"error: XDG_RUNTIME_DIR is invalid or not set";
-    /// Ends what was written while devices were listed.
+    /// The mark that ends the output written while devices are listed.
     const END: &[u8] = b"\0end\n";
 
-    /// Standard error is one for the whole process.
+    /// A lock, because the process has only one standard error.
     static ONE: Mutex<()> = Mutex::new(());
 
-    /// Will libwayland find no folder for its sockets? It looks for these variables itself.
+    /// Returns `true` if libwayland will not find a folder for its sockets; it reads these variables itself.
     pub(super) fn is_expected() -> bool {
         let is_absolute = |name| env::var_os(name).is_some_and(|value| Path::new(&value).is_absolute());
         env::var_os("NODEVICE_SELECT").is_none() && !["XDG_RUNTIME_DIR", "WAYLAND_DISPLAY"].into_iter().any(is_absolute)
     }
 
-    /// Standard error without that line, until it is dropped.
+    /// A filter that removes the line from standard error until it is dropped.
     pub(super) struct Filter {
         kept: OwnedFd,
         pipe: PipeWriter,
@@ -61,7 +61,7 @@ mod unix {
             let onward = File::from(kept.try_clone()?);
             let (reader, pipe) = io::pipe()?;
             let (end, ended) = channel();
-            // Whoever waits for the end is there until then.
+            // The receiver exists until the end is reported.
             let ended_there = move || end.send(()).unwrap_or_default();
             let forward = move || forward(BufReader::new(reader), onward, ended_there);
             thread::Builder::new().name("stderr".to_owned()).spawn(forward)?;
@@ -72,21 +72,21 @@ mod unix {
 
     impl Drop for Filter {
         fn drop(&mut self) {
-            // A child that was started meanwhile may hold the pipe for long, so its end is not waited for.
+            // Do not wait for the pipe to close: a child process that started meanwhile may hold it for long.
             if dup2_stderr(&self.kept).is_ok() && self.pipe.write_all(END).is_ok() {
                 let _ = self.ended.recv();
             }
         }
     }
 
-    /// Passes on what is written to standard error, line by line; `ended` is called behind the mark that ends it.
+    /// Forwards the text written to standard error line by line, and calls `ended` after the end mark.
     fn forward(mut from: impl BufRead, mut onward: impl Write, ended: impl Fn()) {
         let mut line = Vec::new();
         while from.read_until(b'\n', &mut line).is_ok_and(|length| length > 0) {
             let text = line.strip_suffix(END);
             let own = text.unwrap_or(&line);
             if !own.starts_with(LINE) {
-                // There is no other place to report this.
+                // A failure cannot be reported anywhere else.
                 let _ = onward.write_all(own);
             }
             if text.is_some() {

@@ -1,12 +1,12 @@
-//! The tree of boxes over a curve that all rays follow (G95 §3.2), and the hierarchy of objects that it is walked against.
+//! Builds the tree of boxes over a curve that all rays follow (G95 §3.2), and the hierarchy of objects that it is intersected with.
 //!
-//! *Theory.* A node's box holds its whole piece of the curve. Where a coordinate's derivative keeps its sign, its ends are its extrema;
-//! elsewhere the box is that of interval arithmetic, of the formula itself and of its mean value form c(m) + c′([t])([t] − m), whichever
-//! is smaller. A piece is cut in halves of t until it is as good as a cubic: until the fourth derivative puts the Hermite cubic through
-//! its ends within the arc's tolerance (h⁴/384 max|c⁗|), and the second lets that be cut into few chords.
+//! *Theory.* The box of a node contains its whole piece of the curve. If the derivative of a coordinate keeps its sign, the extrema are at
+//! the ends. Otherwise the box comes from interval arithmetic: the smaller of the formula itself and its mean value form c(m) + c′([t])([t]
+//! − m). A piece is bisected in t until it can be treated as a cubic: until the fourth derivative keeps the Hermite cubic through its ends
+//! within the tolerance of the arc (h⁴/384 max|c⁗|), and the second derivative allows few chords.
 //!
-//! *Practice.* Where G95 cuts boxes in the middle of an axis along which the curve rises, t is cut here: a curve need not rise along any
-//! axis. The tree is built whole, before the first ray: one tree serves all rays, for where a ray starts only moves its curve.
+//! *Practice.* G95 cuts boxes in the middle of an axis along which the curve rises. Here t is cut instead, because a curve need not rise
+//! along any axis. The whole tree is built before the first ray and serves all rays, because the start of a ray only translates its curve.
 
 use glam::{DVec3, Vec3};
 
@@ -18,21 +18,21 @@ use crate::program::constant;
 /// A piece of the curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayNode {
-    /// The box's corners, of the curve where its formulas put it.
+    /// The corners of the box of the untranslated curve.
     pub corners: [DVec3; 2],
-    /// τ from its beginning to its end.
+    /// The values of τ at its beginning and end.
     pub tau: [f64; 2],
-    /// The node after this one's subtree.
+    /// The node that follows this node's subtree.
     pub skip: u32,
-    /// Is it cut no further?
+    /// `true` if it is not cut further.
     pub leaf: bool,
 }
 
-/// The tree, in depth-first order. `tolerance` is the arc's.
+/// Returns the tree in depth-first order, for arcs with this `tolerance`.
 #[must_use]
 pub fn ray_tree(curve: &Parametric, length: f64, tolerance: f64) -> Vec<RayNode> {
     let pieces = constant("segment/curve_arc", "MAX_PIECES");
-    // Curves with a kink or a pole in their derivatives are cut so far there, and no further.
+    // Curves whose derivatives have a kink or a pole are cut down to this depth there, and no further.
     let deepest = constant("motion/parametric", "DEPTH") as u32;
     let mut nodes = Vec::new();
     // `Err` closes the node whose subtree ended.
@@ -77,7 +77,7 @@ impl Piece {
 
     fn corners(&self) -> [DVec3; 2] {
         let axes: [Interval; 3] = [0, 1, 2].map(|k| self.coordinate(k));
-        // What the evaluation of the ends itself rounds.
+        // Allow for the rounding error of the ends.
         let wide = |value: f64, sign: f64| value + sign * 1e-12 * (1.0 + value.abs());
         [DVec3::from_array(axes.map(|own| wide(own.lo, -1.0))), DVec3::from_array(axes.map(|own| wide(own.hi, 1.0)))]
     }
@@ -90,12 +90,12 @@ impl Piece {
         }
         let half = Interval { lo: -0.5 * self.size, hi: 0.5 * self.size };
         let mean = Interval::at(self.middle[0][k]).plus(slope.times(half));
-        // Both hold the ends, which rounding must not lose.
+        // Both contain the ends, which rounding must not lose.
         let both = if mean.is_finite() && self.smooth { value.and(mean) } else { value };
         both.or(ends)
     }
 
-    /// Is the Hermite cubic through its ends the curve, as far as anyone asks, and straight enough for so many chords?
+    /// Returns `true` if the Hermite cubic through the ends is within `tolerance` and straight enough for `pieces` chords.
     fn is_cubic(&self, tolerance: f64, pieces: f64) -> bool {
         let most = |order: usize| DVec3::from_array(self.all[order].map(Interval::magnitude)).length();
         let cubic = most(4) * self.size.powi(4) / 384.0 <= 0.5 * tolerance;
@@ -104,21 +104,21 @@ impl Piece {
     }
 }
 
-/// Boxes more than this are met as parts of the scene's own structure.
+/// The number of boxes above which parts of the scene's acceleration structure replace them.
 const MANY: usize = 1 << 16;
 
-/// A hierarchy over boxes of objects, whose leaves are single boxes.
+/// Builds a hierarchy over the boxes of objects, whose leaves are single boxes.
 #[must_use]
 pub fn object_tree(boxes: impl Iterator<Item = (Vec3, Vec3)>) -> Vec<Node> {
     let items: Vec<Item> = boxes.map(|(lo, hi)| Item { primitive: 0, lo, hi }).collect();
     if items.is_empty() {
-        // No list of the shaders may be empty: a box that nothing meets.
+        // No list in a shader may be empty, so add a box that nothing meets.
         return vec![Node { lo: Vec3::splat(f32::MAX), hi: Vec3::splat(-f32::MAX), skip: 1, leaf: 1 }];
     }
     hierarchy(&items, 1).0
 }
 
-/// Boxes that together hold all of many items: those of parts of a hierarchy over them.
+/// Returns boxes that together contain all items; if there are many, these are the boxes of parts of the hierarchy over them.
 #[must_use]
 pub fn coarse(items: &[Item], nodes: &[Node]) -> Vec<(Vec3, Vec3)> {
     if items.len() <= MANY || nodes.is_empty() {
@@ -160,7 +160,7 @@ mod tests {
     ];
 
     proptest! {
-        /// Every node's box holds its piece, and no leaf is further from its cubic than the tolerance.
+        /// Checks that the box of every node contains its piece, and that the error of every leaf's cubic is within the tolerance.
         #[test]
         fn boxes_hold_their_pieces(which in 0..CURVES.len(), first in 0.05_f64..1.0, length in 0.3_f64..3.5,
             angle in 0.0_f64..6.0, turns in any::<bool>(), fraction in 0.0_f64..1.0) {

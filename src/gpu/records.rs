@@ -1,4 +1,4 @@
-//! Host values as the bytes that WGSL expects, by the layouts that naga reflected: no mirror of any struct to keep in step.
+//! Converts host values to the bytes that WGSL expects, by the layouts that naga reflected, so that no struct is declared twice.
 
 use naga::ScalarKind;
 
@@ -6,7 +6,7 @@ use super::GpuError;
 use crate::model::Value;
 use crate::program::Layout;
 
-/// A value's scalars as bytes, in numbers of so many bytes each.
+/// Returns the scalars of a value as bytes, `width` bytes each.
 fn scalars(value: Value, width: u32) -> (ScalarKind, Vec<u8>) {
     let floats = |values: &[f64]| {
         let bytes = |v: &f64| if width == 8 { v.to_ne_bytes().to_vec() } else { (*v as f32).to_ne_bytes().to_vec() };
@@ -25,14 +25,14 @@ fn scalars(value: Value, width: u32) -> (ScalarKind, Vec<u8>) {
     }
 }
 
-/// The bytes of `rows`, each one element of `layout` as (member, value) in any order; every member must be given.
+/// Returns the bytes of `rows`, each one element of `layout` as (member, value) in any order; every member must be given.
 pub fn pack<N: AsRef<str>, R: AsRef<[(N, Value)]>>(
     binding: &str,
     layout: &Layout,
     rows: impl IntoIterator<Item = R>,
 ) -> Result<Vec<u8>, GpuError> {
     let mut bytes = Vec::new();
-    // All rows name their members in the order of the first.
+    // All rows name their members in the order of the first row.
     let mut places: Option<Vec<usize>> = None;
     for row in rows {
         let row = row.as_ref();
@@ -45,7 +45,7 @@ pub fn pack<N: AsRef<str>, R: AsRef<[(N, Value)]>>(
     Ok(bytes)
 }
 
-/// As [`pack`], for a record that several kinds share, each with members of its own: those that a row leaves out are 0.
+/// Packs rows like [`pack`], for a record that several kinds share; members that a row omits are 0.
 pub fn pack_shared<N: AsRef<str>, R: AsRef<[(N, Value)]>>(
     binding: &str,
     layout: &Layout,
@@ -63,7 +63,7 @@ fn wrong(binding: &str, problem: String) -> GpuError {
     GpuError::Layout { binding: binding.to_owned(), problem }
 }
 
-/// Adds an element, its members at these places of the layout.
+/// Appends an element, with its members at the indices `order` of the layout.
 fn put<N: AsRef<str>>(
     binding: &str,
     layout: &Layout,
@@ -85,7 +85,7 @@ fn put<N: AsRef<str>>(
     Ok(())
 }
 
-/// For each member of the row its place in the layout.
+/// Returns the index in the layout of each member of the row.
 fn order<N: AsRef<str>>(
     binding: &str,
     layout: &Layout,

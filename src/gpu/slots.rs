@@ -1,43 +1,43 @@
-//! Which of several alike resources a dispatch uses: slots of the state, and lists of pixels.
+//! Selects the resources that a dispatch uses: slots of the state, and lists of pixels.
 //!
-//! *Idea.* A pass cannot read what it writes, so the state lies in two slots or three, and every list of pixels twice: one
-//! dispatch reads the one and writes the other, and the next swaps them.
+//! *Idea.* A pass cannot read the resource that it writes. Therefore the state has two or three slots, and every list of pixels has two
+//! copies: one dispatch reads the first and writes the second, and the next dispatch swaps them.
 
 use crate::program::{Access, Slot};
 
-/// The slots of the state that a dispatch uses, each for one of the roles that shaders know.
+/// The slots of the state that a dispatch uses, one for each role in the shaders.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Slots {
-    /// What it reads.
+    /// The slot that it reads.
     pub input: usize,
-    /// What it writes.
+    /// The slot that it writes.
     pub output: usize,
-    /// Where the segment began.
+    /// The slot with the start of the segment.
     pub start: usize,
-    /// Where it ends.
+    /// The slot with the end of the segment.
     pub end: usize,
 }
 
 impl Slots {
-    /// One slot in every role, for passes that stay where they are.
+    /// Returns one slot in every role, for passes that do not move rays.
     #[must_use]
     pub fn only(slot: usize) -> Self {
         Self::segment(slot, slot)
     }
 
-    /// A whole segment, from its start to its end.
+    /// Returns the slots of a whole segment, from its start to its end.
     #[must_use]
     pub fn segment(start: usize, end: usize) -> Self {
         Self { input: start, output: end, start, end }
     }
 
-    /// One step of a segment that began in `start`.
+    /// Returns the slots of one step of a segment that began in `start`.
     #[must_use]
     pub fn step(start: usize, input: usize, output: usize) -> Self {
         Self { input, output, start, end: output }
     }
 
-    /// The number of the slot in this role.
+    /// Returns the number of the slot in this role.
     pub(super) fn number(self, slot: Slot) -> usize {
         match slot {
             Slot::Input => self.input,
@@ -49,53 +49,53 @@ impl Slots {
     }
 }
 
-/// What the pixels of a list have in common.
+/// The property that the pixels of a list share.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Listed {
-    /// Their rays are active: under way, or about to scatter.
+    /// Their rays are active: they are traveling, or about to scatter.
     Active,
-    /// They have a path left to follow, where surfaces split rays.
+    /// They have an unfinished path, if surfaces split rays.
     Open,
-    /// They want more samples, in adaptive pictures.
+    /// They need more samples, in images with adaptive sampling.
     Wanted,
 }
 
 /// One of the two lists of a kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct List {
-    /// Of which pixels.
+    /// The kind of its pixels.
     pub of: Listed,
-    /// Which of the two.
+    /// The index of the list: 0 or 1.
     pub side: usize,
 }
 
 impl List {
-    /// The list that is `n`-th when the two take turns.
+    /// Returns the `n`-th list, if the two alternate.
     #[must_use]
     pub fn nth(of: Listed, n: u64) -> Self {
         Self { of, side: (n % 2) as usize }
     }
 
-    /// Both of a kind.
+    /// Returns both lists of a kind.
     #[must_use]
     pub fn both(of: Listed) -> [Self; 2] {
         [0, 1].map(|side| Self { of, side })
     }
 
-    /// Its place among all lists.
+    /// Returns the index of the list among all lists.
     pub(super) fn number(self) -> usize {
         2 * self.of as usize + self.side
     }
 }
 
-/// What a dispatch's bind group is made for, besides its pass.
+/// The selection that, together with a pass, determines a bind group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Selection {
-    /// Of the state.
+    /// The slots of the state.
     pub slots: Slots,
-    /// The list that it runs over.
+    /// The list that the dispatch processes.
     pub read: List,
-    /// The list that it adds to.
+    /// The list that the dispatch appends to.
     pub written: List,
 }
 
@@ -108,22 +108,22 @@ impl Selection {
     }
 }
 
-/// Bytes from one section of a buffer to the next: any device's alignment.
+/// The distance between sections of a buffer, in bytes; it meets the alignment of any device.
 pub const SECTION: u64 = 256;
 
-/// How many sections the buffers have of which each dispatch sees one.
+/// The numbers of sections of the buffers of which each dispatch sees one section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sections {
-    /// Dispatch parameters.
+    /// The number of dispatch parameters.
     pub parameters: u64,
-    /// The arguments over each list of active rays.
+    /// The number of arguments for each list of active rays.
     pub active: u64,
-    /// The arguments over each list of open pixels.
+    /// The number of arguments for each list of open pixels.
     pub open: u64,
 }
 
 impl Sections {
-    /// Of the arguments over a list.
+    /// Returns the number of arguments for a list.
     #[must_use]
     pub fn of(&self, list: Listed) -> u64 {
         match list {
@@ -133,7 +133,7 @@ impl Sections {
         }
     }
 
-    /// Of all buffers together, in bytes.
+    /// Returns the size of all buffers together, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         let lists = [Listed::Active, Listed::Open, Listed::Wanted].map(|list| 2 * self.of(list));

@@ -1,19 +1,19 @@
-//! What the values of a scene's bindings are read from.
+//! Collects the inputs for the values of a scene's bindings.
 
 use super::{Geometry, LightField};
 use crate::model::Binding;
 use crate::program::Program;
 use crate::scene::Scene;
 
-/// A scene, and what has been found out about it.
+/// A scene, with the results of its analysis.
 pub(super) struct Source<'a> {
     pub(super) scene: &'a Scene,
     pub(super) geometry: &'a Geometry,
     pub(super) program: &'a Program,
-    /// Of each light that has a grid.
+    /// The fields of the lights that have a grid.
     pub(super) fields: &'a [LightField],
-    /// K: segments of one fused pass.
+    /// K, the number of segments of one fused pass.
     pub(super) segments: u32,
-    /// What the scene's kinds feed their own parts.
+    /// The bindings of the scene's kinds.
     pub(super) kinds: Vec<Binding>,
 }

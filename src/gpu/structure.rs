@@ -1,7 +1,7 @@
-//! The structure that segments search, built over a scene's items.
+//! Builds the acceleration structure that segments search, over the items of a scene.
 //!
-//! *Practice.* The grid has about two cells for each item, in the proportions of the scene's box (Cleary and Wyvill 1988), fewer where
-//! items are so large that they would fill many.
+//! *Practice.* The grid has about two cells per item, in the proportions of the scene's box (Cleary and Wyvill 1988). It has fewer if the
+//! items are so large that they would overlap many cells.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use super::hierarchy::{Item, Node, hierarchy};
 use super::ray_tree;
 use crate::program::{Extent, PARTS, Search, constant};
 
-/// The cells of a grid.
+/// A grid of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grid {
     /// The lower corner.
@@ -20,33 +20,33 @@ pub struct Grid {
     pub hi: DVec3,
     /// The size of a cell.
     pub cell: DVec3,
-    /// Cells along each axis.
+    /// The number of cells along each axis.
     pub count: [u32; 3],
-    /// Where each cell's items begin, and behind the last where they end.
+    /// The index of each cell's first item, and finally the number of entries.
     pub cells: Vec<u32>,
 }
 
-/// A structure over items.
+/// An acceleration structure over items.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Built {
-    /// The items' primitives, in the order in which the structure refers to them.
+    /// The primitives of the items, in the order in which the structure refers to them.
     pub items: Vec<u32>,
-    /// A hierarchy's nodes.
+    /// The nodes, if it is a hierarchy.
     pub nodes: Vec<Node>,
-    /// A grid.
+    /// The grid, if it is one.
     pub grid: Option<Grid>,
-    /// The item of `over` that each was, in the order of a hierarchy's leaves.
+    /// The index in `over` of each item, in the order of a hierarchy's leaves.
     pub order: Vec<u32>,
-    /// What it was built over.
+    /// The items that it was built over.
     over: Vec<Item>,
-    /// The nodes that hold it all, of a hierarchy opened as far as `PARTS`.
+    /// The top nodes, which contain all items: a hierarchy opened down to `PARTS` nodes.
     top: Vec<Node>,
 }
 
 impl Built {
-    /// Over `items`, whose primitives are numbered again kind by kind, in the order of a hierarchy's leaves, whatever the search: what
-    /// is near in space is near in memory, and of two hits at the same place all structures find the same. No leaf has more than `leaf`
-    /// items. `before` is gone on with if it was built over the same items, as where nothing moves between frames.
+    /// Builds a structure over items, whose primitives are renumbered kind by kind in the order of a hierarchy's leaves, whatever the
+    /// search: neighbors in space are neighbors in memory, and all structures choose the same one of two coincident hits. No leaf has more
+    /// than `leaf` items. `before` is reused if it was built over the same items, as between frames in which nothing moves.
     #[must_use]
     pub fn new(over: Vec<Item>, search: Search, leaf: u32, before: Option<Self>) -> Self {
         if over.is_empty() {
@@ -74,7 +74,7 @@ impl Built {
         Self { order, over, top, ..built }
     }
 
-    /// How it is searched.
+    /// Returns the search that it supports.
     #[must_use]
     pub fn search(&self) -> Search {
         match &self.grid {
@@ -84,13 +84,13 @@ impl Built {
         }
     }
 
-    /// Boxes that together hold all that is in it, close about it.
+    /// Returns boxes that together enclose all items closely.
     #[must_use]
     pub fn coarse(&self) -> Vec<(Vec3, Vec3)> {
         ray_tree::coarse(&self.over, &self.nodes)
     }
 
-    /// Boxes that together hold all that is in it, `PARTS` of them: some twice where it has no more.
+    /// Returns `PARTS` boxes that together contain all items; boxes are repeated if there are fewer.
     pub fn parts(&self) -> impl Iterator<Item = [DVec3; 2]> {
         self.top
             .iter()
@@ -99,23 +99,23 @@ impl Built {
             .map(|n| [n.lo.as_dvec3(), n.hi.as_dvec3()])
     }
 
-    /// The places that the items of a kind, given by its code, had before, in the order that they have now.
+    /// Returns the earlier indices of the items with the kind `code`, in their present order.
     pub fn moved(&self, code: u32) -> impl Iterator<Item = usize> {
         let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
         let own = self.order.iter().map(|&i| self.over[i as usize].primitive);
         own.filter(move |own| own & !mask == code).map(move |own| (own & mask) as usize)
     }
 
-    /// The nodes behind the leaves that hold an item of a kind, given by its code, where each leaf holds one item: in the order that the
-    /// items have now.
+    /// Returns the nodes that follow the leaves with an item of the kind `code`, in the present order of the items, if each leaf has one
+    /// item.
     pub fn behind(&self, code: u32) -> impl Iterator<Item = u32> {
         let mask = constant("segment/ray", "PRIMITIVE_INDEX") as u32;
         let held = self.nodes.iter().filter_map(|node| Some((node.items()?.0, node.skip)));
         held.filter(move |(item, _)| self.items[*item as usize] & !mask == code).map(|(_, skip)| skip)
     }
 
-    /// How far a search may go: through all nodes that a hierarchy over as many items could have, so that frames agree, or along one
-    /// way through the grid's cells, to every item once or, in a grid, in every cell that it is in.
+    /// Returns the limit of a search. In a hierarchy it counts all nodes that equally many items could need, so that frames agree; in a
+    /// grid, the cells along one path and every cell of each item.
     #[must_use]
     pub fn extent(&self) -> Extent {
         let items = self.items.len() as u64;
@@ -128,7 +128,7 @@ impl Built {
     }
 }
 
-/// The nodes of a hierarchy from the top, the largest opened first, until there are so many.
+/// Returns the top `count` nodes of a hierarchy, opening the largest one first.
 fn opened(nodes: &[Node], count: usize) -> Vec<Node> {
     let mut open: Vec<usize> = (!nodes.is_empty()).then_some(0).into_iter().collect();
     let size = |i: usize| nodes[i].lo.distance(nodes[i].hi);
@@ -146,17 +146,17 @@ fn primitives(items: &[Item]) -> Vec<u32> {
     items.iter().map(|item| item.primitive).collect()
 }
 
-/// Cells for each item, about.
+/// The approximate number of cells per item.
 const DENSITY: f64 = 2.0;
-/// Entries of cells for each item, at most.
+/// The maximum number of entries in cells per item.
 const ENTRIES: usize = 32;
-/// Cells along an axis, at most.
+/// The maximum number of cells along an axis.
 const FINEST: f64 = 512.0;
 
 fn grid(items: &[Item]) -> Built {
     let (lo, hi) = items.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |all, i| (all.0.min(i.lo), all.1.max(i.hi)));
     let (lo, hi) = (lo.as_dvec3(), hi.as_dvec3());
-    // A flat scene has some thickness, and what lies in the outermost faces is inside.
+    // Give a flat scene some thickness, and keep items in the outermost faces inside.
     let margin = 1e-4 * (hi - lo).max_element().max(lo.abs().max(hi.abs()).max_element() * 1e-2).max(1e-30);
     let (lo, hi) = (lo - margin, hi + margin);
     let mut finest = (DENSITY * items.len() as f64 / (hi - lo).element_product()).cbrt();
@@ -171,11 +171,11 @@ fn grid(items: &[Item]) -> Built {
     }
 }
 
-/// With every item in the cells that its box overlaps; none if these are too many.
+/// Puts every item into the cells that its box overlaps, or returns `None` if there are too many entries.
 fn filled(mut grid: Grid, items: &[Item]) -> Option<Built> {
     let [nx, ny, nz] = grid.count;
     let last = DVec3::new(f64::from(nx - 1), f64::from(ny - 1), f64::from(nz - 1));
-    // What rounding may put into the cell beside is in both.
+    // An item that rounding may move into a neighboring cell is put into both.
     let place = |x: DVec3, off: f64| ((x - grid.lo) / grid.cell + off).floor().clamp(DVec3::ZERO, last).as_uvec3();
     let range = |item: &Item| {
         let off = 1e-3 + (4e-6 * item.lo.abs().max(item.hi.abs()).as_dvec3() / grid.cell).max_element();

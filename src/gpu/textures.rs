@@ -1,4 +1,4 @@
-//! The scene's pictures on the device.
+//! Uploads the textures of a scene.
 
 use std::borrow::Cow;
 
@@ -13,13 +13,13 @@ use wgpu::{
 use super::{Gpu, GpuError};
 use crate::scene::{Picture, Scene};
 
-/// Pixels that are converted and written at once.
+/// The number of pixels that are converted and written at once.
 const BAND: u32 = 1 << 20;
-/// Those of one task of a core.
+/// The number of pixels that one task converts.
 const SHARE: usize = 1 << 14;
 
-/// The size at which a device whose textures have sides of up to `most` pixels holds a picture: halved until it fits, with its smaller
-/// copies if it is averaged.
+/// Returns the size at which a device stores an image, if its textures have sides of up to `most` pixels: the size is halved until the
+/// image fits, together with its reduced copies if it is `averaged`.
 fn held_size(mut size: [u32; 2], averaged: bool, most: u32) -> [u32; 2] {
     let fits = |[width, height]: [u32; 2]| {
         let below = if averaged { height / 2 } else { 0 };
@@ -35,8 +35,8 @@ fn halved(size: [u32; 2]) -> [u32; 2] {
     size.map(|side| (side / 2).max(1))
 }
 
-/// Which pictures of a scene are larger than a device's textures, whose sides have up to `most` pixels, and at which size they are used
-/// instead, in words for a user.
+/// Returns a warning for each image of a scene that is larger than the device's textures, whose sides have up to `most` pixels; the warning
+/// names the size that is used instead.
 #[must_use]
 pub fn halved_pictures(scene: &Scene, most: u32) -> Vec<String> {
     let words = |picture: &Picture| {
@@ -53,8 +53,8 @@ pub fn halved_pictures(scene: &Scene, most: u32) -> Vec<String> {
     scene.pictures.iter().filter_map(words).collect()
 }
 
-/// In 16 bits where its values fit, and halved until the device can hold it; if it is to be averaged, with smaller and smaller copies
-/// below it, as `surface/image_filtered` finds them.
+/// Uploads an image, in 16 bits if its values fit, and halved until the device can hold it. If it is to be averaged, successively halved
+/// copies are stored below it, in the layout of `surface/image_filtered`.
 pub(super) fn upload_picture(gpu: &Gpu, picture: &Picture, averaged: bool) -> Result<Texture, GpuError> {
     let most = gpu.limits.max_texture_dimension_2d;
     let size = held_size(picture.size, averaged, most);
@@ -99,19 +99,20 @@ fn write(gpu: &Gpu, texture: &Texture, [x, y]: [u32; 2], Level { size: [width, _
             rows_per_image: None,
         };
         gpu.queue.write_texture(TexelCopyTextureInfo { origin, ..texture.as_image_copy() }, &bytes, row, size);
-        // What is written is held in memory until then.
+        // Submit at once, because written data stays in host memory until then.
         gpu.queue.submit([]);
     }
 }
 
-/// A picture, or a smaller copy of it.
+/// An image, or a reduced copy of it.
 struct Level<'p> {
     size: [u32; 2],
     pixels: Cow<'p, [[f32; 3]]>,
 }
 
 impl Level<'_> {
-    /// Half as wide and as high, rounded down. Each of its pixels is the mean of what it covers, so that the whole has the same mean.
+    /// Returns a copy of half the width and height, rounded down. Each pixel is the mean of the pixels that it covers, so the overall mean
+    /// is unchanged.
     fn halved(&self) -> Level<'static> {
         let [width, height] = self.size;
         let size = halved(self.size);
@@ -133,10 +134,10 @@ impl Level<'_> {
     }
 }
 
-/// The pixels that one of `parts` equal parts of a side covers, with the share of it that each is.
+/// Returns the pixels that one of `parts` equal parts of a side covers, each with its share of the part.
 fn covered(side: u32, parts: u32, part: u32) -> impl Iterator<Item = (u32, f32)> {
     let [side, parts, part] = [side, parts, part].map(u64::from);
-    // In pixels cut into as many pieces as there are parts.
+    // Lengths are in units of 1/`parts` of a pixel.
     let (begin, end) = (part * side, (part + 1) * side);
     (begin / parts..end.div_ceil(parts)).map(move |pixel| {
         let pieces = end.min((pixel + 1) * parts) - begin.max(pixel * parts);
@@ -144,7 +145,7 @@ fn covered(side: u32, parts: u32, part: u32) -> impl Iterator<Item = (u32, f32)>
     })
 }
 
-/// The bytes of opaque texels, made on all cores.
+/// Returns the bytes of opaque texels, converted on all cores.
 fn texels(pixels: &[[f32; 3]], halves: bool) -> Vec<u8> {
     let bytes = 4 * if halves { size_of::<f16>() } else { size_of::<f32>() };
     let mut all = vec![0; pixels.len() * bytes];
@@ -171,14 +172,14 @@ mod tests {
         assert_eq!(held_size([16384, 8192], false, 16384), [16384, 8192]);
         assert_eq!(held_size([16385, 8193], false, 16384), [8192, 4096]);
         assert_eq!(held_size([70_000, 35_000], false, 16384), [8750, 4375]);
-        // Half as high again with its smaller copies.
+        // The height is one and a half times as large with the reduced copies.
         assert_eq!(held_size([10_000, 12_000], true, 16384), [5000, 6000]);
         assert_eq!(held_size([40, 10_922], true, 16384), [40, 10_922]);
         assert_eq!(held_size([1, 100_000], false, 16384), [1, 12_500]);
     }
 
     proptest! {
-        /// However odd its sides are, each copy has the mean of the picture, and a picture of one colour stays it.
+        /// Checks that, for any odd sides, each copy has the mean of the image, and an image of one color keeps it.
         #[test]
         fn smaller_copies_keep_the_mean(width in 1_u32..70, height in 1_u32..70, seed in 0_u32..1000) {
             let value = |i: u32| ((i.wrapping_mul(2_654_435_761).wrapping_add(seed)) >> 16) as f32 / 65_536.0;
@@ -190,7 +191,7 @@ mod tests {
             while level.size != [1, 1] {
                 level = level.halved();
                 for k in 0..3 {
-                    // Sums of up to nine in float32, seven times over.
+                    // Sums of up to nine values in float32, seven times over.
                     prop_assert!((mean(&level.pixels, k) - mean(&pixels, k)).abs() < 1e-5, "{:?}", level.size);
                 }
                 prop_assert!(level.pixels.iter().all(|pixel| (pixel[1] - 0.25).abs() < 1e-6));

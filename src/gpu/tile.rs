@@ -1,4 +1,4 @@
-//! What lives as long as one tile of a picture: the state of its rays in slots that ping-pong, and what passes hand to the next.
+//! Stores the resources of one image tile: the state of its rays in alternating slots, and the values that one pass leaves for the next.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroU64;
@@ -14,35 +14,35 @@ use super::slots::{List, Listed, SECTION, Sections, Selection};
 use super::{Gpu, GpuError, Pipeline, SceneBuffers};
 use crate::program::{Access, Binding, BindingKind, Pass, Program, Role, Slot};
 
-/// What one pixel costs on the device.
+/// The device memory of one pixel.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Memory {
-    /// Each texture, buffer and list, with its bytes a pixel.
+    /// Each texture, buffer and list, with its size in bytes per pixel.
     pub items: Vec<(String, u64)>,
 }
 
 impl Memory {
-    /// Bytes a pixel, all together.
+    /// Returns the total, in bytes per pixel.
     #[must_use]
     pub fn bytes_per_pixel(&self) -> u64 {
         self.items.iter().map(|(_, bytes)| bytes).sum()
     }
 
-    /// Bytes a pixel that the host reads.
+    /// Returns the bytes per pixel that the host reads.
     #[must_use]
     pub fn read_back(&self) -> u64 {
         let read = [Role::Pixels, Role::Moments].map(|role| role.to_string());
         self.items.iter().filter(|(name, _)| read.contains(name)).map(|(_, bytes)| bytes).sum()
     }
 
-    /// Bytes a pixel of the item that takes most.
+    /// Returns the bytes per pixel of the largest item.
     #[must_use]
     pub fn largest_item(&self) -> u64 {
         self.items.iter().map(|(_, bytes)| *bytes).max().unwrap_or(0).max(4)
     }
 }
 
-/// Everything that `program` allocates for each pixel, whatever the number of segments.
+/// Returns all items that `program` allocates per pixel, which do not depend on the number of segments.
 #[must_use]
 pub fn memory(program: &Program) -> Memory {
     let items = per_pixel(program).into_iter().map(|item| (item.role.to_string(), item.storage.bytes()));
@@ -59,7 +59,7 @@ struct PerPixel {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Storage {
     Texture(TextureFormat),
-    /// Of this many bytes a pixel: kept values, or the state in 64 bits.
+    /// A buffer with this many bytes per pixel: stored values, or the state in 64 bits.
     Buffer(u32),
 }
 
@@ -72,7 +72,7 @@ impl Storage {
     }
 }
 
-/// What passes write for each pixel: textures first, by name.
+/// Returns the textures and buffers that passes write for each pixel: textures first, by name.
 fn per_pixel(program: &Program) -> Vec<PerPixel> {
     let mut all = BTreeMap::new();
     for Binding { kind, role, .. } in program.bindings() {
@@ -98,7 +98,7 @@ fn per_pixel(program: &Program) -> Vec<PerPixel> {
     all.into_values().collect()
 }
 
-/// The lists that passes write, in pairs.
+/// Returns the lists that passes write, in pairs.
 fn lists(program: &Program) -> Vec<List> {
     let mut written = BTreeSet::new();
     for (pass, _, reflection) in &program.passes {
@@ -113,19 +113,19 @@ fn lists(program: &Program) -> Vec<List> {
     written.into_iter().flat_map(List::both).collect()
 }
 
-/// A tile's textures and buffers, by what they are for.
+/// The textures and buffers of a tile, by their roles.
 #[derive(Debug)]
 pub struct Tile {
-    /// Width and height in pixels.
+    /// The width and height in pixels.
     pub size: [u32; 2],
     textures: BTreeMap<Role, Texture>,
     buffers: BTreeMap<Role, Buffer>,
     lists: BTreeMap<List, Buffer>,
-    /// Of dispatches over the lists.
+    /// The arguments of dispatches over the lists.
     arguments: BTreeMap<List, Buffer>,
 }
 
-/// What is bound.
+/// A resource to bind.
 enum Bound<'t> {
     View(TextureView),
     Buffer(&'t Buffer),
@@ -178,39 +178,39 @@ impl Tile {
         Ok(())
     }
 
-    /// Adds a buffer that holds `bytes`.
+    /// Adds a buffer that contains `bytes`.
     pub fn add_input(&mut self, gpu: &Gpu, role: &Role, bytes: &[u8]) -> Result<(), GpuError> {
         self.add_storage(gpu, role, bytes.len() as u64)?;
         self.write(gpu, role, 0, bytes);
         Ok(())
     }
 
-    /// Writes into a buffer of the tile, where it has that.
+    /// Writes into a buffer of the tile, if the tile has it.
     pub fn write(&self, gpu: &Gpu, role: &Role, offset: u64, bytes: &[u8]) {
         if let Some(buffer) = self.buffer(role) {
             gpu.queue.write_buffer(buffer, offset, bytes);
         }
     }
 
-    /// A buffer of the tile.
+    /// Returns a buffer of the tile.
     #[must_use]
     pub fn buffer(&self, role: &Role) -> Option<&Buffer> {
         self.buffers.get(role)
     }
 
-    /// The arguments of dispatches over a list.
+    /// Returns the arguments of dispatches over a list.
     #[must_use]
     pub fn arguments(&self, list: List) -> Option<&Buffer> {
         self.arguments.get(&list)
     }
 
-    /// A texture of the tile.
+    /// Returns a texture of the tile.
     #[must_use]
     pub fn texture(&self, role: &Role) -> Option<&Texture> {
         self.textures.get(role)
     }
 
-    /// The bind group of a pass that uses these slots and lists.
+    /// Creates the bind group of a pass for these slots and lists.
     pub fn bind_group(
         &self,
         gpu: &Gpu,

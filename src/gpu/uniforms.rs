@@ -1,4 +1,4 @@
-//! The values of a scene's uniforms, by the names of their members in WGSL.
+//! Packs the values of a scene's uniforms, by the names of their members in WGSL.
 
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use crate::model::{Binding, Row, row};
 use crate::scene::{Branches, Clear, Scene, Segment, Sky};
 
 impl Source<'_> {
-    /// What a scene says once, as one struct each.
+    /// Returns the values that a scene has once, each as one struct.
     pub(super) fn uniforms(&self) -> Vec<Binding> {
         let Scene { image, output, rays, sky, beyond, .. } = self.scene;
         let side = f64::from(image.samples).sqrt();
@@ -54,11 +54,12 @@ impl Source<'_> {
         all
     }
 
-    /// How far ambient light comes from: from all around, if no less.
+    /// Returns the members of `ambient`: the range of occlusion (by default the diameter of the bounding sphere), its floor and its
+    /// shadows.
     fn ambient(&self) -> Row {
         let occlusion = self.scene.occlusion.as_ref();
         let along_law = occlusion.is_some_and(|occlusion| occlusion.along_law);
-        // Paths may go round before they leave.
+        // Along the law, a path may orbit before it escapes.
         let across = if along_law { f64::from(f32::MAX) } else { 2.0 * self.scene.rays.bound.radius };
         let distance = occlusion.and_then(|occlusion| occlusion.distance).unwrap_or(across);
         let floor = occlusion.map_or(0.0, |occlusion| occlusion.floor);
@@ -67,7 +68,7 @@ impl Source<'_> {
     }
 }
 
-/// The members of `sky`.
+/// Returns the members of `sky`.
 fn sky_row(sky: &Sky) -> Row {
     match sky {
         Sky::Color(color) => row! { color: Vec3(*color) },
@@ -80,10 +81,10 @@ fn sky_row(sky: &Sky) -> Row {
     }
 }
 
-/// The members of `schedule`.
+/// Returns the members of `schedule`.
 #[must_use]
 pub fn schedule_values(max_segments: u32, segments: u32) -> [(&'static str, Value); 2] {
-    // Where no mask holds an ended ray back it runs on to the end of the pass: no further than a path may go.
+    // Without a mask, a terminated ray runs to the end of the pass; no path may have more than `max_segments`.
     let segments = segments.min(max_segments);
     [("max_segments", Uint(max_segments)), ("segments", Uint(segments))]
 }
