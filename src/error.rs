@@ -1,4 +1,4 @@
-//! Every stage's errors, as one.
+//! Combines the errors of all stages in one type.
 
 use thiserror::Error;
 
@@ -8,13 +8,13 @@ use crate::program::ProgramError;
 use crate::render::RenderError;
 use crate::scene::SceneError;
 
-/// What a command can fail with.
+/// The error of a command.
 #[derive(Debug, Error)]
 pub enum Error {
-    /// The scene file is wrong.
+    /// The scene file is invalid.
     #[error("{0}")]
     Scene(#[from] SceneError),
-    /// The scene's program cannot be made.
+    /// The scene's program cannot be generated.
     #[error("{0}")]
     Program(#[from] ProgramError),
     /// The device is missing or too small.
@@ -26,21 +26,21 @@ pub enum Error {
     /// Standard output could not be written.
     #[error("standard output could not be written: {0}")]
     Stdout(std::io::Error),
-    /// Whoever read standard output has had enough: no failure.
+    /// The reader of standard output closed it, which is not a failure.
     #[error("standard output was closed")]
     Closed,
-    /// A frame of a film, or a moment after it while the shutter is open, is wrong.
+    /// A frame of an animation, or a shutter sample of that frame, is invalid.
     #[error("frame {frame}: {error}")]
     Frame {
-        /// Which.
+        /// The number of the frame.
         frame: f64,
-        /// What is wrong with it.
+        /// The error of the frame.
         error: Box<Self>,
     },
-    /// A word of the command line that only the scene can tell wrong.
+    /// A word of the command line is invalid for this scene.
     #[error("{0}")]
     Usage(String),
-    /// A file could not be written, or a table not read.
+    /// A file could not be written, or a table could not be read.
     #[error("{0}")]
     Output(#[from] OutputError),
 }

@@ -1,28 +1,28 @@
-//! Bentray renders scenes in which light does not travel in straight lines: around black holes, through fields of force, through
-//! lenses and air of varying index, along the flow of a chaotic system, or by a law of the user's own.
+//! Bentray renders scenes in which light follows curves: around black holes, through force fields, lenses and air of varying refractive
+//! index, along the flow of a chaotic system, or by a custom law.
 //!
-//! *To use it*, read the [`guide`]: a page for each subject, which `bentray help TOPIC` prints too.
+//! *Usage.* Read the [`guide`]. Each subject has a page, which `bentray help TOPIC` prints too.
 //!
-//! *Theory.* Weiskopf, Schafhitzel and Ertl, *GPU-based nonlinear ray tracing* (2004): rays set up by a camera, integrated
-//! step by step, tested against the scene segment by segment, ended early, shaded once; all on the GPU, the state ping-ponging
-//! between textures. Formulas cite it as W04, Gröller's *Nonlinear ray tracing* (1995) as G95, and as T the thesis of A. A. A.
-//! Al-Houni on transparent materials with varying properties, of which README.md says what is known.
+//! *Theory.* Weiskopf, Schafhitzel and Ertl, *GPU-based nonlinear ray tracing* (2004): a camera sets up the rays; they are integrated step
+//! by step, intersected with the scene segment by segment, terminated early, and shaded once. All stages run on the GPU and keep the state
+//! in pairs of textures. Formulas cite this paper as W04, Gröller, *Nonlinear ray tracing* (1995), as G95, and as T the thesis by A. A. A.
+//! Al-Houni on transparent materials with varying properties, which README.md describes.
 //!
-//! *Changes from the paper.* A segment is one accepted step as a cubic arc (the paper's chord of N steps is an option); ends
-//! come from retaking the last step to the surface; several segments with all their stages run in one pass; meshes have a
-//! hierarchy; and the program is linked from the parts that a scene uses, so that nothing else is in it.
+//! *Differences from W04.* A segment is one accepted step, represented as a cubic arc (the chord of N steps of W04 is an option). The end
+//! of a ray is found by retaking the last step to the surface. Several segments with all their stages run in one pass. Meshes have a
+//! bounding volume hierarchy. The program is linked only from the modules that a scene uses.
 //!
-//! *Practice.* Modules import one way, each from those before it:
+//! *Practice.* Each module imports only modules that precede it in this list:
 //!
-//! 1. [`progress`]: how far long work has come; [`document`]: TOML as written, every value with its place;
-//! 2. [`assets`]: meshes, pictures, profiles, grids and formulas;
-//! 3. [`model`]: everything known of each kind of law, medium, material, shape, camera, fall-off, method and control;
-//! 4. [`scene`]: a scene as plain values, from a file or made in code;
-//! 5. [`program`]: values to WGSL, linked, validated and reflected;
-//! 6. [`gpu`]: a device, and what lies on it;
+//! 1. [`progress`]: the progress of long tasks; [`document`]: TOML as written, with the location of every value;
+//! 2. [`assets`]: meshes, images, profiles, grids and formulas;
+//! 3. [`model`]: each kind of law, medium, material, shape, camera, falloff, method and control;
+//! 4. [`scene`]: a scene as plain values, read from a file or built in code;
+//! 5. [`program`]: translates scene values to WGSL, which it links, validates and reflects;
+//! 6. [`gpu`]: a device and its buffers, textures and pipelines;
 //! 7. [`render`]: passes as data, and the loop that runs them;
-//! 8. [`measure`]: how right a render is, and which method makes it so in the least time;
-//! 9. [`output`], [`chart`], [`bench`](mod@bench): files, speed against accuracy, and the sources' own measurements;
+//! 8. [`measure`]: the error of a render, and the search for the fastest method that is accurate enough;
+//! 9. [`output`], [`chart`], [`bench`](mod@bench): files, charts of speed against accuracy, and the measurements of the sources;
 //! 10. [`cli`]: the `bentray` command.
 //!
 //! ```no_run

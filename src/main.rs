@@ -1,4 +1,4 @@
-//! The `bentray` command: parses its line, runs one subcommand, prints what went wrong.
+//! The `bentray` command: parses the command line, runs one subcommand and prints its error.
 
 use std::process::ExitCode;
 

@@ -1,22 +1,22 @@
-//! The time that work still takes, estimated from the time that it has taken.
+//! Estimates the remaining time of work from the time that it has taken.
 //!
-//! *Theory.* The rate is the work done in about the latest half of the time, from the end of one unit to the end of another: a slow start,
-//! such as a compilation, and units that were done already are forgotten in time, and one slow unit counts as no more than it
-//! is. Between the ends of units the remaining time is counted down; if a unit takes longer than the ones before, it grows.
+//! *Theory.* The rate is measured over about the latest half of the elapsed time, from the end of one unit to the end of another. A slow
+//! start, such as a compilation, and units that were done before drop out in time, and one slow unit has no more influence than its length.
+//! Between the ends of units the remaining time counts down; if a unit takes longer than the units before, it grows.
 
 use std::collections::VecDeque;
 use std::time::Duration;
 
-/// Ends of units closer together than this fraction of the elapsed time are merged, so that few are kept.
+/// The fraction of the elapsed time within which ends of units are merged, so that few are stored.
 const CLOSE: f64 = 1.0 / 256.0;
 
-/// A smaller fraction is no unit: it may be a rounding error.
+/// The smallest fraction that counts as a unit; smaller ones may be rounding errors.
 const LEAST: f64 = 1e-6;
 
 /// Estimates the remaining time of work from its progress. Times count from the work's start.
 #[derive(Debug, Clone)]
 pub struct Estimate {
-    /// Seconds and the fraction done then, from the latest one in the first half of the time on.
+    /// The time in seconds and the fraction done, for each stored unit; the first entry is the latest one in the first half of the time.
     seen: VecDeque<(f64, f64)>,
 }
 
@@ -27,10 +27,10 @@ impl Default for Estimate {
 }
 
 impl Estimate {
-    /// Notes the fraction that is done at a time.
+    /// Records the fraction `done` at a time.
     pub fn see(&mut self, at: Duration, done: f64) {
         let at = at.as_secs_f64();
-        // Work that has to be done again is not done.
+        // Work that must be repeated is not done.
         self.seen.retain(|(_, before)| *before <= done);
         if self.seen.back().is_some_and(|(_, last)| done - last < LEAST) {
             return;
@@ -76,7 +76,7 @@ mod tests {
         Duration::from_secs_f64(seconds)
     }
 
-    /// The estimates at the end of each unit, beside the true time left.
+    /// Returns the estimates at the end of each unit, with the true remaining time.
     fn estimates(units: &[f64]) -> Vec<[f64; 2]> {
         let all: f64 = units.iter().sum();
         let (mut estimate, mut at) = (Estimate::default(), 0.0);
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn a_slow_start_is_forgotten() {
-        // 20 units' time for the first: after as much again it is out of the latest half.
+        // The first unit takes 20 units of time; after another 20 it is no longer in the latest half.
         let units: Vec<f64> = std::iter::once(20.0).chain(std::iter::repeat_n(1.0, 200)).collect();
         for [estimate, truth] in &estimates(&units)[20..] {
             assert!((estimate - truth).abs() < 1e-6 * (truth + 1.0), "{estimate} for {truth}");
@@ -120,7 +120,7 @@ mod tests {
     fn a_change_of_speed_is_followed() {
         let units: Vec<f64> = std::iter::repeat_n(1.0, 100).chain(std::iter::repeat_n(3.0, 100)).collect();
         let found = estimates(&units);
-        // 100 s at the old rate are out of the latest half once 200 s have passed: 34 units at the new one.
+        // The 100 s at the old rate leave the latest half after 200 s, that is, after 34 units at the new rate.
         for [estimate, truth] in &found[134..] {
             assert!((estimate - truth).abs() < 0.05 * truth + 4.0, "{estimate} for {truth}");
         }
@@ -134,7 +134,7 @@ mod tests {
         let left = |now| estimate.left(seconds(now)).unwrap().as_secs_f64();
         assert!((left(20.0) - 80.0).abs() < 1e-9);
         assert!((left(26.0) - 74.0).abs() < 1e-9);
-        // The unit was to end at 30.
+        // The unit was due at 30 s.
         assert!((left(30.0) - 70.0).abs() < 1e-9);
         assert!((30..200).all(|now| left(f64::from(now + 1)) >= left(f64::from(now))));
         assert!(left(40.0) > 80.0, "{}", left(40.0));

@@ -1,11 +1,11 @@
-//! How far long work has come: reported by the code that does it, displayed by the code that watches it.
+//! Reports the progress of long tasks: tasks report it, and a watcher displays it.
 //!
-//! *Idea.* Code whose work takes a while opens a [`Stage`] and reports how many of its units are done. Stages nest: one that is opened
-//! while others are open is inside of them. Nobody is called: a report is one store to memory, and a watcher on another thread
-//! reads the [`State`] of all open stages whenever it draws. So reports cost next to nothing, and change nothing about the work.
+//! *Idea.* A task that takes a while opens a [`Stage`] and reports how many of its units are done. A stage that is opened while others are
+//! open is nested inside them. There are no callbacks: a report is one store to memory, and a watcher on another thread reads the [`State`]
+//! of all open stages whenever it draws. Reports therefore cost next to nothing and do not affect the work.
 //!
-//! *Practice.* A [`Progress`] travels with the objects that all work of its kind goes through: `Files` for reading scenes, `Gpu` for
-//! everything on a device. The default reports to nobody.
+//! *Practice.* A [`Progress`] is part of the objects that all work of a kind uses: `Files` for reading scenes, `Gpu` for work on a device.
+//! The default reports to nobody.
 
 mod estimate;
 mod watched;
@@ -33,13 +33,13 @@ struct Stages {
 struct Open {
     number: u64,
     name: Cow<'static, str>,
-    /// The number of its units; 0 if that is unknown.
+    /// The number of its units; 0 if unknown.
     units: f64,
-    /// Whether units are things of their own, such as frames, so that their number is displayed.
+    /// `true` if units are separate items, such as frames, so that their number is displayed.
     counted: bool,
-    /// How many units of the enclosing stage it covers.
+    /// The number of units of the enclosing stage that it covers.
     span: f64,
-    /// Units that are done, as the bits of an `f64`.
+    /// The number of units done, as the bits of an `f64`.
     done: AtomicU64,
 }
 
@@ -48,14 +48,14 @@ struct Open {
 #[must_use = "a stage ends when it is dropped"]
 pub struct Stage(Option<(Progress, Arc<Open>)>);
 
-/// What is under way at one moment.
+/// The work in progress at one time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
-    /// The number of the outermost stage whose units are known: a new number is a new stage.
+    /// The number of the outermost stage with a known number of units; a new number means a new stage.
     pub number: u64,
     /// The names of the open stages, outermost first.
     pub words: String,
-    /// The fraction of the outermost stage that is done, from 0 to 1; `None` if no stage knows its units.
+    /// The fraction of the outermost stage that is done, from 0 to 1; `None` if no stage has a known number of units.
     pub done: Option<f64>,
 }
 
@@ -76,7 +76,7 @@ impl Progress {
         self.open(name.into(), units, false, 0.0)
     }
 
-    /// Opens a stage of `count` things, of which the display counts the current one: `frame 3 of 10`.
+    /// Opens a stage of `count` items, of which the display shows the current one: `frame 3 of 10`.
     pub fn counted(&self, name: impl Into<Cow<'static, str>>, count: usize) -> Stage {
         self.open(name.into(), count as f64, true, 0.0)
     }
@@ -96,11 +96,11 @@ impl Progress {
     }
 
     fn stages(&self) -> Option<MutexGuard<'_, Stages>> {
-        // No thread leaves it half changed.
+        // No thread leaves the stages in an inconsistent state.
         Some(self.0.as_ref()?.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Returns what is under way; `None` between stages.
+    /// Returns the work in progress; `None` between stages.
     #[must_use]
     pub fn state(&self) -> Option<State> {
         let stages = self.stages()?;
@@ -147,7 +147,7 @@ impl Stage {
         }
     }
 
-    /// Reports that `units` more are done, from any thread.
+    /// Reports that `units` more units are done, from any thread.
     pub fn advance(&self, units: f64) {
         if let Some((_, open)) = &self.0 {
             let more = |bits: u64| Some((f64::from_bits(bits) + units).to_bits());
@@ -158,7 +158,7 @@ impl Stage {
 }
 
 impl Drop for Stage {
-    /// Closes the stage; the units of the enclosing stage that it covers are done.
+    /// Closes the stage, and marks the units of the enclosing stage that it covers as done.
     fn drop(&mut self) {
         let Some((progress, own)) = self.0.take() else { return };
         let Some(mut stages) = progress.stages() else { return };
@@ -186,13 +186,13 @@ mod tests {
         frames.reach(1.0);
         let compiling = progress.counted("compiling", 2);
         compiling.reach(1.0);
-        // Compilation is no known fraction of a frame.
+        // Compilation is an unknown fraction of a frame.
         assert_eq!(state(&progress), ("frame 2 of 4, compiling 2 of 2".to_owned(), Some(0.25)));
         drop(compiling);
         let rendering = progress.part("rendering", 200.0, 1.0);
         rendering.reach(100.0);
         assert_eq!(state(&progress), ("frame 2 of 4, rendering".to_owned(), Some(0.375)));
-        // A stage without a name or an end of its own shows through.
+        // A stage without a name or a number of units is not visible in the state.
         let inner = progress.stage("");
         inner.reach(7.0);
         assert_eq!(state(&progress), ("frame 2 of 4, rendering".to_owned(), Some(0.375)));

@@ -1,4 +1,4 @@
-//! Files that report how much of them has been read.
+//! Reports how much of a file has been read.
 
 use std::io::{Read, Result, Seek, SeekFrom};
 
@@ -13,7 +13,7 @@ pub struct Watched<'s, R> {
 }
 
 impl<'s, R> Watched<'s, R> {
-    /// Reports what is read of `inner`, from its start on, to `stage`.
+    /// Creates a reader that reports the position in `inner`, from its start, to `stage`.
     pub fn new(inner: R, stage: &'s Stage) -> Self {
         Self { inner, stage, at: 0 }
     }
