@@ -1,8 +1,8 @@
-//! Renders every figure of the scenes' own pages into a folder, and writes a page that shows each with its command and its time.
+//! Renders every figure of the scene pages into a folder, and writes a page that shows each figure with its command and time.
 //!
-//! `cargo run --release --example gallery -- PROGRAM OUT [MORE...]`: `PROGRAM` is the `bentray` to run, and `MORE` is added to each render, such
-//! as `--size 100x100`. A figure's command is a line of a page that is indented and begins with `bentray`; what stands above it says
-//! what it shows.
+//! `cargo run --release --example gallery -- PROGRAM OUT [MORE...]`: `PROGRAM` is the `bentray` to run, and `MORE` is added to each render,
+//! such as `--size 100x100`. The command of a figure is an indented line of a page that begins with `bentray`; the paragraph above it
+//! describes the figure.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-/// Folders below `scenes` that have a page.
+/// The folders below `scenes` that have a page.
 const PAGES: [&str; 4] = ["spacetimes", "thesis", "groller", "paths"];
 
-/// A command of a page.
+/// A command of a page, with its description.
 struct Figure {
     about: String,
     line: String,
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The commands of a page, each with the paragraph above it.
+/// Returns the commands of a page, each with the paragraph above it.
 fn figures(text: &str) -> Vec<Figure> {
     let mut about = String::new();
     let mut found = Vec::new();
@@ -67,7 +67,7 @@ fn figures(text: &str) -> Vec<Figure> {
     found
 }
 
-/// Runs a command in its page's folder; the files that it made, and the seconds that it took.
+/// Runs a command in the folder of its page, and returns the files that it wrote and the time that it took, in seconds.
 fn run(
     program: &Path,
     folder: &Path,
@@ -102,7 +102,7 @@ fn show(page: &mut String, figure: &Figure, name: &str, files: &[PathBuf], secon
     writeln!(page, "<figure>")?;
     for file in files {
         let own = file.file_name().unwrap_or_default().to_string_lossy();
-        // Frames of a film have many files for one name, of which the first is shown.
+        // The frames of an animation are many files with one name pattern; the page shows the first.
         let (first, own) = (own.replace("{frame:2}", "00").replace("{frame}", "0"), escaped(&own));
         let address = format!("{name}/{}", escaped(&first));
         let is_shown = [".png", ".svg", ".gif"].iter().any(|end| first.ends_with(end));

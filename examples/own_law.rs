@@ -1,4 +1,4 @@
-//! A law of one's own: light in a harmonic trap, dv = −k x, where every orbit is an ellipse that closes after 2π/√k.
+//! Defines a custom law: light in a harmonic trap, dv = −k x, where every orbit is an ellipse that closes after 2π/√k.
 
 use std::error::Error;
 
@@ -9,7 +9,7 @@ use bentray::render::{RenderSettings, trace};
 use bentray::scene::Scene;
 use glam::DVec3;
 
-/// The functions that a law has to have: `shaders/README.md` says what each promises.
+/// The functions that a law must provide; `shaders/README.md` describes their contracts.
 const TRAP: &str = "
 struct Law {
     stiffness: Real,
@@ -61,7 +61,7 @@ impl Law for Trap {
 fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open(None)?;
     let mut scene = Scene::new(Trap { stiffness: 0.25 }, 50.0);
-    // Once round.
+    // One revolution.
     scene.rays.length = Some(std::f64::consts::TAU / 0.5);
     let rays = [[3.0, 0.0, 0.0, 0.0, 1.0, 0.0], [0.0, 2.0, 1.0, 0.5, 0.0, 0.3]];
     let (ends, totals) = trace(&gpu, &scene, &RenderSettings::default(), &rays)?;

@@ -1,4 +1,4 @@
-//! A picture of a black hole before a chequered wall, its camera on a circle of its own: three frames, without a scene file.
+//! Renders three frames of a black hole in front of a checkered wall, from a camera on a circle, without a scene file.
 
 use std::error::Error;
 use std::path::Path;
@@ -30,7 +30,7 @@ fn scene() -> Scene {
     scene
 }
 
-/// At this part of a turn, looking at the hole.
+/// Returns the camera after `turn` revolutions; it looks at the black hole.
 fn camera(turn: f64) -> Option<Camera> {
     let (sin, cos) = (std::f64::consts::TAU * turn).sin_cos();
     Camera::looking(DVec3::new(15.0 * sin, 2.0, 15.0 * cos), DVec3::ZERO, DVec3::Y, Arc::new(Pinhole { fov: 60.0 }))

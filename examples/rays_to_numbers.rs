@@ -1,4 +1,4 @@
-//! Rays traced to numbers: by how much a black hole turns light, against Einstein's 4M/b for light that passes far away.
+//! Traces rays without an image, and compares the deflection by a black hole with Einstein's 4M/b for light that passes far away.
 
 use std::error::Error;
 
@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open(None)?;
     let hole = RoundHole::new(1.0, DVec3::ZERO);
     let mut scene = Scene::new(hole, 1000.0);
-    // To infinity at both ends, in closed form.
+    // Continue the rays to infinity at both ends, in closed form.
     scene.rays.asymptotic = true;
     let impacts = [6.0, 10.0, 30.0, 100.0, 300.0];
     let rays = impacts.map(|b| [-2000.0, b, 0.0, 1.0, 0.0, 0.0]);
