@@ -1,13 +1,13 @@
-//! Sampling a picture only where it needs it.
+//! Samples an image adaptively.
 //!
-//! *Theory.* One ray through the corner of every pixel, which four pixels share, shows where the picture changes. A pixel whose
-//! four corners end alike and look alike is done. Any other takes samples of its own from a sequence each prefix of which is well
-//! spread, 16, 32, 64, …, until the standard error of their mean, in what a screen shows, is below the scene's tolerance. Where the
-//! picture is chaotic it never is (G95 §5): such pixels stop at the scene's number of samples, and are counted.
+//! *Theory.* One ray through the corner of every pixel, shared by four pixels, shows where the image changes. A pixel is done if its four
+//! corner rays end on the same object with similar colors. Any other pixel takes samples of a low-discrepancy sequence, 16, 32, 64, …,
+//! until the standard error of their mean, in display values, is below the scene's tolerance. In chaotic regions the error stays above it
+//! (G95 §5): such pixels stop at the scene's number of samples, and are counted.
 //!
-//! *Practice.* A pixel is judged by its own samples and corners alone, so that tiles do not show: a tile has one more column and
-//! row of corners. Pixels that want more are listed on the device; the host reads how many there are after each doubling.
-//! 36 bytes a pixel, and 8 for the lists.
+//! *Practice.* The decision about a pixel depends only on its samples and corners, so that tile borders are invisible; a tile has one extra
+//! column and row of corners. Pixels that need more samples are listed on the device; the host reads their number after each doubling. The
+//! memory is 36 bytes per pixel, and 8 for the lists.
 
 use super::clock::Clock;
 use super::noise::LUMINANCE;
@@ -17,19 +17,19 @@ use super::{Adaptive, RenderError, Renderer};
 use crate::gpu::{GpuError, Tile};
 use crate::program::{Role, constant};
 
-/// What `moments` says of a pixel.
+/// The values of `moments` for a pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moments {
-    /// Mean red, green, blue and alpha.
+    /// The mean red, green, blue and alpha.
     pub color: [f32; 4],
-    /// The sums of the squared distances of its own samples from their mean, red, green and blue.
+    /// The sums of squared deviations of the samples from their mean: red, green and blue.
     pub squares: [f32; 3],
-    /// Rays that it took: that through its corner, and its own samples.
+    /// The number of rays: one through the corner, and one per sample.
     pub rays: u32,
 }
 
 impl Renderer<'_> {
-    /// All samples of a tile: which of its pixels take how many is decided on the way, and added to `sums`.
+    /// Takes all samples of a tile, and adds the samples that its pixels needed to `sums`.
     pub(super) fn sample_adaptively(
         &self,
         tile: &Tile,
@@ -42,7 +42,7 @@ impl Renderer<'_> {
         let first = constant("pass/refine", "FIRST_SAMPLES") as u32;
         let at = |number: u32, refines: Refines| Sample { origin, image: image.size, number, refines: Some(refines) };
         let pixels = tile.size.map(u64::from).iter().product::<u64>();
-        // Reported as if all pixels that are open took as many samples as they may: less is known of none.
+        // Progress assumes that all open pixels take the maximum number of samples, because nothing more is known.
         let tell = |taken: u64, open: u64, sample: u32, done: f64| {
             let [taken, open] = [taken, open].map(|rays| rays as f64);
             progress((taken + open * done) / (taken + open * f64::from(image.samples + 1 - sample)));
@@ -68,7 +68,7 @@ impl Renderer<'_> {
         Ok(())
     }
 
-    /// How many pixels want more samples; those that stopped at the cap since this was read last are added to `sums`.
+    /// Returns the number of pixels that need more samples; pixels that reached the cap since the last call are added to `sums`.
     fn read_refined(&self, tile: &Tile, sums: &mut Adaptive) -> Result<u64, GpuError> {
         let records = Records::take(self.prepared.gpu, &self.prepared.program, tile, &Role::Refined)?;
         let Some(refined) = records.rows().next() else { return Ok(0) };
@@ -78,7 +78,7 @@ impl Renderer<'_> {
 }
 
 impl Moments {
-    /// Of every pixel of a tile with its margin, row by row; none if the tile has none.
+    /// Returns the moments of every pixel of a tile with its margin, row by row; `None` if the tile has none.
     pub(super) fn of(records: &Records) -> Option<Vec<Self>> {
         let [color, alpha, squares, state] = ["color", "alpha", "squares", "state"].map(|name| records.field(name));
         let (color, alpha, squares, state) = (color?, alpha?, squares?, state?);
@@ -91,7 +91,7 @@ impl Moments {
         Some(records.rows().map(moments).collect())
     }
 
-    /// The standard error of the mean of its own samples: no more than that of a pixel whose channels err together.
+    /// Returns the standard error of the mean luminance of the samples; an upper bound, which assumes fully correlated channels.
     pub(super) fn error(&self) -> f32 {
         let n = self.rays.saturating_sub(1) as f32;
         if n < 2.0 {

@@ -1,45 +1,45 @@
-//! Rows of a picture in the host's memory: what finished tiles come to, and what files are written from.
+//! Stores rows of an image in host memory: the output of finished tiles, and the input of file writers.
 
 use super::{RenderError, Totals};
 use crate::program::{Layer, LayerKind};
 
-/// Values of a layer, row by row.
+/// The values of a layer, row by row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Plane {
-    /// One number a pixel.
+    /// One number per pixel.
     Scalar(Vec<f32>),
-    /// Three numbers a pixel, by component.
+    /// Three numbers per pixel, by component.
     Vector([Vec<f32>; 3]),
-    /// One whole number a pixel.
+    /// One integer per pixel.
     Id(Vec<u32>),
 }
 
-/// Some full rows of the window that is rendered.
+/// A range of complete rows of the rendered window.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Band {
-    /// The first row, from the window's top.
+    /// The first row, counted from the top of the window.
     pub first_row: u32,
-    /// How many.
+    /// The number of rows.
     pub rows: u32,
-    /// The window's width.
+    /// The width of the window, in pixels.
     pub width: u32,
-    /// Linear red, green and blue, the mean of the samples.
+    /// The mean of the samples: linear red, green and blue.
     pub color: [Vec<f32>; 3],
-    /// The share of the samples that show something, by which the colours are multiplied already; none where all do.
+    /// The fraction of samples that show something (the colors are premultiplied by it); `None` if all do.
     pub alpha: Option<Vec<f32>>,
-    /// The layers that the settings ask for, in their order.
+    /// The requested layers, in the order of the settings.
     pub layers: Vec<(Layer, Plane)>,
 }
 
-/// Bands in order, put together.
+/// Bands that are joined in order.
 #[derive(Debug, Default)]
 pub(super) struct Bands {
-    /// None before the first.
+    /// The joined bands; `None` before the first.
     pub whole: Option<Band>,
 }
 
 impl Bands {
-    /// Takes one more.
+    /// Returns a function that appends a band.
     pub fn sink(&mut self) -> impl FnMut(Band) -> Result<(), RenderError> {
         |band| {
             match &mut self.whole {
@@ -51,25 +51,25 @@ impl Bands {
     }
 }
 
-/// A whole picture in memory, for tests and comparisons.
+/// A whole image in memory, for tests and comparisons.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rendering {
-    /// All its rows in one band.
+    /// All rows of the image in one band.
     pub band: Band,
-    /// What rendering it took.
+    /// The totals of the render.
     pub totals: Totals,
 }
 
-/// Where in the rows of a band a tile's values go.
+/// The location of a tile in the rows of a band.
 pub(super) struct TilePlace {
     pub left: u32,
-    /// The tile's width, with its margin.
+    /// The width of the tile with its margin, in pixels.
     pub width: u32,
     pub margin: u32,
 }
 
 impl TilePlace {
-    /// A tile's values without its margin, row by row, into full rows of the picture.
+    /// Copies the values of a tile without its margin, row by row, into complete rows of the image.
     pub fn put<T: Copy>(&self, rows: &mut [T], width: u32, values: impl Iterator<Item = T>) {
         for (i, value) in values.enumerate() {
             let (row, column) = (i / self.width as usize, i % self.width as usize);
@@ -110,7 +110,7 @@ fn empty_plane(layer: Layer, pixels: usize) -> Plane {
 }
 
 impl Band {
-    /// The plane of a layer, if the band has one.
+    /// Returns the plane of a layer, if the band has it.
     #[must_use]
     pub fn layer(&self, layer: Layer) -> Option<&Plane> {
         self.layers.iter().find_map(|(l, plane)| (*l == layer).then_some(plane))

@@ -1,4 +1,4 @@
-//! Steps and nothing else, for measurements.
+//! Runs integration steps alone, for measurements.
 
 use std::time::{Duration, Instant};
 
@@ -10,8 +10,8 @@ use crate::gpu::GpuError;
 use crate::program::Role;
 
 impl Tracer<'_> {
-    /// Moves the ray of every pixel, row by row, by so many steps, in one pass, of a tracer made for `Bare`. The time that the
-    /// pass takes on the device, or the whole time where devices do not say.
+    /// Advances the ray of every pixel, row by row, by the given numbers of steps in one pass, for a tracer made for `Bare`. Returns the
+    /// time of the pass on the device, or the total time if the device has no timestamps.
     pub fn bare(&self, steps: &[u32]) -> Result<Duration, RenderError> {
         let prepared = &self.prepared;
         let size = prepared.scene.image.size;

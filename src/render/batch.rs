@@ -1,23 +1,22 @@
-//! Where the lists of pixels lie that a sample's steps name by number.
+//! Assigns the lists of pixels that a sample's steps number to buffers and sections.
 //!
-//! *Idea.* Two lists of a kind are enough, for each is read by the steps that write the next, and not again. The arguments of the
-//! dispatches over them (counts of workgroups and pixels) are another matter: passes only ever add to them, so that they must begin
-//! at zero, and a clear between two dispatches takes a new pass of the encoder, which costs more than a dispatch over an empty
-//! list. So the arguments of each list of each round have a section of their own in a buffer, which is cleared once for a batch of
-//! many rounds.
+//! *Idea.* Two lists of a kind suffice, because each is read only by the steps that write the next one. The arguments of the dispatches
+//! over them (counts of workgroups and pixels) need more: passes only add to them, so that they must begin at zero, and clearing them
+//! between two dispatches requires a new encoder pass, which costs more than a dispatch over an empty list. Therefore the arguments of each
+//! list of each round have a section in a buffer, which is cleared once for a batch of many rounds.
 
 use super::step::{PixelList, Step};
 use crate::gpu::{List, Listed, SECTION, Selection};
 
-/// Rounds of a sample whose lists have sections of their own, so that these are cleared once for all of them.
+/// The rounds of a sample whose lists have separate sections, so that these are cleared once for all of them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Batch {
     pub rounds: u64,
-    /// Sections for the lists of active rays of one round.
+    /// The number of sections for the lists of active rays of one round.
     pub active: u64,
 }
 
-/// Where a list of pixels lies, and where the arguments of dispatches over it.
+/// The location of a list of pixels, and of the arguments of dispatches over it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct ListSection {
     pub list: List,
@@ -26,28 +25,28 @@ pub(super) struct ListSection {
 }
 
 impl ListSection {
-    /// Of the section, in bytes.
+    /// Returns the offset of the section, in bytes.
     pub(super) fn offset(self) -> u64 {
         self.section * SECTION
     }
 }
 
 impl Batch {
-    /// Of a sample that has `rounds` rounds of `steps`.
+    /// Returns the batches of a sample that has `rounds` rounds of `steps`.
     pub(super) fn of(steps: &[Step], rounds: u32) -> Self {
-        /// A megabyte of them.
+        /// One megabyte of arguments.
         const SECTIONS: u64 = 4096;
         let active = |step: &Step| if let PixelList::Active(n) = step.written { n } else { 0 };
         let active = 1 + steps.iter().map(active).max().unwrap_or(0);
         Self { rounds: (SECTIONS / active).clamp(1, u64::from(rounds)), active }
     }
 
-    /// Sections for lists of open pixels: a batch reads what the one before left, while its own are cleared and written.
+    /// Returns the number of sections for lists of open pixels, for two batches: one is read while the other is cleared and written.
     pub(super) fn open(&self) -> u64 {
         2 * self.rounds
     }
 
-    /// Where a list lies in a round.
+    /// Returns the location of a list in a round.
     pub(super) fn place(&self, list: PixelList, round: u32) -> ListSection {
         let round = u64::from(round);
         match list {
@@ -62,7 +61,7 @@ impl Batch {
         }
     }
 
-    /// What a step uses in a round.
+    /// Returns the resources that a step uses in a round.
     pub(super) fn selection(&self, step: &Step, round: u32) -> Selection {
         let [read, written] = [step.read, step.written].map(|list| self.place(list, round).list);
         Selection { slots: step.slots, read, written }
@@ -77,7 +76,7 @@ mod tests {
 
     #[test]
     fn a_round_reads_what_the_one_before_left_open() {
-        // Adaptive pictures list what is open.
+        // Adaptive images list open pixels.
         let steps = recorded(Schedule::Fused, "", "adaptive = 0.05");
         let [Some(setup), Some(advance), Some(last)] = [steps.first(), steps.get(1), steps.last()] else {
             panic!("no steps")
@@ -89,7 +88,7 @@ mod tests {
             assert_eq!(read, batch.place(last.read, round));
             assert_eq!(read, batch.place(advance.read, round));
             assert_ne!(read.list, batch.place(last.written, round).list, "what is read is not written");
-            // Half of the sections are cleared before a batch, in which these must not lie.
+            // Half of the sections are cleared before a batch; the list that is read must not be among them.
             assert_ne!(round % 3 == 0, read.section / 3 == u64::from(round) / 3 % 2);
             let active =
                 ListSection { list: List { of: Listed::Active, side: 1 }, section: u64::from(round) % 3 * 5 + 1 };

@@ -1,10 +1,10 @@
-//! Timing passes on the device.
+//! Times passes on the device.
 //!
-//! *Idea.* A pass takes the time from the end of the one before it to its own end; the first of a submission is preceded by an
-//! empty one. Beginnings are written but not read: Mesa's software driver takes a timestamp only when something flushes after it, and
-//! nothing need do so between the beginning of a pass and its first dispatch, whose time was then lost. An end is flushed by the
-//! next beginning, or by the end of the submission. Another thread of the driver's then takes it, which on a busy core is late by as
-//! much as the next pass takes. A copy of the timestamp waits for it, so a CPU copies each one behind its pass.
+//! *Idea.* The time of a pass is measured from the end of the previous pass to its own end; an empty pass precedes the first one of a
+//! submission. Beginnings are written but not read: Mesa's software driver takes a timestamp only when a flush follows, which need not
+//! happen between the beginning of a pass and its first dispatch, whose time was then lost. The next beginning, or the end of the
+//! submission, flushes an end. Another thread of the driver then takes it, which on a busy core is late by up to the time of the next pass.
+//! A copy of the timestamp waits for it, so on a CPU each timestamp is copied after its pass.
 
 use std::time::Duration;
 
@@ -16,10 +16,10 @@ use wgpu::{
 use super::readback::read_buffer;
 use crate::gpu::{Gpu, GpuError};
 
-/// The stages that are timed apart.
+/// The stages that are timed separately.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// Of nothing: what the first pass of a submission is timed from.
+    /// No stage: the pass whose end the first pass of a submission is timed from.
     Start,
     Setup,
     Advance,
@@ -28,15 +28,15 @@ pub(super) enum Stage {
     Shade,
 }
 
-/// Timestamp queries in sets of as many as wgpu allows, for any number of passes.
+/// Timestamp queries for any number of passes, in sets of the largest size that wgpu allows.
 #[derive(Debug)]
 pub(super) struct Clock {
     sets: Vec<QuerySet>,
     stages: Vec<Stage>,
     enabled: bool,
-    /// What timestamps are copied to so that the device waits for them, if it has to.
+    /// The buffer that timestamps are copied to, if the device must wait for them.
     awaited: Option<Buffer>,
-    /// Are intersecting and scattering timed apart from advancing?
+    /// `true` if intersecting and scattering are timed separately from advancing.
     pub(super) apart: bool,
 }
 
@@ -52,7 +52,7 @@ impl Clock {
         Self { sets: Vec::new(), stages: Vec::new(), enabled: gpu.timestamps, awaited, apart }
     }
 
-    /// Where the next pass of this stage writes its times.
+    /// Returns the queries to which the next pass of this stage writes its times.
     pub(super) fn next(&mut self, gpu: &Gpu, stage: Stage) -> Option<ComputePassTimestampWrites<'_>> {
         if !self.enabled {
             return None;
@@ -71,7 +71,7 @@ impl Clock {
         })
     }
 
-    /// Waits for the end of the pass that was recorded last, where the device has to.
+    /// Waits for the end of the most recently recorded pass, if the device requires it.
     pub(super) fn settle(&self, encoder: &mut CommandEncoder) {
         if let (Some(set), Some(buffer)) = (self.sets.last(), &self.awaited) {
             let last = 2 * (self.stages.len() as u32 - 1) % QUERIES + 1;
@@ -79,7 +79,7 @@ impl Clock {
         }
     }
 
-    /// Seconds by stage, once all passes are done.
+    /// Returns the time of each stage, once all passes are done.
     pub(super) fn read(&self, gpu: &Gpu) -> Result<Option<[Duration; 5]>, GpuError> {
         if !self.enabled {
             return Ok(None);

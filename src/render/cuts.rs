@@ -1,28 +1,28 @@
-//! A picture cut into bands of rows that take about equally long.
+//! Cuts an image into bands of rows that take about equally long.
 //!
-//! *Theory.* What a band takes is the sum of its steps, and a little for each ray besides. Steps are counted, not timed, so that every
-//! machine with the same device comes to the same cuts, however busy it is.
+//! *Theory.* The cost of a band is its number of steps, plus a small cost per ray. Steps are counted, not timed, so that every machine with
+//! the same device finds the same cuts, however busy it is.
 //!
-//! *Practice.* The picture is rendered small, strip by strip, by its own program; nothing is compiled for it. Within a strip all rows are
-//! taken to cost the same.
+//! *Practice.* The image is rendered at a small size, strip by strip, by its own program, so nothing is compiled. All rows of a strip are
+//! assumed to have equal costs.
 
 use super::{RenderError, Renderer, Window};
 
-/// The longer side of the small picture.
+/// The longer side of the small image, in pixels.
 const SMALL: u32 = 192;
-/// Strips, at most.
+/// The maximum number of strips.
 const STRIPS: u32 = 48;
-/// What a ray costs besides its steps, in steps.
+/// The cost of a ray in addition to its steps, in steps.
 const RAY: u64 = 8;
 
 impl Renderer<'_> {
-    /// Renders another part of the picture from now on; all of it without one. It has to be inside.
+    /// Sets the window of the image to render, which must be inside it; `None` selects the whole image.
     pub fn set_window(&mut self, window: Option<Window>) {
         self.prepared.settings.window = window;
     }
 
-    /// The rows at which so many bands begin, and after them the picture's height. Every band has a row at least, so that there may be
-    /// no more of them than rows.
+    /// Returns the first row of each of `parts` bands, followed by the height of the image. Every band has at least one row, so `parts`
+    /// must not exceed the number of rows.
     pub fn cuts(&mut self, parts: u32) -> Result<Vec<u32>, RenderError> {
         let rows = self.prepared.scene.image.size[1];
         if parts < 2 {
@@ -34,7 +34,7 @@ impl Renderer<'_> {
         let side = |side: u32| u64::from(side) * u64::from(SMALL.min(longer)) / u64::from(longer);
         small.image.size = scene.image.size.map(|own| (side(own) as u32).max(1));
         if small.image.adaptive.is_none() {
-            // Not one, which would be another program where there are several.
+            // One sample instead of several would require another program.
             small.image.samples = small.image.samples.min(2);
         }
         let window = self.prepared.settings.window;
@@ -47,7 +47,7 @@ impl Renderer<'_> {
         Ok(equal_cuts(&costs?, rows, parts))
     }
 
-    /// Of strips of equal height, from the top.
+    /// Returns the costs of strips of equal height, from the top.
     fn strip_costs(&mut self) -> Result<Vec<u64>, RenderError> {
         let [width, height] = self.prepared.scene.image.size;
         let strips = height.min(STRIPS);
@@ -64,7 +64,7 @@ impl Renderer<'_> {
     }
 }
 
-/// Where to cut `rows` rows into `parts`, when strips of them cost so much.
+/// Returns the cuts of `rows` rows into `parts`, for strips with these costs.
 fn equal_cuts(costs: &[u64], rows: u32, parts: u32) -> Vec<u32> {
     let all: u64 = costs.iter().sum();
     let row_of = |share: f64| {

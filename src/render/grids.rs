@@ -1,4 +1,4 @@
-//! The grids of a scene's lights, and what making them came to.
+//! Stores the photon grids of a scene's lights, with reports on their creation.
 
 use std::fmt;
 use std::sync::Arc;
@@ -7,19 +7,19 @@ use std::time::Duration;
 use super::Totals;
 use crate::gpu::LightField;
 
-/// In the order of the scene's lights that have one, or of the beams that guide its paths.
+/// The grids in the order of the scene's lights that have one, or of the beams that guide its paths.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LightGrids {
     pub fields: Arc<[LightField]>,
     pub reports: Vec<LightReport>,
 }
 
-/// Whose light is in a grid.
+/// The source of the light in a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Gridded {
-    /// A light's, by its place in the scene file.
+    /// A light, by its index in the scene file.
     Light(usize),
-    /// That of a lamp which guides paths, sent to a mirror or a clear object or everywhere; by the objects' places.
+    /// An emitter that guides paths, by its object, and the mirror or transparent object that it shines on (`None` for all directions).
     Beam(usize, Option<usize>),
 }
 
@@ -33,25 +33,25 @@ impl fmt::Display for Gridded {
     }
 }
 
-/// What making a grid of light came to.
+/// A report on the creation of a photon grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LightReport {
-    /// Whose.
+    /// The source of its light.
     pub of: Gridded,
-    /// Voxels along each axis.
+    /// The number of voxels along each axis.
     pub count: [u32; 3],
-    /// Voxels that were cut into parts, and those that were to be.
+    /// The number of voxels that were refined, and the number that were to be.
     pub refined: [usize; 2],
-    /// Bytes on the device while a picture is made.
+    /// The bytes on the device during a render.
     pub bytes: u64,
-    /// What became of the paths.
+    /// The totals of the paths.
     pub totals: Totals,
-    /// The time that it took, without the compilation of its passes.
+    /// The time that the grid took, without the compilation of its passes.
     pub wall: Duration,
 }
 
 impl LightReport {
-    /// Paths whose light is missing: what guides others is missed nowhere.
+    /// Returns the number of paths whose light is missing; 0 for path guiding, which does not affect the result.
     #[must_use]
     pub fn unfollowed(&self) -> u64 {
         if matches!(self.of, Gridded::Light(_)) { self.totals.unfollowed() } else { 0 }

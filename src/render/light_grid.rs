@@ -1,12 +1,12 @@
-//! Grids of light directions (G95 §6), made before a picture whose lights ask for them or whose paths they guide.
+//! Creates photon grids (G95 §6) before an image whose lights require them or whose paths they guide.
 //!
-//! *Theory.* Paths leave a light evenly in all directions, follow the scene's law through what is clear until they end, and leave their
-//! light in the voxels on their way. Then more paths do so in the parts of those voxels whose light is unlike a neighbour's.
+//! *Theory.* Paths leave a light evenly in all directions, follow the scene's law through transparent objects until they end, and add their
+//! light to the voxels that they cross. More paths then do so in the subvoxels of those voxels whose light differs from a neighbor's.
 //!
-//! *Practice.* The paths are rays like any others, of a program whose purpose is that; only what they leave is read back, batch by batch.
-//! Sums are of whole numbers, so that a grid is the same bit for bit in whatever order its paths run.
+//! *Practice.* The paths are ordinary rays of a program for this purpose; only the sums that they leave are read back, batch by batch. Sums
+//! are integers, so that a grid is bit-identical in whatever order its paths run.
 //!
-//! *Length.* Over 300 lines, because a grid is made in one run: its volume, its paths, its bricks.
+//! *Length.* Over 300 lines, because a grid is created in one run: its volume, its paths, its bricks.
 
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -27,18 +27,18 @@ use crate::program::{Choice, Masks, Purpose, Role, Schedule, constant};
 use crate::progress::Stage;
 use crate::scene::{LightGrid, Scene, Shadows};
 
-/// Paths that tell where others are to go: half as many, and so many at least and at most.
+/// The minimum and maximum number of pilot paths, which find the directions for the others; between them, half as many as other paths.
 const PILOTS: [u32; 2] = [1 << 16, 1 << 18];
-/// Times as many paths for the parts of voxels.
+/// The factor by which refined voxels increase the number of paths.
 const FOR_PARTS: u32 = 4;
-/// What is not known of the direction of light that guides paths, in parts of one path's.
+/// The isotropic fluence that path guiding adds for the uncertainty of directions, as a fraction of the fluence of one path.
 const DOUBT: f64 = 0.03;
-/// Of the device's memory that is left, the part that bricks may take.
+/// The divisor of the remaining device memory that gives the share of bricks.
 const FOR_BRICKS: u64 = 2;
-/// Parts of what guides paths, in all.
+/// The maximum number of subvoxels of all guiding grids together.
 const GUIDE_PARTS: u64 = 1 << 19;
 
-/// The grids that a picture of the scene needs: those of its lights, or of what guides its paths.
+/// Creates the grids that an image of the scene needs: for its lights, or for the emitters that guide its paths.
 pub(super) fn grids_of(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<LightGrids, RenderError> {
     let made = if scene.has_shadows(Shadows::Grid) {
         light_grids(gpu, scene, settings)?
@@ -49,7 +49,7 @@ pub(super) fn grids_of(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> R
     Ok(LightGrids { fields: fields.into(), reports })
 }
 
-/// The grids of a scene's lights that have one, in the order of the file.
+/// Creates the grids of a scene's lights that have one, in the order of the file.
 pub fn light_grids(
     gpu: &Gpu,
     scene: &Scene,
@@ -67,7 +67,7 @@ pub fn light_grids(
     fields(gpu, scene.clone(), settings, (Purpose::Light, &wanted))
 }
 
-/// The grids of the light that guides a scene's paths.
+/// Creates the grids of the light that guides a scene's paths.
 fn guide(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Vec<(LightField, LightReport)>, RenderError> {
     let beams = scene.beams();
     let bends = beams.iter().any(|beam| beam.through.is_none());
@@ -84,12 +84,12 @@ fn guide(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> Result<Vec<(Lig
     fields(gpu, scene.of_beams(), settings, (purpose, &wanted))
 }
 
-/// A grid that is to be made.
+/// A grid to create.
 struct Wanted {
     of: Gridded,
     emission: Emission,
     grid: LightGrid,
-    /// Is it found out first which ways from the light lead to where it is looked for?
+    /// `true` if pilot paths first find the directions that lead from the light to the region of interest.
     narrows: bool,
 }
 
@@ -117,18 +117,18 @@ fn fields(
         return Err(RenderError::LightGrid { voxels, needed: all, allowed: settings.memory });
     }
     let choice = Choice { purpose, schedule: Schedule::Fused, masks: Masks::List, ..Choice::default() };
-    // A leap does not tell where it went.
+    // A leap does not record the voxels that it passes.
     if std::mem::take(&mut followed.rays.leaps) && !guides {
         followed.rays.max_segments = followed.rays.max_segments.max(ARCS);
     }
     let own = RenderSettings { choice, window: None, ..settings.clone() };
     let prepared = Prepared::new(gpu, Cow::Borrowed(&followed), own, LightGrids::default())?;
     let mut maker = Maker { prepared };
-    // Each light's share of what bricks may take: of the memory, and of a buffer.
+    // Each light gets an equal share of the memory for bricks, and of a buffer.
     let limit = gpu.limits.max_storage_buffer_binding_size.min(gpu.limits.max_buffer_size);
     let coarse: u64 = volumes.iter().map(|volume| volume.voxels() as u64).sum();
     let part = size_of::<Vec4>() as u64;
-    // What guides paths is the same whatever memory there is: a picture does not change with it.
+    // Guiding grids do not depend on the available memory, so that an image does not change with it.
     let room = if guides { GUIDE_PARTS } else { (settings.memory - all) / FOR_BRICKS / light_bytes(1) };
     let room = room.min((limit / part).saturating_sub(coarse)) / wanted.len() as u64;
     let stage = gpu.progress.counted(if guides { "light guide" } else { "light grid" }, wanted.len());
@@ -140,7 +140,7 @@ fn fields(
     wanted.iter().zip(volumes).enumerate().map(make).collect()
 }
 
-/// Arcs of one path, at most, where the camera's paths take leaps.
+/// The maximum number of arcs of one path, if the camera's paths take leaps.
 const ARCS: u32 = 1 << 12;
 
 struct Maker<'a> {
@@ -148,7 +148,7 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    /// A light's grid, with at most `room` parts in bricks.
+    /// Creates the grid of a light, with at most `room` subvoxels in bricks.
     fn make(
         &mut self,
         wanted: &Wanted,
@@ -208,7 +208,7 @@ impl Maker<'_> {
         Ok((made, LightReport { of, count, refined, bytes, totals, wall }))
     }
 
-    /// What all paths together leave in `count` voxels, or parts of them.
+    /// Returns the light that all paths together leave in `count` voxels or subvoxels.
     fn shine(
         &mut self,
         emission: &Emission,
@@ -226,7 +226,7 @@ impl Maker<'_> {
             let batch = first..aim.paths().min(first + BATCH as u32);
             let rays: Vec<[f64; 6]> = batch.clone().into_par_iter().map(|k| emission.path(k, aim.point(k))).collect();
             let (mut tile, mut sample) = ray_tile(&self.prepared, &rays)?;
-            // What is drawn at random for a path depends on its place in its batch, and on that.
+            // The random numbers of a path depend on its index in its batch, and on this number.
             sample.number = first / BATCH as u32;
             tile.add_input(gpu, &Role::LightVolume, &row)?;
             tile.add_input(gpu, &Role::VolumeBricks, bytemuck::cast_slice(bricks))?;
@@ -249,11 +249,11 @@ impl Maker<'_> {
     }
 }
 
-/// What paths left behind.
+/// The light that paths left.
 struct Shone {
-    /// Of each voxel or part.
+    /// The sums of each voxel or subvoxel.
     sums: Vec<[f64; 4]>,
-    /// Of each path: did it leave anything?
+    /// For each path, `true` if it left any light.
     reaches: Vec<bool>,
 }
 

@@ -1,4 +1,4 @@
-//! The paths that lead from lights to places, found by shooting.
+//! Finds the paths from lights to positions by the shooting method.
 
 use std::borrow::Cow;
 use std::time::Instant;
@@ -16,25 +16,25 @@ use crate::model::Control;
 use crate::program::{Choice, Masks, Purpose, Role, Schedule, all_shots, constant};
 use crate::scene::Scene;
 
-/// A path that leads from a light to a place.
+/// A path from a light to a position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LightPath {
-    /// Its unit direction at the light.
+    /// The unit direction at the light.
     pub leaves: [f64; 3],
-    /// Its unit direction at the place.
+    /// The unit direction at the position.
     pub arrives: [f64; 3],
-    /// The area of the bundle about it at the place, square to it, for each solid angle at the light.
+    /// The cross section of the ray bundle at the position, per unit solid angle at the light.
     pub spread: f64,
-    /// What its directions are off by, in radians, as far as the search knows: what it misses the place by.
+    /// The estimated error of its directions, in radians, from the distance by which it misses the position.
     pub error: f64,
-    /// Is nothing opaque on it?
+    /// `true` if nothing opaque blocks it.
     pub clear: bool,
 }
 
-/// Directions at the light closer than this are one path's.
+/// The distance between directions at the light below which two paths are identical.
 const SAME: f64 = 2e-3;
 
-/// Each path once.
+/// Returns each path once.
 fn distinct<'p>(paths: impl Iterator<Item = &'p LightPath>) -> Vec<LightPath> {
     let mut found: Vec<LightPath> = Vec::new();
     for path in paths {
@@ -46,8 +46,8 @@ fn distinct<'p>(paths: impl Iterator<Item = &'p LightPath>) -> Vec<LightPath> {
     found
 }
 
-/// For each pair of a place and a light the paths between them under the scene's law, as many as shooting finds: about one centre all that
-/// go less than once round. Light leaves with the law's own speed, or with 1.
+/// Finds, for each pair of a position and a light, the paths between them under the scene's law. Around a single center, shooting finds all
+/// paths that make less than one revolution. Light leaves with the speed that the law prescribes, or with 1.
 pub fn light_paths(
     gpu: &Gpu,
     scene: &Scene,
@@ -57,14 +57,14 @@ pub fn light_paths(
     LightTracer::new(gpu, scene.clone(), settings)?.paths_between(pairs)
 }
 
-/// Finds the paths that lead from lights to places.
+/// A tracer that finds the paths from lights to positions.
 #[derive(Debug)]
 pub struct LightTracer<'a> {
     prepared: Prepared<'a>,
 }
 
 impl<'a> LightTracer<'a> {
-    /// Links, compiles and uploads.
+    /// Creates a tracer: links and compiles the program, and uploads the scene.
     pub fn new(gpu: &'a Gpu, scene: Scene, settings: &RenderSettings) -> Result<Self, RenderError> {
         let choice =
             Choice { purpose: Purpose::Lit, schedule: Schedule::Fused, masks: Masks::Off, ..Choice::default() };
@@ -72,13 +72,13 @@ impl<'a> LightTracer<'a> {
         Ok(Self { prepared: Prepared::new(gpu, Cow::Owned(scene), settings, LightGrids::default())? })
     }
 
-    /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
-    /// is compiled again.
+    /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
+    /// recompiled.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
         self.prepared.retune(control, max_segments)
     }
 
-    /// For each pair of a place and a light the paths between them, as [`light_paths`] does.
+    /// Finds, for each pair of a position and a light, the paths between them, like [`light_paths`].
     pub fn paths_between(&mut self, pairs: &[[DVec3; 2]]) -> Result<(Vec<Vec<LightPath>>, Totals), RenderError> {
         let prepared = &mut self.prepared;
         let (each, started) = (all_shots(&prepared.scene), Instant::now());
@@ -87,7 +87,7 @@ impl<'a> LightTracer<'a> {
         let stage = prepared.gpu.progress.measured("shooting rays at lights", pairs.len() as f64);
         let abreast = constant("pass/shots", "ABREAST") as usize;
         for batch in pairs.chunks(BATCH / each) {
-            // One ray for each path that is looked for. What fills up a row is a place at its light.
+            // One ray searches for each path. A row is padded with positions that coincide with their light.
             let row = |pair: Option<&[DVec3; 2]>| pair.map_or([0.0; 6], |[x, s]| [x.x, x.y, x.z, s.x, s.y, s.z]);
             let rows = batch.chunks(abreast).map(|pairs| (0..abreast).map(|i| row(pairs.get(i))).collect::<Vec<_>>());
             let rays: Vec<[f64; 6]> = rows.flat_map(|pairs| pairs.repeat(each)).collect();

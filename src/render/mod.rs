@@ -1,15 +1,14 @@
-//! The driver: passes as data, recorded and submitted, and one readback at the end.
+//! Drives a render: records and submits passes, which are data, and reads the result back once at the end.
 //!
-//! *Theory.* The 2004 paper's Figure 1: ray setup, then for every segment ray integration, ray–object intersection and the test
-//! for termination, then local illumination. A [`Step`] is one dispatch of that; a *schedule* cuts the same stages into
-//! different passes.
+//! *Theory.* Figure 1 of W04: ray setup; then, for every segment, ray integration, ray–object intersection and the termination test;
+//! finally local illumination. A [`Step`] is one dispatch of these stages; a *schedule* divides the same stages into different passes.
 //!
-//! *Practice.* All steps of a sample are known before the first runs. Nothing is read back until the tile is complete: indirect
-//! dispatch drops the rays that have ended. Submissions are kept short, because drivers kill long ones.
+//! *Practice.* All steps of a sample are known before the first one runs. Nothing is read back until the tile is complete: indirect
+//! dispatch drops terminated rays. Submissions are short, because drivers abort long ones.
 //!
-//! `Prepared` is a scene made ready for a device, `tile` a part of the picture on it, and `runner` runs the steps of
-//! a tile's samples that `schedule` lists. Three use them: [`Renderer`] makes pictures band by band and tile by tile, and `values` reads what
-//! they came to; [`Tracer`] follows single rays; [`LightTracer`] and `light_grid` follow light from its sources.
+//! `Prepared` is a scene with its program and data on a device, `tile` a part of the image on it, and `runner` runs
+//! the steps of a tile's samples, which `schedule` lists. Three types use them: [`Renderer`] renders images band by band and tile by tile,
+//! and `values` reads the results; [`Tracer`] follows single rays; [`LightTracer`] and `light_grid` follow light from its sources.
 
 mod adaptive;
 mod band;

@@ -1,8 +1,8 @@
-//! Motion blur: the samples of a picture show several moments in turn.
+//! Renders motion blur: the samples of an image show several moments of the shutter in turn.
 //!
-//! *Practice.* All moments run one program, so that what a moment is lies in the scene's buffers alone, and a sample is taken of it by
-//! binding those. Samples are summed on the device as ever. All moments lie there at once: what is the same in two of them, such as
-//! meshes that stay where they are, and pictures, is there once.
+//! *Practice.* All moments run one program. A moment is defined by the scene's buffers alone, and a sample shows it by binding them.
+//! Samples are summed on the device as usual. All moments are on the device at once; resources that several share, such as static meshes
+//! and textures, are stored once.
 
 use super::RenderError;
 use super::grids::LightGrids;
@@ -12,13 +12,13 @@ use crate::program::Program;
 use crate::scene::Scene;
 
 impl Prepared<'_> {
-    /// As the moments of a renderer of the same scene by another schedule.
+    /// Takes the moments of a renderer of the same scene with another schedule.
     pub(super) fn take_moments(&mut self, moments: &[Moment]) -> Result<(), RenderError> {
         let mut stored = Stored::new();
         moments.iter().try_for_each(|own| self.add_moment(own.scene.clone(), own.grids.clone(), &mut stored))
     }
 
-    /// Uploads what another moment shows, as far as no other has it: what is `stored` is there already.
+    /// Uploads the resources of another moment, except those that are already in `stored`.
     pub(super) fn add_moment(
         &mut self,
         scene: Scene,
@@ -65,7 +65,7 @@ mod tests {
         RenderSettings { choice, tile_pixels, ..RenderSettings::default() }
     }
 
-    /// Each sample shows its own moment and no other: of two scenes in turn and in the other order there is as much as of each alone.
+    /// Checks that each sample shows only its own moment: two scenes in either order contribute as much as each scene alone.
     #[test]
     fn moments_share_the_samples() {
         let gpu = Gpu::open(None).unwrap();
@@ -81,7 +81,7 @@ mod tests {
         let values = |band: &Band| -> Vec<f32> { band.color.concat() };
         let [ab, ba, aa, bb] = [0, 1, 2, 3].map(|k| values(&bands[k]));
         for i in 0..ab.len() {
-            // Eight samples, each summed with half an ulp of at most 8, of which a mean is the eighth.
+            // The sum of eight samples errs by half an ulp of at most 8 each; the mean is an eighth of the sum.
             let bound = 8.0 * f32::EPSILON * ab[i].max(ba[i]).max(1.0);
             assert!((ab[i] + ba[i] - aa[i] - bb[i]).abs() <= bound, "{i}: {} {} {} {}", ab[i], ba[i], aa[i], bb[i]);
         }
@@ -104,7 +104,7 @@ mod tests {
         }
     }
 
-    /// What stays the same from moment to moment is on the device once.
+    /// Checks that the resources that moments share are on the device once.
     #[test]
     fn what_stays_is_there_once() {
         let gpu = Gpu::open(None).unwrap();
@@ -112,7 +112,7 @@ mod tests {
         let mut renderer = Renderer::new(&gpu, &first, settings(Schedule::Fused, u64::MAX)).unwrap();
         let bytes = |renderer: &Renderer| SceneBuffers::bytes(renderer.prepared.all_buffers());
         let alone = bytes(&renderer);
-        // As a film loads its files: once.
+        // Load files once, like an animation.
         let moment = |at| Scene { pictures: first.pictures.clone(), ..scene(at) };
         renderer.set_moments([3.1, 3.2, 3.3, 3.4].map(moment).to_vec()).unwrap();
         let picture = renderer.prepared.buffers.picture(0).unwrap();

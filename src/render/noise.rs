@@ -1,32 +1,32 @@
-//! How noisy a picture is that is made of random paths.
+//! Estimates the noise of an image that consists of random paths.
 //!
-//! *Theory.* A pixel's samples differ, and their mean is wrong by about its standard error, √(Σ(x − mean)²/(n (n − 1))).
+//! *Theory.* The samples of a pixel differ, and the error of their mean is about the standard error, √(Σ(x − mean)²/(n (n − 1))).
 //!
-//! *Practice.* The device keeps the sum of squares, of luminance; what it comes to is said of every picture, and is a layer of its EXR.
+//! *Practice.* The device stores the sum of squares of the luminance. The noise is printed for every image, and is a layer of its EXR file.
 
 use std::fmt;
 
-/// The luminance of linear light in sRGB's primaries, as the shaders have it.
+/// The luminance weights of linear sRGB colors, as in the shaders.
 pub(super) const LUMINANCE: [f32; 3] = [0.2126, 0.7152, 0.0722];
 
-/// Of one pixel of three planes.
+/// Returns the luminance of one pixel of three planes.
 pub(super) fn luminance(color: &[Vec<f32>; 3], pixel: usize) -> f32 {
     color.iter().zip(LUMINANCE).map(|(plane, part)| part * plane[pixel]).sum()
 }
 
-/// Errors of a picture's pixels, beside what they show.
+/// The luminance of an image's pixels, with their errors.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Noise {
     pixels: Vec<[f32; 2]>,
 }
 
 impl Noise {
-    /// One more pixel: its luminance, and the standard error of that.
+    /// Adds a pixel: its luminance, and the standard error of the luminance.
     pub(super) fn add(&mut self, luminance: f32, error: f32) {
         self.pixels.push([luminance, error]);
     }
 
-    /// The root mean square of all errors over the picture's mean; none where that is black, or one sample says nothing of it.
+    /// Returns the root mean square of all errors divided by the image's mean; `None` if the image is black or has one sample per pixel.
     #[must_use]
     pub fn mean(&self) -> Option<f64> {
         let sum = |of: fn(&[f32; 2]) -> f64| self.pixels.iter().map(of).sum::<f64>() / self.pixels.len().max(1) as f64;
@@ -34,7 +34,7 @@ impl Noise {
         (light > 0.0 && squares.is_finite()).then(|| squares.sqrt() / light)
     }
 
-    /// The median of each pixel's error over its own luminance, of those that are not black.
+    /// Returns the median of the error divided by the luminance, over all pixels that are not black.
     #[must_use]
     pub fn median(&self) -> Option<f64> {
         let lit = self.pixels.iter().filter(|[light, error]| *light > 0.0 && error.is_finite());

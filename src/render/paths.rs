@@ -1,4 +1,4 @@
-//! Following given rays segment by segment, with what they pass on the way.
+//! Follows given rays segment by segment, and records the end of every segment.
 
 use glam::DVec3;
 
@@ -11,14 +11,13 @@ use crate::gpu::Gpu;
 use crate::program::{Analysis, Choice, Masks, Pass, Purpose, Schedule};
 use crate::scene::{Precision, Scene};
 
-/// Records of one batch of paths, over all segments.
+/// The number of records of one batch of paths, over all segments.
 const PATH_RECORDS: usize = 1 << 22;
-/// Arcs of one path, at most, where the picture's own path takes leaps: 2600 windings of a spiral.
+/// The maximum number of arcs of one path, if the image's own path takes leaps: 2600 windings of a spiral.
 const ARCS: u32 = 1 << 16;
 
-/// Follows `rays` and keeps the end of every segment. Leaps, which pass any number of windings in one segment, are taken as the
-/// arcs they stand for: up to 65,536 of them, in 64 bits where the device has them, because each begins where rounding put the one
-/// before, which a leap does not.
+/// Follows `rays` and returns the end of every segment. A leap, which passes any number of windings in one segment, is replaced by its
+/// arcs: up to 65,536 of them, in 64 bits if the device supports it, because each arc begins at the rounded end of the previous one.
 pub fn trace_paths(
     gpu: &Gpu,
     scene: &Scene,
@@ -46,10 +45,10 @@ pub fn trace_paths(
     Ok(paths)
 }
 
-/// How a path ended, and the ends of its segments.
+/// The termination status of a path, and the ends of its segments.
 type Path = (Status, Vec<PathPoint>);
 
-/// The camera's rays through the middles of some pixels, where they start to be followed: places and velocities.
+/// Returns the starts of the camera's rays through the centers of some pixels: positions and velocities.
 pub fn pixel_starts(
     gpu: &Gpu,
     scene: &Scene,
@@ -71,7 +70,7 @@ pub fn pixel_starts(
     Ok(starts.into_iter().map(|(_, PathPoint { x: [x, y, z], v: [a, b, c], .. })| [x, y, z, a, b, c]).collect())
 }
 
-/// Until no walk is cut short.
+/// Traces a batch of paths, with more passes until no traversal is cut short.
 fn trace_batch_paths(prepared: &mut Prepared, batch: &[[f64; 6]]) -> Result<Vec<Path>, RenderError> {
     loop {
         let paths = try_batch_paths(prepared, batch)?;
@@ -93,7 +92,7 @@ fn try_batch_paths(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<Vec<Path>,
     let mut paths: Vec<_> = batch.iter().map(begun).collect();
     let Some((record, rest)) = plan.steps.split_last() else { return Ok(paths) };
     let iterations = rest.chunk_by(|a, b| a.iteration == b.iteration && b.pass != Pass::Setup && a.pass != Pass::Setup);
-    // Setup, then segment by segment until no ray is active.
+    // Run the setup, then one segment after another until no ray is active.
     for iteration in iterations {
         let steps: Vec<Step> = iteration.iter().copied().chain([*record]).collect();
         prepared.run_steps(&tile, sample, &steps)?;

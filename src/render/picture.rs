@@ -1,4 +1,4 @@
-//! Rendering a picture: tiles, samples, and rows given out as they are finished.
+//! Renders an image: tiles, samples, and rows that are passed on when they are complete.
 
 use std::time::Instant;
 
@@ -12,12 +12,12 @@ use crate::gpu::Tile;
 use crate::progress::Stage;
 
 impl Renderer<'_> {
-    /// Renders the picture tile by tile; `rows` is given bands of full rows from top to bottom.
+    /// Renders the image tile by tile; `rows` receives bands of complete rows from top to bottom.
     pub fn render(&mut self, rows: &mut dyn FnMut(Band) -> Result<(), RenderError>) -> Result<Totals, RenderError> {
         self.render_watched(rows, &Watch::default())
     }
 
-    /// As [`render`](Self::render), with samples that there are already, and looked at while it is made.
+    /// Renders the image like [`render`](Self::render), with earlier samples and a preview.
     pub fn render_watched(
         &mut self,
         rows: &mut dyn FnMut(Band) -> Result<(), RenderError>,
@@ -40,8 +40,8 @@ impl Renderer<'_> {
         Ok(totals)
     }
 
-    /// Renders some samples of the whole picture, shows it, and goes on so until too few are left for another look. What comes back is
-    /// what there is then, if there was any look.
+    /// Renders some samples of the whole image, shows them, and repeats this until too few samples remain for another preview. Returns the
+    /// samples so far, if there was a preview.
     fn preview(
         &mut self,
         (preview, stage): (&dyn Preview, &Stage),
@@ -55,7 +55,7 @@ impl Renderer<'_> {
         loop {
             let before = own.as_ref().or(watch.earlier);
             let until = before.map_or(0, |earlier| earlier.samples).saturating_add(samples);
-            // Adaptive pixels take as many as they need, of which none are left for later.
+            // Adaptive pixels take all their samples at once, so a preview has none to add to later.
             if until >= self.prepared.scene.image.samples || totals.adaptive.is_some() {
                 return Ok(own);
             }
@@ -96,7 +96,7 @@ impl Renderer<'_> {
         Ok(())
     }
 
-    /// Renders the rows of one tile's height, tile by tile. `None` if they are to be rendered again, with more room for their rays.
+    /// Renders the rows of one tile's height, tile by tile. Returns `None` if they must be rendered again with more passes.
     fn render_band(
         &mut self,
         first_row: u32,
@@ -122,7 +122,7 @@ impl Renderer<'_> {
             let progress = |part| round.tell((done + part * own) / all);
             let at = Window { origin: [left, first_row], size };
             self.render_tile(made, at, clock, (round, &progress), totals)?;
-            // Adaptive sampling takes as many as it needs.
+            // The number of adaptive samples is unknown.
             let rays = self.prepared.scene.image.adaptive.is_none().then(|| self.rays_of(size, round));
             if self.prepared.read_tally(made, totals, rays)? == TileEnd::Again {
                 return Ok(None);
@@ -137,14 +137,14 @@ impl Renderer<'_> {
         Ok(Some(band))
     }
 
-    /// Rays of a tile in a round of samples.
+    /// Returns the number of rays of a tile in a round of samples.
     fn rays_of(&self, size: [u32; 2], round: &Round) -> u64 {
         let count = |margin: u32| size.map(|side| u64::from(side + margin)).iter().product::<u64>();
         let corners = if self.prepared.program.features.keeps_footprints { count(1) } else { 0 };
         u64::from(round.until - round.begins()) * count(0) + corners
     }
 
-    /// The whole picture at once.
+    /// Renders the whole image at once.
     pub fn picture(&mut self) -> Result<Rendering, RenderError> {
         let mut all = Bands::default();
         let totals = self.render(&mut all.sink())?;
@@ -152,7 +152,7 @@ impl Renderer<'_> {
         Ok(Rendering { band, totals })
     }
 
-    /// What adaptive sampling is to do, if it is asked for.
+    /// Returns empty totals of adaptive sampling, if it is enabled.
     fn adaptive(&self) -> Option<Adaptive> {
         let [width, height] = self.window().size.map(u64::from);
         let image = &self.prepared.scene.image;
@@ -161,8 +161,8 @@ impl Renderer<'_> {
         image.adaptive.map(new)
     }
 
-    /// The layers of the picture's first sample, on one tile: for pictures that are no larger. `None` if a path outlives the pass that was
-    /// to follow all of it.
+    /// Returns the layers of the image's first sample on one tile, for images that fit into one. Returns `None` if a path outlives the pass
+    /// that should follow all of it.
     pub fn first_sample(&mut self) -> Result<Option<Rendering>, RenderError> {
         let size = self.prepared.scene.image.size;
         let margin = self.prepared.program.features.margin();
@@ -187,7 +187,7 @@ impl Renderer<'_> {
         }
     }
 
-    /// Some black rows of the picture.
+    /// Returns black rows of the image.
     fn band(&self, first_row: u32, rows: u32) -> Band {
         let width = self.window().size[0];
         let black = || vec![0.0; rows as usize * width as usize];

@@ -1,15 +1,15 @@
-//! A schedule's steps, and what the device is told of each.
+//! Stores the steps of a schedule, and the parameters of each for the device.
 
 use super::batch::Batch;
 use super::step::Step;
 use crate::gpu::Sections;
 use crate::model::Value::{self, Uint};
 
-/// What runs for each round of a sample.
+/// The steps of each round of a sample.
 #[derive(Debug, Default)]
 pub(super) struct Plan {
     pub steps: Vec<Step>,
-    /// All that differ, in order.
+    /// All distinct parameters, in order.
     pub parameters: Vec<DispatchParameters>,
     pub batch: Batch,
 }
@@ -23,19 +23,19 @@ impl Plan {
         Self { steps, parameters, batch }
     }
 
-    /// What the device needs of the buffers that are cut into sections.
+    /// Returns the numbers of sections that the divided buffers need.
     pub(super) fn sections(&self) -> Sections {
         let Batch { rounds, active } = self.batch;
         Sections { parameters: self.parameters.len() as u64, active: rounds * active, open: self.batch.open() }
     }
 
-    /// The section in which a step's parameters are.
+    /// Returns the section with a step's parameters.
     pub(super) fn parameters_of(&self, step: &Step) -> u64 {
         self.parameters.binary_search(&DispatchParameters::of(step)).unwrap_or(0) as u64
     }
 }
 
-/// What a pass is told of its step: `shaders/state/arguments.wgsl`.
+/// The parameters of a step for its pass, as in `shaders/state/arguments.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct DispatchParameters {
     start: usize,

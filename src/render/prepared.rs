@@ -1,4 +1,4 @@
-//! A scene made ready for a device: its program, pipelines and data, and what runs for each round of a sample.
+//! Prepares a scene for a device: its program, pipelines and data, and the steps of each round of a sample.
 
 use std::borrow::Cow;
 
@@ -23,21 +23,21 @@ pub(super) struct Prepared<'a> {
     pub program: Program,
     pub pipelines: Pipelines,
     pub buffers: SceneBuffers,
-    /// What samples show in turn instead, if anything: the moments while a shutter is open.
+    /// The scenes that samples show in turn while a shutter is open; empty for a still scene.
     pub moments: Vec<Moment>,
-    /// Which objects have an inside.
+    /// The objects that have an interior.
     pub regions: Regions,
-    /// Of the scene's lights.
+    /// The grids of the scene's lights.
     pub grids: LightGrids,
-    /// Kept for the next frame.
+    /// The geometry that the next frame reuses.
     pub before: Before,
     pub max_segments: u32,
     pub passes: PassCounts,
-    /// What runs for each round of a sample.
+    /// The steps of each round of a sample.
     pub plan: Plan,
 }
 
-/// A scene that some of a picture's samples show, of the same program.
+/// A scene that some of an image's samples show, with the same program.
 #[derive(Debug)]
 pub(super) struct Moment {
     pub scene: Scene,
@@ -46,7 +46,7 @@ pub(super) struct Moment {
 }
 
 impl<'a> Prepared<'a> {
-    /// Links, compiles and uploads.
+    /// Links and compiles the program, and uploads the scene.
     pub(super) fn new(
         gpu: &'a Gpu,
         mut scene: Cow<'a, Scene>,
@@ -54,7 +54,7 @@ impl<'a> Prepared<'a> {
         grids: LightGrids,
     ) -> Result<Self, RenderError> {
         settings.choice.device = gpu.profile;
-        // Whatever rays are followed for besides a picture, they end where they meet a surface.
+        // Rays for other purposes than an image end at the surface that they hit.
         if settings.choice.purpose != Purpose::Picture && scene.rays.paths.is_some() {
             scene.to_mut().rays.paths = None;
         }
@@ -102,7 +102,7 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    /// Goes on with another scene of the same program.
+    /// Replaces the scene by another one with the same program.
     pub(super) fn change_scene(&mut self, mut scene: Scene, grids: LightGrids) -> Result<(), RenderError> {
         let RenderSettings { window, choice, .. } = &self.settings;
         if choice.purpose != Purpose::Picture {
@@ -129,17 +129,17 @@ impl<'a> Prepared<'a> {
         Ok(())
     }
 
-    /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
-    /// is compiled again.
+    /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
+    /// recompiled.
     pub(super) fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
-        // What is made of the scene later is made with these.
+        // Anything that is later derived from the scene must use these values.
         let rays = &mut self.scene.to_mut().rays;
         (rays.control, rays.max_segments) = (control, max_segments);
         self.rewrite("control", &control.values())?;
         self.set_segments(max_segments, self.settings.segments)
     }
 
-    /// Changes how many segments a path may have, and how many of them a fused pass takes.
+    /// Changes the maximum number of segments of a path, and the number of segments of a fused pass.
     pub(super) fn set_segments(&mut self, max_segments: u32, segments: u32) -> Result<(), GpuError> {
         self.max_segments = max_segments;
         self.settings.segments = segments;
@@ -148,7 +148,7 @@ impl<'a> Prepared<'a> {
         Ok(())
     }
 
-    /// Gives one of the scene's uniforms other values.
+    /// Overwrites the values of one of the scene's uniforms.
     fn rewrite<N: AsRef<str>>(&self, name: &str, values: &[(N, Value)]) -> Result<(), GpuError> {
         for binding in self.program.bindings() {
             let BindingKind::Block { members, .. } = &binding.kind else { continue };
@@ -162,18 +162,18 @@ impl<'a> Prepared<'a> {
         Ok(())
     }
 
-    /// The scene's own buffers, and those of its moments.
+    /// Returns the buffers of the scene and of its moments.
     pub(super) fn all_buffers(&self) -> impl Iterator<Item = &SceneBuffers> + Clone {
         std::iter::once(&self.buffers).chain(self.moments.iter().map(|moment| &moment.buffers))
     }
 
-    /// What a sample shows.
+    /// Returns the buffers that a sample shows.
     pub(super) fn buffers_of(&self, sample: u32) -> &SceneBuffers {
         let moment = (sample as usize).checked_rem(self.moments.len()).map(|k| &self.moments[k]);
         moment.map_or(&self.buffers, |moment| &moment.buffers)
     }
 
-    /// How the buffer for a binding of this role lies.
+    /// Returns the layout of the buffer for a binding with this role.
     pub(super) fn layout(&self, role: &Role) -> Result<&Layout, GpuError> {
         self.program.layout(role).ok_or_else(|| GpuError::Layout {
             binding: role.to_string(),
@@ -181,14 +181,14 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    /// Records so many passes from now on.
+    /// Plans these numbers of passes.
     pub(super) fn plan_passes(&mut self, passes: PassCounts) {
         self.passes = passes;
         self.plan = planned(&self.scene, &self.program.features, passes, self.max_segments, self.settings.segments);
     }
 
-    /// Makes room for rays that outlived the passes that were to follow them: whole paths are followed by the schedule `fused` from now on, and
-    /// that has more passes. Returns `false` if there is as much room as there can be.
+    /// Adds passes for rays that outlived theirs: the schedule `whole` is replaced by `fused`, which then gets more passes. Returns `false`
+    /// if there are already as many as possible.
     pub(super) fn make_room(&mut self) -> Result<bool, RenderError> {
         if self.is_whole() {
             let choice = Choice { schedule: Schedule::Fused, ..self.settings.choice.clone() };
@@ -203,18 +203,18 @@ impl<'a> Prepared<'a> {
         Ok(true)
     }
 
-    /// Are paths followed in one pass?
+    /// Returns `true` if whole paths are followed in one pass.
     pub(super) fn is_whole(&self) -> bool {
         self.settings.choice.schedule == Schedule::Whole
     }
 }
 
-/// What runs for each round of a sample.
+/// Returns the plan for each round of a sample.
 fn planned(scene: &Scene, features: &Features, passes: PassCounts, max_segments: u32, segments: u32) -> Plan {
     Plan::new(steps(scene, features, passes, max_segments, segments), features.rounds)
 }
 
-/// Places a scene's objects, and builds what is searched for them.
+/// Places the scene's objects and builds the acceleration structure.
 fn placed(gpu: &Gpu, before: Before, scene: &Scene) -> Geometry {
     let _stage = gpu.progress.stage("building the acceleration structure");
     Geometry::after(before, scene)

@@ -1,4 +1,4 @@
-//! Tiles whose pixels are single rays: what starts them is written, and their records are read.
+//! Creates tiles whose pixels are single rays: writes their starts, and reads their records.
 
 use glam::DVec3;
 
@@ -13,23 +13,23 @@ use crate::model::law::Facts;
 use crate::program::{Regions, Role};
 use crate::scene::Scene;
 
-/// Rays of one batch.
+/// The number of rays in one batch.
 pub(super) const BATCH: usize = 1 << 18;
-/// Rays in one row of the state's textures.
+/// The number of rays in one row of the state's textures.
 pub(super) const ROW: u32 = 1024;
 
-/// Does a ray start where nothing comes out?
+/// Returns `true` if a ray starts in a region that no light leaves.
 pub(super) fn is_swallowed(law: &Facts, ray: &[f64; 6]) -> bool {
     law.swallows(DVec3::from_slice(&ray[..3]))
 }
 
-/// The end of a ray that starts there.
+/// Returns the end of a ray that is captured at its start.
 pub(super) fn captured_at(ray: &[f64; 6]) -> Traced {
     let [x, v] = [0, 3].map(|k| [ray[k], ray[k + 1], ray[k + 2]]);
     Traced { status: Status::Captured, x, v, tau: 0.0, depth: 0.0, steps: 0, rejected: 0, object: None }
 }
 
-/// A tile with one pixel a ray.
+/// Creates a tile with one pixel per ray.
 pub(super) fn ray_tile(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<(Tile, Sample), RenderError> {
     let row = |ray: &[f64; 6]| {
         [("x", Vec3(DVec3::new(ray[0], ray[1], ray[2]))), ("v", Vec3(DVec3::new(ray[3], ray[4], ray[5])))]
@@ -40,7 +40,7 @@ pub(super) fn ray_tile(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<(Tile,
         let meshes = closed_meshes(&prepared.scene, &prepared.regions);
         let mut sets: Vec<u32> = Vec::with_capacity(batch.len());
         for (i, ray) in batch.iter().enumerate() {
-            // Many may start at one place.
+            // Many rays may start at one position.
             let known = i.checked_sub(1).filter(|before| batch[*before][..3] == ray[..3]).map(|before| sets[before]);
             sets.push(known.unwrap_or_else(|| starting_set(&meshes, ray)));
         }
@@ -50,7 +50,7 @@ pub(super) fn ray_tile(prepared: &Prepared, batch: &[[f64; 6]]) -> Result<(Tile,
     Ok((tile, Sample::first(image)))
 }
 
-/// A mesh that rays may start in: its bit in the set of regions, and the corners of the box about it.
+/// A mesh that rays may start in: its bit in the set of regions, the object, and the corners of its box.
 type ClosedMesh<'a> = (usize, &'a Object, (DVec3, DVec3));
 
 fn closed_meshes<'a>(scene: &'a Scene, regions: &Regions) -> Vec<ClosedMesh<'a>> {
@@ -59,7 +59,7 @@ fn closed_meshes<'a>(scene: &'a Scene, regions: &Regions) -> Vec<ClosedMesh<'a>>
     meshes.map(|(bit, object)| (bit, object, object.bounds())).collect()
 }
 
-/// The meshes that a ray starts in, as bits of the set of regions. To ask a mesh takes as long as it has triangles.
+/// Returns the meshes that a ray starts in, as bits of the set of regions. The time of a test is proportional to the mesh's triangles.
 fn starting_set(meshes: &[ClosedMesh], ray: &[f64; 6]) -> u32 {
     let x = DVec3::new(ray[0], ray[1], ray[2]);
     let near = |(lo, hi): &(DVec3, DVec3)| x.cmpge(*lo).all() && x.cmple(*hi).all();
@@ -67,13 +67,13 @@ fn starting_set(meshes: &[ClosedMesh], ray: &[f64; 6]) -> u32 {
     inside.fold(0, |set, (bit, ..)| set | 1 << bit)
 }
 
-/// A tile whose pixels stand for pixels of the picture.
+/// Creates a tile whose pixels represent chosen pixels of the image.
 pub(super) fn pixel_tile(prepared: &Prepared, batch: &[[u32; 2]], row: u32) -> Result<(Tile, Sample), RenderError> {
     let tile = list_tile(prepared, batch.len(), row, &Role::Chosen, bytemuck::cast_slice(batch))?;
     Ok((tile, Sample::first(prepared.scene.image.size)))
 }
 
-/// A tile of rows of `row` pixels, with a list of what each is and room for their records.
+/// Creates a tile with rows of `row` pixels, a list of their inputs, and space for their records.
 fn list_tile(prepared: &Prepared, count: usize, row: u32, role: &Role, list: &[u8]) -> Result<Tile, RenderError> {
     let width = row.min(count as u32).max(1);
     let size = [width, (count as u32).div_ceil(width).max(1)];
@@ -98,7 +98,7 @@ pub(super) fn read_records(prepared: &Prepared, tile: &Tile, count: usize) -> Re
     Ok(Records::read(prepared.gpu, &prepared.program, tile, &Role::Records)?.rows().take(count).map(traced).collect())
 }
 
-/// Where rays start, after the setup alone: it knows of some that they end in their first segment, and records that end.
+/// Returns the start and the status of each ray after the setup alone, which already determines the end of some rays.
 pub(super) fn read_starts(
     prepared: &Prepared,
     tile: &Tile,

@@ -1,4 +1,4 @@
-//! Reading results back: the only places where the host waits for data.
+//! Reads results back; only here does the host wait for data.
 
 use wgpu::{Buffer, BufferDescriptor, BufferUsages, CommandEncoder, CommandEncoderDescriptor, MapMode, PollType};
 
@@ -8,7 +8,7 @@ fn lost(error: impl std::fmt::Display) -> GpuError {
     GpuError::Lost(error.to_string())
 }
 
-/// The bytes of buffers, after what `before` records: one wait for all of them.
+/// Returns the bytes of buffers after the commands that `before` records, with one wait for all of them.
 pub(super) fn read_buffers(
     gpu: &Gpu,
     buffers: &[&Buffer],
@@ -41,7 +41,7 @@ pub(super) fn read_buffers(
     Ok(buffers.iter().map(part).collect())
 }
 
-/// The bytes of one buffer.
+/// Returns the bytes of one buffer.
 pub(super) fn read_buffer(
     gpu: &Gpu,
     buffer: &Buffer,
@@ -53,7 +53,7 @@ pub(super) fn read_buffer(
 fn mapped(gpu: &Gpu, staging: &Buffer) -> Result<Vec<u8>, GpuError> {
     let (sender, receiver) = std::sync::mpsc::channel();
     staging.map_async(MapMode::Read, .., move |result| {
-        // The receiver only goes if this function has returned, after an error of its own.
+        // The receiver is only gone if this function has returned early with an error.
         let _ = sender.send(result);
     });
     gpu.device.poll(PollType::wait_indefinitely()).map_err(lost)?;

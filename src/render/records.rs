@@ -1,4 +1,4 @@
-//! What passes write for the host, read by the names that it has in WGSL.
+//! Reads the values that passes write for the host, by their names in WGSL.
 
 use super::readback::read_buffers;
 use crate::gpu::{Gpu, GpuError, Tile};
@@ -11,13 +11,13 @@ pub(super) struct Records<'a> {
 }
 
 impl<'a> Records<'a> {
-    /// Waits for the device and reads what a tile's buffer of this role holds: nothing where no pass of the program binds one.
+    /// Waits for the device and reads the tile's buffer with this role; the result is empty if no pass of the program binds one.
     pub(super) fn read(gpu: &Gpu, program: &'a Program, tile: &Tile, role: &Role) -> Result<Self, GpuError> {
         let [records] = Self::read_all(gpu, program, tile, [role])?;
         Ok(records)
     }
 
-    /// As [`read`](Self::read), of several buffers for which the host waits once.
+    /// Reads several buffers like [`read`](Self::read), with one wait for all of them.
     pub(super) fn read_all<const N: usize>(
         gpu: &Gpu,
         program: &'a Program,
@@ -32,7 +32,7 @@ impl<'a> Records<'a> {
         Ok(layouts.map(|layout| Self { layout, bytes: bytes(layout) }))
     }
 
-    /// As [`read`](Self::read), and sets all of it to 0 for the next time.
+    /// Reads a buffer like [`read`](Self::read), and then sets it to 0.
     pub(super) fn take(gpu: &Gpu, program: &'a Program, tile: &Tile, role: &Role) -> Result<Self, GpuError> {
         let records = Self::read(gpu, program, tile, role)?;
         if let Some(buffer) = tile.buffer(role) {
@@ -48,25 +48,25 @@ impl<'a> Records<'a> {
         })
     }
 
-    /// A member of 32 bits, of every struct; none if there is no such member.
+    /// Returns a 32-bit member of every struct; `None` if there is no such member.
     pub(super) fn column<const N: usize>(&self, name: &str) -> Option<impl Iterator<Item = [u32; N]>> {
         let field = self.field(name)?;
         Some(self.rows().map(move |row| row.words(field)))
     }
 
-    /// Writes a scalar of a struct's member of 32 bits.
+    /// Writes a scalar of a 32-bit member of a struct.
     pub(super) fn set(&mut self, row: usize, field: &Field, k: usize, value: f32) {
         let span = self.layout.map_or(0, |layout| layout.span as usize);
         let at = row * span + field.offset as usize + 4 * k;
         self.bytes[at..at + 4].copy_from_slice(&value.to_ne_bytes());
     }
 
-    /// All of them, as the device has them.
+    /// Returns the bytes of all structs, as on the device.
     pub(super) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
-    /// A member, to be looked for once where there are many rows.
+    /// Returns a member, which callers should look up once for many rows.
     pub(super) fn field(&self, name: &str) -> Option<&'a Field> {
         self.layout?.field(name)
     }
@@ -80,18 +80,18 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// The scalars of a member.
+    /// Returns the scalars of a member.
     fn bytes_of(&self, field: &Field) -> impl Iterator<Item = &[u8]> {
         let (at, width) = (field.offset as usize, field.width as usize);
         self.bytes[at..at + width * field.components as usize].chunks_exact(width)
     }
 
-    /// The scalars of a member; none if there is no such member.
+    /// Returns the scalars of a member; none if there is no such member.
     fn scalars(&self, name: &str) -> impl Iterator<Item = &[u8]> {
         self.layout.field(name).into_iter().flat_map(|field| self.bytes_of(field))
     }
 
-    /// The first words of a member of 32 bits.
+    /// Returns the first words of a 32-bit member.
     pub(super) fn words<const N: usize>(&self, field: &Field) -> [u32; N] {
         let mut words = self.bytes_of(field).map(|bytes| bytes.try_into().map_or(0, u32::from_ne_bytes));
         [(); N].map(|()| words.next().unwrap_or(0))
@@ -101,12 +101,12 @@ impl Row<'_> {
         self.uint_at(name, 0)
     }
 
-    /// The entry k of an array.
+    /// Returns the entry k of an array.
     pub(super) fn uint_at(&self, name: &str, k: usize) -> u32 {
         self.scalars(name).nth(k).and_then(|bytes| bytes.try_into().ok()).map_or(0, u32::from_ne_bytes)
     }
 
-    /// A count beyond 32 bits, of which a second member, `NAME_over`, counts how often it has run over.
+    /// Returns a count of more than 32 bits; a second member, `NAME_over`, counts its overflows.
     pub(super) fn wide(&self, name: &str) -> u64 {
         u64::from(self.uint(name)) + (u64::from(self.uint(&format!("{name}_over"))) << 32)
     }
@@ -121,7 +121,7 @@ impl Row<'_> {
     }
 }
 
-/// A number of 32 or of 64 bits.
+/// Returns a 32-bit or 64-bit number.
 fn float(bytes: &[u8]) -> f64 {
     let single = || bytes.try_into().map_or(f64::NAN, |b| f32::from_ne_bytes(b).into());
     bytes.try_into().map_or_else(|_| single(), f64::from_ne_bytes)

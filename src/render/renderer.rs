@@ -1,4 +1,4 @@
-//! A scene ready to be rendered as pictures, frame after frame.
+//! Renders a scene as images, frame after frame.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -12,19 +12,19 @@ use crate::model::Control;
 use crate::program::{Program, Purpose};
 use crate::scene::Scene;
 
-/// Renders pictures of a scene: its program, pipelines and data on a device.
+/// A renderer of a scene's images: its program, pipelines and data on a device.
 #[derive(Debug)]
 pub struct Renderer<'a> {
     pub(super) prepared: Prepared<'a>,
 }
 
 impl<'a> Renderer<'a> {
-    /// Makes the grids of its lights, where the scene has such, and links, compiles and uploads.
+    /// Creates a renderer: creates the grids of lights that have one, links and compiles the program, and uploads the scene.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, settings: RenderSettings) -> Result<Self, RenderError> {
         Self::of(gpu, Cow::Borrowed(scene), settings)
     }
 
-    /// As [`new`](Self::new), of a scene that it keeps.
+    /// Creates a renderer like [`new`](Self::new), which owns its scene.
     pub fn keeping(gpu: &'a Gpu, scene: Scene, settings: RenderSettings) -> Result<Self, RenderError> {
         Self::of(gpu, Cow::Owned(scene), settings)
     }
@@ -35,29 +35,29 @@ impl<'a> Renderer<'a> {
         Ok(Self { prepared: Prepared::new(gpu, scene, settings, grids)? })
     }
 
-    /// The linked program.
+    /// Returns the linked program.
     #[must_use]
     pub fn program(&self) -> &Program {
         &self.prepared.program
     }
 
-    /// Goes on with another scene of the same program, such as the next frame of an animation: its values are uploaded, and no
-    /// pass is compiled again.
+    /// Replaces the scene by another one with the same program, such as the next frame of an animation. Its values are uploaded, and no
+    /// pass is recompiled.
     ///
     /// # Errors
     ///
-    /// [`RenderError::OtherProgram`] where the scene needs other passes than the first one; [`Renderer::new`] makes those.
+    /// Returns [`RenderError::OtherProgram`] if the scene requires other passes than the first one; [`Renderer::new`] can render it.
     pub fn set_scene(&mut self, scene: Scene) -> Result<(), RenderError> {
         let grids = self.grids_for(&scene)?;
         self.prepared.change_scene(scene, grids)
     }
 
-    /// Has the samples of the next picture show these scenes in turn, the n-th the n-th and the first again after the last, until
-    /// another scene is set; none is the scene itself. Of the first sample of all are the layers that are of one ray.
+    /// Sets the scenes that the samples of the next image show in turn, starting again after the last, until another scene is set. If
+    /// `scenes` is empty, samples show the renderer's scene. Layers of a single ray come from the very first sample.
     ///
     /// # Errors
     ///
-    /// [`RenderError::OtherProgram`] where one of them needs other passes than the renderer's scene.
+    /// Returns [`RenderError::OtherProgram`] if a scene requires other passes than the renderer's scene.
     pub fn set_moments(&mut self, scenes: Vec<Scene>) -> Result<(), RenderError> {
         self.prepared.moments.clear();
         let mut stored = Stored::new();
@@ -69,13 +69,13 @@ impl<'a> Renderer<'a> {
         Ok(())
     }
 
-    /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
-    /// is compiled again.
+    /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
+    /// recompiled.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
         self.prepared.retune(control, max_segments)
     }
 
-    /// What making the grids of the scene's lights came to; where each moment has its own, of all of them.
+    /// Returns the reports on the grids of the scene's lights, and of each moment with different light.
     #[must_use]
     pub fn light_reports(&self) -> Vec<&LightReport> {
         let Prepared { grids, moments, .. } = &self.prepared;
@@ -89,7 +89,7 @@ impl<'a> Renderer<'a> {
         before.into_iter().flat_map(|grids| &grids.reports).collect()
     }
 
-    /// Those of the moment before, where light is the same.
+    /// Returns the grids for a scene; the grids of the previous moment are reused if the light is unchanged.
     fn grids_for(&self, scene: &Scene) -> Result<LightGrids, RenderError> {
         let Prepared { gpu, scene: own, settings, moments, grids, .. } = &self.prepared;
         let (before, grids) = moments.last().map_or((&**own, grids), |moment| (&moment.scene, &moment.grids));
@@ -128,7 +128,7 @@ mod tests {
             assert!(renderer.picture().unwrap().band == *expected);
             assert!(compiled(&renderer) == before, "a pass was compiled again");
         }
-        // A stretched sphere is another shape: it is refused, and what there was goes on.
+        // An ellipsoid is another shape than a sphere, so the renderer rejects it and keeps its scene.
         let refused = renderer.set_scene(scene("center = [3, 0, 0]\nscale = [1, 2, 1]\n"));
         assert!(matches!(refused, Err(RenderError::OtherProgram)), "{refused:?}");
         assert!(renderer.picture().unwrap().band == expected[0]);

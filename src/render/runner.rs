@@ -1,11 +1,9 @@
-//! The loop that runs a sample's passes: Figure 1 of the 2004 paper.
+//! Runs the passes of a sample: the loop of Figure 1 in W04.
 //!
-//! *Theory.* Where surfaces split rays a sample is as many rounds of the same steps as a path's tree may have leaves. A pixel takes
-//! part until all of its own have been followed; which pixels those are only the device knows, so that the host records every
-//! round there could be.
+//! *Theory.* If surfaces split rays, a sample has as many rounds of the same steps as the tree of a path may have leaves. A pixel takes
+//! part until all its paths have been followed. Only the device knows which pixels remain, so the host records every possible round.
 //!
-//! *Practice.* A round that no pixel takes part in is some empty indirect dispatches: a few microseconds each, most of them the
-//! host's.
+//! *Practice.* A round without pixels consists of a few empty indirect dispatches, which take a few microseconds each, mostly on the host.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -20,14 +18,14 @@ use super::step::{Dispatch, Step};
 use crate::gpu::{GpuError, List, Listed, SECTION, SceneBuffers, Selection, Tile};
 use crate::program::{Access, Pass, Role};
 
-/// Ray-steps of one submission, about: a few tenths of a second on a slow device, long before any driver's watchdog.
+/// The approximate number of ray steps of one submission: a few tenths of a second on a slow device, well below any driver's timeout.
 const SUBMISSION: u64 = 1 << 26;
-/// Submissions that may be under way at once.
+/// The maximum number of submissions in flight.
 const IN_FLIGHT: usize = 3;
 
 impl Prepared<'_> {
-    /// Runs one sample of a tile: all its rounds, in submissions short enough for any driver. `progress` is given the fraction of
-    /// their work that has ended, whenever a submission ends: the last call has 1.
+    /// Runs one sample of a tile with all its rounds, in submissions short enough for any driver. `progress` receives the completed
+    /// fraction of the work whenever a submission ends; the last call receives 1.
     pub(super) fn run_sample(
         &self,
         tile: &Tile,
@@ -42,7 +40,7 @@ impl Prepared<'_> {
         let mut runner = Runner::new(self, tile, sample, &told);
         let mut weight = 0;
         for round in 0..rounds {
-            // All rounds but the first are told the same.
+            // All rounds after the first use the same values.
             if round < 2 {
                 runner.submit(clock)?;
                 weight = 0;
@@ -80,17 +78,17 @@ impl Prepared<'_> {
     }
 }
 
-/// The fraction of a sample that has ended with steps of this weight, of `all`, in submissions of at most `each`.
+/// Returns the completed fraction of a sample, for `ended` of `all` units of weight and submissions of at most `each`.
 ///
-/// How many rays are active later is not known beforehand: so each doubling of the steps is taken to cost the same. Where no ray ends early
-/// the second half still takes as long as the first; where all do, what follows takes no time. Neither misleads by more than a
-/// small factor, as equal steps would.
+/// The number of rays that remain active is unknown beforehand, so each doubling of the steps is assumed to have an equal cost. If no ray
+/// ends early, the second half still takes as long as the first; if all rays do, the rest takes no time. Neither case misleads by more than
+/// a small factor, unlike an estimate by equal steps.
 fn part(ended: u64, all: u64, each: u64) -> f64 {
     let [ended, all] = [ended.min(all), all].map(|weight| (weight as f64 / each.max(1) as f64).ln_1p());
     if all > 0.0 { ended / all } else { 1.0 }
 }
 
-/// Later rounds are timed as one: to time a pass may cost more than the pass.
+/// Returns the stage to time. Later rounds are timed as one, because timing a pass may cost more than the pass.
 fn stage_of(pass: Pass, round: u32, apart: bool) -> Stage {
     match pass {
         _ if round > 0 => Stage::Advance,
@@ -102,17 +100,17 @@ fn stage_of(pass: Pass, round: u32, apart: bool) -> Stage {
     }
 }
 
-/// One sample under way.
+/// A sample in progress.
 struct Runner<'r, 'a> {
     prepared: &'r Prepared<'a>,
     tile: &'r Tile,
     buffers: &'r SceneBuffers,
     groups: HashMap<(Pass, Selection), BindGroup>,
-    /// Steps to be submitted, each with its round.
+    /// The steps to submit, each with its round.
     recorded: Vec<(u32, Step)>,
-    /// Each with the weight of its steps.
+    /// The submissions in flight, each with the weight of its steps.
     under_way: VecDeque<(SubmissionIndex, u64)>,
-    /// The weight of all steps whose submissions have ended, and the function that is given it.
+    /// The weight of all steps whose submissions have ended, and the function that receives it.
     ended: u64,
     told: &'r dyn Fn(u64),
 }
@@ -124,7 +122,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         Self { prepared, tile, buffers, groups, recorded, under_way, ended: 0, told }
     }
 
-    /// Submits what is recorded. Steps of the same stage that follow each other share a compute pass.
+    /// Submits the recorded steps. Consecutive steps of the same stage share a compute pass.
     fn submit(&mut self, clock: &mut Clock) -> Result<(), GpuError> {
         if self.recorded.is_empty() {
             return Ok(());
@@ -188,8 +186,8 @@ impl<'r, 'a> Runner<'r, 'a> {
         Ok(())
     }
 
-    /// No ray is active before a round's setup says so, and no pixel is open in the next round before its shading says so. What
-    /// the batch before has left open stays.
+    /// Clears the lists of a batch: no ray is active before a round's setup lists it, and no pixel is open in the next round before the
+    /// shading lists it. Pixels that the previous batch left open are kept.
     fn clear_lists(&self, encoder: &mut CommandEncoder, batch: u64) {
         let half = self.prepared.plan.batch.rounds * SECTION;
         for (of, offset, size) in [(Listed::Active, 0, None), (Listed::Open, batch % 2 * half, Some(half))] {
@@ -201,7 +199,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         }
     }
 
-    /// Where the step's own sections lie in the buffers that are cut into such, in the order of the bindings.
+    /// Returns the offsets of the step's sections in the divided buffers, in the order of the bindings.
     fn offsets(&self, step: &Step, round: u32) -> Vec<u32> {
         let plan = &self.prepared.plan;
         let bindings = self.prepared.pipelines.get(step.pass).map_or(&[][..], |pipeline| &pipeline.bindings);
@@ -231,7 +229,7 @@ impl<'r, 'a> Runner<'r, 'a> {
         }
     }
 
-    /// Waits until at most `left` submissions are under way.
+    /// Waits until at most `left` submissions are in flight.
     fn wait(&mut self, left: usize) -> Result<(), GpuError> {
         while self.under_way.len() > left {
             let Some((index, weight)) = self.under_way.pop_front() else { break };
@@ -259,7 +257,7 @@ mod tests {
             assert!(parts.windows(2).all(|pair| pair[0] < pair[1]), "{parts:?}");
             assert_eq!([parts[0], parts[all as usize]], [0.0, 1.0]);
         }
-        // Weights of more than a step may be all that a large tile submits at once.
+        // The weight of one step may exceed the limit of a submission on a large tile.
         assert_eq!([part(7, 7, 0), part(0, 0, 1)], [1.0, 1.0]);
         assert!(part(1, 1023, 1) > 0.09, "the first of many may take as long as many that follow");
     }

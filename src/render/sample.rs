@@ -1,48 +1,48 @@
-//! One sample of a tile: what its passes are told.
+//! Describes one sample of a tile for its passes.
 
 use crate::model::Value::{self, Uint, Uint2};
 use crate::program::constant;
 
-/// A part of the picture and a sample of it.
+/// A sample of a part of the image.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sample {
-    /// The tile's first pixel in the whole picture.
+    /// The tile's first pixel in the whole image.
     pub origin: [u32; 2],
-    /// The whole picture's size.
+    /// The size of the whole image, in pixels.
     pub image: [u32; 2],
-    /// Which of each pixel's samples.
+    /// The index of the sample in each pixel.
     pub number: u32,
-    /// In an adaptive picture, for which pixels the sample is.
+    /// The pixels that the sample refines, in an adaptive image.
     pub refines: Option<Refines>,
 }
 
-/// The pixels that take a sample, and those of them that will take more.
+/// The pixels that take a sample, and the list of pixels that need more.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Refines {
-    /// Are they listed, or every one of the tile?
+    /// `true` if only listed pixels take it, `false` if all pixels of the tile do.
     pub listed: bool,
-    /// The number of their list; the next one is of those that go on.
+    /// The number of their list; the next list contains those that continue.
     pub list: u64,
 }
 
 impl Refines {
-    /// After the rays through the corners, of which there is no list.
+    /// The sample after the rays through the corners, which have no list.
     pub(super) const FIRST: Self = Self { listed: false, list: 1 };
 }
 
 impl Sample {
-    /// Rays through the corners of pixels, which are no samples of theirs.
+    /// Returns the sample of rays through the corners of pixels, which do not count as samples of a pixel.
     pub(super) fn corners(origin: [u32; 2], image: [u32; 2]) -> Self {
         let number = constant("camera/sample/point", "CORNERS") as u32;
         Self { origin, image, number, refines: None }
     }
 
-    /// The first of every pixel, in a tile that begins where the picture does.
+    /// Returns the first sample of every pixel, in a tile at the origin of the image.
     pub(super) fn first(image: [u32; 2]) -> Self {
         Self { origin: [0, 0], image, number: 0, refines: None }
     }
 
-    /// The members of `shaders/state/arguments.wgsl` in a round of the sample.
+    /// Returns the members of `shaders/state/arguments.wgsl` in a round of the sample.
     pub(super) fn row(self, tile: [u32; 2], round: u32) -> [(&'static str, Value); 7] {
         let listed = round > 0 || self.refines.is_some_and(|refines| refines.listed);
         [

@@ -1,4 +1,4 @@
-//! Schedules: the same stages, cut into different passes.
+//! Divides the stages of a render into passes by different schedules.
 
 use super::RenderSettings;
 use super::step::{Dispatch, PixelList, Step};
@@ -6,29 +6,29 @@ use crate::gpu::Slots;
 use crate::program::{DeviceProfile, Features, Masks, Pass, Purpose, Schedule, constant};
 use crate::scene::{Scene, Segment};
 
-/// How many passes are recorded, where a device's loop budget may end one before its work is done. Passes that find nothing left to do
-/// cost next to nothing.
+/// The numbers of recorded passes, if a device's loop budget may end a pass before its work is done. Passes without work cost next to
+/// nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PassCounts {
-    /// Passes of `fused` for as many segments as one may take.
+    /// The number of `fused` passes for the segments of one pass.
     pub fused: u64,
-    /// Passes over which one segment's walk through the structure may be spread.
+    /// The number of passes over which the traversal of one segment may be spread.
     pub walk: u64,
 }
 
 impl PassCounts {
-    /// How many times as many there are when a render has shown that there were too few.
+    /// The factor by which the numbers grow when they were too small.
     const MORE: u64 = 8;
-    /// The most that there may be of each.
+    /// The maximum of each number.
     const MOST: u64 = 1024;
 
-    /// As many as nearly all scenes need on any device.
+    /// Returns the numbers that suffice for nearly all scenes on any device.
     #[must_use]
     pub fn usual() -> Self {
         Self { fused: 1, walk: 1 }
     }
 
-    /// More of both, or of the first alone if walks are never suspended. `None` if there are enough already.
+    /// Returns larger numbers; `walk` only grows if traversals are suspended. Returns `None` if there are enough passes already.
     #[must_use]
     pub fn more(self, device: &DeviceProfile, suspends: bool) -> Option<Self> {
         let walk = if suspends { Self::MORE * self.walk } else { self.walk };
@@ -37,7 +37,7 @@ impl PassCounts {
     }
 }
 
-/// Every dispatch of one round of a sample by default, in order.
+/// Returns every default dispatch of one round of a sample, in order.
 #[must_use]
 pub fn usual_steps(scene: &Scene, features: &Features) -> Vec<Step> {
     let most = scene.rays.max_segments;
@@ -45,14 +45,14 @@ pub fn usual_steps(scene: &Scene, features: &Features) -> Vec<Step> {
     steps(scene, features, PassCounts::usual(), most, segments)
 }
 
-/// Segments of a fused pass, of which there are to be at least `segments`: in many rounds of a sample most pixels rest, so that a pass costs
-/// more than the ended rays that it drops, and fewer and longer ones are better.
+/// Returns the number of segments of a fused pass, at least `segments`. If a sample has many rounds, most pixels are idle, and a pass costs
+/// more than the ended rays that it drops; fewer and longer passes are then faster.
 pub(super) fn fused_segments(segments: u32, features: &Features, max_segments: u32) -> u32 {
     const MANY_ROUNDS: u32 = 64;
     segments.saturating_mul(features.rounds / MANY_ROUNDS).min(max_segments).max(segments)
 }
 
-/// Every dispatch of one round of a sample, in order: for paths of up to `max_segments`, K = `segments` of them in a fused pass.
+/// Returns every dispatch of one round of a sample, in order, for at most `max_segments` segments, K = `segments` of them in a fused pass.
 #[must_use]
 pub fn steps(scene: &Scene, features: &Features, passes: PassCounts, max_segments: u32, segments: u32) -> Vec<Step> {
     let mut recorded = Recorder { features, max_segments, steps: Vec::new() };
@@ -72,7 +72,7 @@ pub fn steps(scene: &Scene, features: &Features, passes: PassCounts, max_segment
             return recorded.steps;
         }
         Purpose::Lit => {
-            // Newton's steps, what begins and ends a search, and a look along the path that it found.
+            // Newton steps, the beginning and end of a search, and a test of the path found.
             for _ in 0..constant("surface/shot/newton", "NEWTON_STEPS") as u32 + 3 {
                 recorded.push(Pass::Shots, Slots::only(0), 0, 1);
             }
@@ -98,10 +98,10 @@ struct Recorder<'a> {
 }
 
 impl Recorder<'_> {
-    /// Adds a step of an iteration of the loop over segments, which reads the iteration's list of active rays and writes the next.
+    /// Adds a step of an iteration over segments, which reads the iteration's list of active rays and writes the next one.
     fn push(&mut self, pass: Pass, slots: Slots, iteration: u64, weight: u64) -> &mut Step {
         let once = matches!(pass, Pass::Setup | Pass::Whole | Pass::Shade | Pass::Record | Pass::Bare | Pass::Shots);
-        // What the first segments' termination lists is the first list there is.
+        // The termination of the first segments writes the first list.
         let first = !once && iteration == 0 && pass != Pass::Scatter;
         let dispatch = match once || first {
             true if self.features.lists_open() => Dispatch::ListedLater,
@@ -116,7 +116,7 @@ impl Recorder<'_> {
         &mut self.steps[last]
     }
 
-    /// As many iterations as are needed; those in which no ray is active any more cost next to nothing.
+    /// Adds as many iterations as may be needed; those without active rays cost next to nothing.
     fn fused(&mut self, passes: PassCounts, segments: u32, n: u64) {
         for iteration in 0..u64::from(self.max_segments.div_ceil(segments)) * passes.fused {
             let start = (iteration % 2) as usize;
@@ -133,7 +133,7 @@ impl Recorder<'_> {
         }
     }
 
-    /// Within a segment of many steps two slots ping-pong while a third keeps the segment's start.
+    /// Adds single steps: two slots alternate within a segment, and a third keeps the start of the segment.
     fn by_step(&mut self, passes: PassCounts, n: u64) {
         let slots = self.features.slots;
         let mut start = 0;
@@ -157,7 +157,7 @@ impl Recorder<'_> {
         }
         self.push(Pass::Terminate, slots, iteration, 1);
         if self.features.scatters {
-            // Over what the termination has just listed; it lists nothing itself.
+            // Scattering runs over the list that the termination has just written; it writes no list.
             self.push(Pass::Scatter, slots, iteration, 1).read = PixelList::Active(iteration + 1);
         }
     }

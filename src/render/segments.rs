@@ -1,27 +1,27 @@
-//! K, the segments of one fused pass, chosen by measuring.
+//! Chooses K, the number of segments of one fused pass, by measurement.
 //!
-//! *Theory.* With more segments a pass, less time goes into loading and storing the state; with fewer, the places of ended rays are
-//! filled up sooner. Which counts for more depends on the scene and the device.
+//! *Theory.* With more segments per pass, less time goes into loading and storing the state; with fewer, active rays are compacted sooner.
+//! The best number depends on the scene and the device.
 //!
-//! *Practice.* The picture is rendered small with each of a few K before it starts: K is only a number to its program, and changes no bit
-//! of the picture.
+//! *Practice.* Before an image is rendered, it is rendered at a small size with a few values of K: K is only a number in its program, and
+//! changes no bit of the image.
 
 use std::time::Duration;
 
 use super::{RenderError, Renderer};
 use crate::program::{Features, Schedule};
 
-/// From which K is chosen.
+/// The candidates for K.
 const CHOICES: [u32; 3] = [8, 32, 128];
-/// Pictures of fewer rays gain less by a choice than it takes.
+/// The number of rays below which the choice costs more than it gains.
 const FEW: u64 = 1 << 21;
-/// Times that each K is tried.
+/// The number of trials of each K.
 const RUNS: u32 = 3;
-/// A K that takes so many times the best one's time is not tried again.
+/// The ratio to the best time above which a K is not tried again.
 const HOPELESS: f64 = 1.3;
 
 impl Renderer<'_> {
-    /// Chooses K, where there is a choice and time to make up for it. The K that it is then.
+    /// Chooses K if there is a choice and the render is long enough to benefit. Returns the K in use.
     pub fn choose_segments(&mut self) -> Result<u32, RenderError> {
         let [width, height] = self.window().size;
         let rays = u64::from(width) * u64::from(height) * u64::from(self.prepared.scene.image.samples);
@@ -32,7 +32,7 @@ impl Renderer<'_> {
         let useful = 1 + CHOICES.iter().filter(|segments| **segments < self.prepared.max_segments).count();
         let mut times: Vec<_> = CHOICES.into_iter().take(useful).map(|segments| (segments, Duration::MAX)).collect();
         let stage = self.prepared.gpu.progress.measured("choosing the segments per pass", f64::from(RUNS));
-        // By turns, so that a slow moment is nobody's own. The first run of all compiles, and its times rule nothing out.
+        // Alternate between candidates, so that a slow moment affects all. The first run includes compilation, so its times exclude none.
         for run in 0..RUNS {
             for (segments, least) in &mut times {
                 self.prepared.set_segments(self.prepared.max_segments, *segments)?;

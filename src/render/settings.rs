@@ -1,28 +1,28 @@
-//! How a picture is rendered, whatever it shows.
+//! Configures how an image is rendered, whatever the scene.
 
 use super::Window;
 use crate::program::{Choice, Schedule};
 
-/// How to render.
+/// The settings of a render.
 #[derive(Debug, Clone)]
 pub struct RenderSettings {
-    /// Schedule, masks, purpose and layers.
+    /// The schedule, masks, purpose and layers.
     pub choice: Choice,
-    /// K: segments of one fused pass, at most; more where a sample has many rounds.
+    /// K, the maximum number of segments of one fused pass; it grows if a sample has many rounds.
     pub segments: u32,
-    /// Bytes on the device that a picture may take, with its scene.
+    /// The bytes on the device that an image may use, including its scene.
     pub memory: u64,
-    /// The largest tile, in pixels; the memory and the device's limits apply besides.
+    /// The maximum number of pixels in a tile; the memory and the device's limits apply too.
     pub tile_pixels: u64,
-    /// The part of the picture that is rendered; none for all of it.
+    /// The part of the image to render; `None` for all of it.
     pub window: Option<Window>,
-    /// Are intersecting and scattering timed apart from advancing, where they have passes? That takes a pass of the encoder for each
-    /// of them, which costs more than the round without active rays.
+    /// `true` to time intersecting and scattering separately from advancing, if they have passes. Each then needs an encoder pass, which
+    /// costs more than a round without active rays.
     pub apart: bool,
 }
 
 impl RenderSettings {
-    /// Segments of one pass, at most.
+    /// Returns the maximum number of segments of one pass.
     pub(super) fn segments_a_pass(&self) -> u32 {
         if self.choice.schedule == Schedule::Whole { u32::MAX } else { self.segments }
     }
@@ -34,7 +34,7 @@ impl Default for RenderSettings {
             choice: Choice::default(),
             segments: 64,
             memory: 1 << 30,
-            // Enough to fill any device, and bands that the host holds with ease.
+            // Enough to fill any device, while the host can still hold the bands.
             tile_pixels: 1 << 22,
             window: None,
             apart: false,

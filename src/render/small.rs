@@ -1,5 +1,5 @@
-//! A picture rendered small before it starts: by its own program, for what its time tells of the whole. A part of the picture in full
-//! would be no fair sample of its rays.
+//! Renders an image at a small size by its own program, to predict the time of the whole image. A part of the image at full size would not
+//! be a representative sample of its rays.
 
 use std::time::{Duration, Instant};
 
@@ -7,11 +7,11 @@ use super::clock::Clock;
 use super::sample::{Refines, Sample};
 use super::{RenderError, Renderer, Totals, Window};
 
-/// The longer side of the small picture.
+/// The longer side of the small image, in pixels.
 const SMALL: u32 = 224;
 
 impl Renderer<'_> {
-    /// The device's time for one sample of the small picture.
+    /// Returns the device's time for one sample of the small image.
     pub(super) fn small_time(&self) -> Result<Duration, RenderError> {
         let (tile, sample) = (self.prepared.tile(self.small_size())?, self.small_sample());
         let (mut totals, mut clock) = (Totals::default(), Clock::new(self.prepared.gpu, false));
@@ -21,12 +21,12 @@ impl Renderer<'_> {
         Ok(totals.advance())
     }
 
-    /// How long all samples of the picture will take, about, or of an adaptive one those that every pixel has.
+    /// Estimates the time for all samples of the image; for an adaptive image, the samples that every pixel takes.
     pub fn expected_time(&mut self) -> Result<Duration, RenderError> {
         let size = self.small_size();
         let mut taken = Duration::ZERO;
         let _stage = self.prepared.gpu.progress.stage("estimating the time");
-        // The first compiles.
+        // The first run includes compilation.
         for _ in 0..2 {
             let tile = self.prepared.tile(size)?;
             let started = Instant::now();
@@ -50,7 +50,7 @@ impl Renderer<'_> {
         Sample { origin: origin.map(|side| self.small(side)), image, number: 0, refines }
     }
 
-    /// A length in pixels, in the small picture.
+    /// Returns a length in the small image, in pixels.
     fn small(&self, side: u32) -> u32 {
         let [width, height] = self.window().size;
         let longer = u64::from(width.max(height));

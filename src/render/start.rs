@@ -1,9 +1,9 @@
-//! From launch to the first pixel: what a start took, part by part.
+//! Measures the time from launch to the first pixel, part by part.
 
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// A part of a start.
+/// A part of the start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StartPart {
     /// Reading and checking the scene.
@@ -12,13 +12,13 @@ pub enum StartPart {
     Device,
     /// Linking and compiling the program, and uploading the scene.
     Program,
-    /// Searching for a method, where the scene leaves it open.
+    /// Searching for a method, if the scene leaves it open.
     Method,
     /// Rendering the first rows.
     FirstPicture,
 }
 
-/// What the parts of a start took.
+/// The durations of the parts of a start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StartUp {
     last: Instant,
@@ -27,17 +27,17 @@ pub struct StartUp {
 }
 
 impl Default for StartUp {
-    /// Launched now.
+    /// Starts measuring now.
     fn default() -> Self {
         Self { last: Instant::now(), took: [Duration::ZERO; Self::PARTS.len()], is_complete: false }
     }
 }
 
 impl StartUp {
-    /// The parts, in order.
+    /// The names of the parts, in order.
     pub const PARTS: [&'static str; 5] = ["scene", "device", "program", "method", "first picture"];
 
-    /// Counts the time since the last call for this part, which may have had some before.
+    /// Adds the time since the last call to this part.
     pub fn count(&mut self, part: StartPart) {
         let now = Instant::now();
         self.took[part as usize] += now - self.last;
@@ -45,13 +45,13 @@ impl StartUp {
         self.is_complete |= part == StartPart::FirstPicture;
     }
 
-    /// Is the first picture there?
+    /// Returns `true` if the first rows are rendered.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.is_complete
     }
 
-    /// What each part took.
+    /// Returns the name and the duration of each part.
     pub fn parts(&self) -> impl Iterator<Item = (&'static str, Duration)> {
         Self::PARTS.into_iter().zip(self.took)
     }

@@ -1,9 +1,9 @@
-//! One dispatch as data, before it is recorded.
+//! Describes one dispatch as data, before it is recorded.
 //!
-//! *Idea.* Rays end at very different times, and a pass over all of them would mostly find ended ones. So the active rays are
-//! compacted: a pass adds the pixels whose rays go on to a list, and the next runs over no more than that list, by indirect
-//! dispatch. All of a sample is recorded before any of it runs, so that a step names the lists that it reads and writes by number:
-//! the n-th list of active rays in a round is written by the steps that read the one before.
+//! *Idea.* Rays end at very different times, and a pass over all of them would mostly find terminated rays. Therefore active rays are
+//! compacted: a pass appends the pixels whose rays continue to a list, and the next pass runs only over this list, by indirect dispatch. A
+//! whole sample is recorded before any of it runs, so a step names the lists that it reads and writes by number: the steps that read one
+//! list of active rays write the next list of the round.
 
 use std::fmt;
 
@@ -11,48 +11,48 @@ use super::sample::Refines;
 use crate::gpu::Slots;
 use crate::program::{Masks, Pass};
 
-/// What a pass runs over.
+/// The pixels that a pass processes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dispatch {
     /// Every pixel of the tile.
     Grid,
     /// The pixels of the list that the step reads, by indirect dispatch.
     Listed,
-    /// Every pixel in the first round of a sample, in later ones those of the list.
+    /// Every pixel in the first round of a sample, and the pixels of the list in later rounds.
     ListedLater,
 }
 
-/// A list of pixels, by its number among those of its kind.
+/// A list of pixels, by its number among the lists of its kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PixelList {
-    /// Of the active rays, counted in each round.
+    /// The pixels with active rays, numbered in each round.
     Active(u64),
-    /// Of the pixels that have a path left: 0 is what a round works on, and 1 what it leaves to the next.
+    /// The pixels with an unfinished path: 0 is the list of the round, and 1 the list for the next round.
     Open(u64),
-    /// Of the pixels that want more samples, counted in each tile.
+    /// The pixels that need more samples, numbered in each tile.
     Wanted(u64),
 }
 
 /// One dispatch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
-    /// Which pass.
+    /// The pass.
     pub pass: Pass,
-    /// Which slots of the state it uses.
+    /// The slots of the state that it uses.
     pub slots: Slots,
-    /// The list that it runs over, where it does not run over all pixels.
+    /// The list that it processes, unless it processes all pixels.
     pub read: PixelList,
-    /// The list that it adds to, if its pass adds to any.
+    /// The list that it appends to, if its pass does.
     pub written: PixelList,
-    /// Over what.
+    /// The pixels that it processes.
     pub dispatch: Dispatch,
     /// The iteration of the loop over segments that it belongs to.
     pub iteration: u64,
-    /// Does it go on with a walk that was suspended?
+    /// `true` if it continues a suspended traversal.
     pub again: bool,
-    /// Is it of the first segments, which run over the same pixels as the setup?
+    /// `true` if it belongs to the first segments, which run over the same pixels as the setup.
     pub first: bool,
-    /// Integration steps of one ray in it, at most: its weight when the work is split into submissions.
+    /// The maximum number of integration steps of one ray: its weight when the work is divided into submissions.
     pub weight: u64,
 }
 
@@ -67,7 +67,7 @@ impl fmt::Display for PixelList {
 }
 
 impl fmt::Display for Step {
-    /// The pass, what it runs over, and the slots and the list that it writes.
+    /// Writes the pass, the pixels that it processes, and the slots and the list that it writes.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Slots { input, output, .. } = self.slots;
         let over = match self.dispatch {
@@ -86,7 +86,7 @@ impl fmt::Display for Step {
 }
 
 impl Step {
-    /// What follows a sample of an adaptive picture.
+    /// Returns the step that follows a sample of an adaptive image.
     pub(super) fn refining(refines: Refines, masks: Masks) -> Self {
         let dispatch = if refines.listed && masks != Masks::Off { Dispatch::Listed } else { Dispatch::Grid };
         let (read, written) = (PixelList::Wanted(refines.list), PixelList::Wanted(refines.list + 1));
@@ -94,7 +94,7 @@ impl Step {
         Self { pass: Pass::Refine, slots, read, written, dispatch, iteration: 0, again: false, first: false, weight: 1 }
     }
 
-    /// In a sample's round: over the pixels that take the sample, if these are listed.
+    /// Returns the step for a round of a sample: it processes the pixels that take the sample, if these are listed.
     pub(super) fn in_round(mut self, round: u32, refines: Option<Refines>) -> Self {
         if let (0, Dispatch::ListedLater, Some(Refines { listed, list })) = (round, self.dispatch, refines) {
             self.read = PixelList::Wanted(list);

@@ -1,4 +1,4 @@
-//! A tile of a program's state: made, told what sample comes, and its tally read.
+//! Creates tiles of a program's state, writes their samples and reads their tallies.
 
 use std::time::Instant;
 
@@ -12,16 +12,16 @@ use super::{RenderError, Totals};
 use crate::gpu::{GpuError, SECTION, Tile, pack};
 use crate::program::Role;
 
-/// What became of a tile.
+/// The outcome of a tile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum TileEnd {
     Done,
-    /// Rays were still under way when the passes ended. There is more room for them now, and the tile is to be rendered again.
+    /// Rays were still active after the last pass. There are more passes now, and the tile must be rendered again.
     Again,
 }
 
 impl Prepared<'_> {
-    /// A tile of this program's state.
+    /// Creates a tile of this program's state.
     pub(super) fn tile(&self, size: [u32; 2]) -> Result<Tile, GpuError> {
         let scope = self.gpu.device.push_error_scope(ErrorFilter::OutOfMemory);
         let plan = &self.plan;
@@ -45,10 +45,10 @@ impl Prepared<'_> {
         Ok(())
     }
 
-    /// Adds the tile's tally to `totals`, and clears it. Returns `true` if rays are still under way.
+    /// Adds the tile's tally to `totals`, and clears it. Returns `true` if rays are still active.
     ///
-    /// `rays` is how many there are, where that is known beforehand: a device that stops an invocation for its loops says nothing,
-    /// and what a pass of whole paths then left out is only missing from the count.
+    /// `rays` is the number of rays, if known beforehand. A device that stops an invocation because of its loop limit does not report it,
+    /// and the rays that a pass of whole paths then omitted are only missing from the count.
     pub(super) fn add_tally(&self, tile: &Tile, totals: &mut Totals, rays: Option<u64>) -> Result<bool, GpuError> {
         let records = Records::take(self.gpu, &self.program, tile, &Role::Tally)?;
         let Some(tally) = records.rows().next() else { return Ok(false) };
@@ -57,7 +57,7 @@ impl Prepared<'_> {
         Ok(missing || Totals::unfinished(&tally) > 0)
     }
 
-    /// As [`add_tally`](Self::add_tally), unless rays are still under way for which there can be more room.
+    /// Adds the tally like [`add_tally`](Self::add_tally), unless rays are still active and more passes are possible.
     pub(super) fn read_tally(
         &mut self,
         tile: &Tile,
@@ -72,7 +72,7 @@ impl Prepared<'_> {
         Ok(TileEnd::Done)
     }
 
-    /// Adds the time that the device and the host took.
+    /// Adds the time of the device and the host.
     pub(super) fn finish_totals(&self, totals: &mut Totals, clock: &Clock, started: Instant) -> Result<(), GpuError> {
         totals.device = clock.read(self.gpu)?;
         totals.wall = started.elapsed();

@@ -1,4 +1,4 @@
-//! What a render did, summed over all rays on the device.
+//! Sums the results of a render over all rays on the device.
 
 use std::fmt;
 use std::sync::LazyLock;
@@ -8,33 +8,33 @@ use super::Noise;
 use super::records::Row;
 use crate::program::constant;
 
-/// How a ray ended.
+/// The termination status of a ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Status {
-    /// Still under way.
+    /// The ray is still active.
     Alive,
-    /// Met an object.
+    /// The ray hit an object.
     Hit,
-    /// Left the bounding sphere outwards.
+    /// The ray left the bounding sphere outwards.
     Escaped,
-    /// Fell into a hole or a source.
+    /// The ray fell into a black hole or a source.
     Captured,
-    /// Reached `rays.max_parameter`.
+    /// The ray reached `rays.max_parameter`.
     Ended,
-    /// Used `rays.max_segments`.
+    /// The ray used `rays.max_segments`.
     Exhausted,
-    /// The step fell under what moves the ray.
+    /// The step became too small to move the ray.
     Stalled,
-    /// Not finite any more.
+    /// The state of the ray is not finite.
     Failed,
-    /// Would have split once more than `rays.max_splits` allows, or weighs nothing any more.
+    /// The ray would have split more often than `rays.max_splits` allows, or its throughput is 0.
     Cut,
-    /// Not a ray: the picture has none there, as outside a fisheye's disk.
+    /// There is no ray, because the image has none at this pixel, for example outside the disk of a fisheye.
     Outside,
 }
 
 impl Status {
-    /// Every status but those of rays under way.
+    /// Every status of a terminated ray.
     pub const ENDS: [Self; 9] = [
         Self::Hit,
         Self::Escaped,
@@ -47,10 +47,10 @@ impl Status {
         Self::Outside,
     ];
 
-    /// The status of a code of `shaders/segment/ray.wgsl`.
+    /// Returns the status with a code of `shaders/segment/ray.wgsl`.
     #[must_use]
     pub fn from_code(code: u32) -> Self {
-        // Read from the WGSL once: a trace asks for every ray.
+        // The codes are read from the WGSL once, because a trace looks up every ray.
         static CODES: LazyLock<Vec<(u32, Status)>> = LazyLock::new(|| {
             let missed = (constant("segment/ray", "MISSED") as u32, Status::Escaped);
             Status::ENDS.into_iter().map(|status| (status.code(), status)).chain([missed]).collect()
@@ -58,13 +58,13 @@ impl Status {
         CODES.iter().find(|(known, _)| *known == code).map_or(Self::Alive, |(_, status)| *status)
     }
 
-    /// Its code in `shaders/segment/ray.wgsl`, which outputs carry too.
+    /// Returns the code in `shaders/segment/ray.wgsl`, which output files use too.
     #[must_use]
     pub fn code(self) -> u32 {
         constant("segment/ray", &self.name().to_uppercase()) as u32
     }
 
-    /// Its name in outputs.
+    /// Returns the name in output.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -82,23 +82,23 @@ impl Status {
     }
 }
 
-/// What adaptive sampling came to.
+/// The result of adaptive sampling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Adaptive {
-    /// Pixels of the window.
+    /// The number of pixels of the window.
     pub pixels: u64,
-    /// Samples that they took together, with the rays through their corners.
+    /// The number of samples of all pixels together, with the rays through their corners.
     pub samples: u64,
-    /// Those that took all the samples they may, and whose mean is not as good as it should be.
+    /// The number of pixels that took all allowed samples without reaching the tolerance.
     pub capped: u64,
-    /// Samples of its own that a pixel may take.
+    /// The maximum number of samples of a pixel.
     pub most: u32,
-    /// The standard error below which a mean is good enough, in what a screen shows.
+    /// The largest acceptable standard error of a mean, in display values.
     pub tolerance: f64,
 }
 
 impl Adaptive {
-    /// Samples of a pixel on average.
+    /// Returns the average number of samples per pixel.
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.samples as f64 / self.pixels as f64
@@ -117,53 +117,53 @@ impl fmt::Display for Adaptive {
     }
 }
 
-/// Sums over all rays.
+/// The sums over all rays.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Totals {
-    /// Rays set up, with those samples that have none.
+    /// The number of rays set up, including samples without a ray.
     pub rays: u64,
-    /// Accepted integration steps.
+    /// The number of accepted integration steps.
     pub steps: u64,
-    /// Rejected tries.
+    /// The number of rejected steps.
     pub rejected: u64,
-    /// Segments tested.
+    /// The number of tested segments.
     pub segments: u64,
-    /// Rays by how they ended.
+    /// The number of rays for each termination status.
     pub by_status: Vec<(Status, u64)>,
-    /// Places on surfaces that no path from a light leads to, light by light, where that is looked for.
+    /// The number of surface positions to which no path from a light was found, counted for each light that is searched for.
     pub unlit: u64,
-    /// Pieces of light's ways that a grid had no room for.
+    /// The number of pieces of light paths that a grid had no room for.
     pub lost: u64,
-    /// Time on the device by stage (setup, advance, intersect, scatter, shade; advancing includes the two after it unless they are
-    /// timed apart, and all rounds of a sample after its first); none without timestamp queries.
+    /// The time on the device by stage: setup, advance, intersect, scatter, shade. Advancing includes the two stages after it unless these
+    /// are timed separately, and all rounds of a sample after the first. `None` without timestamp queries.
     pub device: Option<[Duration; 5]>,
-    /// Time from start to end.
+    /// The time from start to end.
     pub wall: Duration,
-    /// What adaptive sampling came to, where the scene asks for it.
+    /// The result of adaptive sampling, if the scene requests it.
     pub adaptive: Option<Adaptive>,
-    /// Stretches of paths whose filter could not be had to its tolerance, or was none.
+    /// The number of path segments on which the absorption did not reach its tolerance, or was not valid.
     pub unfiltered: u64,
-    /// Segments that need more loop iterations than the device runs in one pass; their rays failed.
+    /// The number of segments that need more loop iterations than the device runs in one pass; their rays failed.
     pub overrun: u64,
-    /// How noisy the picture is, if it is made of random paths.
+    /// The noise of the image, if it consists of random paths.
     pub noise: Option<Noise>,
-    /// What samples that were too bright have lost, where the scene limits them.
+    /// The light removed from samples that were too bright, if the scene limits them.
     pub clamped: Option<Clamped>,
 }
 
-/// What samples that were too bright have lost.
+/// The light removed from samples that were too bright.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Clamped {
-    /// How many there were.
+    /// The number of these samples.
     pub samples: u64,
-    /// Radiance that they lost, all colours together, summed over all samples of the picture.
+    /// The removed radiance, summed over all colors and all samples of the image.
     pub lost: f64,
-    /// Radiance that is left, of all samples.
+    /// The remaining radiance of all samples.
     pub left: f64,
 }
 
 impl Clamped {
-    /// The part of all light that they lost.
+    /// Returns the removed fraction of all light.
     #[must_use]
     pub fn share(&self) -> f64 {
         let all = self.lost + self.left;
@@ -177,42 +177,42 @@ impl fmt::Display for Clamped {
     }
 }
 
-/// What a tally counted of a status code, by its name in WGSL.
+/// Returns the count of a status code in a tally, by its name in WGSL.
 fn counted(tally: &Row, name: &str) -> u64 {
     tally.uint_at("statuses", constant("segment/ray", name) as usize).into()
 }
 
 impl Totals {
-    /// Time of the passes that advance and intersect on the device, or the whole time where a device does not say.
+    /// Returns the time of the passes that advance and intersect on the device, or the total time if the device has no timestamps.
     #[must_use]
     pub fn advance(&self) -> Duration {
         self.device.map_or(self.wall, |[_, advance, intersect, ..]| advance + intersect)
     }
 
-    /// Time of the passes that intersect, where they are timed apart.
+    /// Returns the time of the passes that intersect, if they are timed separately.
     #[must_use]
     pub fn intersect(&self) -> Option<Duration> {
         self.device.map(|[_, _, intersect, ..]| intersect)
     }
 
-    /// Rays that ended so.
+    /// Returns the number of rays with this status.
     #[must_use]
     pub fn count(&self, status: Status) -> u64 {
         self.by_status.iter().filter(|(s, _)| *s == status).map(|(_, n)| n).sum()
     }
 
-    /// Rays that could not be followed to an end.
+    /// Returns the number of rays that could not be followed to an end.
     #[must_use]
     pub fn unfollowed(&self) -> u64 {
         [Status::Alive, Status::Exhausted, Status::Stalled, Status::Failed].into_iter().map(|s| self.count(s)).sum()
     }
 
-    /// Rays in a tally whose walks did not end: left alive by passes that ran out, or stopped by the termination.
+    /// Returns the number of rays in a tally that did not end: active after the last pass, or stopped by the termination.
     pub(super) fn unfinished(tally: &Row) -> u64 {
         counted(tally, "ALIVE") + counted(tally, "UNFINISHED")
     }
 
-    /// Rays in a tally, by the code of how they ended.
+    /// Returns the numbers of rays in a tally, by the code of their status.
     fn ends(tally: &Row) -> impl Iterator<Item = (u32, u64)> {
         let others = ["UNLIT", "LOST", "UNFILTERED", "OVERRUN"].map(|name| constant("segment/ray", name) as u32);
         let codes = 0..constant("state/tally", "STATUSES") as u32;
@@ -221,7 +221,7 @@ impl Totals {
             .map(|code| (code, tally.uint_at("statuses", code as usize).into()))
     }
 
-    /// Rays in a tally, however they ended.
+    /// Returns the number of all rays in a tally.
     pub(super) fn counted(tally: &Row) -> u64 {
         Self::ends(tally).map(|(_, n)| n).sum()
     }

@@ -1,4 +1,4 @@
-//! Following given rays, one by one, through the same passes.
+//! Follows given rays, one by one, through the same passes.
 
 use std::borrow::Cow;
 
@@ -12,17 +12,17 @@ use crate::model::Control;
 use crate::program::Purpose;
 use crate::scene::Scene;
 
-/// Which rays to follow.
+/// The rays to follow.
 #[derive(Debug, Clone, Copy)]
 pub enum Starts<'s> {
-    /// Places and velocities.
+    /// Positions and velocities.
     Given(&'s [[f64; 6]]),
-    /// The camera's rays of these pixels, laid out in rows of so many: neighbours in the list run side by side.
+    /// The camera's rays of these pixels, laid out in rows of this length: neighbors in the list run side by side.
     Pixels(&'s [[u32; 2]], u32),
 }
 
 impl Starts<'_> {
-    /// What a program is for that follows such rays.
+    /// Returns the purpose of a program that follows these rays.
     #[must_use]
     pub fn purpose(&self) -> Purpose {
         match self {
@@ -59,14 +59,14 @@ pub fn trace_pixels(
     Tracer::new(gpu, scene, settings.clone(), Purpose::Pixels)?.follow(Starts::Pixels(pixels, ROW))
 }
 
-/// Follows single rays of a scene and tells where they end.
+/// A tracer that follows single rays of a scene and returns their ends.
 #[derive(Debug)]
 pub struct Tracer<'a> {
     pub(super) prepared: Prepared<'a>,
 }
 
 impl<'a> Tracer<'a> {
-    /// Links, compiles and uploads what follows rays for this purpose: `Trace`, `Pixels` or `Bare`.
+    /// Creates a tracer for this purpose: `Trace`, `Pixels` or `Bare`.
     pub fn new(
         gpu: &'a Gpu,
         scene: &'a Scene,
@@ -78,13 +78,13 @@ impl<'a> Tracer<'a> {
         Ok(Self { prepared: Prepared::new(gpu, Cow::Borrowed(scene), settings, LightGrids::default())? })
     }
 
-    /// Changes the numbers of the step control and the segments that a path may have; which control it is stays, and no pass
-    /// is compiled again.
+    /// Changes the parameters of the step control and the maximum number of segments of a path. The kind of control stays, and no pass is
+    /// recompiled.
     pub fn retune(&mut self, control: Control, max_segments: u32) -> Result<(), GpuError> {
         self.prepared.retune(control, max_segments)
     }
 
-    /// Follows rays to their ends, which start as this was made for.
+    /// Follows rays to their ends; `starts` must match the purpose of the tracer.
     pub fn follow(&mut self, starts: Starts) -> Result<(Vec<Traced>, Totals), RenderError> {
         let prepared = &mut self.prepared;
         let mut totals = Totals::default();
@@ -111,7 +111,7 @@ impl<'a> Tracer<'a> {
             }
         }
         prepared.finish_totals(&mut totals, &clock, started)?;
-        // The last row of the state is filled up with pixels that have no ray.
+        // The last row of the state is padded with pixels that have no ray.
         totals.rays = count as u64;
         totals.by_status = count_by_status(&traced);
         Ok((traced, totals))

@@ -1,58 +1,58 @@
-//! What is told of a ray that was followed.
+//! Stores the end of a followed ray.
 
 use glam::DVec3;
 
 use super::Status;
 
-/// Where a ray ended.
+/// The end of a ray.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Traced {
-    /// How.
+    /// The termination status.
     pub status: Status,
-    /// Position.
+    /// The position.
     pub x: [f64; 3],
-    /// Velocity.
+    /// The velocity.
     pub v: [f64; 3],
-    /// The path's parameter.
+    /// The path parameter τ.
     pub tau: f64,
-    /// Segments, whole ones and a fraction.
+    /// The number of segments, including a fraction of the last one.
     pub depth: f64,
-    /// Accepted steps.
+    /// The number of accepted steps.
     pub steps: u32,
-    /// Rejected tries.
+    /// The number of rejected steps.
     pub rejected: u32,
-    /// Index into the scene's objects, if one was hit.
+    /// The index of the scene's object that was hit, if any.
     pub object: Option<u32>,
 }
 
 impl Traced {
-    /// The angle between this ray's direction and another's, in radians.
+    /// Returns the angle between this ray's direction and another's, in radians.
     #[must_use]
     pub fn angle_to(&self, other: &Self) -> f64 {
         let (a, b) = (DVec3::from(self.v), DVec3::from(other.v));
         a.cross(b).length().atan2(a.dot(b))
     }
 
-    /// Between this ray's end and another's.
+    /// Returns the distance between this ray's end and another's.
     #[must_use]
     pub fn distance_to(&self, other: &Self) -> f64 {
         DVec3::from(self.x).distance(other.x.into())
     }
 
-    /// The size of its velocity.
+    /// Returns the magnitude of the velocity.
     #[must_use]
     pub fn speed(&self) -> f64 {
         DVec3::from(self.v).length()
     }
 }
 
-/// A segment's end along a path; the first is the path's start.
+/// The end of a segment on a path; the first point is the start of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PathPoint {
-    /// Position.
+    /// The position.
     pub x: [f64; 3],
-    /// Velocity.
+    /// The velocity.
     pub v: [f64; 3],
-    /// The path's parameter.
+    /// The path parameter τ.
     pub tau: f64,
 }

@@ -1,4 +1,4 @@
-//! What is read back of a finished tile: colors, layers, errors, and what was clamped.
+//! Reads the values of a finished tile: colors, layers, errors, and clamped light.
 
 use super::adaptive::Moments;
 use super::band::{Band, TilePlace};
@@ -9,7 +9,7 @@ use super::{Clamped, Noise, RenderError, Renderer};
 use crate::gpu::Tile;
 use crate::program::{Layer, LayerKind, Role};
 
-/// What the device has kept of a tile's pixels.
+/// The stored values of a tile's pixels.
 pub(super) struct Values<'r> {
     pixels: Records<'r>,
     moments: Option<Vec<Moments>>,
@@ -18,7 +18,7 @@ pub(super) struct Values<'r> {
 }
 
 impl Renderer<'_> {
-    /// Waits for a tile.
+    /// Waits for a tile and reads its values.
     pub(super) fn read_values(&self, tile: &Tile) -> Result<Values<'_>, RenderError> {
         let roles = [&Role::Pixels, &Role::Moments];
         let [pixels, moments] = Records::read_all(self.prepared.gpu, &self.prepared.program, tile, roles)?;
@@ -28,7 +28,7 @@ impl Renderer<'_> {
 }
 
 impl Values<'_> {
-    /// Puts what the tile has come to after a round into a band whose column `left` is the tile's first.
+    /// Copies the values of the tile after a round into a band; `left` is the tile's first column in the band.
     pub(super) fn put(&self, left: u32, round: &Round, wanted: &[Layer], band: &mut Band, noise: Option<&mut Noise>) {
         let errors = self.errors(round.until);
         let at = TilePlace { left, width: self.size[0], margin: self.margin };
@@ -53,7 +53,7 @@ impl Values<'_> {
         }
     }
 
-    /// The mean of a channel of so many samples: red, green, blue, alpha.
+    /// Returns the mean of a channel (red, green, blue or alpha) over this number of samples.
     fn channel(&self, k: usize, samples: u32) -> Vec<f32> {
         let weight = 1.0 / samples as f32;
         if let Some(moments) = &self.moments {
@@ -63,17 +63,17 @@ impl Values<'_> {
             return self.sums(k).map(|sum| sum * weight).collect();
         }
         let sums = self.pixels.column("alpha").into_iter().flatten();
-        // A sky that is seen from inside of a medium may be brighter than it is.
+        // From inside a medium, the sky may appear brighter than outside, so the mean may exceed 1.
         sums.map(|[sum]| (f32::from_bits(sum) * weight).clamp(0.0, 1.0)).collect()
     }
 
-    /// The sums of a channel's samples.
+    /// Returns the sums of a channel's samples.
     fn sums(&self, k: usize) -> impl Iterator<Item = f32> {
         let sums = self.pixels.column::<3>("color").into_iter().flatten();
         sums.map(move |color| f32::from_bits(color[k]))
     }
 
-    /// The standard error of every pixel after so many samples, infinite where it has one; none where nothing of the kind was kept.
+    /// Returns the standard error of every pixel after `samples` samples, infinite for one sample; `None` if no errors were stored.
     fn errors(&self, samples: u32) -> Option<Vec<f32>> {
         if let Some(moments) = &self.moments {
             return Some(moments.iter().map(Moments::error).collect());
@@ -85,7 +85,7 @@ impl Values<'_> {
         Some(self.pixels.column("spread")?.map(error).collect())
     }
 
-    /// A layer, in one or three words a pixel; none that was not kept.
+    /// Returns a layer, in one or three words per pixel; `None` if it was not stored.
     fn layer(&self, layer: Layer, samples: u32, errors: Option<&[f32]>) -> Option<Vec<u32>> {
         let number = |name: &str| Some(self.pixels.column::<1>(name)?.flatten().collect());
         let vector = |name: &str| Some(self.pixels.column::<3>(name)?.flatten().collect::<Vec<_>>());
@@ -106,7 +106,7 @@ impl Values<'_> {
         }
     }
 
-    /// Adds what the tile's samples have lost because they were too bright, and in the last round what is left.
+    /// Adds the light that clamping removed from the tile's samples, and in the last round the remaining light.
     pub(super) fn add_clamped(&self, round: &Round, sums: &mut Clamped) {
         let (samples, light) = (self.pixels.column("clamped_samples"), self.pixels.column("clamped_light"));
         let (Some(samples), Some(light)) = (samples, light) else { return };

@@ -1,4 +1,4 @@
-//! What a render is told besides its scene: what there is already, and who wants to know how far it is.
+//! Configures a render beyond its scene: the samples that exist already, and a preview.
 
 use std::time::Duration;
 
@@ -9,20 +9,20 @@ use crate::gpu::{Gpu, GpuError, Tile};
 use crate::program::{Layer, Program, Role};
 use crate::progress::Stage;
 
-/// How a render is watched.
+/// The earlier samples and the preview of a render.
 #[derive(Clone, Copy, Default)]
 pub struct Watch<'w> {
     /// Samples that need not be taken again.
     pub earlier: Option<&'w Earlier>,
-    /// Who looks at the picture while it is made. Not at adaptive ones, whose pixels do not take their samples together.
+    /// The preview of the unfinished image; not available for adaptive images, whose pixels do not take their samples together.
     pub preview: Option<&'w dyn Preview>,
 }
 
-/// Looks at a picture while it is made.
+/// Receives an image while it is rendered.
 pub trait Preview {
-    /// The time between two looks, about.
+    /// Returns the approximate time between two previews.
     fn every(&self) -> Duration;
-    /// The whole window after so many samples.
+    /// Receives the whole window after `samples` samples.
     fn look(&self, picture: &Band, samples: u32) -> Result<(), RenderError>;
 }
 
@@ -32,15 +32,15 @@ impl std::fmt::Debug for Watch<'_> {
     }
 }
 
-/// Some samples of every pixel of the window, and then no more before all tiles have theirs.
+/// A number of samples of every pixel of the window, which all tiles complete before the next round.
 pub(super) struct Round<'r> {
-    /// What there is before it.
+    /// The samples taken before this round.
     pub earlier: Option<&'r Earlier>,
-    /// How many samples there are behind it.
+    /// The number of samples after this round.
     pub until: u32,
-    /// Is the picture done then?
+    /// `true` if the image is complete after this round.
     pub is_last: bool,
-    /// The stage of the whole picture, whose units are samples, and the first of them.
+    /// The stage of the whole image, whose units are samples, and its first sample.
     told: Option<(&'r Stage, u32)>,
 }
 
@@ -49,42 +49,42 @@ impl<'r> Round<'r> {
         Self { earlier, until, is_last, told: None }
     }
 
-    /// Reports the round to the stage of the whole picture, whose units are samples from `first` on.
+    /// Reports the round to the stage of the whole image, whose units are samples, starting at `first`.
     pub fn told(self, stage: &'r Stage, first: u32) -> Self {
         Self { told: Some((stage, first)), ..self }
     }
 
-    /// The first sample that it takes.
+    /// Returns the first sample of the round.
     pub fn begins(&self) -> u32 {
         self.earlier.map_or(0, |earlier| earlier.samples)
     }
 
-    /// Tells that a part of it is done. The last round is all that is left.
+    /// Reports that the fraction `part` of the round is done. The last round contains all remaining samples.
     pub fn tell(&self, part: f64) {
         let Some((stage, first)) = self.told else { return };
         stage.reach(f64::from(self.begins() - first) + part * f64::from(self.until - self.begins()));
     }
 
-    /// The layers that are read behind it: those of the picture, and before its end what the next round goes on from.
+    /// Returns the layers that are read after the round: the layers of the image, and before its end the sums for the next round.
     pub fn layers(&self, wanted: &[Layer]) -> Vec<Layer> {
         let sums = [Layer::Sums, Layer::Spread].into_iter().filter(|layer| !self.is_last && !wanted.contains(layer));
         wanted.iter().copied().chain(sums).collect()
     }
 }
 
-/// The samples of a picture that was rendered before, as its file keeps them.
+/// The samples of an earlier render, as its file stores them.
 ///
-/// A sample's ray does not depend on how many there will be, and sums are kept bit for bit, so that the picture that goes on from here is
-/// the one that a single longer render would have made.
+/// The ray of a sample does not depend on the number of samples, and sums are stored exactly. The continued image is therefore
+/// bit-identical to the image of a single longer render.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Earlier {
-    /// How many samples each pixel has.
+    /// The number of samples of each pixel.
     pub samples: u32,
     /// All rows of the window, with the layers [`Layer::Sums`] and [`Layer::Spread`].
     pub band: Band,
 }
 
-/// Returns the sum that has this mean: to the last digit if it is a count of samples, as it mostly is.
+/// Returns the sum for this mean: exactly, if it is a count of samples, as is usual.
 fn sum_of(mean: f32, samples: f32) -> f32 {
     let sum = mean * samples;
     let count = sum.round();
@@ -92,7 +92,7 @@ fn sum_of(mean: f32, samples: f32) -> f32 {
 }
 
 impl Earlier {
-    /// Puts the sums of a part of the window into a tile of that size, beside what its pixels keep already.
+    /// Writes the sums of a part of the window into a tile of that size, and keeps the other values of its pixels.
     pub(super) fn put(&self, gpu: &Gpu, program: &Program, tile: &Tile, part: Window) -> Result<(), GpuError> {
         let band = &self.band;
         let mut pixels = Records::read(gpu, program, tile, &Role::Pixels)?;
@@ -122,7 +122,7 @@ impl Earlier {
         Ok(())
     }
 
-    /// Layers of the first samples, which are not taken again, for the rows of a band.
+    /// Copies the layers of the first samples, which are not taken again, into the rows of a band.
     pub(super) fn put_first(&self, band: &mut Band) {
         let (start, count) = ((band.first_row * band.width) as usize, (band.rows * band.width) as usize);
         let range = start..start + count;
