@@ -1,43 +1,43 @@
-//! What can be wrong with a scene: each mistake with its place in the file, and what would be right.
+//! The errors of a scene, each with its location in the file and a suggested fix.
 
 use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Mistakes that are looked for in one run, at most.
+/// The largest number of mistakes that one run collects.
 pub(super) const ENOUGH: usize = 1000;
-/// And those that are shown.
+/// The largest number of mistakes that a message prints.
 const SHOWN: usize = 100;
-/// Characters of a line that are shown.
+/// The largest number of characters of a line that a message prints.
 const WIDTH: usize = 160;
-/// Bytes of what is said of a mistake: it may name a word of the file, which may be of any length.
+/// The largest length of a message, in bytes; a message may quote a word of the file, which may have any length.
 const LONGEST: usize = 2000;
 
-/// Why a scene could not be loaded.
+/// The reason why a scene could not be loaded.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
-    /// A file that cannot be read at all.
+    /// A file that cannot be read.
     #[error("cannot read `{}`: {source}", path.display())]
     Read {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The error of the operating system.
         source: std::io::Error,
     },
-    /// A picture that can be read but not understood or not used.
+    /// An image that can be read but not decoded or not used.
     #[error("cannot use the picture `{}`: {}", path.display(), brief(problem))]
     Picture {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The problem.
         problem: String,
     },
-    /// A mesh that can be read but not understood, where its format has no lines.
+    /// A mesh in a format without lines that can be read but not decoded or not used.
     #[error("cannot use the mesh `{}`: {}", path.display(), brief(problem))]
     Mesh {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The problem.
         problem: String,
     },
     /// A file of samples that can be read but not used.
@@ -45,55 +45,55 @@ pub enum SceneError {
     Grid {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The problem.
         problem: String,
     },
-    /// A file that takes more memory than there may be.
+    /// A file that needs more memory than is allowed.
     #[error("cannot use `{}`: it takes {} of memory, and {} of {} are left", path.display(), mebibytes(*needed), mebibytes(*left), mebibytes(*limit))]
     Memory {
         /// The file.
         path: PathBuf,
-        /// Bytes that it takes, at the least.
+        /// The least number of bytes that the file needs.
         needed: u64,
-        /// Bytes that the files before it have left over.
+        /// The bytes that the files before it have left.
         left: u64,
-        /// Bytes that all files may take.
+        /// The bytes that all files together may use.
         limit: u64,
     },
     /// A `--set` argument that is not `KEY=VALUE`.
     #[error("{}", brief(.0))]
     Override(String),
-    /// Everything that is wrong in the scene and its meshes, in the order of the file.
+    /// All errors of the scene and its meshes, in the order of the file.
     #[error("{}", list(.0))]
     Mistakes(Vec<Mistake>),
 }
 
-/// Bytes, as words say them.
+/// Formats a number of bytes in MiB.
 fn mebibytes(bytes: u64) -> String {
     format!("{:.1} MiB", bytes as f64 / f64::from(1 << 20))
 }
 
-/// One thing that is wrong at one place of a text.
+/// One error at one location of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mistake {
-    /// The scene, a mesh it names, or `--set KEY=VALUE` as it was given.
+    /// The scene, a mesh that it names, or `--set KEY=VALUE` as it was given.
     pub file: PathBuf,
-    /// From 1.
+    /// The line, from 1.
     pub line: usize,
-    /// From 1, in characters.
+    /// The column, from 1, in characters.
     pub column: usize,
-    /// The offending text, from the column on; empty where something is missing.
+    /// The offending text from the column on; empty if something is missing.
     pub excerpt: String,
-    /// The whole line it stands in.
+    /// The whole line of the error.
     pub context: String,
-    /// What is wrong.
+    /// The problem.
     pub problem: String,
-    /// What would be right; empty where the problem says it.
+    /// The remedy; empty if the problem already states it.
     pub help: String,
 }
 
 impl Mistake {
-    /// The mistake in bytes `start..end` of `text`; a span of several lines is cut at the end of its first.
+    /// Locates a mistake in bytes `start..end` of `text`; a span of several lines is cut at the end of its first line.
     #[must_use]
     pub fn locate(file: PathBuf, text: &str, start: usize, end: usize, problem: String, help: String) -> Self {
         let start = char_boundary(text, start);
@@ -127,7 +127,7 @@ impl fmt::Display for Mistake {
         let shown = self.context.trim_start();
         if !shown.is_empty() {
             let indent = self.context.chars().count() - shown.chars().count();
-            // Of a line that is very long the part about the mistake.
+            // A very long line is cut to the part around the mistake.
             let skipped = (column - 1).saturating_sub(indent).saturating_sub(WIDTH / 2);
             let (skipped, dots) = if skipped > 3 { (skipped, "…") } else { (0, "") };
             let pad = " ".repeat((column - 1).saturating_sub(indent + skipped) + dots.chars().count());
@@ -143,7 +143,8 @@ impl fmt::Display for Mistake {
     }
 }
 
-/// Returns a message that may quote a file, as it is printed: [`visible`], and without its middle if it is too long.
+/// Returns a message that may quote a file, ready to print: with visible characters, see [`visible`], and without its middle if it is too
+/// long.
 pub fn brief(text: &str) -> Cow<'_, str> {
     if text.len() <= LONGEST {
         return visible(text);
@@ -152,10 +153,10 @@ pub fn brief(text: &str) -> Cow<'_, str> {
     Cow::Owned(format!("{} … {}", visible(&text[..start]), visible(&text[end..])))
 }
 
-/// Returns a text with a visible character for each one that would control the terminal, reorder the line or not be seen. Columns stay
-/// where they are.
+/// Returns a text with a visible character for each character that would control the terminal, reorder the line or be invisible. Columns
+/// do not change.
 fn visible(text: &str) -> Cow<'_, str> {
-    /// Unicode's pictures of the control characters, in the order of their codes.
+    /// The first of Unicode's symbols for control characters, which are in the order of their codes.
     const PICTURES: u32 = 0x2400;
     let is_hidden = |sign: char| match sign {
         '\n' => false,
@@ -173,7 +174,7 @@ fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(|sign| if is_hidden(sign) { picture(sign) } else { sign }).collect())
 }
 
-/// The last boundary of characters that is not beyond byte `at`.
+/// Returns the last character boundary that is not after byte `at`.
 fn char_boundary(text: &str, at: usize) -> usize {
     let boundary = |&i: &usize| text.is_char_boundary(i);
     (0..=at.min(text.len())).rfind(boundary).unwrap_or(0)

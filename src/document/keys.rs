@@ -1,25 +1,25 @@
-//! What there is to know of the keys of a table, written where the key is read.
+//! The documentation of a table's keys, declared next to the code that reads them.
 //!
-//! A kind of law, medium, shape, … lists its own [`Key`]s; the reference says of each with which kinds it goes.
+//! Each kind of law, medium, shape and so on lists its [`Key`]s; the reference states for each key which kinds accept it.
 
 use serde::Serialize;
 
-/// A key as its kind documents it.
+/// A key, as documented by its kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Key {
     /// The key.
     pub key: &'static str,
-    /// What it goes with besides its kind, such as ` and no points`; empty for nothing.
+    /// An additional condition besides the kind, such as ` and no points`; empty if there is none.
     pub also: &'static str,
-    /// What values it takes; words stand in quotes in the file.
+    /// The values that the key takes; words are quoted in the file.
     pub value: &'static str,
-    /// What holds without it, or `required`.
+    /// The default, or `required`.
     pub default: &'static str,
-    /// What it means, with its unit.
+    /// The meaning of the key, with its unit.
     pub meaning: &'static str,
 }
 
-/// `key (also): value = default, meaning;` as [`Key`]s.
+/// Builds [`Key`]s from lines `key (also): value = default, meaning;`.
 macro_rules! keys {
     ($($key:ident $(($also:literal))?: $value:literal = $default:literal, $meaning:literal;)*) => {
         &[$($crate::document::Key {
@@ -33,24 +33,24 @@ macro_rules! keys {
 }
 pub(crate) use keys;
 
-/// A row of the reference: what there is to know of a key.
+/// A row of the reference, which documents one key.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct KeyReference {
-    /// The table it stands in, such as `rays.bounding_sphere`; empty for the top level, NAME for a name of the user's.
+    /// The table of the key, such as `rays.bounding_sphere`; empty for the top level; NAME represents a name that the user chooses.
     pub table: &'static str,
     /// The key.
     pub key: &'static str,
-    /// What it goes with; empty if it always may stand.
+    /// The condition under which the key is valid; empty if it is always valid.
     pub when: String,
-    /// What values it takes; words stand in quotes in the file.
+    /// The values that the key takes; words are quoted in the file.
     pub value: String,
-    /// What holds without it, or `required`.
+    /// The default, or `required`.
     pub default: &'static str,
-    /// What it means, with its unit.
+    /// The meaning of the key, with its unit.
     pub meaning: &'static str,
 }
 
-/// Rows of the reference: `table { key if when: value = default, meaning; … }`, for keys that no table of kinds has.
+/// Builds rows of the reference, `table { key if when: value = default, meaning; … }`, for keys that no table of kinds lists.
 macro_rules! key_rows {
     ($($table:literal {
         $($key:ident $(if $when:literal)?: $value:literal = $default:literal, $meaning:literal;)*

@@ -1,35 +1,35 @@
-//! A table that is one of several kinds, named by one of its keys.
+//! Tables that describe one of several kinds, which one of their keys names.
 
 use super::reader::TableReader;
 use super::values::choice;
 use super::{Key, KeyReference};
 
-/// A kind of what a table describes: `READ` is the function that reads one.
+/// One kind of the things that a table describes; `READ` is the type of the function that reads it.
 pub struct Kind<READ: 'static> {
-    /// As a scene file has it.
+    /// The name in a scene file.
     pub name: &'static str,
-    /// The keys that it reads.
+    /// The keys that the kind reads.
     pub keys: &'static [Key],
-    /// Reads it; none if it cannot be used.
+    /// The function that reads the kind; it returns `None` if the table cannot be used.
     pub(crate) read: READ,
 }
 
-/// All that a table may describe.
+/// All kinds that a table may describe.
 pub struct Kinds<READ: 'static> {
     /// The table.
     pub table: &'static str,
     /// The key that names the kind.
     pub chooser: &'static str,
-    /// What that key means.
+    /// The meaning of that key.
     pub meaning: &'static str,
-    /// A kind to name in the message where none is named; without one the first is taken.
+    /// The kind that the error message suggests if the key is missing; if `None`, the first kind is the default.
     pub example: Option<&'static str>,
     /// Every kind, in the order of the reference.
     pub all: &'static [&'static Kind<READ>],
 }
 
 impl<READ> Kinds<READ> {
-    /// What reads the kind that a table names; none if there is no such kind.
+    /// Returns the reader of the kind that a table names, or `None` if there is no such kind.
     pub(crate) fn chosen(&self, table: &TableReader) -> Option<&'static READ> {
         let names: Vec<&str> = self.all.iter().map(|kind| kind.name).collect();
         let kind = match self.example {
@@ -39,7 +39,7 @@ impl<READ> Kinds<READ> {
         kind.map(|kind| &self.all[kind].read)
     }
 
-    /// The rows of the key that names the kind, and of the keys that kinds read.
+    /// Returns the reference rows of the key that names the kind, and of the keys that the kinds read.
     #[must_use]
     pub fn reference(&self) -> Vec<KeyReference> {
         let kinds: Vec<(&str, &[Key])> = self.all.iter().map(|kind| (kind.name, kind.keys)).collect();
@@ -48,8 +48,8 @@ impl<READ> Kinds<READ> {
     }
 }
 
-/// The rows of a table that is one of several kinds: first that of the key that names the kind, with its default and its meaning,
-/// then those of each kind's keys. Kinds that mean the same by a key share its row.
+/// Returns the reference rows of a table that is one of several kinds: first the row of the key that names the kind, with its default and
+/// meaning, then the rows of each kind's keys. Kinds for which a key has the same meaning share its row.
 #[must_use]
 pub fn kind_rows(
     table: &'static str,
@@ -78,7 +78,7 @@ pub fn kind_rows(
     std::iter::once(head).chain(rows.into_iter().map(row)).collect()
 }
 
-/// `"a"`, `"a" or "b"`, `"a", "b" or "c"`.
+/// Formats names as `"a"`, `"a" or "b"`, or `"a", "b" or "c"`.
 fn alternatives(names: &[&str]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
     match quoted.as_slice() {

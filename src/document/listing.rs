@@ -1,14 +1,15 @@
-//! A document as lines, one a value, under the key that `--set` takes.
+//! A document as lines, one per value, under the keys that `--set` takes.
 //!
-//! Documents that say the same have the same lines, however they are laid out: tables in any order and form, numbers with or without a
-//! point.
+//! Documents with equal content have equal lines, whatever their layout: tables may have any order and form, and numbers may be written
+//! with
+//! or without a decimal point.
 
 use std::collections::BTreeMap;
 
 use super::{Document, Node, Table, Value};
 
 impl Document {
-    /// Every value under its key, sorted; tables and arrays of tables are taken apart.
+    /// Returns every value under its key, sorted; tables and arrays of tables are split into their entries.
     #[must_use]
     pub fn listing(&self) -> BTreeMap<String, String> {
         let mut lines = BTreeMap::new();

@@ -1,11 +1,11 @@
-//! The TOML as written: a tree in which every key and value knows its place.
+//! The TOML document as written: a tree in which every key and value has its source location.
 //!
-//! *Theory.* A mistake is only useful with its place, and a run that finds one should find them all. So the text
-//! becomes a tree first ([`Document`]), and is then asked for what it should hold: [`values`] turn one node to a
-//! value or a [`Fault`], [`reader`] walks tables, collects the faults and tells the keys that nobody asked for.
+//! *Theory.* An error is useful only with its location, and one run should find all errors. The text therefore first
+//! becomes a tree ([`Document`]). The scene is then read from the tree: [`values`] convert one node to a value or a
+//! [`Fault`], and [`reader`] walks tables, collects the faults and reports the keys that nothing has read.
 //!
-//! *Practice.* A document has one source for the file and one for each `--set`, and a [`Place`] names its source, so
-//! that a value given on the command line is found there when it is wrong.
+//! *Practice.* A document has one source for the file and one for each `--set`. A [`Place`] names its source, so an
+//! invalid value from the command line is reported there.
 
 mod error;
 mod keys;
@@ -34,9 +34,9 @@ use toml::de::{DeTable, DeValue};
 /// A scene file and its overrides as one tree.
 pub struct Document {
     sources: Vec<Source>,
-    /// The top level.
+    /// The top-level table.
     pub root: Table,
-    /// What went wrong while the overrides were put in.
+    /// The errors found while the overrides were applied.
     faults: Vec<Fault>,
 }
 
@@ -46,7 +46,7 @@ struct Source {
     text: String,
 }
 
-/// Bytes `start..end` of a source.
+/// A range of bytes, `start..end`, of a source.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Place {
     source: usize,
@@ -54,23 +54,23 @@ pub struct Place {
     end: usize,
 }
 
-/// A mistake, its place not yet looked up.
+/// An error whose place has not been converted to a line and column yet.
 #[derive(Debug, Clone)]
 pub struct Fault {
-    /// Where.
+    /// The location of the error.
     pub place: Place,
-    /// What is wrong.
+    /// The problem.
     pub problem: String,
-    /// What would be right; may be empty.
+    /// The remedy; may be empty.
     pub help: String,
 }
 
-/// A value and where it stands.
+/// A value and its location.
 #[derive(Debug, Clone)]
 pub struct Node {
-    /// A table's place is its header, or its braces.
+    /// The location; for a table, its header or its braces.
     pub place: Place,
-    /// What it is.
+    /// The value.
     pub value: Value,
 }
 
@@ -85,19 +85,19 @@ pub enum Value {
     Float(f64),
     /// `true` or `false`.
     Boolean(bool),
-    /// A date or time: no scene has use for one.
+    /// A date or time, which no scene uses.
     Date,
-    /// Also `[[tables]]`.
+    /// An array, which includes `[[tables]]`.
     Array(Vec<Node>),
     /// A table.
     Table(Table),
 }
 
-/// Keys, with their places, and values, in the order of the file.
+/// The entries of a table in the order of the file: key, location of the key, and value.
 pub type Table = Vec<(String, Place, Node)>;
 
 impl Document {
-    /// Parses `text`, read from `path`, and puts the overrides in; a syntax error is the only mistake found.
+    /// Parses `text`, read from `path`, and applies the overrides. After a syntax error no other error is reported.
     pub fn parse(text: &str, path: &Path, overrides: &[Override]) -> Result<Self, SceneError> {
         let mut document = Self {
             sources: vec![Source { name: path.to_owned(), text: text.to_owned() }],
@@ -133,7 +133,7 @@ impl Document {
         Ok(document)
     }
 
-    /// Puts the value of a frame where `path` leads; `key` is where the animation names it.
+    /// Sets the key at `path` to a frame's value; `key` is the location at which the animation names the key.
     pub fn animate(&mut self, path: &[String], value: Node, key: Place) {
         match overrides::reach(&mut self.root, path, key) {
             Ok(old) if old.place.source != 0 && old.place.source != key.source => {
@@ -146,13 +146,13 @@ impl Document {
         }
     }
 
-    /// The file's path.
+    /// Returns the path of the file.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.sources[0].name
     }
 
-    /// The place of a part of a string, in bytes of its text: exact unless the string is written with escapes.
+    /// Returns the location of a part of a string, given in bytes of its text; exact unless the string is written with escapes.
     #[must_use]
     pub fn inside(&self, node: &Node, part: Range<usize>) -> Place {
         let Place { source, start, end } = node.place;
@@ -167,7 +167,7 @@ impl Document {
         }
     }
 
-    /// Looks a fault's place up.
+    /// Converts the location of a fault to a line and column.
     #[must_use]
     pub fn locate(&self, fault: Fault) -> Mistake {
         let Place { source, start, end } = fault.place;
@@ -176,14 +176,14 @@ impl Document {
     }
 }
 
-/// The start of the file: where something is missing that has no other place.
+/// The start of the file, the location of missing things that have no other location.
 pub const TOP: Place = Place { source: 0, start: 0, end: 0 };
 
-/// Where the places of a tree count from.
+/// The origin of the locations in a tree.
 #[derive(Debug, Clone, Copy, Default)]
 struct Base {
     source: usize,
-    /// Bytes before the parsed text.
+    /// The number of bytes before the parsed text.
     offset: usize,
 }
 
@@ -202,7 +202,7 @@ fn entries(table: &DeTable, base: Base) -> Table {
 }
 
 fn node(value: &Spanned<DeValue>, base: Base) -> Node {
-    // Rust reads every float that TOML writes; one too large for 64 bits becomes infinite, and is refused as such.
+    // Rust parses every float that TOML allows; a float that is too large for 64 bits becomes infinite and is rejected later.
     let float = |digits: &str| Value::Float(digits.parse().unwrap_or(f64::NAN));
     Node {
         place: base.place(value.span()),

@@ -1,38 +1,38 @@
-//! Overrides: `--set KEY=VALUE`, put into the tree before anything is read from it.
+//! Overrides, `--set KEY=VALUE`, which are applied to the tree before anything is read from it.
 
 use super::error::SceneError;
 use super::{Base, Fault, Node, Place, Table, Value, node};
 use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 
-/// A value for one key, given on the command line: `rays.step=0.05`, `objects.0.radius=2`, `law.form=geodesic`. Without a value, as in
-/// `rays.accuracy=`, the key is left out.
+/// A value for one key, given on the command line: `rays.step=0.05`, `objects.0.radius=2`, `law.form=geodesic`. An empty value, as in
+/// `rays.accuracy=`, removes the key.
 #[derive(Debug, Clone)]
 pub struct Override {
-    /// As given.
+    /// The argument as given.
     text: String,
-    /// The option that it is from, as messages name it; `None` for its own, `--set`.
+    /// The option that messages name as the source of the override; `None` for `--set`.
     option: Option<String>,
-    /// The names that lead to the key; a number counts the tables of an array, from 0.
+    /// The names that lead to the key; a number is the index of a table in an array, from 0.
     path: Vec<String>,
     change: Change,
 }
 
-/// What becomes of the key.
+/// The change that an override makes to its key.
 #[derive(Debug, Clone)]
 enum Change {
-    /// It has this value.
+    /// The key gets this value.
     Set(Node),
-    /// It is left out, and must have been there.
+    /// The key is removed; it is an error if the key does not exist.
     LeaveOut,
-    /// It is left out if it is there.
+    /// The key is removed if it exists.
     LeaveOutIfThere,
 }
 
 impl FromStr for Override {
     type Err = SceneError;
 
-    /// A value that is not TOML but could not have been meant as TOML either, such as a bare word, is a string.
+    /// Parses `KEY=VALUE`. A value that is neither TOML nor likely to be meant as TOML, such as a bare word, is a string.
     fn from_str(text: &str) -> Result<Self, SceneError> {
         let error = |problem: &str| SceneError::Override(format!("`{text}`: {problem}"));
         let Some((key, written)) = text.split_once('=') else {
@@ -53,7 +53,7 @@ impl FromStr for Override {
     }
 }
 
-/// The names in a dotted key, some of them perhaps quoted.
+/// Splits a dotted key into its names, some of which may be quoted; `None` if the key is invalid.
 #[must_use]
 pub fn names(key: &str) -> Option<Vec<String>> {
     let text = format!("{key} = 0");
@@ -71,7 +71,7 @@ pub fn names(key: &str) -> Option<Vec<String>> {
 }
 
 impl Override {
-    /// That a key of a table is left out.
+    /// Returns an override that removes `key` from `table`, if it exists.
     #[must_use]
     pub fn without(table: &str, key: &str) -> Self {
         Self {
@@ -82,24 +82,24 @@ impl Override {
         }
     }
 
-    /// Names another option that it is from, such as `--size 320x180`, in messages.
+    /// Returns the override with another option, such as `--size 320x180`, as the source that messages name.
     #[must_use]
     pub fn from_option(self, option: String) -> Self {
         Self { option: Some(option), ..self }
     }
 
-    /// Returns the name under which messages give its mistakes.
+    /// Returns the name under which messages report the errors of this override.
     pub(super) fn name(&self) -> String {
         self.option.clone().unwrap_or_else(|| format!("--set {}", self.text))
     }
 
-    /// `KEY=VALUE` as it was given.
+    /// Returns `KEY=VALUE` as it was given.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Sets the value in a tree whose source number `source` is this override's text. Missing tables are made.
+    /// Applies the override to a tree in which this override's text is source number `source`. Missing tables are created.
     pub(super) fn apply(&self, root: &mut Table, source: usize) -> Result<(), Fault> {
         let key = Place { source, start: 0, end: self.text.find('=').unwrap_or(0) };
         match &self.change {
@@ -119,8 +119,8 @@ impl Override {
     }
 }
 
-/// The value that the names lead to: each leads to a table (perhaps new) or an array that holds the next. `key` is where they
-/// are written.
+/// Returns the value at `path`: each name leads to a table, which may be new, or to an array that contains the next one. `key` is the
+/// location of the names.
 pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Result<&'a mut Node, Fault> {
     let mut at = entry(root, &path[0], key);
     for (depth, name) in path.iter().enumerate().skip(1) {
@@ -141,7 +141,7 @@ pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Res
     Ok(at)
 }
 
-/// Takes the last of the names out of what the others lead to, and says whether it was there.
+/// Removes the key at `path` from a table, and returns whether it existed.
 fn leave_out(table: &mut Table, path: &[String]) -> bool {
     let [first, rest @ ..] = path else { return false };
     let Some(at) = table.iter().position(|(name, ..)| name == first) else { return false };
@@ -170,7 +170,7 @@ fn leave_out_of(value: &mut Value, path: &[String]) -> bool {
     }
 }
 
-/// The value of `name`: at first an empty table if it was not there.
+/// Returns the value of `name`, an empty table if the key is new.
 fn entry<'a>(table: &'a mut Table, name: &str, key: Place) -> &'a mut Node {
     let index = table.iter().position(|(n, ..)| n == name);
     let index = index.unwrap_or_else(|| {
@@ -181,7 +181,7 @@ fn entry<'a>(table: &'a mut Table, name: &str, key: Place) -> &'a mut Node {
     &mut table[index].2
 }
 
-/// Moves all places to `source`.
+/// Sets the source of all locations to `source`.
 fn relocate(node: &mut Node, source: usize) {
     node.place.source = source;
     match &mut node.value {

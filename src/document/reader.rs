@@ -1,10 +1,10 @@
-//! Walking the tree: tables are asked for their keys; faults are collected, and so are keys nobody asked for.
+//! Reading a tree: tables are queried for their keys, and errors and unread keys are collected.
 //!
-//! A [`TableReader`] asks, and [`TableReader::finish`] refuses the keys that nobody asked for. So the keys of a
-//! table are those its reading asks for, and nothing else lists them but the reference, which tells the user when a
-//! key would have been asked for, and is tested against the asking.
+//! A [`TableReader`] reads keys, and [`TableReader::finish`] rejects the keys that were not read. The code that reads a
+//! table therefore defines its keys. Only the reference lists them again: messages use it to state when a key is valid,
+//! and a test compares it with the keys that are read.
 //!
-//! *Length.* Over 300 lines, because it is one type, with a method for each way to ask for a key.
+//! *Length.* Over 300 lines, because it is one type, with a method for each way to read a key.
 
 use super::error::{ENOUGH, Mistake};
 use super::values::{Read, suggest};
@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::Path;
 
-/// Collects what is wrong while a document is read.
+/// A collector of the errors that are found while a document is read.
 pub struct Reader<'a> {
     document: &'a Document,
     reference: &'a [KeyReference],
@@ -23,7 +23,7 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Begins with the faults of the document's overrides; `reference` says what goes with what.
+    /// Creates a reader that starts with the errors of the document's overrides; `reference` lists the keys that are valid together.
     #[must_use]
     pub fn new(document: &'a Document, reference: &'a [KeyReference]) -> Self {
         let faults = document.faults.iter().cloned();
@@ -35,7 +35,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The top level.
+    /// Returns a reader of the top-level table.
     pub fn root(&self) -> TableReader<'_, 'a> {
         self.table("", &self.document.root, TOP)
     }
@@ -47,43 +47,43 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The folder of the scene file: names of files are relative to it.
+    /// Returns the folder of the scene file, to which the file names in it are relative.
     pub fn folder(&self) -> &Path {
         self.document.path().parent().unwrap_or(Path::new(""))
     }
 
-    /// The line of a place, from 1.
+    /// Returns the line of a location, from 1.
     pub fn line(&self, place: Place) -> usize {
         self.document.locate(Fault { place, problem: String::new(), help: String::new() }).line
     }
 
-    /// Records what is wrong with a part of a string, in bytes of its text.
+    /// Records an error in a part of a string, given in bytes of its text.
     pub fn fault_inside(&self, node: &Node, part: Range<usize>, problem: String, help: String) {
         self.fault(Fault { place: self.document.inside(node, part), problem, help });
     }
 
-    /// Records a mistake of another file.
+    /// Records an error of another file.
     pub fn mistake(&self, mistake: Mistake) {
         self.mistakes.borrow_mut().push(mistake);
     }
 
-    /// What was recorded.
+    /// Returns the recorded errors.
     pub fn into_mistakes(self) -> Vec<Mistake> {
         self.mistakes.into_inner()
     }
 
-    /// Every key that was asked for, with its table.
+    /// Returns every key that was read, with its table.
     #[cfg(test)]
     pub fn asked(&self) -> BTreeSet<(&'static str, &'static str)> {
         self.asked.borrow().clone()
     }
 
-    /// Records the fault, if it is one.
+    /// Returns the value, or records the fault and returns `None`.
     pub fn accept<T>(&self, read: Read<T>) -> Option<T> {
         read.map_err(|fault| self.fault(fault)).ok()
     }
 
-    /// To read a node that must be a table; `path` is the table's name in the reference.
+    /// Returns a reader of a node that must be a table; `path` is the table's name in the reference.
     pub fn open(&self, path: &'static str, node: &'a Node) -> Option<TableReader<'_, 'a>> {
         if let Value::Table(table) = &node.value {
             return Some(self.table(path, table, node.place));
@@ -97,25 +97,25 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// One table being read.
+/// A reader of one table.
 pub struct TableReader<'r, 'a> {
-    /// Who collects.
+    /// The reader that collects errors.
     pub reader: &'r Reader<'a>,
     path: &'static str,
     table: &'a Table,
-    /// Its header or braces.
+    /// The table's header or braces.
     pub place: Place,
     asked: RefCell<Vec<&'static str>>,
     lenient: Cell<bool>,
 }
 
 impl<'r, 'a> TableReader<'r, 'a> {
-    /// Does the table have the key? Asking does not make it one that is read.
+    /// Returns `true` if the table has the key, without marking the key as read.
     pub fn gives(&self, key: &str) -> bool {
         self.table.iter().any(|(name, _, _)| name == key)
     }
 
-    /// The node of a key, if the table has it.
+    /// Returns the node of a key and marks the key as read; `None` if the table does not have it.
     pub fn node(&self, key: &'static str) -> Option<&'a Node> {
         let mut asked = self.asked.borrow_mut();
         if !asked.contains(&key) {
@@ -126,12 +126,12 @@ impl<'r, 'a> TableReader<'r, 'a> {
         entries.find_map(|(name, _, node)| (name == key).then_some(node))
     }
 
-    /// The value of a key; none if it is missing or wrong.
+    /// Returns the value of a key, or `None` if it is missing or wrong.
     pub fn optional<T>(&self, key: &'static str, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
         self.accept(key, read(self.node(key)?))
     }
 
-    /// Records the fault of a key's value, if it is one; where it does not say what would be right, the reference does.
+    /// Returns the value, or records the fault of the key's value; a fault without help gets its help from the reference.
     fn accept<T>(&self, key: &str, read: Read<T>) -> Option<T> {
         let explained = |fault: Fault| {
             if fault.help.is_empty() { Fault { help: self.meaning(key), ..fault } } else { fault }
@@ -139,7 +139,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         self.reader.accept(read.map_err(explained))
     }
 
-    /// What the reference says of a key; nothing where that is something else with each of many kinds.
+    /// Returns the meaning of a key in the reference; empty if each of many kinds gives it a different meaning.
     fn meaning(&self, key: &str) -> String {
         const TOLD: usize = 3;
         let rows = self.reader.reference.iter().filter(|row| row.table == self.path && row.key == key);
@@ -163,17 +163,17 @@ impl<'r, 'a> TableReader<'r, 'a> {
         }
     }
 
-    /// The value of a key; `default` if it is missing or wrong.
+    /// Returns the value of a key, or `default` if it is missing or wrong.
     pub fn or<T>(&self, key: &'static str, default: T, read: impl Fn(&'a Node) -> Read<T>) -> T {
         self.optional(key, read).unwrap_or(default)
     }
 
-    /// The value of a key that must be there; `example` shows how it is written.
+    /// Returns the value of a required key; `example` shows in the error message how to write it.
     pub fn required<T>(&self, key: &'static str, example: &str, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
         self.accept(key, read(self.required_node(key, example)?))
     }
 
-    /// The node of a key that must be there.
+    /// Returns the node of a required key.
     pub fn required_node(&self, key: &'static str, example: &str) -> Option<&'a Node> {
         let node = self.node(key);
         if node.is_none() {
@@ -183,7 +183,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         node
     }
 
-    /// The value of a key on which the other keys depend: if it is wrong, keys that go with any value are let be.
+    /// Returns the value of a key on which other keys depend; if it is wrong, keys that are valid with any value are not reported.
     pub fn decide<T>(&self, key: &'static str, default: T, read: impl Fn(&'a Node) -> Read<T>) -> Option<T> {
         let Some(node) = self.node(key) else {
             return Some(default);
@@ -193,7 +193,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         value
     }
 
-    /// As [`Self::decide`], for a key that must be there.
+    /// Reads a required key as [`Self::decide`] does.
     pub fn decide_required<T>(
         &self,
         key: &'static str,
@@ -205,12 +205,12 @@ impl<'r, 'a> TableReader<'r, 'a> {
         value
     }
 
-    /// The table that is a key's value.
+    /// Returns a reader of the table that is a key's value.
     pub fn subtable(&self, key: &'static str, path: &'static str) -> Option<TableReader<'r, 'a>> {
         self.reader.open(path, self.node(key)?)
     }
 
-    /// The tables of a key's array, with their nodes; none if it is missing.
+    /// Returns readers of the tables in a key's array; empty if the key is missing.
     pub fn subtables(&self, key: &'static str, path: &'static str) -> Vec<TableReader<'r, 'a>> {
         let Some(node) = self.node(key) else {
             return Vec::new();
@@ -224,12 +224,12 @@ impl<'r, 'a> TableReader<'r, 'a> {
         tables.collect()
     }
 
-    /// All keys and values, for a table whose keys are free names.
+    /// Returns all keys and values, for a table whose keys are chosen by the user.
     pub fn entries(&self) -> impl Iterator<Item = (&'a str, &'a Node)> {
         self.table.iter().map(|(name, _, node)| (name.as_str(), node))
     }
 
-    /// Records a mistake at the value of a key of a table in this one, else as [`TableReader::fault`].
+    /// Records an error at the value of a key in a subtable, or else as [`TableReader::fault`] does.
     pub fn fault_within(&self, table: &str, key: &str, problem: String, help: String) {
         let inner = self.table.iter().find(|(name, _, _)| name == table).map(|(_, _, node)| &node.value);
         let node = match inner {
@@ -242,7 +242,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         }
     }
 
-    /// Records a mistake at the value of the first of these keys that the table has, else at the table.
+    /// Records an error at the value of the first of these keys that the table has, or else at the table.
     pub fn fault(&self, keys: &[&str], problem: impl Into<String>, help: impl Into<String>) {
         let place = |key: &&str| {
             let mut entries = self.table.iter();
@@ -255,7 +255,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         });
     }
 
-    /// The value of the one key of several that the table has; having two is a mistake.
+    /// Returns the one of several exclusive keys that the table has, with its node; two of them are an error.
     pub fn one_of(&self, keys: &[&'static str]) -> Option<(&'static str, &'a Node)> {
         let given = keys.iter().filter_map(|key| Some((*key, self.node(key)?)));
         let given: Vec<_> = given.collect();
@@ -267,7 +267,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         given.first().copied()
     }
 
-    /// As [`Self::one_of`], for a table that must have one; `what` it then is.
+    /// Reads a table that must have one of the keys, as [`Self::one_of`] does; `what` describes the expected value in the error message.
     pub fn required_one_of(&self, keys: &[&'static str], what: &str) -> Option<(&'static str, &'a Node)> {
         let given = self.one_of(keys);
         if given.is_none() {
@@ -277,7 +277,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
         given
     }
 
-    /// Records every key that was not asked for.
+    /// Records an error for every key that was not read.
     pub fn finish(self) {
         let asked = self.asked.borrow();
         let listed = || self.reader.reference.iter().filter(|r| r.table == self.path);
@@ -290,7 +290,7 @@ impl<'r, 'a> TableReader<'r, 'a> {
             let (problem, help) = if elsewhere.is_empty() {
                 let mut keys: Vec<&str> =
                     if self.lenient.get() { listed().map(|r| r.key).collect() } else { asked.clone() };
-                // Several kinds may have one.
+                // Several kinds may have the same key.
                 let mut told = BTreeSet::new();
                 keys.retain(|key| told.insert(*key));
                 let help = suggest(name, &keys, "keys here");

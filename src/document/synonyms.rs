@@ -1,6 +1,6 @@
-//! Words that people try, from other renderers and from the literature, and what they are called here.
+//! Synonyms: words from other renderers and the literature, with the names that bentray uses.
 
-/// A word, and the key, kind or choice that stands for it. One word may have several: the one that fits where the word was found is meant.
+/// Words and the key, kind or choice that they stand for. If a word has several entries, the one that is valid at its location applies.
 pub(crate) const SYNONYMS: &[(&[&str], &str)] = &[
     // Tables.
     (&["image_settings", "film", "sensor", "picture", "resolution"], "image"),
@@ -68,7 +68,7 @@ pub(crate) const SYNONYMS: &[(&[&str], &str)] = &[
     (&["ior", "refractive_index", "eta", "n"], "index"),
     (&["dispersion", "glass"], "sellmeier"),
     (&["ggx", "alpha", "gloss"], "roughness"),
-    // How rays are followed.
+    // Ray integration.
     (&["bound", "bounds", "boundary", "domain", "escape_radius", "r_max", "max_radius"], "bounding_sphere"),
     (&["length", "max_length", "tau_max", "max_time", "max_tau"], "max_parameter"),
     (&["max_steps", "steps", "max_iterations", "iterations", "segments"], "max_segments"),
@@ -146,7 +146,7 @@ pub(crate) const SYNONYMS: &[(&[&str], &str)] = &[
     (&["cubic", "ease", "spline"], "smooth"),
 ];
 
-/// Returns what `name` is called among `names`, if it is a known word for one of them.
+/// Returns the one of `names` for which `name` is a known synonym, if any.
 pub(super) fn synonym<'n>(name: &str, names: &[&'n str]) -> Option<&'n str> {
     let meant = |right: &str| names.iter().copied().find(|known| *known == right);
     SYNONYMS.iter().filter(|(words, _)| words.contains(&name)).find_map(|(_, right)| meant(right))

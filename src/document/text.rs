@@ -1,7 +1,7 @@
-//! Files that are text: one way to read them for scenes, meshes, grids, profiles, laws and tables.
+//! Reading text files: one way to read them for scenes, meshes, grids, profiles, laws and tables.
 //!
-//! *Practice.* A byte-order mark before UTF-8 is taken off, lines may end as on old Macs, and UTF-16 is named. Formats whose
-//! comments may be in any encoding are read by [`lenient_text`], all others by [`strict_text`].
+//! *Practice.* A byte-order mark before UTF-8 is removed, `\r` alone may end a line as on old Macs, and UTF-16 is an error that names
+//! the encoding. Formats whose comments may be in any encoding are read by [`lenient_text`], all others by [`strict_text`].
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -11,12 +11,12 @@ use std::sync::OnceLock;
 
 use super::{Mistake, SceneError};
 
-/// Reads a whole file, which must be text in UTF-8.
+/// Reads a whole file, which must be UTF-8 text.
 pub fn read_text(path: &Path) -> Result<String, SceneError> {
     strict_text(read_bytes(path)?, path)
 }
 
-/// Reads a text that the command line names: a file's, or with `-` that of standard input.
+/// Reads the text that the command line names: a file or, for `-`, standard input.
 pub fn read_given_text(path: &Path) -> Result<String, SceneError> {
     let name = given_name(path);
     let bytes = read_given(path).map_err(|source| SceneError::Read { path: name.to_owned(), source })?;
@@ -54,11 +54,11 @@ pub fn lenient_text<'a>(bytes: &'a [u8], path: &Path) -> Result<Cow<'a, str>, Sc
     Ok(ended_lines(&text).map_or(text, Cow::Owned))
 }
 
-/// Returns the bytes behind the byte-order mark that some editors write before UTF-8.
+/// Returns the bytes after the byte-order mark that some editors write before UTF-8.
 ///
 /// # Errors
 ///
-/// If the bytes are UTF-16 or UTF-32, by their mark or by their zero bytes.
+/// If the bytes are UTF-16 or UTF-32, according to their byte-order mark or their zero bytes.
 pub fn unmarked<'a>(bytes: &'a [u8], path: &Path) -> Result<&'a [u8], SceneError> {
     if let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
         return Ok(rest);
@@ -69,16 +69,17 @@ pub fn unmarked<'a>(bytes: &'a [u8], path: &Path) -> Result<&'a [u8], SceneError
     Err(SceneError::Mistakes(vec![Mistake::locate(path.to_owned(), "", 0, 0, problem, help)]))
 }
 
-/// The encoding of text whose characters are of several bytes each, as `iconv` names it.
+/// Returns the encoding of text with several bytes per character, by the name that `iconv` uses.
 fn wide_encoding(bytes: &[u8]) -> Option<&'static str> {
-    // The mark of UTF-32 begins with that of UTF-16.
+    // The byte-order mark of UTF-32LE begins with the mark of UTF-16LE.
     const MARKS: [(&[u8], &str); 4] = [
         (b"\xFF\xFE\0\0", "UTF-32LE"),
         (b"\0\0\xFE\xFF", "UTF-32BE"),
         (b"\xFF\xFE", "UTF-16LE"),
         (b"\xFE\xFF", "UTF-16BE"),
     ];
-    // Without a mark: every second byte of ASCII is zero. So many pairs are looked at, and so few are too few.
+    // Without a mark, every second byte of ASCII text in UTF-16 is zero. At most `MOST` pairs are checked; fewer than `LEAST` decide
+    // nothing.
     const MOST: usize = 16;
     const LEAST: usize = 2;
     if let Some((_, encoding)) = MARKS.iter().find(|(mark, _)| bytes.starts_with(mark)) {
@@ -89,7 +90,7 @@ fn wide_encoding(bytes: &[u8]) -> Option<&'static str> {
     [(1, "UTF-16LE"), (0, "UTF-16BE")].into_iter().find(|(zero, _)| all(*zero)).map(|(_, encoding)| encoding)
 }
 
-/// The text with `\n` for each `\r` that no `\n` follows, if there is one. No byte moves.
+/// Returns the text with `\n` for each `\r` that is not followed by `\n`, or `None` if there is none. All bytes keep their positions.
 fn ended_lines(text: &str) -> Option<String> {
     let ends_alone = |at: usize| text.as_bytes().get(at + 1) != Some(&b'\n');
     text.match_indices('\r').find(|(at, _)| ends_alone(*at))?;
@@ -97,7 +98,7 @@ fn ended_lines(text: &str) -> Option<String> {
     Some(signs.collect())
 }
 
-/// What is wrong with bytes that are no text, and what would be right.
+/// Returns the problem with bytes that are not text, and the remedy.
 fn not_text(bytes: &[u8]) -> (String, String) {
     let known: [(&[u8], &str, &str); 3] = [
         (b"glTF", "glTF, not text", "`bentray import FILE -o scene.toml` makes a scene of it"),
@@ -110,16 +111,16 @@ fn not_text(bytes: &[u8]) -> (String, String) {
     }
 }
 
-/// More bytes are not read of what is no file, such as a pipe: it may have no end.
+/// The most bytes that are read from anything that is not a regular file, such as a pipe, which may have no end.
 const MOST: u64 = 1 << 30;
 
-/// A file's bytes.
+/// Reads the bytes of a file.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
     read_file(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
 }
 
-/// The bytes that the command line names: a file's, or with `-` those of standard input. That is read once, and kept for whoever asks
-/// again.
+/// Reads the bytes that the command line names: a file or, for `-`, standard input. Standard input is read once and kept for
+/// further calls.
 pub fn read_given(path: &Path) -> io::Result<Vec<u8>> {
     static INPUT: OnceLock<io::Result<Vec<u8>>> = OnceLock::new();
     if path != Path::new("-") {
@@ -131,7 +132,7 @@ pub fn read_given(path: &Path) -> io::Result<Vec<u8>> {
     }
 }
 
-/// A path as messages name it: standard input has no name of its own.
+/// Returns a path as messages name it; standard input has no path.
 #[must_use]
 pub fn given_name(path: &Path) -> &Path {
     if path == Path::new("-") { Path::new("standard input") } else { path }
@@ -147,7 +148,7 @@ fn read_file(path: &Path) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// What a pipe or a device gives, up to [`MOST`] bytes.
+/// Reads a pipe or a device, up to [`MOST`] bytes.
 fn read_some(from: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     from.take(MOST + 1).read_to_end(&mut bytes)?;

@@ -1,6 +1,6 @@
-//! From one node to one value: each function here reads a kind of value, or says what it found instead.
+//! Conversion of one node to one value: each function reads one type of value, or reports what it found instead.
 //!
-//! Every number becomes a 32-bit float somewhere behind, so all are finite and of magnitude 0 or 10⁻³⁰ to 10³⁰.
+//! Every number becomes a 32-bit float later, so all numbers must be finite, and 0 or between 10⁻³⁰ and 10³⁰ in magnitude.
 
 use super::synonyms::synonym;
 use super::{Fault, Node, Value};
@@ -8,21 +8,21 @@ use glam::{DVec2, DVec3};
 use std::ops::RangeInclusive;
 use strsim::levenshtein;
 
-/// A value, or what is wrong with the node.
+/// A value, or the fault of the node.
 pub type Read<T> = Result<T, Fault>;
 
-/// The largest number that a scene may have.
+/// The largest magnitude that a number in a scene may have.
 pub const LARGEST: f64 = 1e30;
-/// The smallest but 0.
+/// The smallest magnitude that a number in a scene may have, except 0.
 pub const SMALLEST: f64 = 1e-30;
 
 impl Node {
-    /// The mistake of this node.
+    /// Returns a fault at this node.
     pub fn fault(&self, problem: impl Into<String>, help: impl Into<String>) -> Fault {
         Fault { place: self.place, problem: problem.into(), help: help.into() }
     }
 
-    /// That this is not what was expected.
+    /// Returns the fault that this node is not the expected value.
     #[must_use]
     pub fn expected(&self, what: &str) -> Fault {
         let found = match &self.value {
@@ -38,7 +38,7 @@ impl Node {
     }
 }
 
-/// A number.
+/// Reads a number.
 pub fn number(node: &Node) -> Read<f64> {
     let value = match node.value {
         Value::Integer(value) => value as f64,
@@ -57,7 +57,7 @@ pub fn number(node: &Node) -> Read<f64> {
     Ok(value)
 }
 
-/// A number that `fits`; `what` describes those that do.
+/// Reads a number that satisfies `fits`; `what` describes the valid numbers.
 pub fn number_where(what: &'static str, fits: fn(f64) -> bool) -> impl Fn(&Node) -> Read<f64> {
     move |node| match number(node)? {
         value if fits(value) => Ok(value),
@@ -65,27 +65,27 @@ pub fn number_where(what: &'static str, fits: fn(f64) -> bool) -> impl Fn(&Node)
     }
 }
 
-/// A number above zero.
+/// Reads a number greater than 0.
 pub fn positive(node: &Node) -> Read<f64> {
     number_where("a number above 0", |x| x > 0.0)(node)
 }
 
-/// A part of something, but not none of it.
+/// Reads a fraction greater than 0 and at most 1.
 pub fn positive_part(node: &Node) -> Read<f64> {
     number_where("a number above 0, at most 1", |x| x > 0.0 && x <= 1.0)(node)
 }
 
-/// A number that is not zero.
+/// Reads a number other than 0.
 pub fn not_zero(node: &Node) -> Read<f64> {
     number_where("a number other than 0", |x| x != 0.0)(node)
 }
 
-/// A number that is zero or above.
+/// Reads a number that is 0 or greater.
 pub fn not_negative(node: &Node) -> Read<f64> {
     number_where("a number that is 0 or above", |x| x >= 0.0)(node)
 }
 
-/// `true` or `false`.
+/// Reads `true` or `false`.
 pub fn boolean(node: &Node) -> Read<bool> {
     match node.value {
         Value::Boolean(value) => Ok(value),
@@ -93,7 +93,7 @@ pub fn boolean(node: &Node) -> Read<bool> {
     }
 }
 
-/// A whole number of the range.
+/// Reads a whole number in the range.
 pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
     move |node| {
         let what = format!("a whole number, {} to {}", range.start(), range.end());
@@ -107,13 +107,13 @@ pub fn whole(range: RangeInclusive<u32>) -> impl Fn(&Node) -> Read<u32> {
     }
 }
 
-/// `N` values that `read` reads; `what` describes them.
+/// Reads an array of `N` values, each with `read`; `what` describes it.
 pub fn array<T, const N: usize>(what: &'static str, read: impl Fn(&Node) -> Read<T>) -> impl Fn(&Node) -> Read<[T; N]> {
     let list = list(what, N..=N, read);
     move |node| list(node)?.try_into().map_err(|_| node.expected(what))
 }
 
-/// As many values as the range says, each read by `read`; `what` describes them.
+/// Reads a list of values, each with `read`; `count` is the range of its length, and `what` describes it.
 pub fn list<T>(
     what: &'static str,
     count: RangeInclusive<usize>,
@@ -128,33 +128,33 @@ pub fn list<T>(
     }
 }
 
-/// Three numbers.
+/// Reads three numbers.
 pub fn vector(node: &Node) -> Read<DVec3> {
     array("three numbers, [x, y, z]", number)(node).map(DVec3::from_array)
 }
 
-/// Three numbers, not all zero, made a unit vector.
+/// Reads three numbers, not all zero, and normalizes them to a unit vector.
 pub fn direction(node: &Node) -> Read<DVec3> {
     let fault = || node.fault("a direction cannot be [0, 0, 0]", "");
     vector(node)?.try_normalize().ok_or_else(fault)
 }
 
-/// Three numbers above zero.
+/// Reads three numbers greater than 0.
 pub fn extents(node: &Node) -> Read<DVec3> {
     array("three numbers above 0, [x, y, z]", positive)(node).map(DVec3::from_array)
 }
 
-/// Two numbers above zero.
+/// Reads two numbers greater than 0.
 pub fn extents_2d(node: &Node) -> Read<DVec2> {
     array("two numbers above 0, [u, v]", positive)(node).map(DVec2::from_array)
 }
 
-/// Linear red, green and blue.
+/// Reads a color: linear red, green and blue.
 pub fn color(node: &Node) -> Read<DVec3> {
     array("a colour, [red, green, blue]", not_negative)(node).map(DVec3::from_array)
 }
 
-/// A string.
+/// Reads a string.
 pub fn text(node: &Node) -> Read<&str> {
     match &node.value {
         Value::Text(text) => Ok(text),
@@ -162,13 +162,13 @@ pub fn text(node: &Node) -> Read<&str> {
     }
 }
 
-/// One of the words, for what it stands for.
+/// Reads one of the words, and returns the value that belongs to it.
 pub fn word<T: Copy>(choices: &'static [(&'static str, T)]) -> impl Fn(&Node) -> Read<T> {
     let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
     move |node| choice(&names)(node).map(|chosen| choices[chosen].1)
 }
 
-/// One of the words, for its place among them.
+/// Reads one of the words, and returns its index.
 pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
     move |node| {
         let Value::Text(word) = &node.value else {
@@ -179,12 +179,12 @@ pub fn choice(names: &[&str]) -> impl Fn(&Node) -> Read<usize> {
     }
 }
 
-/// Help for a name that is none of `names`: the one that was probably meant, then all of them.
+/// Returns help for a name that is not among `names`: first the name that was probably meant, then all of them.
 #[must_use]
 pub fn suggest(name: &str, names: &[&str], kind: &str) -> String {
     let nearest = names.iter().min_by_key(|n| levenshtein(name, n));
     let near = nearest.filter(|n| levenshtein(name, n) <= 1 + name.chars().count() / 4);
-    // `kerr` for `kerr-newman`.
+    // Completes a name, such as `kerr` to `kerr-newman`.
     let begun = || names.iter().find(|n| name.len() >= 3 && (n.starts_with(name) || n.contains(&format!("-{name}"))));
     let meant = synonym(name, names).or(near.copied()).or_else(|| begun().copied());
     let list = names.join(", ");
