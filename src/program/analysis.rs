@@ -1,19 +1,19 @@
-//! What a scene is to its program, found once and handed on: its regions, which objects touch, and what segments search.
+//! The analysis of a scene for its program, done once: its regions, the objects that touch, and the shapes that segments search.
 
 use super::{Regions, Structure};
 use crate::scene::Scene;
 
-/// What was found of a scene.
+/// The result of analyzing a scene.
 #[derive(Debug, Clone, Default)]
 pub struct Analysis {
-    /// The space outside of everything, and the inside of each object that light goes through.
+    /// The space outside all objects, and the inside of each object that light passes through.
     pub regions: Regions,
-    /// Which shapes stand in a structure.
+    /// The shapes that are in an acceleration structure.
     pub structure: Structure,
 }
 
 impl Analysis {
-    /// Of a scene.
+    /// Analyzes a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let regions = Regions::of(scene);

@@ -1,10 +1,11 @@
-//! What passes bind: the values of pixels joined in one buffer, and numbers for everything.
+//! Bindings of passes: the per-pixel values joined in one buffer, and binding numbers for all resources.
 //!
-//! *Theory.* A part declares what it keeps for each pixel by itself, `var<storage, read_write> pixel_color: array<vec3f>`. Bound each
-//! apart, such values would be more than a device has bindings for (WebGPU grants eight buffers and four storage textures). So they
-//! become members of one struct, the same in every pass of a program: `pixels[place].color`. What no pass reaches is not in it.
+//! *Theory.* Each module declares the values that it keeps per pixel on its own, `var<storage, read_write> pixel_color: array<vec3f>`.
+//! Separate bindings for them would exceed the limits of a device (WebGPU grants eight buffers and four storage textures). The linker
+//! therefore makes them members of one struct, which is equal in all passes of a program: `pixels[place].color`. Values that no pass
+//! reaches are left out.
 //!
-//! *Practice.* A variable without a number gets the next one of its pass; the host finds bindings by what they are for.
+//! *Practice.* A variable without a binding number gets the next free number of its pass; the host finds bindings by their roles.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -12,21 +13,21 @@ use std::fmt::Write as _;
 use super::declarations::Declaration;
 use super::tokens::{Splice, Tokens};
 
-/// What the names of values of pixels begin with.
+/// The prefix of the names of per-pixel values.
 const PREFIX: &str = "pixel_";
-/// The struct's type.
+/// The type of the struct.
 const STRUCT: &str = "Pixel";
-/// The buffer of them.
+/// The buffer of these structs.
 const BUFFER: &str = "pixels";
-/// The first number where a part, such as a kernel of its own, has numbers itself.
+/// The first number that is assigned if a module, such as a custom kernel, contains binding numbers itself.
 const BESIDE_OTHERS: u32 = 500;
 
-/// Is it a value of pixels?
+/// Returns `true` if the declaration is a per-pixel value.
 pub(super) fn is_of_pixels(declaration: &Declaration) -> bool {
     declaration.space() == Some("storage") && declaration.name().starts_with(PREFIX)
 }
 
-/// The values of a program's pixels.
+/// The per-pixel values of a program.
 #[derive(Debug, Default)]
 pub(super) struct Pixels {
     members: Vec<Member>,
@@ -39,7 +40,7 @@ struct Member {
 }
 
 impl Pixels {
-    /// Of the variables that some pass of the program reaches.
+    /// Collects the per-pixel values among the variables that some pass of the program reaches.
     pub(super) fn of<'d>(variables: impl Iterator<Item = &'d Declaration<'d>>) -> Self {
         let member = |variable: &Declaration| {
             let array = variable.ty()?;
@@ -47,18 +48,18 @@ impl Pixels {
             Some(Member { variable: variable.name().to_owned(), ty })
         };
         let mut members: Vec<_> = variables.filter_map(member).collect();
-        // Where the numbers come last they fill up what vectors leave.
+        // Scalars come last, to fill the padding after vectors.
         members.sort_by_key(|member| ["u32", "f32"].contains(&member.ty.as_str()));
         Self { members }
     }
 
-    /// Names that no part may use for anything else.
+    /// Returns the names that the linker reserves for itself.
     pub(super) fn made(&self) -> BTreeSet<String> {
         let names: &[&str] = if self.members.is_empty() { &[] } else { &[STRUCT, BUFFER] };
         names.iter().map(|name| (*name).to_owned()).collect()
     }
 
-    /// What to write in a declaration for every value: the member of a pixel.
+    /// Returns the replacements for a declaration's uses of these values: members of the struct of a pixel.
     pub(super) fn splices(&self, declaration: &Declaration) -> Vec<Splice<'static>> {
         let tokens = &declaration.tokens;
         let splices = declaration.names.iter().filter_map(|&i| {
@@ -70,7 +71,7 @@ impl Pixels {
         splices.flatten().collect()
     }
 
-    /// The struct and the buffer; empty if a program keeps nothing.
+    /// Returns the declarations of the struct and the buffer; empty if the program keeps no per-pixel values.
     pub(super) fn declaration(&self) -> String {
         let mut text = String::new();
         if !self.members.is_empty() {
@@ -84,7 +85,7 @@ impl Pixels {
     }
 }
 
-/// The numbers that are left in a pass.
+/// The binding numbers that are still free in a pass.
 pub(super) struct Numbers(u32);
 
 impl Numbers {
@@ -93,7 +94,7 @@ impl Numbers {
         Self(if reached.any(has_number) { BESIDE_OTHERS } else { 0 })
     }
 
-    /// The declaration, with a number if it is bound and has none.
+    /// Returns the declaration, with a binding number if it is a binding without one.
     pub(super) fn given<'a>(&mut self, mut declaration: Declaration<'a>) -> Declaration<'a> {
         let is_bound =
             declaration.keyword() == "var" && matches!(declaration.space(), None | Some("uniform" | "storage"));

@@ -1,37 +1,37 @@
-//! What a program is for: its schedule, and what it is asked to put out.
+//! The purpose of a program: its schedule, and the output that is requested.
 
 use super::{DeviceProfile, Layer};
 
-/// How the stages of a segment are spread over passes. All schedules give the same picture.
+/// The distribution of a segment's stages over passes. All schedules give the same image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Schedule {
-    /// The 2004 architecture: one pass for every integration step, one to intersect and one to terminate each segment.
+    /// The architecture of W04: one pass for every integration step, one to intersect and one to terminate each segment.
     Paper,
-    /// One pass a stage a segment, N steps inside.
+    /// One pass per stage and segment, with N steps inside.
     Segment,
     /// K segments with all their stages in one pass.
     Fused,
-    /// A path in one pass, from the camera to its colour; as `Fused` where it does not fit into one.
+    /// A whole path in one pass, from the camera to its color; falls back to `Fused` if a path does not fit into one pass.
     Whole,
 }
 
 impl Schedule {
-    /// All, from the most passes to the fewest.
+    /// All schedules, from the most passes to the fewest.
     pub const ALL: [Self; 4] = [Self::Paper, Self::Segment, Self::Fused, Self::Whole];
 
-    /// How it skips ended rays unless told otherwise: `paper` as in 2004.
+    /// Returns the default way to skip terminated rays; `paper` does it as W04 does.
     #[must_use]
     pub fn masks(self) -> Masks {
         if self == Self::Paper { Masks::Grid } else { Masks::List }
     }
 
-    /// May a pass be of several segments?
+    /// Returns `true` if one pass may compute several segments.
     #[must_use]
     pub fn fuses(self) -> bool {
         matches!(self, Self::Fused | Self::Whole)
     }
 
-    /// As users write it.
+    /// Returns the name that users write.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -42,7 +42,7 @@ impl Schedule {
         }
     }
 
-    /// In a few words.
+    /// Returns a short description.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {
@@ -56,50 +56,50 @@ impl Schedule {
     }
 }
 
-/// Which pixels the passes over segments run over. All give the same picture.
+/// The pixels over which passes process segments. All masks give the same image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Masks {
-    /// Every pixel, ended or not.
+    /// Every pixel, including pixels whose ray has terminated.
     Off,
-    /// Every pixel as long as one ray lives; what has ended is skipped where it lies.
+    /// Every pixel while any ray is active; terminated rays are skipped in place.
     Grid,
-    /// A dense list of the pixels whose rays live.
+    /// A compact list of the pixels with active rays (active-ray compaction).
     List,
 }
 
-/// The passes, each with the name of its entry point and file.
+/// The passes; each is named after its entry point and file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Pass {
-    /// The camera's rays.
+    /// Creates the camera's rays.
     Setup,
-    /// K segments.
+    /// Computes K segments.
     Advance,
-    /// One step.
+    /// Computes one integration step.
     SingleStep,
-    /// One segment's steps.
+    /// Computes the steps of one segment.
     Integrate,
-    /// A segment against the scene.
+    /// Intersects a segment with the scene.
     Intersect,
-    /// Which rays ended.
+    /// Determines which rays have terminated.
     Terminate,
-    /// Rays that go on from surfaces.
+    /// Scatters rays at surfaces that reflect or transmit.
     Scatter,
-    /// All of a path.
+    /// Computes a whole path.
     Whole,
-    /// Local illumination.
+    /// Computes local illumination.
     Shade,
-    /// Rays as numbers.
+    /// Stores rays as numbers.
     Record,
-    /// Which pixels take more samples.
+    /// Selects the pixels that take more samples.
     Refine,
-    /// Steps and nothing else.
+    /// Computes integration steps only.
     Bare,
-    /// Paths from lights to places.
+    /// Finds paths from lights to positions.
     Shots,
 }
 
 impl Pass {
-    /// The entry point's name, which is also the file's in `shaders/pass/`.
+    /// Returns the name of the entry point, which is also the file's name in `shaders/pass/`.
     #[must_use]
     pub fn entry(self) -> &'static str {
         match self {
@@ -120,51 +120,51 @@ impl Pass {
     }
 }
 
-/// Where rays come from and what becomes of them.
+/// The origin of the rays and the use of their results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Purpose {
-    /// A camera's rays, to be shaded.
+    /// Rays of a camera, for an image.
     Picture,
-    /// Given rays, to be recorded.
+    /// Given rays, which are recorded.
     Trace,
-    /// The camera's rays of chosen pixels, to be recorded.
+    /// The camera's rays of chosen pixels, which are recorded.
     Pixels,
-    /// Places and lights, each pair to be joined by the paths between them.
+    /// Positions and lights; each pair is joined by the paths between them.
     Lit,
-    /// Rays from a light, which leave their light in the voxels on their way.
+    /// Rays from a light, which deposit their light in the voxels along their paths.
     Light,
-    /// The same, but they leave none before a surface has sent them on.
+    /// Rays from a light, which deposit light only after a surface has scattered them.
     Caustics,
-    /// The camera's rays, each to be moved by as many steps as it is told, to measure what they cost by themselves.
+    /// The camera's rays, each advanced by a given number of steps, to measure the cost of the steps alone.
     Bare,
 }
 
 impl Purpose {
-    /// Are its rays given one by one, whatever the camera?
+    /// Returns `true` if the rays are given one by one, independently of the camera.
     #[must_use]
     pub fn is_given(self) -> bool {
         matches!(self, Self::Trace | Self::Lit | Self::Light | Self::Caustics)
     }
 
-    /// Do its rays leave their light on their way?
+    /// Returns `true` if the rays deposit their light along their paths.
     #[must_use]
     pub fn leaves_light(self) -> bool {
         matches!(self, Self::Light | Self::Caustics)
     }
 }
 
-/// Everything besides the scene that decides what is in its program.
+/// Everything besides the scene that determines the contents of its program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Choice {
-    /// How passes are cut.
+    /// The distribution of stages over passes.
     pub schedule: Schedule,
-    /// Are ended rays skipped, and how?
+    /// The way in which terminated rays are skipped.
     pub masks: Masks,
-    /// Picture or trace.
+    /// The use of the results, such as an image or a trace.
     pub purpose: Purpose,
-    /// Layers to keep, each once.
+    /// The layers to store, each once.
     pub layers: Vec<Layer>,
-    /// What the device is like.
+    /// The properties of the device.
     pub device: DeviceProfile,
 }
 

@@ -1,7 +1,7 @@
-//! Copies of the parts of a region, where a scene has several kinds of them.
+//! Copies of the modules of a region, for scenes with several kinds of regions.
 //!
-//! *Theory.* Every name that a region's parts declare gets the number of its kind for a suffix; for each
-//! function that shared parts call there is one more of its old name, which switches between the copies.
+//! *Theory.* Every name that a region's modules declare gets the number of its kind as a suffix. For each function that shared
+//! modules call, one more function of the original name switches between the copies.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -12,10 +12,10 @@ use super::sources::{Source, Sources};
 use super::unit::Unit;
 use super::{ProgramError, linked};
 
-/// The private variable that says which kind of region a ray is in.
+/// The private variable that stores the kind of region that a ray is in.
 const SELECTOR: &str = "region";
 
-/// All the declarations that passes are linked from, and the units that they were written in.
+/// Returns all declarations from which passes are linked, and the units that contain them.
 pub(super) fn with_region_copies(sources: Sources) -> Result<(Vec<Declaration>, Vec<Unit>), ProgramError> {
     let Sources { mut units, shared, regions } = sources;
     let mut all = split(shared, &units)?;
@@ -38,7 +38,7 @@ pub(super) fn with_region_copies(sources: Sources) -> Result<(Vec<Declaration>, 
     Ok((all, units))
 }
 
-/// The declarations of some units.
+/// Splits units into declarations.
 fn split<'a>(sources: Vec<Source<'a>>, units: &[Unit]) -> Result<Vec<Declaration<'a>>, ProgramError> {
     let found = sources.into_iter().map(|source| declarations(source.tokens));
     let all = found.collect::<Result<Vec<_>, _>>();
@@ -46,7 +46,7 @@ fn split<'a>(sources: Vec<Source<'a>>, units: &[Unit]) -> Result<Vec<Declaration
     Ok(all.into_iter().flatten().collect())
 }
 
-/// With other names of module scope.
+/// Returns the declaration with the module-scope names that `name` changes.
 pub(super) fn renamed(mut declaration: Declaration<'_>, name: impl Fn(&str) -> Option<String>) -> Declaration<'_> {
     for &i in &declaration.names {
         if let Some(name) = name(&declaration.tokens.0[i].word) {
@@ -56,7 +56,7 @@ pub(super) fn renamed(mut declaration: Declaration<'_>, name: impl Fn(&str) -> O
     declaration
 }
 
-/// One function for every name of the regions that shared parts use, which picks the copy by the ray's region.
+/// Generates a function for every name of the regions that shared modules use; it selects the copy by the ray's region.
 fn region_switches(
     shared: &[Declaration],
     regions: &[Vec<Declaration>],
@@ -76,7 +76,7 @@ fn region_switches(
     Ok(text)
 }
 
-/// A function of the declaration's name and signature that calls its copies; none where a type has copies itself.
+/// Generates a function with the declaration's name and signature that calls its copies; `None` if a type in it has copies itself.
 fn switch(declaration: &Declaration, kinds: usize, has_copies: impl Fn(&str) -> bool) -> Option<String> {
     let (tokens, name) = (&declaration.tokens, declaration.name());
     let signature = declaration.signature()?;
@@ -84,7 +84,7 @@ fn switch(declaration: &Declaration, kinds: usize, has_copies: impl Fn(&str) -> 
     if types.flat_map(Clone::clone).any(|i| has_copies(tokens.word(i))) {
         return None;
     }
-    // A parameter would hide the selector.
+    // A parameter of this name would hide the selector.
     let renamed = |i: usize| if tokens.word(i) == SELECTOR { "own_region" } else { tokens.word(i) };
     let names: Vec<&str> = signature.parameters.iter().map(|parameter| renamed(parameter.name)).collect();
     let parameters: Vec<String> = (names.iter().zip(&signature.parameters))

@@ -1,7 +1,7 @@
-//! WGSL as its top-level declarations: just enough reading to link by name, and to lower uniforms.
+//! WGSL as top-level declarations, parsed just enough to link by name and to lower uniforms.
 //!
-//! WGSL at module scope has no order and no scopes but one, so that a declaration is known by its name, and what it needs
-//! by the names in it. Statements and expressions are not parsed: that is naga's work, on the linked program.
+//! WGSL has no order and only one scope at module level, so a declaration is identified by its name, and its dependencies are the
+//! names in it. Statements and expressions are not parsed; naga parses them in the linked program.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -10,22 +10,22 @@ use super::scopes::outer_names;
 use super::signature::Signature;
 use super::tokens::{Origin, Splice, Tokens, behind_spaces, comment};
 
-/// One function, struct, alias, constant, override or variable of a part.
+/// One function, struct, alias, constant, override or variable of a module.
 #[derive(Debug, Clone)]
 pub(super) struct Declaration<'a> {
     pub(super) tokens: Tokens<'a>,
-    /// The tokens that name something of module scope.
+    /// The tokens that refer to names of module scope.
     pub(super) names: Vec<usize>,
-    /// The keyword's token.
+    /// The token of the keyword.
     head: usize,
-    /// The name's token.
+    /// The token of the name.
     named: usize,
 }
 
-/// Where a text cannot be split into declarations, and why.
+/// The location at which a text cannot be split into declarations, and the reason.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Slip {
-    /// Where it stands.
+    /// The location.
     pub(super) origin: Origin,
     pub(super) message: String,
 }
@@ -39,34 +39,34 @@ impl<'a> Declaration<'a> {
         Self { tokens, names, head, named }
     }
 
-    /// What it declares.
+    /// Returns the declared name.
     pub(super) fn name(&self) -> &str {
         self.tokens.word(self.named)
     }
 
-    /// `fn`, `struct`, `alias`, `const`, `override` or `var`.
+    /// Returns the keyword: `fn`, `struct`, `alias`, `const`, `override` or `var`.
     pub(super) fn keyword(&self) -> &str {
         self.tokens.word(self.head)
     }
 
-    /// Names of module scope in it.
+    /// Returns the module-scope names that the declaration contains.
     pub(super) fn used(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(|&i| self.tokens.word(i))
     }
 
-    /// Where its name was written.
+    /// Returns the location of the name.
     pub(super) fn origin(&self) -> Origin {
         self.tokens.origin(self.named)
     }
 
-    /// One of these names in it, be it of a local variable, and where it was written.
+    /// Returns the first of these names that the declaration contains, even as a local variable, with its location.
     pub(super) fn mentions(&self, names: &BTreeSet<String>) -> Option<(Origin, &str)> {
         let tokens = &self.tokens;
         let found = (0..tokens.len()).find(|&i| names.contains(tokens.word(i)) && tokens.before(i) != ".")?;
         Some((tokens.origin(found), tokens.word(found)))
     }
 
-    /// With other tokens in some places, all behind its name or before its keyword.
+    /// Returns the declaration with some tokens replaced, all of them after its name or before its keyword.
     pub(super) fn spliced(self, splices: Vec<Splice<'a>>) -> Self {
         if splices.is_empty() {
             return self;
@@ -78,40 +78,40 @@ impl<'a> Declaration<'a> {
         Self { head, named, ..self }.edited(|tokens| tokens.spliced(splices))
     }
 
-    /// With its tokens edited behind its name.
+    /// Returns the declaration with its tokens edited after its name.
     pub(super) fn edited(self, edit: impl FnOnce(Tokens<'a>) -> Tokens<'a>) -> Self {
         let tokens = edit(self.tokens);
         let names = outer_names(&tokens, self.head);
         Self { tokens, names, ..self }
     }
 
-    /// A function's parameters and result.
+    /// Returns the parameters and the result of a function.
     pub(super) fn signature(&self) -> Option<Signature> {
         Signature::of(&self.tokens, self.head)
     }
 
-    /// A variable's address space, where that is written.
+    /// Returns the address space of a variable, if it is written.
     pub(super) fn space(&self) -> Option<&str> {
         (self.keyword() == "var" && self.tokens.word(self.head + 1) == "<").then(|| self.tokens.word(self.head + 2))
     }
 
-    /// Is it a uniform?
+    /// Returns `true` for a uniform.
     pub(super) fn is_uniform(&self) -> bool {
         self.space() == Some("uniform")
     }
 
-    /// Does something stand before its keyword?
+    /// Returns `true` if attributes precede the keyword.
     pub(super) fn has_attributes(&self) -> bool {
         self.head > 0
     }
 
-    /// The tokens of a variable's type.
+    /// Returns the tokens of a variable's type.
     pub(super) fn ty(&self) -> Option<Range<usize>> {
         let from = self.named + 2;
         (self.tokens.word(self.named + 1) == ":").then(|| from..self.up_to(from, &["=", ";"]))
     }
 
-    /// The tokens of what stands behind its `=`.
+    /// Returns the tokens after the `=`.
     pub(super) fn value(&self) -> Option<Range<usize>> {
         let from = self.up_to(self.named, &["="]) + 1;
         (from < self.tokens.len()).then(|| from..self.up_to(from, &[";"]))
@@ -124,7 +124,7 @@ impl<'a> Declaration<'a> {
 
 const KEYWORDS: [&str; 6] = ["fn", "struct", "alias", "const", "override", "var"];
 
-/// The declarations of a unit, in order.
+/// Returns the declarations of a unit, in order.
 pub(super) fn declarations(tokens: Tokens<'_>) -> Result<Vec<Declaration<'_>>, Slip> {
     let mut places = Vec::new();
     let mut from = 0;
@@ -151,7 +151,7 @@ pub(super) fn declarations(tokens: Tokens<'_>) -> Result<Vec<Declaration<'_>>, S
     Ok(places.into_iter().map(declaration).collect())
 }
 
-/// The keyword and the name of the declaration that starts with the token `from`.
+/// Returns the keyword and the name of the declaration that starts with the token `from`.
 fn head(tokens: &Tokens, from: usize) -> Result<(usize, usize), Slip> {
     let expected = |i: usize, what: &str| {
         let found = if i < tokens.len() { format!("`{}`", tokens.word(i)) } else { "the end of the file".to_owned() };
@@ -166,7 +166,7 @@ fn head(tokens: &Tokens, from: usize) -> Result<(usize, usize), Slip> {
     if tokens.is_name(named) { Ok((head, named)) } else { Err(expected(named, "a name")) }
 }
 
-/// The `;` or the outermost `}` that closes the declaration which starts with the token `from`.
+/// Returns the `;` or the outermost `}` that closes the declaration that starts with the token `from`.
 fn end(tokens: &Tokens, from: usize) -> Option<usize> {
     let mut depth = 0_usize;
     (from..tokens.len()).find(|&i| match tokens.word(i) {
@@ -182,7 +182,7 @@ fn end(tokens: &Tokens, from: usize) -> Option<usize> {
     })
 }
 
-/// Of what stands before a declaration the comment directly above it: one with an empty line below it belongs to none.
+/// Returns the comment directly above a declaration; a comment that is followed by an empty line belongs to no declaration.
 fn own_comment(gap: &str) -> &str {
     let (mut at, mut start) = (0, None);
     loop {

@@ -1,42 +1,42 @@
-//! What can go wrong between a scene and its program.
+//! Errors that prevent a scene from becoming a program.
 
 use thiserror::Error;
 
 use super::place::Place;
 
-/// A program that could not be linked or is not valid. Scenes of built-in parts alone cause only the last.
+/// A program that could not be linked or is not valid. Scenes of built-in modules alone cause only the last of these errors.
 #[derive(Debug, Error)]
 pub enum ProgramError {
-    /// A part that does not exist was asked for.
+    /// A module that does not exist was requested.
     #[error("there is no shader part `{0}`")]
     NoPart(String),
-    /// Two of the parts chosen declare the same name.
+    /// Two of the chosen modules declare the same name.
     #[error("{place}: `{name}` is already declared in {other}")]
     Twice {
-        /// Where it is declared: of two places the user's own.
+        /// The location of the declaration; of two locations, the one in the user's file.
         place: Place,
         /// The name.
         name: String,
-        /// The file that declares it too.
+        /// The other file that declares it.
         other: String,
     },
-    /// A name that the linker makes for its own use.
+    /// A name that the linker reserves for itself.
     #[error("{place}: `{name}` is a name that programs use for something else: choose another")]
     Reserved {
-        /// Where it is.
+        /// The location of the name.
         place: Place,
         /// The name.
         name: String,
     },
-    /// The entry point is in none of the parts.
+    /// None of the modules contains the entry point.
     #[error("no part declares the entry point `{0}`")]
     NoEntry(String),
-    /// A name with a copy per region that is no function, or one whose signature needs a type that has copies itself.
+    /// A name with a copy per region that is not a function, or a function whose signature needs a type that has copies itself.
     #[error(
         "{place}: `{name}` has a copy for each kind of region, but is used by all: only functions over shared types can be chosen between"
     )]
     NotSwitchable {
-        /// Where it is declared.
+        /// The location of the declaration.
         place: Place,
         /// The name.
         name: String,
@@ -44,27 +44,27 @@ pub enum ProgramError {
     /// The WGSL is not valid.
     #[error("{place}: {message}")]
     Invalid {
-        /// The place in the file that it was written in.
+        /// The location in the original file.
         place: Place,
-        /// What is wrong there.
+        /// The problem.
         message: String,
     },
-    /// A binding that is neither the renderer's nor a value of the scene, or of a type that no pass binds.
+    /// A binding that is neither the renderer's nor a value of the scene, or has a type that no pass binds.
     #[error("{place}: the renderer has nothing to bind to `{name}`")]
     UnknownBinding {
-        /// Where it is declared.
+        /// The location of the declaration.
         place: Place,
         /// The variable.
         name: String,
     },
-    /// More items than a primitive's word tells apart.
+    /// More items than the bits of a primitive can distinguish.
     #[error(
         "the scene shows {items} triangles and other shapes in its structure, and {most} can be told apart: show fewer"
     )]
     TooManyItems {
-        /// So many.
+        /// The number of items in the scene.
         items: u64,
-        /// So many there may be.
+        /// The largest possible number.
         most: u64,
     },
 }

@@ -1,19 +1,19 @@
-//! Expressions as tokens: what can be said of one without parsing it, and conditions of which a part is known.
+//! Expressions as tokens: properties that need no parser, and simplification of partly known conditions.
 
 use super::tokens::{Splice, Token, Tokens};
 
-/// Is it a name, or members of one, or `true` or `false`?
+/// Returns `true` for a name, members of a name, `true` or `false`.
 pub(super) fn is_path(tokens: &[Token]) -> bool {
     tokens.iter().enumerate().all(|(i, token)| if i % 2 == 0 { is_word(token) } else { token.word == "." })
         && tokens.len() % 2 == 1
 }
 
-/// Does it call something?
+/// Returns `true` if the expression contains a call.
 pub(super) fn has_call(tokens: &[Token]) -> bool {
     tokens.windows(2).any(|pair| pair[1].word == "(" && is_word(&pair[0]))
 }
 
-/// Does it name more than constants and what it calls?
+/// Returns `true` if the expression contains names besides constants and called functions.
 pub(super) fn has_variable(tokens: &[Token]) -> bool {
     let is_constant = |word: &str| matches!(word, "true" | "false") || !word.contains(|c: char| c.is_lowercase());
     let is_called = |i: usize| tokens.get(i + 1).is_some_and(|next| next.word == "(");
@@ -24,12 +24,12 @@ fn is_word(token: &Token) -> bool {
     token.word.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
-/// Is it of numbers alone?
+/// Returns `true` if the expression consists of numbers only.
 pub(super) fn is_number(tokens: &[Token]) -> bool {
     !tokens.iter().any(is_word)
 }
 
-/// An expression as an operand: in brackets, unless it is a name or a call.
+/// Returns an expression as an operand: in parentheses, unless it is a name or a call.
 pub(super) fn grouped<'a>(expression: &[Token<'a>]) -> Vec<Token<'a>> {
     let tokens = Tokens(expression.to_vec());
     let is_call = tokens.word(1) == "(" && tokens.is_name(0) && tokens.closing(1) == Some(tokens.len() - 1);
@@ -43,7 +43,7 @@ pub(super) fn grouped<'a>(expression: &[Token<'a>]) -> Vec<Token<'a>> {
     own
 }
 
-/// Conditions of which a part is known: `a && true`, `false || a`, `!false` and `select(a, b, false)`.
+/// Simplifies partly known conditions: `a && true`, `false || a`, `!false` and `select(a, b, false)`.
 pub(super) fn decided(mut tokens: Tokens) -> Tokens {
     while let Some(splice) = (0..tokens.len()).find_map(|i| decision(&tokens, i)) {
         tokens = tokens.spliced(vec![splice]);
@@ -51,7 +51,7 @@ pub(super) fn decided(mut tokens: Tokens) -> Tokens {
     tokens
 }
 
-/// What can be decided by the literal at this token.
+/// Returns the simplification that the literal at token `i` allows.
 fn decision<'a>(tokens: &Tokens<'a>, i: usize) -> Option<Splice<'a>> {
     let value = match tokens.word(i) {
         "true" => true,
@@ -70,7 +70,7 @@ fn decision<'a>(tokens: &Tokens<'a>, i: usize) -> Option<Splice<'a>> {
     let begins =
         |k: usize| matches!(tokens.word(k), "(" | "=" | "return" | "if" | "while" | ",") || k > 0 && is_pair(k - 1);
     if i > 1 && is_pair(i - 2) && ends(i + 1) {
-        // Behind the sign. `a && false` is left: what `a` does is not known.
+        // The literal follows the operator. `a && false` is kept, because `a` may have side effects.
         let changes_nothing = (tokens.word(i - 1) == "&") == value;
         return changes_nothing.then(|| (i - 2..i + 1, Vec::new()));
     }
@@ -86,7 +86,7 @@ fn decision<'a>(tokens: &Tokens<'a>, i: usize) -> Option<Splice<'a>> {
     chosen(tokens, i, value)
 }
 
-/// Where the operands end that a sign joins from here on.
+/// Returns the end of the operands that the operator `sign` joins from token `from` on.
 fn operands_end(tokens: &Tokens, from: usize, sign: &str) -> usize {
     let mut k = from;
     while k < tokens.len() {
@@ -101,7 +101,7 @@ fn operands_end(tokens: &Tokens, from: usize, sign: &str) -> usize {
     k
 }
 
-/// `select(a, b, LITERAL)` with the literal at this token.
+/// Simplifies `select(a, b, LITERAL)` with the literal at token `i`.
 fn chosen<'a>(tokens: &Tokens<'a>, i: usize, value: bool) -> Option<Splice<'a>> {
     if tokens.before(i) != "," || tokens.word(i + 1) != ")" {
         return None;

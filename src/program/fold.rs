@@ -1,10 +1,10 @@
-//! Branches on what a scene's features fix, replaced by the block that is taken.
+//! Branches on the features of a scene, replaced by the block that is taken.
 //!
-//! *Theory.* Features are constants of a program: `const FEATURE: bool = true;`. A part may ask one, `if FEATURE { … } else { … }`, so
-//! that what differs in a line does not need a file of its own. What stands only in the block that is not taken is not in the program,
-//! neither functions nor bindings: branches are decided before the linker looks for what a pass reaches.
+//! *Theory.* Features are constants of a program: `const FEATURE: bool = true;`. A module may test one, `if FEATURE { … } else { … }`, so
+//! variants that differ in a line do not need separate files. Functions and bindings that only the other block uses are not in the
+//! program, because branches are decided before the linker searches what a pass reaches.
 //!
-//! *Practice.* A condition is `FEATURE` or `!FEATURE`. What follows a block that is taken and returns is dropped too, so that a function
+//! *Practice.* A condition is `FEATURE` or `!FEATURE`. Code after a taken block that returns is dropped too, so a function
 //! may begin with `if !FEATURE { return x; }`.
 
 use std::collections::HashMap;
@@ -13,7 +13,7 @@ use std::ops::Range;
 use super::sources::Known;
 use super::tokens::Tokens;
 
-/// The tokens of a unit with every branch on a feature decided.
+/// Returns the tokens of a unit with every branch on a feature decided.
 pub(super) fn folded<'a>(tokens: Tokens<'a>, known: &Known) -> Tokens<'a> {
     let mut fold = Fold { tokens, features: &known.bools, dropped: Vec::new(), raised: Vec::new() };
     fold.block(0..fold.tokens.len());
@@ -24,12 +24,12 @@ struct Fold<'a, 'k> {
     tokens: Tokens<'a>,
     features: &'k HashMap<String, bool>,
     dropped: Vec<Range<usize>>,
-    /// What stands one brace less deep.
+    /// The tokens whose indentation decreases by one level.
     raised: Vec<Range<usize>>,
 }
 
 impl<'a> Fold<'a, '_> {
-    /// Decides the branches among these tokens, which are statements or declarations. Does the last statement return?
+    /// Decides the branches among these tokens, which are statements or declarations. Returns `true` if the last statement returns.
     fn block(&mut self, tokens: Range<usize>) -> bool {
         let mut i = tokens.start;
         while i < tokens.end {
@@ -58,8 +58,8 @@ impl<'a> Fold<'a, '_> {
         false
     }
 
-    /// Decides the branch at this `if`, if its condition is known: returns the token behind it, and whether what is left returns.
-    /// It may stand behind an `else`.
+    /// Decides the branch at this `if`, if its condition is known. Returns the token after it, and whether the remaining code returns.
+    /// The branch may follow an `else`.
     fn branch(&mut self, at: usize, of_else: Option<usize>) -> Option<(usize, bool)> {
         let is_not = self.tokens.word(at + 1) == "!";
         let open = at + 2 + usize::from(is_not);
@@ -88,7 +88,7 @@ impl<'a> Fold<'a, '_> {
         }
     }
 
-    /// Keeps a block, without its braces if nothing needs them. Does it return?
+    /// Keeps a block, without its braces if they are not needed. Returns `true` if the block returns.
     fn taken(&mut self, open: usize, is_else: bool) -> bool {
         let close = self.closing(open);
         let mut depth = 0;
@@ -112,7 +112,7 @@ impl<'a> Fold<'a, '_> {
         returns
     }
 
-    /// The token behind the `else` branches of the block that closes here.
+    /// Returns the token after the `else` branches of the block that closes at `close`.
     fn end(&self, close: usize) -> usize {
         if self.tokens.word(close + 1) != "else" {
             return close + 1;
@@ -121,7 +121,7 @@ impl<'a> Fold<'a, '_> {
         open.map_or(self.tokens.len(), |open| self.end(self.closing(open)))
     }
 
-    /// The brace that closes this one: the last token where there is none, which the linker reports.
+    /// Returns the brace that closes `open`, or the last token if there is none, which the linker reports.
     fn closing(&self, open: usize) -> usize {
         self.tokens.closing(open).unwrap_or(self.tokens.len() - 1)
     }
@@ -132,7 +132,7 @@ impl<'a> Fold<'a, '_> {
         }
     }
 
-    /// What is left. A comment above a block that stays, stays above it.
+    /// Returns the remaining tokens. A comment above a block that remains stays above it.
     fn left(mut self) -> Tokens<'a> {
         for range in &self.raised {
             for token in self.tokens.0[range.clone()].iter_mut().filter(|token| token.gap.contains('\n')) {

@@ -1,16 +1,16 @@
-//! Features as constants of WGSL, by which the linker decides what differs in a line.
+//! Features as WGSL constants, by which the linker selects between variants that differ in a line.
 
 use super::Features;
 use crate::model::StereoLayout;
 use crate::program::{Masks, Purpose, Schedule, Unit};
 
-/// Fields, each with its name.
+/// Pairs each field with its name.
 macro_rules! named {
     ($of:expr; $($name:ident)+) => { vec![$((stringify!($name), $of.$name)),+] };
 }
 
 impl Features {
-    /// Those that parts ask for, by the names that they have there.
+    /// Returns the features that modules use, under their names in WGSL.
     #[must_use]
     pub fn constants(&self) -> Vec<(String, bool)> {
         let plain = named!(self;
@@ -50,7 +50,7 @@ impl Features {
         plain.into_iter().chain(derived).map(|(name, value)| (name.to_uppercase(), value)).collect()
     }
 
-    /// The constants as WGSL.
+    /// Returns the constants as WGSL.
     pub(in crate::program) fn unit(&self) -> Unit {
         let constants = self.constants();
         let text = constants.iter().map(|(name, value)| format!("const {name}: bool = {value};\n"));
@@ -68,7 +68,7 @@ mod tests {
     use crate::program::{Analysis, Choice, all_parts};
     use crate::scene::Scene;
 
-    /// Generated elsewhere: of a kind of region, of obstacles, and of what forces come from.
+    /// Constants that are generated elsewhere: for a kind of region, for obstacles and for the sources of forces.
     const OTHERS: [&str; 6] = ["IS_EMPTY", "IS_WHOLE", "LEAPS", "HAS_AIMS", "HAS_LISTS", "FINDS_NEAR"];
 
     #[test]

@@ -1,6 +1,6 @@
-//! What a scene asks of its program, found once: plain answers, from which the plan follows.
+//! The features that a scene requires of its program, determined once; the plan follows from them.
 //!
-//! *Length.* Over 300 lines, because it is a list, with a field and a line for each answer.
+//! *Length.* Over 300 lines, because it is a list, with a field and a line for each feature.
 
 mod constants;
 
@@ -12,184 +12,184 @@ use crate::model::method::Path;
 use crate::model::{Capture, Filter, StereoLayout};
 use crate::scene::{Animation, Branches, Light, Precision, Scene, Segment, Shadows, Sky, Tonemap};
 
-/// Everything about a scene and what it is rendered for that decides which parts its program has, and which passes run it.
+/// All properties of a scene and its output that determine the modules of its program and the passes that run it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 #[expect(clippy::struct_excessive_bools, reason = "each answers a question of its own")]
 pub struct Features {
-    /// Where rays come from and what becomes of them.
+    /// The origin of the rays and the use of their results.
     pub purpose: Purpose,
-    /// How passes are cut: as asked for, or `Fused` if the scene's paths do not fit into one pass.
+    /// The schedule: the requested one, or `Fused` if the scene's paths do not fit into one pass.
     pub schedule: Schedule,
-    /// How ended rays are skipped.
+    /// The way in which terminated rays are skipped.
     pub masks: Masks,
-    /// What the device is like.
+    /// The properties of the device.
     pub device: DeviceProfile,
-    /// Layers to keep, each once.
+    /// The layers to store, each once.
     pub layers: Vec<Layer>,
-    /// The numbers of rays.
+    /// The number format of rays.
     pub precision: Precision,
-    /// Rounds of a sample, at most, in each of which every pixel follows one more path of its tree: the leaves of a full one.
+    /// The largest number of rounds per sample, in each of which every pixel follows one more path: the leaves of a full tree of paths.
     pub rounds: u32,
-    /// Slots of the state: `paper` keeps a chord's start while two more alternate under its steps.
+    /// The number of slots of the state: `paper` keeps a chord's start while its steps alternate between two more slots.
     pub slots: usize,
 
     /// The scene has objects.
     pub has_objects: bool,
-    /// Rays go on from some surface.
+    /// Some surface reflects or transmits rays.
     pub scatters: bool,
     /// Some surface both reflects and transmits.
     pub splits: bool,
-    /// Some surface shows what is behind it.
+    /// Some surface is translucent.
     pub is_translucent: bool,
-    /// Some clear object has a rough surface.
+    /// Some transparent object has a rough surface.
     pub has_rough_glass: bool,
-    /// Objects have insides, or closed mirrors two sides.
+    /// Objects have interiors, or closed mirrors have two sides.
     pub has_regions: bool,
-    /// Rays go on from some mesh with two sides.
+    /// Some two-sided mesh reflects or transmits rays.
     pub has_sided_mesh: bool,
-    /// Objects lie on each other.
+    /// Surfaces of objects touch.
     pub touches: bool,
-    /// Some medium has another index for each wavelength.
+    /// The refractive index of some medium depends on the wavelength.
     pub disperses: bool,
-    /// Media absorb light of its rays.
+    /// Media absorb light along rays.
     pub filters: bool,
-    /// Some medium absorbs light by a texture that jumps.
+    /// Some medium absorbs light by a texture with jumps.
     pub filters_jump: bool,
-    /// Some medium adds light to rays.
+    /// Some medium emits light into rays.
     pub sees_glow: bool,
 
-    /// Light goes from surface to surface.
+    /// The image is path-traced.
     pub follows_paths: bool,
-    /// Its paths are in pieces, which are told where they left a surface.
+    /// Paths consist of several pieces, each of which needs the position at which it left a surface.
     pub in_pieces: bool,
-    /// Paths aim at something bright.
+    /// Paths use next-event estimation.
     pub aims: bool,
-    /// Samples are cut off at some radiance.
+    /// The radiance of samples is clamped.
     pub clamps: bool,
-    /// A path is of one wavelength.
+    /// A path has a single wavelength.
     pub draws_wavelength: bool,
-    /// Some surface shows a light.
+    /// Some surface is lit by a light.
     pub is_lit: bool,
-    /// Some lights fall off with the square of the distance.
+    /// Some lights fall off with the squared distance.
     pub falls: bool,
-    /// Some lights with a grid are as bright as their paths are many.
+    /// In a photon grid, the density of paths gives the brightness of some lights.
     pub grids_fall: bool,
-    /// All of them are.
+    /// In photon grids, the density of paths gives the brightness of all lights.
     pub grids_all_fall: bool,
-    /// Paths to lights are found by shooting.
+    /// Paths to lights are found by the shooting method.
     pub shoots: bool,
-    /// Ambient light is occluded where a surface shows it.
+    /// Surfaces receive ambient light with ambient occlusion.
     pub is_occluded: bool,
-    /// It is occluded by what lies on the law's paths, rather than on straight lines.
+    /// Ambient occlusion follows the paths of the law instead of straight lines.
     pub occludes_along_law: bool,
     /// Shadows are cast along straight lines.
     pub follows_lines: bool,
-    /// Light is looked for from surfaces, along lines or paths that begin there.
+    /// Light is searched from surfaces, along lines or paths that begin there.
     pub looks_from_surfaces: bool,
     /// All lights cast shadows along straight lines.
     pub all_cast: bool,
-    /// Clear objects shut out light that comes in straight lines.
+    /// Transparent objects block light that arrives along straight lines.
     pub shuts_out: bool,
-    /// Something absorbs part of the light that comes in straight lines to a picture's surfaces.
+    /// Light that arrives at an image's surfaces along straight lines is partly absorbed.
     pub weakens_lines: bool,
 
-    /// Rays end after a length.
+    /// Rays end after a given length.
     pub is_limited: bool,
-    /// The last digits of τ are kept apart from its sum.
+    /// The rounding error of the sum τ is stored separately.
     pub compensates_tau: bool,
     /// Something captures rays.
     pub captures: bool,
-    /// Rays end where a formula of a line element says.
+    /// Rays end according to a formula of a line element.
     pub captures_by_formula: bool,
-    /// Orbits of light lie within the place where rays are captured: those that turn there are not.
+    /// Photon orbits lie within the capture region; rays that turn there are not captured.
     pub is_extreme: bool,
-    /// The bounding sphere is left for infinity.
+    /// Rays continue from the bounding sphere to infinity.
     pub is_asymptotic: bool,
-    /// Where a path is between its ends is asked for.
+    /// Positions between the ends of a path are needed.
     pub needs_arcs: bool,
     /// Rays follow an orbit in closed form.
     pub on_orbit: bool,
     /// Orbits stay in a plane through the law's center.
     pub is_plane: bool,
-    /// The bounding sphere is about the orbit's center, in every frame.
+    /// The center of the bounding sphere is the center of the orbit, in every frame.
     pub is_about_center: bool,
-    /// The last step of a path ends where the path does.
+    /// The last integration step of a path ends where the path ends.
     pub ends_with_steps: bool,
-    /// That last step is kept for the path's end.
+    /// That last step is stored to compute the path's end.
     pub keeps_last: bool,
-    /// The part that ends rays from below a horizon, if the camera may be there.
+    /// The module that ends rays from below a horizon, if the camera may be there.
     pub below_part: Option<&'static str>,
-    /// States carry the time of the ray.
+    /// The state of a ray contains its time.
     pub carries_time: bool,
-    /// τ is the path's length, whatever the velocity.
+    /// τ is the path's length, whatever the speed.
     pub by_length: bool,
-    /// The curve that all rays follow has the axes of the camera.
+    /// The parametric curve that all rays follow is aligned with the axes of the camera.
     pub turns_with_camera: bool,
     /// Some object moves.
     pub travels: bool,
-    /// The law is a wormhole's.
+    /// The law is a wormhole.
     pub has_throat: bool,
-    /// All paths are whole lines, which begin where a ray does.
+    /// All paths are complete lines that begin at the start of the ray.
     pub joins_whole: bool,
 
-    /// The sky beyond a wormhole is another one.
+    /// The far side of a wormhole has a different sky.
     pub has_two_skies: bool,
     /// The sky is transparent.
     pub sees_through: bool,
-    /// Pictures are shown by surfaces or the sky.
+    /// Surfaces or the sky show images.
     pub has_images: bool,
-    /// Some mesh has colors at its corners.
+    /// Some mesh has vertex colors.
     pub has_vertex_colors: bool,
-    /// Pixels may show nothing.
+    /// Pixels may be transparent.
     pub is_transparent: bool,
-    /// Rays choose between the branches at a surface one after the other.
+    /// Rays follow the branches at a surface one after the other.
     pub enumerates: bool,
-    /// The picture is two views, side by side or one above the other.
+    /// The arrangement of the two views of a stereo image, side by side or one above the other.
     pub views: Option<StereoLayout>,
-    /// Pixels take as many samples as they need.
+    /// Sampling is adaptive: pixels take as many samples as they need.
     pub adapts: bool,
-    /// Adaptive sampling compares pixels as a filmic tone map shows them.
+    /// Adaptive sampling compares pixels after the filmic tone map.
     pub is_filmic: bool,
-    /// The size of a step is kept for the pass that intersects.
+    /// The size of a step is stored for the pass that intersects.
     pub keeps_taken: bool,
-    /// More of a ray than X and V is kept between passes.
+    /// More of a ray than X and V is stored between passes.
     pub keeps_w: bool,
-    /// A ray cannot meet again the flat surface that it goes on from.
+    /// A ray cannot hit again the flat surface that it has just left.
     pub keeps_last_hit: bool,
-    /// Some step leads through a whole region.
+    /// Some step crosses a whole region.
     pub has_leaps: bool,
-    /// A walk through the structure may be suspended where a pass has no more room.
+    /// Traversal of the acceleration structure may be suspended if a pass reaches its loop budget.
     pub suspends: bool,
-    /// The structure's items are those of a single kind, in that kind's own order.
+    /// All items of the acceleration structure have one kind, and are in the order of that kind.
     pub items_in_order: bool,
     /// Segments are chords over several steps.
     pub has_chords: bool,
-    /// The steps of a chord are written out one by one.
+    /// The steps of a chord are unrolled.
     pub writes_chords_out: bool,
-    /// Steps are tried again when their error is too large.
+    /// Steps are repeated if their error is too large.
     pub rejects: bool,
-    /// Steps whose error is too large are kept.
+    /// Steps whose error is too large are counted.
     pub keeps_errors: bool,
-    /// The objects of some kinds are in a structure.
+    /// The objects of some kinds are in an acceleration structure.
     pub has_structure: bool,
-    /// Some surface has a highlight on paths.
+    /// Some surface has a glossy highlight in path tracing.
     pub is_glossy: bool,
-    /// What pixels see of pictures and patterns is known.
+    /// The pixel footprints on images and patterns are computed.
     pub keeps_footprints: bool,
-    /// Light is as bright as its shift makes it.
+    /// The redshift changes the brightness of light.
     pub beams: bool,
-    /// Colors are taken for those of black bodies.
+    /// The redshift changes colors as it does for black bodies.
     pub shifts_hues: bool,
-    /// The shift of light is asked for, and has an answer.
+    /// The redshift is requested and defined.
     pub knows_shift: bool,
-    /// The shift is followed along each path, because nothing conserves it.
+    /// The redshift is integrated along each path, because it is not conserved.
     pub follows_shift: bool,
-    /// Light is told apart by the crossing of translucent surfaces that it comes from.
+    /// Light is separated by the crossing of translucent surfaces that it comes from.
     pub keeps_orders: bool,
 }
 
 impl Features {
-    /// Finds those of `scene`, rendered as `choice` says.
+    /// Determines the features of `scene`, rendered with `choice`.
     #[must_use]
     pub fn of(scene: &Scene, choice: &Choice, Analysis { regions, structure }: &Analysis) -> Self {
         let Choice { purpose, masks, layers, device, .. } = choice.clone();
@@ -197,7 +197,7 @@ impl Features {
         let facts = scene.law.facts();
         let rounds = rounds(scene, is_picture);
         let shoots = scene.has_shadows(Shadows::Shooting);
-        // A path is one pass in pictures that follow one path a sample, and whose state is not to be rounded between segments.
+        // A whole path fits into one pass if a sample follows one path, and the state need not be rounded between segments.
         let fits = is_picture && rounds == 1 && scene.rays.precision != Precision::Half && !shoots;
         let schedule = if choice.schedule == Schedule::Whole && !fits { Schedule::Fused } else { choice.schedule };
         let camera = scene.camera.as_ref();
@@ -299,31 +299,31 @@ impl Features {
         }
     }
 
-    /// Is it a picture?
+    /// Returns `true` if the program renders an image.
     #[must_use]
     pub fn is_picture(&self) -> bool {
         self.purpose == Purpose::Picture
     }
 
-    /// Do later rounds and samples run over no more than the pixels that have a path left, or want more samples?
+    /// Returns `true` if later rounds and samples process only the pixels that have a path left or need more samples.
     #[must_use]
     pub fn lists_open(&self) -> bool {
         self.masks != Masks::Off && (self.rounds > 1 || self.adapts)
     }
 
-    /// Columns and rows that a tile has beyond its pixels: the last ones' corners are those of the next.
+    /// Returns the number of extra columns and rows of a tile, because the corners of its last pixels are shared with the next pixels.
     #[must_use]
     pub fn margin(&self) -> u32 {
         (self.adapts || self.keeps_footprints).into()
     }
 
-    /// Does the program keep each ray's step counts?
+    /// Returns `true` if the program stores the step counts of each ray.
     #[must_use]
     pub fn keeps_counts(&self) -> bool {
         matches!(self.purpose, Purpose::Trace | Purpose::Pixels) || self.layers.contains(&Layer::Steps)
     }
 
-    /// The passes, in the order in which they first run.
+    /// Returns the passes, in the order in which they first run.
     #[must_use]
     pub fn passes(&self) -> Vec<Pass> {
         let mut passes = match (self.purpose, self.schedule) {
@@ -346,14 +346,14 @@ impl Features {
         passes
     }
 
-    /// Does something ask how far along its path a ray is?
+    /// Returns `true` if the distance τ along the path is needed.
     #[must_use]
     pub fn asks_tau(&self) -> bool {
         self.needs_arcs || !matches!(self.purpose, Purpose::Picture | Purpose::Bare)
     }
 }
 
-/// Returns how many rounds a sample has at most: one for each leaf of the full tree of a path.
+/// Returns the largest number of rounds per sample: one for each leaf of the full tree of a path.
 fn rounds(scene: &Scene, is_picture: bool) -> u32 {
     match scene.rays.branches {
         Branches::Enumerated(depth) if is_picture && scene.branches() => 1 << depth,
@@ -361,14 +361,14 @@ fn rounds(scene: &Scene, is_picture: bool) -> u32 {
     }
 }
 
-/// Returns how many slots the state has: `paper` keeps the start of a chord beside those that its steps alternate between.
+/// Returns the number of slots of the state: `paper` keeps the start of a chord, and two more slots for its steps.
 fn slots(scene: &Scene, schedule: Schedule) -> usize {
     let has_many_steps = matches!(scene.rays.segment, Segment::Chord { steps } if steps > 1);
     if schedule == Schedule::Paper && has_many_steps { 3 } else { 2 }
 }
 
-/// The part that ends light from below a horizon, unless it is known that the camera is above: a film has one program for all places that its
-/// camera comes to.
+/// Returns the module that ends light from below a horizon, or `None` if the camera is known to be above it. An animation has one program
+/// for all positions of its camera.
 fn below_part(scene: &Scene, purpose: Purpose, below: Option<(&'static str, Capture)>) -> Option<&'static str> {
     let moves = |animation: &Animation| {
         animation.keys.iter().any(|key| ["camera.position", "camera.proper_time"].contains(&&**key))
@@ -379,45 +379,45 @@ fn below_part(scene: &Scene, purpose: Purpose, below: Option<(&'static str, Capt
     eye.is_none_or(|eye| horizon.distance(eye) < 0.0).then_some(part)
 }
 
-/// Are τ's last digits kept apart from its sum?
+/// Returns `true` if the rounding error of the sum τ is stored separately.
 fn compensates_tau(scene: &Scene) -> bool {
     scene.rays.length.is_some() && scene.rays.precision != Precision::Double
 }
 
-/// Are a kind of region's paths whole lines, which begin where a ray does?
+/// Returns `true` if the paths of a kind of region are complete lines that begin at the start of the ray.
 pub(super) fn joins_whole(scene: &Scene, kind: &RegionKind) -> bool {
     kind.motion.closed_form().is_some_and(|form| form.is_line) && !scene.rays.segment.has_chords()
 }
 
-/// Does the last step of a path end where the path does? So where orbits separate and there is nothing to hit.
+/// Returns `true` if the last step of a path ends where the path ends, which holds for separable orbits in scenes with nothing to hit.
 pub(super) fn ends_with_steps(scene: &Scene) -> bool {
     let separates = scene.law.facts().orbit.is_some_and(|orbit| !orbit.is_plane());
     let on_orbit = scene.rays.method.kind.path == Path::Orbit;
     on_orbit && separates && !scene.needs_arcs() && is_about_center(scene)
 }
 
-/// Is the bounding sphere about the orbits' center, in every frame?
+/// Returns `true` if the center of the bounding sphere is the center of the orbits, in every frame.
 fn is_about_center(scene: &Scene) -> bool {
     let moves = |key: &String| key.starts_with("law.") || key.starts_with("rays.bounding_sphere");
     let is_still = scene.animation.as_ref().is_none_or(|animation| !animation.keys.iter().any(moves));
     is_still && scene.law.facts().orbit.is_some_and(|orbit| orbit.center == scene.rays.bound.center)
 }
 
-/// May rays go on from flat surfaces, of which they are on neither side?
+/// Returns `true` if rays may leave flat surfaces, which have no inside.
 fn is_flat(scene: &Scene, regions: &Regions) -> bool {
     let mut continuing = scene.objects.iter().enumerate().filter(|(_, object)| scene.continues_from(object));
     scene.has_translucent() || continuing.any(|(i, _)| regions.bit(i).is_none())
 }
 
-/// Are a chord's steps written out? There are few, and their size is known before they are taken.
+/// Returns `true` if the steps of a chord are unrolled: if they are few, and their size is known in advance.
 fn writes_out(scene: &Scene) -> bool {
-    /// Steps up to which they are.
+    /// The largest number of steps that are unrolled.
     const MOST: u32 = 16;
     let planned = !scene.rays.control.kind.rejects && scene.rays.method.kind.path == Path::Steps;
     planned && matches!(scene.rays.segment, Segment::Chord { steps } if steps <= MOST)
 }
 
-/// Arcs that are not straight need their step's size in the pass that intersects them.
+/// Returns `true` if the size of a step is needed by the pass that intersects, which holds for curved arcs.
 fn keeps_taken(scene: &Scene, regions: &Regions) -> bool {
     let arcs = !scene.rays.segment.has_chords() && !regions.kinds.iter().all(RegionKind::is_line);
     arcs && !scene.objects.is_empty()
