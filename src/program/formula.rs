@@ -1,8 +1,8 @@
-//! WGSL for formulas: each with its gradient, what they have in common bound once; and for curves.
+//! Generation of WGSL for formulas, with their gradients and common subexpressions, and for curves.
 //!
-//! *Practice.* Nodes of the formula's graph that are used more than once become a `let`, all others stand where they are used.
-//! Powers are multiplied out by repeated squaring. Numbers are written so that they are a `Real` in either precision: WGSL takes a
-//! bare literal for an f32 wherever nothing beside it says otherwise.
+//! *Practice.* Nodes of the formula's graph that are used more than once become a `let`; all others are written inline.
+//! Powers are expanded by repeated squaring. Numbers are written as a `Real` of either precision, because WGSL treats a bare literal as an
+//! f32 if nothing next to it determines its type.
 //!
 //! *Length.* Over 300 lines, because values, gradients and curves are written from the same graph by the same rules.
 
@@ -13,7 +13,7 @@ use super::generated::{switch, unit};
 use super::unit::Unit;
 use crate::scene::{Curve, FanRay, Formula, Function, Graph, Id, Node, Variable};
 
-/// `formula(q)`: gradient and value at q, of the formula that `place` counts.
+/// Generates `formula(q)`: gradient and value at q, of the formula with the index `place`.
 pub(super) fn formulas(formulas: &[Formula]) -> Unit {
     let mut text = String::new();
     let mut calls = Vec::new();
@@ -25,7 +25,7 @@ pub(super) fn formulas(formulas: &[Formula]) -> Unit {
     unit("generated/formula.wgsl", text)
 }
 
-/// `curve_point(t)`, place and velocity, and `curve_pull(t)`, the acceleration.
+/// Generates `curve_point(t)`, the position and velocity, and `curve_pull(t)`, the acceleration.
 pub(super) fn curve(curve: &Curve) -> Unit {
     let written = |orders: &[usize]| {
         let graph = curve.graph(0).0;
@@ -44,7 +44,7 @@ pub(super) fn curve(curve: &Curve) -> Unit {
     unit("generated/curve.wgsl", text)
 }
 
-/// `fan_count(which)`, and `fan_ray(which, i, d, n)`: direction and weight.
+/// Generates `fan_count(which)`, and `fan_ray(which, i, d, n)`: direction and weight.
 pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
     let (mut text, mut rays, mut counts) = (String::new(), Vec::new(), Vec::new());
     for (which, own) in fans.iter().enumerate() {
@@ -68,10 +68,10 @@ pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
     unit("generated/fans.wgsl", text)
 }
 
-/// naga does not convert a constant of 64 bits to one of 32; what a function is called with is no constant.
+/// A conversion in a function of its own, because naga does not convert a 64-bit constant to 32 bits; an argument is not a constant.
 const ROUNDED: &str = "fn filter_rounded(value: Real) -> f32 {\n    return f32(value);\n}\n\n";
 
-/// `filter_formula(which, q)`: three numbers, one for each channel.
+/// Generates `filter_formula(which, q)`: three numbers, one for each channel.
 pub(super) fn filters(filters: &[&[Formula; 3]]) -> Unit {
     let (mut text, mut calls) = (ROUNDED.to_owned(), Vec::new());
     for (which, formulas) in filters.iter().enumerate() {
@@ -98,7 +98,7 @@ fn function(name: &str, formula: &Formula) -> String {
     format!("fn {name}(q: Real3) -> Real4 {{\n{lines}    return Real4({});\n}}\n", values.join(", "))
 }
 
-/// The lines that come first, and what the nodes `roots` then are; `variables` is what WGSL calls them.
+/// Returns the lines of a function's body, and the expressions of the nodes `roots`; `variables` are the names of the variables in WGSL.
 pub(super) fn body(graph: &Graph, roots: &[Id], variables: &'static [&'static str]) -> (String, Vec<String>) {
     let reached = graph.reached(roots);
     let uses = uses(graph, &reached, roots);
@@ -113,14 +113,14 @@ pub(super) fn body(graph: &Graph, roots: &[Id], variables: &'static [&'static st
     (writer.lines, values)
 }
 
-/// How often each node is written where it stands.
+/// Counts how often each node would be written inline.
 fn uses(graph: &Graph, reached: &[Id], roots: &[Id]) -> BTreeMap<Id, usize> {
     let mut uses = BTreeMap::new();
     let parts = reached.iter().flat_map(|id| graph.parts(*id));
     for id in parts.chain(roots.iter().copied()) {
         *uses.entry(id).or_default() += 1;
     }
-    // Repeated squaring writes its base again and again, and so do sines and cosines of one angle.
+    // Repeated squaring writes its base several times, and so do sines and cosines of one angle.
     for id in reached {
         if let Node::Power(a, _) | Node::Call(Function::Sin | Function::Cos | Function::Tan, a) = graph.node(*id) {
             *uses.entry(a).or_default() += 1;
@@ -129,7 +129,7 @@ fn uses(graph: &Graph, reached: &[Id], roots: &[Id]) -> BTreeMap<Id, usize> {
     uses
 }
 
-/// How often each node divides others: a division takes as long as several products, and one will do for all of them.
+/// Counts how often each node is a divisor: a division takes as long as several products, so one reciprocal replaces all of them.
 fn divides(graph: &Graph, reached: &[Id]) -> BTreeMap<Id, usize> {
     let mut divides = BTreeMap::new();
     for id in reached {
@@ -142,13 +142,13 @@ fn divides(graph: &Graph, reached: &[Id]) -> BTreeMap<Id, usize> {
     divides
 }
 
-/// How strongly a piece of WGSL holds together.
+/// The precedence of a piece of WGSL.
 const SUM: u8 = 1;
 const PRODUCT: u8 = 2;
 const MINUS: u8 = 3;
 const WHOLE: u8 = 4;
 
-/// Parts that are written inside each other: WGSL is not read where there are hundreds.
+/// The largest depth of nested expressions; WGSL compilers reject hundreds of levels.
 const DEEPEST: usize = 32;
 
 struct Writer<'a> {
@@ -156,26 +156,26 @@ struct Writer<'a> {
     variables: &'static [&'static str],
     uses: BTreeMap<Id, usize>,
     divides: BTreeMap<Id, usize>,
-    /// Of what is bound.
+    /// The names of bound nodes.
     names: BTreeMap<Key, String>,
-    /// How many parts are written inside each other in what is not.
+    /// The depth of the expressions that are not bound.
     depths: BTreeMap<Id, usize>,
     lines: String,
 }
 
-/// What a name can be bound to.
+/// A value that a name can be bound to.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Node(Id),
     Power(Id, u32),
-    /// Sine and cosine.
+    /// The sine and cosine of a node.
     Sines(Id),
-    /// 1 over it.
+    /// The reciprocal of a node.
     Inverse(Id),
 }
 
 impl Writer<'_> {
-    /// r², r and the direction are sums of all three coordinates.
+    /// Binds r², r and the direction, which are functions of all three coordinates.
     fn common_places(&mut self, reached: &[Id]) {
         let has = |wanted: fn(&Node) -> bool| reached.iter().any(|id| wanted(&self.graph.node(*id)));
         let direction = has(|node| matches!(node, Node::Direction(_)));
@@ -190,7 +190,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Binds a name to the node, if it is worth one, or too deep without.
+    /// Binds a name to the node if it is used again, or if its expression would be too deep.
     fn bind(&mut self, id: Id) {
         let parts = self.graph.parts(id);
         let inside = parts.iter().filter_map(|part| self.depths.get(part)).max().map_or(0, |depth| depth + 1);
@@ -212,13 +212,13 @@ impl Writer<'_> {
         name
     }
 
-    /// As an operand: in parentheses unless it holds at least so strongly.
+    /// Returns the node as an operand: in parentheses if its precedence is below `strength`.
     fn operand(&mut self, id: Id, strength: u8) -> String {
         let (text, own) = self.named(id);
         if own < strength { format!("({text})") } else { text }
     }
 
-    /// As an argument: a `Real` by itself.
+    /// Returns the node as an argument, which is a `Real` by itself.
     fn argument(&mut self, id: Id) -> String {
         match self.graph.number(id) {
             Some(value) => format!("Real({value:?})"),
@@ -266,7 +266,7 @@ impl Writer<'_> {
         }
     }
 
-    /// aᵏ as a name, k ≥ 1.
+    /// Returns the name of aᵏ, k ≥ 1.
     fn power(&mut self, a: Id, k: u32) -> String {
         if k == 1 {
             return self.operand(a, WHOLE);
@@ -274,7 +274,7 @@ impl Writer<'_> {
         if let Some(name) = self.names.get(&Key::Power(a, k)) {
             return name.clone();
         }
-        // Odd powers by the even one below, which their derivative is made of.
+        // Odd powers are products with the even power below, which their derivative contains.
         let (one, other) = if k.is_multiple_of(2) { (k / 2, k / 2) } else { (k - 1, 1) };
         let (one, other) = (self.power(a, one), self.power(a, other));
         let name = self.line(&format!("{one} * {other}"));
@@ -356,7 +356,7 @@ mod tests {
 
     #[test]
     fn what_is_deep_is_bound_in_between() {
-        // The derivative of a product of so many has a sum in each product.
+        // The derivative of a product of many factors has a sum in each product.
         let text = text(&[&format!("2 + x{}", "*y*x".repeat(200))]);
         let depth = |line: &str| line.split('(').count();
         assert!(text.lines().skip(1).all(|line| depth(line) < 3 * DEEPEST), "{text}");
@@ -365,7 +365,7 @@ mod tests {
     #[test]
     fn powers_are_squared_up() {
         let text = text(&["1 + x^7"]);
-        // x², x³, x⁶ and x⁷.
+        // The four bound names are x², x³, x⁶ and x⁷.
         assert_eq!(text.matches("let ").count(), 4, "{text}");
     }
 }

@@ -1,10 +1,10 @@
-//! Functions that only hand on a value, written where they are called.
+//! Inlining of functions that only pass on a value.
 //!
-//! *Theory.* A contract's plainest keeper says no more than `return false;`, `return x;`, `return other(x);` or nothing at all: a medium
-//! that is empty, a law that needs no projection. Who reads the linked program wants to see what happens, and not that nothing does.
+//! *Theory.* The simplest implementation of a contract is `return false;`, `return x;`, `return other(x);` or an empty body, as for an
+//! empty medium or a law that needs no projection. A reader of the linked program wants to see only the code that does something.
 //!
-//! *Practice.* A call is replaced where that cannot change what is computed: no argument with a call is lost or computed twice, no name
-//! means something else there, and a number keeps its type. What a condition is then known to be is decided as features are.
+//! *Practice.* A call is replaced if that cannot change the result: no argument with a call is lost or computed twice, no name
+//! means something else there, and a number keeps its type. Conditions that are then constant are decided as features are.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -16,10 +16,10 @@ use super::sources::Known;
 use super::tokens::{Splice, Token, Tokens};
 use super::unit::{Author, Unit};
 
-/// How deep calls of such functions may nest.
+/// The largest depth of nested calls of such functions.
 const ROUNDS: usize = 8;
 
-/// The declarations, without calls of functions that only hand on a value. Users' own are left as they were written.
+/// Inlines the calls of functions that only pass on a value. The user's functions are left as they were written.
 pub(super) fn inlined<'a>(mut all: Vec<Declaration<'a>>, units: &[Unit]) -> Vec<Declaration<'a>> {
     let is_own = |declaration: &Declaration| units[declaration.origin().unit].author == Author::User;
     for _ in 0..ROUNDS {
@@ -41,18 +41,18 @@ pub(super) fn inlined<'a>(mut all: Vec<Declaration<'a>>, units: &[Unit]) -> Vec<
     all
 }
 
-/// `if true` and `if false` are decided as features are.
+/// Returns the constants that decide `if true` and `if false` as features are decided.
 fn literals() -> Known {
     let bools = [("true".to_owned(), true), ("false".to_owned(), false)];
     Known { bools: bools.into(), ..Known::default() }
 }
 
-/// A function that only hands on a value, or does nothing.
+/// A function that only passes on a value, or does nothing.
 struct Plain<'a> {
     name: String,
-    /// Names and types.
+    /// The names and types of the parameters.
     parameters: Vec<(String, String)>,
-    /// What it returns; nothing where it does nothing.
+    /// The returned value; empty if the function does nothing.
     value: Vec<Token<'a>>,
     /// The names of module scope in the value.
     outer: Vec<String>,
@@ -80,7 +80,7 @@ impl<'a> Plain<'a> {
             return Some(own);
         }
         if is_number(&own.value) {
-            // Of the function's type, whatever stands beside it. naga cannot make a number of 32 bits from a constant of 64.
+            // The value keeps the function's type next to any operand. naga cannot convert a 64-bit constant to a 32-bit number.
             let ty = tokens.written(signature.result?);
             if !["f32", "u32", "i32"].contains(&ty.as_str()) {
                 return None;
@@ -95,12 +95,12 @@ impl<'a> Plain<'a> {
         let text = Tokens(own.value.clone());
         let is_call = text.word(1) == "(" && text.closing(1) == Some(text.len() - 1);
         let hands_on = is_call && text.split(2..text.len() - 1).into_iter().all(|part| is_path(&text.0[part]));
-        // A value made of constants alone stays in its function: naga 30 loses the order of what is computed next to it.
+        // A value made only of constants stays in its function, because naga 30 loses the order of the operations next to it.
         (is_path(&own.value) || hands_on && has_variable(&own.value)).then_some(own)
     }
 }
 
-/// Every call in a function that can be replaced, innermost calls apart.
+/// Returns a replacement for every call in a function that can be inlined, except the innermost calls.
 fn replaced<'a>(declaration: &Declaration<'a>, plain: &HashMap<String, Plain<'a>>) -> Vec<Splice<'a>> {
     let tokens = &declaration.tokens;
     let mut splices: Vec<Splice> = Vec::new();
@@ -125,7 +125,7 @@ fn replaced<'a>(declaration: &Declaration<'a>, plain: &HashMap<String, Plain<'a>
     splices
 }
 
-/// Has a function a parameter or a variable of one of these names?
+/// Returns `true` if a function has a parameter or a variable with one of these names.
 fn hides(declaration: &Declaration, names: &[String]) -> bool {
     let tokens = &declaration.tokens;
     names.iter().any(|name| {
@@ -134,13 +134,13 @@ fn hides(declaration: &Declaration, names: &[String]) -> bool {
     })
 }
 
-/// The value with these arguments, where that is the same.
+/// Returns the value with these arguments, or `None` if that would change the result.
 fn substituted<'a>(tokens: &Tokens<'a>, function: &Plain<'a>, arguments: &[Range<usize>]) -> Option<Vec<Token<'a>>> {
     let mut value = Vec::new();
     let places =
         function.value.iter().filter_map(|token| function.parameters.iter().position(|own| own.0 == token.word));
     let calls = arguments.iter().any(|argument| has_call(&tokens.0[argument.clone()]));
-    // A call may change what is read beside it: everything is computed in the order in which it was.
+    // A call may change variables that the other operands read, so the order of evaluation must not change.
     if calls && !(places.is_sorted() && function.outer.len() < 2) {
         return None;
     }
@@ -154,7 +154,7 @@ fn substituted<'a>(tokens: &Tokens<'a>, function: &Plain<'a>, arguments: &[Range
         let own = &tokens.0[argument.clone()];
         let fits = match uses(name) {
             0 => !has_call(own),
-            // A constant may become one of another type, or one that naga cannot convert.
+            // A constant may get another type, or a type that naga cannot convert to.
             1 => (is_path(own) || has_variable(own)) && !ty.starts_with("ptr"),
             _ => is_path(own),
         };
@@ -182,7 +182,7 @@ mod tests {
     use super::*;
     use crate::program::declarations::declarations;
 
-    /// A function with these statements, among those that hand on values.
+    /// Returns the function `f` with these statements after inlining, from a program with functions that pass on values.
     fn left(statements: &str) -> String {
         let text = format!(
             "fn nothing(a: u32) {{\n}}\nfn no() -> bool {{ return false; }}\nfn yes(x: f32) -> bool {{ return true; }}\n\

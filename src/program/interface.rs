@@ -1,107 +1,107 @@
-//! What each binding is for: the one table between the names of WGSL variables and what the host does about them.
+//! Roles of bindings: the one table that relates the names of WGSL variables to the host's resources.
 //!
-//! *Idea.* The host makes a resource for every binding of a pass. What a binding is for is decided once, where its program is
-//! reflected; from then on the host matches on its [`Role`], and looks at no name. The renderer's own bindings stand in the
-//! tables below, which a test holds to the parts. The scene's do not, for a kind of law, medium or shape brings its own: what
-//! is in no table and is only read is a value of the scene, under the name that its part gives it.
+//! *Idea.* The host creates a resource for every binding of a pass. The purpose of a binding is determined once, when its program is
+//! reflected; after that the host matches on its [`Role`] and never on a name. The tables below contain the renderer's bindings;
+//! a test compares them with the modules. They do not contain the scene's bindings, because each kind of law, medium or shape has its
+//! own: a read-only binding that is in no table is a value of the scene, named as in its module.
 
 use std::fmt;
 
-/// What a binding is for.
+/// The purpose of a binding.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
-    /// The scene's uniforms in one block, for the pass of this entry point.
+    /// The scene's uniforms in one block, for the pass with this entry point.
     Uniforms(String),
     /// A list of the scene.
     Scene(SceneValue),
-    /// A picture of the scene, by its place among them.
+    /// An image of the scene, by its index.
     Picture(usize),
     /// The state of every pixel's ray.
     State(StatePart, Slot),
-    /// What passes keep for each pixel: members of one struct.
+    /// The per-pixel values of the passes, members of one struct.
     Pixels,
-    /// The sums of an adaptive picture's samples.
+    /// The sums over the samples of an adaptive image.
     Moments,
-    /// The pixels that a pass runs over, or those that it leaves to a later one.
+    /// The pixels that a pass processes, or the pixels that it leaves to a later pass.
     List(Access),
-    /// The arguments of dispatches over that list.
+    /// The arguments of indirect dispatches over that list.
     Arguments(Access),
-    /// Dispatch parameters: what a pass is told of one dispatch.
+    /// The parameters of one dispatch.
     Parameters,
-    /// What passes are told of a tile and a sample.
+    /// The parameters of a tile and a sample.
     Frame,
     /// Sums over all rays.
     Tally,
-    /// How many pixels want more samples.
+    /// The number of pixels that need more samples.
     Refined,
-    /// The ends of rays that are traced.
+    /// The end states of traced rays.
     Records,
-    /// Their starts.
+    /// The start states of traced rays.
     Given,
-    /// The regions that they start in.
+    /// The regions in which traced rays start.
     GivenSets,
-    /// The pixels of the picture that are traced.
+    /// The pixels of the image that are traced.
     Chosen,
-    /// The steps that each pixel's ray is to take, for measurements.
+    /// The number of steps that each pixel's ray takes, for measurements.
     WantedSteps,
-    /// The voxels that a light's paths leave their light in.
+    /// The voxels in which the paths of a light deposit their light.
     LightVolume,
-    /// Those that are cut into bricks.
+    /// The voxels that are refined into bricks.
     VolumeBricks,
-    /// What is left there.
+    /// The light that is deposited in the voxels.
     LightSums,
-    /// Whether a path left anything.
+    /// A flag that a path has deposited light.
     LightReaches,
-    /// None of these, and of no pass: a kernel of its own binds it by its number.
+    /// None of these roles, and of no pass; a custom kernel binds it by its number.
     Other {
-        /// Where the linked program declares it, in bytes.
+        /// The position of its declaration in the linked program, in bytes.
         at: usize,
     },
 }
 
-/// A value of the scene, as a part declares it.
+/// A value of the scene, as declared by a module.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct SceneValue {
-    /// The name in the part.
+    /// The name in the module.
     pub name: String,
-    /// The kind of region that it is for; 0 where all share it.
+    /// The kind of region that it belongs to; 0 if all regions share it.
     pub region: usize,
 }
 
 /// A part of a ray's state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum StatePart {
-    /// Position, and the path's parameter.
+    /// The position, and the path's parameter.
     X,
-    /// Velocity, and the step's size.
+    /// The velocity, and the size of the step.
     V,
-    /// What else is kept of it.
+    /// The other values of the state.
     W,
-    /// All three, in 64 bits.
+    /// All three parts, in 64 bits.
     All,
 }
 
-/// The slot of the state that a binding is.
+/// A slot of the state that a binding accesses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Slot {
-    /// What the pass reads.
+    /// The state that the pass reads.
     Input,
-    /// What it writes.
+    /// The state that the pass writes.
     Output,
-    /// A segment's start.
+    /// The start of a segment.
     Start,
-    /// A segment's end.
+    /// The end of a segment.
     End,
-    /// This one, in every dispatch.
+    /// A slot that is equal in every dispatch.
     Fixed(usize),
 }
 
-/// What a pass does with a list.
+/// The access of a pass to a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Access {
-    /// Runs over it.
+    /// The pass processes the list.
     Read,
-    /// Adds to it.
+    /// The pass appends to the list.
     Write,
 }
 
@@ -128,7 +128,7 @@ const ROLES: [(&str, Role); 19] = [
     ("light_reaches", Role::LightReaches),
 ];
 
-/// Bindings of the state are named by a part and a slot, such as `x_in`.
+/// The parts of the state; bindings are named by a part and a slot, such as `x_in`.
 const STATE: [(&str, StatePart); 4] =
     [("x", StatePart::X), ("v", StatePart::V), ("w", StatePart::W), ("state", StatePart::All)];
 const SLOTS: [(&str, Slot); 7] = [
@@ -141,11 +141,11 @@ const SLOTS: [(&str, Slot); 7] = [
     ("2", Slot::Fixed(2)),
 ];
 
-/// Textures of the scene's pictures have this name and a number.
+/// The prefix of the names of the textures of the scene's images; their number follows.
 pub(super) const PICTURE: &str = "image";
 
 impl Role {
-    /// Of a binding of the renderer's own.
+    /// Returns the role of one of the renderer's bindings, or `None` for other names.
     pub(super) fn of_renderer(name: &str) -> Option<Self> {
         let state = || {
             let (part, slot) = name.rsplit_once('_')?;
@@ -157,7 +157,7 @@ impl Role {
         role.or_else(state)
     }
 
-    /// Does each dispatch see a section of its own of the buffer?
+    /// Returns `true` if each dispatch uses a separate section of the buffer.
     #[must_use]
     pub fn is_per_dispatch(&self) -> bool {
         matches!(self, Self::Parameters | Self::Arguments(_))
@@ -165,7 +165,7 @@ impl Role {
 }
 
 impl fmt::Display for Role {
-    /// As the WGSL has it.
+    /// Writes the role by its name in WGSL.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of_state = |part, slot| {
             let part = STATE.iter().find(|(_, own)| *own == part)?.0;
@@ -185,7 +185,7 @@ impl fmt::Display for Role {
 }
 
 impl SceneValue {
-    /// A name of a region's parts has a copy for each kind of region, with the kind at its end.
+    /// Splits a name in WGSL: each kind of region has a copy of the names of its modules, with the kind as a suffix.
     pub(super) fn of(name: &str) -> Self {
         let copy = name.rsplit_once('_').and_then(|(own, kind)| Some((own, kind.parse().ok()?)));
         let (name, region) = copy.unwrap_or((name, 0));
@@ -201,7 +201,7 @@ mod tests {
     use crate::program::declarations::declarations;
     use crate::program::tokens::Tokens;
 
-    /// The variables that parts of passes bind, each with its declaration.
+    /// Returns the variables that the modules of passes bind, each with its declaration.
     fn bound() -> Vec<(String, String)> {
         let parts = all_parts().into_iter().filter(|part| !part.file.starts_with("ceiling"));
         let variables = parts.flat_map(|part| {

@@ -1,37 +1,38 @@
-//! The layers of a picture besides its colour.
+//! The layers of an image besides its color.
 
-/// What a picture carries besides colour.
+/// A quantity that an image stores besides color.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Layer {
-    /// Segments along the path, whole ones and a fraction.
+    /// The number of segments along the path, including a fraction.
     Depth,
-    /// Where the ray ended.
+    /// The position at which the ray ended.
     Position,
-    /// The surface's normal.
+    /// The normal of the surface.
     Normal,
     /// The object that was hit, from 1; 0 for none.
     Object,
-    /// How the ray ended.
+    /// The termination status of the ray.
     Status,
-    /// Integration steps.
+    /// The number of integration steps.
     Steps,
-    /// The frequency of what the ray saw, over that at its source.
+    /// The redshift factor g: the observed frequency divided by the emitted frequency.
     Shift,
-    /// Rays that the pixel took.
+    /// The number of rays that the pixel took.
     Samples,
     /// The standard error of the pixel's mean luminance.
     Error,
-    /// The sums of the pixel's samples, red, green and blue.
+    /// The sums of the pixel's samples: red, green and blue.
     Sums,
-    /// The sum of the squared distances of its samples' luminance from their mean.
+    /// The sum of the squared deviations of the samples' luminance from its mean.
     Spread,
     /// The luminance of the light from the ray's first, second and third crossing of a translucent surface.
     Orders,
-    /// Where the ray was going at its end, as long as its way there: not for files, but for what is measured on a picture.
+    /// The direction of the ray at its end, with the path length as its magnitude; used by measurements on images, and not written to
+    /// files.
     Way,
 }
 
-/// What a layer is of each pixel.
+/// The type of a layer's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LayerKind {
     /// A number.
@@ -43,7 +44,7 @@ pub enum LayerKind {
 }
 
 impl Layer {
-    /// Returns what it is of each pixel.
+    /// Returns the type of the layer's values.
     #[must_use]
     pub fn kind(self) -> LayerKind {
         match self {
@@ -53,7 +54,7 @@ impl Layer {
         }
     }
 
-    /// Every layer that files hold.
+    /// Every layer that files can store.
     pub const ALL: [Self; 12] = [
         Self::Depth,
         Self::Position,
@@ -69,13 +70,14 @@ impl Layer {
         Self::Orders,
     ];
 
-    /// Is it of a pixel's first ray, kept when that is shaded? The others are of all of a pixel's rays.
+    /// Returns `true` if the layer describes a pixel's first ray, stored when it is shaded. Other layers describe all rays of a pixel.
     #[must_use]
     pub fn is_of_a_ray(self) -> bool {
         !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread | Self::Orders)
     }
 
-    /// Its name. If it is of a ray, `keep_` and this is its function in `shaders/picture/layers.wgsl`, and `layer_` and this what is kept.
+    /// Returns the name. For the layer of a ray, `keep_NAME` is the function in `shaders/picture/layers.wgsl`, and `layer_NAME` the stored
+    /// value.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -95,7 +97,7 @@ impl Layer {
         }
     }
 
-    /// In a few words.
+    /// Returns a short description.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {

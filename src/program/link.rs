@@ -1,17 +1,17 @@
-//! The linker: from parts to the one WGSL module of a pass.
+//! The linker, which builds one WGSL module for each pass from the modules of a scene.
 //!
-//! *Theory.* WGSL has no order at module scope, so a pass is its entry point and the declarations that it reaches by name, and
-//! nothing else: what a scene does not use is not in its program.
+//! *Theory.* WGSL has no order at module scope, so a pass consists of its entry point and the declarations that it reaches by name.
+//! Its program contains nothing that the scene does not use.
 //!
-//! Parts are read as tokens, each of which knows where it was written, and edited as such ([`link_all`] is the list of what is done, in
-//! order): `short_lists` moves short lists into uniforms; `fold` decides branches on features; `unroll` writes out short loops;
-//! `loop_counts` counts the iterations of the others, for devices with a loop budget; `selections` turns reads of short lists into choices,
-//! for processors. Then they are split into declarations: `copies` makes one copy of a region's for each kind of region, the names
-//! suffixed, and a switch wherever shared parts call one; `inline` writes functions that only hand on a value where they are called. Of
-//! each pass `lower` joins the uniforms in one block, and `bindings` what is kept for each pixel in one buffer; everything that is bound
-//! gets a number. A pass is written in reading order: the entry point, then what it calls, then what that calls, file by file.
+//! Modules are read as tokens with source locations, and edited as tokens ([`link_all`] lists all edits in order): `short_lists` moves
+//! short lists into uniforms; `fold` decides branches on features; `unroll` unrolls short loops; `loop_counts` counts the iterations of
+//! the others, for devices with a loop budget; `selections` turns reads of short lists into selections, for CPUs. The tokens are then split
+//! into declarations: `copies` makes a copy of a region's declarations for each kind of region, with a suffix, and a switch wherever shared
+//! modules call one; `inline` inlines functions that only pass on a value. For each pass, `lower` joins the uniforms in one block, and
+//! `bindings` the per-pixel values in one buffer; all bindings get numbers. A pass is written in reading order: the entry point, then the
+//! functions that it calls, then their callees, file by file.
 //!
-//! *Practice.* At most about a millisecond a pass, for what is done to the parts is done once for all of them.
+//! *Practice.* Linking takes at most about a millisecond per pass, because the edits of modules are done once for all passes.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -33,12 +33,12 @@ use super::unit::{Author, Parts, Unit};
 use super::unroll::unrolled;
 use super::{DeviceProfile, ProgramError};
 
-/// The program of the pass whose entry point is `entry`.
+/// Links the program of the pass with the entry point `entry`.
 pub fn link(parts: &Parts, entry: &str) -> Result<Linked, ProgramError> {
     link_all(parts, &[entry]).map(|mut all| all.remove(0))
 }
 
-/// The programs of several passes, in order, each named by its entry point.
+/// Links the programs of several passes, in order, each named by its entry point.
 pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramError> {
     let mut sources = Sources::of(parts);
     sources.edit(|tokens, _| in_uniforms(tokens, &parts.lengths));
@@ -60,7 +60,7 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
     let pass = |(entry, mut reached): (&&str, BTreeSet<usize>)| {
         let keeps = !reached.is_disjoint(&kept);
         if keeps {
-            // A pass that uses one value of a pixel binds the struct of all, and needs the types of its members.
+            // A pass that uses one per-pixel value binds the struct of all values, and needs the types of its members.
             extend(&mut reached, kept.iter().copied().collect(), &all, &by_name);
             reached.retain(|i| !kept.contains(i));
         }
@@ -72,7 +72,7 @@ pub fn link_all(parts: &Parts, entries: &[&str]) -> Result<Vec<Linked>, ProgramE
     entries.iter().zip(reached).map(pass).collect()
 }
 
-/// The declarations that an entry point reaches, lowered.
+/// Lowers and writes the declarations that an entry point reaches.
 fn pass(
     units: &Arc<Vec<Unit>>,
     (reached, rank): (&[&Declaration], &HashMap<usize, usize>),
@@ -91,7 +91,7 @@ fn pass(
         (*declaration).clone().spliced(splices)
     });
     let mut numbered: Vec<_> = made.into_iter().chain(own).map(|declaration| numbers.given(declaration)).collect();
-    // What was generated comes last.
+    // Generated declarations come last.
     numbered.sort_by_key(|declaration| rank.get(&declaration.origin().unit).copied().unwrap_or(usize::MAX));
     let mut linked = Linked::new(entry, units.clone());
     linked.push(&numbered);
@@ -103,7 +103,7 @@ pub(super) fn index<'d>(all: &'d [Declaration], units: &[Unit]) -> Result<HashMa
     for (i, declaration) in all.iter().enumerate() {
         if let Some(first) = by_name.insert(declaration.name(), i) {
             let mut places = [declaration.origin(), all[first].origin()];
-            // Of two the user's own is to be mended.
+            // Of two declarations, the error is in the user's.
             places.sort_by_key(|origin| units[origin.unit].author != Author::User);
             let [at_fault, other] = places;
             return Err(ProgramError::Twice {
@@ -116,7 +116,7 @@ pub(super) fn index<'d>(all: &'d [Declaration], units: &[Unit]) -> Result<HashMa
     Ok(by_name)
 }
 
-/// The declarations that `entry` reaches, in the order of the parts.
+/// Returns the declarations that `entry` reaches, in the order of the modules.
 pub(super) fn reach(
     all: &[Declaration],
     by_name: &HashMap<&str, usize>,
@@ -128,7 +128,7 @@ pub(super) fn reach(
     Ok(reached)
 }
 
-/// Adds what these reach.
+/// Adds the declarations that the open ones reach.
 fn extend(reached: &mut BTreeSet<usize>, mut open: Vec<usize>, all: &[Declaration], by_name: &HashMap<&str, usize>) {
     while let Some(i) = open.pop() {
         for used in all[i].used().filter_map(|name| by_name.get(name)) {
@@ -139,7 +139,7 @@ fn extend(reached: &mut BTreeSet<usize>, mut open: Vec<usize>, all: &[Declaratio
     }
 }
 
-/// The files that `entry` reaches, by unit, in the order in which they are needed: breadth first.
+/// Returns the files that `entry` reaches, by unit, with their rank in the order of use: breadth first.
 fn reading_order(all: &[Declaration], by_name: &HashMap<&str, usize>, entry: &str) -> HashMap<usize, usize> {
     let mut order: Vec<usize> = by_name.get(entry).copied().into_iter().collect();
     let mut seen: BTreeSet<usize> = order.iter().copied().collect();
@@ -305,7 +305,7 @@ mod tests {
             };
             assert!(switch(&written).is_some_and(|own| switch(&other) == Some(own)), "{to}\n{other}");
         }
-        // A parameter of the selector's name does not hide it.
+        // A parameter with the selector's name does not hide it.
         assert!(linked(&plain.replace("(x:", "(region:").replace("* x", "* region")).is_ok());
         let slip = linked(&plain.replace("y.x", "y.q")).unwrap_err().to_string();
         assert!(slip.starts_with("law/a.wgsl:3:26: "), "{slip}");

@@ -1,4 +1,4 @@
-//! A linked program, every place of which knows where it was written.
+//! A linked program, which maps every position back to its source.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use super::place::Place;
 use super::tokens::Origin;
 use super::unit::Unit;
 
-/// Refuses a declaration that has one of these names, be it of a local variable: the linker makes them for its own use.
+/// Rejects a declaration that contains one of these names, even as a local variable: the linker reserves them for itself.
 pub(super) fn refuse(declaration: &Declaration, names: &BTreeSet<String>, units: &[Unit]) -> Result<(), ProgramError> {
     match declaration.mentions(names) {
         Some((origin, name)) => Err(ProgramError::Reserved { place: Place::of(units, origin), name: name.to_owned() }),
@@ -17,28 +17,28 @@ pub(super) fn refuse(declaration: &Declaration, names: &BTreeSet<String>, units:
     }
 }
 
-/// One pass's program.
+/// The program of one pass.
 #[derive(Debug, Clone)]
 pub struct Linked {
     /// The entry point's name.
     pub entry: String,
     /// The WGSL module.
     pub source: String,
-    /// What it was written in: its program's passes share them.
+    /// The units it was linked from; the passes of a program share them.
     units: Arc<Vec<Unit>>,
-    /// Whose declarations are in it, in order.
+    /// The indices of the units with declarations in it, in order.
     files: Vec<usize>,
-    /// Where each token stands in the module, and where it was written.
+    /// The position of each token in the module, and its origin.
     marks: Vec<(usize, Origin)>,
 }
 
 impl Linked {
-    /// An empty one, to be written from these.
+    /// Creates an empty program, to be written from these units.
     pub(super) fn new(entry: &str, units: Arc<Vec<Unit>>) -> Self {
         Self { entry: entry.to_owned(), source: String::new(), units, files: Vec::new(), marks: Vec::new() }
     }
 
-    /// Appends declarations, under the names of their files. An empty line stands between two, except where both take a line.
+    /// Appends declarations, under the names of their files. An empty line separates two declarations, except if both take one line.
     pub(super) fn push(&mut self, declarations: &[Declaration]) {
         let mut last = None;
         for declaration in declarations {
@@ -62,25 +62,25 @@ impl Linked {
         }
     }
 
-    /// The parts that are in it, in order.
+    /// Returns the files of the modules that it contains, in order.
     #[must_use]
     pub fn parts(&self) -> Vec<&str> {
         self.files.iter().map(|unit| &*self.units[*unit].file).collect()
     }
 
-    /// Where a part has what is at `at` in the module.
+    /// Returns the source location of position `at` of the module.
     #[must_use]
     pub fn place(&self, at: usize) -> Place {
         let next = self.marks.partition_point(|(from, _)| *from <= at);
         let Some((from, origin)) = next.checked_sub(1).map(|last| self.marks[last]) else {
             return Place::at_start(self.entry.clone());
         };
-        // What the linker wrote for a token stands where that did.
+        // Text that the linker generated for a token has the location of that token.
         let end = self.marks.get(next).map_or(at, |(next, _)| at.min(*next));
         Place::of(&self.units, Origin { at: origin.at + (end - from).min(self.width(origin)), ..origin })
     }
 
-    /// The length of the word that was written here.
+    /// Returns the length of the word at this origin.
     fn width(&self, origin: Origin) -> usize {
         let text = self.units.get(origin.unit).map_or("", |unit| &unit.text[origin.at.min(unit.text.len())..]);
         text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len())

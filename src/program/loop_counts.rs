@@ -1,20 +1,20 @@
-//! Counting the iterations of loops, for devices that stop an invocation after so many.
+//! Counting of loop iterations, for devices that stop an invocation after a limit.
 //!
-//! *Theory.* Such a device counts the iterations of all loops together, and a loop of n iterations has n + 1 there: the last finds that it is
-//! over.
+//! *Theory.* Such a device counts the iterations of all loops together, and it counts n + 1 for a loop of n iterations, because the last
+//! test ends the loop.
 //!
-//! *Practice.* For a device with a loop budget every loop adds one to `work` at the beginning of its body and one behind its
+//! *Practice.* For a device with a loop budget, every loop adds one to `work` at the beginning of its body and one after its
 //! end, and a pass begins with a call of `begin_counting`.
 
 use super::signature::Signature;
 use super::tokens::{Splice, Tokens};
 
-/// What adds one.
+/// The statement that counts one iteration.
 const COUNT: &str = " work += 1u;";
-/// What a pass begins with: all have the parameter `own`.
+/// The first statement of a pass; all passes have the parameter `own`.
 const BEGIN: &str = " begin_counting(own.lane);";
 
-/// The tokens of a unit with the iterations of its loops counted.
+/// Returns the tokens of a unit, in which loops count their iterations.
 pub(super) fn counted(tokens: Tokens) -> Tokens {
     let begins = (0..tokens.len()).filter_map(|at| body_of_pass(&tokens, at)).map(|brace| (brace, BEGIN));
     let loops = (0..tokens.len()).filter_map(|at| body_of_loop(&tokens, at)).flatten().map(|brace| (brace, COUNT));
@@ -25,7 +25,7 @@ pub(super) fn counted(tokens: Tokens) -> Tokens {
     tokens.spliced(splices)
 }
 
-/// The brace that opens the body of the loop at this token, if there is one, and the one that closes it.
+/// Returns the braces that open and close the body of the loop at this token, if there is one.
 fn body_of_loop(tokens: &Tokens, at: usize) -> Option<[usize; 2]> {
     let body = match tokens.word(at) {
         "for" => tokens.closing(at + 1)? + 1,
@@ -36,7 +36,7 @@ fn body_of_loop(tokens: &Tokens, at: usize) -> Option<[usize; 2]> {
     Some([body, tokens.closing(body)?])
 }
 
-/// The brace that opens the body of the pass whose attribute is at this token, if it is one's.
+/// Returns the brace that opens the body of the pass with the attribute at this token, if there is one.
 fn body_of_pass(tokens: &Tokens, at: usize) -> Option<usize> {
     if tokens.before(at) != "@" || tokens.word(at) != "compute" {
         return None;

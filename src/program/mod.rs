@@ -1,11 +1,11 @@
-//! From a scene to its program: which WGSL parts it needs, linked into one module a pass, validated and reflected.
+//! Translation of a scene to its program: the WGSL modules that it needs, linked into one module per pass, validated and reflected.
 //!
-//! *Theory.* `shaders/` has one file for each way to keep a contract, and its README lists them. What a scene asks of its program
-//! is found once, as [`Features`]. From them follows one file per contract, and constants by which the linker decides what differs
-//! in a line; switches between several shapes, materials and falloffs are generated. The program that results has nothing in it
-//! that the scene does not use: 'model no more than a scene needs', and a test holds it to that.
+//! *Theory.* `shaders/` has one file for each implementation of a contract, and its README lists them. The requirements of a scene
+//! are determined once, as [`Features`]. From them follow one file per contract, and constants by which the linker selects between
+//! variants that differ in a line; switches between several shapes, materials and falloffs are generated. The program contains nothing
+//! that the scene does not use ("model no more than a scene needs"), and a test checks it.
 //!
-//! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing here knows of a GPU.
+//! *Practice.* [`Program::new`] plans, links and validates in a few milliseconds. Nothing in this module depends on a GPU.
 
 mod analysis;
 mod bindings;
@@ -79,21 +79,21 @@ use reflect::reflect_pass;
 /// A scene's passes, linked and reflected, in the order in which they first run.
 #[derive(Debug, Clone)]
 pub struct Program {
-    /// Each pass's WGSL and interface.
+    /// The WGSL and the interface of each pass.
     pub passes: Vec<(Pass, Linked, Reflection)>,
-    /// What they are linked from.
+    /// The modules that the passes are linked from.
     parts: Parts,
-    /// What its scene asks of it.
+    /// The features that the scene requires.
     pub features: Features,
 }
 
 impl Program {
-    /// The program of `scene` under a schedule, whose structure was built to this extent.
+    /// Creates the program of `scene` for a choice of schedule and output; `extent` is the size of its acceleration structure.
     pub fn new(scene: &Scene, analysis: &Analysis, choice: &Choice, extent: Extent) -> Result<Self, ProgramError> {
         Self::after(None, scene, analysis, choice, extent)
     }
 
-    /// As [`new`](Self::new), of a scene that comes after another: what is made of the same parts is not linked again.
+    /// Creates a program as [`new`](Self::new) does, and reuses the passes of the previous program `before` if they have the same modules.
     pub fn after(
         before: Option<&Self>,
         scene: &Scene,
@@ -114,12 +114,12 @@ impl Program {
         Ok(Self { passes, parts, features })
     }
 
-    /// What its passes bind; what several bind comes several times.
+    /// Returns the bindings of all passes; a binding of several passes occurs several times.
     pub fn bindings(&self) -> impl Iterator<Item = &Binding> {
         self.passes.iter().flat_map(|(_, _, reflection)| &reflection.bindings)
     }
 
-    /// How the buffer for a binding of this role lies, if a pass has one.
+    /// Returns the layout of the buffer with this role, if a pass binds one.
     #[must_use]
     pub fn layout(&self, role: &Role) -> Option<&Layout> {
         self.bindings().filter(|binding| binding.role == *role).find_map(|binding| match &binding.kind {
@@ -128,7 +128,7 @@ impl Program {
         })
     }
 
-    /// Are its passes those of the other, so that what is compiled for one runs the other?
+    /// Returns `true` if the passes of both programs are equal, so that pipelines compiled for one run the other.
     #[must_use]
     pub fn runs_as(&self, other: &Self) -> bool {
         self.passes.len() == other.passes.len()
@@ -136,7 +136,7 @@ impl Program {
     }
 }
 
-/// The passes, linked and reflected.
+/// Links and reflects the passes.
 fn made(parts: &Parts, wanted: &[Pass]) -> Result<Vec<(Pass, Linked, Reflection)>, ProgramError> {
     let entries: Vec<&str> = wanted.iter().map(|pass| pass.entry()).collect();
     let linked = link_all(parts, &entries)?;

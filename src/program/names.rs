@@ -1,11 +1,11 @@
-//! The parts chosen so far, by name.
+//! The modules chosen so far, by name.
 
 use super::own::checked;
 use super::unit::{Author, Unit};
 use super::{ProgramError, part};
 use crate::model::Wgsl;
 
-/// Names of parts, and text made for a scene.
+/// Names of modules, and generated text.
 #[derive(Default)]
 pub(super) struct Names {
     names: Vec<String>,
@@ -13,7 +13,7 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// Once, however often it is named.
+    /// Adds a module, unless it is already there.
     pub fn add(&mut self, name: &str) {
         if !self.names.iter().any(|known| known == name) {
             self.names.push(name.to_owned());
@@ -26,7 +26,7 @@ impl Names {
         }
     }
 
-    /// Those, if they are needed.
+    /// Adds modules if they are needed.
     pub fn when(&mut self, needed: bool, names: &[&str]) {
         if needed {
             self.all(names);
@@ -37,7 +37,7 @@ impl Names {
         files.into_iter().for_each(|file| self.add(&format!("{folder}/{file}")));
     }
 
-    /// What a kind names.
+    /// Adds the WGSL of a kind.
     pub fn wgsl(&mut self, parts: impl IntoIterator<Item = Wgsl>) -> Result<(), ProgramError> {
         for part in parts {
             match part {
@@ -53,12 +53,12 @@ impl Names {
         Ok(())
     }
 
-    /// Text made for the scene.
+    /// Adds generated text.
     pub fn make(&mut self, unit: Unit) {
         self.made.push(unit);
     }
 
-    /// The parts, and behind them the text.
+    /// Returns the modules, followed by the generated text.
     pub fn units(self) -> Result<Vec<Unit>, ProgramError> {
         let found = |name: &String| part(name).map(Unit::from).ok_or_else(|| ProgramError::NoPart(name.clone()));
         let mut units: Vec<Unit> = self.names.iter().map(found).collect::<Result<_, _>>()?;

@@ -1,4 +1,4 @@
-//! The parts of what becomes of a ray on its way: at surfaces that it goes on from, and in media that filter its light.
+//! Choice of the modules for rays under way: at surfaces that reflect or transmit, and in media that absorb.
 
 use super::names::Names;
 use super::regions::Regions;
@@ -6,14 +6,14 @@ use super::{Features, Purpose, formula, generated};
 use crate::model::{Filter, Gloss, Material};
 use crate::scene::Scene;
 
-/// What media take from light on its way.
+/// Adds the modules for absorption in media.
 pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names) {
     if !features.filters {
         return;
     }
     names.all(&["filter/along", "filter/density", "filter/track", "filter/jumping"]);
     let mut kinds: Vec<_> = scene.filters().map(|filter| (filter.texture().is_some(), filter.kind())).collect();
-    // Where nothing absorbs it is even.
+    // Where nothing absorbs, absorption is uniform.
     kinds.push((false, "even"));
     kinds.sort_unstable();
     kinds.dedup();
@@ -28,7 +28,7 @@ pub(super) fn filter_parts(scene: &Scene, features: &Features, names: &mut Names
     names.make(generated::filters(&kinds));
 }
 
-/// Which medium a ray is in, and what becomes of it at surfaces that it goes on from.
+/// Adds the modules for the medium of a ray, and for scattering at surfaces.
 pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Regions, names: &mut Names) {
     if !features.scatters {
         names.all(&["surface/region_none", "surface/scatter/none"]);
@@ -52,7 +52,7 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
     let fans: Vec<_> = scene.fans().into_iter().map(|(_, rays)| rays).collect();
     if !fans.is_empty() {
         names.make(formula::fans(&fans));
-        // Media that are formulas have a copy of their own, which is called then.
+        // Media given by formulas have their own copy, which is called instead.
         if scene.media().all(|medium| medium.facts().formula.is_none()) {
             names.add("medium/formula");
         }
@@ -62,7 +62,7 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
     kinds.extend(scene.glosses().map(Gloss::part));
     kinds.sort_unstable();
     kinds.dedup();
-    // What splits light at any of them.
+    // The module that splits light at any of these surfaces.
     let smooth = features.splits.then_some("surface/scatter/transmissive");
     let mut parts: Vec<&str> = kinds.iter().copied().chain(smooth).collect();
     parts.sort_unstable();
@@ -73,7 +73,7 @@ pub(super) fn scatter_parts(scene: &Scene, features: &Features, regions: &Region
     names.make(generated::regions(regions));
 }
 
-/// What a path carries, and how it goes on.
+/// Adds the modules for the throughput of a path, and for its continuation.
 fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
     let aims = scene.aims();
     names.all(&["path/carried", "path/random", "path/vertex", "path/scatter", "path/aim/flight", "path/answer"]);
@@ -84,7 +84,7 @@ fn path_parts(scene: &Scene, features: &Features, names: &mut Names) {
     }
 }
 
-/// What is sent on counts for so much, and which ray of two it is.
+/// Adds the modules for the throughput of scattered rays, and for the choice between two branches.
 fn sent_parts(scene: &Scene, features: &Features, names: &mut Names) {
     let is_gray = |material: &Material| !material.surface.facts().continues || material.color.is_gray();
     names.add(match plain_weight(features) {
@@ -96,7 +96,7 @@ fn sent_parts(scene: &Scene, features: &Features, names: &mut Names) {
     });
 }
 
-/// What is known of a ray's weight where no surface has changed it.
+/// Returns the module for the throughput of a ray before any surface has changed it.
 fn plain_weight(features: &Features) -> &'static str {
     match features.purpose {
         Purpose::Light | Purpose::Caustics => "surface/weight/single",

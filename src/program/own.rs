@@ -1,9 +1,9 @@
-//! WGSL of the user's own: checked before it is linked.
+//! Checks of the user's WGSL before it is linked.
 //!
-//! *Theory.* A user's file takes the place of a part, and everything that parts may rely on has to hold of it: the functions that
-//! others call are there, with their types; no name of it is one that the other parts mean something else by; it has no bindings; and
-//! its loops end, after so many iterations as can be read from them, for software devices stop a long invocation without a word. What
-//! is left, naga finds in the linked program.
+//! *Theory.* A user's file replaces a built-in module, so it must satisfy everything that other modules rely on: it has the functions that
+//! they call, with the expected types; none of its names has another meaning in the other modules; it has no bindings; and
+//! its loops end after a number of iterations that is visible in the code, because software devices stop long invocations silently. naga
+//! finds all other errors in the linked program.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -16,7 +16,7 @@ use super::unit::Unit;
 use super::{ProgramError, all_parts};
 use crate::model::{OwnWgsl, Promise};
 
-/// Functions of WGSL that devices compute badly, or in 64 bits with 32, and what the program has in their place.
+/// WGSL functions that devices compute inaccurately, or in 32 bits instead of 64, and the replacements in the program.
 const INEXACT: [(&[&str], &str); 4] = [
     (&["sin", "cos", "tan"], "`real_sin_cos(a)`, whose x is the sine and y the cosine"),
     (&["exp", "exp2", "sinh", "cosh", "tanh"], "`real_exp`"),
@@ -24,7 +24,7 @@ const INEXACT: [(&[&str], &str); 4] = [
     (&["atan", "atan2", "asin", "acos"], "`arc_tangent(y, x)`"),
 ];
 
-/// The file, and the parts that have what it leaves out.
+/// Checks the file, and returns it with the modules that supply the functions it leaves out.
 pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), ProgramError> {
     let unit = Unit::user(own.file.clone(), own.text.to_string());
     let refuse = |origin: Origin, message: String| ProgramError::invalid(Place::in_unit(&unit, origin.at), message);
@@ -57,7 +57,7 @@ pub(super) fn checked(own: &OwnWgsl) -> Result<(Unit, Vec<&'static str>), Progra
     Ok((unit, usual))
 }
 
-/// What the parts of `shaders/` name, their own and WGSL's.
+/// Returns the names in the modules of `shaders/`, both declared names and names of WGSL.
 fn names_of_parts() -> &'static BTreeSet<String> {
     static NAMES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
         let tokens = all_parts().into_iter().filter_map(|part| part_tokens(part.file));
@@ -67,7 +67,7 @@ fn names_of_parts() -> &'static BTreeSet<String> {
     &NAMES
 }
 
-/// What a file of the user's own may not have, with its place.
+/// Returns the first construct that a user's file may not contain, with its location.
 fn unfit(declaration: &Declaration) -> Option<(Origin, String)> {
     let tokens = &declaration.tokens;
     let at = |i: usize| tokens.origin(i);
@@ -101,7 +101,7 @@ fn unfit(declaration: &Declaration) -> Option<(Origin, String)> {
     })
 }
 
-/// The iterations of the `for` loop at this token, if they are written: from one number to another, by one.
+/// Returns the number of iterations of the `for` loop at this token, if it is visible: from one number to another, in steps of one.
 fn length(tokens: &Tokens, at: usize) -> Option<u64> {
     let (open, close) = (at + 1, tokens.closing(at + 1)?);
     let head: Vec<&str> = (open + 1..close).map(|i| tokens.word(i)).collect();
@@ -123,7 +123,7 @@ fn length(tokens: &Tokens, at: usize) -> Option<u64> {
     Some(u64::from(whole_number(to)?.saturating_sub(whole_number(from)?)))
 }
 
-/// Has the declaration the promised types?
+/// Returns `true` if the declaration has the promised types.
 fn kept(declaration: &Declaration, promise: &Promise) -> bool {
     let wanted = declarations_of(promise);
     let types = |declaration: &Declaration| {
@@ -135,7 +135,7 @@ fn kept(declaration: &Declaration, promise: &Promise) -> bool {
     wanted.first().is_some_and(|wanted| types(declaration).is_some_and(|own| Some(own) == types(wanted)))
 }
 
-/// The promise as WGSL.
+/// Returns the promise as WGSL.
 fn declarations_of(promise: &Promise) -> String {
     format!("{} {{}}", promise.signature)
 }

@@ -1,4 +1,4 @@
-//! The WGSL parts, embedded in the binary.
+//! The built-in WGSL modules, embedded in the binary.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -10,7 +10,7 @@ use super::tokens::Tokens;
 
 static SHADERS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
 
-/// A part: a WGSL file of `shaders/` that promises one contract.
+/// A built-in module: a WGSL file of `shaders/` that implements one contract.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Part {
     /// The path below `shaders/`, such as `law/sources.wgsl`.
@@ -19,26 +19,26 @@ pub struct Part {
     pub text: &'static str,
 }
 
-/// By path.
+/// All modules by path.
 static PARTS: LazyLock<BTreeMap<&str, Part>> =
     LazyLock::new(|| parts_in(&SHADERS).map(|part| (part.file.trim_end_matches(".wgsl"), part)).collect());
 
-/// Their tokens, by file.
+/// The tokens of all modules by file.
 static TOKENS: LazyLock<BTreeMap<&str, Tokens<'static>>> =
     LazyLock::new(|| PARTS.values().map(|part| (part.file, Tokens::of(part.text))).collect());
 
-/// The tokens of a part's file, read once.
+/// Returns the tokens of a module's file; each file is read once.
 pub(super) fn part_tokens(file: &str) -> Option<Tokens<'static>> {
     TOKENS.get(file).cloned()
 }
 
-/// The part `name`, a path below `shaders/` without its extension.
+/// Returns the module `name`, a path below `shaders/` without its extension.
 #[must_use]
 pub fn part(name: &str) -> Option<Part> {
     PARTS.get(name).copied()
 }
 
-/// Every part, by path.
+/// Returns every module, sorted by path.
 #[must_use]
 pub fn all_parts() -> Vec<Part> {
     PARTS.values().copied().collect()
@@ -50,12 +50,12 @@ fn parts_in(folder: &'static Dir) -> Box<dyn Iterator<Item = Part>> {
     Box::new(wgsl.filter_map(part).chain(folder.dirs().flat_map(parts_in)))
 }
 
-/// The number that the constant `name` of a part is set to, or that one has which the host may override: WGSL is the one place
-/// where it is written.
+/// Returns the value of the constant `name` in a module, or the default of an override. The value is thus written only once,
+/// in WGSL.
 ///
 /// # Panics
 ///
-/// Where there is no such part or constant: parts are embedded, and a test asks for every one that the host uses.
+/// If there is no such module or constant. Modules are embedded, and a test reads every constant that the host uses.
 #[must_use]
 pub fn constant(part_name: &str, name: &str) -> f64 {
     let part = part(part_name).unwrap_or_else(|| panic!("no part {part_name}"));

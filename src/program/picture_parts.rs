@@ -1,4 +1,4 @@
-//! The parts of pictures: where samples lie, the camera, what is seen, and what is made of it.
+//! Choice of the modules for images: the sample positions, the camera, the seen light and its processing.
 
 use super::names::Names;
 use super::skies::two_skies;
@@ -23,7 +23,7 @@ pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names
         SamplePattern::MultiJittered => names.add("camera/sample/multi_jittered"),
         SamplePattern::Progressive => names.add("camera/sample/sobol"),
     }
-    // A scene that is only traced is checked as with any camera.
+    // A scene that is only traced is validated with a default camera.
     let camera = scene.camera.as_ref();
     names.add(camera.map_or("camera/pinhole", |camera| camera.projection.part()));
     let frame = camera.and_then(|camera| scene.law.frame_part(camera.frame));
@@ -34,7 +34,7 @@ pub(super) fn camera_parts(scene: &Scene, features: &Features, names: &mut Names
     }
 }
 
-/// What is made of the light.
+/// Adds the modules that process the light.
 pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Names) -> Result<(), ProgramError> {
     if !features.is_picture() {
         return Ok(());
@@ -55,18 +55,18 @@ pub(super) fn picture_parts(scene: &Scene, features: &Features, names: &mut Name
     Ok(())
 }
 
-/// By how much light has shifted.
+/// Adds the modules for the redshift.
 fn shift_parts(scene: &Scene, features: &Features, names: &mut Names) {
     names.add(if features.follows_shift { "picture/shift_in_time" } else { "picture/shift" });
     names.when(features.knows_shift, scene.law.facts().momentum_parts);
 }
 
-/// Which pixels take a sample, and what is kept of their corners.
+/// Returns the module that selects the pixels that take a sample, and stores values at their corners.
 pub(super) fn samples_part(features: &Features) -> &'static str {
     if features.adapts { "picture/adaptive" } else { "picture/samples" }
 }
 
-/// What surfaces look like.
+/// Adds the modules for the appearance of surfaces.
 pub(super) fn material_parts(scene: &Scene, features: &Features, names: &mut Names) {
     if features.has_images {
         names.make(generated::images(scene.pictures.len()));

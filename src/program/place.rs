@@ -1,28 +1,28 @@
-//! Where something was written, as messages say it.
+//! Source locations, as messages print them.
 
 use std::fmt;
 
 use super::tokens::Origin;
 use super::unit::Unit;
 
-/// A place in a file.
+/// A location in a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place {
-    /// The file, as messages name it.
+    /// The file's name in messages.
     pub file: String,
-    /// From 1.
+    /// The line, from 1.
     pub line: usize,
-    /// In characters, from 1.
+    /// The column in characters, from 1.
     pub column: usize,
 }
 
 impl Place {
-    /// Of a token of a program.
+    /// Returns the location of a token of a program.
     pub(super) fn of(units: &[Unit], origin: Origin) -> Self {
         units.get(origin.unit).map_or_else(|| Self::at_start(String::new()), |unit| Self::in_unit(unit, origin.at))
     }
 
-    /// Of what stands at `at` in a unit's text.
+    /// Returns the location of byte `at` in a unit's text.
     pub(super) fn in_unit(unit: &Unit, at: usize) -> Self {
         let text = &unit.text[..at.min(unit.text.len())];
         let line = text.rfind('\n').map_or(0, |end| end + 1);

@@ -1,5 +1,5 @@
-//! The plan: which parts a scene is made of. One file per contract, the cheapest that is right for the scene, and those that have no
-//! choice: what a pass does not reach is left out when it is linked.
+//! The plan: the modules of a scene's program. It has one file per contract, the cheapest that is correct for the scene, and the files
+//! without alternatives; code that a pass does not reach is dropped by the linker.
 
 use super::names::Names;
 use super::onward_parts::{filter_parts, scatter_parts};
@@ -12,7 +12,7 @@ use super::{Analysis, Features, Masks, ProgramError, generated, short_lists};
 use crate::model::source::ANCHORS;
 use crate::scene::{Precision, Scene, Segment};
 
-/// The parts of `scene`'s program. Parts of a contract that a pass does not call are left out when it is linked.
+/// Chooses the modules of `scene`'s program. Modules of a contract that a pass does not call are dropped by the linker.
 pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<Parts, ProgramError> {
     let Analysis { regions, .. } = analysis;
     let mut names = Names::default();
@@ -104,7 +104,7 @@ pub fn plan(scene: &Scene, analysis: &Analysis, features: &Features) -> Result<P
     })
 }
 
-/// Whether what is seen lies in a light's shadow, and what of ambient light reaches it.
+/// Adds the modules for shadows and for ambient occlusion.
 fn shadow_parts(features: &Features, names: &mut Names) {
     names.add(if features.weakens_lines { "surface/shadow/filtered" } else { "surface/shadow/straight" });
     let shot = if features.is_plane { "surface/shot/planar" } else { "surface/shot/newton" };
@@ -125,7 +125,7 @@ fn schedule_parts(features: &Features, names: &mut Names) {
     });
 }
 
-/// What a state is, where rays may go, and where they end.
+/// Adds the modules for the state of rays, their possible paths and their ends.
 fn law_parts(scene: &Scene, names: &mut Names) {
     let captures = scene.captures(None);
     let facts = scene.law.facts();
@@ -161,7 +161,7 @@ fn surface_parts(scene: &Scene, features: &Features, analysis: &Analysis, names:
         solids(objects.map(|(_, object)| object))
     };
     let (mut listed, mut sided) = (with_side(false), with_side(true));
-    // One search meets all triangles, whatever their objects are made of.
+    // One search finds all triangles, whatever the materials of their objects.
     sided.retain(|solid| solid.lists.is_some());
     listed.retain(|solid| !structure.holds(solid));
     names.when(structure.near, &["segment/near_balls"]);

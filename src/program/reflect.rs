@@ -1,4 +1,4 @@
-//! What a linked program says of itself: naga's validation, and the bindings and layouts that the host would otherwise repeat.
+//! Reflection of a linked program: validation by naga, and the bindings and layouts that the host would otherwise repeat.
 
 use naga::{AddressSpace, ArraySize, ImageClass, Module, ScalarKind, StorageAccess, TypeInner};
 
@@ -15,16 +15,16 @@ use super::validate::validated;
 pub struct Reflection {
     /// The entry point.
     pub entry: String,
-    /// In order of their numbers.
+    /// The bindings in the order of their numbers.
     pub bindings: Vec<Binding>,
-    /// Does it compute in 64 bits?
+    /// Whether the program computes in 64 bits.
     pub doubles: bool,
-    /// The numbers that the host may override.
+    /// The names of the constants that the host may override.
     pub overrides: Vec<String>,
 }
 
 impl Reflection {
-    /// Counts the bindings of a kind.
+    /// Counts the bindings for which `is` returns `true`.
     #[must_use]
     pub fn count(&self, is: impl Fn(&BindingKind) -> bool) -> usize {
         self.bindings.iter().filter(|binding| is(&binding.kind)).count()
@@ -36,65 +36,65 @@ impl Reflection {
 pub struct Binding {
     /// The variable's name.
     pub name: String,
-    /// `@binding`.
+    /// The number in `@binding`.
     pub number: u32,
-    /// What it is.
+    /// The kind of resource.
     pub kind: BindingKind,
-    /// What it is for.
+    /// The purpose.
     pub role: Role,
 }
 
 /// The kinds of resource.
 #[derive(Debug, Clone, PartialEq)]
 pub enum BindingKind {
-    /// A uniform buffer of one struct.
+    /// A uniform buffer with one struct.
     Uniform(Layout),
-    /// The uniform buffer that holds all of a scene's uniforms.
+    /// The uniform buffer with all uniforms of a scene.
     Block {
-        /// Each with its own layout.
+        /// The uniforms, each with its layout.
         members: Vec<BlockMember>,
-        /// Bytes of all.
+        /// The size of the block in bytes.
         span: u32,
     },
     /// A storage buffer.
     Storage {
-        /// Of what.
+        /// The layout of its contents.
         layout: Layout,
-        /// Is it only read?
+        /// Whether the program only reads it.
         read_only: bool,
     },
     /// A texture read with `textureLoad`.
     Texture(naga::ScalarKind),
-    /// A storage texture of such texels, which is only written.
+    /// A storage texture of this format, which is only written.
     StorageTexture(naga::StorageFormat),
 }
 
-/// One of a scene's uniforms in its block.
+/// One of a scene's uniforms in the block.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlockMember {
     /// Its name in the block.
     pub name: String,
-    /// Which value it is.
+    /// The value of the scene that it holds.
     pub value: SceneValue,
-    /// Where it begins, in bytes.
+    /// The offset in bytes.
     pub offset: u32,
-    /// How its own values lie.
+    /// The layout of its values.
     pub layout: Layout,
 }
 
-/// How a buffer's values lie: a struct, or an array of structs, vectors or scalars.
+/// The layout of a buffer: a struct, or an array of structs, vectors or scalars.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
-    /// The struct's members; none for an array of vectors or scalars.
+    /// The members of the struct; empty for an array of vectors or scalars.
     pub fields: Vec<Field>,
-    /// Bytes of one element.
+    /// The size of one element in bytes.
     pub span: u32,
-    /// Elements: one for a struct, none where the buffer holds any number of them.
+    /// The number of elements: one for a struct, `None` if the buffer may hold any number of them.
     pub count: Option<u32>,
 }
 
 impl Layout {
-    /// The member of this name.
+    /// Returns the member with this name.
     #[must_use]
     pub fn field(&self, name: &str) -> Option<&Field> {
         self.fields.iter().find(|field| field.name == name)
@@ -104,19 +104,19 @@ impl Layout {
 /// A member of a struct.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
-    /// Its name.
+    /// The member's name.
     pub name: String,
-    /// Its offset in bytes.
+    /// The offset in bytes.
     pub offset: u32,
-    /// Of scalars.
+    /// The type of its scalars.
     pub scalar: ScalarKind,
-    /// Bytes of one.
+    /// The size of one scalar in bytes.
     pub width: u32,
-    /// How many.
+    /// The number of scalars.
     pub components: u32,
 }
 
-/// Checks the program and reads its interface; errors name the place in the file that it was written in.
+/// Validates the program and reads its interface; errors name the location in the original file.
 pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
     let module = validated(linked)?;
     let mut bindings = Vec::new();
@@ -136,11 +136,11 @@ pub fn reflect(linked: &Linked) -> Result<Reflection, ProgramError> {
     Ok(Reflection { entry: linked.entry.clone(), bindings, doubles, overrides })
 }
 
-/// Returns the bytes of one element of a list that a part binds, such as `corners` of `shape/triangle`, with numbers in 32 bits.
+/// Returns the size in bytes of one element of a list that a module binds, such as `corners` of `shape/triangle`, with 32-bit numbers.
 ///
 /// # Errors
 ///
-/// If there is no such part, or it binds no such list.
+/// If there is no such module, or it does not bind such a list.
 pub fn element_bytes(part_name: &str, list: &str) -> Result<u32, ProgramError> {
     let entry = format!("@compute @workgroup_size(1) fn entry() {{ _ = {list}[0]; }}\n");
     let built_in = |name: &str| part(name).map(Unit::from).ok_or_else(|| ProgramError::NoPart(name.to_owned()));
@@ -152,7 +152,7 @@ pub fn element_bytes(part_name: &str, list: &str) -> Result<u32, ProgramError> {
     }
 }
 
-/// As [`reflect`], of a pass: it binds nothing but what has a role.
+/// Reflects a pass as [`reflect`] does; it is an error if a binding has no role.
 pub(super) fn reflect_pass(linked: &Linked) -> Result<Reflection, ProgramError> {
     let reflection = reflect(linked)?;
     for Binding { name, role, .. } in &reflection.bindings {
@@ -167,7 +167,7 @@ fn nothing_to_bind(linked: &Linked, at: usize, name: &str) -> ProgramError {
     ProgramError::UnknownBinding { place: linked.place(at), name: name.to_owned() }
 }
 
-/// Of a binding that is declared here in the program of `entry`.
+/// Returns the role of a binding that is declared at `at` in the program of `entry`.
 fn role(name: &str, kind: &BindingKind, entry: &str, at: usize) -> Role {
     if let BindingKind::Block { .. } = kind {
         return Role::Uniforms(entry.to_owned());
@@ -202,7 +202,7 @@ fn binding_kind(module: &Module, variable: &naga::GlobalVariable) -> Option<Bind
     })
 }
 
-/// The members of a struct of structs and arrays of them; none of any other.
+/// Returns the members of a struct of structs and arrays of them; `None` for any other struct.
 fn block(module: &Module, members: &[naga::StructMember]) -> Option<Vec<BlockMember>> {
     let part = |member: &naga::StructMember| {
         let inner = &module.types[member.ty].inner;
@@ -244,7 +244,7 @@ fn layout(module: &Module, inner: &TypeInner) -> Option<Layout> {
     }
 }
 
-/// Members that the host writes are scalars and vectors; others (a tally's atomics) are left out.
+/// Returns a member that the host writes, which is a scalar or a vector; `None` for others.
 fn field(module: &Module, member: &naga::StructMember) -> Option<Field> {
     let (scalar, components) = match module.types[member.ty].inner {
         TypeInner::Scalar(scalar) | TypeInner::Atomic(scalar) => (scalar, 1),

@@ -1,4 +1,4 @@
-//! How light travels: the parts of which every kind of region has a copy of its own.
+//! Choice of the modules for the motion of light, of which every kind of region has a copy.
 
 use super::features::joins_whole;
 use super::names::Names;
@@ -9,7 +9,7 @@ use crate::model::law::SOLVED_PARTS;
 use crate::model::{ClosedForm, Start};
 use crate::scene::Scene;
 
-/// The parts of one kind of region.
+/// Returns the modules of one kind of region.
 pub(super) fn region_parts(
     scene: &Scene,
     features: &Features,
@@ -47,7 +47,7 @@ pub(super) fn region_parts(
     names.units()
 }
 
-/// A motion in closed form.
+/// Adds the modules for a motion in closed form.
 fn closed_motion(
     form: &ClosedForm,
     scene: &Scene,
@@ -71,7 +71,7 @@ fn closed_motion(
     Ok(())
 }
 
-/// The scene's own law, by the scene's own method.
+/// Adds the modules for the scene's law and method.
 fn law_motion(scene: &Scene, features: &Features, names: &mut Names) -> Result<(), ProgramError> {
     let on_orbit = features.on_orbit;
     let facts = scene.law.facts();
@@ -102,7 +102,7 @@ fn law_motion(scene: &Scene, features: &Features, names: &mut Names) -> Result<(
     Ok(())
 }
 
-/// Where orbits end, and whether they are cut into arcs.
+/// Adds the modules for the ends of orbits, and for their division into arcs.
 fn orbit_parts(features: &Features, names: &mut Names) {
     match (features.needs_arcs, features.ends_with_steps) {
         (true, _) => names.add("motion/orbit_arcs"),

@@ -1,10 +1,10 @@
-//! Regions: the space outside of everything, and the inside of each object that light goes through.
+//! Regions: the space outside all objects, and the inside of each object that light passes through.
 //!
-//! *Theory.* Each *kind* of region has a motion of its own, at the cheapest tier that is right for its medium, and its own
-//! copy of the parts that follow rays; regions of one kind differ by numbers only. Where several objects overlap, the one of
-//! the highest priority is there, and of equal ones the smaller; so the objects are numbered in that order, a ray carries the
-//! set of those that it is in as bits, and the lowest bit is the medium around it. Closed mirrors have bits too, behind all
-//! others: not for their medium, but to know from which side a ray meets them.
+//! *Theory.* Each *kind* of region has a motion, the cheapest that is correct for its medium, and a
+//! copy of the modules that follow rays; regions of one kind differ only in numbers. If several objects overlap, the object with
+//! the highest priority wins, and among equal priorities the smallest object. The objects are numbered in that order, a ray stores the
+//! set of objects that it is in as bits, and the lowest bit is the medium around it. Closed mirrors have bits too, after all
+//! others: they have no medium, but the bit states from which side a ray meets them.
 
 use std::sync::Arc;
 
@@ -15,19 +15,19 @@ use crate::model::method::Path;
 use crate::model::{ClosedForm, Medium, STRAIGHT, Wgsl, medium};
 use crate::scene::{Object, Scene};
 
-/// How rays move in a region.
+/// The motion of rays in a region.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Motion {
-    /// By the scene's own law and method.
+    /// The scene's law, with its method.
     Law,
-    /// In closed form.
+    /// A closed form.
     Closed(&'static ClosedForm),
-    /// By the scene's method, in the medium's index.
+    /// The scene's method, with the refractive index of the medium.
     Solved,
 }
 
 impl Motion {
-    /// The closed form, if it is one.
+    /// Returns the closed form, if the motion has one.
     #[must_use]
     pub fn closed_form(self) -> Option<&'static ClosedForm> {
         match self {
@@ -40,63 +40,63 @@ impl Motion {
 /// A kind of region.
 #[derive(Debug, Clone)]
 pub struct RegionKind {
-    /// How its rays move.
+    /// The motion of its rays.
     pub motion: Motion,
-    /// Does one step lead through the whole region, because nothing else is in it?
+    /// Whether one step crosses the whole region, because it contains nothing else.
     pub leaps: bool,
-    /// The parts that know its index; none for laws that have none.
+    /// The modules for its refractive index; `None` for laws without one.
     pub index: Option<Vec<Wgsl>>,
-    /// Of the regions of this kind, in the order of their places.
+    /// The media of the regions of this kind, in the order of `Region::place`.
     pub media: Vec<Arc<dyn Medium>>,
 }
 
 impl RegionKind {
-    /// Are its segments straight, or not tested at all?
+    /// Returns `true` if its segments are straight, or are not tested at all.
     #[must_use]
     pub fn is_line(&self) -> bool {
         self.leaps || self.motion.closed_form().is_some_and(|form| form.is_line)
     }
 }
 
-/// An object with a side that rays can be on.
+/// An object with an inside and an outside that rays can be on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Region {
-    /// Index into the scene's objects.
+    /// The index into the scene's objects.
     pub object: usize,
-    /// Index into the kinds; none for mirrors, which have no medium.
+    /// The index into the kinds; `None` for mirrors, which have no medium.
     pub kind: Option<usize>,
-    /// Which medium of that kind.
+    /// The index of the medium in that kind.
     pub place: usize,
-    /// The largest sphere about the medium's centre that is inside of the object: a leap ends on it.
+    /// The radius of the largest sphere around the medium's center inside the object; a leap ends on it.
     pub radius: f64,
 }
 
-/// A ball around what a spiral may meet in an inverse-r medium.
+/// A bounding sphere of an obstacle to spirals in an inverse-r medium.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Obstacle {
-    /// Which medium of its kind it is in.
+    /// The index of the medium in its kind.
     pub place: usize,
-    /// The ball's.
+    /// The center of the sphere.
     pub center: DVec3,
-    /// The ball's.
+    /// The radius of the sphere.
     pub radius: f64,
 }
 
 /// All regions of a scene.
 #[derive(Debug, Clone, Default)]
 pub struct Regions {
-    /// The first is that of the space outside.
+    /// The kinds of regions; the first is the space outside.
     pub kinds: Vec<RegionKind>,
-    /// By bit.
+    /// The regions by bit.
     pub regions: Vec<Region>,
-    /// What lies in the way of spirals.
+    /// The obstacles to spirals.
     pub obstacles: Vec<Obstacle>,
-    /// Whose surfaces lie on others.
+    /// The objects whose surfaces touch others.
     pub touching: Touching,
 }
 
 impl Regions {
-    /// Of a scene.
+    /// Finds the regions of a scene.
     #[must_use]
     pub(super) fn of(scene: &Scene) -> Self {
         let mut found = Self { kinds: vec![outside(scene)], ..Self::default() };
@@ -142,13 +142,13 @@ impl Regions {
             let met = in_the_way(scene, index, center);
             self.obstacles.extend(met.into_iter().map(|(center, radius)| Obstacle { place, center, radius }));
             if self.obstacles.is_empty() {
-                // No list of the shaders may be empty: a ball that nothing meets.
+                // No list of the shaders may be empty: this sphere never intersects a ray.
                 self.obstacles.push(Obstacle { place, center, radius: 0.0 });
             }
         }
     }
 
-    /// The bit of an object, if it has one.
+    /// Returns the bit of an object, if it has one.
     #[must_use]
     pub fn bit(&self, object: usize) -> Option<usize> {
         self.regions.iter().position(|region| region.object == object)
@@ -159,7 +159,7 @@ fn is_closed_mirror(scene: &Scene, object: &Object) -> bool {
     scene.continues_from(object) && object.shape.refuses_interior().is_none()
 }
 
-/// The space outside of all objects.
+/// Returns the kind of the space outside all objects.
 fn outside(scene: &Scene) -> RegionKind {
     let straight = Motion::Closed(&STRAIGHT);
     if scene.law.facts().is_straight && scene.scatters() {
@@ -180,14 +180,14 @@ fn outside(scene: &Scene) -> RegionKind {
     RegionKind { motion, leaps: false, index: Some(medium.facts().parts), media: vec![Arc::clone(medium)] }
 }
 
-/// The cheapest motion that is right for a medium.
+/// Returns the cheapest motion that is correct for a medium.
 fn motion(scene: &Scene, medium: &dyn Medium) -> Motion {
     let closed = medium.facts().closed_form(scene.rays.length.is_some());
     let allowed = closed.filter(|_| scene.rays.closed_forms || !medium.facts().bends());
     allowed.map_or(Motion::Solved, Motion::Closed)
 }
 
-/// The sphere that a path leaves in closed form: the object's own, where it is a sphere about the medium's centre.
+/// Returns the radius of the sphere that a path leaves in closed form: the object itself, if it is a sphere around the medium's center.
 fn leap_radius(motion: Motion, medium: &dyn Medium, object: &Object) -> Option<f64> {
     motion.closed_form().filter(|form| form.leaps)?;
     let radius = object.shape.ball_radius(&object.transform)?;
@@ -195,12 +195,12 @@ fn leap_radius(motion: Motion, medium: &dyn Medium, object: &Object) -> Option<f
     (center.distance(object.transform.0.translation) <= 1e-12 * radius).then_some(radius)
 }
 
-/// Is no other surface in the sphere `object`?
+/// Returns `true` if no other surface is inside the sphere `object`.
 fn is_alone(scene: &Scene, object: usize) -> bool {
     in_the_way(scene, object, scene.objects[object].transform.0.translation).is_empty()
 }
 
-/// Balls around what other objects have inside of `object`, seen from the middle of its medium.
+/// Returns bounding spheres around the parts of other objects inside `object`, as seen from the middle of its medium.
 fn in_the_way(scene: &Scene, object: usize, middle: DVec3) -> Vec<(DVec3, f64)> {
     let (center, radius) = scene.objects[object].ball();
     let met = |other: &Object| {

@@ -1,18 +1,18 @@
-//! Which tokens of a declaration name something of module scope.
+//! Scopes: the tokens of a declaration that refer to names of module scope.
 //!
-//! Inside of a function WGSL has scopes as other languages have: a parameter or a local variable hides what has its name outside,
+//! Inside a function WGSL has scopes like other languages: a parameter or a local variable hides a module-scope name
 //! from the end of its own statement to the end of its block.
 
 use super::signature::Signature;
 use super::tokens::Tokens;
 
-/// Names that are known while the tokens up to `end` are read.
+/// The names that are known up to the token `end`.
 struct Scope<'a> {
     end: usize,
     names: Vec<&'a str>,
 }
 
-/// The tokens that name something of module scope, the declaration's own name among them. `head` is its keyword.
+/// Returns the tokens that refer to names of module scope, including the declaration's own name. `head` is the token of its keyword.
 pub(super) fn outer_names(tokens: &Tokens, head: usize) -> Vec<usize> {
     match tokens.word(head) {
         "fn" => in_function(tokens, head),
@@ -25,12 +25,12 @@ pub(super) fn outer_names(tokens: &Tokens, head: usize) -> Vec<usize> {
     }
 }
 
-/// Names but for those of members, behind a dot, and of attributes.
+/// Returns the tokens that are names, except members after a dot and attributes.
 fn plain<'t>(tokens: &'t Tokens<'_>, from: usize) -> impl Iterator<Item = usize> + 't {
     let mut attribute = 0;
     (from..tokens.len()).filter(move |&i| {
         if tokens.word(i) == "@" {
-            // What stands in these has a meaning there alone.
+            // The arguments of these attributes are not names of module scope.
             let own = matches!(tokens.word(i + 1), "builtin" | "interpolate" | "diagnostic");
             attribute = if own { tokens.behind_attributes(i) } else { i + 2 };
         }
@@ -52,7 +52,7 @@ fn in_function(tokens: &Tokens, head: usize) -> Vec<usize> {
     let parameters: Vec<usize> = signature.parameters.iter().map(|parameter| parameter.name).collect();
     let mut found = Vec::new();
     let mut scopes: Vec<Scope> = Vec::new();
-    // Declared by the statement that is being read.
+    // The name that the current statement declares.
     let mut declared = None;
     let mut candidates = plain(tokens, 0).peekable();
     for i in 0..tokens.len() {

@@ -1,12 +1,12 @@
-//! Entries of the lists that segments are held against, at a place that is not known beforehand: chosen from all of them.
+//! Selections: entries of the lists that segments are tested against, read at a variable index by selecting among all entries.
 //!
-//! *Theory.* A list in a uniform that is read at a place of each lane's own is read lane by lane: on a processor some hundred and twenty
-//! instructions a number for eight lanes. All entries of a short list, each read once for all lanes, and one choice a number and
-//! entry cost a few instructions.
+//! *Theory.* A list in a uniform that is read at an index that varies by lane is read lane by lane: on a CPU this takes about 120
+//! instructions per number for eight lanes. Reading all entries of a short list once for all lanes, and one selection per number and
+//! entry, takes a few instructions.
 //!
-//! *Practice.* For processors `list[place]` becomes `list_at(place)`, which is written for every list of up to [`FEW`] entries; a place that is
-//! written as a number stays. Lists that are read once a ray, such as materials, gain less from it than their many words cost the
-//! driver's compiler: half again as long to the first pixel.
+//! *Practice.* For CPUs `list[place]` becomes `list_at(place)`, which is generated for every list of up to [`FEW`] entries; a literal
+//! index is not changed. Lists that are read once per ray, such as materials, gain less than their longer code costs in
+//! compilation: the first pixel would take half as long again.
 
 use std::fmt::Write as _;
 
@@ -14,7 +14,7 @@ use super::sources::{Known, Sources};
 use super::tokens::{Splice, Tokens, whole_number};
 use crate::model::shape::SOLIDS;
 
-/// Entries among which one is chosen.
+/// The largest number of entries for which selections are generated.
 const FEW: u32 = 32;
 
 /// A list in a uniform.
@@ -24,7 +24,7 @@ struct List {
     length: u32,
 }
 
-/// Writes reads of short lists as choices. Regions' own lists are left alone.
+/// Replaces reads of short lists by selections. The lists of regions are not changed.
 pub(super) fn select(sources: &mut Sources) {
     let known = sources.known();
     let lists: Vec<List> = sources.shared.iter().flat_map(|source| lists(&source.tokens, &known)).collect();
@@ -43,7 +43,7 @@ pub(super) fn select(sources: &mut Sources) {
     sources.add("generated/entries.wgsl", text);
 }
 
-/// The short lists that a text declares: `var<uniform> list: array<Entry, 3>;`
+/// Returns the short lists that a text declares: `var<uniform> list: array<Entry, 3>;`
 fn lists(tokens: &Tokens, known: &Known) -> Vec<List> {
     let signs = [(0, "<"), (1, "uniform"), (2, ">"), (4, ":"), (5, "array"), (6, "<"), (8, ",")];
     let all = (0..tokens.len()).filter(|&i| tokens.before(i) == "var" && tokens.are(i, &signs)).filter_map(|i| {
@@ -54,14 +54,14 @@ fn lists(tokens: &Tokens, known: &Known) -> Vec<List> {
     all.collect()
 }
 
-/// Is it a list of shapes, as segments meet them?
+/// Returns `true` for a list of shapes that segments are tested against.
 fn is_met(name: &str) -> bool {
     SOLIDS
         .iter()
         .any(|solid| solid.lists.is_some() && [solid.opaque_list(), solid.sided_list()].iter().any(|list| list == name))
 }
 
-/// The tokens of a unit with every read at an unknown place replaced.
+/// Returns the tokens of a unit with every read at a variable index replaced.
 fn choosing<'a>(tokens: Tokens<'a>, lists: &[List]) -> Tokens<'a> {
     let mut splices: Vec<Splice> = Vec::new();
     for i in 0..tokens.len() {

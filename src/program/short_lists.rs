@@ -1,21 +1,21 @@
-//! Short lists in uniforms.
+//! Moving of short lists into uniforms.
 //!
-//! *Theory.* Lists of the scene lie in storage, which has room for any number. A device that runs lanes side by side reads a storage
-//! buffer for each lane by itself; a uniform it reads for all of them at once where they ask for the same, and on a processor at half the
-//! cost where they do not. And a list whose length the linker knows may be walked without a loop.
+//! *Theory.* Lists of the scene are in storage buffers, which have room for any number of entries. A device that runs lanes side by side
+//! reads a storage buffer separately for each lane. It reads a uniform once if all lanes need the same entry; otherwise a CPU reads
+//! it at half the cost of storage. A list whose length the linker knows may also be traversed without a loop.
 //!
 //! *Practice.* `var<storage, read> lights: array<Light>` becomes `var<uniform> lights: array<Light, 3>`, and `arrayLength(&lights)`
-//! that number. Only lists of up to [`SHORT`] entries: what a pass reads of uniforms has to fit into a device's limit.
+//! becomes that number. This applies to lists of up to [`SHORT`] entries, because the uniforms of a pass must fit into a device's limit.
 
 use super::regions::Regions;
 use super::tokens::{Splice, Tokens};
 use crate::model::shape::SOLIDS;
 use crate::scene::{Object, Scene, Shadows};
 
-/// Entries that a list in a uniform may have.
+/// The largest number of entries of a list in a uniform.
 const SHORT: usize = 32;
 
-/// The lists that may be short, with their lengths in this scene.
+/// Returns the lists that may be short, with their lengths in this scene.
 pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, usize)> {
     let placed = SOLIDS.into_iter().filter_map(|solid| {
         let is = |object: &&Object| object.solid() == solid;
@@ -37,7 +37,7 @@ pub(super) fn lengths(scene: &Scene, regions: &Regions) -> Vec<(&'static str, us
     others.into_iter().chain(placed).collect()
 }
 
-/// The tokens of a unit with those of its lists that are short in uniforms.
+/// Returns the tokens of a unit with its short lists in uniforms.
 pub(super) fn in_uniforms<'a>(tokens: Tokens<'a>, lengths: &[(&str, usize)]) -> Tokens<'a> {
     let short = |word: &str| {
         let found = lengths.iter().find(|(name, length)| *name == word && (1..=SHORT).contains(length));

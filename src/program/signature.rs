@@ -1,14 +1,14 @@
-//! A function's parameters and result.
+//! Signatures of functions.
 
 use std::ops::Range;
 
 use super::tokens::Tokens;
 
-/// A function's parameters and result, as tokens.
+/// The parameters and the result of a function, as tokens.
 #[derive(Debug)]
 pub(super) struct Signature {
     pub(super) parameters: Vec<Parameter>,
-    /// The type of what it returns, without attributes.
+    /// The type of the result, without attributes.
     pub(super) result: Option<Range<usize>>,
     /// The brace that opens its body.
     pub(super) body: usize,
@@ -21,7 +21,7 @@ pub(super) struct Parameter {
 }
 
 impl Signature {
-    /// Of the function whose keyword is the token `head`.
+    /// Returns the signature of the function whose keyword is the token `head`.
     pub(super) fn of(tokens: &Tokens, head: usize) -> Option<Self> {
         if tokens.word(head) != "fn" || tokens.word(head + 2) != "(" {
             return None;

@@ -1,4 +1,4 @@
-//! The skies of two sides: their parts, each under names of its own.
+//! The skies of the two sides of a wormhole: two modules with separate names.
 
 use std::collections::BTreeSet;
 
@@ -8,17 +8,17 @@ use super::generated::unit;
 use super::parts::part_tokens;
 use super::unit::Unit;
 
-/// What is bound for the near sky, as where there is no other.
+/// The names of the near sky's bindings, which are equal in scenes with one sky.
 const BOUND: [&str; 2] = ["sky", "Sky"];
 
-/// `near_sky_radiance` and `beyond_sky_radiance`, of these two parts.
+/// Generates `near_sky_radiance` and `beyond_sky_radiance` from these two modules.
 pub(super) fn two_skies(near: &str, beyond: &str) -> Result<[Unit; 2], ProgramError> {
     let near = renamed(near, "Near", &BOUND)?;
     let beyond = renamed(beyond, "Beyond", &[])?;
     Ok([unit("generated/near_sky.wgsl", near), unit("generated/beyond_sky.wgsl", beyond)])
 }
 
-/// A part with this before the names that it declares, except some.
+/// Returns a module with a prefix before the names that it declares, except the names in `kept`.
 fn renamed(part: &str, prefix: &str, kept: &[&str]) -> Result<String, ProgramError> {
     let found = part_tokens(&format!("{part}.wgsl")).ok_or_else(|| ProgramError::NoPart(part.to_owned()))?;
     let all = declarations(found).unwrap_or_default();

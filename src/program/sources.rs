@@ -1,4 +1,4 @@
-//! A program's units as tokens, on their way to declarations.
+//! The units of a program as tokens, before they become declarations.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -7,40 +7,40 @@ use super::parts::part_tokens;
 use super::tokens::{Tokens, whole_number};
 use super::unit::{Author, Parts, Unit};
 
-/// The units, and what they have become.
+/// The units of a program and their tokens.
 pub(super) struct Sources<'a> {
-    /// Those that a token's origin counts.
+    /// The units, in the order to which the origins of tokens refer.
     pub(super) units: Vec<Unit>,
-    /// Those that all regions share.
+    /// The sources that all regions share.
     pub(super) shared: Vec<Source<'a>>,
-    /// Those of each kind of region.
+    /// The sources of each kind of region.
     pub(super) regions: Vec<Vec<Source<'a>>>,
 }
 
-/// A unit's tokens.
+/// The tokens of a unit, and its author.
 pub(super) struct Source<'a> {
     author: Author,
     pub(super) tokens: Tokens<'a>,
 }
 
 impl Source<'_> {
-    /// Text that the linker writes, as the unit in this place.
+    /// Tokenizes text that the linker generates, as the unit with this index.
     pub(super) fn made(text: &str, unit: usize) -> Source<'static> {
         Source { author: Author::Generated, tokens: Tokens::made(text, unit) }
     }
 }
 
-/// What constants of a program are, by name: `const NAME: bool = true;` and whole numbers.
+/// The values of a program's constants, by name: `const NAME: bool = true;` and whole numbers.
 #[derive(Clone, Default)]
 pub(super) struct Known {
-    /// Features: no constant of a user's own.
+    /// The features; constants in a user's file are not included.
     pub(super) bools: HashMap<String, bool>,
     /// All numbers.
     pub(super) numbers: HashMap<String, u32>,
 }
 
 impl<'a> Sources<'a> {
-    /// Reads the units of a program; built-in ones were read before.
+    /// Reads the units of a program; built-in modules are already tokenized.
     pub(super) fn of(parts: &'a Parts) -> Self {
         let mut units = Vec::new();
         let mut read = |unit: &'a Unit| {
@@ -55,13 +55,13 @@ impl<'a> Sources<'a> {
         Self { units, shared, regions }
     }
 
-    /// Adds text that the linker writes.
+    /// Adds text that the linker generates.
     pub(super) fn add(&mut self, file: &'static str, text: String) {
         self.shared.push(Source::made(&text, self.units.len()));
         self.units.push(Unit::generated(file, text));
     }
 
-    /// Edits every unit but users' own by the constants that it sees: those that all share and, in a region, its own too.
+    /// Edits every unit except the user's, given the constants that it can use: the shared ones and, in a region, also the region's.
     pub(super) fn edit(&mut self, edit: impl Fn(Tokens<'a>, &Known) -> Tokens<'a>) {
         let shared = Known::default().with(&self.shared);
         let one = |source: &mut Source<'a>, known: &Known| {
@@ -80,14 +80,14 @@ impl<'a> Sources<'a> {
         }
     }
 
-    /// Edits every unit, users' own too.
+    /// Edits every unit, including the user's.
     pub(super) fn edit_all(&mut self, edit: impl Fn(Tokens<'a>) -> Tokens<'a>) {
         for source in self.shared.iter_mut().chain(self.regions.iter_mut().flatten()) {
             source.tokens = edit(std::mem::take(&mut source.tokens));
         }
     }
 
-    /// What the units that all share know.
+    /// Returns the constants of the shared units.
     pub(super) fn known(&self) -> Known {
         Known::default().with(&self.shared)
     }
@@ -111,7 +111,7 @@ impl Known {
         self
     }
 
-    /// The whole number that a word is or names.
+    /// Returns the whole number that a word is, or names.
     pub(super) fn number(&self, word: &str) -> Option<u32> {
         whole_number(word).or_else(|| self.numbers.get(word).copied())
     }
@@ -119,7 +119,7 @@ impl Known {
 
 #[cfg(test)]
 impl Sources<'_> {
-    /// What an edit makes of parts: of those that regions share, and then of the regions' own.
+    /// Returns the texts of modules after an edit: first the shared modules, then the modules of regions.
     pub(super) fn edited(parts: &Parts, edit: impl for<'s> Fn(&mut Sources<'s>)) -> Vec<String> {
         let mut sources = Sources::of(parts);
         edit(&mut sources);

@@ -1,4 +1,4 @@
-//! A line element as WGSL: the metric, and how light bends by it.
+//! A line element as WGSL: the metric and its deflection of light.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use super::generated::unit;
 use super::unit::Unit;
 use crate::scene::{Id, LineElement};
 
-/// `metric_at(q, t)` and `metric_bend(q, v, t)`, `metric_scale(q, t)` and, where rays end of themselves, `metric_gap(q)`.
+/// Generates `metric_at(q, t)` and `metric_bend(q, v, t)`, `metric_scale(q, t)` and, if the element ends rays, `metric_gap(q)`.
 pub(super) fn line_element(element: &LineElement) -> Unit {
     const NAMES: [&str; 9] = ["q.x", "q.y", "q.z", "v.x", "v.y", "v.z", "dt", "t", "metric_side"];
     let (graph, metric, force, scale, gap) = element.graph();

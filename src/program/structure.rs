@@ -1,8 +1,8 @@
-//! Which shapes stand in a structure that segments search, and which in lists that they walk.
+//! The choice of the shapes that are in an acceleration structure, and of the shapes in lists.
 //!
-//! *Practice.* Few shapes are tested fastest one after the other, from lists of a length that the compiler knows, written out
-//! without a loop; many of a kind, and all meshes, in a hierarchy. Surfaces that rays go on from stay in lists: they are told apart
-//! by side, and there are no more of them than a set of regions has bits.
+//! *Practice.* A few shapes are tested fastest one after the other, from lists of known length, unrolled; many shapes of a kind, and
+//! all meshes, are fastest in a hierarchy. Surfaces that scatter rays are always in lists: they are distinguished
+//! by side, and there are at most as many of them as a set of regions has bits.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -12,14 +12,15 @@ use super::{ProgramError, constant};
 use crate::model::shape::Solid;
 use crate::scene::{Accelerate, Object, Scene, Segment};
 
-/// More triangles than this are not copied: each mesh is kept once. On a processor copies are up to twice as fast, for no ray has to be
-/// mapped to the meshes' spaces; so many take 30 MB.
+/// The largest number of triangles in copies of meshes; beyond it, meshes are instanced. On a CPU copies are up to twice as fast, because
+/// no
+/// ray is mapped to the meshes' object spaces; this many copies take 30 MB.
 const COPIES: usize = 1 << 18;
 
-/// How a structure is searched: the name of its part.
+/// The way in which an acceleration structure is searched.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Search {
-    /// A hierarchy of boxes.
+    /// A bounding volume hierarchy.
     #[default]
     Hierarchy,
     /// A uniform grid.
@@ -29,7 +30,7 @@ pub enum Search {
 }
 
 impl Search {
-    /// The name of its file in `shaders/segment/structure/`.
+    /// Returns the name of its file in `shaders/segment/structure/`.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -40,45 +41,45 @@ impl Search {
     }
 }
 
-/// Up to so many shapes stand in lists. On a processor sixteen spheres take the same time by lists written out and by hierarchy, as
-/// many shapes of four kinds 0.8 of it.
+/// The largest number of shapes that are all kept in lists. On a CPU sixteen spheres take equal time in unrolled lists and in a hierarchy;
+/// sixteen shapes of four kinds take 0.8 times as long in lists.
 const FEW: usize = 16;
-/// More shapes of a kind than this are in a hierarchy where the scene does not say. On a processor spheres take the same time by list
-/// and by hierarchy up to eight, 1.4 times as long by list from sixteen on.
+/// By default, more shapes of a kind than this are in a hierarchy. On a CPU up to eight spheres take equal time in a list
+/// and in a hierarchy, and sixteen or more take 1.4 times as long in a list.
 const MANY: usize = 6;
-/// More than this are no list of a uniform any more.
+/// The largest number of entries of a list in a uniform.
 const LONG: usize = 512;
 
-/// Loop iterations of a walk up to which it needs no more room than every segment has.
+/// The largest number of loop iterations of a traversal that fits into the room of every segment.
 const LONG_WALK: u64 = 4_000;
-/// Items that a hierarchy's leaf, or a primitive, has bits for.
+/// The largest number of items that a hierarchy's leaf, or a primitive, has bits for.
 const MOST_ITEMS: u64 = 1 << 28;
-/// Those of meshes that are kept once, in all their places, beside the word for nothing; and the nodes that a walk is at have bits for.
+/// The largest number of items of instanced meshes, over all instances, next to the word for no item; stored nodes have as many bits.
 const MOST_ONCE: u64 = (1 << 31) - 1;
 
-/// Shapes in lists that a mask has bits for, beside the structure's.
+/// The largest number of shapes in lists that a mask has bits for, next to the bits of the acceleration structure.
 const BITS: usize = 31;
 
-/// Parts of a structure with a ball about each, for what a segment is near.
+/// The number of parts of an acceleration structure with a bounding sphere each, to find the parts near a segment.
 pub const PARTS: usize = 8;
 
-/// A scene's structure.
+/// The acceleration structure of a scene.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Structure {
-    /// How it is searched.
+    /// The way in which it is searched.
     pub search: Search,
-    /// The solids whose opaque objects are in it; of meshes all.
+    /// The solids whose opaque objects are in it; all objects with meshes are in it.
     pub solids: Vec<&'static Solid>,
-    /// Are lists written out item by item, rather than walked in a loop?
+    /// Whether lists are unrolled item by item, instead of traversed in a loop.
     pub written_out: bool,
-    /// Is what a segment is near found first, for all lists and the structure at once?
+    /// Whether the shapes near a segment are found first, for all lists and the structure at once.
     pub near: bool,
-    /// Is each mesh kept once, however many objects show it?
+    /// Whether meshes are instanced: each mesh is stored once for all its objects.
     pub once: bool,
 }
 
 impl Structure {
-    /// That of `scene` with these regions.
+    /// Chooses the structure of `scene` with these regions.
     #[must_use]
     pub(super) fn of(scene: &Scene, regions: &Regions) -> Self {
         let listed = || {
@@ -107,19 +108,19 @@ impl Structure {
         }
     }
 
-    /// Are its items those of a single kind, in that kind's own order?
+    /// Returns `true` if all items have a single kind, and are in the order of that kind.
     #[must_use]
     pub fn in_order(&self) -> bool {
         self.solids.len() == 1 && self.search == Search::Hierarchy && !self.once
     }
 
-    /// The part that knows the order of its items.
+    /// Returns the module that defines the order of the items.
     #[must_use]
     pub fn order(&self) -> &'static str {
         if self.once { "segment/order_placed" } else { "segment/order" }
     }
 
-    /// The names in `shaders/segment/structure/` of the parts that search it.
+    /// Returns the names in `shaders/segment/structure/` of the modules that search it.
     #[must_use]
     pub fn parts(&self) -> &'static [&'static str] {
         match (self.search, self.once) {
@@ -130,14 +131,14 @@ impl Structure {
         }
     }
 
-    /// Is an opaque object of this solid in it?
+    /// Returns `true` if opaque objects of this solid are in it.
     #[must_use]
     pub fn holds(&self, solid: &Solid) -> bool {
         self.solids.contains(&solid)
     }
 }
 
-/// Triangles that a scene has more of where each object has its own copy of its mesh.
+/// Returns the number of additional triangles if each object has a copy of its mesh.
 fn copies(scene: &Scene) -> usize {
     let mut known = HashSet::new();
     let again =
@@ -145,7 +146,7 @@ fn copies(scene: &Scene) -> usize {
     again.map(|mesh| mesh.triangles.len()).sum()
 }
 
-/// The solids of some objects, by name.
+/// Returns the solids of some objects, sorted by name.
 pub(super) fn solids<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'static Solid> {
     let mut solids: Vec<_> = objects.map(Object::solid).collect();
     solids.sort_unstable_by_key(|solid| solid.name);
@@ -153,28 +154,28 @@ pub(super) fn solids<'a>(objects: impl Iterator<Item = &'a Object>) -> Vec<&'sta
     solids
 }
 
-/// How far a search of a built structure may go.
+/// The largest extent of a search of a built structure.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Extent {
-    /// Nodes or cells on one way through it, at most.
+    /// The largest number of nodes or cells that one search visits.
     pub places: u64,
-    /// Items met on it, at most.
+    /// The largest number of items that one search tests.
     pub items: u64,
 }
 
 impl Extent {
-    /// Checks that a primitive's word can tell the structure's items apart.
+    /// Checks that a primitive's bits can distinguish the structure's items.
     ///
     /// # Errors
     ///
-    /// Returns how many there may be.
+    /// If there are too many items; the error contains the largest possible number.
     pub(super) fn check(self, structure: &Structure) -> Result<(), ProgramError> {
         let most = if structure.once { MOST_ONCE } else { MOST_ITEMS };
         let items = self.items.max(self.places);
         if items > most { Err(ProgramError::TooManyItems { items, most }) } else { Ok(()) }
     }
 
-    /// May a segment's walk through the structure, with the walks of the shadows at its end, take many loop iterations?
+    /// Returns `true` if a segment's search of the structure, with the shadow rays at its end, may take many loop iterations.
     pub(super) fn is_long(self, scene: &Scene, regions: &Regions) -> bool {
         let is_arc =
             matches!(scene.rays.segment, Segment::Arc { .. }) && !regions.kinds.iter().all(RegionKind::is_line);

@@ -1,4 +1,4 @@
-//! Every part is there for something: a shipped scene links it, or a scene or a test that is named here.
+//! Tests that every module is needed: a shipped scene links it, or a scene or a test that is listed here.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -11,11 +11,10 @@ use super::sources::Sources;
 use super::*;
 use crate::scene::Scene;
 
-/// What each of [`OTHERS`] begins with.
-const BEGINNING: &str =
-    "camera.position = [0, 0, 9]\nrays.bounding_sphere.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
+/// The beginning of each of [`OTHERS`].
+const BEGINNING: &str = "camera.position = [0, 0, 9]\nrays.bound.radius = 90\nmaterials.m.diffuse = [0.5, 0.5, 0.5]\n";
 
-/// Scenes, each with parts that no scene before it links.
+/// Scenes, each with modules that no scene before it links.
 const OTHERS: [&str; 15] = [
     "camera.kind = 'panorama'
      camera.stereo = { separation = 0.1, convergence = 3 }",
@@ -83,7 +82,7 @@ const OTHERS: [&str; 15] = [
      objects = [{ shape = 'box', material = 'a' }]",
 ];
 
-/// Media and what absorbs in them, each of them inside a sphere, of scenes by these methods.
+/// Media and their absorption, each inside a sphere, in scenes with these methods.
 const MEDIA: [(&str, &str); 7] = [
     ("exact", "kind = 'maxwell-fisheye'"),
     ("exact", "kind = 'linear', gradient = [0, 0.1, 0]"),
@@ -100,7 +99,7 @@ const MEDIA: [(&str, &str); 7] = [
     ("rk4", "kind = 'expression', n = '1.2 + 0.1*x'"),
 ];
 
-/// Parts that no scene of a few lines links, or no scene at all, each with a test that does.
+/// Modules that no short scene links, or no scene at all, each with a test that does.
 const TESTED: [(&str, &str); 9] = [
     ("ceiling/multiply_add", "json_is_for_scripts"),
     ("ceiling/texture_read", "json_is_for_scripts"),
@@ -113,14 +112,14 @@ const TESTED: [(&str, &str); 9] = [
     ("surface/vertex_colors", "vertex_colors_multiply_the_color_of_any_material"),
 ];
 
-/// The files of this kind in a folder and below it.
+/// Returns the files with this extension in a folder and its subfolders.
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let paths = folder.read_dir().unwrap().map(|entry| entry.unwrap().path());
     let all = paths.flat_map(|path| if path.is_dir() { files(&path, extension) } else { vec![path] });
     all.filter(|path| path.extension().is_some_and(|own| own == extension)).collect()
 }
 
-/// What a scene can be asked for: pictures by every schedule, all layers, every way to skip ended rays, and every purpose.
+/// Returns the choices for a scene: images by every schedule, all layers, every way to skip terminated rays, and every purpose.
 fn choices() -> Vec<Choice> {
     let plain = Choice::default;
     let purposes = [Purpose::Trace, Purpose::Pixels, Purpose::Lit, Purpose::Light, Purpose::Caustics, Purpose::Bare];
@@ -133,7 +132,7 @@ fn choices() -> Vec<Choice> {
     schedules.into_iter().chain(purposes).chain(others).collect()
 }
 
-/// The parts of all that the passes of a scene call, before functions that only hand on a value are written where they are called.
+/// Returns the modules that the passes of a scene call, before functions that only pass on a value are inlined.
 fn reached(scene: &Scene) -> BTreeSet<String> {
     let analysis = Analysis::of(scene);
     let mut reached = BTreeSet::new();

@@ -1,38 +1,38 @@
-//! WGSL as tokens: words, numbers and single signs, each with what stands before it and with where it was written.
+//! WGSL as tokens: words, numbers and single signs, each with the gap before it and its origin.
 //!
-//! What works on tokens does not depend on how a line is formatted, and whatever becomes of them, errors still name the file, the line and
-//! the column that they came from.
+//! Code that edits tokens does not depend on how a line is formatted, and errors in edited tokens still report the original file, line and
+//! column.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Where a token was written.
+/// The location at which a token was written.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Origin {
-    /// The place of its unit among a program's.
+    /// The index of its unit in the program.
     pub(super) unit: usize,
-    /// In bytes.
+    /// The offset in the unit, in bytes.
     pub(super) at: usize,
 }
 
 /// A word, a number or a sign.
 #[derive(Debug, Clone)]
 pub(super) struct Token<'a> {
-    /// Spaces and comments before it.
+    /// The spaces and comments before it.
     pub(super) gap: Cow<'a, str>,
     pub(super) word: Cow<'a, str>,
     pub(super) origin: Origin,
 }
 
-/// A text in order.
+/// A text as a sequence of tokens.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Tokens<'a>(pub(super) Vec<Token<'a>>);
 
-/// Some tokens, and what comes in their place.
+/// A range of tokens, and its replacement.
 pub(super) type Splice<'a> = (Range<usize>, Vec<Token<'a>>);
 
 impl<'a> Tokens<'a> {
-    /// Those of a text, as of a program's first unit. A comment at its end is dropped.
+    /// Tokenizes a text as the first unit of a program. A comment at its end is dropped.
     pub(super) fn of(text: &'a str) -> Self {
         let mut tokens = Vec::new();
         let mut before = 0;
@@ -46,7 +46,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// Marks them as those of the unit in this place.
+    /// Assigns the tokens to the unit with this index.
     pub(super) fn of_unit(mut self, unit: usize) -> Self {
         for token in &mut self.0 {
             token.origin.unit = unit;
@@ -54,7 +54,7 @@ impl<'a> Tokens<'a> {
         self
     }
 
-    /// Those of text that the linker writes, as the unit in this place.
+    /// Tokenizes text that the linker generates, as the unit with this index.
     pub(super) fn made(text: &str, unit: usize) -> Tokens<'static> {
         let own = |token: Token| Token {
             gap: token.gap.into_owned().into(),
@@ -64,7 +64,7 @@ impl<'a> Tokens<'a> {
         Tokens(Tokens::of(text).0.into_iter().map(own).collect())
     }
 
-    /// The tokens of a few words, as if they had been written here.
+    /// Tokenizes a few words with this origin.
     pub(super) fn written_at(text: &str, origin: Origin) -> Vec<Token<'static>> {
         let mut made = Tokens::made(text, origin.unit).0;
         for token in &mut made {
@@ -73,7 +73,7 @@ impl<'a> Tokens<'a> {
         made
     }
 
-    /// What comes in the place of a token, with what stands before it.
+    /// Returns the replacement of a token, with the gap before the token.
     pub(super) fn replacement(&self, i: usize, text: &str) -> Vec<Token<'static>> {
         let mut new = Self::written_at(text, self.origin(i));
         if let (Some(first), Some(old)) = (new.first_mut(), self.0.get(i)) {
@@ -82,7 +82,7 @@ impl<'a> Tokens<'a> {
         new
     }
 
-    /// With other tokens in some places, which are apart from each other.
+    /// Returns the tokens with these replacements, which must not overlap.
     pub(super) fn spliced(self, mut splices: Vec<Splice<'a>>) -> Self {
         if splices.is_empty() {
             return self;
@@ -101,7 +101,7 @@ impl<'a> Tokens<'a> {
         Self(all)
     }
 
-    /// The text, without a comment at its end.
+    /// Returns the text, without a comment at its end.
     #[cfg(test)]
     pub(super) fn text(&self) -> String {
         self.0.iter().flat_map(|token| [&*token.gap, &*token.word]).collect()
@@ -111,32 +111,32 @@ impl<'a> Tokens<'a> {
         self.0.len()
     }
 
-    /// Where a token was written; of none behind the last one.
+    /// Returns the origin of a token; after the last token, the origin of the last one.
     pub(super) fn origin(&self, i: usize) -> Origin {
         self.0.get(i).or(self.0.last()).map_or_else(Origin::default, |token| token.origin)
     }
 
-    /// A token's text; empty behind the last one.
+    /// Returns the text of a token; empty after the last one.
     pub(super) fn word(&self, i: usize) -> &str {
         self.0.get(i).map_or("", |token| &*token.word)
     }
 
-    /// The text of the token before this one; empty for the first.
+    /// Returns the text of the token before this one; empty for the first.
     pub(super) fn before(&self, i: usize) -> &str {
         i.checked_sub(1).map_or("", |i| self.word(i))
     }
 
-    /// Are these words at these offsets from `i`?
+    /// Returns `true` if the tokens at these offsets from `i` are these words.
     pub(super) fn are(&self, i: usize, words: &[(usize, &str)]) -> bool {
         words.iter().all(|(k, word)| self.word(i + k) == *word)
     }
 
-    /// Is it a name, or a word of the language?
+    /// Returns `true` for a name or a keyword.
     pub(super) fn is_name(&self, i: usize) -> bool {
         self.word(i).starts_with(|c: char| c.is_alphabetic() || c == '_')
     }
 
-    /// The token that closes the bracket `open`: one of `(`, `[`, `{`, and `<` where a list of template arguments begins.
+    /// Returns the token that closes the bracket `open`: one of `(`, `[`, `{`, and `<` where a list of template arguments begins.
     pub(super) fn closing(&self, open: usize) -> Option<usize> {
         let mut opened = Vec::new();
         for i in open..self.len() {
@@ -158,7 +158,7 @@ impl<'a> Tokens<'a> {
         None
     }
 
-    /// The tokens of `list` cut at its commas, but for those inside of brackets.
+    /// Splits the tokens of `list` at its commas, except commas inside brackets.
     pub(super) fn split(&self, list: Range<usize>) -> Vec<Range<usize>> {
         let mut pieces = Vec::new();
         let (mut from, mut i) = (list.start, list.start);
@@ -178,7 +178,7 @@ impl<'a> Tokens<'a> {
         pieces
     }
 
-    /// A type or a simple expression, written the one way.
+    /// Returns a type or a simple expression in normalized spelling.
     pub(super) fn written(&self, tokens: Range<usize>) -> String {
         let mut text = String::new();
         for i in tokens {
@@ -197,7 +197,7 @@ impl<'a> Tokens<'a> {
         text
     }
 
-    /// The first token behind the attributes that stand at `i`.
+    /// Returns the first token after the attributes at `i`.
     pub(super) fn behind_attributes(&self, mut i: usize) -> usize {
         while self.word(i) == "@" {
             i += 2;
@@ -209,7 +209,7 @@ impl<'a> Tokens<'a> {
     }
 }
 
-/// The whole number that a token is.
+/// Parses a token as a whole number.
 pub(super) fn whole_number(word: &str) -> Option<u32> {
     let digits = word.trim_end_matches(['u', 'i']);
     match digits.strip_prefix("0x").or(digits.strip_prefix("0X")) {
@@ -222,7 +222,7 @@ fn is_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// The first place from `at` on that is in no comment and no space.
+/// Returns the first position from `at` on that is outside comments and spaces.
 pub(super) fn behind_comments(text: &str, mut at: usize) -> usize {
     loop {
         at = behind_spaces(text, at);
@@ -234,11 +234,11 @@ pub(super) fn behind_comments(text: &str, mut at: usize) -> usize {
 }
 
 pub(super) fn behind_spaces(text: &str, at: usize) -> usize {
-    // WGSL counts the marks of writing direction as spaces.
+    // In WGSL the marks of writing direction are spaces.
     behind(text, at, |c| c.is_whitespace() || matches!(c, '\u{200e}' | '\u{200f}'))
 }
 
-/// The first place from `at` on whose character is not `wanted`. Most of a program is ASCII, which needs no decoding.
+/// Returns the first position from `at` on whose character is not `wanted`. Most of a program is ASCII, which needs no decoding.
 fn behind(text: &str, mut at: usize, wanted: impl Fn(char) -> bool) -> usize {
     while let Some(&byte) = text.as_bytes().get(at) {
         let next = if byte.is_ascii() { char::from(byte) } else { text[at..].chars().next().unwrap_or_default() };
@@ -250,7 +250,7 @@ fn behind(text: &str, mut at: usize, wanted: impl Fn(char) -> bool) -> usize {
     at
 }
 
-/// The length of the comment that `text` begins with; 0 if there is none.
+/// Returns the length of the comment that `text` begins with; 0 if there is none.
 pub(super) fn comment(text: &str) -> usize {
     if text.starts_with("//") {
         return behind(text, 2, |c| !matches!(c, '\n' | '\u{b}' | '\u{c}' | '\r' | '\u{85}' | '\u{2028}' | '\u{2029}'));

@@ -1,25 +1,26 @@
-//! Objects whose surfaces lie on each other.
+//! Objects whose surfaces touch.
 //!
-//! *Theory.* Where surfaces lie on each other a ray meets them all at once, but its walk finds one of them first, by rounding
-//! alone; from there a ray that goes on could slip under an opaque surface, or see a gap of air that is not there. Scenes in
-//! which objects touch link the part that looks for the others where a ray has met one.
+//! *Theory.* Where surfaces coincide, a ray meets them all at once, but rounding decides which of them its search finds first.
+//! From there a scattered ray could slip under an opaque surface, or see an air gap that does not exist. Scenes in
+//! which objects touch link the module that looks for the other surfaces at a hit.
 //!
-//! *Practice.* Every object of these lists is asked at every surface that a ray goes on from; scenes without any pay nothing.
-//! Meshes are in none of the lists, for nothing says where in a mesh a point is: what lies on a mesh still meets it apart.
+//! *Practice.* Every object of these lists is tested at every scattering surface; scenes without such objects pay nothing.
+//! Meshes are in none of the lists, because it is not known whether a point is on a mesh: a ray meets a mesh and an object on it
+//! separately.
 
 use crate::scene::Scene;
 
-/// Objects, as indices into the scene's, whose surfaces may lie on that of another that light goes through.
+/// Objects, as indices into the scene's objects, whose surfaces may touch the surface of another object that light passes through.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Touching {
-    /// Those that end or reflect rays.
+    /// The objects that end or reflect rays.
     pub opaque: Vec<usize>,
-    /// Those that light goes through.
+    /// The objects that light passes through.
     pub clear: Vec<usize>,
 }
 
 impl Touching {
-    /// Of the objects `clear` with all others. A mesh that light goes through may stand on what is opaque.
+    /// Finds the objects that touch the objects `clear`. A mesh that light passes through may rest on an opaque object.
     pub(super) fn of(scene: &Scene, clear: &[usize]) -> Self {
         let objects = &scene.objects;
         let touches = |i: usize, j: usize| i != j && objects[i].may_touch(&objects[j]);
@@ -32,7 +33,7 @@ impl Touching {
         Self { opaque, clear }
     }
 
-    /// How many there are.
+    /// Returns the number of these objects.
     #[must_use]
     pub fn count(&self) -> usize {
         self.opaque.len() + self.clear.len()

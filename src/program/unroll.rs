@@ -1,23 +1,23 @@
-//! Loops whose count is known, written out (W04 §7 unrolls its own).
+//! Unrolling of loops with a known count (W04 §7 unrolls its loops).
 //!
-//! *Theory.* Every loop costs a pass a counter, naga's bound on the number of its turns, and on a processor a mask of the lanes that
-//! are still in it; and a uniform read at a place that changes is read once for every lane. A loop of a few turns over a list whose
+//! *Theory.* Every loop costs a pass a counter, naga's limit on the number of iterations, and on a CPU a mask of the active lanes.
+//! Besides, a uniform read at a varying index is read once for every lane. A loop with few iterations over a list whose
 //! length the linker knows needs none of that.
 //!
 //! *Practice.* `for (var i = 0u; i < COUNT; i++) { … }`, where COUNT is a number or a constant of the program, becomes its body once
-//! for each i, unless the body leaves the loop itself or the whole would be long.
+//! for each i, unless the body leaves the loop itself or the result would be long.
 
 use std::ops::Range;
 
 use super::sources::Known;
 use super::tokens::{Token, Tokens, whole_number};
 
-/// Tokens that a loop may come to.
+/// The largest number of tokens of an unrolled loop.
 const LONGEST: usize = 400;
 
-/// The tokens of a unit with its short loops written out.
+/// Returns the tokens of a unit with its short loops unrolled.
 pub(super) fn unrolled<'a>(mut tokens: Tokens<'a>, known: &Known) -> Tokens<'a> {
-    // The innermost first: what contains them is found again, longer.
+    // The innermost loop comes first; the loop around it is found again, longer.
     while let Some((at, counted)) = next_loop(&tokens, known) {
         let written = counted.written(&tokens, at);
         tokens = tokens.spliced(vec![(at..counted.body.end + 1, written)]);
@@ -25,7 +25,7 @@ pub(super) fn unrolled<'a>(mut tokens: Tokens<'a>, known: &Known) -> Tokens<'a> 
     tokens
 }
 
-/// The last loop that can be written out, and its token.
+/// Returns the last loop that can be unrolled, with its token.
 fn next_loop(tokens: &Tokens, known: &Known) -> Option<(usize, Counted)> {
     let mut loops = (0..tokens.len()).rev().filter(|&i| tokens.word(i) == "for");
     loops.find_map(|at| Some((at, Counted::at(tokens, at, known)?)))
@@ -35,14 +35,14 @@ fn next_loop(tokens: &Tokens, known: &Known) -> Option<(usize, Counted)> {
 struct Counted {
     name: String,
     turns: Range<u32>,
-    /// Behind a number of the counter's type.
+    /// The suffix of a number of the counter's type.
     suffix: &'static str,
     /// The tokens between its braces.
     body: Range<usize>,
 }
 
 impl Counted {
-    /// `for ( var i = FROM ; i < TO ; i ++ ) {`
+    /// Reads a loop `for ( var i = FROM ; i < TO ; i ++ ) {`.
     fn at(tokens: &Tokens, at: usize, known: &Known) -> Option<Self> {
         let word = |k: usize| tokens.word(at + k);
         let name = word(3);
@@ -61,7 +61,7 @@ impl Counted {
         (!leaves && is_short).then(|| Self { name: name.to_owned(), turns, suffix, body })
     }
 
-    /// The body for each number: for the first with its lines, for the others in one.
+    /// Returns the body for each number: with its line breaks for the first number, and on one line for the others.
     fn written<'a>(&self, tokens: &Tokens<'a>, at: usize) -> Vec<Token<'a>> {
         let mut written = Vec::new();
         for turn in self.turns.clone() {

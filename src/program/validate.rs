@@ -1,4 +1,4 @@
-//! naga's judgement of a linked program, in terms of the files that it was written in.
+//! Validation of a linked program by naga, with errors located in the original files.
 
 use std::error::Error;
 
@@ -8,10 +8,10 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use super::ProgramError;
 use super::linked::Linked;
 
-/// The program as naga sees it, valid in every respect.
+/// Parses the program with naga and validates it completely.
 pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
     let at = |spans: &mut dyn Iterator<Item = naga::Span>, message: String| {
-        // Of what naga points at the shortest is what the error is about; others are what that stands in.
+        // The shortest span that naga reports is the error; longer spans are its context.
         let spans = spans.filter_map(naga::Span::to_range);
         let place = spans.min_by_key(ExactSizeIterator::len).map_or(linked.source.len(), |span| span.start);
         ProgramError::invalid(linked.place(place), message)
@@ -36,10 +36,10 @@ pub fn validated(linked: &Linked) -> Result<Module, ProgramError> {
     }
 }
 
-/// Bytes of a variable of a ray's own, at most: more makes drivers spill, crash or hang.
+/// The largest size in bytes of a private variable; larger ones make drivers spill, crash or hang.
 const MOST: u32 = 16_384;
 
-/// A variable that is too large, and its size.
+/// Returns a variable that is too large, and its size.
 fn huge(module: &Module) -> Option<(naga::Span, u32)> {
     let size = |ty| module.types[ty].inner.size(module.to_ctx());
     let private = module.global_variables.iter().filter(|(_, global)| global.space == naga::AddressSpace::Private);

@@ -168,7 +168,7 @@ pub struct Features {
     pub writes_chords_out: bool,
     /// Steps are repeated if their error is too large.
     pub rejects: bool,
-    /// Steps whose error is too large are counted.
+    /// Steps over the tolerance are kept, and counted as rejected.
     pub keeps_errors: bool,
     /// The objects of some kinds are in an acceleration structure.
     pub has_structure: bool,

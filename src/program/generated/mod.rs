@@ -1,4 +1,4 @@
-//! The few lines of WGSL that a scene's own list of shapes, materials, falloffs, pictures and layers needs.
+//! The few lines of generated WGSL for a scene's list of shapes, materials, falloffs, images and layers.
 
 mod shapes;
 mod switch;
@@ -15,8 +15,8 @@ pub(super) use shapes::{lists, near, shapes};
 pub use shapes::{solid_code, solid_codes};
 pub(super) use switch::{switch, unit};
 
-/// Paths that are looked for from a light to a place, at most: about one centre two by either side; else one from each first direction,
-/// straight and past each of the law's sources at three distances, or to four sides twice, and back.
+/// Returns the largest number of paths that are searched from a light to a position. With one center, these are two around either side.
+/// Otherwise there is one per first direction: straight, and past each source of the law at three distances, or four sides twice, and back.
 fn shots(scene: &Scene) -> usize {
     match scene.law.facts().anchors.len() {
         _ if scene.law.facts().orbit.is_some_and(|orbit| orbit.is_plane()) => 4,
@@ -25,17 +25,17 @@ fn shots(scene: &Scene) -> usize {
     }
 }
 
-/// First directions all around the light, besides, where paths are wanted as numbers: what a picture does without for the sake of its time.
+/// The number of additional first directions all around the light if paths are wanted as numbers; images omit them to save time.
 const AROUND: usize = 48;
 
-/// The same with those.
+/// Returns the largest number of paths that are searched if paths are wanted as numbers.
 #[must_use]
 pub fn all_shots(scene: &Scene) -> usize {
     let planar = scene.law.facts().orbit.is_some_and(|orbit| orbit.is_plane());
     shots(scene) + if planar { 0 } else { AROUND }
 }
 
-/// The way to a place from what a force comes from.
+/// Generates the offset of a position from the source of a force.
 pub(super) fn anchors(kinds: &[&source::Kind]) -> Unit {
     let code = |kind: &source::Kind| source::ANCHORS.iter().position(|other| *other == kind).unwrap_or(0);
     let calls: Vec<_> =
@@ -44,29 +44,29 @@ pub(super) fn anchors(kinds: &[&source::Kind]) -> Unit {
     unit("generated/anchors.wgsl", switch(signature, "kind", &calls))
 }
 
-/// The last name of a part's path: that of its functions.
+/// Returns the last name of a module's path, which its functions carry.
 fn own_name(part: &str) -> &str {
     part.rsplit('/').next().unwrap_or(part)
 }
 
-/// What surfaces are made of, and what is asked of them.
+/// The materials, patterns and lights of surfaces, and the queries to them.
 pub(super) struct Answers<'a> {
-    /// The parts of the kinds, of those whose colour follows from a temperature, and of those that orbit.
+    /// The modules of the kinds, of the kinds whose color follows from a temperature, and of the kinds that orbit.
     pub kinds: &'a [&'a str],
     pub tempered: &'a [&'a str],
     pub orbiting: &'a [&'a str],
-    /// The parts of patterns, each with whether it is multiplied by vertex colors.
+    /// The modules of patterns, each with whether it is multiplied by vertex colors.
     pub patterns: &'a [(&'a str, bool)],
     pub lights: &'a [&'a str],
-    /// Does each answer light, and none show it?
+    /// Whether all materials scatter light on paths, and none of them shows local illumination.
     pub paths: bool,
-    /// Is it asked how matter moves?
+    /// Whether the motion of matter is queried.
     pub shift: bool,
-    /// Is its light as bright as its shift makes it?
+    /// Whether the redshift changes the brightness of light.
     pub beaming: bool,
 }
 
-/// What surfaces send back: the scene's kinds of material, pattern and light.
+/// Generates the light that surfaces return: the scene's kinds of material, pattern and light.
 pub(super) fn materials(answers: &Answers) -> Unit {
     let Answers { kinds, tempered, orbiting, patterns, lights, paths, shift, beaming } = *answers;
     let each = |call: &dyn Fn(&str, &str) -> String| -> Vec<_> {
@@ -113,7 +113,7 @@ pub(super) fn materials(answers: &Answers) -> Unit {
     unit("generated/materials.wgsl", text)
 }
 
-/// What paths aim at, with so many guides: each kind of it as often as it is bright at a vertex.
+/// Generates next-event estimation, with `guides` guides: each kind of target is chosen in proportion to its brightness at a vertex.
 pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
     let each = |word: &dyn Fn(&str) -> String, between: &str| -> String {
         kinds.iter().map(|kind| word(kind)).collect::<Vec<_>>().join(between)
@@ -144,14 +144,14 @@ pub(super) fn aims(kinds: &[&str], guides: usize) -> Unit {
     unit("generated/aims.wgsl", text)
 }
 
-/// What filters leave of light, by their kinds, each with whether it is a texture.
+/// Generates the absorption of the given kinds, each with whether it is a texture.
 pub(super) fn filters(kinds: &[(bool, &str)]) -> Unit {
     let call = |(is_texture, kind): &(bool, &str)| {
         let sum = if *is_texture { ", sum" } else { "" };
         (kind.to_uppercase(), format!("density_{kind}(filter_at, q{sum})"))
     };
     let calls: Vec<_> = kinds.iter().map(call).collect();
-    // A texture's sum, which is long, stands once, whatever is made of it.
+    // The long sum over a texture is written once, for all kinds that use it.
     let text = if kinds.iter().any(|(is_texture, _)| *is_texture) {
         let signature = "fn textured_density(filter_at: Filter, q: Real3, sum: f32) -> vec3f";
         switch(signature, "filter_at.kind", &calls)
@@ -163,7 +163,7 @@ pub(super) fn filters(kinds: &[(bool, &str)]) -> Unit {
     unit("generated/filters.wgsl", text)
 }
 
-/// One texture for each picture.
+/// Generates one texture for each image.
 pub(super) fn images(count: usize) -> Unit {
     let mut text = String::new();
     for k in 0..count {
@@ -178,7 +178,7 @@ pub(super) fn images(count: usize) -> Unit {
     unit("generated/images.wgsl", text)
 }
 
-/// The layers to keep.
+/// Generates the storage of the layers.
 pub(super) fn layers(names: &[&str]) -> Unit {
     let mut text = String::from("fn keep_layers(pixel: vec2u, ray: Ray, seen: Seen) {\n");
     if !names.is_empty() {
@@ -190,8 +190,8 @@ pub(super) fn layers(names: &[&str]) -> Unit {
     unit("generated/layers.wgsl", text)
 }
 
-/// What becomes of a ray at a surface, by the kinds of material that it goes on from. If there are others it `ends` on them, and may show
-/// through some.
+/// Generates the scattering of a ray at a surface, by the kinds of material that scatter it. If there are other kinds, the ray `ends` on
+/// them, and some of them may be translucent.
 pub(super) fn scatter(kinds: &[&str], ends: Option<bool>) -> Unit {
     let arguments = "material, surface, end, index, pixel";
     let mut calls: Vec<_> = kinds
@@ -209,7 +209,7 @@ pub(super) fn scatter(kinds: &[&str], ends: Option<bool>) -> Unit {
     unit("generated/scatter.wgsl", switch(signature, "material.kind", &calls))
 }
 
-/// How many regions there are, which of their bits stand for media, and how many objects touch others.
+/// Generates the number of regions, the mask of their bits that represent media, and the number of objects that touch others.
 pub(super) fn regions(regions: &Regions) -> Unit {
     let count = regions.regions.len();
     let media = regions.regions.iter().filter(|region| region.kind.is_some()).count();
@@ -220,37 +220,37 @@ pub(super) fn regions(regions: &Regions) -> Unit {
     unit("generated/regions.wgsl", text)
 }
 
-/// How many objects spirals may meet, and whether they leap over what is free of them.
+/// Generates the number of obstacles that spirals may meet, and whether spirals leap over free space.
 pub(super) fn obstacles(count: usize, leaps: bool) -> Unit {
     let text = format!("const OBSTACLE_COUNT: u32 = {count}u;\nconst LEAPS: bool = {leaps};\n");
     unit("generated/obstacles.wgsl", text)
 }
 
-/// How many loop iterations the device runs in an invocation, and how many invocations share them.
+/// Generates the number of loop iterations that the device allows per invocation, and the number of invocations that share them.
 pub(super) fn loop_budget(budget: Option<LoopBudget>) -> Unit {
     let LoopBudget { iterations, lanes } = budget.unwrap_or(LoopBudget { iterations: u32::MAX, lanes: 1 });
     let text = format!("const LOOP_BUDGET: u32 = {iterations}u;\nconst LOOP_LANES: u32 = {lanes}u;\n");
     unit("generated/loop_budget.wgsl", text)
 }
 
-/// Whether nothing but its surface is in a kind of region, so that one step leads through, and whether its paths are whole lines.
+/// Generates whether a kind of region contains nothing except its surface, so one step crosses it, and whether its paths are whole lines.
 pub(super) fn region(is_empty: bool, is_whole: bool) -> Unit {
     let text = format!("const IS_EMPTY: bool = {is_empty};\nconst IS_WHOLE: bool = {is_whole};\n");
     unit("generated/region.wgsl", text)
 }
 
-/// The texels of the state's textures.
+/// Generates the texel type of the state's textures.
 pub(super) fn texels(precision: Precision) -> Unit {
     let texel = if precision == Precision::Half { "rgba16float" } else { "rgba32float" };
     unit("generated/texels.wgsl", format!("alias StateTexture = texture_storage_2d<{texel}, write>;\n"))
 }
 
-/// How many media a kind of region has.
+/// Generates the number of media in a kind of region.
 pub(super) fn media(count: usize) -> Unit {
     unit("generated/media.wgsl", format!("const MEDIA_COUNT: u32 = {count}u;\n"))
 }
 
-/// The steps of a chord, one after the other.
+/// Generates the unrolled steps of a chord.
 pub(super) fn chord(steps: u32) -> Unit {
     let mut text =
         String::from("fn chord_steps(start: Ray) -> ChordSteps {\n    var ray = start;\n    var over = false;\n");
@@ -262,7 +262,7 @@ pub(super) fn chord(steps: u32) -> Unit {
     unit("generated/chord.wgsl", text)
 }
 
-/// How long the lists are that every step or segment walks: known to the compiler, which may unroll them.
+/// Generates the lengths of the lists that every step or segment traverses; the compiler may unroll loops of known length.
 pub(super) fn counts(scene: &Scene, features: &Features, regions: &Regions) -> Unit {
     let mut text = String::new();
     let mut count = |name: &str, n: usize| {

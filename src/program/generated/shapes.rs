@@ -1,4 +1,4 @@
-//! A scene's shapes in lists and in its structure: what a segment is near, and where it meets which.
+//! Generation of the tests against a scene's shapes, in lists and in its acceleration structure.
 
 use std::fmt::Write as _;
 
@@ -9,11 +9,11 @@ use crate::program::unit::Unit;
 use crate::program::{Analysis, PARTS, constant};
 use crate::scene::{Object, Scene};
 
-/// A solid in the upper bits of a primitive: its place in the table of all.
+/// Returns the code of a solid, its index in the table of all solids, in the upper bits of a primitive.
 ///
 /// # Panics
 ///
-/// Where the table does not have it.
+/// If the table does not contain the solid.
 #[must_use]
 pub fn solid_code(solid: &Solid) -> u32 {
     let place = SOLIDS.iter().position(|other| other.name == solid.name);
@@ -21,16 +21,17 @@ pub fn solid_code(solid: &Solid) -> u32 {
     place as u32 * (constant("segment/ray", "PRIMITIVE_INDEX") as u32 + 1)
 }
 
-/// The codes as WGSL.
+/// Returns the codes as WGSL.
 #[must_use]
 pub fn solid_codes(solids: &[&Solid]) -> String {
     let code = |solid: &&Solid| format!("const {}: u32 = {:#x}u;\n", solid.name.to_uppercase(), solid_code(solid));
     solids.iter().map(code).collect()
 }
 
-/// Where a piece meets an item of the structure, or one that moves, and the surface of a primitive; of one that moves, at rest.
+/// Generates the intersection of a piece with an item of the acceleration structure or a moving object, and the surface of a primitive;
+/// the surface of a moving object is at rest.
 pub(in crate::program) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&Solid], moving: &[&Solid]) -> Unit {
-    // What is kept once is known by more than a kind and an index.
+    // An instanced item needs more than a kind and an index.
     let has_kind = |solid: &&&Solid| !(structure.once && solid.lists.is_none());
     let case = |solid: &&Solid, call: String| (solid.name.to_uppercase(), call);
     let surface = |solid: &&Solid| format!("surface_{}(primitive & PRIMITIVE_INDEX, x)", solid.name);
@@ -71,7 +72,8 @@ pub(in crate::program) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&
     unit("generated/shapes.wgsl", text)
 }
 
-/// A function of a primitive and some arguments that calls `instance` for what is kept once, and else what its kind calls.
+/// Generates a function of a primitive and some arguments that calls `instance` for instanced items, and otherwise the call of the item's
+/// kind.
 fn instances_first(head: &Head, instance: &str, kinds: &[(String, String)]) -> String {
     let Head { name, primitive, rest, arguments, result } = head;
     let signature = format!("({primitive}: u32, {rest}) -> {result}");
@@ -85,17 +87,17 @@ fn instances_first(head: &Head, instance: &str, kinds: &[(String, String)]) -> S
     )
 }
 
-/// A function of a primitive.
+/// The signature of a function of a primitive.
 struct Head {
     name: &'static str,
     primitive: &'static str,
-    /// The other parameters, and as arguments.
+    /// The other parameters, first as declared and then as arguments.
     rest: &'static str,
     arguments: &'static str,
     result: &'static str,
 }
 
-/// The first hit of a straight piece among the shapes in lists, those that end rays and those that rays cross.
+/// Generates the first hit of a straight piece among the shapes in lists: the shapes that end rays and the shapes that rays cross.
 pub(in crate::program) fn lists(
     scene: &Scene,
     Analysis { regions, structure }: &Analysis,
@@ -110,14 +112,14 @@ pub(in crate::program) fn lists(
         text += &list_hit(solid.name, sided, count);
     }
     text += "    return hit;\n}\n\n";
-    // Nothing is ruled out: every segment is tested against everything (the crossbar of W04 §5.4).
+    // No culling: every segment is tested against everything (the crossbar of W04 §5.4).
     text += "fn items_near(s: Segment) -> u32 {\n    return 0xffffffffu;\n}\n\nconst FINDS_NEAR: bool = false;\n";
     let _ = writeln!(text, "const HAS_LISTS: bool = {};", !listed.is_empty() || !sided.is_empty());
     unit("generated/lists.wgsl", text)
 }
 
-/// What a segment is near, and one of the shapes in lists against a piece, by its place among what may be near: those that end rays,
-/// those that rays cross, and the structure in parts, whose bit is the highest.
+/// Generates the shapes near a segment, and the intersection of a piece with one of the shapes in lists, by its index among the near ones:
+/// shapes that end rays, shapes that rays cross, and the parts of the acceleration structure, whose bits are the highest.
 pub(in crate::program) fn near(
     scene: &Scene,
     Analysis { regions, structure }: &Analysis,
@@ -132,13 +134,13 @@ pub(in crate::program) fn near(
         let test = if solid.lists.as_ref().is_some_and(|lists| lists.flat) { "near_flat" } else { "near_ball" };
         for i in 0..count {
             let place = first + i;
-            // Who is on the wrong side of a surface meets it wherever it is.
+            // A ray on the wrong side of a surface can meet it anywhere.
             let known = if sided { format!(" || is_inside(sided_{name}_list[{i}u].bit)") } else { String::new() };
             let _ =
                 writeln!(bits, "    near |= select(0u, {}u, {test}(surroundings[{place}u], c){known});", 1u32 << place);
         }
         let item = if first == 0 { "item".to_owned() } else { format!("item - {first}u") };
-        // All cases are computed where that is faster than to branch, and then none may be beyond its list.
+        // If branches are slower, all cases are computed, and no index may be beyond the end of its list.
         let place = if is_processor { format!("min({item}, {}u)", count - 1) } else { item.clone() };
         let (call, primitive) = if sided {
             let call = format!("cross_{name}(sided_{name}_list[{place}], a, d)");
@@ -177,12 +179,12 @@ pub(in crate::program) fn near(
     unit("generated/near.wgsl", text)
 }
 
-/// A piece against the list of a solid: item by item, or in a loop where it is not said how many there are.
+/// Generates the intersection of a piece with the list of a solid: item by item, or in a loop if `count` is `None`.
 fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
     let code = name.to_uppercase();
     let item = |i: &str| {
         if sided {
-            // Behind the opaque ones.
+            // These follow the opaque shapes.
             let primitive = format!("{code} | ({code}_COUNT + {i})");
             format!("    hit = nearer_hit(hit, cross_{name}(sided_{name}_list[{i}], a, d), {primitive});\n")
         } else {
@@ -197,7 +199,7 @@ fn list_hit(name: &str, sided: bool, count: Option<usize>) -> String {
     (0..count).map(|i| item(&format!("{i}u"))).collect()
 }
 
-/// How many shapes of a solid at rest rays go on from, or end on.
+/// Counts the static shapes of a solid that scatter rays, if `sided`, or end them.
 pub(super) fn count_of(scene: &Scene, regions: &Regions, solid: &Solid, sided: bool) -> usize {
     let is = |(i, object): &(usize, &Object)| {
         object.solid() == solid && regions.bit(*i).is_some() == sided && object.travel.is_none()

@@ -1,4 +1,4 @@
-//! Functions that call what a kind is named for.
+//! Functions that switch between kinds.
 
 use std::fmt::Write as _;
 
@@ -8,8 +8,8 @@ pub(in crate::program) fn unit(file: &'static str, text: String) -> Unit {
     Unit::generated(file, text)
 }
 
-/// `signature` as a function that returns `call(kind)` for the kind that `selector` names: `kinds` are (constant, name). A single
-/// kind needs no switch.
+/// Returns a function with this `signature` that calls the kind with the value of `selector`; `kinds` are pairs of a constant and a call.
+/// A single kind needs no switch.
 pub(in crate::program) fn switch(signature: &str, selector: &str, kinds: &[(String, String)]) -> String {
     let mut text = format!("{signature} {{\n");
     let Some(((_, last), rest)) = kinds.split_last() else {

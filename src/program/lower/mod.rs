@@ -1,19 +1,19 @@
-//! Lowering: a pass's uniforms in the form that drivers accept and run fastest: one buffer for all of the scene's, each read once.
+//! Lowering of a pass's uniforms to a form that drivers accept and run fast: one buffer for all of the scene's uniforms, each read once.
 //!
-//! *Theory.* Every part declares the uniform it reads, by its own name. A pass that binds each apart soon needs more than a
-//! device has to give (twelve are sure), and more than some drivers can take: looking for branches that depend on uniforms alone,
-//! Mesa 22.3 counts in steps of 32 through a table with room for 4 a buffer, and a branch on the fifth buffer or a later one
-//! writes past its end, into whatever the heap has there. So the uniforms become members of one block; what a tile or a turn
-//! writes stays apart.
+//! *Theory.* Every module declares the uniform that it reads under a separate name. Separate bindings soon exceed the limit of a device
+//! (twelve are guaranteed) and the ability of some drivers: to find branches that depend on uniforms alone,
+//! Mesa 22.3 indexes in steps of 32 a table with room for 4 entries per buffer, and a branch on the fifth or a later buffer
+//! writes past its end, into the heap. The uniforms therefore become members of one block; uniforms that a tile or a dispatch
+//! writes remain separate.
 //!
-//! Inside a loop a processor reads a uniform once for every lane, each read with a test of its bounds: some 25 instructions for one
-//! number, and half the time of a Runge–Kutta step. So a pass copies them into variables of its own before it does anything else,
-//! where one read serves all lanes; on GPUs they stay where they are. An array that is only read at places written as numbers is copied
-//! place by place, and one of a single place as that. Other arrays stay where they are: a copy of an array is memory, which is read no
-//! faster.
+//! Inside a loop a CPU reads a uniform once for every lane, with a bounds check for each read: some 25 instructions for one
+//! number, and half the time of a Runge–Kutta step. On CPUs a pass therefore first copies the uniforms into private variables,
+//! with one read for all lanes; on GPUs they are not copied. An array that is only read at constant indices is copied
+//! element by element, and an array of a single element as one value. Other arrays are not copied: a copy of an array is in memory, which
+//! is not faster to read.
 //!
-//! *Practice.* Declarations are read, and uses replaced, as tokens. A uniform that is used in a way that only a uniform's own rules
-//! can judge (written to, pointed at, indexed outside of its bounds) is not copied, so that naga sees the slip as it was written.
+//! *Practice.* Declarations are read, and uses replaced, as tokens. A uniform is not copied if one of its uses is checked by the rules for
+//! uniforms (a write, an address, an index out of bounds), so that naga reports the error as it was written.
 
 mod uses;
 
@@ -28,9 +28,9 @@ use super::DeviceProfile;
 use super::declarations::Declaration;
 use super::tokens::{Splice, Tokens};
 
-/// Uniforms that are written for each tile, and for each dispatch.
+/// The uniforms that are written for each tile, and for each dispatch.
 const APART: [&str; 2] = ["frame", "dispatch"];
-/// The block's type.
+/// The type of the block.
 const BLOCK: &str = "Uniforms";
 /// The function that fills the copies.
 const READ: &str = "read_uniforms";
@@ -39,7 +39,7 @@ const READ: &str = "read_uniforms";
 #[derive(Debug, Default)]
 pub(super) struct Lowering<'a> {
     entry: &'a str,
-    /// In the order of the parts.
+    /// The uniforms in the order of the modules.
     uniforms: Vec<Uniform<'a>>,
 }
 
@@ -57,7 +57,7 @@ impl Uniform<'_> {
 }
 
 impl<'a> Lowering<'a> {
-    /// Of the declarations that the entry point reaches.
+    /// Collects the uniforms among the declarations that the entry point reaches.
     pub(super) fn of(entry: &'a str, reached: &[&'a Declaration<'a>], device: &DeviceProfile) -> Self {
         let by_name: HashMap<&str, &Declaration> = reached.iter().map(|own| (own.name(), *own)).collect();
         let uniforms = reached.iter().filter(|declaration| declaration.is_uniform()).filter_map(|declaration| {
@@ -72,7 +72,7 @@ impl<'a> Lowering<'a> {
         Self { entry, uniforms: uniforms.collect() }
     }
 
-    /// Does the block stand in for this declaration?
+    /// Returns `true` if the block replaces this declaration.
     pub(super) fn replaces(&self, declaration: &Declaration) -> bool {
         declaration.keyword() == "var" && self.named(declaration.name()).is_some_and(|uniform| !uniform.is_apart())
     }
@@ -81,7 +81,7 @@ impl<'a> Lowering<'a> {
         self.uniforms.iter().find(|uniform| uniform.name == name)
     }
 
-    /// Names that no part may use for anything else.
+    /// Returns the names that the linker reserves for itself.
     pub(super) fn made(&self) -> BTreeSet<String> {
         let mut made = BTreeSet::new();
         if self.members().next().is_some() {
@@ -100,14 +100,14 @@ impl<'a> Lowering<'a> {
         made
     }
 
-    /// What to write in a function for every use of a uniform; the entry point reads them first.
+    /// Returns the replacements for every use of a uniform in a function; the entry point copies the uniforms first.
     pub(super) fn splices(&self, declaration: &Declaration) -> Vec<Splice<'static>> {
         let mut splices: Vec<Splice> = Vec::new();
         let Some(signature) = declaration.signature() else { return splices };
         let tokens = &declaration.tokens;
         let mut done = 0;
         for &i in declaration.names.iter().filter(|&&i| i > signature.body) {
-            // What stands in an index that is left out is left out too.
+            // A use inside a dropped index is dropped too.
             let Some(uniform) = self.named(tokens.word(i)).filter(|_| i >= done) else { continue };
             let (end, place) = match uniform.shape {
                 Shape::One(_) => (index_end(tokens, i), None),
@@ -125,7 +125,7 @@ impl<'a> Lowering<'a> {
         splices
     }
 
-    /// What a use of a uniform is written as: a copy of those in the block has their own name.
+    /// Returns the replacement for a use of a uniform; copies of members of the block have the member's name.
     fn stand_in(&self, uniform: &Uniform, place: Option<u32>) -> String {
         let name = uniform.name;
         match (&uniform.shape, place) {
@@ -136,7 +136,7 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    /// The uniform itself.
+    /// Returns the expression of the uniform itself.
     fn original(&self, uniform: &Uniform) -> String {
         if uniform.is_apart() { uniform.name.to_owned() } else { format!("{}.{}", self.block(), uniform.name) }
     }
@@ -153,12 +153,12 @@ impl<'a> Lowering<'a> {
         self.uniforms.iter().filter(|uniform| uniform.shape != Shape::InPlace)
     }
 
-    /// The block's own declaration, the copies' and the function that fills them; empty if there are no uniforms.
+    /// Returns the declarations of the block, of the copies and of the function that fills them; empty if there are no uniforms.
     pub(super) fn declaration(&self) -> String {
         let mut text = String::new();
         // Writing to a String cannot fail.
         if self.members().next().is_some() {
-            // 32 is a multiple of what any member wants, vectors of f64 included.
+            // 32 is a multiple of the alignment of all members, including vectors of f64.
             let _ = writeln!(text, "struct {BLOCK} {{");
             for Uniform { name, ty, .. } in self.members() {
                 let _ = writeln!(text, "    @align(32) {name}: {ty},");

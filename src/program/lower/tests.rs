@@ -1,4 +1,4 @@
-//! Lowering in a golden output, in many ways to write its input, and in what it must refuse.
+//! Tests of lowering: a golden output, many ways to write the input, and the inputs that are rejected.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use crate::program::tokens::Tokens;
 use crate::program::{Choice, DeviceProfile, Features, Parts, Unit, link, plan, reflect, validated};
 use crate::scene::Scene;
 
-/// One uniform of every shape: whole, of one element, of two that are read at written places, walked, and apart.
+/// Uniforms of every shape: whole, of one element, of two elements that are read at constant indices, walked, and separate.
 const INPUT: &str = "\
 const ONE: u32 = 1u;
 const TWO: u32 = 2u;
@@ -49,7 +49,7 @@ fn words(text: &str) -> Vec<String> {
     (0..tokens.len()).map(|i| tokens.word(i).to_owned()).collect()
 }
 
-/// The text with something else between its tokens, wherever something may stand.
+/// Returns the text with `gap` between its tokens, wherever the language allows it.
 fn with_gaps(text: &str, gap: &str) -> String {
     let words = words(text);
     let brackets = ["(", ")", "{", "}", "[", "]", ",", ";", ":", "@"];
@@ -101,7 +101,7 @@ fn formatting_changes_nothing() {
     }
 }
 
-/// Programs with every kind of declaration, and copies of regions.
+/// The scenes have every kind of declaration, and copies of regions.
 #[test]
 fn formatting_changes_no_scene() {
     for name in ["black_hole", "thesis/luneburg", "thesis/gaussian"] {
@@ -126,7 +126,7 @@ fn formatting_changes_no_scene() {
     }
 }
 
-/// What stays legal though no copy can stand for it is left as it is.
+/// Uses that are legal but that no copy can replace are not changed.
 #[test]
 fn unusual_uses_read_the_uniform_itself() {
     for (from, to, left) in [
@@ -142,7 +142,7 @@ fn unusual_uses_read_the_uniform_itself() {
     }
 }
 
-/// Slips against the rules of uniforms, which copies do not have; each with its own place in the text.
+/// Violations of the rules for uniforms, which do not apply to copies; each is reported at its location.
 #[test]
 fn slips_are_not_hidden() {
     let place = INPUT[..INPUT.find("return").unwrap()].lines().count();

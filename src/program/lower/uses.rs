@@ -1,4 +1,4 @@
-//! How a uniform is used, which decides what its copy is.
+//! Analysis of the uses of a uniform, which determine its copy.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -9,25 +9,25 @@ use super::super::tokens::{Tokens, whole_number};
 /// The copy of a uniform.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Shape {
-    /// All of it.
+    /// The whole uniform.
     Whole,
     /// The only element of an array, of this type.
     One(String),
-    /// Elements of an array of this type, so many from the first on.
+    /// The first elements of an array: their type and number.
     Places(String, u32),
-    /// There is none: it is read where it is.
+    /// No copy: the uniform is read in place.
     InPlace,
 }
 
-/// More elements than this are not copied one by one: a list that is written out has at most 32.
+/// The largest number of elements that are copied one by one; an unrolled list has at most 32.
 const MOST_PLACES: u32 = 64;
-/// Aliases and constants are followed through so many others.
+/// The largest length of a chain of aliases and constants that is followed.
 const STEPS: usize = 8;
 
 /// The declarations that a program reaches, by name.
 type ByName<'a> = HashMap<&'a str, &'a Declaration<'a>>;
 
-/// What the copy of a uniform may be, by all uses of it.
+/// Returns the possible copy of a uniform, given all its uses.
 pub(super) fn shape(uniform: &Declaration, reached: &[&Declaration], by_name: &ByName) -> Shape {
     let uses = || {
         let functions = reached.iter().filter(|declaration| declaration.keyword() == "fn");
@@ -54,7 +54,7 @@ pub(super) fn shape(uniform: &Declaration, reached: &[&Declaration], by_name: &B
         .map_or(Shape::InPlace, |all| Shape::Places(element, all.into_iter().max().map_or(0, |last| last + 1)))
 }
 
-/// The type and the number of an array's elements, where it is one of a known number.
+/// Returns the type and the number of an array's elements; the number is `None` if it is unknown.
 fn array(uniform: &Declaration, by_name: &ByName) -> Option<(String, Option<u32>)> {
     let (mut tokens, mut ty) = (&uniform.tokens, uniform.ty()?);
     for _ in 0..STEPS {
@@ -71,7 +71,7 @@ fn array(uniform: &Declaration, by_name: &ByName) -> Option<(String, Option<u32>
     Some((tokens.written(arguments.first()?.clone()), count))
 }
 
-/// A number, or the name of a constant that is one.
+/// Evaluates a number, or the name of a constant number.
 fn number<'a>(mut tokens: &'a Tokens<'a>, mut value: Range<usize>, by_name: &'a ByName<'a>) -> Option<u32> {
     for _ in 0..STEPS {
         if value.len() != 1 {
@@ -86,17 +86,17 @@ fn number<'a>(mut tokens: &'a Tokens<'a>, mut value: Range<usize>, by_name: &'a 
     None
 }
 
-/// The token that closes the index behind the name `i`; `i` if there is none.
+/// Returns the token that closes the index after the name `i`, or `i` if there is none.
 pub(super) fn index_end(tokens: &Tokens, i: usize) -> usize {
     if tokens.word(i + 1) == "[" { tokens.closing(i + 1).unwrap_or(i) } else { i }
 }
 
-/// The place that the name `i` is indexed by, if it is written as a number.
+/// Returns the index of the name `i`, if it is a literal number.
 pub(super) fn written_place(tokens: &Tokens, i: usize) -> Option<u32> {
     (index_end(tokens, i) == i + 3).then(|| whole_number(tokens.word(i + 2)))?
 }
 
-/// Does a statement write to the name `i`, or to a part of it?
+/// Returns `true` if a statement writes to the name `i`, or to a part of it.
 fn is_written(tokens: &Tokens, i: usize) -> bool {
     let mut k = i + 1;
     loop {
@@ -117,7 +117,7 @@ fn is_written(tokens: &Tokens, i: usize) -> bool {
     }
 }
 
-/// Is the address of the name `i` taken?
+/// Returns `true` if the address of the name `i` is taken.
 fn is_pointed_at(tokens: &Tokens, i: usize) -> bool {
     let mut first = i;
     while tokens.before(first) == "(" {
@@ -126,7 +126,7 @@ fn is_pointed_at(tokens: &Tokens, i: usize) -> bool {
     if tokens.before(first) != "&" {
         return false;
     }
-    // `a & b` and `a && b` have a value or another sign before.
+    // In `a & b` and `a && b`, a value or another operator precedes the sign.
     let before = tokens.before(first - 1);
     let is_operand = matches!(before, ")" | "]" | "&") || before.starts_with(|c: char| c.is_alphanumeric() || c == '_');
     !is_operand || before == "return"
