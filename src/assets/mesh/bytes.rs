@@ -1,12 +1,12 @@
-//! What binary formats share: values taken from bytes, and what is wrong with the bytes at a place.
+//! Shared code of binary formats: values read from bytes, and errors at a byte offset.
 
 use super::text::LARGEST;
 use crate::assets::flaw::Flaw;
 
-/// Bytes that values are taken from, one after the other.
+/// A reader of bytes that takes values one after the other.
 pub(super) struct Bytes<'a> {
     all: &'a [u8],
-    /// How many were taken.
+    /// The number of bytes taken so far.
     pub at: usize,
 }
 
@@ -15,12 +15,12 @@ impl<'a> Bytes<'a> {
         Self { all, at }
     }
 
-    /// How many there are still.
+    /// Returns the number of bytes that are left.
     pub fn left(&self) -> usize {
         self.all.len().saturating_sub(self.at)
     }
 
-    /// Returns the bytes that are not taken yet.
+    /// Returns the bytes that have not been taken yet.
     pub fn rest(&self) -> &'a [u8] {
         self.all.get(self.at..).unwrap_or_default()
     }

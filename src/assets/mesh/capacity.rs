@@ -1,14 +1,15 @@
-//! How many triangles a mesh may have. A file with more is rejected as soon as its header, or the part read so far, shows it.
+//! The limit on the triangles of a mesh. A file with more is rejected as soon as its header, or the part read so far, shows it.
 //!
-//! *Practice.* Asking which devices there are takes longer than reading a small mesh, so it is put off until a mesh is larger than every
-//! device holds.
+//! *Practice.* Listing the devices takes longer than reading a small mesh, so the list is requested only when a mesh has more triangles
+//! than
+//! every device can hold.
 
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 use crate::assets::flaw::Flaw;
 
-/// The number of triangles that a mesh may have. Clones ask once.
+/// The largest number of triangles that a mesh may have. Clones share the answer.
 #[derive(Clone, Default)]
 pub struct Capacity(Option<Arc<Asked>>);
 
@@ -18,7 +19,7 @@ struct Asked {
     answer: OnceLock<Option<Held>>,
 }
 
-/// The triangles that a device holds.
+/// The number of triangles that a device can hold.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Held {
     /// The device's name.
@@ -34,12 +35,12 @@ impl fmt::Debug for Capacity {
 }
 
 impl Capacity {
-    /// Creates a capacity that is asked for when a mesh has more than `always` triangles; `None` is without limit.
+    /// Creates a capacity that calls `ask` when a mesh has more than `always` triangles; if `ask` returns `None`, there is no limit.
     pub fn new(always: u64, ask: impl Fn() -> Option<Held> + Send + Sync + 'static) -> Self {
         Self(Some(Arc::new(Asked { always, ask: Box::new(ask), answer: OnceLock::new() })))
     }
 
-    /// Checks the number of triangles that a file has, or that were read of it so far.
+    /// Checks the number of triangles that a file has, or that have been read from it so far.
     pub(super) fn check(&self, triangles: u64) -> Result<(), Flaw> {
         let Some(asked) = self.0.as_ref().filter(|asked| triangles > asked.always) else { return Ok(()) };
         match asked.answer.get_or_init(|| (asked.ask)()) {

@@ -1,21 +1,21 @@
-//! A mesh's vertices by where they are, so that what only a few can be is found without asking all.
+//! Vertices grouped by position, to find the maximum of a function without evaluating it at all of them.
 //!
-//! *Practice.* Scenes show one mesh in thousands of places, and ask for the box about each. A convex function is largest over a box at
-//! one of its corners: cells whose corners stay below what was found are not looked into.
+//! *Practice.* Scenes may have thousands of instances of one mesh, and need a bounding box of each. A convex function on a box is largest
+//! at one of the corners: cells whose corners stay below the maximum found so far are skipped.
 
 use glam::{DVec3, Vec3};
 
 use super::Vertex;
 
-/// Cells along each axis.
+/// The number of cells along each axis.
 const CELLS: f32 = 12.0;
 
-/// Vertices by the cells of a grid.
+/// Vertices grouped by the cells of a grid.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Cells {
-    /// The vertices, cell by cell.
+    /// The indices of the vertices, cell by cell.
     order: Vec<u32>,
-    /// Those that have any: the box about its vertices, and where they end in the order.
+    /// The cells with vertices: the bounding box of the vertices, and their end in the order.
     filled: Vec<(Vec3, Vec3, u32)>,
 }
 
@@ -41,7 +41,7 @@ impl Cells {
         Self { order, filled }
     }
 
-    /// The largest value of a convex function at a vertex; −∞ without one.
+    /// Returns the largest value of a convex function at a vertex; −∞ without vertices.
     pub(super) fn most(&self, vertices: &[Vertex], value: impl Fn(DVec3) -> f64) -> f64 {
         let corner = |lo: Vec3, hi: Vec3, k: u32| {
             let side = |axis: u32| k >> axis & 1 == 1;
@@ -78,7 +78,7 @@ mod tests {
 
     proptest! {
         #[allow(clippy::float_cmp, reason = "the same values are compared")]
-        /// What is found is what asking every vertex finds, to the last bit.
+        /// The result is bit-identical to the maximum over all vertices.
         #[test]
         fn the_most_of_all_is_found(places in prop::collection::vec([number(), number(), number()], 0..300), m in prop::array::uniform9(-2.0..2.0), c in prop::array::uniform3(-3.0..3.0)) {
             let vertex = |p: &[f32; 3]| Vertex { position: Vec3::from_array(*p), normal: Vec3::Y, uv: Vec2::ZERO };

@@ -1,35 +1,35 @@
 //! Vertex colors: one for each position of a file, linear and from 0 to 1.
 //!
-//! *Theory.* OBJ and PLY do not say how their colors are encoded. Programs that paint and scan meshes write the numbers of the screen,
-//! which are sRGB, and readers such as three.js decode them so. The colors of glTF are linear by its specification.
+//! *Theory.* OBJ and PLY do not specify the encoding of their colors. Programs that paint and scan meshes write display values,
+//! which are sRGB, and readers such as three.js decode them as sRGB. The colors of glTF are linear by its specification.
 //!
-//! *Practice.* A file is read whether its colors are right or not, because most scenes do not use them. What is wrong is kept, for the
-//! scene that does.
+//! *Practice.* A file with invalid colors is still read, because most scenes do not use them. The error is stored for
+//! the scenes that do.
 
 use glam::{DVec3, Vec3};
 
 use super::Mesh;
 use crate::assets::picture::decode_srgb;
 
-/// How far a component may be outside of 0 to 1: half a step of eight bits.
+/// The largest distance of a component from the range 0 to 1: half a step of eight bits.
 const ROUNDING: f64 = 0.5 / 255.0;
 
-/// The colors of positions.
+/// The colors of a file's positions.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Colors {
-    /// By position; those behind the end are white.
+    /// The linear colors by position; positions after the end are white.
     linear: Vec<Vec3>,
-    /// What is wrong with the first that cannot be used.
+    /// The reason why the first unusable color cannot be used.
     flaw: Option<String>,
 }
 
 impl Colors {
-    /// Colors a position, from 0, in sRGB. Positions before it that have no color are white.
+    /// Sets the color of a position, from 0, given in sRGB. Positions before it without a color are white.
     pub fn set_srgb(&mut self, position: usize, color: [f64; 3]) {
         self.set(position, color, decode_srgb);
     }
 
-    /// As [`Self::set_srgb`], with a linear color.
+    /// Sets the color of a position as [`Self::set_srgb`] does, given as a linear color.
     pub fn set_linear(&mut self, position: usize, color: [f64; 3]) {
         self.set(position, color, |x| x);
     }
@@ -45,29 +45,29 @@ impl Colors {
         self.linear.push(DVec3::from(color.map(|x| decoded(x.clamp(0.0, 1.0)))).as_vec3());
     }
 
-    /// Records why the colors cannot be used; the first reason stays.
+    /// Records the reason why the colors cannot be used; only the first reason is kept.
     pub fn reject(&mut self, flaw: String) {
         self.flaw.get_or_insert(flaw);
     }
 
-    /// Returns `true` if there are colors that can be used.
+    /// Returns `true` if there are usable colors.
     pub fn are_there(&self) -> bool {
         !self.linear.is_empty() && self.flaw.is_none()
     }
 
-    /// The color of a position; white without one.
+    /// Returns the color of a position; white if it has none.
     pub fn get(&self, position: u32) -> Vec3 {
         self.linear.get(position as usize).copied().unwrap_or(Vec3::ONE)
     }
 
-    /// What is wrong with the colors, if anything is.
+    /// Returns the reason why the colors cannot be used, if any.
     pub fn flaw(&self) -> Option<&str> {
         self.flaw.as_deref()
     }
 }
 
 impl Mesh {
-    /// Returns why it has no vertex colors, as a sentence about the mesh; `None` if it has them.
+    /// Returns the reason why the mesh has no vertex colors, as a sentence; `None` if it has them.
     #[must_use]
     pub fn lacks_colors(&self) -> Option<String> {
         if !self.colors.is_empty() {
@@ -78,12 +78,12 @@ impl Mesh {
         Some(self.color_flaw.as_ref().map_or_else(none, wrong))
     }
 
-    /// The linear color of each vertex; white if the mesh has none.
+    /// Returns the linear color of each vertex; white if the mesh has no colors.
     pub fn colors_or_white(&self) -> impl Iterator<Item = Vec3> {
         (0..self.vertices.len()).map(|i| self.colors.get(i).copied().unwrap_or(Vec3::ONE))
     }
 
-    /// Returns the mean of its linear colors over its surface, in its own space; white without colors.
+    /// Returns the mean of the linear colors over the surface, in object space; white without colors.
     #[must_use]
     pub fn mean_color(&self) -> DVec3 {
         if self.colors.is_empty() {

@@ -1,11 +1,11 @@
-//! Edges: which corners are in one position, and which triangles share an edge.
+//! Edges: corners at equal positions, and triangles that share an edge.
 
 use foldhash::{HashMap, HashMapExt};
 use glam::Vec3;
 
 use super::Mesh;
 
-/// For each position the number of the first that is equal.
+/// Returns for each position the index of the first equal position.
 pub(super) fn welded(positions: impl ExactSizeIterator<Item = Vec3>) -> Vec<u32> {
     let mut first: HashMap<[u32; 3], u32> = HashMap::with_capacity(positions.len());
     let same = positions.enumerate().map(|(i, position)| {
@@ -16,33 +16,33 @@ pub(super) fn welded(positions: impl ExactSizeIterator<Item = Vec3>) -> Vec<u32>
     same.collect()
 }
 
-/// A side of a triangle. The vertex with the lower number, where its edge is listed, is one end.
+/// A side of a triangle. It is stored at the vertex with the lower index.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Side {
-    /// The other end.
+    /// The vertex with the higher index.
     pub end: u32,
-    /// Three times the number of its triangle, plus the number of the corner at which it starts: 0, 1 or 2.
+    /// Three times the index of its triangle, plus the index of the corner at which it starts: 0, 1 or 2.
     pub corner: u32,
-    /// Whether the triangle passes it from the lower to the higher vertex.
+    /// Whether the triangle traverses it from the lower to the higher index.
     pub along: bool,
 }
 
 impl Side {
-    /// The triangle's number.
+    /// Returns the index of the triangle.
     pub fn triangle(&self) -> usize {
         self.corner as usize / 3
     }
 }
 
-/// The sides of triangles, grouped by the edge that they lie on.
+/// The sides of triangles, grouped by edge.
 pub(super) struct Edges {
     sides: Vec<Side>,
-    /// For each vertex where its sides end.
+    /// The end of each vertex's sides.
     ends: Vec<u32>,
 }
 
 impl Edges {
-    /// Groups the sides of triangles, each a number with its three vertices, which are below `vertices`.
+    /// Groups the sides of triangles. Each triangle is an index with its three vertices, which are below `vertices`.
     pub fn of(triangles: &(impl Iterator<Item = (u32, [u32; 3])> + Clone), vertices: usize) -> Self {
         let sides = || {
             triangles.clone().flat_map(|(i, [a, b, c])| {
@@ -68,7 +68,7 @@ impl Edges {
         Self { sides: all, ends }
     }
 
-    /// The vertex with the lower number of each edge, and the sides there.
+    /// Returns for each edge the vertex with the lower index, and the sides at that edge.
     pub fn iter(&self) -> impl Iterator<Item = (u32, &[Side])> {
         let starts = [0].into_iter().chain(self.ends.iter().copied());
         starts.zip(&self.ends).enumerate().flat_map(|(vertex, (start, end))| {
@@ -78,15 +78,15 @@ impl Edges {
     }
 }
 
-/// How many of the sides at an edge run along it, and how many against it.
+/// Counts the sides at an edge that run along it, and the sides that run against it.
 pub(super) fn directions(sides: &[Side]) -> [usize; 2] {
     let along = sides.iter().filter(|side| side.along).count();
     [along, sides.len() - along]
 }
 
 impl Mesh {
-    /// The middle of the first edge at which the surface is open or changes its winding, if there is one: closed surfaces that
-    /// are wound consistently have every edge as often in one direction as in the other. Corners are the same if their positions are.
+    /// Returns the middle of the first edge at which the surface is open or changes its winding, if there is one. Closed surfaces with
+    /// consistent winding traverse every edge equally often in both directions. Corners are identified by their positions.
     #[must_use]
     pub fn hole(&self) -> Option<[f32; 3]> {
         let same = welded(self.vertices.iter().map(|vertex| vertex.position));
@@ -96,7 +96,7 @@ impl Mesh {
         open.flat_map(|(_, sides)| sides).map(|side| side.corner).min().map(|corner| self.middle(corner))
     }
 
-    /// The middle of the side of a triangle that starts at a corner, in the file's space.
+    /// Returns the middle of the side of a triangle that starts at a corner, in the file's space.
     pub(super) fn middle(&self, corner: u32) -> [f32; 3] {
         let triangle = self.triangles[corner as usize / 3];
         let [a, b] = [corner, corner + 1].map(|k| {

@@ -1,10 +1,10 @@
-//! The meshes of glTF: primitives of nodes, each in its place in the file's scene.
+//! The meshes of glTF: primitives of nodes, each at its position in the file's scene.
 //!
-//! *Theory.* A primitive is of triangles, a strip or a fan; those of points and lines are counted and not drawn. Its texture coordinates
-//! are those that its material's colour uses, moved as `KHR_texture_transform` says, with v counted from below as everywhere here.
+//! *Theory.* A primitive consists of triangles, a strip or a fan; points and lines are counted and not drawn. Its texture coordinates
+//! are the ones that its material's color uses, transformed by `KHR_texture_transform`, with v counted from below as everywhere in bentray.
 //!
-//! *Practice.* The bytes and their checks are [`Gltf`]'s. The mesh of one node stays in its own space, so that nodes which show the same
-//! mesh share it; meshes of all nodes together, and those that a node turns inside out, are placed in 64 bits.
+//! *Practice.* [`Gltf`] reads and checks the bytes. The mesh of one node stays in object space, so nodes with the same
+//! mesh share it. Meshes of all nodes together, and meshes that a node mirrors, are transformed in 64 bits.
 //!
 //! *Length.* Over 300 lines, because primitives of triangles, strips and fans are read by the same few closures.
 
@@ -31,7 +31,7 @@ use crate::document::SceneError;
 pub(super) const FORMAT: Format =
     Format { extensions: &["gltf", "glb"], read: Read::Parts(|bytes, path| Ok(Box::new(Gltf::open(bytes, path)?))) };
 
-/// Vertices that a mesh may have, and corners of triangles: nodes may show the same mesh again and again, and meshes the same numbers.
+/// The largest number of vertices and of triangle corners of a mesh; nodes may repeat meshes, and meshes may repeat numbers.
 const MOST: u64 = 1 << 26;
 
 impl Parts for Gltf {
@@ -49,12 +49,12 @@ impl Parts for Gltf {
 }
 
 impl Gltf {
-    /// Where a part of the file is read from, and the map from there to the file's scene.
+    /// Returns the source of a part of the file, and the map from its space to the file's scene.
     pub fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError> {
         Parts::find(self, part)
     }
 
-    /// The triangles there, with normals as `crease` says where the file has none.
+    /// Reads the triangles of a source; if the file has no normals, they are generated with the angle `crease`.
     pub fn read(&self, source: &Source, crease: f64) -> Result<Mesh, SceneError> {
         Parts::read(self, source, &Capacity::default())?.mesh(crease).map_err(|flaw| flaw.of(self.path()))
     }
@@ -105,14 +105,14 @@ impl Gltf {
         if raw.is_empty() { Err(Flaw(raw.nothing())) } else { Ok(raw) }
     }
 
-    /// The mesh of a node that has one: its place in the file, and what it is.
+    /// Returns the mesh of a node that has one, with its index in the file.
     fn mesh_of(&self, node: u32) -> Result<(usize, &gltf_json::Mesh), Flaw> {
         let index = self.root.nodes[node as usize].mesh;
         let (at, mesh) = index.map_or((0, None), |index| (index.value(), self.root.get(index)));
         mesh.map(|mesh| (at, mesh)).ok_or_else(|| Flaw(format!("nodes[{node}]: there is no meshes[{at}]")))
     }
 
-    /// The numbers of the primitives that are wanted of a node's mesh.
+    /// Returns the indices of the requested primitives of a node's mesh.
     fn numbers(&self, node: u32, primitive: Option<u32>) -> Result<Range<usize>, Flaw> {
         let count = self.mesh_of(node)?.1.primitives.len();
         match primitive {
@@ -124,7 +124,7 @@ impl Gltf {
         }
     }
 
-    /// Counts their triangles before any are read, and fails if they are made of too much to be read.
+    /// Counts the triangles of the primitives before any are read, and fails if they are too many.
     fn count_triangles(&self, primitives: &[(&Primitive, DAffine3, String)]) -> Result<u64, Flaw> {
         let mut known: BTreeMap<usize, u64> = BTreeMap::new();
         let mut count = |index: Index<Accessor>, of: Type, name: &str| {
@@ -213,7 +213,7 @@ impl Gltf {
         })
     }
 
-    /// The triangles of a primitive of so many vertices.
+    /// Passes the triangles of a primitive with this number of vertices to `take`.
     fn triangles(
         &self,
         primitive: &Primitive,
@@ -245,7 +245,7 @@ impl Gltf {
         Ok(())
     }
 
-    /// Which texture coordinates the colour of a primitive's material uses, and what becomes of them.
+    /// Returns the index of the texture coordinates that the color of a primitive's material uses, and their transformation.
     fn texture(&self, primitive: &Primitive) -> (u32, impl Fn(Vec2) -> Vec2 + use<>) {
         let material = primitive.material.and_then(|index| self.root.get(index));
         let info: Option<&Info> = material.and_then(|material| {
@@ -256,7 +256,7 @@ impl Gltf {
         let (offset, turn, scale) = moved.map_or((Vec2::ZERO, 0.0, Vec2::ONE), |moved| {
             (Vec2::from(moved.offset.0), moved.rotation.0, Vec2::from(moved.scale.0))
         });
-        // Counted from above, positive angles turn the other way.
+        // With v counted from below, positive angles turn the other way.
         let turn = Mat2::from_angle(-turn);
         (set, move |uv| {
             let uv = offset + turn * (scale * uv);
@@ -265,7 +265,7 @@ impl Gltf {
     }
 }
 
-/// All attributes have as many elements as there are vertices.
+/// Checks that an attribute has as many elements as there are vertices.
 fn same_count<'a>(elements: Option<Elements<'a>>, count: usize, of: &str) -> Result<Option<Elements<'a>>, Flaw> {
     match elements {
         Some(elements) if elements.count != count => {
@@ -284,7 +284,7 @@ fn triangles_of(mode: Mode, corners: u64) -> u64 {
     }
 }
 
-/// What a primitive is made of.
+/// Returns the mode of a primitive, which defines how its vertices form triangles.
 fn mode(primitive: &Primitive, of: &str) -> Result<Mode, Flaw> {
     match &primitive.mode {
         Valid(mode) => Ok(*mode),
@@ -292,15 +292,15 @@ fn mode(primitive: &Primitive, of: &str) -> Result<Mode, Flaw> {
     }
 }
 
-/// How normals turn where points are mapped so: they stay across the surface, and on its side.
+/// Returns the transformation of normals under this map of points; they stay perpendicular to the surface and on its side.
 fn covectors(map: DAffine3) -> impl Fn(DVec3) -> DVec3 {
     let [x, y, z] = [map.matrix3.x_axis, map.matrix3.y_axis, map.matrix3.z_axis];
     let side = map.matrix3.determinant().signum();
     move |n| side * (n.x * y.cross(z) + n.y * z.cross(x) + n.z * x.cross(y))
 }
 
-/// May a mesh be kept in its own space and be shown through this map? Not where it would be turned inside out or made flat, nor
-/// where 32 bits would not hold its places.
+/// Returns `true` if a mesh may be stored in object space and instanced through this map: the map neither mirrors nor flattens it,
+/// and 32 bits suffice for its positions.
 fn may_be_mapped(world: DAffine3) -> bool {
     const LENGTHS: RangeInclusive<f64> = 1e-6..=1e6;
     let [x, y, z] = [world.matrix3.x_axis, world.matrix3.y_axis, world.matrix3.z_axis];

@@ -1,4 +1,4 @@
-//! What was read, as a mesh: positions are rounded to 32 bits, and corners that are equal in everything are one vertex.
+//! The conversion of a file's contents to a mesh: positions are rounded to 32 bits, and corners with equal values become one vertex.
 
 use std::collections::hash_map::Entry;
 
@@ -10,7 +10,7 @@ use super::{Mesh, Vertex, normals};
 use crate::assets::flaw::Flaw;
 
 impl Raw {
-    /// The mesh, with normals made where there are none: faces that meet at an angle below `crease` degrees share theirs.
+    /// Returns the mesh. Missing normals are generated: faces that meet at an angle below `crease` degrees share their normals.
     pub(super) fn mesh(&self, crease: f64) -> Result<Mesh, Flaw> {
         let origin = self.origin();
         let place = |corner: Corner| (self.positions[corner.position as usize] - origin).as_vec3();

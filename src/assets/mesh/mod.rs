@@ -1,11 +1,11 @@
 //! Meshes: files as triangles with positions, normals and texture coordinates.
 //!
-//! *Theory.* A file gives corners of faces, and perhaps normals. Faces may be any simple polygons; [`Raw`] cuts them to triangles.
-//! Normals that a file lacks are made where its faces meet at less than a crease's angle, and are the face's own elsewhere.
+//! *Theory.* A file contains corners of faces, and perhaps normals. Faces may be any simple polygons; [`Raw`] triangulates them.
+//! Missing normals are smooth across edges whose faces meet at less than the crease angle, and equal to the face's normal elsewhere.
 //!
-//! *Practice.* [`FORMATS`] names each format once, by the ends of its files' names. Adding one is a file here and a line of that
-//! table. A reader believes no count before it has seen as many bytes, and goes no
-//! further once there are more triangles than the [`Capacity`] has room for. Triangles without area are dropped, and equal corners
+//! *Practice.* [`FORMATS`] lists each format once, by its file extensions. To add a format, add a file here and a line to that
+//! table. A reader trusts no count before it has seen as many bytes, and stops
+//! if there are more triangles than the [`Capacity`] allows. Triangles without area are dropped, and equal corners
 //! share a vertex.
 
 mod bytes;
@@ -35,74 +35,74 @@ use cells::Cells;
 use inside::Inside;
 use raw::Raw;
 
-/// Triangles in a space of their own: that of the file, moved by [`Mesh::origin`] where the file's coordinates are large.
+/// Triangles in object space, which is the file's space, moved by [`Mesh::origin`] if the file's coordinates are large.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
-    /// Corners, each used by at least one triangle.
+    /// The vertices, each used by at least one triangle.
     pub vertices: Vec<Vertex>,
     /// Indices into the vertices, counter-clockwise seen from outside if the file winds them so; [`Mesh::solids`] always are.
     pub triangles: Vec<[u32; 3]>,
-    /// The linear color of each vertex, its components from 0 to 1; empty if the file has none.
+    /// The linear color of each vertex, with components from 0 to 1; empty if the file has none.
     pub colors: Vec<Vec3>,
-    /// The point of the file's space at which the mesh's own space has its origin: positions in the file are `origin + position`.
-    /// It is zero along each axis on which the file's origin is nearer than the mesh is large.
+    /// The origin of object space in the file's space: positions in the file are `origin + position`.
+    /// A component is zero if the mesh is nearer to the file's origin along that axis than the mesh is large.
     pub origin: DVec3,
     /// The elements of the file that are not drawn, such as `lines (3)`.
     pub left_out: Vec<String>,
-    /// What is wrong with the file's colors, if they cannot be used.
+    /// The reason why the file's colors cannot be used, if any.
     color_flaw: Option<String>,
-    /// The vertices, as [`Mesh::new`] had them.
+    /// The vertices passed to [`Mesh::new`], grouped by position.
     cells: Cells,
     radius: f64,
     inside: Inside,
 }
 
-/// A corner.
+/// A vertex of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vertex {
-    /// In the mesh's own space.
+    /// The position in object space.
     pub position: Vec3,
-    /// Unit vector.
+    /// The normal, a unit vector.
     pub normal: Vec3,
-    /// Texture coordinates; (0, 0) if the file has none.
+    /// The texture coordinates; (0, 0) if the file has none.
     pub uv: Vec2,
 }
 
-/// What is wanted of a file.
+/// The requested part of a file, and how to read it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wanted {
-    /// The angle in degrees at which faces meet in an edge that is seen, where the file has no normals.
+    /// The crease angle in degrees: faces that meet at a larger angle have a visible edge, if the file has no normals.
     pub crease: f64,
-    /// Which part of the file.
+    /// The part of the file.
     pub part: Part,
 }
 
-/// A part of a file that has several.
+/// A part of a file with several nodes and primitives.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash)]
 pub struct Part {
-    /// The node whose mesh it is; all nodes without one.
+    /// The node with the mesh; `None` for all nodes.
     pub node: Option<NodeName>,
-    /// Which of the mesh's primitives, counted from 0; all without one.
+    /// The index of the mesh's primitive, from 0; `None` for all primitives.
     pub primitive: Option<u32>,
 }
 
-/// Where triangles are read from: what several nodes of a file show is the same.
+/// The source of triangles; nodes of a file that show equal triangles have equal sources.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Source {
-    /// A part of a file, in its place there.
+    /// A part of a file, transformed to the file's scene.
     Placed(Part),
-    /// A mesh of a file in its own space.
+    /// A mesh of a file in object space.
     Own {
-        /// Its place in the file's list of meshes.
+        /// The index in the file's list of meshes.
         mesh: usize,
-        /// Which of its primitives, counted from 0; all without one.
+        /// The index of its primitive, from 0; `None` for all primitives.
         primitive: Option<u32>,
     },
 }
 
 impl Wanted {
-    /// The crease's angle where nobody says it: smaller than between the faces of anything that has edges, larger than between
-    /// those of what is meant to be round.
+    /// The default crease angle in degrees: smaller than the angles at intended edges, and larger than the angles between
+    /// faces of an intended round surface.
     pub const CREASE: f64 = 30.0;
 }
 
@@ -112,58 +112,58 @@ impl Default for Wanted {
     }
 }
 
-/// A format of files.
+/// A file format.
 struct Format {
-    /// The ends of its files' names.
+    /// The file extensions.
     extensions: &'static [&'static str],
     read: Read,
 }
 
-/// How a file is read.
+/// The function that reads a file.
 enum Read {
-    /// All of it is one mesh.
+    /// The whole file is one mesh.
     Whole(fn(&[u8], &Path, Reading) -> Result<Raw, SceneError>),
-    /// It has parts, to be asked for one by one.
+    /// The file has parts, which are read one by one.
     Parts(fn(Vec<u8>, &Path) -> OpenedParts),
 }
 
-/// What reading a file goes along with.
+/// The context of reading a file.
 #[derive(Clone, Copy)]
 pub(super) struct Reading<'a> {
-    /// Where the bytes that are read are reported.
+    /// The stage to which bytes read are reported.
     pub stage: &'a Stage,
-    /// The number of triangles that there may be.
+    /// The limit on the number of triangles.
     pub capacity: &'a Capacity,
 }
 
 type OpenedParts = Result<Box<dyn Parts>, SceneError>;
 
-/// Every format. Adding one is a line here.
+/// All formats.
 const FORMATS: [&Format; 4] = [&obj::FORMAT, &ply::FORMAT, &stl::FORMAT, &gltf::FORMAT];
 
-/// What is known of a file that has parts.
+/// A file with several parts.
 pub(super) trait Parts: std::fmt::Debug + Send + Sync {
-    /// Where one of them is read from, and the map from there to its place.
+    /// Returns the source of a part, and the map from the source to the file's scene.
     fn find(&self, part: &Part) -> Result<(Source, DAffine3), SceneError>;
 
-    /// The triangles there, if they are not more than there may be.
+    /// Reads the triangles of a source, if the capacity allows them.
     fn read(&self, source: &Source, capacity: &Capacity) -> Result<Raw, SceneError>;
 
-    /// The other files that it is in.
+    /// Returns the other files that contain its data.
     fn others(&self) -> Vec<PathBuf>;
 }
 
-/// A file that was read, of which parts can be had.
+/// A file that was opened, whose parts can be read.
 #[derive(Debug)]
 pub(super) enum Opened {
-    /// All that there is.
+    /// The whole contents.
     Whole(Box<Raw>),
-    /// Its parts.
+    /// A file with parts.
     Parts(Box<dyn Parts>),
 }
 
 impl Opened {
-    /// Reads a file, by the format that the end of its name tells.
+    /// Opens a file in the format of its extension.
     pub(super) fn read(path: &Path, reading: Reading) -> Result<Self, SceneError> {
         let end = path.extension().map(|end| end.to_string_lossy().to_lowercase()).unwrap_or_default();
         let Some(format) = FORMATS.iter().find(|format| format.extensions.contains(&end.as_str())) else {
@@ -178,7 +178,7 @@ impl Opened {
         }
     }
 
-    /// The other files that it is in.
+    /// Returns the other files that contain its data.
     pub(super) fn others(&self) -> Vec<PathBuf> {
         match self {
             Self::Whole(_) => Vec::new(),
@@ -186,7 +186,7 @@ impl Opened {
         }
     }
 
-    /// Where a part is read from, and the map from there to its place.
+    /// Returns the source of a part, and the map from the source to the file's scene.
     pub(super) fn find(&self, part: &Part, path: &Path) -> Result<(Source, DAffine3), SceneError> {
         match self {
             Self::Whole(_) if *part == Part::default() => Ok((Source::Placed(part.clone()), DAffine3::IDENTITY)),
@@ -198,7 +198,7 @@ impl Opened {
         }
     }
 
-    /// The triangles there, with normals as `crease` says where the file has none.
+    /// Returns the mesh of a source; missing normals are generated with the crease angle `crease`.
     pub(super) fn mesh(
         &self,
         source: &Source,
@@ -215,7 +215,7 @@ impl Opened {
 }
 
 impl Mesh {
-    /// Of vertices, whose places do not change any more.
+    /// Creates a mesh from vertices, whose positions must not change later, and triangles.
     #[must_use]
     pub fn new(vertices: Vec<Vertex>, triangles: Vec<[u32; 3]>) -> Self {
         let cells = Cells::of(&vertices);
@@ -234,24 +234,24 @@ impl Mesh {
         }
     }
 
-    /// The greatest distance of a vertex from the origin.
+    /// Returns the largest distance of a vertex from the origin.
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// The largest value of a convex function at a vertex; −∞ without one.
+    /// Returns the largest value of a convex function at a vertex; −∞ without vertices.
     pub fn most(&self, value: impl Fn(DVec3) -> f64) -> f64 {
         self.cells.most(&self.vertices, value)
     }
 
-    /// What it takes of memory.
+    /// Returns the memory that the mesh takes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         (size_of_val(&self.vertices[..]) + size_of_val(&self.triangles[..]) + size_of_val(&self.colors[..])) as u64
     }
 
-    /// Reads all of a file; the end of its name says how.
+    /// Reads a whole file in the format of its extension.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let (stage, capacity) = (Stage::unwatched(), Capacity::default());
         let opened = Opened::read(path, Reading { stage: &stage, capacity: &capacity })?;
@@ -259,7 +259,7 @@ impl Mesh {
         opened.mesh(&source, Wanted::CREASE, path, &capacity)
     }
 
-    /// Reads the text of an OBJ file; `path` names it in mistakes.
+    /// Parses the text of an OBJ file; `path` names it in errors.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
         let (stage, capacity) = (Stage::unwatched(), Capacity::default());
         obj::read(text, path, Reading { stage: &stage, capacity: &capacity })?

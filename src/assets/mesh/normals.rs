@@ -1,21 +1,21 @@
-//! Normals where a file has none: smooth over edges at which faces meet at a small angle, and sharp elsewhere.
+//! Generation of missing normals: smooth across edges at which faces meet at a small angle, and sharp elsewhere.
 //!
-//! *Theory.* About a vertex, faces that have an edge in common and normals less than the crease's angle apart are of one group, and so
-//! are all that a chain of such edges joins. A group's normal is the sum of its faces' normals, each by the angle that the face has at
-//! the vertex (Thürmer and Wüthrich 1998): how a face is cut to triangles makes no difference.
+//! *Theory.* At a vertex, faces with a common edge whose normals differ by less than the crease angle belong to one group, and so
+//! do all faces joined by a chain of such edges. A group's normal is the sum of its faces' normals, each weighted by the face's angle at
+//! the vertex (Thürmer and Wüthrich 1998), so the triangulation of a face makes no difference.
 //!
-//! *Practice.* In 64 bits. Vertices are one where their positions are equal, so that files which repeat them for every face are
-//! smooth too. About each vertex its edges are sorted, so the whole takes n log n steps, whatever the file.
+//! *Practice.* The sums are in 64 bits. Vertices with equal positions are merged, so files that repeat them for every face are
+//! smooth too. At each vertex the edges are sorted, so the whole takes n log n steps for any file.
 
 use glam::{DVec3, Vec3};
 
 use super::edges::welded;
 use super::raw::{Raw, Triangle};
 
-/// Faces at one edge that are compared with each other; surfaces have two.
+/// The number of faces at one edge that are compared with each other; surfaces have two.
 const AT_AN_EDGE: usize = 8;
 
-/// The normals of each triangle's corners; nothing if the file gives all. Positions are compared as they are rounded about `origin`.
+/// Returns the normals of each triangle's corners; empty if the file has them all. Positions are compared after rounding around `origin`.
 pub(super) fn made(raw: &Raw, crease: f64, origin: DVec3) -> Vec<[Vec3; 3]> {
     let lacks = |triangle: &Triangle| triangle.corners.iter().any(|corner| raw.given_normal(*corner).is_none());
     if !raw.triangles().iter().any(lacks) {
@@ -31,13 +31,13 @@ pub(super) fn made(raw: &Raw, crease: f64, origin: DVec3) -> Vec<[Vec3; 3]> {
 
 struct Smoother<'a> {
     raw: &'a Raw,
-    /// The cosine of the crease's angle.
+    /// The cosine of the crease angle.
     least: f64,
-    /// For each position the number of the first that is equal.
+    /// For each position the index of the first equal position.
     same: Vec<u32>,
 }
 
-/// A corner of a triangle: which triangle, and which of its corners.
+/// A corner of a triangle: the indices of the triangle and of the corner.
 type At = (u32, u8);
 
 impl<'a> Smoother<'a> {
@@ -70,7 +70,7 @@ impl<'a> Smoother<'a> {
         }
     }
 
-    /// The normals of all corners at one vertex.
+    /// Computes the normals of all corners at one vertex.
     fn at_vertex(&self, corners: &[At], groups: &mut Groups, normals: &mut [[Vec3; 3]]) {
         if corners.is_empty() {
             return;
@@ -103,7 +103,7 @@ impl<'a> Smoother<'a> {
         }
     }
 
-    /// The angle of a triangle at a corner.
+    /// Returns the angle of a triangle at a corner.
     fn angle(&self, (triangle, corner): At) -> f64 {
         let corners = self.raw.triangles()[triangle as usize].corners;
         let point = |i: u8| self.raw.positions[corners[usize::from(i % 3)].position as usize];
@@ -112,12 +112,12 @@ impl<'a> Smoother<'a> {
     }
 }
 
-/// Sets of the corners at a vertex, and what the normals of each add up to.
+/// Sets of the corners at a vertex, with the sum of each set's normals.
 #[derive(Default)]
 struct Groups {
     parents: Vec<u32>,
     sums: Vec<DVec3>,
-    /// The edges at the vertex: the other end, and the corner that it is of.
+    /// The edges at the vertex: the index of the other end, and of the corner.
     edges: Vec<(u32, u32)>,
 }
 

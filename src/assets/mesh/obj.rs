@@ -1,12 +1,13 @@
-//! OBJ: lines that begin with what they say.
+//! OBJ: lines that begin with a keyword.
 //!
-//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`. Three numbers or more behind the coordinates of a `v` begin with a color; a single
-//! one is the weight of free-form geometry. Statements about groups, materials and smoothing are passed over; points,
-//! lines and free-form curves are counted, so that the user learns that they are not drawn. A comment begins at a `#` that
-//! begins a line or follows a blank: `-1.#IND` is how some programs write a number that is none.
+//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`. Three or more numbers after the coordinates of a `v` begin with a color; a
+//! single
+//! one is the weight of free-form geometry. Statements about groups, materials and smoothing are ignored; points,
+//! lines and free-form curves are counted, so that the user learns that they are not drawn. A comment begins at a `#` at the start of
+//! a line or after a blank: some programs write an invalid number as `-1.#IND`.
 //!
-//! *Practice.* Every statement is read with its line, so that each mistake has its place. Words are found byte by byte and nothing is
-//! allocated for a line: a million triangles take less than a second.
+//! *Practice.* Every statement is read with its line, so each error has a location. Words are found byte by byte without
+//! allocation per line: a million triangles take less than a second.
 
 use std::path::Path;
 
@@ -20,11 +21,11 @@ use crate::document::{SceneError, lenient_text};
 
 pub(super) const FORMAT: Format = Format {
     extensions: &["obj"],
-    // Names and comments may be in any encoding; they do not matter here.
+    // Names and comments may be in any encoding; they are not used.
     read: Read::Whole(|bytes, path, reading| read(&lenient_text(bytes, path)?, path, reading)),
 };
 
-/// Reads the text of an OBJ file; `path` names it in mistakes.
+/// Reads the text of an OBJ file; `path` names it in errors.
 pub(super) fn read(text: &str, path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     let mut loader = Loader::default();
     let mut mistakes = Mistakes::of(text, path);
@@ -44,7 +45,7 @@ pub(super) fn read(text: &str, path: &Path, reading: Reading) -> Result<Raw, Sce
     mistakes.or(loader.raw, "faces are lines such as `f 1 2 3`")
 }
 
-/// Lines without their comments; a line that ends in a backslash goes on in the next.
+/// Returns the lines without their comments; a line that ends in a backslash continues in the next.
 fn statements(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || {
@@ -77,7 +78,7 @@ fn uncommented(line: &str) -> &str {
 /// materials, display and rendering attributes.
 const WITHOUT_EFFECT: &str = "vp cstype deg bmat step parm trim hole scrv sp end con g s mg o bevel c_interp d_interp lod \
                              usemtl mtllib usemap maplib shadow_obj trace_obj ctech stech csh";
-/// Keywords of geometry that is not drawn, and its name.
+/// Keywords of geometry that is not drawn, with the name of the geometry.
 const NOT_DRAWN: &[(&str, &str)] = &[
     ("p", "points"),
     ("l", "lines"),
@@ -91,18 +92,18 @@ const NOT_DRAWN: &[(&str, &str)] = &[
     ("res", "free-form surfaces"),
 ];
 
-/// What has been read of a file.
+/// The state of reading a file.
 #[derive(Default)]
 struct Loader {
     raw: Raw,
-    /// The corners of the face at hand.
+    /// The corners of the current face.
     corners: Vec<Corner>,
 }
 
 impl Loader {
     fn statement<'a>(&mut self, words: &[&'a str]) -> Result<(), Wrong<'a>> {
         match words {
-            // A wrong line still takes its number, so that the faces below it mean what they meant.
+            // An invalid line still takes its number, so that later faces refer to the intended vertices.
             ["v", ..] => {
                 if let [_, _, _, _, color @ ..] = words
                     && color.len() >= 3
@@ -112,10 +113,10 @@ impl Loader {
                 push(&mut self.raw.positions, numbers(words).map(DVec3::from_array))
             }
             ["vn", ..] => push(&mut self.raw.normals, numbers(words).map(|n| DVec3::from_array(n).as_vec3())),
-            // A texture may have one coordinate only.
+            // A texture may have only one coordinate.
             ["vt", _] => push(&mut self.raw.uvs, numbers::<1>(words).map(|[u]| Vec2::new(u as f32, 0.0))),
             ["vt", ..] => push(&mut self.raw.uvs, numbers(words).map(|[u, v]| Vec2::new(u as f32, v as f32))),
-            // `fo` is what old files call a face.
+            // Old files call a face `fo`.
             ["f" | "fo", corners @ ..] => {
                 self.corners.clear();
                 for word in corners {
@@ -139,14 +140,14 @@ impl Loader {
         }
     }
 
-    /// The color of the position at hand.
+    /// Sets the color of the current position.
     fn color(&mut self, words: [&str; 3]) {
         let numbers = words.map(str::parse::<f64>);
         let color = numbers.map(|number| number.unwrap_or(f64::NAN));
         self.raw.colors.set_srgb(self.raw.positions.len(), color);
     }
 
-    /// A statement that draws nothing.
+    /// Handles a statement that draws nothing.
     fn other<'a>(&mut self, word: &'a str) -> Result<(), Wrong<'a>> {
         if let Some((_, kind)) = NOT_DRAWN.iter().find(|(keyword, _)| *keyword == word) {
             self.raw.leave_out(kind, 1);
@@ -163,7 +164,7 @@ impl Loader {
         Err((word, format!("`{word}` is not a statement of OBJ"), help))
     }
 
-    /// `position/texture/normal`, the last two optional; from 1, or back from the last given so far.
+    /// Parses `position/texture/normal`, the last two optional; indices count from 1, or backward from the last value if negative.
     fn corner<'a>(&self, word: &'a str) -> Result<Corner, Wrong<'a>> {
         let index = |text: &str, count: usize, what: &str| -> Result<Option<u32>, Wrong<'a>> {
             if text.is_empty() {
@@ -193,7 +194,7 @@ impl Loader {
     }
 }
 
-/// Adds a value, or zeros in place of one that is wrong.
+/// Adds a value, or a default value instead of an invalid one.
 fn push<'a, T: Default>(all: &mut Vec<T>, value: Result<T, Wrong<'a>>) -> Result<(), Wrong<'a>> {
     let (value, wrong) = match value {
         Ok(value) => (value, Ok(())),

@@ -1,11 +1,11 @@
-//! What a file says of a mesh: faces by their corners, cut to triangles, as yet without the normals that it lacks.
+//! The raw mesh of a file: faces by their corners, triangulated, without generated normals.
 //!
-//! *Theory.* A face may be any simple polygon; concave ones are cut by ears in the plane of Newell's normal.
+//! *Theory.* A face may be any simple polygon; concave faces are triangulated by ear clipping in the plane of Newell's normal.
 //!
-//! Positions are kept in 64 bits, as the file gives them: a map of a country has coordinates of millions, and details of
-//! millimeters. They are rounded to 32 bits once a mesh is made of them, about an origin of its own where the file's is far away.
+//! Positions are stored in 64 bits, as in the file: a map of a country has coordinates of millions, and details of
+//! millimeters. They are rounded to 32 bits when a mesh is made of them, around a local origin if the file's origin is far away.
 //!
-//! *Practice.* A triangle remembers the face that it was cut from: the face's normal is its own, and its corners' angles add up to the
+//! *Practice.* A triangle stores the face that it was cut from: it has the face's normal, and its corner angles add up to the
 //! face's.
 
 use std::collections::BTreeMap;
@@ -22,10 +22,10 @@ pub(in crate::assets) struct Raw {
     pub(super) uvs: Vec<Vec2>,
     pub(super) normals: Vec<Vec3>,
     pub(super) colors: Colors,
-    /// Elements of the file that are not drawn, and how many there are of each kind.
+    /// The elements of the file that are not drawn, with the number of each kind.
     left_out: BTreeMap<String, u64>,
     triangles: Vec<Triangle>,
-    /// The unit normals of the faces that triangles were cut from.
+    /// The unit normals of the faces from which triangles were cut.
     faces: Vec<DVec3>,
     earcut: Earcut<f64>,
 }
@@ -36,14 +36,14 @@ impl std::fmt::Debug for Raw {
     }
 }
 
-/// A triangle, and the face that it is of.
+/// A triangle, with the index of its face.
 #[derive(Clone, Copy)]
 pub(super) struct Triangle {
     pub corners: [Corner; 3],
     pub face: u32,
 }
 
-/// A corner of a face: indices of what the file gives.
+/// A corner of a face: indices into the file's positions, texture coordinates and normals.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     pub position: u32,
@@ -51,26 +51,26 @@ pub(super) struct Corner {
     normal: u32,
 }
 
-/// Corners that a face may have: cutting it may take as many steps as pairs of them.
+/// The largest number of corners of a face; triangulation may take as many steps as there are pairs of corners.
 pub(super) const MOST_CORNERS: usize = 10_000;
 
-/// What is wrong with a face of so many corners, and what would be right.
+/// Returns the problem of a face with this number of corners, and the remedy.
 pub(super) fn too_many(corners: usize) -> (String, String) {
     (format!("a face of {corners} corners"), format!("at most {MOST_CORNERS} are cut to triangles: use smaller faces"))
 }
 
-/// In place of an index: the file gives none.
+/// The index for values that the file does not have.
 const NONE: u32 = u32::MAX;
 
 impl Corner {
-    /// The indices must be those of what there is.
+    /// Creates a corner; the indices must be valid.
     pub fn new(position: u32, uv: Option<u32>, normal: Option<u32>) -> Self {
         Self { position, uv: uv.unwrap_or(NONE), normal: normal.unwrap_or(NONE) }
     }
 }
 
 impl Raw {
-    /// Is there nothing to see?
+    /// Returns `true` if there are no triangles.
     pub(super) fn is_empty(&self) -> bool {
         self.triangles.is_empty()
     }
@@ -79,12 +79,12 @@ impl Raw {
         &self.triangles
     }
 
-    /// The unit normal of the face that a triangle is of.
+    /// Returns the unit normal of a triangle's face.
     pub(super) fn face_normal(&self, triangle: &Triangle) -> DVec3 {
         self.faces[triangle.face as usize]
     }
 
-    /// The normal that the file gives a corner.
+    /// Returns the normal of a corner in the file, if it has one.
     pub(super) fn given_normal(&self, corner: Corner) -> Option<Vec3> {
         self.normals.get(corner.normal as usize)?.try_normalize()
     }
@@ -96,12 +96,12 @@ impl Raw {
         }
     }
 
-    /// The elements of the file that are not drawn, each kind with its number.
+    /// Returns the elements of the file that are not drawn, each kind with its number.
     pub(super) fn left_out(&self) -> Vec<String> {
         self.left_out.iter().map(|(kind, count)| format!("{kind} ({count})")).collect()
     }
 
-    /// What is wrong with a file that has nothing to draw.
+    /// Returns the error message for a file that has nothing to draw.
     pub(super) fn nothing(&self) -> String {
         let has = match &self.left_out()[..] {
             [] => String::new(),
@@ -110,7 +110,7 @@ impl Raw {
         format!("the mesh has no triangles with an area{has}")
     }
 
-    /// Returns the origin about which positions are rounded to 32 bits: the file's own along each axis on which it is nearer
+    /// Returns the origin around which positions are rounded to 32 bits: the file's origin along each axis on which it is nearer
     /// than the mesh is large, and the middle of the triangles along the others.
     pub(super) fn origin(&self) -> DVec3 {
         let corners = self.triangles.iter().flat_map(|triangle| triangle.corners);
@@ -119,11 +119,11 @@ impl Raw {
         let (lo, hi) = points.fold(nothing, |(lo, hi), x| (lo.min(x), hi.max(x)));
         let size = (hi - lo).max_element();
         let is_far = lo.max(-hi).cmpge(DVec3::splat(size));
-        // A number of 32 bits, so that positions of 32 bits stay exact: two numbers within a factor of two have an exact difference.
+        // The origin is a 32-bit number, so 32-bit positions stay exact: two numbers within a factor of two have an exact difference.
         DVec3::select(is_far, lo.midpoint(hi).as_vec3().as_dvec3(), DVec3::ZERO)
     }
 
-    /// Adds a face of three corners or more. One without area is dropped.
+    /// Adds a face of three or more corners. A face without area is dropped.
     pub(super) fn face(&mut self, corners: &[Corner]) {
         let point = |corner: &Corner| self.positions[corner.position as usize];
         let face = self.faces.len() as u32;
@@ -148,9 +148,9 @@ impl Raw {
         }
     }
 
-    /// The triangles of a polygon as indices of its points, counter-clockwise about `normal`.
+    /// Triangulates a polygon, and returns the triangles as indices of its points, counter-clockwise around `normal`.
     fn cut(&mut self, points: &[DVec3], normal: DVec3) -> Vec<[usize; 3]> {
-        // Seen along the axis nearest the normal: that keeps the polygon simple and its sense of rotation.
+        // A projection along the axis nearest the normal keeps the polygon simple, and its sense of rotation.
         let axis = normal.abs().max_position();
         let (mut right, mut up) = ((axis + 1) % 3, (axis + 2) % 3);
         if normal[axis] < 0.0 {
@@ -168,7 +168,7 @@ impl Raw {
     }
 }
 
-/// A polygon's unit normal, from the areas of its shadows on the three planes; none if it has no area.
+/// Returns a polygon's unit normal, from the areas of its projections on the three planes; `None` if it has no area.
 fn newell(points: &[DVec3]) -> Option<DVec3> {
     let origin = points[0];
     let next = points.iter().cycle().skip(1);

@@ -1,10 +1,11 @@
-//! STL: triangles without anything in common.
+//! STL: separate triangles.
 //!
-//! *Theory.* A binary file has 80 bytes of anything, the number of triangles in four bytes, and 50 for each triangle: its normal, its
-//! three corners and two bytes more. A file of words has loops of `vertex` lines. The normals that triangles bring are passed over: the
-//! order of the corners says the same, and exactly.
+//! *Theory.* A binary file has 80 arbitrary bytes, the number of triangles in four bytes, and 50 bytes for each triangle: its normal, its
+//! three corners and two more bytes. A text file has loops of `vertex` lines. The normals in the file are ignored, because the
+//! order of the corners defines them exactly.
 //!
-//! *Practice.* Many binary files begin with the word `solid` too. What has just as many bytes as its number of triangles needs is binary.
+//! *Practice.* Many binary files also begin with the word `solid`. A file with exactly the size that its number of triangles needs is
+//! binary.
 
 use std::path::Path;
 
@@ -19,9 +20,9 @@ use crate::document::{SceneError, lenient_text, unmarked};
 
 pub(super) const FORMAT: Format = Format { extensions: &["stl"], read: Read::Whole(read) };
 
-/// Bytes before the triangles of a binary file.
+/// The number of bytes before the triangles of a binary file.
 const HEADER: usize = 84;
-/// Bytes of a triangle there.
+/// The size in bytes of a triangle in a binary file.
 const TRIANGLE: usize = 50;
 
 fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> {
@@ -47,7 +48,7 @@ fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> 
 fn binary(bytes: &[u8], count: u32, reading: Reading) -> Result<Raw, Flaw> {
     let mut bytes = Bytes::from(bytes, HEADER);
     let fit = bytes.left() / TRIANGLE;
-    // Fewer than follow would leave the rest of the mesh out.
+    // A count smaller than the data would drop the rest of the mesh.
     if count as usize != fit {
         let problem =
             format!("the header says {count} triangles of {TRIANGLE} bytes, and {} bytes follow", bytes.left());
@@ -98,7 +99,7 @@ fn lines(text: &str, path: &Path, reading: Reading) -> Result<Raw, SceneError> {
     mistakes.or(raw, "a face is `facet`, `outer loop`, three lines such as `vertex 0 0 1`, `endloop` and `endfacet`")
 }
 
-/// One line; `corners` are those of the loop so far.
+/// Reads one line; `corners` is the number of corners of the current loop.
 fn statement<'a>(raw: &mut Raw, corners: &mut usize, line: &[&'a str]) -> Result<(), Wrong<'a>> {
     const KNOWN: [&str; 6] = ["solid", "endsolid", "facet", "endfacet", "outer", "endloop"];
     let Some(first) = line.first() else { return Ok(()) };
@@ -130,7 +131,7 @@ fn statement<'a>(raw: &mut Raw, corners: &mut usize, line: &[&'a str]) -> Result
     Ok(())
 }
 
-/// A face of the last so many positions.
+/// Adds a face of the last `count` positions.
 fn face(raw: &mut Raw, count: usize) {
     let end = raw.positions.len() as u32;
     let corners: Vec<Corner> = (end - count as u32..end).map(|i| Corner::new(i, None, None)).collect();

@@ -1,4 +1,4 @@
-//! What formats of words share: words of a line, numbers, and what is wrong with them, each with its place.
+//! Shared code of text formats: words of a line, numbers, and errors with their locations.
 
 use std::path::Path;
 
@@ -6,13 +6,13 @@ use crate::document::{Mistake, SceneError};
 
 use super::raw::Raw;
 
-/// A file with this many mistakes is read no further.
+/// The number of errors after which a file is not read further.
 const ENOUGH: usize = 10;
 
-/// What is wrong with a word of a text, and what would be right.
+/// An error at a word of a text: the word, the problem and the remedy.
 pub(super) type Wrong<'a> = (&'a str, String, String);
 
-/// The mistakes of a text.
+/// The errors of a text.
 pub(super) struct Mistakes<'a> {
     text: &'a str,
     path: &'a Path,
@@ -32,7 +32,7 @@ impl<'a> Mistakes<'a> {
         self.all.len() >= ENOUGH
     }
 
-    /// What was read, if nothing was wrong; `help` is what faces look like.
+    /// Returns `raw` if there are no errors; `help` is an example of a face.
     pub fn or(mut self, raw: Raw, help: &str) -> Result<Raw, SceneError> {
         if self.all.is_empty() && raw.is_empty() {
             self.add((&self.text[..0], raw.nothing(), help.to_owned()));
@@ -40,18 +40,18 @@ impl<'a> Mistakes<'a> {
         if self.all.is_empty() { Ok(raw) } else { Err(self.error()) }
     }
 
-    /// All of them.
+    /// Returns all errors as one.
     pub fn error(self) -> SceneError {
         SceneError::Mistakes(self.all)
     }
 }
 
-/// Returns `true` for a byte between words; a backslash is one too.
+/// Returns `true` for a byte between words, including a backslash.
 pub(super) fn divides(byte: u8) -> bool {
     byte.is_ascii_whitespace() || matches!(byte, b'\\' | 0x0B)
 }
 
-/// The words of a line.
+/// Returns the words of a line.
 pub(super) fn words(line: &str) -> impl Iterator<Item = &str> {
     let mut rest = line;
     std::iter::from_fn(move || {
@@ -63,10 +63,10 @@ pub(super) fn words(line: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The largest number of a mesh: beyond it squares of lengths overflow.
+/// The largest magnitude of a number in a mesh; squares of larger lengths would overflow.
 pub(super) const LARGEST: f32 = 1e30;
 
-/// A number.
+/// Parses a number.
 pub(super) fn number(word: &str) -> Result<f64, Wrong<'_>> {
     match word.parse::<f64>() {
         Ok(number) if (number as f32).abs() <= LARGEST => Ok(number),
@@ -74,7 +74,7 @@ pub(super) fn number(word: &str) -> Result<f64, Wrong<'_>> {
     }
 }
 
-/// `N` numbers after a keyword; more are passed over.
+/// Parses `N` numbers after a keyword; additional words are ignored.
 pub(super) fn numbers<'a, const N: usize>(words: &[&'a str]) -> Result<[f64; N], Wrong<'a>> {
     let mut values = [0.0; N];
     for (i, value) in values.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Vertex colors of a primitive: `COLOR_0`, linear, of which alpha is not used.
+//! Vertex colors of a primitive: `COLOR_0`, linear; alpha is ignored.
 
 use gltf_json::accessor::Type;
 use gltf_json::{Accessor, Index};
@@ -19,7 +19,7 @@ impl Gltf {
             return Err(Flaw(format!("{of} has whole numbers that are not `normalized`")));
         }
         for i in 0..vertices {
-            // The specification clamps them.
+            // The specification requires clamping.
             let color = colors.numbers(i).map(|x: f32| f64::from(x.clamp(0.0, 1.0)));
             raw.colors.set_linear(first + i, color);
         }

@@ -1,20 +1,20 @@
-//! Whether two triangles cross, touch or are apart.
+//! Tests whether two triangles intersect, touch or are separate.
 //!
-//! *Theory.* Two convex sets are apart if their projections on some axis are. For triangles it suffices to try their normals, the cross
-//! products of their sides, and for coplanar ones the normals of their sides within their plane (Gottschalk, Lin and Manocha 1996).
+//! *Theory.* Two convex sets are separate if their projections on some axis are. For triangles it suffices to test their normals, the cross
+//! products of their sides, and for coplanar triangles the normals of their sides within the plane (Gottschalk, Lin and Manocha 1996).
 
 use glam::DVec3;
 
-/// How two triangles, or two shells, meet.
+/// The contact of two triangles, or of two shells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Contact {
-    /// They touch, up to the tolerance.
+    /// They touch, within the tolerance.
     Touch,
-    /// They pass through each other.
+    /// They intersect.
     Cross,
 }
 
-/// How two triangles meet, if they do: `tolerance` is how far they may be moved apart, or together.
+/// Returns the contact of two triangles, if any; `tolerance` is the distance by which they may be moved apart, or together.
 pub(super) fn contact(a: [DVec3; 3], b: [DVec3; 3], tolerance: f64) -> Option<Contact> {
     let sides = |[p, q, r]: [DVec3; 3]| [q - p, r - q, p - r];
     let (of_a, of_b) = (sides(a), sides(b));
@@ -31,7 +31,7 @@ pub(super) fn contact(a: [DVec3; 3], b: [DVec3; 3], tolerance: f64) -> Option<Co
     Some(if least > tolerance { Contact::Cross } else { Contact::Touch })
 }
 
-/// How far one triangle has to be moved along a unit axis for the two to be apart; below 0 if they are.
+/// Returns the distance by which one triangle must be moved along a unit axis to separate the two; below 0 if they are separate.
 fn depth(a: [DVec3; 3], b: [DVec3; 3], axis: DVec3) -> f64 {
     let range = |corners: [DVec3; 3]| {
         let along = corners.map(|corner| (corner - a[0]).dot(axis));

@@ -1,10 +1,11 @@
-//! What a closed mesh encloses: its faces are turned outward, and parts that overlap are told apart.
+//! The interior of a closed mesh: its faces are wound outward, and overlapping parts are separated.
 //!
-//! *Theory.* The inside is a matter of the surface, not of how a file winds it. Each shell bounds a solid or a cavity in one, by
-//! its nesting; solids are then wound outward, and cavities inward. A ray inside of a mesh only knows that it is inside, so solids
-//! that overlap become meshes of their own, as if they were several objects.
+//! *Theory.* The interior depends on the surface, not on its winding in a file. Each shell bounds a solid or a cavity in one, depending
+//! on its nesting; solids are then wound outward, and cavities inward. A ray stores for each mesh only whether it is inside, so
+//! overlapping solids become separate meshes, as if they were several objects.
 //!
-//! *Practice.* It is found when it is first asked for: opaque meshes pay nothing. A mesh of one shell takes one pass over its edges.
+//! *Practice.* The interior is computed when it is first needed: opaque meshes cost nothing. A mesh of one shell takes one pass over its
+//! edges.
 
 mod meet;
 mod nesting;
@@ -17,7 +18,7 @@ use super::{Mesh, Vertex};
 use nesting::nesting;
 use shells::{NONE, Shells};
 
-/// What is known of a mesh's inside, once it was asked for. It makes no difference between meshes, and copies do not have it, because
+/// The cached interior of a mesh. It is ignored when meshes are compared, and copies start without it, because
 /// they may be changed.
 #[derive(Debug, Default)]
 pub(super) struct Inside(OnceLock<Found>);
@@ -34,30 +35,30 @@ impl PartialEq for Inside {
     }
 }
 
-/// What was found.
+/// The interior of a mesh.
 #[derive(Debug)]
 struct Found {
-    /// Meshes in which no point is inside more than once, wound outward; none if the mesh is already such a one.
+    /// Meshes in which no point is inside more than once, wound outward; empty if the mesh is already such a mesh.
     solids: Result<Vec<Arc<Mesh>>, String>,
-    /// How it differs from the mesh that it was made from, for users.
+    /// The difference from the mesh that it was made from, as a message.
     remark: Option<String>,
 }
 
 impl Mesh {
-    /// Why light cannot be inside of it, if so: it is open, or which side is outside cannot be told.
+    /// Returns the reason why light cannot be inside the mesh, if any: it is open, or its outside cannot be determined.
     #[must_use]
     pub fn opening(&self) -> Option<&str> {
         self.found().solids.as_ref().err().map(String::as_str)
     }
 
-    /// Returns the meshes that together enclose what this one does, each wound outward and without overlaps; none if it is closed
+    /// Returns the meshes that together enclose the same volume, each wound outward and without overlaps; empty if this mesh is closed
     /// and already such a mesh, or not closed.
     #[must_use]
     pub fn solids(&self) -> &[Arc<Self>] {
         self.found().solids.as_ref().map_or(&[], Vec::as_slice)
     }
 
-    /// Says how it differs from the mesh that it was made from by [`solids`](Self::solids), if it is the first of them.
+    /// Returns the difference from the mesh that [`solids`](Self::solids) made it from, if it is the first of them.
     #[must_use]
     pub fn remark(&self) -> Option<&str> {
         self.inside.0.get()?.remark.as_deref()
@@ -68,7 +69,7 @@ impl Mesh {
     }
 }
 
-/// The solids of a mesh.
+/// Splits a mesh into its solids.
 fn solids(mesh: &Mesh) -> Result<Vec<Arc<Mesh>>, String> {
     let shells = Shells::of(mesh)?;
     let nesting = nesting(mesh, &shells)?;
@@ -90,7 +91,7 @@ fn solids(mesh: &Mesh) -> Result<Vec<Arc<Mesh>>, String> {
     Ok((0..layers).map(layer).collect())
 }
 
-/// What users may want to know about a mesh whose solids differ from it.
+/// Returns a message about a mesh whose solids differ from it.
 fn remark(turned: usize, count: usize, layers: u32) -> Option<String> {
     let turned = (turned > 0).then(|| format!("{turned} of its {count} triangles are wound inward, and are turned"));
     let layers = (layers > 1).then(|| format!("its parts overlap, and count as {layers} objects"));
@@ -98,11 +99,11 @@ fn remark(turned: usize, count: usize, layers: u32) -> Option<String> {
 }
 
 impl Mesh {
-    /// A mesh of some of its triangles, each given with whether it is turned. Normals of a turned triangle that would be on its back
-    /// are turned too.
+    /// Returns a mesh of some of the triangles, each given with whether its winding is reversed. Normals that would then be on the back
+    /// are reversed too.
     fn part(&self, triangles: impl Iterator<Item = (usize, bool)>) -> Self {
         let (mut vertices, mut colors): (Vec<Vertex>, _) = (Vec::new(), Vec::new());
-        // For each vertex its number here, as it is and with its normal turned.
+        // The new index of each vertex, as it is and with its normal reversed.
         let mut numbers = vec![[u32::MAX; 2]; self.vertices.len()];
         let mut own = Vec::new();
         for (i, is_turned) in triangles {

@@ -1,10 +1,10 @@
-//! Which shells of a mesh are solids, which are cavities in them, and which solids overlap.
+//! The nesting of a mesh's shells: solids, cavities in them, and overlapping solids.
 //!
-//! *Theory.* A shell that lies inside of another and touches none is a cavity if an odd number of shells is around it, and a solid in a
-//! cavity otherwise. Shells that meet are all solids, as two objects that overlap are, except those inside of a solid that are wound
-//! against it. Overlapping solids go into different layers: within a layer every point is in one solid at most.
+//! *Theory.* A shell that is inside another and touches none is a cavity if an odd number of shells surrounds it, and a solid in a
+//! cavity otherwise. Shells in contact are all solids, like two objects that overlap, except shells inside a solid that are wound
+//! against it. Overlapping solids are in different layers: within a layer every point is in one solid at most.
 //!
-//! *Practice.* Layers are colors of a graph whose edges are overlaps, in the order of volume; few meshes need more than three.
+//! *Practice.* Layers are colors of a graph whose edges are overlaps, assigned in the order of volume; few meshes need more than three.
 
 use std::collections::VecDeque;
 use std::collections::hash_map::Entry;
@@ -18,18 +18,18 @@ use super::meet::{Contact, contact};
 use super::shells::{NONE, Shells};
 use super::tree::Tree;
 
-/// Surfaces touch if they are closer than this fraction of the mesh's size, or of its distance from the origin.
+/// The distance at which surfaces touch, as a fraction of the mesh's size, or of its distance from the origin.
 const TOUCHES: f64 = 1e-6;
 
-/// What each shell is.
+/// The nesting of all shells.
 pub(super) struct Nesting {
-    /// Whether it is a cavity.
+    /// Whether each shell is a cavity.
     pub cavity: Vec<bool>,
-    /// The layer that it is in.
+    /// The layer of each shell.
     pub layer: Vec<u32>,
 }
 
-/// Finds out what each shell of a mesh is.
+/// Determines for each shell of a mesh whether it is a cavity, and its layer.
 pub(super) fn nesting(mesh: &Mesh, shells: &Shells) -> Result<Nesting, String> {
     let count = shells.all.len();
     if count == 1 {
@@ -50,7 +50,7 @@ pub(super) fn nesting(mesh: &Mesh, shells: &Shells) -> Result<Nesting, String> {
     Ok(Nesting { cavity: family.cavity, layer })
 }
 
-/// Of shells that meet, the lower number first, how they do.
+/// The contacts of shells; each pair has the lower index first.
 type Contacts = HashMap<[u32; 2], Contact>;
 
 fn contacts(tree: &Tree, tolerance: f64) -> Contacts {
@@ -69,7 +69,7 @@ fn contacts(tree: &Tree, tolerance: f64) -> Contacts {
     contacts
 }
 
-/// For each shell those around it. A shell that touches another is inside if none of its vertices is outside.
+/// Returns for each shell the shells around it. A shell that touches another is inside it if none of its vertices is outside.
 fn containers(mesh: &Mesh, shells: &Shells, tree: &Tree, contacts: &Contacts, tolerance: f64) -> Vec<Vec<u32>> {
     let met = |a: u32, b: u32| contacts.get(&[a.min(b), a.max(b)]).copied();
     let around = |shell: u32, point: Vec3| {
@@ -115,7 +115,7 @@ fn containers(mesh: &Mesh, shells: &Shells, tree: &Tree, contacts: &Contacts, to
     found
 }
 
-/// The positions of each shell's vertices.
+/// Returns the positions of each shell's vertices.
 fn corners_of(mesh: &Mesh, shells: &Shells) -> Vec<Vec<Vec3>> {
     let mut all = vec![Vec::new(); shells.all.len()];
     let mut is_new = vec![true; mesh.vertices.len()];
@@ -129,13 +129,13 @@ fn corners_of(mesh: &Mesh, shells: &Shells) -> Vec<Vec<Vec3>> {
     all
 }
 
-/// Shells by what they are inside of.
+/// The shells ordered by nesting.
 struct Family {
     containers: Vec<Vec<u32>>,
-    /// The smallest shell around each.
+    /// The smallest shell around each shell.
     parent: Vec<Option<u32>>,
     cavity: Vec<bool>,
-    /// The solid that each bounds: its own number, or for cavities that of the solid that they are in.
+    /// The solid that each shell bounds: its own index or, for a cavity, the index of the solid around it.
     solid: Vec<u32>,
     /// The shells by volume, the largest first.
     order: Vec<u32>,
@@ -165,7 +165,7 @@ impl Family {
         Self { containers, parent, cavity, solid, order }
     }
 
-    /// A cavity that overlaps another of the same solid, if there is one.
+    /// Returns a cavity that overlaps another of the same solid, if there is one.
     fn overlapping_cavities(&self, contacts: &Contacts) -> Option<u32> {
         let overlap = |([a, b], contact): &(&[u32; 2], &Contact)| {
             let [a, b] = [*a as usize, *b as usize];
@@ -174,13 +174,13 @@ impl Family {
         contacts.iter().filter(overlap).map(|([a, _], _)| *a).min()
     }
 
-    /// Returns the shells around a solid in whose cavities it is: it is outside of the solids that they bound.
+    /// Returns the shells around a solid that is in their cavities, and thus outside the solids that they bound.
     fn with_cavity_around(&self, inner: u32) -> HashSet<u32> {
         let outward = successors(Some(inner), |at| self.parent[*at as usize]);
         outward.filter(|at| self.cavity[*at as usize]).filter_map(|at| self.parent[at as usize]).collect()
     }
 
-    /// The layer of each shell.
+    /// Returns the layer of each shell.
     fn layers(&self, contacts: &Contacts) -> Vec<u32> {
         let mut overlaps: Vec<Vec<u32>> = vec![Vec::new(); self.order.len()];
         let mut add = |a: u32, b: u32| {
@@ -197,7 +197,7 @@ impl Family {
             let solids = self.containers[shell as usize].iter().filter(|outer| !self.cavity[**outer as usize]);
             solids.filter(|outer| !outside_of.contains(outer)).for_each(|outer| add(shell, *outer));
         }
-        // Breadth first from the largest: where two layers suffice, two are found.
+        // Breadth first from the largest shell, so that two layers are found if two suffice.
         let mut layer = vec![None; self.order.len()];
         let mut waiting = VecDeque::new();
         for start in self.order.iter().copied().filter(|shell| !self.cavity[*shell as usize]) {

@@ -1,11 +1,11 @@
-//! Shells: the connected parts of a closed surface, each wound one way.
+//! Shells: the connected parts of a closed surface, each wound consistently.
 //!
-//! *Theory.* Two triangles at an edge belong to one shell. Where more meet, those pairs do that bound one wedge of the solid between
-//! them. A shell is orientable if its triangles can be turned so that each edge is passed once in each direction; its signed volume
-//! (the sum of a·(b × c)/6) is above 0 if it is then wound outward.
+//! *Theory.* Two triangles at an edge belong to one shell. If more than two meet, the pairs that bound one wedge of the solid belong
+//! together. A shell is orientable if its triangles can be wound so that each edge is traversed once in each direction; its signed volume
+//! (the sum of a·(b × c)/6) is then above 0 if it is wound outward.
 //!
-//! *Practice.* Which triangles have to be turned is found together with the shells, by a union–find structure that keeps the parity
-//! between each triangle and its root. Copies of one triangle count once, and two that face opposite ways cancel.
+//! *Practice.* The shells and the triangles with reversed winding are found together, by a union–find structure that stores the parity
+//! between each triangle and its root. Copies of one triangle count once, and two copies of opposite winding cancel.
 
 use foldhash::{HashMap, HashMapExt};
 use glam::{DVec3, Vec3};
@@ -24,7 +24,7 @@ const LEAST_THICKNESS: f64 = 1e-7;
 pub(super) struct Shells {
     /// The shell of each triangle, or [`NONE`].
     pub of: Vec<u32>,
-    /// Whether a triangle is wound against most others of its shell.
+    /// Whether each triangle is wound against the majority of its shell.
     pub turned: Vec<bool>,
     pub all: Vec<Shell>,
 }
@@ -32,17 +32,17 @@ pub(super) struct Shells {
 /// A connected part of the surface.
 #[derive(Debug, Clone)]
 pub(super) struct Shell {
-    /// Its signed volume, as most of its triangles are wound.
+    /// The signed volume, with the winding of the majority of its triangles.
     pub volume: f64,
-    /// The corners of its box.
+    /// The corners of the bounding box.
     pub lo: Vec3,
     pub hi: Vec3,
-    /// One of its triangles.
+    /// The index of one of its triangles.
     pub first: u32,
 }
 
 impl Shells {
-    /// Finds the shells of a mesh; if it is not closed, or not orientable, the error says where.
+    /// Finds the shells of a mesh; if it is not closed, or not orientable, the error contains the position.
     pub fn of(mesh: &Mesh) -> Result<Self, String> {
         let same = welded(mesh.vertices.iter().map(|vertex| vertex.position));
         let corners: Vec<_> =
@@ -87,7 +87,7 @@ impl Shells {
     }
 }
 
-/// Marks the triangles that do not count, because they are copies of others or cancel with them. Returns whether there are any.
+/// Marks the triangles that do not count, because they are copies of others or cancel each other. Returns whether there are any.
 fn cancel(edges: &Edges, corners: &[[u32; 3]], counts: &mut [bool]) -> bool {
     let mut by_corners: HashMap<[u32; 3], Vec<u32>> = HashMap::new();
     let crowded = edges.iter().filter(|(_, sides)| sides.len() > 2);
@@ -117,13 +117,13 @@ fn cancel(edges: &Edges, corners: &[[u32; 3]], counts: &mut [bool]) -> bool {
     some
 }
 
-/// Whether three numbers are in ascending order, up to a rotation.
+/// Returns `true` if three numbers are in ascending order, up to a rotation.
 fn is_even([a, b, c]: [u32; 3]) -> bool {
     [(a < b), (b < c), (c < a)].into_iter().filter(|rises| *rises).count() == 2
 }
 
-/// The sides at an edge as pairs that bound a wedge of the solid: going around the edge, it is entered through a triangle that
-/// passes the edge backward, and left through one that passes it forward.
+/// Returns the sides at an edge in pairs that bound a wedge of the solid: in a turn around the edge, a wedge begins at a triangle that
+/// traverses the edge backward, and ends at one that traverses it forward.
 fn wedges<'a>(mesh: &Mesh, start: u32, sides: &'a [Side]) -> Vec<[&'a Side; 2]> {
     let position = |vertex: u32| mesh.vertices[vertex as usize].position.as_dvec3();
     let origin = position(start);
@@ -135,10 +135,10 @@ fn wedges<'a>(mesh: &Mesh, start: u32, sides: &'a [Side]) -> Vec<[&'a Side; 2]> 
         away.dot(axis.cross(across)).atan2(away.dot(across))
     };
     let mut around: Vec<_> = sides.iter().map(|side| (angle(side), !side.along, side)).collect();
-    // At one angle a wedge ends before the next begins.
+    // At equal angles a wedge ends before the next begins.
     around.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let (mut open, mut pairs) = (Vec::new(), Vec::new());
-    // Wedges that were entered before the first angle end in the second round.
+    // Wedges that began before the first angle end in the second turn.
     for (round, (.., side)) in [0, 1].into_iter().flat_map(|round| around.iter().map(move |one| (round, one))) {
         if !side.along && round == 0 {
             open.push(side);
@@ -149,7 +149,7 @@ fn wedges<'a>(mesh: &Mesh, start: u32, sides: &'a [Side]) -> Vec<[&'a Side; 2]> 
     pairs
 }
 
-/// Sets of triangles, each with the parity of every member against the set's root.
+/// Sets of triangles, each with the parity of every member relative to the set's root.
 struct Groups {
     parents: Vec<u32>,
     odd: Vec<bool>,
@@ -160,12 +160,12 @@ impl Groups {
         Self { parents: (0..count as u32).collect(), odd: vec![false; count] }
     }
 
-    /// The root of a triangle's set, and whether the triangle is wound the other way.
+    /// Returns the root of a triangle's set, and whether the triangle has the opposite winding.
     fn root(&mut self, triangle: u32) -> (u32, bool) {
         let (mut at, mut odd) = (triangle as usize, false);
         while self.parents[at] as usize != at {
             let parent = self.parents[at] as usize;
-            // Paths are halved.
+            // Path halving.
             self.odd[at] ^= self.odd[parent];
             self.parents[at] = self.parents[parent];
             odd ^= self.odd[at];
@@ -174,7 +174,7 @@ impl Groups {
         (at as u32, odd)
     }
 
-    /// Puts the triangles of two sides at one edge into one set. Returns `false` if they are wound so that this cannot be.
+    /// Joins the sets of two triangles that share an edge. Returns `false` if their windings contradict each other.
     fn join(&mut self, a: &Side, b: &Side) -> bool {
         let ((first, first_odd), (second, second_odd)) = (self.root(a.corner / 3), self.root(b.corner / 3));
         let odd = first_odd ^ second_odd ^ (a.along == b.along);
@@ -196,7 +196,7 @@ impl Groups {
                 continue;
             }
             let (root, odd) = self.root(triangle as u32);
-            // A root has the lowest number of its set.
+            // A root has the lowest index of its set.
             if root as usize == triangle {
                 of[triangle] = sums.len() as u32;
                 sums.push(Sum::new(mesh, triangle));
@@ -219,12 +219,12 @@ impl Groups {
     }
 }
 
-/// What a shell's triangles add up to, wound as its root.
+/// The sums over a shell's triangles, wound as its root.
 struct Sum {
     first: u32,
     origin: DVec3,
     six_volumes: f64,
-    /// The absolute values of its terms.
+    /// The sum of the terms' absolute values.
     terms: f64,
     two_areas: f64,
     lo: Vec3,
@@ -266,7 +266,7 @@ impl Sum {
         2 * self.odd > self.triangles
     }
 
-    /// The shell; none if it is flat.
+    /// Returns the shell, or `None` if it is flat.
     fn shell(&self) -> Result<Option<Shell>, String> {
         let extent = (self.hi - self.lo).as_dvec3().max_element();
         if self.terms <= LEAST_THICKNESS * extent * self.two_areas {

@@ -1,26 +1,26 @@
-//! A tree of boxes over the triangles of a mesh's shells: which triangles of different shells are close, and what a ray crosses.
+//! A tree of bounding boxes over the triangles of a mesh's shells, which finds close triangles of different shells, and crossings of a ray.
 
 use glam::{DVec2, DVec3, Vec3, Vec3Swizzles};
 
 use super::super::Mesh;
 use super::shells::{NONE, Shells};
 
-/// Triangles in a leaf, at most.
+/// The largest number of triangles in a leaf.
 const LEAF: usize = 6;
 
-/// A box, and what is in it.
+/// A bounding box and its contents.
 struct Node {
     lo: Vec3,
     hi: Vec3,
-    /// The shell of all its triangles; [`NONE`] for several.
+    /// The shell of all its triangles; [`NONE`] if there are several.
     shell: u32,
-    /// A leaf's triangles in the order, or the two nodes below.
+    /// The range of a leaf's triangles in the order, or the two child nodes.
     start: u32,
     end: u32,
     is_leaf: bool,
 }
 
-/// Boxes over triangles.
+/// A tree of bounding boxes over triangles.
 pub(super) struct Tree<'a> {
     mesh: &'a Mesh,
     shells: &'a Shells,
@@ -31,7 +31,7 @@ pub(super) struct Tree<'a> {
 }
 
 impl<'a> Tree<'a> {
-    /// Over all triangles that are part of a shell.
+    /// Builds the tree over all triangles that belong to a shell.
     pub fn new(mesh: &'a Mesh, shells: &'a Shells) -> Self {
         let order = (0..mesh.triangles.len() as u32).filter(|i| shells.of[*i as usize] != NONE).collect();
         let mut tree = Self { mesh, shells, nodes: Vec::new(), order, shortest: 0 };
@@ -81,7 +81,7 @@ impl<'a> Tree<'a> {
         self.mesh.triangles[triangle as usize].map(|corner| self.mesh.vertices[corner as usize].position)
     }
 
-    /// The corners of a triangle in 64 bits.
+    /// Returns the corners of a triangle in 64 bits.
     pub fn triangle(&self, triangle: u32) -> [DVec3; 3] {
         self.corners(triangle).map(Vec3::as_dvec3)
     }
@@ -90,7 +90,7 @@ impl<'a> Tree<'a> {
         &self.order[node.start as usize..node.end as usize]
     }
 
-    /// Visits all pairs of triangles of different shells whose boxes are no more than `slack` apart, with their shells.
+    /// Visits all pairs of triangles of different shells whose boxes are at most `slack` apart, with their shells.
     pub fn pairs(&self, slack: f32, mut visit: impl FnMut([u32; 2], [u32; 2])) {
         let mut open = vec![(0, 0)];
         while let Some((i, j)) = open.pop() {
@@ -123,7 +123,7 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// Visits all triangles whose boxes are no more than `slack` away from a point, each with its shell.
+    /// Visits all triangles whose boxes are at most `slack` away from a point, each with its shell.
     pub fn near(&self, point: DVec3, slack: f64, mut visit: impl FnMut(u32, u32)) {
         let mut open = vec![0_u32];
         while let Some(i) = open.pop() {
@@ -140,7 +140,7 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// Returns a place turned so that the shortest axis is x. This is a rotation, so it keeps which side of a triangle is which.
+    /// Returns a position rotated so that the shortest axis is x. A rotation preserves the sides of triangles.
     fn turned(&self, place: DVec3) -> DVec3 {
         match self.shortest {
             0 => place,
@@ -149,11 +149,11 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// Visits everything that a ray from a point crosses, except triangles of the shell `own`: a shell, and 1 if the ray leaves through
-    /// its triangle as the shell is wound, −1 if it enters.
+    /// Visits all crossings of a ray from a point, except crossings of the shell `own`: a shell, and 1 if the ray leaves through
+    /// its triangle according to the winding, −1 if it enters.
     ///
-    /// No line passes between two triangles that share an edge, or meets both: on which side of an edge it passes is always computed
-    /// from the edge's lesser end, and a line through the edge passes it on the side of a line that is shifted infinitesimally.
+    /// No line passes between two triangles that share an edge, or hits both: its side relative to an edge is always computed
+    /// from the edge's lesser end, and a line through the edge is treated as if it were shifted infinitesimally.
     pub fn crossings(&self, from: DVec3, own: u32, mut visit: impl FnMut(u32, i32)) {
         let from = self.turned(from);
         let mut open = vec![0_u32];
@@ -179,7 +179,7 @@ impl<'a> Tree<'a> {
     }
 }
 
-/// Where the line from a point along x crosses a triangle: how far, and 1 if along its normal, else −1.
+/// Returns the crossing of the line from a point along x with a triangle: the distance, and 1 if the line runs along the normal, else −1.
 fn crossing([a, b, c]: [DVec3; 3], from: DVec3) -> Option<(f64, i32)> {
     let sides = [passes_left(a, b, from), passes_left(b, c, from), passes_left(c, a, from)];
     if sides.iter().any(|side| *side != sides[0]) {
@@ -188,12 +188,12 @@ fn crossing([a, b, c]: [DVec3; 3], from: DVec3) -> Option<(f64, i32)> {
     let normal = (b - a).cross(c - a);
     let x = a.x - (normal.y * (from.y - a.y) + normal.z * (from.z - a.z)) / normal.x;
     let (lo, hi) = (a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x));
-    // Of a triangle that is seen edge-on only the box is certain.
+    // The crossing with a triangle seen edge-on is only known to be in its box.
     let x = if x.is_finite() { x.clamp(lo, hi) } else { 0.5 * (lo + hi) };
     Some((x - from.x, if sides[0] { 1 } else { -1 }))
 }
 
-/// Whether, seen along −x, a point is to the left of the line from p to q.
+/// Returns `true` if, seen along −x, a point is to the left of the line from p to q.
 fn passes_left(p: DVec3, q: DVec3, at: DVec3) -> bool {
     let key = |p: DVec3| [p.y, p.z, p.x];
     let swapped = key(q) < key(p);
@@ -210,7 +210,7 @@ mod tests {
 
     use super::*;
 
-    /// A row of tetrahedra along an axis.
+    /// Returns a row of tetrahedra along an axis.
     fn row(axis: usize, count: usize) -> Mesh {
         let mut text = String::new();
         for i in 0..count {
@@ -233,7 +233,7 @@ mod tests {
             let from = DVec3::splat(0.2);
             let mut crossed = 0;
             tree.crossings(from, NONE - 1, |_, winding| crossed += winding.abs());
-            // It leaves the first one, in which it begins.
+            // The ray leaves the first tetrahedron, in which it begins.
             assert_eq!((shells.all.len(), crossed), (50, 1), "along axis {axis}");
         }
     }

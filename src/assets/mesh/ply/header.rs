@@ -1,4 +1,4 @@
-//! The header: lines that say what the file holds.
+//! The header of a PLY file, which describes its contents.
 
 use std::path::Path;
 
@@ -6,13 +6,13 @@ use super::super::text::{Mistakes, Wrong, words};
 use crate::assets::Stored;
 use crate::document::{SceneError, unmarked};
 
-/// What a file holds.
+/// The description of a file's contents.
 pub(super) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// How many vertices there are.
+    /// The number of vertices.
     pub vertices: u64,
-    /// Its bytes, with the byte-order mark before them.
+    /// The length of the header in bytes, including a byte-order mark.
     pub length: usize,
 }
 
@@ -23,7 +23,7 @@ pub(super) enum Encoding {
     Big,
 }
 
-/// Some of a kind.
+/// A group of elements of one kind.
 pub(super) struct Element {
     pub name: String,
     pub count: u64,
@@ -33,11 +33,11 @@ pub(super) struct Element {
 pub(super) struct Property {
     pub name: String,
     pub kind: Stored,
-    /// The kind of its length, if it is a list.
+    /// The number type of the list's length, if it is a list.
     pub length: Option<Stored>,
 }
 
-/// The kinds of number, by both of their names.
+/// The number types, with both of their names.
 const KINDS: [(&str, &str, Stored); 8] = [
     ("char", "int8", Stored::I8),
     ("uchar", "uint8", Stored::U8),
@@ -49,7 +49,7 @@ const KINDS: [(&str, &str, Stored); 8] = [
     ("double", "float64", Stored::F64),
 ];
 
-/// Returns the number that stands for 1 in a color: whole numbers are of eight bits, in whatever they are kept, unless they are `ushort`.
+/// Returns the value that represents 1 in a color: integers have eight bits, whatever their type, unless they are `ushort`.
 pub(super) fn white(kind: Stored) -> f64 {
     match kind {
         Stored::F32 | Stored::F64 => 1.0,
@@ -67,18 +67,18 @@ fn kind_named(word: &str) -> Result<Stored, Wrong<'_>> {
 }
 
 impl Element {
-    /// The fewest bytes that one has, each number having as many as `bytes` says.
+    /// Returns the smallest size of an element in bytes; `bytes` returns the size of a number.
     pub fn least(&self, bytes: impl Fn(Stored) -> u64) -> u64 {
         self.properties.iter().map(|property| bytes(property.length.unwrap_or(property.kind))).sum()
     }
 }
 
-/// Elements that are drawn: polygons, and strips of triangles.
+/// The elements that are drawn: polygons, and triangle strips.
 const SURFACES: [&str; 2] = ["face", "tristrips"];
-/// The list of their vertices.
+/// The names of the list of their vertices.
 pub(super) const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-/// Longer headers are not looked for.
+/// The largest length of a header in bytes.
 const LONGEST: usize = 1 << 20;
 
 /// Reads the header of a file.
@@ -97,7 +97,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Header, SceneError> {
     }
 }
 
-/// How lines end: as the first one does, for behind the last one any byte may stand.
+/// Returns the line ending of the first line; any byte may follow the last line of the header.
 fn line_end(bytes: &[u8]) -> char {
     let is_old_mac = bytes.starts_with(b"ply\r") && bytes.get(4) != Some(&b'\n');
     if is_old_mac { '\r' } else { '\n' }
@@ -116,7 +116,7 @@ fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
         let end = rest.find(line_end).map_or(rest.len(), |i| i + 1);
         let (line, after) = rest.split_at(end);
         rest = after;
-        // Bytes that are no text make the text longer; lines are counted in both.
+        // Invalid bytes make the decoded text longer, so lines are counted in both.
         header.length += bytes[header.length..]
             .iter()
             .position(|b| char::from(*b) == line_end)
@@ -151,7 +151,7 @@ fn parse<'a>(bytes: &[u8], text: &'a str) -> Result<Header, Wrong<'a>> {
     Ok(header)
 }
 
-/// How many vertices there are, if all is there that a mesh needs.
+/// Returns the number of vertices, if the elements suffice for a mesh.
 fn checked(elements: &[Element]) -> Result<u64, String> {
     let named = |name: &str| elements.iter().filter(|element| element.name == name).collect::<Vec<_>>();
     let listed = || elements.iter().map(|e| format!("{} `{}`", e.count, e.name)).collect::<Vec<_>>().join(", ");
@@ -198,14 +198,14 @@ fn encoding_named(word: &str) -> Result<Encoding, Wrong<'_>> {
 }
 
 fn element<'a>(name: &str, count: &'a str) -> Result<Element, Wrong<'a>> {
-    // Triangles count their corners in 32 bits.
+    // Triangles store the indices of their corners in 32 bits.
     match count.parse::<u32>() {
         Ok(count) => Ok(Element { name: name.to_owned(), count: u64::from(count), properties: Vec::new() }),
         _ => Err((count, format!("expected a number of elements, found `{count}`"), "at most 4294967295".to_owned())),
     }
 }
 
-/// `TYPE NAME`, or `list TYPE TYPE NAME`.
+/// Parses `TYPE NAME`, or `list TYPE TYPE NAME`.
 fn property<'a>(keyword: &'a str, words: &[&'a str]) -> Result<Property, Wrong<'a>> {
     match *words {
         ["list", length, kind, name] => {

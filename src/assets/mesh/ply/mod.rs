@@ -1,12 +1,13 @@
-//! PLY: a header that says what follows, in words or in bytes.
+//! PLY: a header that describes the following data, in text or binary form.
 //!
-//! *Theory.* The header names elements, how many of each there are, and their properties, each a number or a list. What a mesh is made
-//! of are vertices with `x`, `y` and `z`, perhaps `nx`, `ny` and `nz`, perhaps `s` and `t` or `u` and `v`, perhaps `red`, `green` and `blue`, and
-//! faces with a list of vertices, perhaps one of texture coordinates, or strips of triangles, which a list of vertices gives with −1 between them.
+//! *Theory.* The header names elements, their numbers, and their properties, each a number or a list. A mesh consists
+//! of vertices with `x`, `y` and `z`, perhaps `nx`, `ny` and `nz`, perhaps `s` and `t` or `u` and `v`, perhaps `red`, `green` and `blue`;
+//! and of
+//! faces with a list of vertices, perhaps with a list of texture coordinates, or triangle strips, as a list of vertices separated by −1.
 //! All other elements are read and counted, so that the user learns that they are not drawn.
 //!
-//! *Practice.* Words and bytes have one way of reading elements and two sources of numbers. A count is believed only where as many bytes
-//! follow as it needs at least.
+//! *Practice.* Text and binary files share the reading of elements and differ in the source of numbers. A count is trusted only if at least
+//! the bytes that it requires follow.
 
 mod header;
 mod source;
@@ -34,7 +35,7 @@ fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> 
     match header.encoding {
         Encoding::Ascii => {
             let whole = lenient_text(bytes, path)?;
-            // Bytes that are no text make the text longer, so its front is measured in it.
+            // Invalid bytes make the decoded text longer, so the length of the header is measured in the text.
             let front = lenient_text(&bytes[..header.length], path)?.len();
             let mut words = Words::of(&whole[front..], reading.stage);
             if let Err(Wrong { problem, help }) = mesh.elements(&header, &mut words) {
@@ -52,18 +53,18 @@ fn read(bytes: &[u8], path: &Path, reading: Reading) -> Result<Raw, SceneError> 
     mesh.raw(path, check)
 }
 
-/// What the components of a color are called.
+/// The names of a color's components.
 const COLOR: [&[&str]; 3] =
     [&["red", "r", "diffuse_red"], &["green", "g", "diffuse_green"], &["blue", "b", "diffuse_blue"]];
 
-/// What was read of the elements that matter.
+/// The data of the elements that matter.
 #[derive(Default)]
 struct Assembled {
     raw: Raw,
-    /// The vertices of all faces, one face after the other, and how many each has.
+    /// The vertices of all faces, one face after the other, and the number of vertices of each face.
     indices: Vec<u32>,
     sizes: Vec<u32>,
-    /// The texture coordinates of faces that have their own, as many as vertices, or none.
+    /// The texture coordinates of faces that have their own: one per vertex of the face, or none.
     corner_uvs: Vec<Vec2>,
     faces_uvs: Vec<bool>,
     has_face_colors: bool,
@@ -117,7 +118,7 @@ impl Assembled {
                 list(property, source, |value| {
                     let Some(slot) = slot else { return Ok(()) };
                     values[slot] = value;
-                    // Normals that are no numbers are made anew, and colors may not be needed.
+                    // Invalid normals are generated again, and colors may not be used.
                     let may_be_odd = (3..6).contains(&slot) || slot >= 8;
                     if usable(values[slot]) || may_be_odd { Ok(()) } else { Err(no_number(value)) }
                 })?;
@@ -173,9 +174,10 @@ impl Assembled {
         Ok(())
     }
 
-    /// Strips of triangles: each index but the first two of a strip makes one with the two before it, every second one turned round.
+    /// Reads triangle strips: each index after the first two of a strip makes a triangle with the two before it; every second one is
+    /// reversed.
     fn strips(&mut self, element: &Element, vertices: u64, source: &mut impl Source) -> Result<(), Wrong> {
-        // Between two strips; where indices have no sign it is the largest.
+        // The separator of two strips; if indices are unsigned, it is the largest number.
         let ends = |value: f64| [-1.0, f64::from(u32::MAX)].contains(&value);
         for _ in 0..element.count {
             source.begin(element)?;
@@ -210,7 +212,7 @@ impl Assembled {
             raw.colors.reject("the file gives colors to faces, and none to vertices".to_owned());
         }
         let (has_normals, has_uvs) = (!raw.normals.is_empty(), !raw.uvs.is_empty());
-        // The texture coordinates of faces stand behind those of vertices.
+        // The texture coordinates of faces follow the coordinates of vertices.
         let mut next_uv = raw.uvs.len() as u32;
         raw.uvs.extend(corner_uvs);
         let (mut rest, mut corners) = (&indices[..], Vec::new());
@@ -235,7 +237,7 @@ impl Assembled {
     }
 }
 
-/// The vertex that an index names.
+/// Returns the vertex with this index.
 fn vertex(index: f64, vertices: u64) -> Result<u32, Wrong> {
     if index < 0.0 || index >= vertices as f64 || index.fract() != 0.0 {
         let problem = format!("there is no vertex `{index}`");
@@ -248,7 +250,7 @@ fn no_number(value: f64) -> Wrong {
     Wrong { problem: format!("expected a number, found `{value}`"), help: "numbers are finite, to 1e30".to_owned() }
 }
 
-/// Reads a property: a number, or all of a list.
+/// Reads a property: a number, or all items of a list.
 fn list(
     property: &Property,
     source: &mut impl Source,

@@ -1,4 +1,4 @@
-//! Where numbers come from: words of lines, or bytes.
+//! Sources of numbers: words of lines, or bytes.
 
 use super::super::bytes::Bytes;
 use super::header::{Element, Property};
@@ -6,7 +6,7 @@ use crate::assets::Stored;
 use crate::assets::flaw::{Flaw, are_padding};
 use crate::progress::Stage;
 
-/// What is wrong where a source is.
+/// An error at the current position of a source.
 pub(super) struct Wrong {
     pub problem: String,
     pub help: String,
@@ -18,31 +18,31 @@ impl Wrong {
     }
 }
 
-/// Numbers, one after the other.
+/// A sequence of numbers.
 pub(super) trait Source {
-    /// The bytes that a number has at least.
+    /// Returns the smallest size of a number in bytes.
     fn least(kind: Stored) -> u64;
 
-    /// The bytes that are left.
+    /// Returns the number of bytes that are left.
     fn left(&self) -> u64;
 
-    /// The next element begins.
+    /// Begins the next element.
     fn begin(&mut self, element: &Element) -> Result<(), Wrong>;
 
-    /// Fails if more follows than the header says: the mesh would lack it.
+    /// Fails if more data follows than the header declares, because the mesh would lack it.
     fn end(&mut self) -> Result<(), Wrong>;
 
-    /// The next number.
+    /// Reads the next number.
     fn number(&mut self, kind: Stored) -> Result<f64, Wrong>;
 
-    /// May there be as many elements as the header says?
+    /// Checks that the source can contain as many elements as the header declares.
     fn has(&self, element: &Element) -> Result<(), Wrong> {
         let (count, name, left) = (element.count, &element.name, self.left());
         let least = element.least(Self::least);
         if count > 0 && least == 0 {
             return Err(Wrong::new(format!("{count} elements `{name}` have no properties")));
         }
-        // The last word needs nothing behind it.
+        // The last word needs no separator after it.
         if count.saturating_mul(least) > left + 1 {
             let problem =
                 format!("the header says {count} elements `{name}` of {least} bytes or more, and {left} bytes follow");
@@ -51,7 +51,7 @@ pub(super) trait Source {
         Ok(())
     }
 
-    /// The length of a list.
+    /// Reads the length of a list.
     fn length(&mut self, kind: Stored, property: &Property) -> Result<u64, Wrong> {
         let (count, left) = (self.number(kind)?, self.left());
         if !(0.0..=left as f64 / Self::least(property.kind) as f64 + 1.0).contains(&count) || count.fract() != 0.0 {
@@ -62,13 +62,13 @@ pub(super) trait Source {
     }
 }
 
-/// Words: an element is a line.
+/// A source of words, in which an element is a line.
 pub(super) struct Words<'a> {
     text: &'a str,
-    /// The line at hand, and the word there that was read last.
+    /// The current line, and the word that was read last.
     line: (usize, usize),
     word: (usize, usize),
-    /// Where lines are reported.
+    /// The stage to which lines are reported.
     stage: &'a Stage,
 }
 
@@ -77,16 +77,16 @@ impl<'a> Words<'a> {
         Self { text, line: (0, 0), word: (0, 0), stage }
     }
 
-    /// The last word, or nothing where one is missing.
+    /// Returns the last word; empty if one is missing.
     pub fn last(&self) -> &'a str {
         &self.text[self.word.0..self.word.1]
     }
 
-    /// The next word of the line; none at its end.
+    /// Returns the next word of the line; `None` at its end.
     fn next(&mut self) -> Option<&'a str> {
         let rest = self.text.get(self.word.1..self.line.1).unwrap_or_default();
         let word = rest.split_ascii_whitespace().next();
-        // Where one is missing it would be behind what the line has.
+        // A missing word would be after the end of the line.
         let start = match word {
             Some(word) => word.as_ptr() as usize - self.text.as_ptr() as usize,
             None => self.word.1 + rest.trim_ascii_end().len(),
@@ -97,7 +97,7 @@ impl<'a> Words<'a> {
 }
 
 impl Source for Words<'_> {
-    /// A digit, and what divides it from the next.
+    /// One digit and a separator.
     fn least(_: Stored) -> u64 {
         2
     }
@@ -144,13 +144,13 @@ impl Source for Words<'_> {
     }
 }
 
-/// Bytes.
+/// A source of bytes.
 pub(super) struct Binary<'a> {
     bytes: Bytes<'a>,
-    /// Where the last number is.
+    /// The offset of the last number.
     last: usize,
     is_big: bool,
-    /// Where elements are reported.
+    /// The stage to which elements are reported.
     stage: &'a Stage,
 }
 
