@@ -17,43 +17,43 @@ use crate::document::values::text;
 use crate::document::{SceneError, read_text};
 use crate::progress::{Progress, Stage};
 
-/// A mesh, and the map from its own space to its place in the file.
+/// A mesh, and the map from object space to the file's scene.
 type PlacedMesh = (Arc<Mesh>, DAffine3);
 
-/// What was wanted of a file of meshes, and what was read for it. Of a crease's angle the bits are told apart.
+/// The parts that were requested of a mesh file, and the meshes that were read for them. Crease angles are compared by their bits.
 #[derive(Debug, Default)]
 struct Meshes {
     wanted: HashMap<(Part, u64), Option<PlacedMesh>>,
     read: HashMap<(Source, u64), Arc<Mesh>>,
 }
 
-/// What was loaded: for one scene, or for several that share it, such as the frames of an animation. Within a scene a file that
-/// failed is a none, so that it is reported once.
+/// The files that were loaded, for one scene or for several that share them, such as the frames of an animation. Within a scene a file
+/// that failed is stored as `None`, so that the error is reported once.
 #[derive(Debug, Default)]
 pub struct Files {
-    /// Where reading a file is reported.
+    /// The progress to which the reading of files is reported.
     progress: Progress,
-    /// Bytes of memory that meshes, pictures and grids may take; none where nothing bounds them.
+    /// The number of bytes of memory that meshes, images and grids may take; `None` for no limit.
     limit: Option<u64>,
-    /// The triangles that a mesh may have.
+    /// The limit on the triangles of a mesh.
     capacity: Capacity,
-    /// The scene's own, in the order that indices count.
+    /// The images of the scene, by index.
     pictures: Vec<(PathBuf, Picture)>,
     picture_of: HashMap<PathBuf, Option<Picture>>,
-    /// Of each file of meshes what was wanted.
+    /// The requested parts of each mesh file.
     meshes_of: HashMap<PathBuf, Meshes>,
-    /// Files that those of meshes and grids name.
+    /// The files that mesh and grid files name.
     others: BTreeSet<PathBuf>,
-    /// What the scene's meshes have that is not drawn, a sentence for each file.
+    /// The elements in the scene's meshes that are not drawn, as a sentence for each file.
     left_out: BTreeSet<String>,
-    /// The file that the last mesh was of: objects often take one part of it after the other.
+    /// The file of the last mesh; objects often use its parts one after the other.
     opened: Option<(PathBuf, Opened)>,
     profile_of: HashMap<PathBuf, Option<Arc<Profile>>>,
     text_of: HashMap<PathBuf, Option<Arc<str>>>,
     grid_of: HashMap<PathBuf, (Use, Arc<IndexGrid>)>,
 }
 
-/// What files may take of the host's memory, and what those that are loaded leave over.
+/// The memory limit for files, and the memory that the loaded files leave.
 #[derive(Debug, Clone, Copy)]
 struct Room {
     limit: u64,
@@ -61,7 +61,7 @@ struct Room {
 }
 
 impl Room {
-    /// What is loaded of a file that takes `least` bytes, and then as many as `taken` says.
+    /// Loads a file that takes at least `least` bytes; `taken` returns the bytes of the result.
     fn load<T>(
         self,
         path: &Path,
@@ -79,19 +79,19 @@ impl Room {
     }
 }
 
-/// What a file cannot take less than, as long as it is read.
+/// Returns the length of a file, which is the least memory that it takes while it is read.
 fn length(path: &Path) -> u64 {
     std::fs::metadata(path).map_or(0, |file| file.len())
 }
 
 impl Files {
-    /// What is loaded may take so many bytes of memory: what would take more is refused, before it is read where that is known.
+    /// Limits the memory of loaded files to `limit` bytes; larger files are rejected, before they are read if their size is known.
     #[must_use]
     pub fn within(self, limit: u64) -> Self {
         Self { limit: Some(limit), ..self }
     }
 
-    /// Rejects meshes that have more triangles than this, as soon as their number is known.
+    /// Rejects meshes with more triangles than this, as soon as their number is known.
     #[must_use]
     pub fn holding(self, capacity: Capacity) -> Self {
         Self { capacity, ..self }
@@ -117,7 +117,7 @@ impl Files {
         Room { limit, left: limit.saturating_sub(pictures.chain(meshes).chain(grids).sum()) }
     }
 
-    /// Goes on to another scene: what failed before is tried again.
+    /// Continues with another scene: files that failed before are tried again.
     pub fn begin(&mut self) {
         self.pictures.clear();
         self.left_out.clear();
@@ -131,7 +131,7 @@ impl Files {
         self.text_of.retain(|_, loaded| loaded.is_some());
     }
 
-    /// Every file that was loaded, sorted.
+    /// Returns every file that was loaded, sorted.
     #[must_use]
     pub fn paths(&self) -> Vec<PathBuf> {
         let pictures = self.picture_of.keys().chain(self.meshes_of.keys()).chain(self.profile_of.keys());
@@ -141,19 +141,19 @@ impl Files {
         all
     }
 
-    /// All pictures of the scene, in the order that indices count.
+    /// Returns all images of the scene, by index.
     #[must_use]
     pub fn pictures(&self) -> Vec<Picture> {
         self.pictures.iter().map(|(_, picture)| picture.clone()).collect()
     }
 
-    /// Returns what the scene's files have that is not drawn, a sentence for each file.
+    /// Returns the elements in the scene's files that are not drawn, as a sentence for each file.
     #[must_use]
     pub fn left_out(&self) -> Vec<String> {
         self.left_out.iter().cloned().collect()
     }
 
-    /// The index of the picture that a node names.
+    /// Returns the index of the image that a node names.
     pub fn picture(&mut self, reader: &Reader, node: &Node) -> Option<usize> {
         let (path, identity) = find(reader, node)?;
         if let Some(known) = self.pictures.iter().position(|(of, _)| *of == identity) {
@@ -169,7 +169,7 @@ impl Files {
         Some(self.pictures.len() - 1)
     }
 
-    /// The text that a node names, and what errors call it.
+    /// Returns the text that a node names, and its name in errors.
     pub fn text(&mut self, reader: &Reader, node: &Node) -> Option<(String, Arc<str>)> {
         let (path, identity) = find(reader, node)?;
         let load = || accept(reader, node, read_text(&path)).map(Arc::from);
@@ -177,8 +177,8 @@ impl Files {
         Some((path.display().to_string(), text))
     }
 
-    /// What is wanted of the file of meshes that a node names, and the map from its space to where it stands there.
-    /// `part` is where the part is named, for what is wrong with that.
+    /// Returns the requested part of the mesh file that a node names, and the map from object space to the file's scene.
+    /// `part` is the node that names the part, for errors about it.
     pub fn mesh(&mut self, reader: &Reader, node: &Node, part: &Node, wanted: &Wanted) -> Option<PlacedMesh> {
         let (path, identity) = find(reader, node)?;
         let placed = self.placed_mesh(reader, (node, part), wanted, (&path, identity))?;
@@ -201,7 +201,7 @@ impl Files {
         if let Some(found) = known.and_then(|wanted| wanted.get(&key)) {
             return found.clone();
         }
-        // What is wrong with a file is said once, whatever was wanted of it.
+        // An error in a file is reported once, whatever part was requested.
         if self.opened.as_ref().is_none_or(|(before, _)| *before != identity)
             && known.is_some_and(|wanted| !wanted.is_empty() && wanted.values().all(Option::is_none))
         {
@@ -252,20 +252,20 @@ impl Files {
         Ok(mesh)
     }
 
-    /// The profile that a node names.
+    /// Returns the profile that a node names.
     pub fn profile(&mut self, reader: &Reader, node: &Node) -> Option<Arc<Profile>> {
         let (path, identity) = find(reader, node)?;
         let load = || accept(reader, node, Profile::load(&path)).map(Arc::new);
         self.profile_of.entry(identity).or_insert_with(load).clone()
     }
 
-    /// The grid that a node names, used as the scene says.
+    /// Returns the grid that a node names, used as `used` specifies.
     pub fn grid(&mut self, reader: &Reader, node: &Node, used: &Use) -> Option<Arc<IndexGrid>> {
         let (path, identity) = find(reader, node)?;
         if let Some((_, grid)) = self.grid_of.get(&identity).filter(|(before, _)| before == used) {
             return Some(Arc::clone(grid));
         }
-        // One that was used otherwise is not kept beside it.
+        // A grid that was used differently is not kept in addition.
         self.grid_of.remove(&identity);
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let stage = self.progress.measured(format!("reading {name}"), 1.0);
@@ -277,14 +277,14 @@ impl Files {
     }
 }
 
-/// The path, relative to the scene file's folder, and one that is the same for all names of the same file.
+/// Returns the path, relative to the scene file's folder, and a path that is equal for all names of the same file.
 fn find(reader: &Reader, node: &Node) -> Option<(PathBuf, PathBuf)> {
     let path = reader.folder().join(reader.accept(text(node))?);
     let identity = path.canonicalize().unwrap_or_else(|_| path.clone());
     Some((path, identity))
 }
 
-/// Records an error: mistakes in the file with their own places, all else where the file was named.
+/// Records an error: errors in the file at their locations, all others at the node that names the file.
 fn accept<T>(reader: &Reader, node: &Node, loaded: Result<T, SceneError>) -> Option<T> {
     let error = match loaded {
         Ok(value) => return Some(value),

@@ -1,15 +1,15 @@
-//! What is wrong with a file that has no lines.
+//! Errors in files without lines.
 
 use std::path::Path;
 
 use crate::document::SceneError;
 
-/// What is wrong with a mesh whose format has no lines.
+/// An error in a mesh whose format has no lines.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Flaw(pub String);
 
 impl Flaw {
-    /// At a byte, counted from 0.
+    /// Creates an error at a byte, counted from 0.
     pub fn at(byte: usize, problem: &str) -> Self {
         Self(format!("at byte {byte}: {problem}"))
     }
@@ -19,7 +19,7 @@ impl Flaw {
     }
 }
 
-/// Returns `true` for bytes that a writer, or a transfer, may put behind a file's end: zeros and blanks.
+/// Returns `true` for bytes that a writer, or a transfer, may append to a file: zeros and blanks.
 pub(in crate::assets) fn are_padding(bytes: &[u8]) -> bool {
     bytes.iter().all(|byte| byte.is_ascii_whitespace() || *byte == 0)
 }

@@ -1,4 +1,4 @@
-//! What scenes are made of besides numbers: meshes, pictures, profiles and grids from files, formulas, and transforms.
+//! Assets of scenes: meshes, images, profiles and grids from files, formulas, and transforms.
 //!
 //! *Practice.* [`Files`] loads each file once, however often scenes name it.
 

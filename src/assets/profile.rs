@@ -1,55 +1,55 @@
-//! Profiles: the index of layered air, measured at some heights, and a smooth curve through it.
+//! Profiles: the refractive index of layered air, measured at some heights, and a smooth curve through it.
 //!
-//! *Theory.* The curve is the natural cubic spline: a cubic between each two points, with the same slope and second derivative
-//! where two meet, and none of the latter at both ends. Outside it goes on as a constant. With dₖ the width of the piece k and
+//! *Theory.* The curve is the natural cubic spline: a cubic between each two points, with equal slopes and second derivatives
+//! where two cubics meet, and second derivatives of 0 at both ends. Outside it is constant. With dₖ the width of the piece k and
 //! sₖ its mean slope, the halved second derivatives b solve dₖ₋₁ bₖ₋₁ + 2(dₖ₋₁ + dₖ) bₖ + dₖ bₖ₊₁ = 3(sₖ − sₖ₋₁): a row with three
-//! terms for each inner point, eliminated from the top and put in from the bottom.
+//! terms for each inner point, solved by elimination from the top and substitution from the bottom.
 //!
-//! *Practice.* CSV by hand: the header `height,n`, then a line for each point; spaces and empty lines are passed over.
+//! *Practice.* The CSV parser is part of this file: the header `height,n`, then a line for each point; spaces and empty lines are ignored.
 
 use crate::document::{Mistake, SceneError, read_text};
 use std::path::Path;
 
-/// n by height.
+/// The refractive index n as a function of height.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// Two or more, by rising height.
+    /// The points, two or more, sorted by height.
     pub points: Vec<ProfilePoint>,
 }
 
-/// A point, and the cubic from there to the next: n + t (slope + t (bend + t twist)), t the height over the point.
+/// A point, and the cubic from there to the next: n + t (slope + t (bend + t twist)), with t the height above the point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfilePoint {
-    /// Over the medium's origin, in scene units.
+    /// The height above the medium's origin, in scene units.
     pub height: f64,
-    /// n there.
+    /// The refractive index n.
     pub n: f64,
-    /// dn/dy there.
+    /// The slope dn/dy.
     pub slope: f64,
-    /// Half of d²n/dy² there.
+    /// Half of d²n/dy².
     pub bend: f64,
     /// A sixth of d³n/dy³.
     pub twist: f64,
 }
 
-/// Why points make no profile.
+/// The reason why points do not define a profile.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Flaw {
-    /// The point, if it is one's.
+    /// The index of the point, if the error is in one.
     pub point: Option<usize>,
-    /// What is wrong.
+    /// The problem.
     pub problem: String,
-    /// What would be right.
+    /// The remedy.
     pub help: String,
 }
 
 /// The header of a file.
 const COLUMNS: &str = "height,n";
-/// A file with this many mistakes is read no further.
+/// The number of errors after which a file is not read further.
 const ENOUGH: usize = 10;
 
 impl Profile {
-    /// The spline through points `[height, n]`, of positive n.
+    /// Computes the spline through points `[height, n]`, with positive n.
     pub fn through(points: &[[f64; 2]]) -> Result<Self, Flaw> {
         if points.len() < 2 {
             let problem = format!("a profile needs two points, found {}", points.len());
@@ -78,7 +78,7 @@ impl Profile {
         Ok(profile)
     }
 
-    /// n at a height.
+    /// Returns n at a height.
     #[must_use]
     pub fn index(&self, y: f64) -> f64 {
         let above = self.points.partition_point(|point| point.height <= y);
@@ -89,7 +89,7 @@ impl Profile {
         }
     }
 
-    /// Where n is least: at a point, or where a cubic's slope is 0.
+    /// Returns the minimum of n with its height: a point, or a position where a cubic's slope is 0.
     fn lowest(&self) -> (f64, f64) {
         let turns = self.points.windows(2).flat_map(|pair| {
             let (point, width) = (pair[0], pair[1].height - pair[0].height);
@@ -106,7 +106,7 @@ impl Profile {
         Self::parse(&read_text(path)?, path)
     }
 
-    /// Reads the text of a CSV file; `path` names it in mistakes.
+    /// Reads the text of a CSV file; `path` names it in errors.
     pub fn parse(text: &str, path: &Path) -> Result<Self, SceneError> {
         let mistake = |part: &str, problem: String, help: &str| Mistake::of(path, text, part, problem, help.to_owned());
         let lines = text.lines().map(str::trim);
@@ -144,9 +144,9 @@ impl ProfilePoint {
         self.n + t * (self.slope + t * (self.bend + t * self.twist))
     }
 
-    /// Where the cubic's slope is 0; what is not there is not finite.
+    /// Returns the positions where the cubic's slope is 0; missing roots are not finite.
     fn turns(&self) -> [f64; 2] {
-        // slope + 2 bend t + 3 twist t²; both roots without a difference of near numbers.
+        // slope + 2 bend t + 3 twist t² = 0; neither root is computed from a difference of close numbers.
         let root = (self.bend * self.bend - 3.0 * self.twist * self.slope).sqrt();
         let q = -(self.bend + root.copysign(self.bend));
         [q / (3.0 * self.twist), self.slope / q]
@@ -181,7 +181,7 @@ fn spline(points: &[[f64; 2]]) -> Vec<ProfilePoint> {
     (0..=last).map(piece).collect()
 }
 
-/// The numbers of a line, or what is wrong with which part of it.
+/// Parses the numbers of a line; an error contains the invalid part of it.
 fn point(line: &str) -> Result<[f64; 2], (&str, String)> {
     let fields: Vec<&str> = line.split(',').map(str::trim).collect();
     let [height, n] = fields[..] else {

@@ -1,22 +1,22 @@
-//! Where an object is: scale, then rotate, then translate.
+//! The transform of an object: scale, then rotate, then translate.
 
 use glam::{DAffine3, DMat3, DVec3, EulerRot};
 
-/// An affine map from a shape's own space to the scene's.
+/// An affine map from the object space of a shape to the scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transform(pub DAffine3);
 
 impl Transform {
-    /// `scale` along the shape's own axes, then `rotate` (degrees, about x, then y, then z of the scene), then `translate`.
+    /// Creates the map: `scale` along the object's axes, then `rotate` (degrees, about x, then y, then z of the scene), then `translate`.
     #[must_use]
     pub fn new(scale: DVec3, rotate: DVec3, translate: DVec3) -> Self {
         let turn = rotate * (std::f64::consts::PI / 180.0);
-        // Intrinsic z·y·x is extrinsic x, y, z: the point is turned about x first.
+        // Intrinsic z·y·x is extrinsic x, y, z: the point is rotated about x first.
         let rotation = DMat3::from_euler(EulerRot::ZYX, turn.z, turn.y, turn.x);
         Self(DAffine3 { matrix3: rotation * DMat3::from_diagonal(scale), translation: translate })
     }
 
-    /// If spheres stay spheres: the one factor by which lengths grow.
+    /// Returns the factor of lengths if it is equal in all directions, so that spheres remain spheres.
     #[must_use]
     pub fn uniform_scale(&self) -> Option<f64> {
         let m = self.0.matrix3;
@@ -24,7 +24,7 @@ impl Transform {
         lengths.iter().all(|l| (l - lengths[0]).abs() <= 1e-12 * lengths[0]).then_some(lengths[0])
     }
 
-    /// If circles about y stay circles about what y becomes: the one factor by which their radii grow.
+    /// Returns the factor of radii if circles around y remain circles around the image of y.
     #[must_use]
     pub fn round_scale(&self) -> Option<f64> {
         let [x, y, z] = [self.0.matrix3.x_axis, self.0.matrix3.y_axis, self.0.matrix3.z_axis];

@@ -4,28 +4,28 @@ use super::Function;
 use super::graph::{Graph, Id, Node};
 use super::variable::Variable;
 
-/// What changes.
+/// The variables that change.
 #[derive(Debug, Clone, Copy)]
 enum Change {
-    /// One variable alone.
+    /// A single variable.
     Of(Variable),
     /// x, y, z and t, at these rates.
     Along([Id; 4]),
 }
 
 impl Graph {
-    /// ∂a/∂axis. Where a has a kink, such as |x| at 0, it is that of one side or between the two.
+    /// Returns ∂a/∂axis. At a kink of a, such as |x| at 0, it is the derivative of one side or between the two.
     pub(super) fn derivative(&mut self, a: Id, axis: Variable) -> Id {
         self.change(a, Change::Of(axis))
     }
 
-    /// How fast a changes where x, y, z and t do so at these rates.
+    /// Returns the rate of change of a if x, y, z and t change at these rates.
     pub(super) fn rate(&mut self, a: Id, rates: [Id; 4]) -> Id {
         self.change(a, Change::Along(rates))
     }
 
     fn change(&mut self, a: Id, change: Change) -> Id {
-        // Parts come before what they are part of, so that a single pass upwards has all that it needs.
+        // Operands come before the nodes that use them, so a single upward pass suffices.
         let mut known: Vec<Option<Id>> = vec![None; a.index() + 1];
         for id in self.reached(&[a]) {
             let derivative = self.derivative_of(id, change, &|part| known[part.index()].unwrap_or(part));
@@ -34,10 +34,10 @@ impl Graph {
         known[a.index()].unwrap_or(a)
     }
 
-    /// With the derivatives of the parts given by `of`.
+    /// Returns the derivative of a node, given the derivatives of its operands by `of`.
     fn derivative_of(&mut self, id: Id, change: Change, of: &dyn Fn(Id) -> Id) -> Id {
         match self.node(id) {
-            // Of functions of place only first derivatives are asked for, which have r's direction and are derived no further.
+            // Functions of position need only first derivatives, which contain the direction of r and are not derived again.
             Node::Number(_) | Node::Direction(_) => self.constant(0.0),
             Node::Choice([a, b, c, d]) => self.choice(a, b, of(c), of(d)),
             Node::Variable(own) => self.rate_of(own, change),
@@ -76,7 +76,7 @@ impl Graph {
         }
     }
 
-    /// Of a variable.
+    /// Returns the rate of change of a variable.
     fn rate_of(&mut self, own: Variable, change: Change) -> Id {
         match change {
             Change::Of(axis) => self.constant(f64::from(u8::from(own == axis))),
@@ -88,7 +88,7 @@ impl Graph {
         }
     }
 
-    /// x·x′.
+    /// Returns x·x′, half of the derivative of r².
     fn half_of_square(&mut self, change: Change) -> Id {
         match change {
             Change::Of(axis) if Variable::PLACE.contains(&axis) => self.make(Node::Variable(axis)),
@@ -109,7 +109,7 @@ impl Graph {
         if c == d { c } else { self.make(Node::Choice([a, b, c, d])) }
     }
 
-    /// k aᵏ⁻¹ a′; of rᵏ it is k rᵏ⁻² x, without a division by r for k ≥ 2.
+    /// Returns k aᵏ⁻¹ a′; for rᵏ it is k rᵏ⁻² x, without a division by r for k ≥ 2.
     fn derivative_of_power(&mut self, a: Id, k: i32, change: Change, of: &dyn Fn(Id) -> Id) -> Id {
         let factor = self.constant(f64::from(k));
         let (less, inner) = match self.node(a) {
@@ -120,7 +120,7 @@ impl Graph {
         self.product(factor, product)
     }
 
-    /// `id` is f(a); `inner` is a′.
+    /// Returns the derivative of the call `id`, which is f(a); `inner` is a′.
     fn derivative_of_call(&mut self, function: Function, id: Id, a: Id, inner: Id) -> Id {
         let one = self.constant(1.0);
         let outer = match function {
@@ -151,7 +151,7 @@ impl Graph {
                 let square = self.product(id, id);
                 self.difference(one, square)
             }
-            // Where there is none, 0/0: not a number.
+            // Where there is no derivative, 0/0 is not a number.
             Function::Abs if self.is_strict() => self.quotient(a, id),
             Function::Abs => self.call(Function::Sign, a),
             Function::Sign => self.constant(0.0),

@@ -1,9 +1,9 @@
-//! Fans: directions and weights as the user writes them, of a surface's normal and a ray that comes in.
+//! Fans: directions and weights as the user writes them, as functions of a surface normal and an incoming ray.
 
 use super::tree::Tree;
 use super::{FAN, FormulaError, Graph, Id, check, parse_all};
 
-/// A direction and a weight, as functions of the ray that comes in and of the normal.
+/// A direction and a weight, as functions of the incoming ray and the normal.
 #[derive(Debug, Clone)]
 pub struct FanRay {
     trees: [Tree; 4],
@@ -12,11 +12,11 @@ pub struct FanRay {
 }
 
 impl FanRay {
-    /// From the text of each coordinate and of the weight.
+    /// Parses the texts of the three coordinates and the weight.
     ///
     /// # Errors
     ///
-    /// What is wrong with which of them.
+    /// The errors, each with the index of its text.
     pub fn parse(texts: [&str; 4]) -> Result<Self, Vec<(usize, FormulaError)>> {
         let trees = parse_all(texts, &FAN)?;
         let mut graph = Graph::default();
@@ -26,14 +26,14 @@ impl FanRay {
         if wrong.is_empty() { Ok(Self { trees, graph, roots }) } else { Err(wrong) }
     }
 
-    /// The graph, and in it the direction and the weight.
+    /// Returns the graph, and its nodes of the direction and the weight.
     #[must_use]
     pub fn graph(&self) -> (&Graph, [Id; 4]) {
         (&self.graph, self.roots)
     }
 }
 
-/// The same formulas.
+/// Fan rays are equal if their formulas are.
 impl PartialEq for FanRay {
     fn eq(&self, other: &Self) -> bool {
         self.trees == other.trees

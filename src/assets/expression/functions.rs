@@ -1,4 +1,4 @@
-//! The functions of one number that formulas have.
+//! The functions of one number in formulas.
 
 /// A function of one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -9,11 +9,11 @@ pub enum Function {
     Exp,
     /// ln a, a > 0.
     Log,
-    /// Of radians, to a million.
+    /// The sine of an angle in radians, up to a million.
     Sin,
-    /// Of radians, to a million.
+    /// The cosine of an angle in radians, up to a million.
     Cos,
-    /// Of radians, to a million.
+    /// The tangent of an angle in radians, up to a million.
     Tan,
     /// (eᵃ − e⁻ᵃ)/2.
     Sinh,
@@ -21,19 +21,19 @@ pub enum Function {
     Cosh,
     /// sinh/cosh.
     Tanh,
-    /// In (−π/2, π/2).
+    /// The inverse tangent, in (−π/2, π/2).
     Atan,
     /// |a|.
     Abs,
-    /// −1, 0 or 1: only derivatives have it.
+    /// The sign: −1, 0 or 1; only derivatives contain it.
     Sign,
 }
 
-/// Angles beyond this have no sine: f32 could not tell them from others.
+/// The largest angle with a sine; f32 cannot distinguish larger angles.
 const LARGEST_ANGLE: f64 = 1e6;
 
 impl Function {
-    /// Those that can be written, by name.
+    /// The functions that users can write, by name.
     pub const WRITTEN: [(&str, Self); 11] = [
         ("sqrt", Self::Sqrt),
         ("exp", Self::Exp),
@@ -48,13 +48,13 @@ impl Function {
         ("abs", Self::Abs),
     ];
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub fn name(self) -> &'static str {
         Self::WRITTEN.iter().find(|(_, function)| *function == self).map_or("sign", |(name, _)| name)
     }
 
-    /// Its value; not finite where it has none.
+    /// Returns the value; not finite where it does not exist.
     #[must_use]
     pub fn of(self, a: f64) -> f64 {
         let angle = if a.abs() <= LARGEST_ANGLE { a } else { f64::NAN };

@@ -1,6 +1,6 @@
-//! A formula as a graph in which equal parts are one node.
+//! Formulas as graphs, in which equal subexpressions are one node.
 //!
-//! *Practice.* Parts come before what they are part of, so that one pass over the list of nodes evaluates all.
+//! *Practice.* Operands come before the nodes that use them, so one pass over the list of nodes evaluates all.
 
 use super::Function;
 use super::tree::{Extreme, Name, Operator, Tree};
@@ -8,19 +8,19 @@ use super::variable::Variable;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// A node's place in its graph: parts of a node come before it.
+/// The index of a node in its graph; operands of a node come before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Id(u32);
 
 impl Id {
-    /// The place, from 0.
+    /// Returns the index, from 0.
     #[must_use]
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// A part of a formula or of its gradient.
+/// A subexpression of a formula or of its gradient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Node {
     /// An f64, by its bits.
@@ -31,7 +31,7 @@ pub enum Node {
     Square,
     /// r.
     Distance,
-    /// x/r, y/r or z/r: the derivative of r, 0 at r = 0.
+    /// x/r, y/r or z/r, the derivative of r; 0 at r = 0.
     Direction(Variable),
     /// a + b.
     Sum(Id, Id),
@@ -47,9 +47,9 @@ pub enum Node {
     Power(Id, i32),
     /// f(a).
     Call(Function, Id),
-    /// The lesser of two; not a number if either is not.
+    /// The smaller of two; not a number if either is not.
     Min(Id, Id),
-    /// The greater of two; not a number if either is not.
+    /// The larger of two; not a number if either is not.
     Max(Id, Id),
     /// `[a, b, c, d]`: c where a < b, else d.
     Choice([Id; 4]),
@@ -60,40 +60,40 @@ pub enum Node {
 pub struct Graph {
     nodes: Vec<Node>,
     places: HashMap<Node, Id>,
-    /// What names that stand for formulas stand for.
+    /// The values of the names that users define.
     terms: Vec<Term>,
-    /// What x, y, z and their differentials are, where a formula has axes of its own.
+    /// The values of x, y, z and their differentials, for a formula with rotated axes.
     turned: Option<[Id; 6]>,
-    /// Has |x| no derivative at 0? Else it is 0 there.
+    /// Whether |x| has no derivative at 0; otherwise the derivative is 0 there.
     is_strict: bool,
 }
 
-/// What a name stands for.
+/// The value of a name.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Term {
     pub value: Id,
-    /// The sine and the cosine of an angle that has them without itself.
+    /// The sine and the cosine of an angle, if they can be computed without the angle.
     pub sines: Option<[Id; 2]>,
 }
 
 impl Graph {
-    /// One in which |x| has no derivative at 0.
+    /// Creates a graph in which |x| has no derivative at 0.
     pub(super) fn strict() -> Self {
         Self { is_strict: true, ..Self::default() }
     }
 
-    /// Has |x| none at 0?
+    /// Returns `true` if |x| has no derivative at 0.
     pub(super) fn is_strict(&self) -> bool {
         self.is_strict
     }
 
-    /// The node itself.
+    /// Returns a node.
     #[must_use]
     pub fn node(&self, id: Id) -> Node {
         self.nodes[id.index()]
     }
 
-    /// Its value, if it is a number.
+    /// Returns the value of a node that is a number.
     #[must_use]
     pub fn number(&self, id: Id) -> Option<f64> {
         match self.node(id) {
@@ -102,12 +102,12 @@ impl Graph {
         }
     }
 
-    /// The nodes, each behind its parts.
+    /// Returns the nodes, each after its operands.
     pub(super) fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
-    /// The nodes that a node is made of.
+    /// Returns the operands of a node.
     #[must_use]
     pub fn parts(&self, id: Id) -> Vec<Id> {
         match self.node(id) {
@@ -123,7 +123,7 @@ impl Graph {
         }
     }
 
-    /// What these nodes are made of, and they themselves, each behind its parts.
+    /// Returns these nodes and all nodes that they depend on, each after its operands.
     #[must_use]
     pub fn reached(&self, roots: &[Id]) -> Vec<Id> {
         let mut wanted = vec![false; self.nodes.len()];
@@ -139,7 +139,7 @@ impl Graph {
         all().filter(|id| wanted[id.index()]).collect()
     }
 
-    /// The values of all nodes for these values of the variables; of those that depend on none that is given they are no numbers.
+    /// Returns the values of all nodes for these values of the variables; nodes that depend on a missing variable are not numbers.
     #[must_use]
     pub fn evaluate(&self, variables: &[f64]) -> Vec<f64> {
         let mut values: Vec<f64> = Vec::with_capacity(self.nodes.len());
@@ -175,7 +175,7 @@ impl Graph {
         values
     }
 
-    /// The node of a tree.
+    /// Returns the node of a tree.
     pub(super) fn of_tree(&mut self, tree: &Tree) -> Id {
         match tree {
             Tree::Number(value) => self.constant(*value),
@@ -215,7 +215,7 @@ impl Graph {
         }
     }
 
-    /// What a function of an angle is without the angle.
+    /// Returns the value of a trigonometric function of an angle, computed without the angle.
     fn known_call(&mut self, function: Function, a: &Tree) -> Option<Id> {
         let Tree::Term(_, k) = a else { return None };
         let [sine, cosine] = self.terms[*k].sines?;
@@ -227,17 +227,17 @@ impl Graph {
         }
     }
 
-    /// What the next name among those that stand for formulas stands for.
+    /// Defines the value of the next user-defined name.
     pub(super) fn define(&mut self, term: Term) {
         self.terms.push(term);
     }
 
-    /// From here on x, y, z and their differentials are these.
+    /// Replaces x, y, z and their differentials from here on.
     pub(super) fn turn(&mut self, turned: [Id; 6]) {
         self.turned = Some(turned);
     }
 
-    /// The node's place, perhaps one that it has already.
+    /// Returns the index of a node, which may exist already.
     pub(super) fn make(&mut self, node: Node) -> Id {
         if let Some(known) = self.places.get(&node) {
             return *known;

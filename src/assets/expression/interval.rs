@@ -1,9 +1,9 @@
-//! Intervals: what a formula can be while its variables are anywhere in theirs.
+//! Intervals: the range of a formula's values while its variables are anywhere in their intervals.
 //!
-//! *Theory.* Every operation encloses all values that it can have for arguments in its intervals, rounded outwards (Moore 1966). What
-//! has no value somewhere, such as 1/t over 0, may be anything.
+//! *Theory.* Every operation encloses all values that it can have for arguments in its intervals, rounded outwards (Moore 1966). The result
+//! of an operation that is undefined somewhere, such as 1/t over 0, is unbounded.
 //!
-//! *Practice.* The functions of the standard library are taken to be right within two units in the last place.
+//! *Practice.* The functions of the standard library are assumed to be correct within two units in the last place.
 
 use super::Function;
 use super::graph::{Graph, Id, Node};
@@ -12,22 +12,22 @@ use super::variable::Variable;
 /// All numbers from `lo` to `hi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// The least.
+    /// The smallest number.
     pub lo: f64,
-    /// The greatest.
+    /// The largest number.
     pub hi: f64,
 }
 
-/// All nodes of a graph over intervals of its variables.
+/// The ranges of all nodes of a graph over intervals of its variables.
 #[derive(Debug, Clone)]
 pub struct Enclosure {
     values: Vec<Interval>,
-    /// Is there no kink, such as that of |t| at 0, so that derivatives bound how the formula goes on?
+    /// Whether there is no kink, such as the kink of |t| at 0, so that derivatives bound the change of the formula.
     pub smooth: bool,
 }
 
 impl Enclosure {
-    /// Of a node.
+    /// Returns the range of a node.
     #[must_use]
     pub fn of(&self, id: Id) -> Interval {
         self.values[id.index()]
@@ -35,22 +35,22 @@ impl Enclosure {
 }
 
 impl Interval {
-    /// Anything.
+    /// All numbers.
     pub const ALL: Self = Self { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
-    /// One number.
+    /// Returns the interval of one number.
     #[must_use]
     pub fn at(value: f64) -> Self {
         if value.is_nan() { Self::ALL } else { Self { lo: value, hi: value } }
     }
 
-    /// All between two numbers.
+    /// Returns the interval between two numbers, in either order.
     #[must_use]
     pub fn between(a: f64, b: f64) -> Self {
         if a.is_nan() || b.is_nan() { Self::ALL } else { Self { lo: a.min(b), hi: a.max(b) } }
     }
 
-    /// Wider by so many units in the last place.
+    /// Returns the interval widened by this number of units in the last place.
     fn rounded(self, units: u32) -> Self {
         if self.lo.is_nan() || self.hi.is_nan() {
             return Self::ALL;
@@ -58,37 +58,37 @@ impl Interval {
         (0..units).fold(self, |own, _| Self { lo: own.lo.next_down(), hi: own.hi.next_up() })
     }
 
-    /// Is the number in it?
+    /// Returns `true` if the interval contains the number.
     #[must_use]
     pub fn holds(self, value: f64) -> bool {
         self.lo <= value && value <= self.hi
     }
 
-    /// Are both its ends finite?
+    /// Returns `true` if both ends are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
-    /// The largest absolute value.
+    /// Returns the largest absolute value.
     #[must_use]
     pub fn magnitude(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
     }
 
-    /// What is in both; they have something in common.
+    /// Returns the intersection, which must not be empty.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
 
-    /// The least that holds both.
+    /// Returns the smallest interval that contains both.
     #[must_use]
     pub fn or(self, other: Self) -> Self {
         Self { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// The whole of what one function of two numbers gives at the ends: right where it is monotone in both.
+    /// Returns the range of a function of two numbers, from its values at the ends: correct if it is monotonic in both.
     fn of_ends(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let all = [f(self.lo, other.lo), f(self.lo, other.hi), f(self.hi, other.lo), f(self.hi, other.hi)];
         if all.iter().any(|value| value.is_nan()) {
@@ -98,14 +98,14 @@ impl Interval {
         Self { lo, hi }.rounded(1)
     }
 
-    /// a b.
+    /// Returns the range of a b.
     #[must_use]
     pub fn times(self, other: Self) -> Self {
-        // 0 times what has no bound is 0: the numbers themselves are finite.
+        // 0 times an unbounded interval is 0, because the numbers in it are finite.
         self.of_ends(other, |a, b| if a == 0.0 || b == 0.0 { 0.0 } else { a * b })
     }
 
-    /// a + b.
+    /// Returns the range of a + b.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self { lo: self.lo + other.lo, hi: self.hi + other.hi }.rounded(1)
@@ -132,7 +132,7 @@ impl Interval {
         if dips { Self { lo: 0.0, ..ends }.rounded(2) } else { ends.rounded(2) }
     }
 
-    /// A function that rises everywhere.
+    /// Returns the range of an increasing function.
     fn rising(self, f: impl Fn(f64) -> f64) -> Self {
         Self::between(f(self.lo), f(self.hi)).rounded(2)
     }
@@ -142,13 +142,13 @@ impl Interval {
         if self.holds(0.0) { Self { lo: 0.0, ..ends } } else { ends }
     }
 
-    /// Of an angle: a wave's value, whose crests are at `crest` and whole turns from there.
+    /// Returns the range of a periodic function of an angle, with maxima at `crest` and whole turns from there.
     fn wave(self, f: impl Fn(f64) -> f64, crest: f64) -> Self {
         use std::f64::consts::{PI, TAU};
         if !(f(self.lo).is_finite() && f(self.hi).is_finite()) {
             return Self::ALL;
         }
-        // Wider than any rounding of the angle.
+        // This slack is larger than any rounding of the angle.
         let slack = 1e-9 * (1.0 + self.magnitude());
         let passes = |at: f64| {
             let next = at + TAU * ((self.lo - slack - at) / TAU).ceil();
@@ -184,7 +184,7 @@ impl Interval {
 }
 
 impl Graph {
-    /// All nodes while the variables are in these intervals. Of functions of place, r and its direction are anything.
+    /// Returns the ranges of all nodes over these intervals of the variables. In functions of position, r and its direction are unbounded.
     #[must_use]
     pub fn enclose(&self, variables: &[Interval]) -> Enclosure {
         let mut values: Vec<Interval> = Vec::with_capacity(self.nodes().len());

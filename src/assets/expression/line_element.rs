@@ -1,59 +1,60 @@
-//! Line elements: ds² as the user writes it, in x, y, z, t and their differentials, with all that light needs to know of it.
+//! Line elements: ds² as the user writes it, in x, y, z, t and their differentials, with all quantities that light needs.
 //!
-//! *Theory.* Q(x; U) is the line element with dx/dτ and so on in place of the differentials. P = ½∂Q/∂U is U with its index lowered,
-//! and ∂P/∂U the metric. Light follows d(gU) = ½∂ₓQ but for its parameter, so that g U′ is ½∂ₓQ less what P changes by along U.
+//! *Theory.* Q(x; U) is the line element with the differentials replaced by dx/dτ and so on. P = ½∂Q/∂U is U with its index lowered,
+//! and ∂P/∂U the metric. Up to its parametrization, light follows d(gU) = ½∂ₓQ, so g U′ is ½∂ₓQ minus the change of P along U.
 //!
-//! *Practice.* Derivatives in the differentials come first, for they touch no place; then a single one in the place.
+//! *Practice.* Derivatives by the differentials come first, because they do not involve the position; a single derivative by position
+//! follows.
 
 use glam::{DMat4, DVec3, DVec4};
 
 use super::spacetime::{ALL, PLACE, Reader, Wrong};
 use super::{Field, FormulaError, Graph, Id, Node, Spacetime, Variable, check};
 
-/// Of 0.03: where rays that go further in end if nothing else is said, the square of the lapse.
+/// The square of the lapse at which rays end by default, 0.03².
 const LEAST_LAPSE_2: f64 = 0.0009;
 
-/// A line element and what follows from it.
+/// A line element and the quantities derived from it.
 #[derive(Debug, Clone)]
 pub struct LineElement {
     written: Spacetime,
     graph: Graph,
-    /// xx, xy, xz, yy, yz, zz, xt, yt, zt, tt.
+    /// The components xx, xy, xz, yy, yz, zz, xt, yt, zt, tt.
     metric: [Id; 10],
-    /// g U′, but for the parameter: x, y, z and t.
+    /// The components x, y, z and t of g U′, up to the parametrization.
     force: [Id; 4],
     scale: Id,
-    /// The gradient and the value of what is below 0 where rays end.
+    /// The gradient and the value of a function that is below 0 where rays end.
     gap: Option<[Id; 4]>,
 }
 
-/// Where a line element is asked for.
+/// The arguments at which a line element is evaluated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spot {
-    /// x, y and z.
+    /// The position: x, y and z.
     pub x: DVec3,
-    /// t.
+    /// The time t.
     pub t: f64,
-    /// 1, or −1 on the other side of a throat.
+    /// The side of a throat: 1, or −1 on the far side.
     pub side: f64,
 }
 
 impl Spot {
-    /// With differentials.
+    /// Returns the values of the variables, with the differentials `u`.
     fn values(self, u: DVec4) -> [f64; 9] {
         [self.x.x, self.x.y, self.x.z, u.x, u.y, u.z, u.w, self.t, self.side]
     }
 }
 
-/// Where g's components stand among the ten.
+/// The indices of g's components among the ten.
 const PLACES: [[usize; 4]; 4] = [[0, 1, 2, 6], [1, 3, 4, 7], [2, 4, 5, 8], [6, 7, 8, 9]];
 
 impl LineElement {
-    /// From what is written.
+    /// Parses a written spacetime.
     ///
     /// # Errors
     ///
-    /// What is wrong with which text.
+    /// The first error, with the text that contains it.
     pub fn parse(written: Spacetime) -> Result<Self, Wrong> {
         let mut reader = Reader::new(written.axes);
         reader.name_all(&written)?;
@@ -102,7 +103,7 @@ impl LineElement {
         (Field::LineElement, FormulaError { place, problem: problem.to_owned(), help: help.to_owned() })
     }
 
-    /// Every part of it has two differentials.
+    /// Checks that every term contains two differentials.
     fn check_degree(&self, q: Id, lowered: [Id; 4]) -> Result<(), Wrong> {
         let curved = self.graph.reached(&self.metric);
         let is_differential =
@@ -137,68 +138,68 @@ impl LineElement {
         self.graph.reached(roots).iter().any(|id| self.graph.node(*id) == Node::Variable(variable))
     }
 
-    /// As it is written.
+    /// Returns the spacetime as written.
     #[must_use]
     pub fn written(&self) -> &Spacetime {
         &self.written
     }
 
-    /// Does it change with t?
+    /// Returns `true` if the metric or the scale changes with t.
     #[must_use]
     pub fn depends_on_time(&self) -> bool {
         let all: Vec<Id> = self.metric.iter().chain([&self.scale]).copied().collect();
         self.depends_on(&all, Variable::TIME)
     }
 
-    /// Is it the same forwards and backwards in t?
+    /// Returns `true` if the spacetime is static, that is invariant under time reversal.
     #[must_use]
     pub fn is_static(&self) -> bool {
         let shift = &self.metric[6..9];
         !self.depends_on_time() && shift.iter().all(|id| self.graph.number(*id) == Some(0.0))
     }
 
-    /// g at a place and a time; of vectors of the place's components, then the time's.
+    /// Returns g at a position and a time, with the spatial components before the time component.
     #[must_use]
     pub fn metric(&self, spot: Spot) -> DMat4 {
         let values = self.graph.evaluate(&spot.values(DVec4::NAN));
         DMat4::from_cols_array_2d(&PLACES.map(|row| row.map(|k| values[self.metric[k].index()])))
     }
 
-    /// The length over which it changes at a place and a time.
+    /// Returns the characteristic length scale at a position and a time.
     #[must_use]
     pub fn scale(&self, spot: Spot) -> f64 {
         self.graph.evaluate(&spot.values(DVec4::NAN))[self.scale.index()].abs()
     }
 
-    /// g U′ at a place, but for the parameter.
+    /// Returns g U′ at a position, up to the parametrization.
     #[must_use]
     pub fn force(&self, spot: Spot, u: DVec4) -> DVec4 {
         let values = self.graph.evaluate(&spot.values(u));
         DVec4::from_array(self.force.map(|id| values[id.index()]))
     }
 
-    /// The gradient and the value of what is below 0 where rays that go further in end.
+    /// Returns the gradient and the value of the function that is below 0 where rays end.
     #[must_use]
     pub fn gap(&self, spot: Spot) -> Option<DVec4> {
         let values = self.graph.evaluate(&spot.values(DVec4::NAN));
         Some(DVec4::from_array(self.gap?.map(|id| values[id.index()])))
     }
 
-    /// The graph, and in it the metric, the force, the scale and what is below 0 where rays end.
+    /// Returns the graph, and its nodes of the metric, the force, the scale and the function that is below 0 where rays end.
     #[must_use]
     pub fn graph(&self) -> (&Graph, [Id; 10], [Id; 4], Id, Option<[Id; 4]>) {
         (&self.graph, self.metric, self.force, self.scale, self.gap)
     }
 }
 
-/// The same texts.
+/// Line elements are equal if their texts are.
 impl PartialEq for LineElement {
     fn eq(&self, other: &Self) -> bool {
         self.written == other.written
     }
 }
 
-/// ½∂ₓQ less what P changes by along U.
+/// Returns ½∂ₓQ minus the change of P along U.
 fn force(graph: &mut Graph, q: Id, lowered: [Id; 4]) -> [Id; 4] {
     let half = graph.constant(0.5);
     let rates = Variable::DIFFERENTIALS.map(|d| graph.make(Node::Variable(d)));
@@ -212,14 +213,14 @@ fn force(graph: &mut Graph, q: Id, lowered: [Id; 4]) -> [Id; 4] {
     })
 }
 
-/// α² = −det g/det γ.
+/// Returns α² = −det g/det γ.
 fn lapse_squared(graph: &mut Graph, metric: [Id; 10]) -> Id {
     let [above, below] = [4, 3].map(|size| determinant(graph, metric, &(0..size).collect::<Vec<_>>(), 0));
     let ratio = graph.quotient(above, below);
     graph.negative(ratio)
 }
 
-/// Of the rows from this one on, and of these columns.
+/// Returns the determinant of the rows from `row` on, and of these columns.
 fn determinant(graph: &mut Graph, metric: [Id; 10], columns: &[usize], row: usize) -> Id {
     if columns.is_empty() {
         return graph.constant(1.0);

@@ -1,12 +1,12 @@
-//! Formulas: a function of place as the user writes it, `1 + 0.1 * exp(-r^2)`, with its exact gradient; and curves, whose coordinates
-//! are functions of t.
+//! Formulas: functions of position as the user writes them, `1 + 0.1 * exp(-r^2)`, with their exact gradients; and curves, whose
+//! coordinates are functions of t.
 //!
 //! *Theory.* A formula has variables, numbers, pi, + − * / ^, parentheses and a few functions. Its text becomes
-//! a tree (`tokens`, `parse`, `tree`), and the tree a graph in which equal parts are one node (`graph`): there derivatives,
-//! which repeat the function's own parts over and over, stay about as small as the formula (`derive`, `rules`).
+//! a tree (`tokens`, `parse`, `tree`), and the tree a graph in which equal subexpressions are one node (`graph`): derivatives,
+//! which repeat the function's subexpressions many times, thus stay about as small as the formula (`derive`, `rules`).
 //!
-//! *Practice.* A formula is valid once it is made: every number in it is one of 32-bit floats, no part of it is a constant without
-//! a value. It may still have no value at some places, such as log(x) at x = 0: that is for who evaluates it.
+//! *Practice.* A formula is valid once it is made: every number in it is a 32-bit float, and no subexpression is a constant without
+//! a value. It may still have no value at some positions, such as log(x) at x = 0; its callers handle that.
 
 mod curve;
 mod derive;
@@ -38,30 +38,30 @@ use std::fmt;
 use std::ops::Range;
 use tree::{Name, Tree};
 
-/// The names that formulas of one sort have, besides functions.
+/// The names in formulas of one sort, besides functions.
 #[derive(Debug)]
 struct Language {
     names: &'static [Name],
-    /// A formula in them.
+    /// An example of a formula with these names.
     example: &'static str,
-    /// Names that stand for formulas.
+    /// The names that users define for formulas.
     terms: Vec<String>,
 }
 
 impl Language {
-    /// All names but those of functions.
+    /// Returns all names except function names.
     fn known(&self) -> impl Iterator<Item = &str> {
         self.names.iter().map(|name| name.text()).chain(self.terms.iter().map(String::as_str))
     }
 
-    /// What a name stands for.
+    /// Returns the tree of a name, if it is known.
     fn named(&self, text: &str) -> Option<Tree> {
         let name = self.names.iter().find(|name| name.text() == text).map(|name| Tree::Name(*name));
         name.or_else(|| Some(Tree::Term(text.to_owned(), self.terms.iter().position(|term| term == text)?)))
     }
 }
 
-/// Functions of place.
+/// Functions of position.
 static PLACE: Language = Language {
     names: &[
         Name::Variable("x", Variable::PLACE[0]),
@@ -78,7 +78,7 @@ static PLACE: Language = Language {
 static PARAMETER: Language =
     Language { names: &[Name::Variable("t", Variable::PARAMETER), Name::Pi], example: "cos(2 * t)", terms: Vec::new() };
 
-/// Functions of a ray that comes to a surface, and of the normal on its side; c is the cosine between both.
+/// Functions of a ray that arrives at a surface, and of the normal on its side; c is the cosine between both.
 static FAN: Language = Language {
     names: &[
         Name::Variable("dx", Variable(0)),
@@ -94,7 +94,7 @@ static FAN: Language = Language {
     terms: Vec::new(),
 };
 
-/// A function of place and its gradient.
+/// A function of position and its gradient.
 #[derive(Debug, Clone)]
 pub struct Formula {
     tree: Tree,
@@ -103,19 +103,19 @@ pub struct Formula {
     gradient: [Id; 3],
 }
 
-/// What is wrong with the text of a formula.
+/// An error in the text of a formula.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FormulaError {
-    /// Where, in bytes of the text.
+    /// The location, in bytes of the text.
     pub place: Range<usize>,
-    /// What is wrong.
+    /// The problem.
     pub problem: String,
-    /// What would be right; may be empty.
+    /// The remedy; may be empty.
     pub help: String,
 }
 
 impl Formula {
-    /// Reads a formula and derives its gradient.
+    /// Parses a formula and derives its gradient.
     pub fn parse(text: &str) -> Result<Self, FormulaError> {
         let tree = parse::parse(text, &PLACE)?;
         let mut graph = Graph::default();
@@ -126,26 +126,26 @@ impl Formula {
         Ok(Self { tree, graph, value, gradient })
     }
 
-    /// Its value at a place; not finite where it has none.
+    /// Returns the value at a position; not finite where it does not exist.
     #[must_use]
     pub fn value(&self, place: DVec3) -> f64 {
         self.graph.evaluate(&place.to_array())[self.value.index()]
     }
 
-    /// Its gradient at a place.
+    /// Returns the gradient at a position.
     #[must_use]
     pub fn gradient(&self, place: DVec3) -> DVec3 {
         let values = self.graph.evaluate(&place.to_array());
         DVec3::from_array(self.gradient.map(|id| values[id.index()]))
     }
 
-    /// Its value if it is the same everywhere.
+    /// Returns the value if it is constant.
     #[must_use]
     pub fn constant(&self) -> Option<f64> {
         self.graph.number(self.value)
     }
 
-    /// The graph, and in it the three parts of the gradient and the value.
+    /// Returns the graph, and its nodes of the three components of the gradient and of the value.
     #[must_use]
     pub fn graph(&self) -> (&Graph, [Id; 4]) {
         let [x, y, z] = self.gradient;
@@ -153,7 +153,7 @@ impl Formula {
     }
 }
 
-/// Several formulas of one thing: their trees, or what is wrong with which of them.
+/// Parses several formulas that belong together; each error has the index of its text.
 fn parse_all<const N: usize>(texts: [&str; N], language: &Language) -> Result<[Tree; N], Vec<(usize, FormulaError)>> {
     let mut wrong = Vec::new();
     let trees = texts.map(|text| parse::parse(text, language)).into_iter().enumerate();
@@ -161,7 +161,7 @@ fn parse_all<const N: usize>(texts: [&str; N], language: &Language) -> Result<[T
     trees.try_into().map_err(|_| wrong)
 }
 
-/// Numbers that 32 bits hold, and no constant that could not be worked out.
+/// Checks that 32 bits can hold the numbers, and that all constants have a value.
 fn check(text: &str, graph: &Graph, roots: &[Id]) -> Result<(), FormulaError> {
     let wrong = |problem: String| FormulaError {
         place: 0..text.len(),
@@ -185,14 +185,14 @@ fn check(text: &str, graph: &Graph, roots: &[Id]) -> Result<(), FormulaError> {
     Ok(())
 }
 
-/// As it would be written, without needless parentheses.
+/// Writes the formula in normalized spelling, without unnecessary parentheses.
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         self.tree.fmt(f)
     }
 }
 
-/// The same formula, not only the same function.
+/// Formulas are equal if their texts are equivalent, not only their values.
 impl PartialEq for Formula {
     fn eq(&self, other: &Self) -> bool {
         self.tree == other.tree

@@ -14,12 +14,12 @@ use super::{FormulaError, Function, Language};
 use crate::document::values::suggest;
 use std::ops::Range;
 
-/// Longer than anyone writes by hand. What reads trees goes down into them, and has only so much stack.
+/// The largest length of a formula; code that reads trees is recursive, and its stack is limited.
 const LONGEST: usize = 1000;
-/// Parts in parts.
+/// The largest depth of nested subexpressions.
 const DEEPEST: usize = 100;
 
-/// The tree of a formula in these names.
+/// Parses a formula with these names to a tree.
 pub fn parse(text: &str, language: &Language) -> Result<Tree, FormulaError> {
     if text.len() > LONGEST {
         return Err(wrong(0..text.len(), format!("the formula is longer than {LONGEST} characters"), ""));
@@ -35,7 +35,7 @@ pub fn parse(text: &str, language: &Language) -> Result<Tree, FormulaError> {
 struct Parser<'a> {
     tokens: Vec<(Token<'a>, Range<usize>)>,
     at: usize,
-    /// Of the text.
+    /// The end of the text.
     end: usize,
     depth: usize,
     language: &'a Language,
@@ -43,7 +43,7 @@ struct Parser<'a> {
 
 type Parsed = Result<Tree, FormulaError>;
 
-/// What follows a whole formula.
+/// Returns the error for a token after a complete formula.
 fn unexpected(token: Token, place: Range<usize>) -> FormulaError {
     match token {
         Token::Sign(')') => wrong(place, "there is no ( for this )", ""),
@@ -65,7 +65,7 @@ impl<'a> Parser<'a> {
         found
     }
 
-    /// Of the next token; the end of the text behind the last.
+    /// Returns the range of the next token; the end of the text after the last one.
     fn place(&self) -> Range<usize> {
         self.tokens.get(self.at).map_or(self.end..self.end, |(_, place)| place.clone())
     }
@@ -96,7 +96,7 @@ impl<'a> Parser<'a> {
     }
 
     fn minus(&mut self) -> Parsed {
-        // A row of minus signs and powers goes down as parentheses do.
+        // A sequence of minus signs and powers is nested like parentheses.
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(wrong(self.place(), format!("more than {DEEPEST} parts inside each other"), ""));

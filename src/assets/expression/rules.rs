@@ -1,15 +1,15 @@
-//! How nodes are made: constants are worked out, and what adds 0 or multiplies by 1 is left out.
+//! Creation of nodes: constants are evaluated, and additions of 0 and multiplications by 1 are omitted.
 //!
-//! *Practice.* That keeps derivatives readable, and without divisions that the function itself does not have: r² is a node of its
-//! own, and so is its derivative 2x, where 2 r (x/r) would have no value at r = 0.
+//! *Practice.* This keeps derivatives readable, and without divisions that the function itself does not have: r² is a node,
+//! and its derivative is 2x, where 2 r (x/r) would have no value at r = 0.
 
 use super::Function;
 use super::graph::{Graph, Id, Node};
 
-/// Whole exponents up to this are multiplied out; others go by the logarithm.
+/// The largest whole exponent that is expanded to products; larger ones use the logarithm.
 const LARGEST_POWER: f64 = 64.0;
 
-/// Is it a power of two, by which nothing is rounded?
+/// Returns `true` for a power of two, multiplication by which is exact.
 fn is_exact(factor: f64) -> bool {
     let size = factor.abs();
     (1e-3..=1e3).contains(&size) && size.log2().fract() == 0.0
@@ -21,7 +21,7 @@ impl Graph {
         self.make(Node::Number((value + 0.0).to_bits()))
     }
 
-    /// The node, or its value where all its parts are numbers and it has one.
+    /// Returns the node or, if all its operands are numbers and it has a value, the value.
     pub(super) fn folded(&mut self, node: Node) -> Id {
         let number = |id: Id| self.number(id);
         let both = |a: Id, b: Id| number(a).zip(number(b));
@@ -82,7 +82,7 @@ impl Graph {
             (None, Some(factor)) => return self.scaled(factor, a),
             (None, None) => {}
         }
-        // Numbers and signs are gathered in front.
+        // Numbers and signs are collected in front.
         for (one, other) in [(a, b), (b, a)] {
             match self.node(one) {
                 Node::Product(front, rest) if self.number(front).is_some() => {
@@ -111,7 +111,7 @@ impl Graph {
         }
     }
 
-    /// A number times what is none: the number stands in front.
+    /// Returns the product of a number and a node that is not a number, with the number in front.
     fn scaled(&mut self, factor: f64, a: Id) -> Id {
         let front = self.constant(factor);
         if factor == 0.0 {
@@ -126,7 +126,7 @@ impl Graph {
                 _ => self.make(Node::Product(front, a)),
             },
             Node::Negative(rest) => self.scaled(-factor, rest),
-            // Where nothing is rounded, numbers of a sum are scaled by themselves.
+            // If the product is exact, the numbers in a sum are scaled separately.
             Node::Sum(b, c) if is_exact(factor) && (self.number(b).is_some() || self.number(c).is_some()) => {
                 let [b, c] = [b, c].map(|part| self.product(front, part));
                 self.sum(b, c)
@@ -163,7 +163,7 @@ impl Graph {
         }
     }
 
-    /// aᵏ.
+    /// Returns aᵏ.
     pub(super) fn power(&mut self, a: Id, k: i32) -> Id {
         match (self.node(a), k) {
             (_, 0) => self.constant(1.0),
@@ -173,7 +173,7 @@ impl Graph {
                 let square = self.make(Node::Square);
                 self.power(square, k / 2)
             }
-            // No sum of exponents of one formula may pass what 32 bits hold.
+            // The exponents of nested powers must not overflow 32 bits.
             (Node::Power(b, i), k) if i.checked_mul(k).is_some_and(|ik| ik.abs() < 1 << 20) => self.power(b, i * k),
             (Node::Negative(b), k) => {
                 let power = self.power(b, k);
@@ -183,7 +183,7 @@ impl Graph {
         }
     }
 
-    /// aᵇ: for exponents that are not whole numbers, or halves, e^(b log a).
+    /// Returns aᵇ; exponents that are neither whole numbers nor halves use e^(b log a).
     pub(super) fn raised(&mut self, a: Id, b: Id) -> Id {
         if let Some(exponent) = self.number(b) {
             if exponent.abs() <= LARGEST_POWER && exponent.fract() == 0.0 {

@@ -1,4 +1,4 @@
-//! How a spacetime is written: the texts of its line element, its scale and its end, and the names that they are written in.
+//! Spacetimes as written: the texts of the line element, the scale and the capture condition, and the names in them.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use super::tokens::wrong;
 use super::tree::{Name, Tree};
 use super::{FormulaError, Function, Graph, Id, Language, Node, Variable, parse};
 
-/// What names stand for besides those of x, y, z and t; an angle's sine and cosine are known without it.
+/// The built-in names besides x, y, z and t, with their formulas; for angles, the sine and the cosine are computed without the angle.
 const KNOWN: [(&str, &str, Option<[&str; 2]>); 8] = [
     ("rho", "sqrt(x^2 + y^2)", None),
     ("theta", "2 * atan(rho / (r + z))", Some(["rho / r", "z / r"])),
@@ -21,10 +21,10 @@ const KNOWN: [(&str, &str, Option<[&str; 2]>); 8] = [
     ("dOmega2", "(dx^2 + dy^2 + dz^2 - dr^2) / r^2", None),
 ];
 
-/// Names that a spacetime may have of its own: what reads a formula looks for its names among all of them.
+/// The largest number of names that a spacetime may define; the parser searches all of them.
 const MOST_NAMES: usize = 200;
 
-/// Of functions of place and time.
+/// The variables of functions of position and time.
 pub(super) const PLACE: [Name; 6] = [
     Name::Variable("x", Variable::PLACE[0]),
     Name::Variable("y", Variable::PLACE[1]),
@@ -34,7 +34,7 @@ pub(super) const PLACE: [Name; 6] = [
     Name::Pi,
 ];
 
-/// And the differentials.
+/// These variables and the differentials.
 pub(super) const ALL: [Name; 10] = [
     PLACE[0],
     PLACE[1],
@@ -48,26 +48,26 @@ pub(super) const ALL: [Name; 10] = [
     PLACE[5],
 ];
 
-/// A spacetime as it is written.
+/// A spacetime as written.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spacetime {
     /// ds².
     pub line_element: String,
-    /// Names for numbers.
+    /// The parameters: names for numbers.
     pub parameters: Vec<(String, f64)>,
-    /// Names for formulas, each of what is before it.
+    /// The names for formulas; each formula may use the names before it.
     pub terms: Vec<(String, String)>,
-    /// The length over which it changes.
+    /// The characteristic length scale.
     pub scale: String,
-    /// Where rays that go further in end: `a < b` or `a > b`.
+    /// The capture condition, at which rays end: `a < b` or `a > b`.
     pub captured: Option<String>,
-    /// The radius of the sphere that a throat is drawn as, if it has one.
+    /// The radius of the sphere that represents a throat, if there is one.
     pub throat: Option<f64>,
     /// The axes of x, y and z, in columns.
     pub axes: DMat3,
 }
 
-/// Which of its texts is wrong.
+/// The text that contains an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Field {
     /// ds².
@@ -76,18 +76,18 @@ pub enum Field {
     Parameter(usize),
     /// A name for a formula.
     TermName(usize),
-    /// A formula that has a name.
+    /// A formula with a name.
     Term(usize),
     /// The scale.
     Scale,
-    /// Where rays end.
+    /// The capture condition.
     Captured,
 }
 
-/// And where in it, and how.
+/// A text, and the error in it.
 pub(super) type Wrong = (Field, FormulaError);
 
-/// Reads texts, and keeps what their names stand for.
+/// A parser of the texts that stores the values of their names.
 pub(super) struct Reader {
     pub graph: Graph,
     terms: Vec<String>,
@@ -169,7 +169,7 @@ impl Reader {
         Ok(())
     }
 
-    /// `l` and `dl`: how far a place is from a throat, below 0 on its other side. On each side r is the throat's radius and so much more.
+    /// Defines `l` and `dl`: l is the distance from a throat, negative on the far side. On each side r is the throat's radius plus |l|.
     fn define_distance(&mut self, throat: f64) -> Result<(), FormulaError> {
         let graph = &mut self.graph;
         let [side, radius] = [graph.make(Node::Variable(Variable::SIDE)), graph.constant(throat)];
@@ -184,7 +184,7 @@ impl Reader {
         Ok(())
     }
 
-    /// A name that has no meaning yet.
+    /// Checks that a name is valid and not defined yet.
     fn is_new(&self, name: &str) -> Result<(), FormulaError> {
         let place = 0..name.len();
         let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -200,7 +200,7 @@ impl Reader {
         Ok(())
     }
 
-    /// The lesser side and the greater.
+    /// Parses a comparison, and returns the smaller side and the larger.
     pub fn comparison(&self, text: &str) -> Result<[Tree; 2], FormulaError> {
         let signs: Vec<(usize, char)> = text.char_indices().filter(|(_, c)| matches!(c, '<' | '>')).collect();
         let [(at, sign)] = signs[..] else {

@@ -1,4 +1,4 @@
-//! Reading and printing, values, gradients: the graph's against the tree's own value, worked out directly.
+//! Tests of parsing and printing, values and gradients: the graph is compared with the tree's value, computed directly.
 
 #![allow(clippy::float_cmp, reason = "constants are folded exactly")]
 
@@ -20,7 +20,7 @@ fn formula(text: &str) -> Formula {
     Formula::parse(text).unwrap_or_else(|error| panic!("{text}: {error:?}"))
 }
 
-/// The value of a tree as arithmetic has it, without any graph.
+/// Returns the value of a tree by direct arithmetic, without a graph.
 fn value(tree: &Tree, q: DVec3) -> f64 {
     let of = |tree: &Tree| value(tree, q);
     match tree {
@@ -39,7 +39,7 @@ fn value(tree: &Tree, q: DVec3) -> f64 {
         Tree::Binary(Operator::Over, a, b) => of(a) / of(b),
         Tree::Binary(Operator::Power, a, b) => of(a).powf(of(b)),
         Tree::Call(function, a) => function.of(of(a)),
-        // What is not a number stays so.
+        // NaN operands give NaN.
         Tree::Extreme(Extreme::Min, a, b) => {
             if of(a) < of(b) {
                 of(a)
@@ -91,7 +91,7 @@ fn operators_bind_as_in_mathematics() {
     }
 }
 
-/// In text the place is marked by «».
+/// The location of the error in the text is marked by «».
 #[test]
 fn mistakes_have_their_place() {
     for (marked, problem, help) in [
@@ -126,7 +126,7 @@ fn mistakes_have_their_place() {
         ("«x + sqrt(-1)»", "a constant part of it has no finite value", ""),
         ("«1e30 * 1e30 * x»", "beyond the range of 32-bit floats", ""),
     ] {
-        // Where one number follows another the second is what is wrong.
+        // If one number follows another, the error is at the second.
         let marked = marked.replace("«1.2.3»", "1.2«.3»");
         let start = marked.find('«').unwrap();
         let end = marked.find('»').unwrap() - '«'.len_utf8();
@@ -148,7 +148,7 @@ fn mistakes_have_their_place() {
 
 #[test]
 fn gradients_are_simple() {
-    // Of a Gaussian: a single e^(−r²), a constant in front, and no division.
+    // The gradient of a Gaussian has a single e^(−r²), a constant in front, and no division.
     let gaussian = formula("1 + 0.1 * exp(-r^2)");
     let (graph, roots) = gaussian.graph();
     let reached = graph.reached(&roots);
@@ -156,10 +156,10 @@ fn gradients_are_simple() {
     assert_eq!(count(|node| matches!(node, Node::Call(..))), 1);
     assert_eq!(count(|node| matches!(node, Node::Distance | Node::Direction(_) | Node::Quotient(..))), 0);
     assert_eq!(gaussian.gradient(DVec3::ZERO), DVec3::ZERO);
-    // What is the same everywhere has no gradient.
+    // A constant has no gradient.
     assert_eq!(formula("2 * pi / 4").constant(), Some(std::f64::consts::FRAC_PI_2));
     assert_eq!(formula("x^0 + 0 * y").constant(), Some(1.0));
-    // Odd functions of r have a gradient at the centre too: 0, between the directions.
+    // Odd functions of r also have a gradient at the center: 0, between the directions.
     for text in ["r", "sin(r)", "r^3 + r", "exp(-r)", "cos(r)"] {
         assert_eq!(formula(text).gradient(DVec3::ZERO), DVec3::ZERO, "{text}");
     }
@@ -169,7 +169,7 @@ fn gradients_are_simple() {
     );
 }
 
-/// Each function where it is steep and curved; the central difference itself errs by h² f‴/6, some 1e-9.
+/// Each function is tested where it is steep and curved; the central difference itself has an error of h² f‴/6, some 1e-9.
 #[test]
 fn every_function_has_its_derivative() {
     for (name, _) in Function::WRITTEN {
@@ -237,12 +237,12 @@ proptest! {
         }
     }
 
-    /// Where the tree has a value, and neither it nor its slope is of an extreme size, the graph has the same.
+    /// The graph has the value of the tree wherever the value exists, and neither the value nor the slope is extreme.
     #[test]
     fn the_graph_has_the_value_of_the_tree(tree in trees(), q in places()) {
         let want = value(&tree, q);
         if let Ok(f) = Formula::parse(&tree.to_string()) && want.is_finite() && want.abs() < 1e3 {
-            // Near a pole roundings grow: as far as an input moved by some roundings would take it.
+            // Near a pole rounding errors grow: the tolerance is the effect of a change of the input by some rounding errors.
             let moved = value(&tree, q * (1.0 + 1e-13));
             let slack = 1e-9 * (1.0 + want.abs()) + 1e2 * (moved - want).abs();
             let got = f.value(q);
@@ -250,7 +250,7 @@ proptest! {
         }
     }
 
-    /// Two differences that agree are the slope; where they do not there is a kink, a pole or a wild place.
+    /// Two differences that agree give the slope; if they do not, there is a kink, a pole or a rapid change.
     #[test]
     fn the_gradient_is_the_central_difference(tree in trees(), q in places()) {
         if let Ok(f) = Formula::parse(&tree.to_string()) {
@@ -264,7 +264,7 @@ proptest! {
     }
 }
 
-/// Does the gradient change abruptly within the reach of the differences?
+/// Returns `true` if the gradient changes abruptly within the reach of the differences.
 fn has_kink_near(f: &Formula, q: DVec3) -> bool {
     let here = f.gradient(q);
     DVec3::AXES.iter().flat_map(|e| [q + 3e-5 * *e, q - 3e-5 * *e]).any(|p| {
@@ -274,7 +274,7 @@ fn has_kink_near(f: &Formula, q: DVec3) -> bool {
     })
 }
 
-/// Every function, and every way to put parts together, of t.
+/// Functions of t with every function and every operator.
 fn of_t(text: &str) -> super::Curve {
     super::Curve::parse([text, "t", "0"]).unwrap_or_else(|error| panic!("{text}: {error:?}"))
 }
@@ -297,7 +297,7 @@ const OF_T: [&str; 14] = [
 ];
 
 proptest! {
-    /// What a formula and its derivatives are at any t of an interval is in their intervals there.
+    /// The values of a formula and its derivatives at any t of an interval are in their intervals.
     #[test]
     fn intervals_hold_all_values(which in 0..OF_T.len(), a in -3.0_f64..3.0, size in 0.0_f64..2.0, part in 0.0_f64..1.0) {
         let curve = of_t(OF_T[which]);
@@ -311,7 +311,7 @@ proptest! {
         }
     }
 
-    /// Intervals close in on the value.
+    /// The intervals converge to the value.
     #[test]
     fn small_intervals_are_close(which in 0..OF_T.len(), a in 0.3_f64..0.9) {
         let curve = of_t(OF_T[which]);
@@ -320,7 +320,7 @@ proptest! {
     }
 }
 
-/// Derivatives by t against differences.
+/// The derivatives by t are compared with differences.
 #[test]
 fn curves_have_their_derivatives() {
     for text in OF_T {

@@ -7,15 +7,15 @@ use std::ops::Range;
 /// A number, a name or a sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Token<'a> {
-    /// Of magnitude 0 or 10⁻³⁰ to 10³⁰.
+    /// A number that is 0 or between 10⁻³⁰ and 10³⁰ in magnitude.
     Number(f64),
-    /// Of a variable or a function.
+    /// The name of a variable or a function.
     Name(&'a str),
     /// One of `+-*/^(),`.
     Sign(char),
 }
 
-/// The tokens, each with its bytes of the text.
+/// Splits a text into tokens, each with its range of bytes.
 pub fn tokens<'a>(text: &'a str, language: &Language) -> Result<Vec<(Token<'a>, Range<usize>)>, FormulaError> {
     let mut found = Vec::new();
     let mut at = 0;
@@ -32,7 +32,7 @@ pub fn tokens<'a>(text: &'a str, language: &Language) -> Result<Vec<(Token<'a>, 
                 rest.find(|c: char| !c.is_alphabetic() && !c.is_ascii_digit() && c != '_').unwrap_or(rest.len());
             (Token::Name(&rest[..length]), length)
         } else if "+-*/^(),".contains(first) {
-            // `**` is another language's power.
+            // `**` is the power operator of other languages.
             if rest.starts_with("**") {
                 return Err(wrong(at..at + 2, "unknown operator `**`", "a power is written ^"));
             }
@@ -60,7 +60,7 @@ pub fn wrong(place: Range<usize>, problem: impl Into<String>, help: impl Into<St
     FormulaError { place, problem: problem.into(), help: help.into() }
 }
 
-/// Digits, a point, digits, and an exponent if digits follow it: `2 e` is a number and a name.
+/// Returns the length of a number: digits, a point, digits, and an exponent if digits follow it; `2 e` is a number and a name.
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();

@@ -1,17 +1,17 @@
-//! A formula as it is written.
+//! Formulas as trees, as they are written.
 
 use super::Function;
 use super::variable::Variable;
 use std::fmt::{self, Display as _};
 
-/// A formula or a part of one.
+/// A formula or a subexpression.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Tree {
-    /// Not negative: a minus is a part of its own.
+    /// A number, which is not negative: a minus sign is a separate node.
     Number(f64),
     /// A variable, r or pi.
     Name(Name),
-    /// A name that stands for a formula, by its place among those.
+    /// A user-defined name for a formula, with its index among these names.
     Term(String, usize),
     /// −a.
     Negative(Box<Tree>),
@@ -19,14 +19,14 @@ pub enum Tree {
     Binary(Operator, Box<Tree>, Box<Tree>),
     /// f(a).
     Call(Function, Box<Tree>),
-    /// The lesser or the greater of two.
+    /// The smaller or the larger of two.
     Extreme(Extreme, Box<Tree>, Box<Tree>),
 }
 
-/// What is not a function but has a name.
+/// A name that is not a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Name {
-    /// A variable, as it is written.
+    /// A variable, with its spelling.
     Variable(&'static str, Variable),
     /// √(x² + y² + z²).
     R,
@@ -34,7 +34,7 @@ pub enum Name {
 }
 
 impl Name {
-    /// As it is written.
+    /// Returns the spelling.
     pub fn text(self) -> &'static str {
         match self {
             Self::Variable(text, _) => text,
@@ -44,7 +44,7 @@ impl Name {
     }
 }
 
-/// Of two numbers.
+/// An operator with two operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operator {
     Plus,
@@ -54,7 +54,7 @@ pub enum Operator {
     Power,
 }
 
-/// min or max.
+/// The function `min` or `max`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Extreme {
     Min,
@@ -62,7 +62,7 @@ pub enum Extreme {
 }
 
 impl Extreme {
-    /// As it is written.
+    /// Returns the spelling.
     pub fn name(self) -> &'static str {
         match self {
             Self::Min => "min",
@@ -71,7 +71,7 @@ impl Extreme {
     }
 }
 
-/// How strongly a part holds together: sums, products, minus, powers, and what needs no parentheses anywhere.
+/// The precedences: sums, products, minus, powers, and expressions that never need parentheses.
 const SUM: u8 = 1;
 const PRODUCT: u8 = 2;
 const MINUS: u8 = 3;
@@ -89,7 +89,7 @@ impl Tree {
         }
     }
 
-    /// In parentheses unless it holds at least so strongly.
+    /// Writes the expression, in parentheses if its precedence is below `strength`.
     fn part(&self, strength: u8, f: &mut fmt::Formatter) -> fmt::Result {
         if self.strength() < strength { write!(f, "({self})") } else { self.fmt(f) }
     }
@@ -98,7 +98,7 @@ impl Tree {
 impl fmt::Display for Tree {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            // Without an exponent where it is short.
+            // Short numbers are written without an exponent.
             Self::Number(value) if (1e-4..1e6).contains(value) => write!(f, "{value}"),
             Self::Number(value) => write!(f, "{value:?}"),
             Self::Name(name) => f.write_str(name.text()),
@@ -108,7 +108,7 @@ impl fmt::Display for Tree {
                 a.part(MINUS, f)
             }
             Self::Binary(operator, a, b) => {
-                // Sums and products are read from the left, powers from the right.
+                // Sums and products associate to the left, powers to the right.
                 let (left, sign, right) = match operator {
                     Operator::Plus => (SUM, " + ", PRODUCT),
                     Operator::Minus => (SUM, " - ", PRODUCT),

@@ -1,4 +1,4 @@
-//! Numbers of buffers: what an accessor says of them, checked, and one element after the other.
+//! Numbers in buffers: checked accessors, and their elements one after the other.
 
 use std::borrow::Cow;
 
@@ -9,19 +9,19 @@ use gltf_json::{Accessor, Index, buffer::View};
 use super::Gltf;
 use crate::assets::flaw::Flaw;
 
-/// Elements of numbers, all of which there are.
+/// The elements of an accessor, all of which exist.
 pub(in crate::assets) struct Elements<'a> {
     bytes: Cow<'a, [u8]>,
-    /// Bytes from one to the next.
+    /// The number of bytes from one element to the next.
     stride: usize,
     kind: ComponentType,
     is_normalized: bool,
-    /// How many there are.
+    /// The number of elements.
     pub count: usize,
 }
 
 impl Elements<'_> {
-    /// The numbers of an element; ones that it lacks are 0.
+    /// Returns the numbers of an element; missing numbers are 0.
     pub fn numbers<const N: usize>(&self, element: usize) -> [f32; N] {
         let size = self.kind.size();
         let start = element * self.stride;
@@ -46,12 +46,12 @@ impl Elements<'_> {
         }
     }
 
-    /// Returns `true` if its numbers are fractions: floating point, or normalized whole numbers.
+    /// Returns `true` if the numbers are fractions: floating point, or normalized integers.
     pub fn are_fractions(&self) -> bool {
         self.is_normalized || self.kind == ComponentType::F32
     }
 
-    /// The whole number of an element.
+    /// Returns the integer of an element.
     pub fn index(&self, element: usize) -> u32 {
         let at = element * self.stride;
         match self.kind {
@@ -67,7 +67,7 @@ impl Elements<'_> {
 }
 
 impl Gltf {
-    /// The elements of an accessor, which must be of one of these types; `of` is what has it.
+    /// Returns the elements of an accessor, which must have one of these types; `of` names the object that contains the index.
     pub(in crate::assets) fn elements(
         &self,
         index: Index<Accessor>,
@@ -97,7 +97,7 @@ impl Gltf {
                 (elements.stride, bytes) = self.run(view, start, accessor.count.0, size, &name)?;
                 elements.bytes = Cow::Borrowed(bytes);
             }
-            // All are 0 but those of `sparse`: no more than the file has bytes.
+            // All elements except those of `sparse` are 0: there must not be more of them than bytes in the file.
             None if elements.count > self.bytes.len() => {
                 let (count, has) = (elements.count, self.bytes.len());
                 return Err(Flaw(format!("{name} is of {count} elements of no buffer, and the file has {has} bytes")));
@@ -108,7 +108,7 @@ impl Gltf {
         Ok(elements)
     }
 
-    /// So many elements of `size` bytes in a view: from one to the next, and the bytes from the first on.
+    /// Returns the stride, and the bytes from the first element on, of `count` elements of `size` bytes in a view.
     fn run(&self, view: Index<View>, start: u64, count: u64, size: usize, of: &str) -> Result<(usize, &[u8]), Flaw> {
         let (described, bytes) = self.view(view, of)?;
         let stride = described.byte_stride.map_or(size, |stride| stride.0).max(size);
@@ -125,7 +125,7 @@ impl Gltf {
         }
     }
 
-    /// Puts the elements of `sparse` in their places.
+    /// Writes the elements of `sparse` to their positions.
     fn replace(&self, accessor: &Accessor, elements: &mut Elements, size: usize, of: &str) -> Result<(), Flaw> {
         let Some(sparse) = &accessor.sparse else { return Ok(()) };
         let Valid(kind) = &sparse.indices.component_type else {

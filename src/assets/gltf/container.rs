@@ -1,4 +1,4 @@
-//! The file: JSON alone, or with a buffer in one file; and the buffers that it names.
+//! The container of a glTF file: JSON, alone or with a buffer in one file, and the buffers that it names.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use super::nodes::Maps;
 use crate::assets::flaw::{Flaw, are_padding};
 use crate::document::{Mistake, SceneError, unmarked};
 
-/// Extensions that a file may require: what they change is read here, or is not about meshes.
+/// The extensions that a file may require, because they are supported or do not affect meshes.
 const KNOWN: [&str; 7] = [
     "KHR_mesh_quantization",
     "KHR_lights_punctual",
@@ -25,7 +25,7 @@ const KNOWN: [&str; 7] = [
 ];
 
 impl Gltf {
-    /// Reads the bytes of a file.
+    /// Opens a file from its bytes.
     pub fn open(bytes: Vec<u8>, path: &Path) -> Result<Self, SceneError> {
         let is_binary = bytes.starts_with(b"glTF");
         let (json, own) = if is_binary {
@@ -65,7 +65,7 @@ impl Gltf {
         Ok(Self { root, maps, path: path.to_owned(), bytes, own, buffers, with_mesh: OnceLock::new() })
     }
 
-    /// The bytes of a view.
+    /// Returns the bytes of a view.
     pub(super) fn view(&self, index: Index<View>, of: &str) -> Result<(&View, &[u8]), Flaw> {
         let view = self.get(index, "bufferViews", of)?;
         let name = format!("bufferViews[{}]", index.value());
@@ -98,7 +98,7 @@ impl Gltf {
             .ok_or_else(|| Flaw(format!("{name} is said to have {length} bytes, and has {}", bytes.len())))
     }
 
-    /// What a `uri` names: bytes in it, or a file beside this one.
+    /// Returns the data that a `uri` names: bytes in it, or a file in the same folder.
     pub(super) fn resource(&self, uri: &str, of: &str) -> Result<Vec<u8>, Flaw> {
         if let Some(data) = uri.strip_prefix("data:") {
             let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
@@ -106,27 +106,27 @@ impl Gltf {
             return STANDARD.decode(encoded).map_err(|error| Flaw(format!("{of} has data that is no base64: {error}")));
         }
         let path = self.beside(uri).ok_or_else(|| Flaw(format!("{of} is at `{uri}`, which is not a file")))?;
-        // What is no file may have no end.
+        // Anything that is not a regular file may have no end.
         if path.exists() && !path.is_file() {
             return Err(Flaw(format!("{of}: `{}` is not a file", path.display())));
         }
         std::fs::read(&path).map_err(|error| Flaw(format!("{of}: cannot read `{}`: {error}", path.display())))
     }
 
-    /// The files that its buffers are in, besides this one, as far as they are there.
+    /// Returns the existing files that contain its buffers, besides this one.
     pub fn others(&self) -> impl Iterator<Item = PathBuf> {
         let named = self.root.buffers.iter().filter_map(|buffer| self.beside(buffer.uri.as_ref()?));
         named.filter(|path| path.is_file())
     }
 
-    /// The path of a file that a `uri` names; none if it names something else.
+    /// Returns the path of the file that a `uri` names; `None` if it names something else.
     pub(super) fn beside(&self, uri: &str) -> Option<PathBuf> {
         let is_elsewhere = uri.starts_with("data:") || uri.contains("://");
         (!is_elsewhere).then(|| self.path.parent().unwrap_or(Path::new("")).join(decoded(uri)))
     }
 }
 
-/// Where the JSON is in a binary file, and its own buffer.
+/// Returns the range of the JSON in a binary file, and the range of its buffer.
 fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
     let number = |at: usize| {
         let four = bytes.get(at..).and_then(|rest| rest.first_chunk());
@@ -138,7 +138,7 @@ fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
         return Err(Flaw::at(4, &format!("it is of glTF {version}, and 2 is read")));
     }
     let length = number(8)? as usize;
-    // More than padding behind the end would be a part that is left out, or a file whose parts are not where it says.
+    // Data other than padding after the end would be dropped, or shows that the lengths are wrong.
     if !bytes.get(length..).is_some_and(are_padding) {
         return Err(Flaw::at(8, &format!("the file is said to have {length} bytes, and has {}", bytes.len())));
     }
@@ -160,7 +160,7 @@ fn chunks(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>), Flaw> {
     json.map(|json| (json, own)).ok_or_else(|| Flaw::at(12, "the file has no JSON"))
 }
 
-/// A `uri` with its %xx as they are meant.
+/// Returns a `uri` with its percent-encoding (%xx) decoded.
 fn decoded(uri: &str) -> String {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();

@@ -1,4 +1,4 @@
-//! The pictures of a file: beside it, or in its bytes.
+//! The images of a file: in separate files, or in its bytes.
 
 use std::path::PathBuf;
 
@@ -8,19 +8,19 @@ use super::Gltf;
 use crate::assets::flaw::Flaw;
 use crate::document::SceneError;
 
-/// Where a picture is.
+/// The location of an image.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Stored {
-    /// In a file of its own.
+    /// A separate file.
     Beside(PathBuf),
-    /// In the file's bytes, as a file of its own would have it.
+    /// Bytes in this file, in the format of a separate file.
     Within(Vec<u8>),
 }
 
-/// Returns the number of a texture's image: its own, or one that an extension gives it for want of that.
+/// Returns the index of a texture's image: its own, or else the image that an extension gives it.
 #[must_use]
 pub fn image_of(texture: &Texture) -> Option<usize> {
-    // `gltf-json` has this number for one that is not there.
+    // `gltf-json` uses this number for a missing index.
     let own = Some(texture.source.value()).filter(|number| *number != u32::MAX as usize);
     own.or_else(|| {
         let extensions = texture.extensions.as_ref()?.others.values();
@@ -30,7 +30,7 @@ pub fn image_of(texture: &Texture) -> Option<usize> {
 }
 
 impl Gltf {
-    /// The picture of this number.
+    /// Returns the image with this index.
     pub fn image(&self, number: usize) -> Result<Stored, SceneError> {
         self.stored(number).map_err(|flaw| flaw.of(&self.path))
     }
@@ -41,7 +41,7 @@ impl Gltf {
         let image = self.root.images.get(number).ok_or_else(|| Flaw(format!("there is no {of}; there are {count}")))?;
         match (&image.uri, image.buffer_view) {
             (Some(uri), _) => match self.beside(uri) {
-                // What is no file may have no end.
+                // Anything that is not a regular file may have no end.
                 Some(path) if path.exists() && !path.is_file() => {
                     Err(Flaw(format!("{of}: `{}` is not a file", path.display())))
                 }

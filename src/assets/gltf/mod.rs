@@ -1,10 +1,10 @@
-//! glTF 2.0: scenes of nodes with meshes, as JSON beside or before the bytes that it speaks of.
+//! glTF 2.0: scenes of nodes with meshes, as JSON next to or before the binary data that it describes.
 //!
-//! *Theory.* Nodes are trees; each has a map from its space to its parent's. Meshes are of primitives, each with a material of its own, and
-//! their numbers are described by accessors: where in a buffer they are, how many, and of what kind.
+//! *Theory.* Nodes form trees; each has a map from its space to its parent's. Meshes consist of primitives, each with its material, and
+//! their numbers are described by accessors: the position in a buffer, the number and the type of the elements.
 //!
-//! *Practice.* `gltf-json` says what the JSON is. Its own validation is not asked: it may panic where an index is wrong. So every
-//! index, length and offset is checked here before it is used, and what is wrong is named as the file names it, such as `accessors[3]`.
+//! *Practice.* `gltf-json` parses the JSON. Its validation is not used, because it may panic if an index is invalid. Every
+//! index, length and offset is therefore checked here before use, and errors name objects as the file does, such as `accessors[3]`.
 
 mod accessor;
 mod container;
@@ -24,31 +24,31 @@ pub use images::{Stored, image_of};
 use nodes::{Map, WithMesh};
 pub use nodes::{NodeName, Placed, names};
 
-/// A file, and the bytes that it speaks of.
+/// A glTF file, and the binary data that it describes.
 #[derive(Debug)]
 pub struct Gltf {
-    /// What it says.
+    /// The parsed JSON.
     pub root: Root,
-    /// Each node's map to its parent, in 64 bits.
+    /// The map from each node to its parent, in 64 bits.
     maps: Vec<Map>,
     path: PathBuf,
-    /// The bytes of the file, and where in them its own buffer is.
+    /// The bytes of the file, and the range of its own buffer in them.
     bytes: Vec<u8>,
     own: Option<std::ops::Range<usize>>,
-    /// The other buffers, as far as they were asked for.
+    /// The other buffers, loaded when they are first needed.
     buffers: Vec<OnceLock<Result<Vec<u8>, Flaw>>>,
-    /// The nodes with a mesh, once they were asked for.
+    /// The nodes with a mesh, found when they are first needed.
     with_mesh: OnceLock<Result<WithMesh, Flaw>>,
 }
 
 impl Gltf {
-    /// The file's path.
+    /// Returns the file's path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// What an index of the file is of; `list` is the name of that list there, and `of` what has the index.
+    /// Returns the object with this index; `list` is the name of its list in the file, and `of` names the object that contains the index.
     fn get<T>(&self, index: Index<T>, list: &str, of: &str) -> Result<&T, Flaw>
     where
         Root: Get<T> + AsRef<[T]>,

@@ -1,4 +1,4 @@
-//! Nodes in their places: the trees of the scene that a file shows.
+//! The placement of nodes: the trees of the scene that a file shows.
 
 use std::collections::HashMap;
 
@@ -11,28 +11,28 @@ use crate::assets::flaw::Flaw;
 use crate::document::SceneError;
 use crate::document::values::suggest;
 
-/// What a node is called.
+/// The identification of a node.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum NodeName {
-    /// By its name.
+    /// The node's name.
     Name(String),
-    /// By its place in the file, counted from 0.
+    /// The node's index in the file, from 0.
     Number(u32),
 }
 
 /// A node of the scene.
 #[derive(Debug, Clone, Copy)]
 pub struct Placed<'a> {
-    /// Its place in the file.
+    /// The index in the file.
     pub number: u32,
-    /// What it is.
+    /// The node.
     pub node: &'a Node,
-    /// The map from its space to the scene's.
+    /// The map from the node's space to the scene.
     pub world: DAffine3,
 }
 
 impl Gltf {
-    /// The nodes of the scene that the file shows by itself, in the order of the trees: each once.
+    /// Returns the nodes of the file's default scene, in the order of the trees, each once.
     pub fn nodes(&self) -> Result<Vec<Placed<'_>>, SceneError> {
         self.placed().map_err(|flaw| flaw.of(&self.path))
     }
@@ -63,13 +63,13 @@ impl Gltf {
         Ok(placed)
     }
 
-    /// The nodes with a mesh.
+    /// Returns the nodes with a mesh.
     pub(in crate::assets) fn with_mesh(&self) -> Result<&WithMesh, Flaw> {
         let found = self.with_mesh.get_or_init(|| Ok(WithMesh::of(&self.placed()?)));
         found.as_ref().map_err(Clone::clone)
     }
 
-    /// The nodes that are no node's children.
+    /// Returns the nodes without a parent.
     fn parentless(&self) -> Vec<Index<Node>> {
         let mut has_parent = vec![false; self.root.nodes.len()];
         for child in self.root.nodes.iter().flat_map(|node| node.children.iter().flatten()) {
@@ -82,7 +82,8 @@ impl Gltf {
     }
 }
 
-/// What a scene's file calls each of these nodes, if they are all of the scene's: by its name, where no other has it.
+/// Returns the identification of each of these nodes in a scene file, given all nodes of the scene: its name if that is unique, or else
+/// its index.
 #[must_use]
 pub fn names(nodes: &[Placed]) -> Vec<NodeName> {
     let mut uses: HashMap<&str, u32> = HashMap::new();
@@ -97,12 +98,12 @@ pub fn names(nodes: &[Placed]) -> Vec<NodeName> {
     nodes.iter().map(name).collect()
 }
 
-/// The nodes with a mesh, to be asked for one by one.
+/// The nodes with a mesh, which can be looked up one by one.
 #[derive(Debug)]
 pub(in crate::assets) struct WithMesh {
-    /// Each node's place in the file, and the map from its space to the scene's.
+    /// The index of each node in the file, and the map from its space to the scene.
     pub all: Vec<(u32, DAffine3)>,
-    /// Where in that list the nodes of each name are.
+    /// The indices into that list of the nodes with each name.
     named: HashMap<String, Vec<usize>>,
     numbered: HashMap<u32, usize>,
 }
@@ -120,9 +121,9 @@ impl WithMesh {
         Self { all, named, numbered }
     }
 
-    /// The one node of this name.
+    /// Returns the only node with this name or index.
     pub fn chosen(&self, name: &NodeName) -> Result<(u32, DAffine3), Flaw> {
-        /// Names that are told.
+        /// The largest number of names in a message.
         const TOLD: usize = 20;
         match name {
             NodeName::Number(number) => match self.numbered.get(number) {
@@ -147,15 +148,15 @@ impl WithMesh {
     }
 }
 
-/// All nodes' maps, as the JSON has them.
+/// The maps of all nodes, as in the JSON.
 #[derive(Debug, Deserialize)]
 pub(super) struct Maps {
     #[serde(default)]
     pub nodes: Vec<Map>,
 }
 
-/// The map from a node's space to its parent's, in 64 bits: `gltf-json` rounds it to 32, in which a place on a map of a country is
-/// meters off.
+/// The map from a node's space to its parent's, in 64 bits: `gltf-json` rounds it to 32 bits, which moves a position on a map of a
+/// country by meters.
 #[derive(Debug, Deserialize)]
 pub(super) struct Map {
     matrix: Option<[f64; 16]>,

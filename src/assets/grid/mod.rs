@@ -1,7 +1,7 @@
-//! Grids: an index of refraction as samples on a regular grid, from NRRD files or from bare numbers.
+//! Grids: a refractive index as samples on a regular grid, from NRRD files or from raw numbers.
 //!
-//! *Practice.* Samples lie at the grid's points, x fastest. Stored values become an index by a factor and an offset when they are
-//! read, and are kept in 32 bits, 4 bytes a sample.
+//! *Practice.* Samples are at the grid points, x fastest. Stored values are converted to an index by a factor and an offset when they are
+//! read, and are stored in 32 bits, 4 bytes per sample.
 
 mod nrrd;
 #[cfg(test)]
@@ -12,48 +12,48 @@ use crate::progress::Stage;
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 
-/// Samples of an index.
+/// Samples of a refractive index.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IndexGrid {
-    /// Samples along x, y and z: 2 or more.
+    /// The number of samples along x, y and z; 2 or more.
     pub size: [u32; 3],
-    /// Where the first sample is, in scene units.
+    /// The position of the first sample, in scene units.
     pub origin: DVec3,
-    /// From one sample to the next along x, y and z, in scene units.
+    /// The distance between samples along x, y and z, in scene units.
     pub cell: DVec3,
-    /// n at each point, above 0; x fastest, then y.
+    /// The refractive index n at each point, above 0; x fastest, then y.
     pub samples: Vec<f32>,
-    /// The file that the samples are in, if the header is in another.
+    /// The file with the samples, if it is not the header's.
     pub data: Option<PathBuf>,
 }
 
-/// How numbers are stored.
+/// The number type of stored samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stored {
-    /// Whole numbers of 8 bits with a sign.
+    /// A signed 8-bit integer.
     I8,
-    /// Whole numbers of 8 bits.
+    /// An unsigned 8-bit integer.
     U8,
-    /// Whole numbers of 16 bits with a sign.
+    /// A signed 16-bit integer.
     I16,
-    /// Whole numbers of 16 bits.
+    /// An unsigned 16-bit integer.
     U16,
-    /// Whole numbers of 32 bits with a sign.
+    /// A signed 32-bit integer.
     I32,
-    /// Whole numbers of 32 bits.
+    /// An unsigned 32-bit integer.
     U32,
-    /// Whole numbers of 64 bits with a sign.
+    /// A signed 64-bit integer.
     I64,
-    /// Whole numbers of 64 bits.
+    /// An unsigned 64-bit integer.
     U64,
-    /// Floating-point numbers of 32 bits.
+    /// A 32-bit floating-point number.
     F32,
-    /// Floating-point numbers of 64 bits.
+    /// A 64-bit floating-point number.
     F64,
 }
 
 impl Stored {
-    /// Each by its name in a scene.
+    /// The types with their names in a scene.
     pub const NAMES: &[(&str, Self)] = &[
         ("i8", Self::I8),
         ("u8", Self::U8),
@@ -67,7 +67,7 @@ impl Stored {
         ("f64", Self::F64),
     ];
 
-    /// How many bytes a number has.
+    /// Returns the size of a number in bytes.
     pub(super) fn bytes(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -77,7 +77,7 @@ impl Stored {
         }
     }
 
-    /// The number in so many bytes as it has; `little` end first.
+    /// Decodes a number from its bytes; `little` is `true` for little-endian order.
     pub(super) fn number(self, bytes: &[u8], little: bool) -> f64 {
         let mut ordered = [0; 8];
         ordered[..bytes.len()].copy_from_slice(bytes);
@@ -100,42 +100,42 @@ impl Stored {
     }
 }
 
-/// What a file of bare numbers does not say itself.
+/// The format of a file of raw numbers, which the file itself does not specify.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bare {
-    /// Samples along x, y and z.
+    /// The number of samples along x, y and z.
     pub size: [u32; 3],
-    /// What each is.
+    /// The type of the numbers.
     pub stored: Stored,
-    /// Does the least byte come first?
+    /// Whether the byte order is little-endian.
     pub little: bool,
 }
 
-/// What a scene says of a grid.
+/// The use of a grid in a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Use {
-    /// Of a file of bare numbers.
+    /// The format of a file of raw numbers.
     pub bare: Option<Bare>,
-    /// Where its first and its last sample are; as the file says, if the scene does not.
+    /// The positions of the first and the last sample; `None` to use the file's.
     pub corners: Option<[DVec3; 2]>,
-    /// n is the offset and the stored value times this.
+    /// The factor of stored values: n = offset + scale · value.
     pub scale: f64,
-    /// See scale.
+    /// The offset of n, see `scale`.
     pub offset: f64,
 }
 
-/// Numbers and where they belong, as far as a file says.
+/// Stored numbers, with their position if the file specifies it.
 #[derive(Debug)]
 struct Volume {
     bare: Bare,
-    /// The first sample's place, and the way to the next.
+    /// The position of the first sample, and the distance to the next.
     place: Option<(DVec3, DVec3)>,
     bytes: Vec<u8>,
-    /// The file of the bytes, if the header is in another.
+    /// The file with the bytes, if it is not the header's.
     data: Option<PathBuf>,
 }
 
-/// More than 32-bit places could count.
+/// The largest number of samples; 32-bit indices could not count more.
 const MOST_SAMPLES: u64 = 1 << 30;
 
 impl IndexGrid {
@@ -144,7 +144,7 @@ impl IndexGrid {
         Self::read(path, used, &Stage::unwatched())
     }
 
-    /// As [`load`](Self::load); samples are reported to `stage`, whose one unit they are together.
+    /// Reads the samples of a file as [`load`](Self::load) does, and reports its progress to `stage`; all samples together are one unit.
     pub(super) fn read(path: &Path, used: &Use, stage: &Stage) -> Result<Self, SceneError> {
         let bytes = read_bytes(path)?;
         let unusable = |problem: String| SceneError::Grid { path: path.to_owned(), problem };
@@ -155,7 +155,7 @@ impl IndexGrid {
         Self::from_volume(&volume, used, stage).map_err(unusable)
     }
 
-    /// What it takes of memory.
+    /// Returns the memory that the grid takes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         size_of_val(&self.samples[..]) as u64
@@ -198,7 +198,7 @@ impl IndexGrid {
     }
 }
 
-/// Samples in all; none if there are too many.
+/// Returns the total number of samples; `None` if there are too many.
 fn count(size: [u32; 3]) -> Option<usize> {
     let count = size.iter().try_fold(1_u64, |all, n| all.checked_mul(u64::from(*n)))?;
     usize::try_from(count).ok().filter(|_| count <= MOST_SAMPLES)

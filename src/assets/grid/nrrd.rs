@@ -1,9 +1,9 @@
 //! NRRD ("nearly raw raster data", <https://teem.sourceforge.net/nrrd/format.html>): a header of text lines, an empty line, and the
 //! samples.
 //!
-//! *Practice.* Read are volumes of three axes along x, y and z, with their samples behind the header or in one file of their own, raw or
-//! by gzip, behind as many lines and bytes as `line skip` and `byte skip` say. All else is refused, with its line. Fields that say
-//! nothing of where samples are and what they are (content, units, kinds, …) are passed over.
+//! *Practice.* The reader supports volumes with three axes along x, y and z. The samples, raw or gzipped, follow the header or are in
+//! one separate file, after the lines and bytes that `line skip` and `byte skip` specify. Anything else is an error with its line.
+//! Fields that do not concern the positions and the meaning of samples (content, units, kinds, …) are ignored.
 //!
 //! *Length.* Over 300 lines, because it reads one format, from header to samples, with a message for every field.
 
@@ -14,23 +14,23 @@ use std::borrow::Cow;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-/// A header's field: where its value stands in the file.
+/// A field of the header, and its value as a part of the file.
 type Field<'a> = (String, &'a str);
 
-/// What is wrong with a piece of the header, and what would be right.
+/// An error in a piece of the header: the piece, the problem and the remedy.
 type Wrong<'a> = (&'a str, String, String);
 
 pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
     let bytes = unmarked(bytes, path)?;
     let (header, behind) = split(bytes);
-    // Comments may be in any encoding, and come before nothing that matters by its place in bytes but the words found here.
+    // Comments may be in any encoding; byte positions are only used for the words found here.
     let header = lenient_text(header, path)?;
     let wrong = |(word, problem, help): Wrong| {
-        // A word is a part of the text, so the distance of their addresses is its place there.
+        // A word is a slice of the text, so the difference of the addresses is its offset.
         SceneError::Mistakes(vec![Mistake::of(path, &header, word, problem, help)])
     };
     let volume = Header::read(&header).map_err(wrong)?;
-    // Of too many samples none are read; they are refused by their number.
+    // If there are too many samples, none are read; the caller rejects their number.
     let samples = count(volume.bare.size).unwrap_or(0);
     let wanted = samples * volume.bare.stored.bytes();
     let data = volume.data.map(|name| Ok((data_file(name, path)?, name))).transpose().map_err(wrong)?;
@@ -38,7 +38,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
     let stored = match &data {
         None => Cow::Borrowed(behind),
         Some((file, name)) => {
-            // If the file has another length, none of it is read.
+            // If the file has a different length, none of it is read.
             let length = std::fs::metadata(file).map_or(wanted as u64, |file| file.len());
             if samples > 0 && !volume.zipped && !skip.leaves(wanted as u64, length) {
                 let problem = format!("the file has {length} bytes, and the samples are {wanted}");
@@ -62,7 +62,7 @@ pub(super) fn read(bytes: &[u8], path: &Path) -> Result<Volume, SceneError> {
     Ok(Volume { bare: volume.bare, place: volume.place, bytes, data: data.map(|(file, _)| file) })
 }
 
-/// Unpacks the samples: one byte more than are wanted, so that too many are noticed, and no more, however much a file unfolds to.
+/// Unpacks the samples, and at most one byte more than `wanted`, to detect surplus data without unpacking all of it.
 fn unzipped(stored: &[u8], skip: Skip, wanted: usize) -> std::io::Result<Vec<u8>> {
     let mut unpacked = flate2::read::MultiGzDecoder::new(stored);
     std::io::copy(&mut unpacked.by_ref().take(skip.bytes.unwrap_or(0)), &mut std::io::sink())?;
@@ -71,11 +71,11 @@ fn unzipped(stored: &[u8], skip: Skip, wanted: usize) -> std::io::Result<Vec<u8>
     Ok(bytes)
 }
 
-/// The front of the data that is not samples: lines first, then bytes, which are counted after unpacking.
+/// The part of the data before the samples: lines first, then bytes, which are counted after unpacking.
 #[derive(Clone, Copy)]
 struct Skip<'a> {
     lines: u64,
-    /// The value of `line skip` as written, which error messages point at.
+    /// The value of `line skip` as written, for error messages.
     lines_text: &'a str,
     /// `None` if the samples are at the end of the file.
     bytes: Option<u64>,
@@ -103,7 +103,7 @@ impl<'a> Skip<'a> {
         Ok(Self { lines, lines_text, bytes })
     }
 
-    /// Returns `true` if an unpacked file of `length` bytes can hold `wanted` bytes of samples behind what is skipped.
+    /// Returns `true` if an unpacked file of `length` bytes can hold `wanted` bytes of samples after the skipped part.
     fn leaves(&self, wanted: u64, length: u64) -> bool {
         match (self.lines, self.bytes) {
             (0, Some(bytes)) => length == wanted.saturating_add(bytes),
@@ -111,7 +111,7 @@ impl<'a> Skip<'a> {
         }
     }
 
-    /// Returns the place behind the lines. They may end in any of the ways of text.
+    /// Returns the offset after the skipped lines, which may have any line ending.
     fn lines_end(&self, data: &[u8]) -> Result<usize, Wrong<'a>> {
         let mut at = 0;
         for line in 0..self.lines {
@@ -150,7 +150,7 @@ fn data_file<'a>(name: &'a str, header: &Path) -> Result<PathBuf, Wrong<'a>> {
     Err((name, format!("there is no file `{}`", file.display()), help))
 }
 
-/// Before and behind the first empty line. Lines end as the first one does: behind the header any byte may stand.
+/// Splits a file at the first empty line. All lines of the header end like the first, because any byte may follow the header.
 fn split(bytes: &[u8]) -> (&[u8], &[u8]) {
     let first = bytes.iter().position(|byte| matches!(byte, b'\r' | b'\n'));
     let is_old_mac = first.is_some_and(|at| bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n'));
@@ -171,7 +171,7 @@ struct Header<'a> {
     place: Option<(DVec3, DVec3)>,
     zipped: bool,
     skip: Skip<'a>,
-    /// What the header says of another file that holds the samples.
+    /// The name in the header of a separate file with the samples.
     data: Option<&'a str>,
 }
 
@@ -246,7 +246,7 @@ fn size(value: &str) -> Result<[u32; 3], Wrong<'_>> {
     sizes.and_then(|sizes| sizes.try_into().ok()).ok_or_else(wrong)
 }
 
-/// The format has several names for each type.
+/// Parses the name of a number type; the format has several names for each type.
 fn stored(value: &str) -> Result<Stored, Wrong<'_>> {
     match value {
         "signed char" | "int8" | "int8_t" => Ok(Stored::I8),
@@ -272,7 +272,7 @@ fn stored(value: &str) -> Result<Stored, Wrong<'_>> {
     }
 }
 
-/// The first sample's place and the way to the next along each axis, if the header has the latter.
+/// Returns the position of the first sample and the distance to the next along each axis, if the header contains the distances.
 fn place<'a>(fields: &[Field<'a>]) -> Result<Option<(DVec3, DVec3)>, Wrong<'a>> {
     let cell = match (find(fields, &["space directions"]), find(fields, &["spacings"])) {
         (Some((_, value)), _) => diagonal(value)?,
@@ -295,7 +295,7 @@ fn place<'a>(fields: &[Field<'a>]) -> Result<Option<(DVec3, DVec3)>, Wrong<'a>> 
     Ok(Some((origin, cell)))
 }
 
-/// `(a, 0, 0) (0, b, 0) (0, 0, c)` as (a, b, c).
+/// Parses `(a, 0, 0) (0, b, 0) (0, 0, c)` as (a, b, c).
 fn diagonal(value: &str) -> Result<DVec3, Wrong<'_>> {
     let wrong = |problem: &str| (value, problem.to_owned(), "as in (0.1,0,0) (0,0.1,0) (0,0,0.1)".to_owned());
     let vectors: Option<Vec<DVec3>> = value.split_inclusive(')').map(vector).collect();
@@ -309,7 +309,7 @@ fn diagonal(value: &str) -> Result<DVec3, Wrong<'_>> {
     Ok(cell)
 }
 
-/// `(x, y, z)`.
+/// Parses `(x, y, z)`.
 fn vector(text: &str) -> Option<DVec3> {
     let inside = text.trim().strip_prefix('(')?.strip_suffix(')')?;
     three(inside.split(',').map(|word| word.trim().parse().ok()).collect::<Option<_>>()?)

@@ -1,4 +1,4 @@
-//! Files of samples: how each is read, and what is said of those that cannot be.
+//! Tests of sample files: the contents of valid files, and the errors of invalid ones.
 
 use super::{Bare, IndexGrid, Stored, Use};
 use crate::document::{Mistake, SceneError};
@@ -43,7 +43,7 @@ fn a_header_says_where_samples_are() {
     );
     let grid = good(&header, &data);
     assert_eq!((grid.origin, grid.cell), (DVec3::new(-1.0, 2.0, 3.0), DVec3::new(1.0, 2.0, 0.5)));
-    // What the scene says comes first.
+    // The scene has priority over the file.
     let used = Use { corners: Some([DVec3::splat(-1.0), DVec3::splat(1.0)]), ..AS_IT_IS };
     let grid = load(&format!("{header}\n"), &data, &used).unwrap();
     assert_eq!((grid.origin, grid.cell), (DVec3::splat(-1.0), DVec3::new(2.0, 1.0, 2.0)));
@@ -102,7 +102,7 @@ fn samples_may_be_in_a_file_of_their_own() {
     }
 }
 
-/// Lines come first and are never packed; bytes are counted after unpacking.
+/// Skipped lines come first and are never packed; bytes are counted after unpacking.
 #[test]
 fn samples_may_follow_lines_and_bytes_that_are_none() {
     let zip = |data: &[u8]| {
@@ -161,7 +161,7 @@ fn bare_numbers_need_what_the_scene_says() {
     assert_eq!((grid.samples, grid.cell), (values(), DVec3::new(0.5, 1.0, 1.0)));
 }
 
-/// In a header the place of the mistake is marked by «».
+/// In a header the location of the error is marked by «».
 #[test]
 fn mistakes_have_their_line() {
     let mark = |from: &str, to: &str| HEADER.replace(from, to);
@@ -189,7 +189,7 @@ fn mistakes_have_their_line() {
         (mark("content: a: b", "data file: «LIST 2»"), "samples in several files are not supported"),
         (mark("content: a: b", "datafile: «a%03d.raw 1 10 1»"), "samples in several files are not supported"),
         (mark("content: a: b", "data file: «b.raw»"), "there is no file"),
-        // The header itself, which is of another length.
+        // The file is the header itself, which has a different length.
         (mark("content: a: b", "data file: «a.nrrd»"), "the file has "),
         (mark("content: a: b", "byte skip: «-2»"), "expected a number of bytes, found `-2`"),
         (mark("content: a: b", "byte skip: «1.5»"), "expected a number of bytes, found `1.5`"),

@@ -1,12 +1,12 @@
-//! What is wrong with a file that a decoder rejects, in words for the person who has the file.
+//! Errors of image decoders, in words for the owner of the file.
 
 use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::iter::successors;
 
-/// Returns what a decoder found wrong.
+/// Returns the error that a decoder found, as a message.
 pub(super) fn broken(error: &(dyn Error + 'static)) -> String {
-    // The decoders' words for a file that was cut.
+    // The messages of the decoders for a truncated file.
     const CUT: [&str; 3] = ["failed to fill whole buffer", "unexpected end of file", "reference to missing bytes"];
     let causes: Vec<_> = successors(Some(error), |error| (*error).source()).collect();
     let is_outside = |error: &&(dyn Error + 'static)| {
@@ -19,13 +19,13 @@ pub(super) fn broken(error: &(dyn Error + 'static)) -> String {
         "it is broken: it refers to bytes outside of the file".to_owned()
     } else {
         let text = without_structs(text.trim_start_matches("invalid: "));
-        // The name of an error in the decoder's code follows.
+        // The name of an error in the decoder's code follows the first sentence.
         let first = text.split(". ").next().unwrap_or_default();
         format!("it is broken: {}", first.trim_end_matches('.'))
     }
 }
 
-/// Returns the text with the name of a PNG's chunk for each struct that stands for one.
+/// Returns the text with each struct that represents a PNG chunk replaced by the chunk's name.
 fn without_structs(text: &str) -> String {
     const BEGIN: &str = "ChunkType { type: ";
     let mut pieces = text.split(BEGIN);

@@ -1,7 +1,7 @@
-//! Encodings: what the numbers of a picture's file stand for, as far as the file says.
+//! Encodings: the meaning of the numbers in an image file, as far as the file specifies it.
 //!
-//! *Theory.* A curve for each channel undoes the encoding of integers, and a matrix takes the primaries to those of Rec. 709. Colors that
-//! Rec. 709 does not reach have a negative part there. It becomes 0, as it does for black bodies: no light is negative.
+//! *Theory.* A curve for each channel undoes the encoding of integers, and a matrix converts the primaries to those of Rec. 709. Colors
+//! outside the gamut of Rec. 709 have a negative component, which is set to 0, as for black bodies: no light is negative.
 
 use glam::{DMat3, DVec3, Vec3};
 use image::DynamicImage;
@@ -10,21 +10,21 @@ use rayon::prelude::*;
 
 use super::primaries::{Primaries, profile_to_rec709};
 
-/// From a stored number to linear light, both from 0 to 1.
+/// A function from a stored number to linear light, both from 0 to 1.
 pub(super) type Curve = Box<dyn Fn(f64) -> f64>;
 
-/// How a file encodes colors.
+/// The color encoding of a file.
 pub(super) struct Encoding {
     /// The curves of red, green and blue.
     pub curves: [Curve; 3],
-    /// From linear colors to Rec. 709.
+    /// The matrix from linear colors to Rec. 709.
     pub to_rec709: DMat3,
-    /// What the file says of its colors that is not applied.
+    /// The color information in the file that is not applied, as messages.
     pub notes: Vec<String>,
 }
 
 impl Default for Encoding {
-    /// sRGB, which files mean that say nothing.
+    /// Returns sRGB, the default for files without color information.
     fn default() -> Self {
         Self::new(|| Box::new(decode_srgb), DMat3::IDENTITY)
     }
@@ -35,12 +35,12 @@ impl Encoding {
         Self { curves: [curve(), curve(), curve()], to_rec709, notes: Vec::new() }
     }
 
-    /// sRGB, with a note about what is not applied.
+    /// Returns sRGB, with a note about information that is not applied.
     pub fn unapplied(note: String) -> Self {
         Self { notes: vec![note], ..Self::default() }
     }
 
-    /// Reads an ICC profile, which is applied if it is of curves and a matrix.
+    /// Reads an ICC profile, which is applied if it consists of curves and a matrix.
     pub fn of_profile(bytes: &[u8]) -> Self {
         Self::of_matrix_profile(bytes).unwrap_or_else(|why| {
             Self::unapplied(format!("its ICC profile is not applied, because {why}: convert the picture to sRGB"))
@@ -77,7 +77,7 @@ impl Encoding {
         Ok(Self { curves: [red, green, blue], to_rec709: near_identity(to_rec709), notes: Vec::new() })
     }
 
-    /// Returns the linear colors of a picture of integers.
+    /// Returns the linear colors of an image of integers.
     pub fn decode(&self, image: DynamicImage) -> Vec<[f32; 3]> {
         let has_bytes = image.color().bytes_per_pixel() == image.color().channel_count();
         let most = if has_bytes { u32::from(u8::MAX) } else { u32::from(u16::MAX) };
@@ -92,14 +92,14 @@ impl Encoding {
     }
 }
 
-/// The digits of a profile's numbers, which are fixed to 16 bits, make no colors of what is gray.
+/// Returns the identity for a matrix close to it, because the rounding of a profile's 16-bit numbers must not tint gray.
 fn near_identity(matrix: DMat3) -> DMat3 {
     if matrix.abs_diff_eq(DMat3::IDENTITY, 1e-3) { DMat3::IDENTITY } else { matrix }
 }
 
-/// Takes colors to Rec. 709, and returns a note if some are outside of it.
+/// Converts colors to Rec. 709, and returns a note if some are outside its gamut.
 pub(super) fn convert(pixels: &mut [[f32; 3]], to_rec709: DMat3) -> Option<String> {
-    /// Parts of a color that come from rounding.
+    /// The largest negative component that is due to rounding.
     const ROUNDING: f64 = 1e-5;
     if to_rec709 == DMat3::IDENTITY {
         return None;
@@ -121,12 +121,12 @@ pub(super) fn convert(pixels: &mut [[f32; 3]], to_rec709: DMat3) -> Option<Strin
     })
 }
 
-/// Returns the matrix of the primaries that a file names, or a note that they are not applied.
+/// Returns the matrix of the primaries in a file, or a note that they are not applied.
 pub(super) fn matrix_of(primaries: Primaries, named: &str) -> Result<DMat3, String> {
     primaries.to_rec709().ok_or_else(|| format!("its {named} are not applied, because they span no color space"))
 }
 
-/// IEC 61966-2-1.
+/// Decodes sRGB according to IEC 61966-2-1.
 pub(in crate::assets) fn decode_srgb(x: f64) -> f64 {
     if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
 }

@@ -1,8 +1,9 @@
-//! EXR: linear colors in channels that have names.
+//! EXR: linear colors in named channels.
 //!
-//! *Practice.* `R`, `G` and `B` are read, or `Y`, which is gray; in either case, and as a layer's (`ViewLayer.Combined.R`) if the file has
-//! none of its own. Of several such layers the one that is called `Combined` is read, which in Blender's files is the whole picture.
-//! `chromaticities` are applied. A pixel outside of the data window is black.
+//! *Practice.* The reader uses `R`, `G` and `B`, or `Y` for gray images, in either case; if the file has no such channels, it uses those of
+//! a
+//! layer (`ViewLayer.Combined.R`). Of several such layers it prefers `Combined`, which is the whole image in Blender's files.
+//! `chromaticities` are applied. Pixels outside the data window are black.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -22,7 +23,7 @@ use super::primaries::Primaries;
 use super::{DENSEST, Decoded};
 use crate::progress::Stage;
 
-/// What every file begins with.
+/// The first bytes of every file.
 pub(super) const MAGIC: &[u8] = b"\x76\x2f\x31\x01";
 
 /// The channels that are read.
@@ -38,7 +39,7 @@ pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
     Ok([size.width() as u32, size.height() as u32])
 }
 
-/// Reads a file of `bytes` bytes, and advances `stage` by that amount in all.
+/// Reads a file of `bytes` bytes, and advances `stage` by that amount in total.
 pub(super) fn read_file(path: &Path, bytes: u64, stage: &Stage) -> Result<Decoded, String> {
     let headers = meta(path)?.headers;
     if let Some(problem) = headers.iter().find_map(|header| unlikely(header, bytes)) {
@@ -100,7 +101,7 @@ fn channels(headers: &[Header]) -> Result<Channels, String> {
     found.or_else(|| of_layers(&|all| gray_of(all))).ok_or_else(|| refusal(headers))
 }
 
-/// Finds a channel by its name behind the layer's, as it is or else in other case.
+/// Finds a channel by its name after the layer's name, case-sensitively first.
 fn find(channels: &[&ChannelDescription], name: &str) -> Option<Text> {
     let own = |channel: &ChannelDescription| {
         let name = channel.name.to_string();
@@ -116,16 +117,16 @@ fn rgb_of(channels: &[&ChannelDescription]) -> Option<Channels> {
     Some(Channels::Rgb([find(channels, "R")?, find(channels, "G")?, find(channels, "B")?]))
 }
 
-/// Luminance alone: beside chroma it is half of a color, and beside X or Z it is a coordinate.
+/// Returns the channel of luminance alone: next to chroma it is only a component, and next to X or Z it is a coordinate.
 fn gray_of(channels: &[&ChannelDescription]) -> Option<Channels> {
     let with_more = ["RY", "BY", "X", "Z"].iter().any(|name| find(channels, name).is_some());
     let is_whole = channels.iter().all(|channel| channel.sampling == Vec2(1, 1));
     find(channels, "Y").filter(|_| !with_more && is_whole).map(Channels::Gray)
 }
 
-/// Says what is there, and what would be read.
+/// Returns an error message that lists the channels in the file, and the supported ones.
 fn refusal(headers: &[Header]) -> String {
-    /// Names that are listed.
+    /// The largest number of names in the message.
     const LISTED: usize = 24;
     if headers.iter().all(|header| header.deep) {
         return "it is a deep image: flatten it first".to_owned();
@@ -149,7 +150,7 @@ fn refusal(headers: &[Header]) -> String {
     format!("its channels are {}; {why}", names.join(", "))
 }
 
-/// Returns where in the display window a pixel of the data window is.
+/// Returns the index in the display window of a pixel of the data window.
 fn place(window: IntegerBounds, position: Vec2<i32>, at: Vec2<usize>) -> Option<usize> {
     let shifted = |at: usize, position: i32, corner: i32, size: usize| {
         let at = i64::try_from(at).ok()? + i64::from(position) - i64::from(corner);
@@ -160,7 +161,7 @@ fn place(window: IntegerBounds, position: Vec2<i32>, at: Vec2<usize>) -> Option<
     Some(y * window.size.width() + x)
 }
 
-/// Pixels, and where their data window begins.
+/// Pixels, and the size of their data window.
 struct Pixels(Vec<[f32; 3]>, Vec2<usize>);
 
 fn rgb(
@@ -188,7 +189,7 @@ fn gray(path: &Path, name: Text, window: IntegerBounds, progress: impl FnMut(f64
     Ok(displayed(image.layer_data.channel_data.pixels, image.layer_data.attributes.layer_position, window))
 }
 
-/// Returns the display window of pixels that are the data window.
+/// Returns the pixels of the display window, given those of the data window.
 fn displayed(Pixels(all, size): Pixels, position: Vec2<i32>, window: IntegerBounds) -> Vec<[f32; 3]> {
     if size == window.size && position == window.position {
         return all;
@@ -204,10 +205,10 @@ fn displayed(Pixels(all, size): Pixels, position: Vec2<i32>, window: IntegerBoun
     displayed
 }
 
-/// Bytes of a file's samples that a byte of it stands for at most.
+/// The largest ratio of the bytes of samples to the bytes of the file.
 const DENSEST_EXR: u64 = 4 * DENSEST;
 
-/// Returns why a layer of a file of so many bytes cannot be what its header says.
+/// Returns the reason why a layer in a file of `bytes` bytes cannot have the size in its header, if any.
 pub(crate) fn unlikely(header: &Header, bytes: u64) -> Option<String> {
     let (width, height) = (header.layer_size.0 as u64, header.layer_size.1 as u64);
     let each = header.channels.bytes_per_pixel as u64;

@@ -1,9 +1,9 @@
 //! Radiance HDR: lines of text, then pixels of four bytes.
 //!
-//! *Theory.* `EXPOSURE` and `COLORCORR` are what the numbers were multiplied by since they were radiance. Every line counts, for each
-//! program that the picture went through adds its own; a line that begins with a blank is history. `PRIMARIES` are chromaticities.
+//! *Theory.* `EXPOSURE` and `COLORCORR` are factors by which radiance was multiplied. All lines apply, because each
+//! program that processed the image adds its own; a line that begins with a blank is history. `PRIMARIES` are chromaticities.
 //!
-//! *Practice.* The header is read here, and `image` decodes the pixels behind it.
+//! *Practice.* The header is read here, and `image` decodes the pixels after it.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor, Read};
@@ -20,14 +20,14 @@ use super::primaries::Primaries;
 use crate::assets::flaw::are_padding;
 use crate::progress::{Stage, Watched};
 
-/// What every file begins with, whichever program's name follows.
+/// The first bytes of every file; the name of a program follows.
 pub(super) const MAGIC: &[u8] = b"#?";
-/// Bytes that a header may have.
+/// The largest length of a header in bytes.
 const LONGEST: u64 = 1 << 20;
 
 struct Header {
     size: [u32; 2],
-    /// What the numbers are divided by.
+    /// The divisor of the numbers.
     scale: DVec3,
     to_rec709: DMat3,
     notes: Vec<String>,
@@ -41,7 +41,7 @@ pub(super) fn size(path: &Path) -> Result<[u32; 2], String> {
 /// Reads a file as radiance.
 pub(super) fn read(path: &Path, stage: &Stage) -> Result<Decoded, String> {
     let (Header { size, scale, to_rec709, mut notes }, mut rest) = open(path, stage)?;
-    // The same header for all, in the form that `image` knows.
+    // All files get the same header, in the form that `image` supports.
     let head = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", size[1], size[0]);
     let decoder = HdrDecoder::new(Cursor::new(head).chain(&mut rest)).map_err(|error| broken(&error))?;
     let image = DynamicImage::from_decoder(decoder).map_err(|error| broken(&error))?;
@@ -116,13 +116,13 @@ fn unapplied(line: &str, expected: &str) -> String {
     format!("`{line}` of its header is not applied: expected {expected}")
 }
 
-/// Reads so many numbers and no more.
+/// Parses exactly `N` numbers.
 fn numbers<const N: usize>(value: &str) -> Option<[f64; N]> {
     let all: Result<Vec<f64>, _> = value.split_whitespace().map(str::parse).collect();
     all.ok()?.try_into().ok()
 }
 
-/// Reads the line of width and height.
+/// Parses the line with width and height.
 fn resolution(line: &str) -> Result<[u32; 2], String> {
     let words: Vec<&str> = line.split_whitespace().collect();
     let [y, height, x, width] = words[..] else {

@@ -1,11 +1,11 @@
-//! Pictures: PNG, JPEG, EXR and HDR files as linear RGB.
+//! Images: PNG, JPEG, EXR and HDR files as linear RGB.
 //!
-//! *Theory.* Light adds up only in linear units, and colors mix only in the same primaries: those of Rec. 709. PNG and JPEG encode
-//! numbers by a curve, sRGB's unless the file says otherwise; EXR and HDR are linear. What a file says of its colors is applied, or
-//! [`Picture::notes`] say that it is not.
+//! *Theory.* Light adds up only in linear units, and colors mix only in equal primaries, those of Rec. 709. PNG and JPEG encode
+//! numbers by a curve, sRGB by default; EXR and HDR are linear. The color information of a file is applied, or
+//! [`Picture::notes`] report that it is not.
 //!
-//! *Practice.* The format is told by the file's content. Alpha is dropped, gray becomes RGB, and 16 bits carry both
-//! depths of PNG without loss. 12 bytes a pixel stay in memory.
+//! *Practice.* The format is detected by content. Alpha is dropped, gray becomes RGB, and 16 bits hold both
+//! depths of PNG without loss. A pixel takes 12 bytes of memory.
 
 mod broken;
 mod encoding;
@@ -29,20 +29,20 @@ pub(in crate::assets) use encoding::decode_srgb;
 use encoding::{Encoding, convert};
 pub(crate) use exr::unlikely as unlikely_exr;
 
-/// A picture in linear RGB.
+/// An image in linear RGB.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picture {
-    /// Width and height in pixels.
+    /// The width and height in pixels.
     pub size: [u32; 2],
-    /// Rows from the top, each from the left; every number is finite. Copies of a scene share them.
+    /// The pixels, in rows from the top, each from the left; all numbers are finite. Copies of a scene share them.
     pub pixels: Arc<Vec<[f32; 3]>>,
-    /// The path it was read from.
+    /// The path of the file.
     pub name: String,
-    /// What its file says of its colors that is not applied, or changed them: to be told.
+    /// Messages about color information that was not applied, or that changed the colors.
     pub notes: Vec<String>,
 }
 
-/// What the reader of a format gives.
+/// The result of a format's reader.
 struct Decoded {
     pixels: Vec<[f32; 3]>,
     notes: Vec<String>,
@@ -54,7 +54,7 @@ impl Picture {
         Self::read(path, &Stage::unwatched())
     }
 
-    /// As [`load`](Self::load); the bytes that are read are reported to `stage`.
+    /// Reads a file as [`load`](Self::load) does, and reports the bytes that are read to `stage`.
     pub(super) fn read(path: &Path, stage: &Stage) -> Result<Self, SceneError> {
         let unreadable = |source| SceneError::Read { path: path.to_owned(), source };
         let unusable = |problem: String| SceneError::Picture { path: path.to_owned(), problem };
@@ -77,7 +77,8 @@ impl Picture {
 }
 
 impl Picture {
-    /// Returns the usual ending of the name of a file that begins so, or else what the file is: "of the format WebP".
+    /// Returns the usual extension of a file that begins with these bytes, or a description of the unsupported format, such as "of the
+    /// format WebP".
     pub fn ending(start: &[u8]) -> Result<&'static str, String> {
         Format::of(start).map(|format| match format {
             Format::Png => "png",
@@ -87,14 +88,14 @@ impl Picture {
         })
     }
 
-    /// Returns the first bytes of a file: as many as [`ending`](Self::ending) looks at.
+    /// Returns the first bytes of a file, as many as [`ending`](Self::ending) uses.
     pub fn start(path: &Path) -> std::io::Result<Vec<u8>> {
         let mut start = Vec::new();
         File::open(path)?.take(32).read_to_end(&mut start)?;
         Ok(start)
     }
 
-    /// What a file's header says that [`load`](Self::load) takes of memory; 0 where that cannot be so.
+    /// Returns the memory that [`load`](Self::load) takes according to a file's header, in bytes; 0 if the header is implausible.
     #[must_use]
     pub fn bytes_of(path: &Path) -> u64 {
         let format = Self::start(path).ok().and_then(|start| Format::of(&start).ok());
@@ -103,17 +104,17 @@ impl Picture {
         if is_likely { u64::from(width) * u64::from(height) * BYTES } else { 0 }
     }
 
-    /// What it takes of memory.
+    /// Returns the memory that the image takes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.pixels.len() as u64 * BYTES
     }
 }
 
-/// Of a pixel.
+/// The size of a pixel in bytes.
 const BYTES: u64 = size_of::<[f32; 3]>() as u64;
 
-/// A format that is read.
+/// A supported format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Png,
@@ -123,7 +124,7 @@ enum Format {
 }
 
 impl Format {
-    /// Tells the format of a file from its first bytes.
+    /// Detects the format of a file from its first bytes.
     fn of(start: &[u8]) -> Result<Self, String> {
         if start.starts_with(hdr::MAGIC) {
             return Ok(Self::Hdr);
@@ -158,7 +159,7 @@ impl Format {
             Self::Jpeg => jpeg_encoding(path)?,
         };
         let mut reader = self.reader(path, stage)?;
-        // By default a picture over 512 MiB is refused; a sky may well be larger.
+        // By default, images over 512 MiB are rejected, but a sky may be larger.
         reader.no_limits();
         let image: DynamicImage = reader.decode().map_err(|error| broken(&error))?;
         let mut pixels = encoding.decode(image);
@@ -176,7 +177,7 @@ impl Format {
     }
 }
 
-/// Returns what a file is that is not read.
+/// Returns a description of an unsupported file.
 fn kind(start: &[u8]) -> String {
     let name = match image::guess_format(start) {
         _ if start.is_empty() => return "empty".to_owned(),
@@ -189,7 +190,7 @@ fn kind(start: &[u8]) -> String {
     format!("of the format {name}")
 }
 
-/// Reads the profile of a JPEG, which says nothing else of its colors.
+/// Reads the ICC profile of a JPEG, which is its only color information.
 fn jpeg_encoding(path: &Path) -> Result<Encoding, String> {
     let file = File::open(path).map_err(|error| error.to_string())?;
     let mut decoder = JpegDecoder::new(BufReader::new(file)).map_err(|error| broken(&error))?;
@@ -197,12 +198,12 @@ fn jpeg_encoding(path: &Path) -> Result<Encoding, String> {
     Ok(profile.map_or_else(Encoding::default, |profile| Encoding::of_profile(&profile)))
 }
 
-/// Pixels that a picture may have: 3 GiB of memory.
+/// The largest number of pixels of an image: 3 GiB of memory.
 const MOST_PIXELS: u64 = 1 << 28;
-/// Pixels that a byte of a file stands for at most, by any of the formats: their best compression is near 1000.
+/// The largest number of pixels per byte of a file, in any format: their best compression is near 1000.
 const DENSEST: u64 = 4096;
 
-/// Why nothing should be read of a picture of this size from so many bytes.
+/// Returns the reason why an image of this size cannot be in a file of `bytes` bytes, if any.
 fn unlikely([width, height]: [u32; 2], bytes: u64) -> Option<String> {
     let pixels = u64::from(width) * u64::from(height);
     if pixels == 0 {

@@ -1,4 +1,4 @@
-//! What a PNG says of its colors: by code points, a profile, as sRGB, or by a power and chromaticities, in this order of precedence
+//! Color information of a PNG: code points, an ICC profile, sRGB, or a gamma and chromaticities, in this order of precedence
 //! (PNG, third edition, 4.3).
 
 use std::fs::File;
@@ -11,14 +11,14 @@ use super::broken::broken;
 use super::encoding::{Curve, Encoding, decode_srgb, matrix_of};
 use super::primaries::Primaries;
 
-/// Reads what a file says before its pixels.
+/// Reads the color information before the pixels.
 pub(super) fn encoding(path: &Path) -> Result<Encoding, String> {
     let file = File::open(path).map_err(|error| error.to_string())?;
     let reader = Decoder::new(BufReader::new(file)).read_info().map_err(|error| broken(&error))?;
     let info = reader.info();
     let mut encoding = of(info);
     let there = chunks(path).map_err(|error| broken(&error))?;
-    // `png` passes over chunks that are wrong.
+    // `png` ignores invalid chunks.
     for (name, is_read) in [
         (b"cICP", info.coding_independent_code_points.is_some()),
         (b"iCCP", info.icc_profile.is_some()),
@@ -46,7 +46,7 @@ fn chunks(path: &Path) -> io::Result<Vec<[u8; 4]>> {
             return Ok(names);
         }
         names.push(name);
-        // A check sum follows.
+        // A checksum follows.
         file.seek_relative(i64::from(u32::from_be_bytes([a, b, c, d])) + 4)?;
     }
 }
@@ -76,7 +76,7 @@ fn of(info: &Info) -> Encoding {
     Encoding { notes, ..Encoding::new(curve, to_rec709.unwrap_or_default()) }
 }
 
-/// Reads ITU-T H.273's code points, as far as pictures of linear light can be had from them.
+/// Converts the code points of ITU-T H.273, if they allow conversion to linear light.
 fn of_points(points: CodingIndependentCodePoints) -> Encoding {
     let primaries = match points.color_primaries {
         1 => Some(Primaries::REC709),

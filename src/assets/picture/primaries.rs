@@ -1,10 +1,10 @@
-//! Primaries: which light the numbers of red, green and blue stand for.
+//! Primaries: the colors of red, green and blue in an image.
 //!
-//! *Theory.* Four chromaticities of CIE 1931, of red, green, blue and white, fix the matrix from linear RGB to XYZ: its columns have the
-//! directions of the primaries, and their sum is white. Colors that were balanced for one white are adapted to another by scaling the
-//! responses of cones, for which Bradford's matrix stands (Lam 1985; the one of ICC.1, annex E).
+//! *Theory.* Four CIE 1931 chromaticities, of red, green, blue and white, determine the matrix from linear RGB to XYZ: its columns have the
+//! directions of the primaries, and their sum is white. Colors with one white point are adapted to another by scaling the
+//! responses of cones, given by the Bradford matrix (Lam 1985; the version of ICC.1, annex E).
 //!
-//! *Practice.* The renderer's colors are linear in the primaries of Rec. 709, with D65 as white: those of sRGB.
+//! *Practice.* The renderer's colors are linear in the primaries of Rec. 709, with D65 as white, like sRGB.
 
 use glam::{DMat3, DVec2, DVec3};
 
@@ -18,7 +18,7 @@ pub(super) struct Primaries {
 }
 
 const D65: DVec2 = DVec2::new(0.3127, 0.329);
-/// The white of ICC profiles, as XYZ.
+/// The white point of ICC profiles, as XYZ.
 const D50: DVec3 = DVec3::new(0.9642, 1.0, 0.8249);
 
 impl Primaries {
@@ -32,16 +32,16 @@ impl Primaries {
     };
     pub const DISPLAY_P3: Self =
         Self { red: DVec2::new(0.68, 0.32), green: DVec2::new(0.265, 0.69), blue: DVec2::new(0.15, 0.06), white: D65 };
-    /// Differences that come from the digits with which files give chromaticities.
+    /// The largest difference of chromaticities that is due to rounding in files.
     const SAME: f64 = 2e-5;
 
-    /// Reads red, green, blue and white, x before y.
+    /// Creates primaries from red, green, blue and white, x before y.
     pub fn of([rx, ry, gx, gy, bx, by, wx, wy]: [f64; 8]) -> Self {
         let [red, green, blue, white] = [[rx, ry], [gx, gy], [bx, by], [wx, wy]].map(DVec2::from);
         Self { red, green, blue, white }
     }
 
-    /// Returns the matrix from linear colors in these primaries to Rec. 709, the identity if they are those; `None` if they span no
+    /// Returns the matrix from linear colors in these primaries to Rec. 709, the identity for Rec. 709 itself; `None` if they span no
     /// color space.
     pub fn to_rec709(self) -> Option<DMat3> {
         let all = |space: Self| [space.red, space.green, space.blue, space.white];
@@ -61,12 +61,12 @@ impl Primaries {
     }
 }
 
-/// Returns the matrix from XYZ as ICC profiles have it to Rec. 709.
+/// Returns the matrix to Rec. 709 from the XYZ of ICC profiles.
 pub(super) fn profile_to_rec709() -> Option<DMat3> {
     xyz_to_rec709(D50)
 }
 
-/// Returns the matrix from XYZ to Rec. 709 that takes this white, as XYZ, to `(1, 1, 1)`.
+/// Returns the matrix from XYZ to Rec. 709 that maps this white, as XYZ, to `(1, 1, 1)`.
 fn xyz_to_rec709(white: DVec3) -> Option<DMat3> {
     let bradford = DMat3::from_cols(
         DVec3::new(0.8951, -0.7502, 0.0389),
@@ -84,7 +84,7 @@ fn white_point(c: DVec2) -> DVec3 {
     DVec3::new(c.x, c.y, 1.0 - c.x - c.y) / c.y
 }
 
-/// Returns the inverse of a matrix whose entries are about 1, unless it is singular as far as files' digits tell.
+/// Returns the inverse of a matrix with entries of about 1, unless it is singular within the rounding of files.
 fn inverse(matrix: DMat3) -> Option<DMat3> {
     (matrix.determinant().abs() > 1e-6).then(|| matrix.inverse())
 }
@@ -98,7 +98,7 @@ mod tests {
         assert!(ours.abs_diff_eq(theirs, tolerance), "{ours} is not {theirs}");
     }
 
-    /// The published matrices have as many digits as their tolerances say.
+    /// The tolerances are the precision of the published matrices.
     #[test]
     fn matrices_are_the_published_ones() {
         // CSS Color 4, from the chromaticities of IEC 61966-2-1.
@@ -108,10 +108,10 @@ mod tests {
             [0.019_330_8, 0.119_194_8, 0.950_532_2],
         ];
         close(Primaries::REC709.to_xyz().expect("a space"), srgb, 1e-7);
-        // ITU-R BT.2087-0, table 2, inverted as it says there.
+        // ITU-R BT.2087-0, table 2, inverted as described there.
         let rec2020 = [[1.6605, -0.5876, -0.0728], [-0.1246, 1.1329, -0.0083], [-0.0182, -0.1006, 1.1187]];
         close(Primaries::REC2020.to_rec709().expect("a space"), rec2020, 1e-4);
-        // ACES2065-1 to linear Rec. 709 with Bradford's adaptation, as the ACES configurations of OpenColorIO have it.
+        // ACES2065-1 to linear Rec. 709 with Bradford adaptation, as in the ACES configurations of OpenColorIO.
         let aces = Primaries::of([0.7347, 0.2653, 0.0, 1.0, 0.0001, -0.077, 0.321_68, 0.337_67]);
         let to_rec709 =
             [[2.521_69, -1.134_13, -0.387_56], [-0.276_48, 1.372_72, -0.096_24], [-0.015_38, -0.152_98, 1.168_35]];
