@@ -1,8 +1,7 @@
 //! Winding numbers: the number of times that a closed mesh surrounds a point.
 //!
-//! *Theory.* The winding number is the sum of the triangles' solid angles as seen from the point, over 4π (Jacobson, Kavan and
-//! Sorkine-Hornung
-//! 2013). No ray needs to choose between edges, and rounding errors are far below the ½ that decides.
+//! *Theory.* The winding number is the sum of the triangles' solid angles as seen from the point, over 4π (Jacobson, Kavan
+//! and Sorkine-Hornung 2013). No ray needs to choose between edges, and rounding errors are far below the ½ that decides.
 //!
 //! *Practice.* This is for single points on the host, such as the camera's position: it takes an arctangent per triangle.
 
@@ -11,9 +10,8 @@ use glam::DVec3;
 use super::Mesh;
 
 impl Mesh {
-    /// Returns the number of times that the surface surrounds a point in object space, positive if its triangles are counter-clockwise as
-    /// seen
-    /// from outside: an integer if the mesh is closed, 0 outside.
+    /// Returns the number of times that the surface surrounds a point in object space, positive if its
+    /// triangles are counter-clockwise as seen from outside: an integer if the mesh is closed, 0 outside.
     #[must_use]
     pub fn winding(&self, x: DVec3) -> f64 {
         let corner = |i: u32| self.vertices[i as usize].position.as_dvec3() - x;

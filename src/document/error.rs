@@ -143,8 +143,8 @@ impl fmt::Display for Mistake {
     }
 }
 
-/// Returns a message that may quote a file, ready to print: with visible characters, see [`visible`], and without its middle if it is too
-/// long.
+/// Returns a message that may quote a file, ready to print: with visible
+/// characters, see [`visible`], and without its middle if it is too long.
 pub fn brief(text: &str) -> Cow<'_, str> {
     if text.len() <= LONGEST {
         return visible(text);
@@ -153,8 +153,8 @@ pub fn brief(text: &str) -> Cow<'_, str> {
     Cow::Owned(format!("{} … {}", visible(&text[..start]), visible(&text[end..])))
 }
 
-/// Returns a text with a visible character for each character that would control the terminal, reorder the line or be invisible. Columns
-/// do not change.
+/// Returns a text with a visible character for each character that would control
+/// the terminal, reorder the line or be invisible. Columns do not change.
 fn visible(text: &str) -> Cow<'_, str> {
     /// The first of Unicode's symbols for control characters, which are in the order of their codes.
     const PICTURES: u32 = 0x2400;

@@ -1,8 +1,7 @@
 //! A document as lines, one per value, under the keys that `--set` takes.
 //!
-//! Documents with equal content have equal lines, whatever their layout: tables may have any order and form, and numbers may be written
-//! with
-//! or without a decimal point.
+//! Documents with equal content have equal lines, whatever their layout: tables may
+//! have any order and form, and numbers may be written with or without a decimal point.
 
 use std::collections::BTreeMap;
 

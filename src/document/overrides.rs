@@ -119,8 +119,8 @@ impl Override {
     }
 }
 
-/// Returns the value at `path`: each name leads to a table, which may be new, or to an array that contains the next one. `key` is the
-/// location of the names.
+/// Returns the value at `path`: each name leads to a table, which may be new, or
+/// to an array that contains the next one. `key` is the location of the names.
 pub(super) fn reach<'a>(root: &'a mut Table, path: &[String], key: Place) -> Result<&'a mut Node, Fault> {
     let mut at = entry(root, &path[0], key);
     for (depth, name) in path.iter().enumerate().skip(1) {

@@ -1,6 +1,6 @@
 //! Synonyms: words from other renderers and the literature, with the names that bentray uses.
 
-/// Words and the key, kind or choice that they stand for. If a word has several entries, the one that is valid at its location applies.
+/// Groups of words, each with the key, kind or choice that it means. If a word has several entries, the one valid at its location applies.
 pub(crate) const SYNONYMS: &[(&[&str], &str)] = &[
     // Tables.
     (&["image_settings", "film", "sensor", "picture", "resolution"], "image"),

@@ -78,8 +78,8 @@ fn wide_encoding(bytes: &[u8]) -> Option<&'static str> {
         (b"\xFF\xFE", "UTF-16LE"),
         (b"\xFE\xFF", "UTF-16BE"),
     ];
-    // Without a mark, every second byte of ASCII text in UTF-16 is zero. At most `MOST` pairs are checked; fewer than `LEAST` decide
-    // nothing.
+    // Without a mark, every second byte of ASCII text in UTF-16 is zero.
+    // At most `MOST` pairs are checked; fewer than `LEAST` decide nothing.
     const MOST: usize = 16;
     const LEAST: usize = 2;
     if let Some((_, encoding)) = MARKS.iter().find(|(mark, _)| bytes.starts_with(mark)) {
@@ -119,8 +119,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, SceneError> {
     read_file(path).map_err(|source| SceneError::Read { path: path.to_owned(), source })
 }
 
-/// Reads the bytes that the command line names: a file or, for `-`, standard input. Standard input is read once and kept for
-/// further calls.
+/// Reads the bytes that the command line names: a file or, for `-`, standard input. Standard input is read once and kept for further calls.
 pub fn read_given(path: &Path) -> io::Result<Vec<u8>> {
     static INPUT: OnceLock<io::Result<Vec<u8>>> = OnceLock::new();
     if path != Path::new("-") {

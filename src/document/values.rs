@@ -1,4 +1,4 @@
-//! Conversion of one node to one value: each function reads one type of value, or reports what it found instead.
+//! Conversion of one node to one value: each function reads one type of value, or returns a fault.
 //!
 //! Every number becomes a 32-bit float later, so all numbers must be finite, and 0 or between 10⁻³⁰ and 10³⁰ in magnitude.
 

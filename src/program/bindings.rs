@@ -1,9 +1,8 @@
 //! Bindings of passes: the per-pixel values joined in one buffer, and binding numbers for all resources.
 //!
-//! *Theory.* Each module declares the values that it keeps per pixel on its own, `var<storage, read_write> pixel_color: array<vec3f>`.
-//! Separate bindings for them would exceed the limits of a device (WebGPU grants eight buffers and four storage textures). The linker
-//! therefore makes them members of one struct, which is equal in all passes of a program: `pixels[place].color`. Values that no pass
-//! reaches are left out.
+//! *Theory.* Each module declares its per-pixel values separately, `var<storage, read_write> pixel_color: array<vec3f>`. Separate bindings
+//! for them would exceed the limits of a device (WebGPU grants eight buffers and four storage textures). The linker therefore makes them
+//! members of one struct, which is equal in all passes of a program: `pixels[place].color`. Values that no pass reaches are left out.
 //!
 //! *Practice.* A variable without a binding number gets the next free number of its pass; the host finds bindings by their roles.
 

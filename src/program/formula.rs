@@ -68,7 +68,7 @@ pub(super) fn fans(fans: &[&[FanRay]]) -> Unit {
     unit("generated/fans.wgsl", text)
 }
 
-/// A conversion in a function of its own, because naga does not convert a 64-bit constant to 32 bits; an argument is not a constant.
+/// A conversion in a separate function, because naga does not convert a 64-bit constant to 32 bits; an argument is not a constant.
 const ROUNDED: &str = "fn filter_rounded(value: Real) -> f32 {\n    return f32(value);\n}\n\n";
 
 /// Generates `filter_formula(which, q)`: three numbers, one for each channel.

@@ -100,7 +100,7 @@ impl<'a> Plain<'a> {
     }
 }
 
-/// Returns a replacement for every call in a function that can be inlined, except the innermost calls.
+/// Returns a replacement for every call in a function that can be inlined, except calls inside other replaced calls.
 fn replaced<'a>(declaration: &Declaration<'a>, plain: &HashMap<String, Plain<'a>>) -> Vec<Splice<'a>> {
     let tokens = &declaration.tokens;
     let mut splices: Vec<Splice> = Vec::new();

@@ -27,8 +27,8 @@ pub enum Layer {
     Spread,
     /// The luminance of the light from the ray's first, second and third crossing of a translucent surface.
     Orders,
-    /// The direction of the ray at its end, with the path length as its magnitude; used by measurements on images, and not written to
-    /// files.
+    /// The direction of the ray at its end, with the path length as its
+    /// magnitude; used by measurements on images, and not written to files.
     Way,
 }
 
@@ -76,8 +76,8 @@ impl Layer {
         !matches!(self, Self::Samples | Self::Error | Self::Sums | Self::Spread | Self::Orders)
     }
 
-    /// Returns the name. For the layer of a ray, `keep_NAME` is the function in `shaders/picture/layers.wgsl`, and `layer_NAME` the stored
-    /// value.
+    /// Returns the name. For the layer of a ray, `keep_NAME` is the function
+    /// in `shaders/picture/layers.wgsl`, and `layer_NAME` the stored value.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

@@ -1,7 +1,7 @@
 //! Counting of loop iterations, for devices that stop an invocation after a limit.
 //!
-//! *Theory.* Such a device counts the iterations of all loops together, and it counts n + 1 for a loop of n iterations, because the last
-//! test ends the loop.
+//! *Theory.* Such a device counts the iterations of all loops together, and it
+//! counts n + 1 for a loop of n iterations, because the last test ends the loop.
 //!
 //! *Practice.* For a device with a loop budget, every loop adds one to `work` at the beginning of its body and one after its
 //! end, and a pass begins with a call of `begin_counting`.

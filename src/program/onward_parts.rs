@@ -1,4 +1,4 @@
-//! Choice of the modules for rays under way: at surfaces that reflect or transmit, and in media that absorb.
+//! Choice of the modules for events along rays: scattering at surfaces, and absorption in media.
 
 use super::names::Names;
 use super::regions::Regions;

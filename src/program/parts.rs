@@ -50,8 +50,7 @@ fn parts_in(folder: &'static Dir) -> Box<dyn Iterator<Item = Part>> {
     Box::new(wgsl.filter_map(part).chain(folder.dirs().flat_map(parts_in)))
 }
 
-/// Returns the value of the constant `name` in a module, or the default of an override. The value is thus written only once,
-/// in WGSL.
+/// Returns the value of the constant `name` in a module, or the default of an override. The value is thus written only once, in WGSL.
 ///
 /// # Panics
 ///

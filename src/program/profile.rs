@@ -9,14 +9,13 @@ pub struct DeviceProfile {
     pub group_width: Option<u32>,
     /// The number of pixels that one invocation of the pass `whole` follows, one below the other.
     pub lane_pixels: u32,
-    /// Whether the device is a CPU, on which each invocation is a lane of a vector. A CPU reads uniforms fastest before any loop, and
-    /// selects
-    /// faster than it branches.
+    /// Whether the device is a CPU, on which each invocation is a lane of a vector. A
+    /// CPU reads uniforms fastest before any loop, and selects faster than it branches.
     pub is_processor: bool,
 }
 
-/// A limit on the loop iterations of one invocation, summed over all its loops. Beyond it every loop silently ends after its first
-/// iteration.
+/// A limit on the loop iterations of one invocation, summed over all its
+/// loops. Beyond it every loop silently ends after its first iteration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct LoopBudget {
     /// The number of iterations up to the limit.
@@ -44,9 +43,9 @@ impl DeviceProfile {
 
     /// Returns the profile of Mesa's lavapipe, which runs `lanes` invocations side by side on a CPU.
     ///
-    /// It stops an invocation after 65,535 loop iterations. It runs the lanes of a row side by side and prefetches memory along the row:
-    /// with one row per workgroup, passes are 1.03 to 1.1 times as fast as with squares. It has few invocations, and shares the work of a
-    /// group among eight lanes.
+    /// It stops an invocation after 65,535 loop iterations. It runs the lanes of a row side by side and
+    /// prefetches memory along the row: with one row per workgroup, passes are 1.03 to 1.1 times as
+    /// fast as with squares. It has few invocations, and shares the work of a group among eight lanes.
     #[must_use]
     pub fn cpu(lanes: u32) -> Self {
         let loop_budget = Some(LoopBudget { iterations: 65_535, lanes: lanes.max(1) });

@@ -1,10 +1,10 @@
 //! Regions: the space outside all objects, and the inside of each object that light passes through.
 //!
-//! *Theory.* Each *kind* of region has a motion, the cheapest that is correct for its medium, and a
-//! copy of the modules that follow rays; regions of one kind differ only in numbers. If several objects overlap, the object with
-//! the highest priority wins, and among equal priorities the smallest object. The objects are numbered in that order, a ray stores the
-//! set of objects that it is in as bits, and the lowest bit is the medium around it. Closed mirrors have bits too, after all
-//! others: they have no medium, but the bit states from which side a ray meets them.
+//! *Theory.* Each *kind* of region has a motion, the cheapest that is correct for its medium, and a copy of the
+//! modules that follow rays; regions of one kind differ only in numbers. If several objects overlap, the object with
+//! the highest priority wins, and among equal priorities the smallest object. The objects are numbered in that order,
+//! a ray stores the set of objects that it is in as bits, and the lowest bit is the medium around it. Closed mirrors
+//! have bits too, after all others: they have no medium, but the bit states from which side a ray meets them.
 
 use std::sync::Arc;
 

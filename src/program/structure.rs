@@ -12,9 +12,8 @@ use super::{ProgramError, constant};
 use crate::model::shape::Solid;
 use crate::scene::{Accelerate, Object, Scene, Segment};
 
-/// The largest number of triangles in copies of meshes; beyond it, meshes are instanced. On a CPU copies are up to twice as fast, because
-/// no
-/// ray is mapped to the meshes' object spaces; this many copies take 30 MB.
+/// The largest number of triangles in copies of meshes; beyond it, meshes are instanced. On a CPU copies are
+/// up to twice as fast, because no ray is mapped to the meshes' object spaces; this many copies take 30 MB.
 const COPIES: usize = 1 << 18;
 
 /// The way in which an acceleration structure is searched.
@@ -54,7 +53,7 @@ const LONG: usize = 512;
 const LONG_WALK: u64 = 4_000;
 /// The largest number of items that a hierarchy's leaf, or a primitive, has bits for.
 const MOST_ITEMS: u64 = 1 << 28;
-/// The largest number of items of instanced meshes, over all instances, next to the word for no item; stored nodes have as many bits.
+/// The largest number of items of instanced meshes, over all instances; one value is reserved for no item.
 const MOST_ONCE: u64 = (1 << 31) - 1;
 
 /// The largest number of shapes in lists that a mask has bits for, next to the bits of the acceleration structure.

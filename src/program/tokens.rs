@@ -1,7 +1,7 @@
 //! WGSL as tokens: words, numbers and single signs, each with the gap before it and its origin.
 //!
-//! Code that edits tokens does not depend on how a line is formatted, and errors in edited tokens still report the original file, line and
-//! column.
+//! Code that edits tokens does not depend on how a line is formatted, and
+//! errors in edited tokens still report the original file, line and column.
 
 use std::borrow::Cow;
 use std::ops::Range;

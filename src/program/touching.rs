@@ -4,9 +4,8 @@
 //! From there a scattered ray could slip under an opaque surface, or see an air gap that does not exist. Scenes in
 //! which objects touch link the module that looks for the other surfaces at a hit.
 //!
-//! *Practice.* Every object of these lists is tested at every scattering surface; scenes without such objects pay nothing.
-//! Meshes are in none of the lists, because it is not known whether a point is on a mesh: a ray meets a mesh and an object on it
-//! separately.
+//! *Practice.* Every object of these lists is tested at every scattering surface; scenes without such objects pay nothing. Meshes are
+//! in none of the lists, because it is not known whether a point is on a mesh: a ray meets a mesh and an object on it separately.
 
 use crate::scene::Scene;
 

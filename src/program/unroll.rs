@@ -1,7 +1,7 @@
 //! Unrolling of loops with a known count (W04 §7 unrolls its loops).
 //!
 //! *Theory.* Every loop costs a pass a counter, naga's limit on the number of iterations, and on a CPU a mask of the active lanes.
-//! Besides, a uniform read at a varying index is read once for every lane. A loop with few iterations over a list whose
+//! In addition, a uniform read at a varying index is read once for every lane. A loop with few iterations over a list whose
 //! length the linker knows needs none of that.
 //!
 //! *Practice.* `for (var i = 0u; i < COUNT; i++) { … }`, where COUNT is a number or a constant of the program, becomes its body once

@@ -3,8 +3,8 @@
 //! *Theory.* Q(x; U) is the line element with the differentials replaced by dx/dτ and so on. P = ½∂Q/∂U is U with its index lowered,
 //! and ∂P/∂U the metric. Up to its parametrization, light follows d(gU) = ½∂ₓQ, so g U′ is ½∂ₓQ minus the change of P along U.
 //!
-//! *Practice.* Derivatives by the differentials come first, because they do not involve the position; a single derivative by position
-//! follows.
+//! *Practice.* Derivatives by the differentials come first, because they
+//! do not involve the position; a single derivative by position follows.
 
 use glam::{DMat4, DVec3, DVec4};
 

@@ -97,7 +97,7 @@ impl Gltf {
                 (elements.stride, bytes) = self.run(view, start, accessor.count.0, size, &name)?;
                 elements.bytes = Cow::Borrowed(bytes);
             }
-            // All elements except those of `sparse` are 0: there must not be more of them than bytes in the file.
+            // All elements except those of `sparse` are 0: their number must not exceed the bytes in the file.
             None if elements.count > self.bytes.len() => {
                 let (count, has) = (elements.count, self.bytes.len());
                 return Err(Flaw(format!("{name} is of {count} elements of no buffer, and the file has {has} bytes")));

@@ -17,7 +17,7 @@ pub enum Stored {
     Within(Vec<u8>),
 }
 
-/// Returns the index of a texture's image: its own, or else the image that an extension gives it.
+/// Returns the index of a texture's image, from the texture itself or else from an extension.
 #[must_use]
 pub fn image_of(texture: &Texture) -> Option<usize> {
     // `gltf-json` uses this number for a missing index.

@@ -82,8 +82,8 @@ impl Gltf {
     }
 }
 
-/// Returns the identification of each of these nodes in a scene file, given all nodes of the scene: its name if that is unique, or else
-/// its index.
+/// Returns the identification of each of these nodes in a scene file, given
+/// all nodes of the scene: its name if that is unique, or else its index.
 #[must_use]
 pub fn names(nodes: &[Placed]) -> Vec<NodeName> {
     let mut uses: HashMap<&str, u32> = HashMap::new();
@@ -155,8 +155,8 @@ pub(super) struct Maps {
     pub nodes: Vec<Map>,
 }
 
-/// The map from a node's space to its parent's, in 64 bits: `gltf-json` rounds it to 32 bits, which moves a position on a map of a
-/// country by meters.
+/// The map from a node's space to its parent's, in 64 bits: `gltf-json` rounds
+/// it to 32 bits, which moves a position on a map of a country by meters.
 #[derive(Debug, Deserialize)]
 pub(super) struct Map {
     matrix: Option<[f64; 16]>,

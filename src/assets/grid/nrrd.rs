@@ -1,5 +1,5 @@
-//! NRRD ("nearly raw raster data", <https://teem.sourceforge.net/nrrd/format.html>): a header of text lines, an empty line, and the
-//! samples.
+//! NRRD ("nearly raw raster data", <https://teem.sourceforge.net/nrrd/format.html>):
+//! a header of text lines, an empty line, and the samples.
 //!
 //! *Practice.* The reader supports volumes with three axes along x, y and z. The samples, raw or gzipped, follow the header or are in
 //! one separate file, after the lines and bytes that `line skip` and `byte skip` specify. Anything else is an error with its line.

@@ -1,8 +1,7 @@
 //! The limit on the triangles of a mesh. A file with more is rejected as soon as its header, or the part read so far, shows it.
 //!
-//! *Practice.* Listing the devices takes longer than reading a small mesh, so the list is requested only when a mesh has more triangles
-//! than
-//! every device can hold.
+//! *Practice.* Listing the devices takes longer than reading a small mesh, so the
+//! list is requested only when a mesh has more triangles than every device can hold.
 
 use std::fmt;
 use std::sync::{Arc, OnceLock};

@@ -3,8 +3,7 @@
 //! *Theory.* OBJ and PLY do not specify the encoding of their colors. Programs that paint and scan meshes write display values,
 //! which are sRGB, and readers such as three.js decode them as sRGB. The colors of glTF are linear by its specification.
 //!
-//! *Practice.* A file with invalid colors is still read, because most scenes do not use them. The error is stored for
-//! the scenes that do.
+//! *Practice.* A file with invalid colors is still read, because most scenes do not use them. The error is stored for the scenes that do.
 
 use glam::{DVec3, Vec3};
 

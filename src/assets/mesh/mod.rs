@@ -3,10 +3,9 @@
 //! *Theory.* A file contains corners of faces, and perhaps normals. Faces may be any simple polygons; [`Raw`] triangulates them.
 //! Missing normals are smooth across edges whose faces meet at less than the crease angle, and equal to the face's normal elsewhere.
 //!
-//! *Practice.* [`FORMATS`] lists each format once, by its file extensions. To add a format, add a file here and a line to that
-//! table. A reader trusts no count before it has seen as many bytes, and stops
-//! if there are more triangles than the [`Capacity`] allows. Triangles without area are dropped, and equal corners
-//! share a vertex.
+//! *Practice.* [`FORMATS`] lists each format once, by its file extensions. To add a format, add a file here and
+//! a line to that table. A reader trusts no count before it has seen as many bytes, and stops if there are more
+//! triangles than the [`Capacity`] allows. Triangles without area are dropped, and equal corners share a vertex.
 
 mod bytes;
 mod capacity;
@@ -44,8 +43,8 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// The linear color of each vertex, with components from 0 to 1; empty if the file has none.
     pub colors: Vec<Vec3>,
-    /// The origin of object space in the file's space: positions in the file are `origin + position`.
-    /// A component is zero if the mesh is nearer to the file's origin along that axis than the mesh is large.
+    /// The origin of object space in the file's space: positions in the file are `origin + position`. A
+    /// component is zero if the mesh is nearer to the file's origin along that axis than the mesh is large.
     pub origin: DVec3,
     /// The elements of the file that are not drawn, such as `lines (3)`.
     pub left_out: Vec<String>,
@@ -102,7 +101,7 @@ pub enum Source {
 
 impl Wanted {
     /// The default crease angle in degrees: smaller than the angles at intended edges, and larger than the angles between
-    /// faces of an intended round surface.
+    /// faces that approximate a smooth surface.
     pub const CREASE: f64 = 30.0;
 }
 

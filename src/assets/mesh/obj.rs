@@ -1,10 +1,9 @@
 //! OBJ: lines that begin with a keyword.
 //!
-//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`. Three or more numbers after the coordinates of a `v` begin with a color; a
-//! single
-//! one is the weight of free-form geometry. Statements about groups, materials and smoothing are ignored; points,
-//! lines and free-form curves are counted, so that the user learns that they are not drawn. A comment begins at a `#` at the start of
-//! a line or after a blank: some programs write an invalid number as `-1.#IND`.
+//! *Theory.* Four statements matter: `v`, `vt`, `vn` and `f`. Three or more numbers after the coordinates of a `v` begin
+//! with a color; a single one is the weight of free-form geometry. Statements about groups, materials and smoothing are
+//! ignored; points, lines and free-form curves are counted, so that the user learns that they are not drawn. A comment
+//! begins at a `#` at the start of a line or after a blank: some programs write an invalid number as `-1.#IND`.
 //!
 //! *Practice.* Every statement is read with its line, so each error has a location. Words are found byte by byte without
 //! allocation per line: a million triangles take less than a second.

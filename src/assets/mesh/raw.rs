@@ -5,8 +5,7 @@
 //! Positions are stored in 64 bits, as in the file: a map of a country has coordinates of millions, and details of
 //! millimeters. They are rounded to 32 bits when a mesh is made of them, around a local origin if the file's origin is far away.
 //!
-//! *Practice.* A triangle stores the face that it was cut from: it has the face's normal, and its corner angles add up to the
-//! face's.
+//! *Practice.* A triangle stores the face that it was cut from: it has the face's normal, and its corner angles add up to the face's.
 
 use std::collections::BTreeMap;
 

@@ -4,8 +4,8 @@
 //! three corners and two more bytes. A text file has loops of `vertex` lines. The normals in the file are ignored, because the
 //! order of the corners defines them exactly.
 //!
-//! *Practice.* Many binary files also begin with the word `solid`. A file with exactly the size that its number of triangles needs is
-//! binary.
+//! *Practice.* Many binary files also begin with the word `solid`. A file
+//! with exactly the size that its number of triangles needs is binary.
 
 use std::path::Path;
 

@@ -1,9 +1,8 @@
 //! EXR: linear colors in named channels.
 //!
-//! *Practice.* The reader uses `R`, `G` and `B`, or `Y` for gray images, in either case; if the file has no such channels, it uses those of
-//! a
-//! layer (`ViewLayer.Combined.R`). Of several such layers it prefers `Combined`, which is the whole image in Blender's files.
-//! `chromaticities` are applied. Pixels outside the data window are black.
+//! *Practice.* The reader uses `R`, `G` and `B`, or `Y` for gray images, in either case; if the file has no such
+//! channels, it uses those of a layer (`ViewLayer.Combined.R`). Of several such layers it prefers `Combined`, which
+//! is the whole image in Blender's files. `chromaticities` are applied. Pixels outside the data window are black.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -189,7 +188,7 @@ fn gray(path: &Path, name: Text, window: IntegerBounds, progress: impl FnMut(f64
     Ok(displayed(image.layer_data.channel_data.pixels, image.layer_data.attributes.layer_position, window))
 }
 
-/// Returns the pixels of the display window, given those of the data window.
+/// Returns the pixels of the display window, given the pixels of the data window.
 fn displayed(Pixels(all, size): Pixels, position: Vec2<i32>, window: IntegerBounds) -> Vec<[f32; 3]> {
     if size == window.size && position == window.position {
         return all;

@@ -1,6 +1,6 @@
 //! Images: PNG, JPEG, EXR and HDR files as linear RGB.
 //!
-//! *Theory.* Light adds up only in linear units, and colors mix only in equal primaries, those of Rec. 709. PNG and JPEG encode
+//! *Theory.* Light adds up only in linear units, and colors mix only in equal primaries, here Rec. 709. PNG and JPEG encode
 //! numbers by a curve, sRGB by default; EXR and HDR are linear. The color information of a file is applied, or
 //! [`Picture::notes`] report that it is not.
 //!
@@ -77,8 +77,8 @@ impl Picture {
 }
 
 impl Picture {
-    /// Returns the usual extension of a file that begins with these bytes, or a description of the unsupported format, such as "of the
-    /// format WebP".
+    /// Returns the usual extension of a file that begins with these bytes, or
+    /// a description of the unsupported format, such as "of the format WebP".
     pub fn ending(start: &[u8]) -> Result<&'static str, String> {
         Format::of(start).map(|format| match format {
             Format::Png => "png",

@@ -1,5 +1,5 @@
-//! Color information of a PNG: code points, an ICC profile, sRGB, or a gamma and chromaticities, in this order of precedence
-//! (PNG, third edition, 4.3).
+//! Color information of a PNG: code points, an ICC profile, sRGB, or a gamma
+//! and chromaticities, in this order of precedence (PNG, third edition, 4.3).
 
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom};

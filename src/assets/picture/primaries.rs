@@ -41,8 +41,8 @@ impl Primaries {
         Self { red, green, blue, white }
     }
 
-    /// Returns the matrix from linear colors in these primaries to Rec. 709, the identity for Rec. 709 itself; `None` if they span no
-    /// color space.
+    /// Returns the matrix from linear colors in these primaries to Rec. 709,
+    /// the identity for Rec. 709 itself; `None` if they span no color space.
     pub fn to_rec709(self) -> Option<DMat3> {
         let all = |space: Self| [space.red, space.green, space.blue, space.white];
         let same = |(a, b): (DVec2, DVec2)| a.abs_diff_eq(b, Self::SAME);

@@ -101,7 +101,7 @@ pub struct Features {
     pub captures: bool,
     /// Rays end according to a formula of a line element.
     pub captures_by_formula: bool,
-    /// Photon orbits lie within the capture region; rays that turn there are not captured.
+    /// Photon orbits are inside the capture region; rays that turn there are not captured.
     pub is_extreme: bool,
     /// Rays continue from the bounding sphere to infinity.
     pub is_asymptotic: bool,

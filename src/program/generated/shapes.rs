@@ -72,8 +72,8 @@ pub(in crate::program) fn shapes(Analysis { structure, .. }: &Analysis, all: &[&
     unit("generated/shapes.wgsl", text)
 }
 
-/// Generates a function of a primitive and some arguments that calls `instance` for instanced items, and otherwise the call of the item's
-/// kind.
+/// Generates a function of a primitive and some arguments that calls
+/// `instance` for instanced items, and otherwise the call of the item's kind.
 fn instances_first(head: &Head, instance: &str, kinds: &[(String, String)]) -> String {
     let Head { name, primitive, rest, arguments, result } = head;
     let signature = format!("({primitive}: u32, {rest}) -> {result}");

@@ -1,16 +1,14 @@
 //! Lowering of a pass's uniforms to a form that drivers accept and run fast: one buffer for all of the scene's uniforms, each read once.
 //!
-//! *Theory.* Every module declares the uniform that it reads under a separate name. Separate bindings soon exceed the limit of a device
-//! (twelve are guaranteed) and the ability of some drivers: to find branches that depend on uniforms alone,
-//! Mesa 22.3 indexes in steps of 32 a table with room for 4 entries per buffer, and a branch on the fifth or a later buffer
-//! writes past its end, into the heap. The uniforms therefore become members of one block; uniforms that a tile or a dispatch
-//! writes remain separate.
+//! *Theory.* Every module declares the uniform that it reads under a separate name. Separate bindings soon exceed the limit of a
+//! device (twelve are guaranteed) and the ability of some drivers: to find branches that depend on uniforms alone, Mesa 22.3 indexes
+//! in steps of 32 a table with room for 4 entries per buffer, and a branch on the fifth or a later buffer writes past its end, into
+//! the heap. The uniforms therefore become members of one block; uniforms that a tile or a dispatch writes remain separate.
 //!
-//! Inside a loop a CPU reads a uniform once for every lane, with a bounds check for each read: some 25 instructions for one
-//! number, and half the time of a Runge–Kutta step. On CPUs a pass therefore first copies the uniforms into private variables,
-//! with one read for all lanes; on GPUs they are not copied. An array that is only read at constant indices is copied
-//! element by element, and an array of a single element as one value. Other arrays are not copied: a copy of an array is in memory, which
-//! is not faster to read.
+//! Inside a loop a CPU reads a uniform once for every lane, with a bounds check for each read: some 25 instructions for one number,
+//! and half the time of a Runge–Kutta step. On CPUs a pass therefore first copies the uniforms into private variables, with one read
+//! for all lanes; on GPUs they are not copied. An array that is only read at constant indices is copied element by element, and an
+//! array of a single element as one value. Other arrays are not copied: a copy of an array is in memory, which is not faster to read.
 //!
 //! *Practice.* Declarations are read, and uses replaced, as tokens. A uniform is not copied if one of its uses is checked by the rules for
 //! uniforms (a write, an address, an index out of bounds), so that naga reports the error as it was written.

@@ -4,8 +4,8 @@
 //! on its nesting; solids are then wound outward, and cavities inward. A ray stores for each mesh only whether it is inside, so
 //! overlapping solids become separate meshes, as if they were several objects.
 //!
-//! *Practice.* The interior is computed when it is first needed: opaque meshes cost nothing. A mesh of one shell takes one pass over its
-//! edges.
+//! *Practice.* The interior is computed when it is first needed: opaque
+//! meshes cost nothing. A mesh of one shell takes one pass over its edges.
 
 mod meet;
 mod nesting;
@@ -18,8 +18,7 @@ use super::{Mesh, Vertex};
 use nesting::nesting;
 use shells::{NONE, Shells};
 
-/// The cached interior of a mesh. It is ignored when meshes are compared, and copies start without it, because
-/// they may be changed.
+/// The cached interior of a mesh. It is ignored when meshes are compared, and copies start without it, because they may be changed.
 #[derive(Debug, Default)]
 pub(super) struct Inside(OnceLock<Found>);
 
@@ -99,8 +98,8 @@ fn remark(turned: usize, count: usize, layers: u32) -> Option<String> {
 }
 
 impl Mesh {
-    /// Returns a mesh of some of the triangles, each given with whether its winding is reversed. Normals that would then be on the back
-    /// are reversed too.
+    /// Returns a mesh of some of the triangles, each given with whether its winding
+    /// is reversed. Normals that would then be on the back are reversed too.
     fn part(&self, triangles: impl Iterator<Item = (usize, bool)>) -> Self {
         let (mut vertices, mut colors): (Vec<Vertex>, _) = (Vec::new(), Vec::new());
         // The new index of each vertex, as it is and with its normal reversed.

@@ -1,10 +1,9 @@
 //! PLY: a header that describes the following data, in text or binary form.
 //!
-//! *Theory.* The header names elements, their numbers, and their properties, each a number or a list. A mesh consists
-//! of vertices with `x`, `y` and `z`, perhaps `nx`, `ny` and `nz`, perhaps `s` and `t` or `u` and `v`, perhaps `red`, `green` and `blue`;
-//! and of
-//! faces with a list of vertices, perhaps with a list of texture coordinates, or triangle strips, as a list of vertices separated by −1.
-//! All other elements are read and counted, so that the user learns that they are not drawn.
+//! *Theory.* The header names elements, their numbers, and their properties, each a number or a list. A mesh consists of
+//! vertices with `x`, `y` and `z`, perhaps `nx`, `ny` and `nz`, perhaps `s` and `t` or `u` and `v`, perhaps `red`, `green` and
+//! `blue`; and of faces with a list of vertices, perhaps with a list of texture coordinates, or triangle strips, as a list of
+//! vertices separated by −1. All other elements are read and counted, so that the user learns that they are not drawn.
 //!
 //! *Practice.* Text and binary files share the reading of elements and differ in the source of numbers. A count is trusted only if at least
 //! the bytes that it requires follow.
@@ -174,8 +173,8 @@ impl Assembled {
         Ok(())
     }
 
-    /// Reads triangle strips: each index after the first two of a strip makes a triangle with the two before it; every second one is
-    /// reversed.
+    /// Reads triangle strips: each index after the first two of a strip makes
+    /// a triangle with the two before it; every second one is reversed.
     fn strips(&mut self, element: &Element, vertices: u64, source: &mut impl Source) -> Result<(), Wrong> {
         // The separator of two strips; if indices are unsigned, it is the largest number.
         let ends = |value: f64| [-1.0, f64::from(u32::MAX)].contains(&value);
