@@ -43,7 +43,7 @@ pub(super) fn select(sources: &mut Sources) {
     sources.add("generated/entries.wgsl", text);
 }
 
-/// Returns the short lists that a text declares: `var<uniform> list: array<Entry, 3>;`
+/// Returns the short lists that a text declares: `var<uniform> list: array<Entry, 3>;`.
 fn lists(tokens: &Tokens, known: &Known) -> Vec<List> {
     let signs = [(0, "<"), (1, "uniform"), (2, ">"), (4, ":"), (5, "array"), (6, "<"), (8, ",")];
     let all = (0..tokens.len()).filter(|&i| tokens.before(i) == "var" && tokens.are(i, &signs)).filter_map(|i| {

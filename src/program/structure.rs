@@ -53,7 +53,7 @@ const LONG: usize = 512;
 const LONG_WALK: u64 = 4_000;
 /// The largest number of items that a hierarchy's leaf, or a primitive, has bits for.
 const MOST_ITEMS: u64 = 1 << 28;
-/// The largest number of items of instanced meshes, over all instances; one value is reserved for no item.
+/// The largest number of items of instanced meshes, over all instances, and of nodes; one value is reserved for no item.
 const MOST_ONCE: u64 = (1 << 31) - 1;
 
 /// The largest number of shapes in lists that a mask has bits for, next to the bits of the acceleration structure.
