@@ -1,7 +1,7 @@
-// Where rays start. Outside the bounding sphere space is flat: a camera's ray from there starts where it enters, on the line along which it
-// comes to the camera; to an observer who moves it seems to come from elsewhere. Where the law goes on out there a camera sees along orbits,
-// and rays that miss the sphere go on from the camera. Given rays start where they are, and only what moves away from outside the sphere
-// never comes inside.
+// Computes where rays start. Outside the bounding sphere space is flat: a ray from a camera there starts where it enters the sphere, on the
+// line along which it reaches the camera. To a moving observer it seems to come from another direction. If the law continues beyond the
+// sphere, a camera sees along orbits, and rays that miss the sphere continue from the camera. Given rays start where they are; only a ray
+// that moves away from outside the sphere never comes inside.
 
 fn arrived(ray: CameraRay) -> CameraRay {
     if IS_GIVEN {
@@ -22,8 +22,8 @@ fn arrived(ray: CameraRay) -> CameraRay {
     return CameraRay(x, v, entering(ray.status, entry < 0.0));
 }
 
-// Given rays from outside the bounding sphere come from infinity: they are lines there, and start on the sphere where the orbit
-// with that asymptote does. One that misses it is taken up on its way in, well before its nearest point.
+// Starts a given ray from outside the bounding sphere at infinity. Such rays are lines there, and start on the sphere where the orbit with
+// that asymptote meets it. A ray that misses the sphere starts on its inbound path, well before its nearest point.
 fn arrived_from_infinity(ray: CameraRay) -> CameraRay {
     let y = ray.x - bound.center;
     let entry = bound_entry(ray.x, ray.d);

@@ -1,12 +1,12 @@
-// The camera's directions are those of an observer in curved spacetime: light K that it sees from a direction is linear in that. Four
-// components, the place's and then the time's; v = dx/dτ for light that goes into the past.
+// Converts directions in the frame of an observer in curved spacetime to velocities: the momentum K of the light that the observer sees is
+// linear in the direction. Vectors have four components, space first and then time; v = dx/dτ for light that travels into the past.
 
 struct Observer {
-    // Of the scene's three directions.
+    // The images of the scene's three directions.
     x: Real4,
     y: Real4,
     z: Real4,
-    // −u.
+    // −u, where u is the observer's four-velocity.
     rest: Real4,
 }
 

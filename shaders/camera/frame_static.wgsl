@@ -1,5 +1,5 @@
-// The camera's directions are those of an observer at rest outside a Schwarzschild hole: lengths along the radius are
-// shorter in coordinates by √(1 − 2M/r).
+// Converts directions in the frame of a static observer outside a Schwarzschild black hole to velocities: radial lengths are shorter in
+// coordinates by √(1 − 2M/r).
 
 fn frame_velocity(x: Real3, d: Real3) -> Real3 {
     let r = length(x - law.center);

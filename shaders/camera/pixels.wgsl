@@ -1,5 +1,5 @@
-// Which pixels of the picture are looked at: those of the tile, as they lie, or pixels from a list, to look at a few rays: places in the
-// tile are then only places in the list.
+// Selects the pixels of the image that are computed: the pixels of the tile, or pixels from a list if only a few rays are needed. With a
+// list, positions in the tile are positions in the list.
 
 var<storage, read> chosen: array<vec2u>;
 

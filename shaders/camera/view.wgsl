@@ -1,5 +1,5 @@
-// The views of a picture: one fills it, or two eyes' share it, the left eye's in its left or upper half. A pixel's half is its own, wherever
-// rounding puts its samples.
+// Divides an image into views: one fills the image, or two eyes share it, with the left eye in the left or upper half. A pixel keeps to its
+// half, wherever rounding puts its samples.
 
 fn picture_ray(pixel: vec2u) -> CameraRay {
     if SIDE_BY_SIDE {
@@ -15,12 +15,12 @@ fn picture_ray(pixel: vec2u) -> CameraRay {
     return camera_ray(image_plane(sample_point(pixel), frame.image));
 }
 
-// In a view that begins at `corner`.
+// Returns the ray of one eye, in a view that begins at `corner`.
 fn ray_of_eye(pixel: vec2u, size: vec2u, corner: vec2u, right: bool) -> CameraRay {
     return eye_ray(camera_ray(image_plane(sample_point(pixel) - vec2f(corner), size)), right);
 }
 
-// Are the corners of a pixel of the picture all of its own view?
+// Returns `true` if all corners of a pixel are in the same view.
 fn corners_shared(pixel: vec2u) -> bool {
     if SIDE_BY_SIDE {
         return pixel.x + 1u != frame.image.x / 2u;

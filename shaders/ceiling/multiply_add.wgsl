@@ -1,4 +1,4 @@
-// Sixteen independent chains of fused multiply-adds in registers.
+// Measures arithmetic throughput: sixteen independent chains of fused multiply-adds in registers.
 
 const ITERATIONS: u32 = 1024u;
 

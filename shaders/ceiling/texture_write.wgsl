@@ -1,4 +1,4 @@
-// Every texel once, and nothing else.
+// Measures texture writes: writes every texel once and does nothing else.
 
 @group(0) @binding(191) var texels: texture_storage_2d<rgba32float, write>;
 

@@ -1,46 +1,46 @@
-// Filters (thesis 2.3, 4.4): what a medium leaves of light on its way, L = exp(−∫ σ ds) L₀, where s is length in the scene and
-// σ = −ln c of the colour c that is left after a unit length. Weighed as a ray passes, step by step; the last step as far as it went.
+// Computes absorption in media (thesis 2.3, 4.4): the transmittance exp(−∫ σ ds), where s is length in the scene and σ = −ln c, c being the
+// color that remains after a unit length. It is accumulated step by step as a ray passes; the last step counts up to its end.
 //
-// A step is cut into pieces, each by Gauss's two points and again by its halves, until the two agree; what is taken is better than
-// both by Richardson's formula. Places on a curved step are retaken, as exact as the step itself.
+// A step is cut into pieces. Each is integrated by the two-point Gauss rule and again in halves, until the two results agree; Richardson
+// extrapolation then gives a value better than both. Positions on a curved step are retaken, so that they are as exact as the step itself.
 
 struct Filter {
-    // The density of an even filter, or the colour that is left where a texture is 0.
+    // The color after a unit length of a uniform absorber, or the color where a texture is 0.
     color: vec3f,
     kind: u32,
-    // The colour that is left where a texture is 1.
+    // The color after a unit length where a texture is 1.
     high: vec3f,
-    // How far the optical depths of a piece and of its halves may differ.
+    // The largest difference between the optical depths of a piece and of its halves.
     tolerance: f32,
-    // Where textures and formulas have their origin.
+    // The origin of textures and formulas.
     center: Real3,
-    // No piece is longer.
+    // The largest length of a piece.
     piece: f32,
-    // Radiance of the medium's own, per unit length.
+    // The radiance that the medium emits, per unit length.
     glow: vec3f,
-    // Lattice cells a unit length.
+    // Lattice cells per unit length.
     frequency: f32,
     axis: vec3f,
     octaves: u32,
     seed: u32,
-    // Of a wrapped texture its turns, and of marble the noise's part.
+    // The number of turns of a wrapped texture, or the amplitude of the noise in marble.
     times: f32,
-    // Which formulas, or which picture.
+    // The index of the formulas or of the image.
     which: u32,
 }
 
 var<storage, read> filters: array<Filter>;
 
-// Half the distance between Gauss's two points, in parts of a piece.
+// Half the distance between the two Gauss points, as a fraction of a piece.
 const GAUSS: Real = 0.28867513459481287;
-// Pieces that a step is cut into, at most.
+// The largest number of pieces of a step.
 const FILTER_PIECES: u32 = 1024u;
-// Of what a whole step may err a piece may this part, however short it is.
+// The least share of a step's tolerance that a piece may use, however short it is.
 const LEAST_SHARE: f32 = 0.25;
-// What rounding makes of an optical depth.
+// The effect of rounding on an optical depth.
 const FILTER_ROUNDING: f32 = 4e-7;
 
-// Of a piece, by the rule and by the rule for its halves.
+// The optical depth of a piece, by the rule and by the rule for its halves.
 struct Depths {
     whole: vec4f,
     halves: vec4f,
@@ -55,7 +55,7 @@ fn filter_step(ray: Ray, next: Ray) {
     filter_part(ray.phase, own_size(ray, next));
 }
 
-// The step on which a path ended, up to there.
+// Adds the absorption of the step on which a path ended, up to its end.
 fn filter_last(ray: Ray, end: PathPoint) {
     if SEES_GLOW {
         note_glow();
@@ -70,7 +70,8 @@ fn filter_end(ray: Ray, end: PathPoint) {
     }
 }
 
-// The same behind a surface, which has put the ray into another region and on a branch: it came through this region, as was noted.
+// Adds the absorption of that step after a surface has put the ray into another region and on a branch; `came_through` is the region that
+// the ray passed.
 fn filter_left(ray: Ray, end: PathPoint, came_through: u32) {
     let now = region_bits();
     enter_set(came_through);
@@ -78,7 +79,7 @@ fn filter_left(ray: Ray, end: PathPoint, came_through: u32) {
     enter_set(now);
 }
 
-// A segment between two slots of the state, if its ray is under way behind it.
+// Adds the absorption of a segment between two slots of the state, if its ray continues after it.
 fn filter_passed(spot: ActiveRay, lives: bool) {
     if lives {
         load_weight(spot.pixel);
@@ -90,7 +91,8 @@ fn filter_passed(spot: ActiveRay, lives: bool) {
     }
 }
 
-// A place on a ray's path so far behind p, in the step's own measure, with the length that the path covers there for each unit of that.
+// Returns the position on a ray's path at h behind p, in the parameter of the step, and the length that the path covers there per unit of
+// h.
 fn path_place(p: Phase, h: Real) -> Real4 {
     let q = retaken_step(p, h);
     return Real4(q[0].xyz, path_pace(q));
@@ -100,12 +102,12 @@ fn path_pace(p: Phase) -> Real {
     return length(path_velocity(p[1].xyz)) * own_pace(p);
 }
 
-// A point of the texture, so far behind p.
+// Returns the point of the texture at h behind p.
 fn place_in_filter(filter_at: Filter, p: Phase, h: Real) -> Real3 {
     return track_place(p, h).xyz - filter_at.center;
 }
 
-// The part of size h, in the step's own measure, that begins at p.
+// Adds the absorption of the stretch of size h, in the parameter of the step, that begins at p.
 fn filter_part(p: Phase, h: Real) {
     let filter_at = filters[filter_place()];
     let speed = f32(track_pace(p));
@@ -123,7 +125,7 @@ fn filter_part(p: Phase, h: Real) {
         let off = abs(halves.xyz - whole.xyz);
         let apart = max(off.x, max(off.y, off.z));
         let deep = max(halves.x, max(halves.y, halves.z));
-        // Of what a step may err a piece may by its length, down to a part.
+        // A piece may use the share of a step's tolerance that its length has, down to a minimum.
         let share = max(f32(own / h), LEAST_SHARE);
         let agrees = apart <= max(share * filter_at.tolerance, FILTER_ROUNDING * deep);
         filter_slips = filter_slips || (!agrees && is_last);
@@ -141,10 +143,10 @@ fn filter_part(p: Phase, h: Real) {
     }
 }
 
-// The optical depth of a piece from a on, and its length, by Gauss's rule: for all of it, and for its halves.
+// Returns the optical depth of a piece that begins at a, and its length, by the Gauss rule: for the whole piece, and for its halves.
 fn depths_over(filter_at: Filter, p: Phase, a: Real, size: Real) -> Depths {
     var depths = Depths(vec4f(0.0), vec4f(0.0));
-    // In a loop, for a texture's density is long: two points of the whole, then two of either half.
+    // A loop, because the code of a texture's density is long: two points of the whole, then two of either half.
     for (var i = 0u; i < 6u; i++) {
         let in_halves = i >= 2u;
         let middle = select(0.5, select(0.25, 0.75, i >= 4u), in_halves);
@@ -165,12 +167,12 @@ fn depth_rate(filter_at: Filter, q: Real4) -> vec4f {
     return f32(q.w) * vec4f(select(vec3f(0.0), density, there), 1.0);
 }
 
-// Of the colour that is left after a unit length: none of what is 0.
+// Returns the absorption coefficient for the color that remains after a unit length; no infinity where the color is 0.
 fn density_of(color: vec3f) -> vec3f {
     return -log(max(color, vec3f(1e-30)));
 }
 
-// Each region has a filter of its own, and the space outside of all the last one.
+// Each region has its own absorption, and the space outside all regions has the last one.
 fn filter_place() -> u32 {
     if !HAS_REGIONS {
         return 0u;

@@ -1,6 +1,6 @@
-// The density of each kind of filter, per unit length. Of a texture it follows from what the noise sums up to there.
+// The absorption coefficient of each kind, per unit length. In a texture it follows from the value of the noise.
 
-// The same density everywhere.
+// A uniform coefficient.
 
 const EVEN: u32 = 0u;
 
@@ -8,7 +8,7 @@ fn density_even(filter_at: Filter, q: Real3) -> vec3f {
     return filter_at.color;
 }
 
-// A density that the user wrote as formulas of the place.
+// A coefficient that the user wrote as formulas of the position.
 
 const FORMULA: u32 = 1u;
 
@@ -16,7 +16,7 @@ fn density_formula(filter_at: Filter, q: Real3) -> vec3f {
     return filter_formula(filter_at.which, q);
 }
 
-// A colour that the user wrote as formulas of the place: from 0 to 1, or it is none.
+// A color that the user wrote as formulas of the position; values outside [0, 1] are invalid.
 
 const COLOR_FORMULA: u32 = 2u;
 
@@ -25,7 +25,7 @@ fn density_color_formula(filter_at: Filter, q: Real3) -> vec3f {
     return select(vec3f(-1.0), density_of(color), color >= vec3f(0.0) & color <= vec3f(1.0 + 1e-6));
 }
 
-// Between two colours.
+// A transition between two colors.
 
 const MIX: u32 = 3u;
 
@@ -33,7 +33,7 @@ fn density_mix(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
     return density_of(mix(filter_at.color, filter_at.high, texture_share(filter_at, sum)));
 }
 
-// Between two colours, several times over (thesis 2.4.3).
+// A transition between two colors, repeated several times (thesis 2.4.3).
 
 const WRAPPED: u32 = 4u;
 
@@ -41,7 +41,7 @@ fn density_wrapped(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
     return density_of(mix(filter_at.color, filter_at.high, fract(filter_at.times * texture_share(filter_at, sum))));
 }
 
-// Seven colours, linear between. The thesis takes its rainbow from an equation that it does not print; this one is ours.
+// Seven colors, linear in between. The thesis takes its rainbow from an equation that it does not print; this one is our own.
 
 const RAINBOW: u32 = 5u;
 
@@ -60,7 +60,7 @@ fn density_rainbow(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
     return density_of(mix(stops[stop], stops[stop + 1u], at - f32(stop)));
 }
 
-// The colours of a picture's middle row, from left to right.
+// The colors of the middle row of an image, from left to right.
 
 const RAMP: u32 = 6u;
 
@@ -68,7 +68,7 @@ fn density_ramp(filter_at: Filter, q: Real3, sum: f32) -> vec3f {
     return density_of(min(image_sample(filter_at.which, vec2f(texture_share(filter_at, sum), 0.5), false), vec3f(1.0)));
 }
 
-// Such a picture along an axis, in waves that noise disturbs (Suffern 2007): u = (1 + sin(y + a s))/2.
+// The row of an image along an axis, in waves that noise disturbs (Suffern 2007): u = (1 + sin(y + a s))/2.
 
 const MARBLE: u32 = 7u;
 

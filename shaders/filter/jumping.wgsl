@@ -1,12 +1,13 @@
-// How far to go in place of a piece that disagrees with its halves: half of it, but wrapped textures jump, where every rule is of first order and halving would need a piece for each bit. So a jump is looked for, and a
-// piece ends at it. Between jumps the texture is smooth: false position, with the Illinois rule (Dowell and Jarratt 1971), finds in some
-// seven looks what bisection finds in twenty.
+// Chooses the length to try when a piece disagrees with its halves. Usually that is half of it. Wrapped textures jump, however; there every
+// rule is of first order, and halving would need a piece for each bit. So the jump is located, and a piece ends at it. Between jumps the
+// texture is smooth: false position with the Illinois rule (Dowell and Jarratt 1971) finds in about seven evaluations a position for which
+// bisection needs twenty.
 
 const JUMP_LOOKS: u32 = 22u;
-// In parts of a piece: how far from its ends is looked first, and how well a jump's place is known.
+// As fractions of a piece: the distance from its ends of the first evaluations, and the accuracy of a jump's position.
 const BESIDE_JUMP: Real = 1e-6;
 
-// How often a texture has wrapped at a place, and the part of the next time.
+// Returns the number of times that a texture has wrapped at a position, with the fraction of the next turn.
 fn turns_at(filter_at: Filter, p: Phase, h: Real) -> Real {
     if filter_at.kind != WRAPPED {
         return 0.0;
@@ -22,13 +23,13 @@ fn smaller_piece(filter_at: Filter, p: Phase, a: Real, own: Real) -> Real {
     var before = beside;
     var behind = own - beside;
     var wraps: Real = 0.0;
-    // The turns at both, from those at the first jump between them.
+    // The turns at both ends, relative to the first jump between them.
     var level: Real = 0.0;
     var near: Real = 0.0;
     var far: Real = 0.0;
-    // Which of the two the last look has moved.
+    // The end that the last evaluation moved.
     var moved = 0u;
-    // Both ends first, in the same loop: what looks is written out once, for it is long.
+    // Both ends come first, in the same loop: the evaluation is long, so that it should be in the program once.
     for (var i = 0u; i < JUMP_LOOKS && behind - before > 1.5 * beside; i++) {
         let slope = near - far;
         let line = before + (behind - before) * near / select(slope, 1.0, slope == 0.0);

@@ -1,5 +1,5 @@
-// The fractal sum of noise as a number from 0 to 1 (thesis Eq. 10): splines overshoot it, and are cut off there. Values alone, without
-// the gradients that media need, and without a loop but that over octaves.
+// The fractal sum of noise as a number from 0 to 1 (thesis Eq. 10): splines overshoot this range and are clamped. It computes values only,
+// without the gradients that media need, and has no loop except over octaves.
 
 fn noise_layer(cell: vec3i, seed: u32, across: Real4, up: Real4) -> Real {
     let a = dot(lattice_row(cell - vec3i(0, 1, 0), seed), across);
@@ -36,7 +36,7 @@ fn texture_sum(filter_at: Filter, q: Real3) -> f32 {
     return f32(sum);
 }
 
-// sum: of the texture at a place.
+// Returns the value in [0, 1] for `sum`, the sum of the texture at a position.
 fn texture_share(filter_at: Filter, sum: f32) -> f32 {
     let most = 2.0 - exp2(1.0 - f32(filter_at.octaves));
     return clamp(0.5 * sum / most + 0.5, 0.0, 1.0);

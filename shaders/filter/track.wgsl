@@ -1,14 +1,14 @@
-// What is filtered: the light on a ray's own path, and that which comes straight from a light. Media may glow: d(L/n²)/ds = ε/n² − σ L/n²,
-// with ε and σ even over a piece.
+// Applies absorption along the path of a ray and along straight lines to lights. Media may emit: d(L/n²)/ds = ε/n² − σ L/n², with ε and σ
+// constant over a piece.
 
-// True on a straight line, which is `line_way` long and a step of size 1.
+// True on a straight line, which has the direction and length `line_way` and is a step of size 1.
 var<private> on_line: bool;
 var<private> line_start: Real3;
 var<private> line_way: Real3;
 // The optical depth so far.
 var<private> line_depth: vec3f;
 
-// What is left of light along `way`, in the medium that it is in.
+// Returns the transmittance along `way`, in the medium at its start.
 fn filtered_share(start: Real3, way: Real3) -> vec3f {
     on_line = true;
     line_start = start;
@@ -37,7 +37,7 @@ fn track_pace(p: Phase) -> Real {
     return path_pace(p);
 }
 
-// Media add nothing to a light's light.
+// Media add no emission to the light of a light source.
 fn take_piece(filter_at: Filter, x: Real3, depth: vec4f) {
     if WEAKENS_LINES {
         if on_line {
@@ -48,7 +48,7 @@ fn take_piece(filter_at: Filter, x: Real3, depth: vec4f) {
     pass_piece(filter_at, x, depth);
 }
 
-// Whether what media add on this stretch is in no other branch's sum.
+// True if no other branch has added the emission of media on this stretch.
 var<private> glow_counts: bool;
 
 fn note_glow() {
@@ -60,7 +60,7 @@ fn pass_piece(filter_at: Filter, x: Real3, depth: vec4f) {
         scale_weight(exp(-depth.xyz));
         return;
     }
-    // (1 − e⁻ᵃ)/a, by its series where the difference would keep no digits.
+    // (1 − e⁻ᵃ)/a, by its series where the difference would lose all digits.
     let a = depth.xyz;
     let share = select((1.0 - exp(-a)) / max(a, vec3f(1e-30)), 1.0 - a * (0.5 - a / 6.0), a < vec3f(1e-2));
     if glow_counts {

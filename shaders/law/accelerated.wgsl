@@ -1,15 +1,15 @@
-// A law of the second order, dx = v, dv = a(x): with a constant of its own that each ray holds, or with none.
+// A second-order law, dx = v, dv = a(x), with or without a value that is constant along each ray.
 
 fn law_derivative(p: Phase) -> Phase {
     return Phase(p[1], law_acceleration(p[0], law_held(p)));
 }
 
-// dv, for the control by curvature.
+// Returns dv/dτ, for the step control by curvature.
 fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     return rate[1];
 }
 
-// G95's Table 1 under forces: v ← v − Σ M d(r) n̂.
+// Returns the new velocity of G95 Table 1 under forces: v ← v − Σ M d(r) n̂.
 fn next_velocity(p: Phase) -> Real3 {
     return p[1] + law_acceleration(p[0], law_held(p));
 }

@@ -1,8 +1,7 @@
-// Where the law goes on beyond the bounding sphere, and nothing else is: there rays follow their orbits at once, from a camera outside
-// (or, given to `trace`, from infinity) to the sphere, and from the sphere to infinity. So a small sphere gives the directions
-// at infinity.
+// Continues the law beyond the bounding sphere, where there is nothing else: rays follow their orbits in one step, from a camera outside
+// (or, given to `trace`, from infinity) to the sphere, and from the sphere to infinity. So a small sphere gives the directions at infinity.
 
-// Straight-line estimate of the s from here to where u is `aim`, outbound or inbound.
+// Estimates along a straight line the s from here to where u is `aim`, outbound or inbound.
 fn orbit_estimate(o: Orbit, aim: Real, outbound: bool) -> Real {
     let from_nearest = arc_tangent(-o.w, o.h * o.u);
     let side = sqrt(max(o.w * o.w + o.h * o.h * (o.u - aim) * (o.u + aim), 0.0));
@@ -14,7 +13,7 @@ fn orbit_estimate(o: Orbit, aim: Real, outbound: bool) -> Real {
 
 fn orbit_onto(start: Orbit, aim: Real, outbound: bool) -> Orbit {
     var o = start;
-    // The estimate is off by the deflection on the way, and what is left of it by the next order.
+    // The error of the estimate is the deflection along the path; the remaining error is of the next order.
     for (var round = 0u; round < 4u; round++) {
         let s = orbit_estimate(o, aim, outbound);
         let steps = select(1u, ASYMPTOTE_STEPS, round == 0u);
@@ -25,13 +24,13 @@ fn orbit_onto(start: Orbit, aim: Real, outbound: bool) -> Orbit {
     return o;
 }
 
-// The start of an orbit's ray where it comes in to u = aim.
+// Returns the start of the ray of an orbit where it comes in to u = aim.
 fn arriving(o: Orbit, aim: Real, status: u32) -> CameraRay {
     let p = orbit_point(orbit_onto(o, aim, false));
     return CameraRay(p[0], p[1], status);
 }
 
-// A path's end and velocity there, or its velocity at infinity if it escaped.
+// Returns the end of a path and its velocity there, or its velocity at infinity if it escaped.
 fn departed(code: u32, x: Real3, v: Real3) -> mat2x3<Real> {
     if !IS_ASYMPTOTIC {
         return mat2x3<Real>(x, v);

@@ -1,5 +1,5 @@
-// The bounding sphere, in (almost) flat space, which no ray that left it re-enters (W04 §4.1). On either side of a wormhole: as far round
-// the other mouth as round this one.
+// The bounding sphere, in (almost) flat space, which no ray that left it re-enters (W04 §4.1). A wormhole has one of equal radius around
+// each mouth.
 
 struct Bound {
     center: Real3,
@@ -8,7 +8,7 @@ struct Bound {
 
 var<uniform> bound: Bound;
 
-// From the middle of the nearer one.
+// Returns the position of x relative to the center of the nearer sphere.
 fn bound_offset(x: Real3) -> Real3 {
     let here = x - bound.center;
     if !HAS_THROAT {

@@ -1,5 +1,5 @@
-// A law of the second order that depends on tau too, dx = v, dv = a(x, v, tau): a state carries tau beside its velocity,
-// and ln k beside its place where light's frequency follows from it.
+// A second-order law that depends on tau too, dx = v, dv = a(x, v, tau): a state carries tau next to its velocity, and ln k next to its
+// position if the frequency of light depends on it.
 
 fn law_derivative(p: Phase) -> Phase {
     if FOLLOWS_SHIFT {

@@ -1,12 +1,11 @@
-// Rays inside a sphere and moving inwards are captured. For a Schwarzschild hole the sphere is the horizon, or wider, up to
-// the photon sphere r = 3M, where nothing of the scene lies between: what moves inwards there never comes back. Round
-// a hole that spins nearly as fast as it may, what turns before the horizon is not captured. A line element may say by a formula where rays
-// that move further in end.
+// Captures rays that are inside a sphere and move inwards. For a Schwarzschild black hole the sphere is the horizon, or a larger one up to
+// the photon sphere r = 3M if it contains nothing of the scene: a ray that moves inwards there never returns. Around a nearly extremal
+// black hole rays that turn before the horizon are not captured. A custom metric may specify the capture surface by a formula.
 
 struct CaptureSphere {
     center: Real3,
     radius: Real,
-    // What its kind has besides a position, and its kind.
+    // The direction or spin that the kind of source needs, and the kind.
     along: Real3,
     kind: u32,
 }
@@ -34,7 +33,7 @@ fn law_captured(x: Real3, v: Real3) -> bool {
     return captured;
 }
 
-// Is x inside of one of the spheres, wherever it moves?
+// Returns `true` if x is inside one of the spheres, in whatever direction it moves.
 fn inside_capture(x: Real3) -> bool {
     if CAPTURES_BY_FORMULA {
         return metric_gap(metric_place(x)).w < 0.0;
@@ -50,7 +49,7 @@ fn inside_capture(x: Real3) -> bool {
     return within;
 }
 
-// About the only centre.
+// Returns the capture radius around the only center.
 fn captured_within() -> Real {
     if !CAPTURES {
         return 0.0;
@@ -58,7 +57,7 @@ fn captured_within() -> Real {
     return capture_spheres[0].radius;
 }
 
-// The outward normal and the signed distance of the nearest of the spheres.
+// Returns the outward normal and the signed distance of the nearest sphere.
 fn capture_gap(x: Real3) -> Real4 {
     if CAPTURES_BY_FORMULA {
         let gap = metric_gap(metric_place(x));

@@ -1,5 +1,5 @@
-// Light round a hole with a charge and without spin (Reissner and Nordström), also in a space with a cosmological constant, in path form:
-// x″ = h² (−3M/r⁵ + 2Q²/r⁶) x with h = |x × v|, in pseudo-Cartesian coordinates of areal r. The constant bends no path: it drops out.
+// Light around a black hole with charge and without spin (Reissner–Nordström), also with a cosmological constant, in path form: x″ = h²
+// (−3M/r⁵ + 2Q²/r⁶) x with h = |x × v|, in pseudo-Cartesian coordinates of areal r. The cosmological constant bends no path: it drops out.
 
 struct Law {
     center: Real3,
@@ -12,7 +12,7 @@ struct Law {
 
 var<uniform> law: Law;
 
-// h² = |x × v|².
+// Returns h² = |x × v|².
 fn law_held(p: Phase) -> Real {
     let l = cross(p[0] - law.center, p[1]);
     return dot(l, l);
@@ -25,7 +25,7 @@ fn law_acceleration(at: Real3, held: Real) -> Real3 {
     return (held / (r2 * r2 * r2) * (2.0 * law.charge_squared - 3.0 * law.mass * r)) * x;
 }
 
-// The tau over which the law changes: the distance r over the speed.
+// Returns the tau over which the law changes: the distance r divided by the speed.
 fn law_scale(p: Phase) -> Real {
     let x = p[0] - law.center;
     return sqrt(dot(x, x) / dot(p[1], p[1]));

@@ -12,7 +12,7 @@ fn flow_field(x: Real3) -> Real3 {
     return Real3(flow.sigma * (x.y - x.x), x.x * (flow.rho - x.z) - x.y, x.x * x.y - flow.beta * x.z);
 }
 
-// The time of the fastest rate, that at which volumes shrink.
+// Returns the time constant of the fastest rate, at which volumes shrink.
 fn flow_time() -> Real {
     return 1.0 / (flow.sigma + 1.0 + flow.beta);
 }

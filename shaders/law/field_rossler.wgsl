@@ -12,7 +12,7 @@ fn flow_field(x: Real3) -> Real3 {
     return Real3(-(x.y + x.z), x.x + flow.alpha * x.y, flow.beta + x.z * (x.x - flow.gamma));
 }
 
-// z grows and shrinks at the rate x − γ, of the size of γ on the attractor.
+// z grows and shrinks at the rate x − γ, which is of the order of γ on the attractor.
 fn flow_time() -> Real {
     return 1.0 / (1.0 + abs(flow.alpha) + abs(flow.gamma));
 }

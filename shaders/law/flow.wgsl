@@ -1,11 +1,11 @@
-// A dynamical system as a first-order flow (G95 §2.2): dx = F(x). The direction of view does not matter; v is F(x), set
-// anew after each step, so that arcs and outputs find the path's tangent where other laws keep it.
+// A dynamical system as a first-order flow (G95 §2.2): dx = F(x). The direction of view has no effect; v is F(x), recomputed after each
+// step, so that arcs and outputs find the tangent of the path where other laws store it.
 
 fn law_derivative(p: Phase) -> Phase {
     return Phase(flow_field(p[0]), Real3(0.0));
 }
 
-// Along the flow F changes as DF · F; the curvature needs only its direction and size, for which a small step is enough.
+// Along the flow F changes as DF · F; the curvature needs only its direction and magnitude, so that a small step is sufficient.
 fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     let small = 1e-3 * flow_time();
     return (flow_field(p[0] + small * rate[0]) - rate[0]) / small;
@@ -23,7 +23,7 @@ fn law_scale(p: Phase) -> Real {
     return flow_time();
 }
 
-// G95's Table 1 under a flow: v ← F(x).
+// Returns the new velocity of G95 Table 1 under a flow: v ← F(x).
 fn next_velocity(p: Phase) -> Real3 {
     return flow_field(p[0]);
 }

@@ -1,4 +1,4 @@
-// A dynamical system's field as an acceleration: W04's Eq. 1 read literally, dx = v, dv = F(x).
+// The field of a dynamical system as an acceleration: W04 Eq. 1 read literally, dx = v, dv = F(x).
 
 fn law_acceleration(x: Real3, held: Real) -> Real3 {
     return flow_field(x);

@@ -1,4 +1,4 @@
-// A law whose acceleration holds nothing constant along a ray.
+// A law whose acceleration has no value that is constant along a ray.
 
 fn law_held(p: Phase) -> Real {
     return 0.0;

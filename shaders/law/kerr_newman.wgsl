@@ -1,23 +1,23 @@
-// Light round a hole with a spin and a charge (Kerr and Newman), in Cartesian ingoing Kerr-Schild coordinates: g = η + f l l, l_t = 1 and
-// |l| = 1, regular on the axis and at the horizon. Rays go into the past, by τ = t_camera − t, and v = dx/dτ: light is null where
-// |v|² = 1 − f W², with W = 1 − l·v.
+// Light around a black hole with spin and charge (Kerr–Newman), in Cartesian ingoing Kerr–Schild coordinates: g = η + f l l, l_t = 1 and
+// |l| = 1, regular on the axis and at the horizon. Rays go into the past, by τ = t_camera − t, and v = dx/dτ: light is null if |v|² = 1 − f
+// W², with W = 1 − l·v.
 //
-// The congruence l has no shear: ∂ᵢlⱼ is its expansion θ and its twist ω about l, and θ + iω = 1/(r + ia cos θ). With that the geodesic
-// equation needs no Christoffel symbol:
+// The congruence l has no shear: ∂ᵢlⱼ is its expansion θ and its twist ω about l, and θ + iω = 1/(r + ia cos θ). So the geodesic equation
+// needs no Christoffel symbols:
 //     dv/dτ = ½W² ∇f + Ḟ (l − v) − 2ωF l × v,   F = f W,   Ḟ = W v·∇f − f (½W² l·∇f + θ (|v|² − (l·v)²))
 
 struct Law {
     center: Real3,
     mass: Real,
-    // a, along the axis.
+    // The spin a, along the axis.
     spin: Real3,
-    // Q².
+    // The squared charge Q².
     charge_squared: Real,
 }
 
 var<uniform> law: Law;
 
-// Of a place.
+// The quantities of the metric at a position.
 struct KerrSchild {
     l: Real3,
     f: Real,
@@ -33,7 +33,7 @@ fn kerr_schild(x: Real3) -> KerrSchild {
     let d = spheroid.y;
     let a_cos = spheroid.z / r;
     let k = d - a_cos * a_cos;
-    // Where r grows, times 2d.
+    // The direction in which r grows, times 2d.
     let outwards = r * x + a_cos * law.spin;
     let f = (law.mass * r - 0.5 * law.charge_squared) / d;
     let slope = (0.5 * law.mass * outwards - f * (k * x + spheroid.z * law.spin)) / (d * d);
@@ -57,7 +57,8 @@ fn law_start(x: Real3, v: Real3) -> Phase {
     return Phase(x, v / light_speed(1.0 - g.f, b, b * along + dot(v, v)));
 }
 
-// The tau over which the law changes: r, as light has speed 1 far away. Where it nears the horizon it slows down, but what pulls it does not.
+// Returns the tau over which the law changes: r, because light has speed 1 far away. Near the horizon light slows down, but the pull does
+// not.
 fn law_scale(p: Phase) -> Real {
     return spheroid_of(p[0] - law.center, law.spin).x;
 }

@@ -1,4 +1,4 @@
-// Paths may end at a given tau (G95 limits the length of rays): the last step is shortened to it.
+// Ends paths at a given tau (G95 limits the length of rays): the last step is shortened to it.
 
 struct Limit {
     length: Real,
@@ -13,7 +13,7 @@ fn limited_step(h: Real, ray: Ray) -> Real {
     return min(h, (limit.length - ray.tau) - ray.rest);
 }
 
-// A last step of a rounding error's size would move nothing.
+// A last step of the size of a rounding error would move nothing.
 fn length_reached(tau: Real) -> bool {
     if !IS_LIMITED {
         return false;

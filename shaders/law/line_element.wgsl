@@ -1,7 +1,8 @@
-// What a line element makes of light. With U = (v, −1), g U′ = force + κ g U, and τ is the coordinates' time, so that U′ has no part in
-// time: that is κ's condition. What has no space at a time, γ not positive or α² ≤ 0, gives no number, and the ray fails.
+// The motion of light in a custom metric. With U = (v, −1), g U′ = force + κ g U, and τ is the coordinate time, so that U′ has no time
+// component: this condition determines κ. If the slice of constant time is not spacelike (γ not positive, or α² ≤ 0), the result is not a
+// number, and the ray fails.
 
-// g: of the place xx, yy, zz and yz, xz, xy, of both xt, yt, zt, of time tt.
+// The metric g: components xx, yy, zz and yz, xz, xy of space; xt, yt, zt; and tt of time.
 struct Metric {
     own: Real3,
     mixed: Real3,
@@ -9,7 +10,7 @@ struct Metric {
     clock: Real,
 }
 
-// And the force, of the place and of time.
+// The metric with its force, in space and in time.
 struct MetricBend {
     metric: Metric,
     force: Real3,
@@ -20,12 +21,12 @@ fn metric_lowered(m: Metric, a: Real3) -> Real3 {
     return m.own * a + m.mixed.zzy * a.yxx + Real3(m.mixed.y * a.z, m.mixed.x * a.z, m.mixed.x * a.y);
 }
 
-// g(k, k).
+// Returns g(k, k).
 fn metric_square(m: Metric, k: Real4) -> Real {
     return dot(k.xyz, metric_lowered(m, k.xyz) + (2.0 * k.w) * m.shift) + m.clock * k.w * k.w;
 }
 
-// γ by its Cholesky factor: 1/ of its diagonal, and what is below that, yx, zx, zy.
+// The Cholesky factor of γ: the inverse of its diagonal, and the elements below it, yx, zx, zy.
 struct Factor {
     inverse: Real3,
     below: Real3,
@@ -50,7 +51,7 @@ fn metric_raised(f: Factor, a: Real3) -> Real3 {
     return Real3((x - f.below.x * b - f.below.y * c) * f.inverse.x, b, c);
 }
 
-// dv/dτ; and d ln k/dτ, where kU is light's momentum.
+// Returns dv/dτ, and d ln k/dτ, where kU is the momentum of light.
 fn metric_stretch(bend: MetricBend, v: Real3) -> Real4 {
     let m = bend.metric;
     let factor = metric_factor(m);

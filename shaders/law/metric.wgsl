@@ -1,21 +1,22 @@
-// Light by a line element: v = dx/dτ, τ = t_camera − t. Where a throat joins two sides of space, each is drawn round a mouth of its own, and a
-// place is on the side of the mouth that it is nearer to; a little beyond the throat, l < 0, it is still on the side that it came from.
+// Light in a custom metric: v = dx/dτ, τ = t_camera − t. If a throat joins two sides of space, each side is drawn around a mouth of its
+// own, and a position belongs to the side of the nearer mouth. Slightly beyond the throat, at l < 0, it still belongs to the side that it
+// came from.
 
 struct Law {
     center: Real3,
-    // When the picture is taken.
+    // The coordinate time at the camera.
     time: Real,
-    // The other side's mouth, and ρ₀.
+    // The mouth of the other side, and ρ₀.
     other: Real3,
     radius: Real,
 }
 
 var<uniform> law: Law;
 
-// 1 on this side, −1 on the other: of the place that was asked for last.
+// 1 on this side, −1 on the other: for the position that was evaluated last.
 var<private> metric_side: Real;
 
-// From the mouth that is nearer.
+// Returns the position of x relative to the nearer mouth.
 fn mouth_offset(x: Real3) -> Real3 {
     let here = x - law.center;
     let there = x - law.other;

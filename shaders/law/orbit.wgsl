@@ -1,18 +1,18 @@
-// A ray about its law's only centre stays in a plane through it. There u = 1/r obeys Binet's equation, in the parameter s with
-// ds = dτ/r² instead of the angle φ = h s, so that radial rays, whose h = |x × v| is 0, need no case of their own:
+// The orbit equation around the only center of a law. A ray stays in a plane through the center. There u = 1/r obeys the Binet equation, in
+// the parameter s with ds = dτ/r² instead of the angle φ = h s, so that radial rays, whose h = |x × v| is 0, need no special case:
 //
 //     w = du/ds = −ṙ,    dw/ds = P(u) − h² u,
 //
-// with P = −r² a_r of the law. A straight line is a harmonic oscillation in s: steps are as long as the angle allows, however
-// far the ray goes, and one evaluation is a few scalar operations.
+// with P = −r² a_r of the law. A straight line is a harmonic oscillation in s: steps are as long as the angle allows, however far the ray
+// goes, and one evaluation is a few scalar operations.
 
 struct Orbit {
     u: Real,
     w: Real,
-    // φ since n.
+    // The angle φ from n.
     angle: Real,
     h: Real,
-    // Unit vectors: from the centre to where the orbit was begun, and at right angles to it, onward.
+    // Unit vectors: from the center to the start of the orbit, and perpendicular to it in the direction of motion.
     n: Real3,
     t: Real3,
 }
@@ -24,12 +24,12 @@ fn orbit_of(place: Real3, v: Real3) -> Orbit {
     let radial = dot(n, v);
     let across = v - radial * n;
     let speed = length(across);
-    // A radial ray never turns to its t.
+    // A radial ray never turns towards its t, so that any t will do.
     let t = across / max(speed, 1e-30);
     return Orbit(1.0 / r, -radial, 0.0, r * speed, n, t);
 }
 
-// x and v.
+// Returns the position x and the velocity v.
 fn orbit_point(o: Orbit) -> mat2x3<Real> {
     let turn = real_sin_cos(o.angle);
     let outward = turn.y * o.n + turn.x * o.t;
@@ -45,7 +45,7 @@ fn orbit_captured(o: Orbit) -> bool {
     return (o.w > 0.0) & (o.u * captured_within() > 1.0);
 }
 
-// What a step of Nyström's method, of order 4, adds to u and w.
+// Returns the change of u and w in a Nyström step of order 4.
 fn orbit_change(o: Orbit, s: Real) -> Real2 {
     let hh = o.h * o.h;
     let a1 = orbit_rate(o.u, hh);
@@ -64,21 +64,21 @@ fn orbit_step(o: Orbit, s: Real) -> Orbit {
     return next;
 }
 
-// The step by which the orbit turns through eta at most, and u changes by thrice that fraction of `size` or less: the lesser of
-// eta/max(h, √(|dw/ds|/size)) and that fraction over |w|, written so that no division waits for another.
+// Returns the step by which the orbit turns through eta at most, and u changes by three times that fraction of `size` or less: the smaller
+// of eta/max(h, √(|dw/ds|/size)) and that fraction over |w|, written so that no division waits for another.
 fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
     let hh = o.h * o.h;
     let turn = sqrt(size / max(hh * size, abs(orbit_rate(o.u, hh))));
     return min(eta * turn, min(3.0 * eta, 0.5) * size / abs(o.w));
 }
 
-// Where it goes at infinity, where u = 0.
+// Returns the direction of the orbit at infinity, where u = 0.
 fn orbit_asymptote(o: Orbit) -> Real3 {
     let turn = real_sin_cos(o.angle);
     return -o.w * (turn.y * o.n + turn.x * o.t);
 }
 
-// The orbit that comes in along the line through x with velocity v.
+// Returns the orbit that comes in along the line through x with velocity v.
 fn orbit_from_infinity(x: Real3, v: Real3) -> Orbit {
     let speed = length(v);
     let d = v / speed;

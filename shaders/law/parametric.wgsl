@@ -1,16 +1,16 @@
-// Rays along a curve that the scene writes, x(t), y(t), z(t) (G95 §2.3): the same from every place, moved so that it leads through that
-// place. A state carries tau, which is t from the curve's beginning.
+// Rays along a parametric curve of the scene, x(t), y(t), z(t) (G95 §2.3): the curve is the same for every ray, shifted so that it passes
+// through the ray's position. A state carries tau, which is t from the beginning of the curve.
 
 struct ParametricCurve {
-    // From the place that a ray is given to its start.
+    // The vector from the position that is given for a ray to the ray's start.
     offset: Real3,
-    // t there.
+    // The value of t there.
     first: Real,
 }
 
 var<uniform> law: ParametricCurve;
 
-// Whose axes the curve has: the camera's, or the scene's.
+// The axes of the curve: the camera's, or the scene's.
 struct Axes {
     x: Real3,
     y: Real3,
@@ -26,7 +26,7 @@ fn law_axes(c: Real3) -> Real3 {
     return c.x * axes.x + c.y * axes.y + c.z * axes.z;
 }
 
-// Place and velocity, but for where the curve lies.
+// Returns position and velocity, before the shift.
 fn ray_curve(tau: Real) -> mat2x3<Real> {
     let c = curve_point(law.first + tau);
     return mat2x3<Real>(law_axes(c[0]), law_axes(c[1]));
@@ -40,7 +40,7 @@ fn law_pull_at(x: Real3, v: Real3, tau: Real) -> Real3 {
     return law_axes(curve_pull(law.first + tau));
 }
 
-// The t in which it turns by a radian, but no more than an eighth of all.
+// Returns the t in which the curve turns by one radian, but at most an eighth of its whole range.
 fn law_scale(p: Phase) -> Real {
     let turn = length(curve_pull(law.first + p[1].w));
     return min(length(p[1].xyz) / max(turn, 1e-30), 0.125 * limit.length);

@@ -1,4 +1,4 @@
-// Phase for laws of space alone: the columns are x and v.
+// The state `Phase` of laws in space alone: its columns are x and v.
 
 alias Phase = mat2x3<Real>;
 

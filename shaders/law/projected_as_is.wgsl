@@ -1,4 +1,4 @@
-// A law that leaves a step's end as it is.
+// A law that leaves the end of a step unchanged.
 
 fn law_projected(p: Phase) -> Phase {
     return p;

@@ -1,9 +1,8 @@
-// Light round a Schwarzschild hole as the 2004 paper integrates it: the geodesic equation in pseudo-Cartesian
-// Schwarzschild coordinates, with Christoffel symbols contracted (W04 §5.4, App. A), ṫ carried from the null condition at
-// the start.
+// Light around a Schwarzschild black hole as Weiskopf et al. (2004) integrate it: the geodesic equation in pseudo-Cartesian Schwarzschild
+// coordinates, with Christoffel symbols contracted (W04 §5.4, App. A), and ṫ carried from the null condition at the start.
 //
-// Departure: at the horizon the equation is 0/0, and float32 loses it before. Inside r = 2M/(1 − NEAR) the null condition is
-// put in, which leaves the regular limit −3M |v⊥|²/r² n̂ (the path form) for the same path in the same parameter.
+// Departure: at the horizon the equation is 0/0, and float32 loses it before. Inside r = 2M/(1 − NEAR) the null condition is substituted,
+// which leaves the regular limit −3M |v⊥|²/r² n̂ (the path form) for the same path in the same parameter.
 
 struct Law {
     center: Real3,
@@ -49,7 +48,7 @@ fn path_acceleration(p: Phase, rate: Phase) -> Real3 {
     return rate[1].xyz;
 }
 
-// ṫ changes over r − 2M, so steps shrink towards the horizon, down to where the regular limit takes over.
+// ṫ changes over r − 2M, so that steps shrink towards the horizon, down to where the regular limit takes over.
 fn law_scale(p: Phase) -> Real {
     let r = length(p[0].xyz - law.center);
     return max(r - 2.0 * law.mass, 2.0 * NEAR * law.mass) / length(p[1].xyz);

@@ -1,13 +1,14 @@
-// Round a hole with a spin a and a charge Q light's equations separate: r and the angles each go their own way in Mino's parameter s, with
-// ds = dλ/Σ and Σ = r² + a² cos²θ. With u = 1/r and a unit vector n of the angles, in axes that turn about the spin by ψ(s),
+// The separated equations of light around a black hole with spin a and charge Q: r and the angles evolve independently in the Mino
+// parameter s, with ds = dλ/Σ and Σ = r² + a² cos²θ. With u = 1/r and a unit vector n of the angles, in axes that turn about the spin by
+// ψ(s),
 //
 //     u″ = (a²E² − G) u + 3MK u² − 2(a²η + Q²K) u³,    n″ = a²E² n_z e_z − (G + 2a²E² n_z²) n,    ψ′ = a (E − W),
 //
-// where E, aL, G, K = G − 2aLE + a²E² and η = G − L² are kept along a ray. There are no square roots and no turning points to sign, the
-// axis is a place like any other, and the horizon shows in W alone. Steps are as long as the angles allow, however far a ray goes.
+// where E, aL, G, K = G − 2aLE + a²E² and η = G − L² are constants of motion. There are no square roots and no signs of turning points, the
+// axis needs no special case, and the horizon appears in W alone. Steps are as long as the angles allow, however far a ray goes.
 //
-// n is the l of Kerr-Schild coordinates: the place is r n + a e_z × n, turned by ψ. Momenta are scaled so that E² + (G + a²E²)/M² = 1, which
-// holds inside an ergosphere too.
+// n is the l of Kerr–Schild coordinates: the position is r n + a e_z × n, turned by ψ. Momenta are scaled so that E² + (G + a²E²)/M² = 1,
+// which also works inside an ergosphere.
 
 struct Orbit {
     u: Real,
@@ -15,22 +16,22 @@ struct Orbit {
     w: Real,
     // ψ.
     angle: Real,
-    // √(G − a²E²): far away u goes like that of a straight line.
+    // √(G − a²E²): far away u behaves like u of a straight line with this h.
     h: Real,
     n: Real3,
     // n′.
     t: Real3,
-    // W = −l·(dx, dt), by which ψ and τ go.
+    // W = −l·(dx, dt), which drives ψ and τ.
     gap: Real,
     energy: Real,
     // E + (a²E − aL) u² is P u², with P of the radial equation.
     lift: Real,
-    // Carter's K.
+    // The Carter constant K.
     carter: Real,
     total: Real,
     // a²E².
     twist: Real,
-    // Of u² and u³ in u″.
+    // The factors of u² and u³ in u″.
     pull: Real2,
 }
 
@@ -38,12 +39,12 @@ fn orbit_center() -> Real3 {
     return law.center;
 }
 
-// Up to this u the pull is small beside G u.
+// Returns the u up to which the pull is small compared with G u.
 fn orbit_calm() -> Real {
     return 1.0 / (3.0 * law.mass);
 }
 
-// Axes of which the third is the spin's.
+// Returns axes of which the third is the spin axis.
 fn spin_axes() -> mat3x3<Real> {
     let a = length(law.spin);
     let e = select(law.spin / max(a, 1e-30), Real3(0.0, 0.0, 1.0), a == 0.0);
@@ -54,22 +55,22 @@ fn spin_axes() -> mat3x3<Real> {
     return mat3x3<Real>(first, Real3(both, side + e.y * e.y * k, -e.y), e);
 }
 
-// e_z × y.
+// Returns e_z × y.
 fn across_spin(y: Real3) -> Real3 {
     return Real3(-y.y, y.x, 0.0);
 }
 
-// Δ u², which is 0 at a horizon.
+// Returns Δ u², which is 0 at a horizon.
 fn orbit_delta(u: Real) -> Real {
     return 1.0 - u * (2.0 * law.mass - (dot(law.spin, law.spin) + law.charge_squared) * u);
 }
 
-// W = (P − r′)/Δ for what moves inwards, and K/(P + r′), which is the same, for what moves outwards: neither is 0/0 on its way.
+// Returns W = (P − r′)/Δ for inward motion and K/(P + r′), which is equal, for outward motion: neither becomes 0/0.
 fn orbit_gap(o: Orbit, u: Real, w: Real) -> Real {
     let u2 = u * u;
     let p = o.energy + o.lift * u2;
     let inwards = w > 0.0;
-    // A step may end inside the horizon: there it is captured.
+    // A step may end inside the horizon, where it is captured.
     return select(o.carter * u2, p + w, inwards) / select(p - w, max(orbit_delta(u), 1e-6), inwards);
 }
 
@@ -95,7 +96,7 @@ fn orbit_of(place: Real3, v: Real3) -> Orbit {
     return orbit_kept(1.0 / r, -rising / (r * r), n, t, gap, energy, momentum);
 }
 
-// From u, u′, n, n′, W, E and aL: with all that is kept, to scale.
+// Returns the orbit for u, u′, n, n′, W, E and aL, with all constants, scaled.
 fn orbit_kept(u: Real, w: Real, n: Real3, t: Real3, gap: Real, energy: Real, momentum: Real) -> Orbit {
     let a2 = dot(law.spin, law.spin);
     let twist = a2 * energy * energy;
@@ -122,13 +123,13 @@ fn orbit_kept(u: Real, w: Real, n: Real3, t: Real3, gap: Real, energy: Real, mom
     return o;
 }
 
-// A vector of the turning axes in the scene's.
+// Converts a vector from the turning axes to the scene's axes.
 fn orbit_turned(o: Orbit, y: Real3) -> Real3 {
     let turn = real_sin_cos(o.angle);
     return spin_axes() * Real3(turn.y * y.xy + turn.x * across_spin(y).xy, y.z);
 }
 
-// x and v.
+// Returns the position x and the velocity v.
 fn orbit_point(o: Orbit) -> mat2x3<Real> {
     let a = length(law.spin);
     let r = 1.0 / o.u;
@@ -138,7 +139,7 @@ fn orbit_point(o: Orbit) -> mat2x3<Real> {
     return mat2x3<Real>(law.center + orbit_turned(o, x), orbit_turned(o, v));
 }
 
-// dτ/ds = ΣE + (2Mr − Q²) W.
+// Returns dτ/ds = ΣE + (2Mr − Q²) W.
 fn orbit_pace(o: Orbit, u: Real, height: Real, gap: Real) -> Real {
     let r = 1.0 / u;
     let sigma = r * r + dot(law.spin, law.spin) * height * height;
@@ -149,14 +150,14 @@ fn orbit_captured(o: Orbit) -> bool {
     return (o.w > 0.0) & (o.u * captured_within() > 1.0) & !orbit_turns(o);
 }
 
-// Of n and u.
+// Returns the second derivatives of n and u.
 fn orbit_rate(o: Orbit, y: Real4) -> Real4 {
     let turn = o.total + 2.0 * o.twist * y.z * y.z;
     let u = (o.twist - o.total) + y.w * (o.pull.x + y.w * o.pull.y);
     return Real4(-turn, -turn, o.twist - turn, u) * y;
 }
 
-// A step of Nyström's method, of order 4; ψ by Simpson's rule.
+// Takes a Nyström step of order 4; ψ follows by Simpson's rule.
 fn orbit_step(o: Orbit, s: Real) -> Orbit {
     let y = Real4(o.n, o.u);
     let v = Real4(o.t, o.w);
@@ -179,16 +180,16 @@ fn orbit_step(o: Orbit, s: Real) -> Orbit {
     return next;
 }
 
-// The step by which n turns through eta at most, and u no further by its own rate, which near the hole is the greater; and u changes by
-// thrice that fraction of `size` or less.
+// Returns the step by which n turns through eta at most, and u advances no further at its own rate, which is the greater one near the black
+// hole; and by which u changes by three times that fraction of `size` or less.
 fn orbit_stride(o: Orbit, eta: Real, size: Real) -> Real {
     let own = abs(o.twist - o.total + o.u * (2.0 * o.pull.x + 3.0 * o.pull.y * o.u));
     let turn = inverseSqrt(max(max(o.total + o.twist, own), 1e-30));
     return min(eta * turn, min(3.0 * eta, 0.5) * size / abs(o.w));
 }
 
-// The orbit that comes in along the line through x with velocity v. There W = 2E, and in axes that turn by −aE n′ is E times the way
-// from the hole to the line.
+// Returns the orbit that comes in along the line through x with velocity v. There W = 2E, and in axes that turn by −aE n′ is E times the
+// vector from the black hole to the line.
 fn orbit_from_infinity(x: Real3, v: Real3) -> Orbit {
     let axes = spin_axes();
     let energy = length(v);
@@ -199,7 +200,7 @@ fn orbit_from_infinity(x: Real3, v: Real3) -> Orbit {
     return orbit_kept(0.0, energy, -d, energy * off, 2.0 * energy, energy, momentum);
 }
 
-// Where it goes at infinity, where u = 0.
+// Returns the direction of the orbit at infinity, where u = 0.
 fn orbit_asymptote(o: Orbit) -> Real3 {
     return -o.w * orbit_turned(o, o.n);
 }

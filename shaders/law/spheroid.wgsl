@@ -1,11 +1,11 @@
-// The flattened spheroids round a hole of spin a on which Kerr's r is the same.
+// The oblate spheroids of constant Boyer–Lindquist r around a black hole of spin a.
 
-// At x from the hole: r, d = ½(r² + a² cos²θ), and a·x = r a cos θ.
+// Returns, at x relative to the black hole: r, d = ½(r² + a² cos²θ), and a·x = r a cos θ.
 fn spheroid_of(x: Real3, a: Real3) -> Real3 {
     let k = 0.5 * (dot(x, x) - dot(a, a));
     let along = dot(a, x);
     let d = sqrt(k * k + along * along);
-    // r² = k + d, without a difference of equals near the ring.
+    // r² = k + d, without cancellation near the ring.
     let r2 = select(along * along / (d - k), k + d, k > 0.0);
     return Real3(sqrt(max(r2, 1e-30)), d, along);
 }

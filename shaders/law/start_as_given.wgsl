@@ -1,4 +1,4 @@
-// Velocities are taken as they are, and a ray's time begins with it.
+// Takes velocities as they are; the time of a ray begins with it.
 
 fn law_start(x: Real3, v: Real3) -> Phase {
     if CARRIES_TIME {

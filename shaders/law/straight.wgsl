@@ -1,10 +1,10 @@
-// Straight lines, followed by a general solver: what the other laws are compared with.
+// Straight lines, followed by a general solver: the baseline for the other laws.
 
 fn law_acceleration(x: Real3, held: Real) -> Real3 {
     return Real3(0.0);
 }
 
-// Nothing changes: the way through the whole bounding sphere.
+// The direction is constant, so that the scale is the whole bounding sphere.
 fn law_scale(p: Phase) -> Real {
     return bound.radius / length(p[1]);
 }

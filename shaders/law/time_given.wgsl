@@ -1,4 +1,4 @@
-// A flow that changes over a time that the scene gives.
+// A flow whose characteristic time is given by the scene.
 
 fn flow_time() -> Real {
     return own_scale.scale;

@@ -1,7 +1,7 @@
-// A hole that spins nearly as fast as it may has orbits of light within the place where rays are captured. There light on its way in turns if
-// its radial potential has a root before the horizon: in y = r − r₊
+// Finds the rays that turn inside the capture sphere of a nearly extremal black hole, which contains photon orbits. Ingoing light turns
+// there if its radial potential has a root before the horizon: in y = r − r₊
 //     R = P² − K y (y + d),  P = P₊ + E y (2r₊ + y),  d = r₊ − r₋,  P₊ = (r₊² + a²) E − aL,
-// which is above 0 at both ends, so that it is its least value that counts: near the horizon nearly a parabola's.
+// which is above 0 at both ends, so that its minimum decides: near the horizon R is nearly a parabola.
 
 const TURN_STEPS: u32 = 3u;
 

@@ -1,7 +1,7 @@
-// The same index everywhere.
+// A medium of constant index.
 
 struct Medium {
-    // Elements of a uniform array are 16 bytes apart, or a multiple of that.
+    // Elements of a uniform array are a multiple of 16 bytes apart.
     @align(16) n: Real,
 }
 
@@ -11,12 +11,12 @@ fn medium_index(x: Real3) -> Real {
     return media[place].n;
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     return Real3(0.0);
 }
 
-// Nothing changes: the way through the whole bounding sphere.
+// The index is constant, so that the length is the radius of the bounding sphere.
 fn medium_length(x: Real3) -> Real {
     return bound.radius;
 }

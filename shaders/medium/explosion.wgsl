@@ -1,8 +1,8 @@
-// The disturbed air of W04's Fig. 4(d), a noise-based index after an explosion:
+// The disturbed air of W04 Fig. 4(d), a noise-based index after an explosion:
 // n(x) = 1 + amplitude · ξ(r/R) · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)), ξ(q) = 2q³ − 3q² + 1, so that n = 1 outside R.
 //
-// The lattice noise is blended by the quintic 6t⁵ − 15t⁴ + 10t³, whose second derivative has no jumps: with the thesis'
-// Catmull–Rom blend ∇n has kinks at every cell's face, where RK4 would lose its order. ∇n is its analytic derivative.
+// The lattice noise is blended by the quintic 6t⁵ − 15t⁴ + 10t³, whose second derivative has no jumps: with the Catmull–Rom blend of the
+// thesis ∇n has kinks at the faces of cells, where RK4 would lose its order. ∇n is the analytic derivative.
 
 struct Medium {
     center: Real3,
@@ -15,8 +15,8 @@ struct Medium {
 
 var<uniform> media: array<Medium, MEDIA_COUNT>;
 
-// The lattice is turned and shifted against the scene's axes: value noise has no slope across its cells' faces, and a camera
-// in such a plane would see it.
+// The lattice is rotated and shifted relative to the scene's axes: value noise has no slope across the faces of its cells, and a camera in
+// such a plane would see that.
 const LATTICE_TURN = mat3x3<Real>(
     Real3(0.36, 0.48, -0.8),
     Real3(-0.8, 0.6, 0.0),
@@ -24,7 +24,7 @@ const LATTICE_TURN = mat3x3<Real>(
 );
 const LATTICE_SHIFT = Real3(0.317, 0.731, 0.523);
 
-// Gradient and value of the noise.
+// Returns the gradient and value of the noise.
 fn lattice_noise(p: Real3) -> Real4 {
     let base = floor(p);
     let f = p - base;
@@ -57,7 +57,7 @@ fn lattice_noise(p: Real3) -> Real4 {
     return Real4(du * slope, value);
 }
 
-// ∇n and n.
+// Returns ∇n and n.
 fn explosion(x: Real3) -> Real4 {
     let medium = media[place];
     let d = x - medium.center;
@@ -73,7 +73,7 @@ fn explosion(x: Real3) -> Real4 {
     let r = length(d);
     let q = min(r / medium.radius, 1.0);
     let xi = q * q * (2.0 * q - 3.0) + 1.0;
-    // ξ′(q) n̂/R = 6 (q − 1) d/R²: no division by r is left.
+    // ξ′(q) n̂/R = 6 (q − 1) d/R²: no division by r remains.
     let slope = (6.0 * (q - 1.0) / (medium.radius * medium.radius)) * d;
     return Real4(medium.amplitude * (xi * sum.xyz + sum.w * slope), 1.0 + medium.amplitude * xi * sum.w);
 }
@@ -87,7 +87,7 @@ fn medium_pull(x: Real3) -> Real3 {
     return n.w * n.xyz;
 }
 
-// The length over which the index changes: a cell of the finest octave inside, the way to the disturbed region outside.
+// Returns the characteristic length of the index: a cell of the finest octave inside, the distance to the disturbed region outside.
 fn medium_length(x: Real3) -> Real {
     let medium = media[place];
     let cell = 1.0 / (Real(1u << (medium.octaves - 1u)) * medium.frequency);

@@ -1,4 +1,4 @@
-// An index that the user wrote, as a formula of the place relative to a centre. What is generated for it knows its gradient.
+// An index that the user wrote as a formula of the position relative to a center. The generated code also computes its gradient.
 
 struct Medium {
     center: Real3,
@@ -11,12 +11,12 @@ fn medium_index(x: Real3) -> Real {
     return limited_index(formula(x - media[place].center).w);
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     return limited_pull(formula(x - media[place].center));
 }
 
-// The length over which the index changes.
+// Returns the characteristic length of the index, in scene units.
 fn medium_length(x: Real3) -> Real {
     return media[place].scale;
 }

@@ -1,4 +1,4 @@
-// Maxwell's fisheye: n = n₀/(1 + r²/a²). Paths are circles, and all those through a point meet again in another.
+// The Maxwell fisheye: n = n₀/(1 + r²/a²). Paths are circles, and all circles through a point meet again in another point.
 
 struct Medium {
     center: Real3,
@@ -13,7 +13,7 @@ fn medium_index(x: Real3) -> Real {
     return media[place].n0 / (1.0 + dot(q, q));
 }
 
-// ∇(n²/2) = −2 n³ (x − c)/(n₀ a²).
+// Returns ∇(n²/2) = −2 n³ (x − c)/(n₀ a²).
 fn medium_pull(x: Real3) -> Real3 {
     let q = (x - media[place].center) / media[place].a;
     let share = 1.0 / (1.0 + dot(q, q));
@@ -21,7 +21,7 @@ fn medium_pull(x: Real3) -> Real3 {
     return (-2.0 * n * n * share / media[place].a) * q;
 }
 
-// The length over which the index changes: a near the centre, r far away, where n falls as r⁻².
+// Returns the characteristic length of the index: a near the center, r far away, where n falls as r⁻².
 fn medium_length(x: Real3) -> Real {
     let d = x - media[place].center;
     return sqrt(dot(d, d) + media[place].a * media[place].a);

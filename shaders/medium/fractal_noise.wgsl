@@ -1,17 +1,17 @@
-// The thesis' noise (§2.4): the lattice blended by Catmull–Rom splines along all three axes, from 64 points, and the fractal sum
-// of its octaves (Eq. 10).
+// The noise of the thesis (§2.4): the lattice blended by Catmull–Rom splines along all three axes, from 64 points, and the fractal sum of
+// its octaves (Eq. 10).
 //
-// One octave overshoots its points, to 125/64 at the most. It has no jumps in its slope, which is the analytic one here: splines
-// once more, with the weights' derivatives.
+// One octave overshoots its lattice values, to 125/64 at most. Its gradient is continuous and analytic here: splines again, with the
+// derivatives of the weights.
 
-// Random numbers on the points of a lattice, always the same ones, in [-1, 1]: a hash of its mixed coordinates.
+// Returns a pseudo-random number in [-1, 1] for a point of the lattice, always the same one: a hash of its mixed coordinates.
 fn lattice(cell: vec3i, seed: u32) -> Real {
     let c = bitcast<vec3u>(cell);
     let mixed = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u) ^ (c.z * 0xcb1ab31fu) ^ (seed * 0x9e3779b1u);
     return Real(hashed(mixed) >> 8u) / 8388607.5 - 1.0;
 }
 
-// The weights of four points, at −1, 0, 1 and 2, for t from 0 to 1.
+// Returns the weights of four points, at −1, 0, 1 and 2, for t from 0 to 1.
 fn spline_weights(t: Real) -> Real4 {
     return 0.5 * Real4(t * (t * (2.0 - t) - 1.0), t * t * (3.0 * t - 5.0) + 2.0, t * (t * (4.0 - 3.0 * t) + 1.0), t * t * (t - 1.0));
 }
@@ -20,7 +20,7 @@ fn spline_slopes(t: Real) -> Real4 {
     return 0.5 * Real4(t * (4.0 - 3.0 * t) - 1.0, t * (9.0 * t - 10.0), t * (8.0 - 9.0 * t) + 1.0, t * (3.0 * t - 2.0));
 }
 
-// Four points of the lattice in a row along x.
+// Returns four points of the lattice in a row along x.
 fn lattice_row(cell: vec3i, seed: u32) -> Real4 {
     return Real4(
         lattice(cell - vec3i(1, 0, 0), seed),
@@ -30,7 +30,7 @@ fn lattice_row(cell: vec3i, seed: u32) -> Real4 {
     );
 }
 
-// Gradient and value of one octave.
+// Returns the gradient and value of one octave.
 fn cubic_noise(p: Real3, seed: u32) -> Real4 {
     let base = floor(p);
     let t = p - base;
@@ -56,7 +56,7 @@ fn cubic_noise(p: Real3, seed: u32) -> Real4 {
     return sum;
 }
 
-// Gradient and value of Σ 2⁻ʲ noise(2ʲ p). The gradient's factors 2⁻ʲ 2ʲ cancel.
+// Returns the gradient and value of Σ 2⁻ʲ noise(2ʲ p). The gradient's factors 2⁻ʲ 2ʲ cancel.
 fn fractal_noise(p: Real3, octaves: u32, seed: u32) -> Real4 {
     var sum = Real4(0.0);
     var place_in_octave = p;

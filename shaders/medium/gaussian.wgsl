@@ -14,14 +14,14 @@ fn medium_index(x: Real3) -> Real {
     return media[place].a * real_exp(-media[place].b * dot(q, q));
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     let n = medium_index(x);
     let slope = -2.0 * media[place].b / (media[place].radius * media[place].radius);
     return (slope * n * n) * (x - media[place].center);
 }
 
-// The length over which the index changes: R, or less where it is steep, |n″/n| being no more than 2|b|(1 + 2|b| q²)/R².
+// Returns the characteristic length of the index: R, or less where it is steep; |n″/n| is at most 2|b|(1 + 2|b| q²)/R².
 fn medium_length(x: Real3) -> Real {
     let q = (x - media[place].center) / media[place].radius;
     let b2 = 2.0 * abs(media[place].b);

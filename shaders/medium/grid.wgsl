@@ -1,19 +1,19 @@
-// An index given by samples on a regular grid. Between them it is the tri-cubic Catmull–Rom spline, which goes through the samples
-// and whose gradient is continuous; the gradient is the spline's own. Beyond the grid the index is that at its border.
+// An index given by samples on a regular grid. Between them it is the tricubic Catmull–Rom spline, which passes through the samples and has
+// a continuous gradient; the gradient is that of the spline. Beyond the grid the index is the one at the border.
 
 struct Medium {
-    // The first sample's place.
+    // The position of the first sample.
     origin: Real3,
-    // From one sample to the next along each axis.
+    // The distance between samples along each axis.
     cell: Real3,
-    // Samples along each axis, 2 or more, and the place of the first in the list of all grids' samples.
+    // The number of samples along each axis, at least 2, and the index of the first one in the list of all grids' samples.
     size: vec4u,
 }
 
 var<uniform> media: array<Medium, MEDIA_COUNT>;
 var<storage, read> index_samples: array<f32>;
 
-// What the four samples round a place weigh, at a fraction t between the inner two; and how that changes with t.
+// Returns the weights of the four samples around a position, at a fraction t between the inner two, or their derivatives by t.
 fn sample_weights(t: Real) -> Real4 {
     let s = t - 1.0;
     return 0.5 * Real4(-t * s * s, s * (3.0 * t * t - 2.0 * t - 2.0), -t * (3.0 * t * t - 4.0 * t - 1.0), t * t * s);
@@ -23,7 +23,7 @@ fn sample_slopes(t: Real) -> Real4 {
     return 0.5 * Real4(-(3.0 * t - 1.0) * (t - 1.0), t * (9.0 * t - 10.0), 1.0 + t * (8.0 - 9.0 * t), t * (3.0 * t - 2.0));
 }
 
-// Four samples along x, those beyond the border being the last.
+// Returns four samples along x; beyond the border they repeat the last one.
 fn sample_row(size: vec4u, i: i32, j: u32, k: u32) -> Real4 {
     let start = size.w + size.x * (j + size.y * k);
     let last = i32(size.x) - 1;
@@ -35,7 +35,7 @@ fn sample_row(size: vec4u, i: i32, j: u32, k: u32) -> Real4 {
     );
 }
 
-// ∇n and n.
+// Returns ∇n and n.
 fn index_spline(x: Real3) -> Real4 {
     let medium = media[place];
     let last = Real3(medium.size.xyz - 1u);
@@ -61,7 +61,7 @@ fn index_spline(x: Real3) -> Real4 {
         let n = dot(wx, values);
         sum += Real4(dot(sx, values) * wy[b] * wz[c], n * sy[b] * wz[c], n * wy[b] * sz[c], n * wy[b] * wz[c]);
     }
-    // Beyond the border nothing changes along that axis.
+    // Beyond the border the index is constant along that axis.
     let slope = select(Real3(0.0), sum.xyz / medium.cell, p == q);
     return Real4(slope, sum.w);
 }
@@ -70,12 +70,12 @@ fn medium_index(x: Real3) -> Real {
     return limited_index(index_spline(x).w);
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     return limited_pull(index_spline(x));
 }
 
-// The length over which the index changes: a cell.
+// Returns the characteristic length of the index: a cell.
 fn medium_length(x: Real3) -> Real {
     let cell = media[place].cell;
     return min(cell.x, min(cell.y, cell.z));

@@ -1,4 +1,4 @@
-// Luneburg's lens, generalised: n = √(C − r²/R²) (thesis Eq. 16). Its pull is that of a spring.
+// The generalized Luneburg lens: n = √(C − r²/R²) (thesis Eq. 16). Its pull is that of a spring.
 
 struct Medium {
     center: Real3,
@@ -13,17 +13,17 @@ fn medium_index(x: Real3) -> Real {
     return sqrt(max(media[place].c - dot(q, q), 0.0));
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     return (media[place].center - x) / (media[place].radius * media[place].radius);
 }
 
-// The length over which the index changes.
+// Returns the characteristic length of the index, in scene units.
 fn medium_length(x: Real3) -> Real {
     return media[place].radius;
 }
 
-// As a spring: x″ = −(x − c)/R², about a point.
+// As a spring: x″ = −(x − c)/R², around a point.
 fn spring_center() -> Real3 {
     return media[place].center;
 }

@@ -11,7 +11,7 @@ struct Medium {
 
 var<uniform> media: array<Medium, MEDIA_COUNT>;
 
-// ∇n and n.
+// Returns ∇n and n.
 fn noise_index(x: Real3) -> Real4 {
     let medium = media[place];
     let noise = fractal_noise(medium.frequency * (x - medium.center), medium.octaves, medium.seed);
@@ -22,13 +22,13 @@ fn medium_index(x: Real3) -> Real {
     return noise_index(x).w;
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     let n = noise_index(x);
     return n.w * n.xyz;
 }
 
-// The length over which the index changes: a cell of the finest octave.
+// Returns the characteristic length of the index: a cell of the finest octave.
 fn medium_length(x: Real3) -> Real {
     return 1.0 / (Real(1u << (media[place].octaves - 1u)) * media[place].frequency);
 }

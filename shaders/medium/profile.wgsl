@@ -1,17 +1,17 @@
-// Layered air after a measured profile: n by the height over the origin, a cubic between each two of its points, constant below
-// the first and above the last.
+// Layered air with a measured profile: n as a function of the height above the origin, a cubic between neighboring points, constant below
+// the first point and above the last.
 
 struct Medium {
     origin: Real3,
     up: Real3,
-    // Its points in `profile`.
+    // The indices of its points in `profile`.
     first: u32,
     points: u32,
 }
 
 var<uniform> media: array<Medium, MEDIA_COUNT>;
 
-// A point, and the cubic from there to the next: n + t (slope + t (bend + t twist)), t the height over the point.
+// A point, and the cubic from there to the next: n + t (slope + t (bend + t twist)), t being the height above the point.
 struct ProfilePoint {
     height: Real,
     n: Real,
@@ -22,7 +22,7 @@ struct ProfilePoint {
 
 var<storage, read> profile: array<ProfilePoint>;
 
-// The last of the points that is not above y, or the first; the last of all has no cubic.
+// Returns the last point that is not above y, or the first one; the very last point has no cubic.
 fn profile_piece(y: Real) -> u32 {
     var low = media[place].first;
     var high = low + media[place].points - 1u;
@@ -41,7 +41,7 @@ fn profile_height(x: Real3) -> Real {
     return dot(x - media[place].origin, media[place].up);
 }
 
-// n and dn/dy.
+// Returns n and dn/dy.
 fn profile_index(x: Real3) -> Real2 {
     let y = profile_height(x);
     let low = profile[media[place].first];
@@ -58,13 +58,14 @@ fn medium_index(x: Real3) -> Real {
     return profile_index(x).x;
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     let n = profile_index(x);
     return (n.x * n.y) * media[place].up;
 }
 
-// The length over which the index changes: between two points their distance, outside what is left to the first or last and theirs.
+// Returns the characteristic length of the index: between two points their distance, outside the profile that plus the distance to its
+// first or last point.
 fn medium_length(x: Real3) -> Real {
     let y = profile_height(x);
     let k = profile_piece(y);

@@ -1,8 +1,8 @@
-// Dispersion by Sellmeier's formula: n² = 1 + Σ B λ²/(λ² − C), the same everywhere.
+// Dispersion by the Sellmeier formula: n² = 1 + Σ B λ²/(λ² − C), constant in space.
 
 struct Medium {
     @align(32) b: Real4,
-    // Square micrometres.
+    // The coefficients C, in square micrometers.
     c: Real4,
 }
 
@@ -17,12 +17,12 @@ fn medium_index(x: Real3) -> Real {
     return sqrt(1.0 + dot(medium.b, square / (Real4(square) - medium.c)));
 }
 
-// ∇(n²/2).
+// Returns ∇(n²/2).
 fn medium_pull(x: Real3) -> Real3 {
     return Real3(0.0);
 }
 
-// Nothing changes: the way through the whole bounding sphere.
+// The index is constant, so that the length is the radius of the bounding sphere.
 fn medium_length(x: Real3) -> Real {
     return bound.radius;
 }

@@ -1,5 +1,5 @@
-// An index that varies over a surface alone (thesis §5.2.1): n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)) where light goes
-// in or out, and straight paths between.
+// An index that varies over a surface alone (thesis §5.2.1): n₀ + amplitude · Σ 2⁻ʲ noise(2ʲ · frequency · (x − c)) where light enters or
+// leaves, and straight paths in between.
 
 struct Medium {
     center: Real3,
@@ -18,12 +18,12 @@ fn medium_index(x: Real3) -> Real {
     return medium.n0 + medium.amplitude * noise.w;
 }
 
-// Not ∇(n²/2), on purpose: nothing bends light inside.
+// Deliberately not ∇(n²/2): nothing bends light inside.
 fn medium_pull(x: Real3) -> Real3 {
     return Real3(0.0);
 }
 
-// Nothing changes on the way: through the whole bounding sphere.
+// Paths inside are straight, so that the length is the radius of the bounding sphere.
 fn medium_length(x: Real3) -> Real {
     return bound.radius;
 }

@@ -1,4 +1,4 @@
-// A law that has no index: surfaces in it see that of empty space.
+// A law without an index: surfaces in it use the index of empty space.
 
 fn medium_index(x: Real3) -> Real {
     return 1.0;

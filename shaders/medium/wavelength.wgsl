@@ -1,7 +1,7 @@
-// All light is of one wavelength.
+// Gives all light one wavelength.
 
 struct Spectrum {
-    // Micrometres.
+    // The wavelength, in micrometers.
     wavelength: Real,
 }
 

@@ -1,4 +1,4 @@
-// An embedded pair's first rate is the law's.
+// Takes the first rate of an embedded pair from the law.
 
 fn first_derivative(p: Phase) -> Phase {
     return law_derivative(p);

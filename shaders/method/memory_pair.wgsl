@@ -1,6 +1,6 @@
-// What an embedded pair remembers: the size of the step to try next, the error of the last accepted one (for the PI controller),
-// and the rate at its end, which is the next step's first ("first same as last"). The rate is not kept between passes: it is
-// the same function of the same state, evaluated again.
+// The memory of an embedded pair: the size of the step to try next, the error of the last accepted one (for the PI controller), and the
+// rate at its end, which is the first rate of the next step ("first same as last"). The rate is not stored between passes: it is evaluated
+// again from the same state.
 
 struct Memory {
     h: Real,
@@ -8,7 +8,7 @@ struct Memory {
     rate: Phase,
 }
 
-// Of the step before a path's first.
+// The assumed error of the step before the first step of a path.
 const FIRST_ERROR: Real = 1e-4;
 
 fn first_memory(p: Phase) -> Memory {

@@ -1,4 +1,4 @@
-// The control remembers the size of the step to try next.
+// The memory of a control that stores only the size of the step to try next.
 
 struct Memory {
     h: Real,

@@ -1,4 +1,4 @@
-// Steps in the scene's coordinates.
+// Takes steps in the scene's coordinates and does nothing else.
 
 fn bare_steps(ray: Ray, most: u32) -> Ray {
     var next = ray;

@@ -1,12 +1,12 @@
-// Circles: rays in Maxwell's fisheye n = n₀/(1 + r²/a²). Seen from the pole of a sphere in four dimensions on which space lies
-// (x = a Y/(1 − W), |Y|² + W² = 1), a ray is a great circle, followed at an even pace in the optical path's length:
+// Circles: rays in the Maxwell fisheye n = n₀/(1 + r²/a²). Under stereographic projection of space to a sphere in four dimensions (x = a
+// Y/(1 − W), |Y|² + W² = 1) a ray is a great circle, with constant speed in the optical path length:
 //
 //     (Y, W)(α) = (Y₀, W₀) cos α + (Y₁, W₁) sin α,    dα = 2 n ds/(n₀ a).
 //
-// So rays through the centre, which are straight, need no case of their own. Steps are measured in α.
+// So rays through the center, which are straight, need no special case. Steps are measured in α.
 
 struct Circle {
-    // The point on the sphere, and the unit tangent onward.
+    // The point on the sphere, and the unit tangent in the direction of motion.
     here: Real4,
     onward: Real4,
 }
@@ -38,12 +38,12 @@ fn retaken_step(p: Phase, alpha: Real) -> Phase {
     return circle_point(circle_of(p), alpha);
 }
 
-// dτ/dα = (2a/n₀)/(1 − W)².
+// Returns dτ/dα = (2a/n₀)/(1 − W)².
 fn circle_pace(w: Real) -> Real {
     return 2.0 * media[place].a / (media[place].n0 * (1.0 - w) * (1.0 - w));
 }
 
-// By Gauss's rule of three points on quarters of the step.
+// Returns τ by the three-point Gauss rule on quarters of the step.
 fn circle_tau(p: Phase, alpha: Real) -> Real {
     let c = circle_of(p);
     var sum: Real = 0.0;
@@ -85,8 +85,8 @@ fn accepted_step(ray: Ray) -> Ray {
     return after_step(ray, retaken_step(ray.phase, alpha), passed);
 }
 
-// One step to where W = W₀ cos α + W₁ sin α passes its value on the sphere that the object is, outwards; or steps that a cubic arc
-// follows: short where the sphere's picture of space is stretched.
+// Returns one step to where W = W₀ cos α + W₁ sin α passes, outwards, its value on the surface of the sphere; or steps that a cubic arc can
+// follow, short where the projection is stretched.
 fn stride(p: Phase) -> Real {
     if !IS_EMPTY {
         let d = (p[0] - media[place].center) / media[place].a;

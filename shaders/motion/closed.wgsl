@@ -1,4 +1,4 @@
-// Closed forms try no step and have no rate.
+// Closed forms need no trial step and no first rate.
 
 fn first_step(p: Phase) -> Real {
     return 0.0;

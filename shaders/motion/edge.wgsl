@@ -1,9 +1,9 @@
-// The edge is the bounding sphere itself: the step across it is a path's last, cut so that it ends just outside. Where the
-// sphere lies off the centre the edge is within it, and paths go on across it by steps like any other.
+// The edge of the bounding sphere: the step across it is the last of a path, cut so that it ends just outside. If the sphere is not
+// centered on the orbit's center, the edge is inside it, and paths cross it by ordinary steps.
 
 const CUTS: u32 = 4u;
 
-// The size of the step by which u falls to the edge, from one by which it falls below: Newton's method, on a curve that is
+// Returns the size of the step by which u falls to the edge, from one by which it falls below: the Newton method, on a curve that is
 // concave there, from the far side.
 fn orbit_cut(o: Orbit, size: Real, edge: Real) -> Real {
     var s = size;
@@ -14,7 +14,7 @@ fn orbit_cut(o: Orbit, size: Real, edge: Real) -> Real {
     return s;
 }
 
-// From a step by which u falls below the edge, if it does.
+// Shortens a step by which u falls below the edge, if it does.
 fn left_size(o: Orbit, s: Real, edge: Real) -> Real {
     if !IS_ABOUT_CENTER {
         return s;
@@ -23,8 +23,8 @@ fn left_size(o: Orbit, s: Real, edge: Real) -> Real {
     return select(s, orbit_cut(o, s, 0.999 * edge), o.u > edge && over.u < edge);
 }
 
-// Roughly where a step that leaves crosses the edge, by the chord of u: whether it left is known, and exactly where is found
-// once, when the path has ended.
+// Returns roughly where a step that leaves crosses the edge, by the chord of u. Whether it left is known, and the exact position is found
+// once, after the path has ended.
 fn orbit_left(o: Orbit, over: Orbit, edge: Real) -> Orbit {
     if !IS_ABOUT_CENTER {
         return over;

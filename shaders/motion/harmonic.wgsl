@@ -1,6 +1,5 @@
-// Rays on a spring: in Luneburg's lens and the gradient rod n² falls with the square of the distance, so that x″ = ∇(n²/2) is
-// −ω² times the distance across the axis, and the path is a sum of a sine and a cosine (Evans and Rosenquist 1985). Nothing is
-// integrated.
+// Rays on a spring: in the Luneburg lens and the gradient-index rod n² falls with the square of the distance, so that x″ = ∇(n²/2) is −ω²
+// times the distance vector, and the path is a sum of a sine and a cosine (Evans and Rosenquist 1985). Nothing is integrated.
 
 fn retaken_step(p: Phase, h: Real) -> Phase {
     let axis = spring_axis();
@@ -20,9 +19,9 @@ fn accepted_step(ray: Ray) -> Ray {
     return after_step(ray, retaken_step(ray.phase, h), h);
 }
 
-// One step to where the path leaves a sphere about the spring's centre: with q = 2 d·v/ω, m ± p = |d|² ± |v|²/ω² over 2,
-// r² = m + p cos 2ωτ + ½q sin 2ωτ, which passes R² outwards at 2ωτ = φ − arccos((R² − m)/√(p² + q²/4)). Or steps that a cubic arc
-// follows to 1e-4 of their length.
+// Returns one step to where the path leaves a sphere around the center of the spring: with q = 2 d·v/ω, m ± p = |d|² ± |v|²/ω² over 2, r² =
+// m + p cos 2ωτ + ½q sin 2ωτ, which passes R² outwards at 2ωτ = φ − arccos((R² − m)/√(p² + q²/4)). Or steps that a cubic arc follows to
+// 1e-4 of their length.
 fn stride(p: Phase) -> Real {
     if !IS_EMPTY {
         return 0.4 / spring_rate();

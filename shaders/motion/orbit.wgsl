@@ -1,7 +1,7 @@
-// Steps of an orbit about its law's only centre, by an equation of 1/r.
+// Steps of an orbit around the only center of its law, by an equation of 1/r.
 
 struct Control {
-    // Radians about the centre.
+    // The angle around the center that a step may turn through, in radians.
     eta: Real,
 }
 
@@ -15,7 +15,7 @@ fn own_tau(p: Phase, end: Phase, h: Real) -> Real {
     return orbit_time(orbit_of(p[0], p[1]), orbit_of(end[0], end[1]), h);
 }
 
-// Steps and nothing else.
+// Takes steps and does nothing else.
 fn bare_steps(ray: Ray, most: u32) -> Ray {
     var o = orbit_of(ray.phase[0], ray.phase[1]);
     var passed: Real = 0.0;

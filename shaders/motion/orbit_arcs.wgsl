@@ -1,6 +1,6 @@
-// Orbits among objects: every step is an arc of its own, short enough in r too for a cubic to follow.
+// Orbits among objects: every step is a separate arc, short enough in r too for a cubic to follow.
 
-// The size of the step from ray to next, in the measure that retaken_step takes.
+// Returns the size of the step from `ray` to `next`, in the parameter that `retaken_step` takes.
 fn own_size(ray: Ray, next: Ray) -> Real {
     return next.memory.h;
 }
@@ -15,8 +15,8 @@ fn accepted_step(ray: Ray) -> Ray {
     return next;
 }
 
-// Steps in the plane of an orbit are as long as any. Of a separated orbit axes turn with ψ no further than η may, and on the way in Δ falls
-// by half of itself at most, for towards the horizon both τ and ψ go on for ever.
+// Limits steps for an arc. Steps in the plane of an orbit need no further limit. On a separated orbit the axes turn with ψ by at most η,
+// and on the way in Δ falls to half its value at most, because τ and ψ diverge towards the horizon.
 fn orbit_arc_stride(o: Orbit, eta: Real, size: Real) -> Real {
     if IS_PLANE {
         return orbit_stride(o, eta, size);

@@ -1,20 +1,21 @@
-// Orbits with nothing to hit: as many steps in one segment as lie well within the bounding sphere and outside of what captures,
-// in the plane all the while. The step that would leave is a segment of its own.
+// Orbits with nothing to hit: a segment takes as many steps as are well within the bounding sphere and outside the capture sphere, always
+// in the plane of the orbit. The step that would leave is a separate segment.
 
 const STEPS: u32 = 64u;
 
-// Inside this distance from the centre a ray is inside the bounding sphere, wherever that is: as u; beyond all u if there is none.
+// Returns the edge as u: inside this distance from the center a ray is inside the bounding sphere, wherever that is; above every u if there
+// is none.
 fn orbit_edge() -> Real {
     let inside = bound.radius - distance(bound.center, orbit_center());
     return select(1e30, 1.0 / inside, inside > 0.0);
 }
 
-// Where the bounding sphere lies off the centre a ray beyond the edge may still be inside: short steps, until it leaves.
+// If the bounding sphere is not centered, a ray beyond the edge may still be inside: it takes short steps until it leaves.
 fn orbit_size(o: Orbit, edge: Real, calm: Real) -> Real {
     return orbit_stride(o, control.eta, select(o.u + calm, o.u, o.u <= edge));
 }
 
-// The size of the step that leaves.
+// Returns the size of the step that leaves.
 fn own_size(ray: Ray, next: Ray) -> Real {
     let edge = orbit_edge();
     let o = orbit_of(ray.phase[0], ray.phase[1]);
@@ -32,14 +33,14 @@ fn accepted_step(ray: Ray) -> Ray {
     for (; steps < STEPS; steps++) {
         let s = orbit_size(here, edge, calm);
         let end = orbit_step(here, s);
-        // Both tests: a branch between them costs more than the second.
+        // Both tests at once: a branch between them costs more than the second.
         if (end.u < edge) | orbit_captured(end) {
             break;
         }
         passed += orbit_time(here, end, s);
         here = end;
     }
-    // The step that ends is taken again here: to keep it through the loop costs more.
+    // The step that ends is repeated here: storing it through the loop costs more.
     if steps == 0u {
         let s = orbit_size(start, edge, calm);
         here = orbit_step(start, s);

@@ -1,6 +1,6 @@
-// Steps in the plane of an orbit are measured in s, with ds = dτ/r²; those of a separated orbit in Mino's s, of momenta to its scale.
+// The step parameter of orbits: s with ds = dτ/r² in the plane of an orbit, and the Mino s with scaled momenta on a separated orbit.
 
-// τ in that measure, along the line from p: for a straight line s = τ/(r₀ r₁), as far as an angle is its sine.
+// Returns τ in that parameter, along the line from p: for a straight line s = τ/(r₀ r₁), while the angle is close to its sine.
 fn own_measure(p: Phase, tau: Real) -> Real {
     let x = p[0] - orbit_center();
     if IS_PLANE {
@@ -10,7 +10,7 @@ fn own_measure(p: Phase, tau: Real) -> Real {
     return tau * sqrt(dot(x, x) / dot(x + tau * p[1], x + tau * p[1])) / first;
 }
 
-// How fast τ goes in it.
+// Returns the rate of τ in that parameter.
 fn own_pace(p: Phase) -> Real {
     if IS_PLANE {
         let x = p[0] - orbit_center();
@@ -20,7 +20,7 @@ fn own_pace(p: Phase) -> Real {
     return orbit_pace(o, o.u, o.n.z, o.gap);
 }
 
-// A fraction of a step's τ as a fraction of its size.
+// Converts a fraction of a step's τ to a fraction of the step's size.
 fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
     let at = distance(mix(p[0], end[0], t), orbit_center());
     return t * distance(end[0], orbit_center()) / at;

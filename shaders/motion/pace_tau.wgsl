@@ -1,6 +1,6 @@
 // Steps are measured in τ itself, which may be the path's length.
 
-// The size of the step from ray to next, in the measure that retaken_step takes.
+// Returns the size of the step from `ray` to `next`, in the parameter that `retaken_step` takes.
 fn own_size(ray: Ray, next: Ray) -> Real {
     return next.taken;
 }
@@ -13,7 +13,7 @@ fn own_measure(p: Phase, tau: Real) -> Real {
     return tau;
 }
 
-// How fast τ goes in it.
+// Returns the rate of τ in that parameter.
 fn own_pace(p: Phase) -> Real {
     if BY_LENGTH {
         return 1.0 / length(p[1].xyz);
@@ -25,7 +25,7 @@ fn own_tau(p: Phase, end: Phase, h: Real) -> Real {
     return h;
 }
 
-// A fraction of a step's τ as a fraction of its size.
+// Converts a fraction of a step's τ to a fraction of the step's size.
 fn own_fraction(p: Phase, end: Phase, t: Real) -> Real {
     return t;
 }

@@ -114,7 +114,7 @@ fn accepted_step(ray: Ray) -> Ray {
         end = retaken_step(ray.phase, h);
     }
     var next = after_step(ray, end, h);
-    // What is free of all objects is no arc to be tested.
+    // A stretch that is clear of all objects is not tested as an arc.
     next.taken = select(next.taken, 0.0, piece.free);
     return next;
 }

@@ -11,7 +11,7 @@ struct Spiral {
     // sin ψ and cos ψ.
     climb: Real,
     swing: Real,
-    // Unit vectors: from the centre to the ray, and at right angles to it, onward.
+    // Unit vectors: from the center to the ray, and perpendicular to it in the direction of motion.
     n: Real3,
     t: Real3,
 }
@@ -24,7 +24,7 @@ fn spiral_of(p: Phase) -> Spiral {
     let climb = dot(n, u);
     let across = u - climb * n;
     let swing = length(across);
-    // A radial ray never turns to its t.
+    // A radial ray never turns towards its t, so that any t will do.
     return Spiral(r, climb, swing, n, across / max(swing, 1e-30));
 }
 
@@ -87,7 +87,7 @@ fn accepted_step(ray: Ray) -> Ray {
     let way = spiral_stride(ray.phase);
     let passed = spiral_tau(ray.phase, way.size);
     var next = after_step(ray, retaken_step(ray.phase, way.size), passed);
-    // What is free of all objects is no arc to be tested.
+    // A stretch that is clear of all objects is not tested as an arc.
     next.taken = select(next.taken, 0.0, way.free);
     return next;
 }

@@ -8,7 +8,7 @@ struct Record {
     status: u32,
     steps: u32,
     rejected: u32,
-    // 0 for none, else the object's place in the scene file, from 1.
+    // The index of the object in the scene file, from 1; 0 for none.
     object: u32,
     // The start of its last segment, before the first one its own.
     from_x: Real3,

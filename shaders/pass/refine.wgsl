@@ -88,7 +88,7 @@ fn refine(own: Invocation) {
     let n = frame.sample;
     let judges = n == 0u || (n >= FIRST_SAMPLES && countOneBits(n) == 1u);
     var state = 0u;
-    // The last column and row are only there for their corners.
+    // The last column and row exist only for their corners.
     if spot.valid && all(spot.pixel + 1u < frame.size) && sample_wanted(spot.pixel) {
         let i = place_in_tile(spot.pixel);
         var m: Moments;

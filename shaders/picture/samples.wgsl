@@ -26,7 +26,7 @@ fn sum_begins() -> bool {
     return frame.sample + frame.branch == 0u;
 }
 
-// The last column and row are only there for their corners.
+// The last column and row exist only for their corners.
 fn sample_wanted(pixel: vec2u) -> bool {
     if !KEEPS_FOOTPRINTS {
         return true;

@@ -20,7 +20,7 @@ var<uniform> frequency: Frequency;
 
 // K_t and K_φ.
 var<private> ray_kept: Real2;
-// Of what the ray saw, if it saw anything.
+// The redshift of the surface or sky that the ray saw, if any.
 var<private> seen_shift: Real;
 
 // What sends the sky's light is at rest, far away.

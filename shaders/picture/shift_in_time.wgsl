@@ -13,7 +13,7 @@ var<uniform> frequency: Frequency;
 // k at the camera, and ln of its growth up to the path's end.
 var<private> ray_scale: Real;
 var<private> ray_stretch: Real;
-// Of what the ray saw, if it saw anything.
+// The redshift of the surface or sky that the ray saw, if any.
 var<private> seen_shift: Real;
 
 fn note_end(p: Phase) {

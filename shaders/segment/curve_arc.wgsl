@@ -1,7 +1,7 @@
 // A segment is a cubic Hermite arc through its ends, cut into chords that stay within a tolerance of it.
 
 struct Arc {
-    // In scene units.
+    // The tolerance, in scene units.
     tolerance: Real,
     // The box of everything that can be hit.
     lo: Real3,

@@ -24,13 +24,13 @@ struct Seen {
     // What surfaces send back; black elsewhere.
     color: vec3f,
     normal: vec3f,
-    // 0 for none, else the object's place in the scene file, from 1.
+    // The index of the object in the scene file, from 1; 0 for none.
     object: u32,
 }
 
 // What a record says of it.
 struct Recorded {
     end: PathPoint,
-    // 0 for none, else the object's place in the scene file, from 1.
+    // The index of the object in the scene file, from 1; 0 for none.
     object: u32,
 }

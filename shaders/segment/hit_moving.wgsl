@@ -5,7 +5,7 @@
 var<private> segment_tau: Real;
 
 struct MovingArcs {
-    // In scene units.
+    // The tolerance, in scene units.
     tolerance: Real,
 }
 

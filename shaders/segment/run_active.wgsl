@@ -63,7 +63,7 @@ fn follow_segments(spot: ActiveRay, ray: ptr<function, Ray>, end: ptr<function, 
             if KEEPS_LAST {
                 keep_end(next);
             }
-            // As exact as the record of hits.
+            // Rounded to the precision of the stored hits.
             *end = Hit(Real(f32(hit.t)), hit.primitive);
         }
         rejoin();

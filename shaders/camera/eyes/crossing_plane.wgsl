@@ -1,10 +1,11 @@
-// Two eyes whose views cross on a plane before them: what is there has the same place in both. Each view stays a flat picture,
-// as seen through a window on that plane; eyes that turned inwards would shift its left and right edges up and down.
+// Moves a ray to one of two eyes whose views cross on a plane in front of them: points on the plane have the same position in both. Each
+// view stays a flat image, as seen through a window on that plane; eyes that turned inwards would shift its left and right edges up and
+// down.
 
 struct Stereo {
-    // From the camera to the right eye.
+    // The vector from the camera to the right eye.
     offset: Real3,
-    // To the plane, along `forward`.
+    // The distance to the plane, along `forward`.
     distance: Real,
 }
 

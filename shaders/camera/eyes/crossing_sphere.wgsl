@@ -1,10 +1,10 @@
-// Two eyes whose views cross on a sphere round the camera, for those that see more than a plane before them: what is there has
-// the same place in both.
+// Moves a ray to one of two eyes whose views cross on a sphere around the camera, for wide fields of view: points on the sphere have the
+// same position in both views.
 
 struct Stereo {
-    // From the camera to the right eye.
+    // The vector from the camera to the right eye.
     offset: Real3,
-    // The sphere's radius.
+    // The radius of the sphere.
     distance: Real,
 }
 

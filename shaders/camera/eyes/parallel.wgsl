@@ -1,7 +1,7 @@
-// Two eyes that look the same way: what is infinitely far has the same place in both views.
+// Moves a ray to one of two eyes that look in the same direction: points at infinity have the same position in both views.
 
 struct Stereo {
-    // From the camera to the right eye.
+    // The vector from the camera to the right eye.
     offset: Real3,
 }
 

@@ -1,4 +1,4 @@
-// One sample: the pixel's centre.
+// Takes one sample per pixel, at its center.
 
 fn nth_point(pixel: vec2u, n: u32) -> vec2f {
     return vec2f(pixel) + 0.5;

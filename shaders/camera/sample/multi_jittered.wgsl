@@ -1,14 +1,15 @@
-// Correlated multi-jittered samples (Kensler 2013): stratified in both axes and in the plane, without tables. The pattern is
-// seeded by the pixel's place in the whole picture, so that tiles and schedules do not show.
+// Correlated multi-jittered samples (Kensler 2013): stratified in both axes and in the plane, without tables. The seed of the pattern is
+// the pixel's position in the whole image, so that tiles and schedules do not show.
 
 struct Sampling {
-    // The pattern's columns and rows; their product is at least the number of samples.
+    // The columns and rows of the pattern; their product is at least the number of samples.
     grid: vec2u,
 }
 
 var<uniform> sampling: Sampling;
 
-// A permutation of 0 … l − 1 chosen by p: an invertible hash on the next power of two, walked until it lands inside.
+// Returns the image of `index` under a permutation of 0 … l − 1 that p selects: an invertible hash on the next power of two, repeated until
+// the result is below l.
 fn permuted(index: u32, l: u32, p: u32) -> u32 {
     var mask = l - 1u;
     mask |= mask >> 1u;
@@ -43,7 +44,7 @@ fn permuted(index: u32, l: u32, p: u32) -> u32 {
     return (i + p) % l;
 }
 
-// In [0, 1).
+// Returns a pseudo-random number in [0, 1).
 fn unit_random(seed: u32) -> f32 {
     return f32(hashed(seed) >> 8u) / 16777216.0;
 }

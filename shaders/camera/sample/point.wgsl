@@ -1,11 +1,11 @@
-// Samples in their order. Rays through the pixel's top left corner, which it shares with its neighbours, are its first where it takes as
-// many as it needs, and no samples but apart from them where it is known what pixels see.
+// Computes sample points in their order. With adaptive sampling the first ray of a pixel passes through its top left corner, which it
+// shares with its neighbors. If footprints are measured, the rays through the corners are separate and are not samples.
 
-// The sample that stands for the corners.
+// The sample number that stands for the corners.
 const CORNERS: u32 = 0x80000000u;
 
 struct SampleShare {
-    // The side of what each of a pixel's samples stands for, where the pixel's is 1.
+    // The side of the square that each sample represents, where the pixel's side is 1.
     side: f32,
 }
 

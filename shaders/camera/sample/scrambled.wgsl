@@ -1,7 +1,6 @@
-// Sobol's first two dimensions, a (0,2)-sequence, with Owen's scrambling by hashes (Burley 2020).
+// The first two Sobol dimensions, a (0,2)-sequence, with Owen scrambling by hashes (Burley 2020).
 
-// Flips each bit as the bits above it and the seed say: Laine and Karras's hash, with the constants of Vegdahl, on the bits in
-// reverse.
+// Flips each bit depending on the bits above it and the seed: the Laine–Karras hash, with the constants of Vegdahl, on the reversed bits.
 fn owen_scrambled(x: u32, seed: u32) -> u32 {
     var v = reverseBits(x);
     v ^= v * 0x3d20adeau;
@@ -12,8 +11,8 @@ fn owen_scrambled(x: u32, seed: u32) -> u32 {
     return reverseBits(v);
 }
 
-// The second dimension; the first is the index with its bits reversed. Its matrix is Pascal's triangle of even and odd, a product of
-// five with one shift each.
+// Returns the second dimension; the first is the index with its bits reversed. The matrix is Pascal's triangle modulo 2, a product of five
+// matrices with one shift each.
 fn sobol_second(index: u32) -> u32 {
     var v = reverseBits(index);
     v ^= v << 16u;
@@ -23,7 +22,7 @@ fn sobol_second(index: u32) -> u32 {
     return v ^ ((v & 0x55555555u) << 1u);
 }
 
-// A point of the unit square for the sample: of one seed all samples are Sobol's points, shuffled and scrambled (padding).
+// Returns a point of the unit square for the sample. The samples of one seed are the Sobol points, shuffled and scrambled (padding).
 fn seeded_point(seed: u32) -> vec2f {
     let index = owen_scrambled(frame.sample, seed);
     let x = owen_scrambled(reverseBits(index), hashed(seed ^ 0x9e3779b9u));

@@ -1,5 +1,5 @@
-// A pixel's samples as one sequence, every prefix of which is well spread. It is seeded by the pixel's place in the whole picture, so
-// that tiles and schedules do not show.
+// Takes the samples of a pixel from one Sobol sequence, every prefix of which is well distributed. The seed is the pixel's position in the
+// whole image, so that tiles and schedules do not show.
 
 fn nth_point(pixel: vec2u, n: u32) -> vec2f {
     let seed = hashed((pixel.x * 0x9e3779b1u) ^ (pixel.y * 0x85ebca77u));

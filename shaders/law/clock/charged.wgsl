@@ -1,6 +1,6 @@
-// How a clock at rest goes round a charged hole, also in a space with a cosmological constant.
+// The rate of static clocks around a charged black hole, also with a cosmological constant.
 
-// −g_tt.
+// Returns −g_tt.
 fn law_clock(x: Real3) -> Real {
     let d = x - law.center;
     let r2 = dot(d, d);

@@ -1,11 +1,10 @@
-// Centres with the local fall-off d(r) = 2r³/R³ − 3r²/R² + 1 inside R, else 0 (G95 after Wyvill, W04 §5.2). d(0) = 1, so
-// the force turns at once from one side of the centre to the other: the scale stops shrinking at R/50, past which a step
-// sees the jump as the law has it.
+// Centers with the local falloff d(r) = 2r³/R³ − 3r²/R² + 1 inside R, else 0 (G95 after Wyvill, W04 §5.2). Since d(0) = 1, the force
+// reverses abruptly at the center: the scale stops shrinking at R/50, and a step beyond that meets the jump as the law has it.
 
 struct Cubic {
     position: Real3,
     strength: Real,
-    // What its kind has besides a position, and its kind.
+    // The direction or spin that the kind of source needs, and the kind.
     along: Real3,
     kind: u32,
     radius: Real,

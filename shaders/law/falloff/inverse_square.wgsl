@@ -1,9 +1,9 @@
-// Centres with d(r) = 1/r²: singular at the centre, where steps shrink until the ray is captured or stalls.
+// Centers with d(r) = 1/r²: singular at the center, where steps shrink until the ray is captured or stalls.
 
 struct InverseSquare {
     position: Real3,
     strength: Real,
-    // What its kind has besides a position, and its kind.
+    // The direction or spin that the kind of source needs, and the kind.
     along: Real3,
     kind: u32,
 }

@@ -1,10 +1,10 @@
-// Centres with a screened potential, V = −strength e^(−μr)/r: d(r) = e^(−μr)(1 + μr)/r² (W04 §5.2). Here positive
-// strength attracts; the paper's V = +ζ e^(−μr)/r repels for ζ > 0.
+// Centers with a screened (Yukawa) potential, V = −strength e^(−μr)/r: d(r) = e^(−μr)(1 + μr)/r² (W04 §5.2). Here positive strength
+// attracts; the V = +ζ e^(−μr)/r of W04 repels for ζ > 0.
 
 struct Yukawa {
     position: Real3,
     strength: Real,
-    // What its kind has besides a position, and its kind.
+    // The direction or spin that the kind of source needs, and the kind.
     along: Real3,
     kind: u32,
     mu: Real,

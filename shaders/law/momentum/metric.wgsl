@@ -1,29 +1,29 @@
-// By a line element. With U = (v, −1), which v = dx/dτ makes light, it is gU: of two ways that light goes along a direction
-// where nothing rests, v's length says which.
+// The momentum of light in a custom metric. With U = (v, −1), which v = dx/dτ makes null, it is gU. Where no observer can be static, light
+// may have two speeds in one direction; the length of v selects one.
 
-// Of light that goes into the past from x at v, up to a positive factor.
+// Returns the momentum of light that leaves x into the past with velocity v, up to a positive factor.
 fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let m = metric_at(metric_place(x), 0.0);
     return Real4(metric_lowered(m, v) - m.shift, dot(m.shift, v) - m.clock);
 }
 
-// From the middle of what the law is the same around.
+// Returns the position of x relative to the center of symmetry of the law.
 fn law_arm(x: Real3) -> Real3 {
     return metric_place(x);
 }
 
-// g(k, k).
+// Returns g(k, k).
 fn law_square(x: Real3, k: Real4) -> Real {
     return metric_square(metric_at(metric_place(x), 0.0), k);
 }
 
-// Of light that goes into the past from x at v, up to a positive factor; tau before the picture was taken.
+// Returns the momentum of light that leaves x into the past with velocity v, up to a positive factor, at tau before the time of the camera.
 fn law_momentum_at(x: Real3, v: Real3, tau: Real) -> Real4 {
     let m = metric_at(metric_place(x), law.time - tau);
     return Real4(metric_lowered(m, v) - m.shift, dot(m.shift, v) - m.clock);
 }
 
-// g(k, k) then.
+// Returns g(k, k) at that time.
 fn law_square_at(x: Real3, k: Real4, tau: Real) -> Real {
     return metric_square(metric_at(metric_place(x), law.time - tau), k);
 }

@@ -1,6 +1,7 @@
-// Round a hole without spin: g_rr is −1/g_tt. v is K's part in space, but for a factor, and K_t follows from K's being light.
+// The momentum of light around a black hole without spin: g_rr is −1/g_tt. v is the spatial part of K up to a factor, and K_t follows from
+// the null condition.
 
-// Of light that goes into the past from x at v, up to a positive factor.
+// Returns the momentum of light that leaves x into the past with velocity v, up to a positive factor.
 fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let n = normalize(x - law.center);
     let clock = law_clock(x);
@@ -9,12 +10,12 @@ fn law_momentum(x: Real3, v: Real3) -> Real4 {
     return Real4(across + (radial / clock) * n, sqrt(radial * radial + clock * dot(across, across)));
 }
 
-// From the middle of what the law is the same around.
+// Returns the position of x relative to the center of symmetry of the law.
 fn law_arm(x: Real3) -> Real3 {
     return x - law.center;
 }
 
-// g(k, k).
+// Returns g(k, k).
 fn law_square(x: Real3, k: Real4) -> Real {
     let n = normalize(x - law.center);
     let clock = law_clock(x);

@@ -1,6 +1,6 @@
-// Round a wormhole, where clocks at rest go as they do far away.
+// The momentum of light around a wormhole, where static clocks run as fast as far away.
 
-// Of light that goes into the past from x at v, up to a positive factor.
+// Returns the momentum of light that leaves x into the past with velocity v, up to a positive factor.
 fn law_momentum(x: Real3, v: Real3) -> Real4 {
     let y = mouth_offset(x);
     let away = length(y);
@@ -11,12 +11,12 @@ fn law_momentum(x: Real3, v: Real3) -> Real4 {
     return Real4(radial * n + wider * across, sqrt(radial * radial + dot(across, across)));
 }
 
-// From the middle of what the law is the same around.
+// Returns the position of x relative to the center of symmetry of the law.
 fn law_arm(x: Real3) -> Real3 {
     return mouth_offset(x);
 }
 
-// g(k, k).
+// Returns g(k, k).
 fn law_square(x: Real3, k: Real4) -> Real {
     let y = mouth_offset(x);
     let away = length(y);

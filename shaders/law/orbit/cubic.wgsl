@@ -1,4 +1,4 @@
-// The orbit about one centre with the local fall-off: P = strength · d(r) r².
+// The orbit equation around one center with the local falloff: P = strength · d(r) r².
 
 fn orbit_center() -> Real3 {
     return cubic[0].position;
@@ -10,7 +10,7 @@ fn orbit_pull(u: Real, hh: Real) -> Real {
     return cubic[0].strength * (q * q * (2.0 * q - 3.0) + 1.0) * r * r;
 }
 
-// The pull has no size of its own that a step could be measured by.
+// The pull has no characteristic u that could limit a step.
 fn orbit_calm() -> Real {
     return 0.0;
 }

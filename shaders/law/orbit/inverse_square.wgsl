@@ -1,4 +1,4 @@
-// The orbit about one inverse-square centre: P is constant.
+// The orbit equation around one inverse-square center: P is constant.
 
 fn orbit_center() -> Real3 {
     return inverse_square[0].position;
@@ -8,7 +8,7 @@ fn orbit_pull(u: Real, hh: Real) -> Real {
     return inverse_square[0].strength;
 }
 
-// The pull has no size of its own that a step could be measured by.
+// The pull has no characteristic u that could limit a step.
 fn orbit_calm() -> Real {
     return 0.0;
 }

@@ -1,4 +1,4 @@
-// The orbit about one screened centre: P = strength · e^(−μr)(1 + μr).
+// The orbit equation around one screened center: P = strength · e^(−μr)(1 + μr).
 
 fn orbit_center() -> Real3 {
     return yukawa[0].position;
@@ -9,7 +9,7 @@ fn orbit_pull(u: Real, hh: Real) -> Real {
     return yukawa[0].strength * real_exp(-m) * (1.0 + m);
 }
 
-// The pull has no size of its own that a step could be measured by.
+// The pull has no characteristic u that could limit a step.
 fn orbit_calm() -> Real {
     return 0.0;
 }

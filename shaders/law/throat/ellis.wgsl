@@ -1,6 +1,6 @@
-// Ellis's throat: r² = ρ₀² + l².
+// The throat of the Ellis wormhole: r² = ρ₀² + l².
 
-// r and dr/dl.
+// Returns r and dr/dl.
 fn throat_radius(l: Real) -> Real2 {
     let r = sqrt(law.radius * law.radius + l * l);
     return Real2(r, l / r);

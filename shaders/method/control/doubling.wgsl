@@ -1,33 +1,33 @@
-// Step doubling: one step h against two of h/2 (W04 §4.2), and the cap without which a controller far from a hole sees flat space, grows,
-// and jumps over it.
+// Step doubling: one step h compared with two of h/2 (W04 §4.2), and an upper limit, without which a controller far from a black hole sees
+// flat space, grows the step, and jumps over it.
 //
-// A step whose difference exceeds the tolerance is tried again, shorter. The next size is the one whose leading error term would just meet
-// the tolerance, with a safety factor and limits on its change (Hairer, Nørsett, Wanner, Solving ODEs I, §II.4). A ray that no try moves is
-// stalled; or it has failed, if the shortest way on leads to where the law has no finite value. By the paper's rule (W04 §4.2) the difference
-// changes only the next step, by two thresholds: a step over the tolerance is counted and kept, and its error with it.
+// A step whose difference exceeds the tolerance is repeated with a smaller size. The next size is the one whose leading error term would
+// just meet the tolerance, with a safety factor and limits on its change (Hairer, Nørsett, Wanner, Solving ODEs I, §II.4). A ray that no
+// try moves is stalled; it has failed if the shortest step leads to a position where the law has no finite value. By the rule of W04 §4.2
+// the difference changes only the next step, by two thresholds: a step over the tolerance is counted and kept with its error.
 
 const MAX_TRIES: u32 = 16u;
 const SAFETY: Real = 0.9;
 const MIN_FACTOR: Real = 0.2;
 const MAX_FACTOR: Real = 5.0;
-// Where no step is taken back the first has to be small; it doubles soon enough.
+// The first step has to be small if no step is rejected; it doubles soon enough.
 const FIRST: Real = 1e-3;
 
 struct Control {
-    // h shrinks above it.
+    // h shrinks above this error.
     tolerance: Real,
-    // h grows below it.
+    // h grows below this error.
     grow_below: Real,
-    // h ≤ η · scale.
+    // The factor η of the limit h ≤ η · scale.
     eta: Real,
 }
 
 var<uniform> control: Control;
 
 struct DoubledStep {
-    // The two half steps' result, kept without extrapolation.
+    // The result of the two half steps, kept without extrapolation.
     end: Phase,
-    // The relative difference from one whole step: of positions over the law's length, of velocities over the speed.
+    // The relative difference from one whole step: positions relative to the length of the law, velocities to the speed.
     error: Real,
 }
 
@@ -35,7 +35,7 @@ fn capped_step(ray: Ray) -> Real {
     return limited_step(min(ray.memory.h, control.eta * law_scale(ray.phase)), ray);
 }
 
-// The loops keep a single copy of the step in the program: drivers inline every call.
+// The loops keep a single copy of the step in the program, because drivers inline every call.
 fn half_steps(p: Phase, h: Real) -> Phase {
     var q = p;
     for (var half = 0u; half < 2u; half++) {

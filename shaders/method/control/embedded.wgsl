@@ -1,12 +1,12 @@
-// Embedded pairs under a PI controller (Hairer, Nørsett, Wanner, Solving ODEs I, §II.4; Gustafsson 1991), with the names of their
-// DOPRI5: a step whose error exceeds the tolerance is tried again, shorter; the next size follows from this error and the
-// last one's; and h ≤ η · scale, without which a controller far from a hole sees flat space, grows, and jumps over it. A ray
-// that no try moves is stalled; or it has failed, if the shortest way on leads to where the law has no finite value.
+// Embedded pairs under a PI controller (Hairer, Nørsett, Wanner, Solving ODEs I, §II.4; Gustafsson 1991), with the names of their DOPRI5. A
+// step whose error exceeds the tolerance is repeated with a smaller size; the next size follows from this error and the last one; and h ≤ η
+// · scale, without which a controller far from a black hole sees flat space, grows the step, and jumps over it. A ray that no try moves is
+// stalled; it has failed if the shortest step leads to a position where the law has no finite value.
 
 struct Control {
-    // Of the whole path's error: of positions over the law's length, of velocities over the speed.
+    // The tolerance of the whole path's error: positions relative to the length of the law, velocities to the speed.
     tolerance: Real,
-    // h ≤ η · scale.
+    // The factor η of the limit h ≤ η · scale.
     eta: Real,
 }
 
@@ -17,21 +17,21 @@ struct PairStep {
     end: Phase,
     // The difference of the two methods.
     error: Phase,
-    // At the end: the next step's first.
+    // The rate at the end, which is the first rate of the next step.
     rate: Phase,
 }
 
 const MAX_TRIES: u32 = 16u;
 const SAFETY: f32 = 0.9;
-// h shrinks to no less than FAC1 of itself, and grows to no more than FAC2.
+// h shrinks by a factor of FAC1 at most, and grows by a factor of FAC2 at most.
 const FAC1: f32 = 0.2;
 const FAC2: f32 = 10.0;
 const BETA: f32 = 0.04;
-// What one step may have of the tolerance: a path has tens of steps and their errors add, so that the tolerance is about what the
-// whole path errs by where it does not diverge.
+// The share of the tolerance that one step may use. A path has tens of steps and their errors add, so that the tolerance is about the error
+// of the whole path where it does not diverge.
 const SHARE: Real = 0.1;
 
-// What the step is divided by. A factor needs no more digits than f32 has.
+// Returns the divisor of the step size. A factor needs no more digits than f32 has.
 fn error_factor(error: f32) -> f32 {
     return pow(max(error, 1e-10), 1.0 / STEP_ORDER - 0.75 * BETA);
 }
@@ -44,7 +44,7 @@ fn retaken_step(p: Phase, h: Real) -> Phase {
     return law_projected(pair_step(p, law_derivative(p), h).end);
 }
 
-// The error in units of the tolerance.
+// Returns the error in units of the tolerance.
 fn scaled_error(p: Phase, difference: Phase) -> f32 {
     let error = length(difference[0].xyz) / law_scale(p) + length(difference[1].xyz);
     return f32(error / (SHARE * control.tolerance * length(p[1].xyz)));
@@ -73,7 +73,7 @@ fn accepted_step(ray: Ray) -> Ray {
         }
         next.rejected += 1u;
         lost = lost || !finite_phase(step.end);
-        // Not a number is not less than anything either.
+        // A value that is not a number also fails this comparison.
         h *= Real(select(FAC1, max(FAC1, SAFETY / factor), error < 1e30));
         // A step that follows a rejection does not grow.
         longest = 1.0;

@@ -2,7 +2,7 @@
 
 struct Control {
     step: Real,
-    // h ≤ η · scale.
+    // The factor η of the limit h ≤ η · scale.
     eta: Real,
 }
 

@@ -1,4 +1,4 @@
-// An iteration's own steps, of one size: what it makes of a state is taken as it is.
+// Steps of an iteration, all of one size: its result is accepted without an error estimate.
 
 struct Control {
     step: Real,

@@ -1,4 +1,4 @@
-// Bogacki and Shampine's pair of orders 3 and 2 (1989), first same as last.
+// The Bogacki–Shampine pair of orders 3 and 2 (1989), first same as last.
 
 const STEP_ORDER: f32 = 3.0;
 

@@ -1,4 +1,4 @@
-// Dormand and Prince's pair of orders 5 and 4 (1980; Hairer, Nørsett, Wanner, Solving ODEs I, Table II.5.2), first same as last.
+// The Dormand–Prince pair of orders 5 and 4 (1980; Hairer, Nørsett, Wanner, Solving ODEs I, Table II.5.2), first same as last.
 
 const STEP_ORDER: f32 = 5.0;
 

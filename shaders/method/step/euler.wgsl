@@ -1,4 +1,4 @@
-// Euler: p ← p + h F(p) (W04 Eq. 2).
+// The Euler method: p ← p + h F(p) (W04 Eq. 2).
 
 const STEP_ORDER: f32 = 1.0;
 

@@ -1,4 +1,4 @@
-// Gröller's iteration as printed (G95 §3.1, Table 1): a straight step of length h, and a new velocity that knows no h.
+// Gröller's iteration as printed (G95 §3.1, Table 1): a straight step of length h, and a new velocity that does not depend on h.
 
 const STEP_ORDER: f32 = 1.0;
 

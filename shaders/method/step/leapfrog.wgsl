@@ -1,6 +1,6 @@
-// Leapfrog: drift half a step, kick, drift the other half (the position form of Verlet's method). Of the same order and as
-// reversible as the velocity form, with one evaluation a step and nothing to remember. What the law holds constant along a ray
-// (h² of a Schwarzschild hole) is evaluated at each step's start.
+// Leapfrog: drift half a step, kick, drift the other half (position Verlet). It has the order and reversibility of the velocity form, with
+// one evaluation per step and no memory. A value that the law holds constant along a ray (h² of a Schwarzschild black hole) is evaluated at
+// the start of each step.
 
 const STEP_ORDER: f32 = 2.0;
 

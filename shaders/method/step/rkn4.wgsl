@@ -1,5 +1,5 @@
-// Nyström's method of order 4 for x″ = a(x) (Hairer, Nørsett, Wanner, Solving ODEs I, §II.14): three evaluations a step where RK4
-// has four. What the law holds constant along a ray (h² of a Schwarzschild hole) is evaluated at each step's start.
+// The Nyström method of order 4 for x″ = a(x) (Hairer, Nørsett, Wanner, Solving ODEs I, §II.14): three evaluations per step where RK4 has
+// four. A value that the law holds constant along a ray (h² of a Schwarzschild black hole) is evaluated at the start of each step.
 
 const STEP_ORDER: f32 = 4.0;
 

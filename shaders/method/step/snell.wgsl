@@ -1,6 +1,6 @@
-// Discrete refraction (W04 §5.3 after Yngve et al. 2000): straight on, and where the index has changed by more than a
-// threshold since the last refraction, Snell's law at a plane whose normal is along ∇n. |v| remembers the index of that last
-// refraction, so that no state is added; past the critical angle the ray is reflected.
+// Discrete refraction (W04 §5.3 after Yngve et al. 2000): straight steps, and where the index has changed by more than a threshold since
+// the last refraction, Snell's law at a plane with its normal along ∇n. |v| stores the index of that last refraction, so that no state is
+// added; beyond the critical angle the ray is reflected.
 
 struct Snell {
     threshold: Real,
@@ -18,7 +18,7 @@ fn step_ray(p: Phase, h: Real) -> Phase {
     let last = length(v);
     let steep = dot(pull, pull) > 0.0;
     let normal = select(Real3(0.0), normalize(pull), steep);
-    // n d keeps its part along the plane; its part along the normal follows from the new length.
+    // n d keeps its component along the plane; the normal component follows from the new length.
     let along = dot(v, normal);
     let across = v - along * normal;
     let through2 = n * n - dot(across, across);
